@@ -1,0 +1,1 @@
+"""One door to numbers: trajectories of a System, compiled once and cached."""

@@ -1,0 +1,99 @@
+"""Compiled code kept on disk between processes.
+
+An entry is native code, so it is only ever read from a folder that belongs to this user and that
+nobody else can write to; its name is a digest of everything that shaped it (formulas, tolerance,
+versions, processor).  A cache that cannot be used is no error: the code is compiled again.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import pickle
+import platform
+import stat
+import tempfile
+from collections.abc import Callable
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import platformdirs
+
+__all__ = ["digest", "folder", "remember"]
+
+_KEEP = 200
+
+
+def folder() -> Path:
+    """Where compiled code is kept; the variable CHAPLYGIN_CACHE overrides the user's own place."""
+    chosen = os.environ.get("CHAPLYGIN_CACHE")
+    return Path(chosen) if chosen else Path(platformdirs.user_cache_dir("chaplygin")) / "compiled"
+
+
+def _processor() -> str:
+    """What the compiled code was made for, to the last instruction set."""
+    info = Path("/proc/cpuinfo")
+    if info.exists():
+        lines = info.read_text().splitlines()
+        return "".join(sorted({x for x in lines if x.startswith(("flags", "Features", "model"))}))
+    return platform.processor()
+
+
+def digest(*parts: str) -> str:
+    """A name for code shaped by `parts`, on this machine and with these versions."""
+    text = "\x00".join(
+        (
+            *parts,
+            platform.platform(),
+            platform.python_version(),
+            _processor(),
+            *(f"{name} {version(name)}" for name in ("chaplygin", "heyoka", "numpy", "sympy")),
+        )
+    )
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _trusted(path: Path) -> bool:
+    """Whether only this user can have written to `path`."""
+    if not hasattr(os, "getuid"):
+        return True
+    status = path.stat()
+    return status.st_uid == os.getuid() and not status.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
+
+
+def _read(path: Path) -> Any:
+    try:
+        if _trusted(path.parent) and _trusted(path):
+            entry = pickle.loads(path.read_bytes())
+            path.touch()
+            return entry
+    except (OSError, pickle.UnpicklingError, EOFError, ValueError, AttributeError, RuntimeError):
+        pass
+    return None
+
+
+def _write(path: Path, entry: Any) -> None:
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
+        if not _trusted(path.parent):
+            return
+        with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as stream:
+            stream.write(pickle.dumps(entry))
+        os.replace(stream.name, path)
+        entries = sorted(path.parent.glob("*.code"), key=lambda p: p.stat().st_mtime)
+        for old in entries[:-_KEEP]:
+            old.unlink(missing_ok=True)
+    except OSError:
+        pass
+
+
+def remember(name: str, make: Callable[[], Any]) -> tuple[Any, bool]:
+    """The entry called `name`, and whether it was found; made and kept if it was not."""
+    path = folder() / f"{name}.code"
+    entry = _read(path)
+    if entry is not None:
+        return entry, True
+    entry = make()
+    _write(path, entry)
+    return entry, False

@@ -1,0 +1,185 @@
+"""A System compiled for Taylor integration by heyoka."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Literal
+
+import heyoka as hy
+import numpy as np
+import sympy as sp
+
+from ..errors import InputError
+from ..system import System
+from ..vectors import explicit
+from . import cache
+from .translate import Translator
+
+__all__ = ["Compiled", "Precision", "compile_system", "number_type"]
+
+Precision = Literal["double", "quad"]
+
+#: Tolerances finer than this are beyond the working precision.
+FINEST = {"double": np.finfo(float).eps, "quad": 2e-34}
+
+
+@dataclass(frozen=True)
+class Compiled:
+    """Native code for one system at one tolerance and precision.
+
+    Parameters of the system are run-time values; the code is shared by all of them.
+
+    Attributes
+    ----------
+    integrator : heyoka.taylor_adaptive
+        State of the core, then of the motion; one terminal event per guard.
+    outputs : heyoka.cfunc
+        Observables, laws and guards at a state.
+    core, lift : Constraint
+        What keeps the reduced state, and its lift to space, on their relations.
+    found : bool
+        Whether the code came from the cache.
+    """
+
+    integrator: Any
+    outputs: Any
+    core: tuple[Any, Any, int]
+    lift: tuple[Any, Any, int]
+    laws: tuple[Any, Any, int]
+    found: bool = False
+
+
+def number_type(precision: Precision) -> Any:
+    """The type of numbers of a precision: float, or 34 digits.
+
+    Raises
+    ------
+    InputError
+        If this machine's heyoka has no 34-digit numbers.
+    """
+    if precision == "double":
+        return float
+    if not hasattr(hy, "real128"):
+        raise InputError("precision 'quad' is not available on this machine; use 'double'")
+    return hy.real128
+
+
+@dataclass(frozen=True)
+class _Plan:
+    """What to compile, and the name under which to remember it."""
+
+    system: System
+    tolerance: float
+    precision: Precision
+
+    @cached_property
+    def lifted(self) -> System:
+        return self.system.lifted() if self.system.motion else self.system
+
+    def name(self) -> str:
+        system = self.lifted
+        formulas = [
+            *system.symbols,
+            *(p.symbol for p in system.parameters),
+            *(item for step in system.steps for item in step),
+            *system.rates,
+            *map(explicit, system.relations),
+            *(explicit(item.value) for item in (*system.laws, *system.observables, *system.guards)),
+        ]
+        parts = (str(formula) for formula in formulas)
+        core = str(len(self.system.symbols))
+        return cache.digest(*parts, core, repr(self.tolerance), self.precision)
+
+    def compile(self) -> Compiled:
+        system, kind = self.lifted, number_type(self.precision)
+        translate = Translator(system)
+        variables = translate.variables
+        parameters = [kind(1)] * len(system.parameters)
+        events = [
+            hy_event(kind)(translate(guard.value), direction=hy.event_direction.negative)
+            for guard in system.guards
+        ]
+        integrator = hy.taylor_adaptive(
+            list(zip(variables, translate.all(system.rates), strict=True)),
+            [kind(1)] * len(variables),
+            pars=parameters,
+            tol=kind(max(self.tolerance, FINEST[self.precision])),
+            fp_type=kind,
+            t_events=events,
+            compact_mode=True,
+        )
+        recorded = [item.value for item in (*system.observables, *system.laws, *system.guards)]
+        # a constant makes the list non-empty
+        outputs = hy.cfunc([*translate.all(recorded), variables[0]], variables, fp_type=kind)
+        size = len(self.system.symbols)
+        core = list(self.system.relations)
+        lift = list(self.system.motion.relations) if self.system.motion else []
+        laws = [law.value for law in system.laws]
+        constrain = _constraints(translate, system)
+        return Compiled(
+            integrator,
+            outputs,
+            constrain(core, slice(0, size), kind),
+            constrain(lift, slice(size, None), kind),
+            constrain(laws, slice(0, size), kind),
+        )
+
+
+def hy_event(kind: Any) -> Any:
+    """The constructor of terminal events for numbers of a type."""
+    if kind is float:
+        return hy.t_event
+    return lambda expression, direction: hy.t_event(expression, direction=direction, fp_type=kind)
+
+
+def _constraints(translate: Translator, system: System) -> Any:
+    def build(relations: list[sp.Expr], columns: slice, kind: Any) -> tuple[Any, Any, int]:
+        """Residuals in working precision, derivatives in double, and how many there are."""
+        if not relations:
+            return None, None, 0
+        residuals = translate.all(relations)
+        moved = translate.variables[columns]
+        slopes = [hy.diff(residual, variable) for residual in residuals for variable in moved]
+        return (
+            hy.cfunc(residuals, translate.variables, fp_type=kind),
+            hy.cfunc(slopes, translate.variables),
+            len(residuals),
+        )
+
+    return build
+
+
+def compile_system(
+    system: System, tolerance: float = 1e-15, precision: Precision = "double"
+) -> Compiled:
+    """Compile a system, or fetch its code from the cache.
+
+    Parameters
+    ----------
+    system : System
+        Lifted to space if it has a motion.
+    tolerance : float
+        Relative error per step; limited by the working precision.
+    precision : ``"double"`` or ``"quad"``
+        16 or 34 digits.
+
+    Raises
+    ------
+    InputError
+        If the tolerance is not between 0 and 1, or finer than the precision allows.
+    """
+    if not 0 < tolerance < 1:
+        raise InputError(f"tolerance {tolerance}: it must lie between 0 and 1")
+    if precision == "double" and tolerance < 1e-16:
+        raise InputError(
+            f"tolerance {tolerance} is beyond double precision: use at least 1e-16, or "
+            "precision 'quad'"
+        )
+    plan = _Plan(system, tolerance, precision)
+    bundle, found = cache.remember(plan.name(), lambda: _pack(plan.compile()))
+    return Compiled(*bundle, found=found)
+
+
+def _pack(code: Compiled) -> tuple[Any, ...]:
+    return (code.integrator, code.outputs, code.core, code.lift, code.laws)

@@ -1,0 +1,453 @@
+"""Trajectories of a System: one start, chosen times, everything the system records."""
+
+from __future__ import annotations
+
+import math
+import time as clock
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+import sympy as sp
+
+from ..errors import InputError, RunError
+from ..system import Guard, System
+from ..vectors import explicit
+from .projection import Projector, call
+from .taylor import Compiled, Precision, compile_system, number_type
+
+__all__ = ["Happening", "Statistics", "Trajectory", "integrate"]
+
+#: Residuals of the relations that are left alone, per precision.
+LEFT_ALONE = {"double": 1e-15, "quad": 1e-32}
+
+
+@dataclass(frozen=True)
+class Happening:
+    """A guard that was passed: what happened, and when."""
+
+    time: float
+    guard: Guard
+    stopped: bool
+
+    def __str__(self) -> str:
+        end = "the run ends there" if self.stopped else "the run goes on"
+        return f"t = {self.time:.17g}: {self.guard.happening}; {end}"
+
+
+@dataclass(frozen=True)
+class Statistics:
+    """How a trajectory was computed."""
+
+    steps: int
+    order: int
+    corrections: int
+    seconds: float
+    from_cache: bool
+
+
+@dataclass(frozen=True)
+class Dense:
+    """A continuous trajectory: the Taylor polynomials of all steps.
+
+    Calling it with times inside ``(first, last)`` gives states, shape (times, state).
+    """
+
+    begins: Any
+    lengths: Any
+    coefficients: Any
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """The two ends of the covered interval of time, in the direction of integration."""
+        return float(self.begins[0]), float(self.begins[-1] + self.lengths[-1])
+
+    def __call__(self, times: Any) -> Any:
+        wanted = np.atleast_1d(np.asarray(times, dtype=float))
+        low, high = sorted(self.span)
+        if np.any(wanted < low) or np.any(wanted > high):
+            raise InputError(f"time outside the computed interval from {low:g} to {high:g}")
+        sign = 1.0 if self.lengths[0] > 0 else -1.0
+        begins = sign * self.begins.astype(float)
+        index = np.clip(np.searchsorted(begins, sign * wanted, side="right") - 1, 0, None)
+        step = wanted - self.begins[index]
+        value = self.coefficients[index, :, -1]
+        for order in range(self.coefficients.shape[2] - 2, -1, -1):
+            value = value * step[:, None] + self.coefficients[index, :, order]
+        return value
+
+
+@dataclass(frozen=True)
+class Trajectory:
+    """States and observables of a system along one motion.
+
+    Attributes
+    ----------
+    system : System
+        Lifted to space where it has a motion.
+    parameters : mapping of Symbol to number
+    times : array (n,)
+    states : array (n, size)
+        In the flat order of ``system.symbols``; 34-digit numbers at precision "quad".
+    recorded : mapping of str to array
+        Observables by name, (n,) or (n, components), and ``law_<name>`` for every integral.
+    happenings : tuple of Happening
+        Guards passed on the way, in order.
+    statistics : Statistics
+    dense : Dense or None
+        The continuous trajectory, when it was asked for.
+    """
+
+    system: System
+    parameters: Mapping[sp.Symbol, Any]
+    times: Any
+    states: Any
+    recorded: Mapping[str, Any]
+    happenings: tuple[Happening, ...]
+    statistics: Statistics
+    dense: Dense | None = None
+
+    def __getitem__(self, name: str) -> Any:
+        """A state variable or an observable by name."""
+        if name in self.recorded:
+            return self.recorded[name]
+        first = 0
+        for variable in self.system.state:
+            width = 1 if isinstance(variable, sp.Symbol) else len(variable.symbols)
+            if str(variable) == name:
+                block = self.states[:, first : first + width]
+                return block[:, 0] if isinstance(variable, sp.Symbol) else block
+            first += width
+        raise KeyError(name)
+
+
+@dataclass
+class _Log:
+    """What a run has produced so far."""
+
+    times: list[Any] = field(default_factory=list)
+    states: list[Any] = field(default_factory=list)
+    happenings: list[Happening] = field(default_factory=list)
+    dense: list[tuple[Any, Any, Any]] = field(default_factory=list)
+    steps: int = 0
+    corrections: int = 0
+
+
+def integrate(
+    system: System,
+    start: Sequence[Any],
+    times: Sequence[Any],
+    *,
+    parameters: Mapping[sp.Symbol, Any] | None = None,
+    tolerance: float = 1e-15,
+    precision: Precision = "double",
+    on_liftoff: Literal["stop", "warn"] = "stop",
+    keep_integrals: bool = False,
+    time_limit: float | None = None,
+    dense: bool = False,
+    progress: Callable[[float], None] | None = None,
+) -> Trajectory:
+    """Integrate a system from `start` through `times`.
+
+    Parameters
+    ----------
+    system : System
+        If it has a motion in space, that is integrated with it.
+    start : sequence of numbers
+        State at ``times[0]``, reduced and (where there is one) lifted, in flat order; see
+        :func:`chaplygin.mechanics.start.starting_state`.
+    times : sequence of numbers
+        At least two, all increasing or all decreasing (backward integration).
+    parameters : mapping of Symbol to number, optional
+        Values that replace the system's defaults.
+    tolerance, precision
+        See :func:`chaplygin.flow.taylor.compile_system`.
+    on_liftoff : ``"stop"`` or ``"warn"``
+        Whether the run ends or goes on when the normal force changes sign.  Leaving the domain
+        of the equations (a body lying flat, a contact on a non-convex part) always ends it.
+    keep_integrals : bool
+        Restore the integrals to their initial values after every step, besides the relations.
+    time_limit : float, optional
+        Seconds of computing after which to give up.
+    dense : bool
+        Keep the continuous trajectory.
+    progress : callable, optional
+        Called with the fraction done.
+
+    Returns
+    -------
+    Trajectory
+        Up to the last of `times`, or to where a guard ended it (that moment is its last sample).
+
+    Raises
+    ------
+    InputError
+        If times, parameters or start cannot be used.
+    RunError
+        If the integration fails; it carries the last good time and the trajectory so far.
+    """
+    values = _values(system, parameters)
+    code = compile_system(system, tolerance, precision)
+    kind = number_type(precision)
+    lifted = system.lifted() if system.motion else system
+    moments = _moments(times, kind)
+    run = _Run(lifted, len(system.symbols), code, kind, values, precision)
+    run.begin(start, moments[0], keep_integrals)
+    began = clock.perf_counter()
+    log = _Log()
+    failure = None
+    try:
+        for done in run.walk(moments, log, on_liftoff, dense, began, time_limit):
+            if progress is not None:
+                progress(done)
+    except _Failed as stop:
+        failure = str(stop)
+    except KeyboardInterrupt:
+        failure = "interrupted"
+    seconds = clock.perf_counter() - began
+    trajectory = run.finish(log, Statistics(
+        log.steps, code.integrator.order, log.corrections, seconds, code.found
+    ))
+    if failure is not None:
+        last = float(log.times[-1])
+        raise RunError(f"{system.name}: {failure}", last, trajectory)
+    return trajectory
+
+
+class _Failed(Exception):
+    """The integration cannot go on."""
+
+
+def _values(
+    system: System, parameters: Mapping[sp.Symbol, Any] | None
+) -> dict[sp.Symbol, Any]:
+    values: dict[sp.Symbol, Any] = dict(system.defaults)
+    for symbol, value in (parameters or {}).items():
+        if symbol not in values:
+            known = ", ".join(map(str, values))
+            raise InputError(f"{system.name}: no parameter {symbol}; it has {known}")
+        values[symbol] = value
+    return values
+
+
+def _moments(times: Sequence[Any], kind: Any) -> list[Any]:
+    moments = [kind(_text(t)) for t in times]
+    if len(moments) < 2:
+        raise InputError(f"{len(moments)} time(s) given: at least a first and a last are needed")
+    if not all(math.isfinite(float(t)) for t in moments):
+        raise InputError("times: all of them must be finite numbers")
+    pairs = list(zip(moments, moments[1:], strict=False))
+    if not (all(s < t for s, t in pairs) or all(s > t for s, t in pairs)):
+        raise InputError("times: they must be all increasing or all decreasing")
+    return moments
+
+
+def _text(number: Any) -> str:
+    """A number as written, so that 0.1 means one tenth at any precision."""
+    return repr(float(number)) if isinstance(number, (int, float, np.number)) else str(number)
+
+
+class _Run:
+    """One integration: the compiled code with a state, parameters and projections."""
+
+    def __init__(
+        self,
+        system: System,
+        core: int,
+        code: Compiled,
+        kind: Any,
+        values: Mapping[sp.Symbol, Any],
+        precision: Precision,
+    ) -> None:
+        self.system = system
+        self.values = values
+        self.kind = kind
+        self.code = code
+        self.stepper = code.integrator
+        numbers = [kind(_text(v)) for v in values.values()]
+        self.parameters = np.array(numbers, dtype=kind)
+        self.stepper.pars[:] = self.parameters[: len(self.stepper.pars)]
+        self.core = core
+        self.left_alone = LEFT_ALONE[precision]
+        self.projectors: tuple[Projector, ...] = ()
+
+    def begin(self, start: Sequence[Any], moment: Any, keep_integrals: bool) -> None:
+        size = len(self.system.symbols)
+        if len(start) != size:
+            names = ", ".join(map(str, self.system.symbols))
+            raise InputError(f"start has {len(start)} numbers: {size} are needed ({names})")
+        state = np.array([self.kind(_text(x)) for x in start], dtype=self.kind)
+        if not all(math.isfinite(float(x)) for x in state):
+            raise InputError("start: all of its numbers must be finite")
+        core, lift = slice(0, self.core), slice(self.core, None)
+        self.projectors = (
+            Projector(*self.code.core, core, self.parameters, self.left_alone),
+            Projector(*self.code.lift, lift, self.parameters, self.left_alone),
+        )
+        self._require_on_phase_space(state)
+        self.stepper.state[:] = state
+        self.stepper.time = moment
+        self.project(self.stepper.state)
+        if keep_integrals:
+            self.projectors = (self._with_integrals(self.stepper.state), *self.projectors[1:])
+        for guard, value in zip(self.system.guards, self._guards(self.stepper.state), strict=True):
+            if not float(value) > 0 and not guard.lift_off:
+                raise InputError(f"start: {guard.happening} ({guard.name} = {float(value):.6g})")
+
+    def _require_on_phase_space(self, state: Any) -> None:
+        for projector in self.projectors:
+            if not projector.count:
+                continue
+            defect = max(abs(float(x)) for x in projector.defect(state))
+            scale = 1 + max(abs(float(x)) for x in state)
+            if defect > 1e-9 * scale:
+                raise InputError(
+                    f"start: it misses the relations of the phase space by {defect:.3g}"
+                )
+
+    def _with_integrals(self, state: Any) -> Projector:
+        """A projector onto the relations and the present values of the integrals together."""
+        residual, slope, count = self.code.core
+        law, law_slope, laws = self.code.laws
+        width = self.core
+
+        def together(point: Any, pars: Any) -> Any:
+            parts = [call(law, point, pars)]
+            if count:
+                parts.insert(0, call(residual, point, pars))
+            return np.concatenate(parts)
+
+        def slopes(point: Any, pars: Any) -> Any:
+            parts = [call(law_slope, point, pars).reshape(laws, width)]
+            if count:
+                parts.insert(0, call(slope, point, pars).reshape(count, width))
+            return np.concatenate(parts)
+
+        target = together(state, self.parameters)
+        target[:count] = self.kind(0)
+        scale = max(1.0, *(abs(float(x)) for x in target))
+        return Projector(
+            together,
+            slopes,
+            count + laws,
+            slice(0, width),
+            self.parameters,
+            self.left_alone * scale,
+            target,
+        )
+
+    def project(self, state: Any) -> bool:
+        return any([projector(state) for projector in self.projectors])
+
+    def _guards(self, state: Any) -> Any:
+        values = call(self.code.outputs, np.array(state), self.parameters)
+        return values[len(values) - 1 - len(self.system.guards) : -1]
+
+    def walk(  # noqa: PLR0913
+        self,
+        moments: list[Any],
+        log: _Log,
+        on_liftoff: str,
+        dense: bool,
+        began: float,
+        time_limit: float | None,
+    ) -> Iterator[float]:
+        """Step through `moments`, filling `log`; yields the fraction done now and then."""
+        stepper, last = self.stepper, moments[-1]
+        forward = bool(last > moments[0])
+        length = float(last - moments[0])
+        self._record(log, moments[0], stepper.state)
+        watched = self._pressed(moments[0], log, on_liftoff)
+        index, cramped = 1, 0
+        while index < len(moments) and watched:
+            before = stepper.time
+            outcome, step = stepper.step(max_delta_t=last - before, write_tc=True)
+            code = int(outcome)
+            if code <= _SUCCESS and code not in (_SUCCESS, _LIMIT):
+                raise _Failed("the state stopped being a number")
+            log.steps += 1
+            if dense:
+                log.dense.append((before, step, np.array(stepper.tc)))
+            now = stepper.time
+            while index < len(moments) and (
+                moments[index] <= now if forward else moments[index] >= now
+            ):
+                stepper.update_d_output(moments[index])
+                self._record(log, moments[index], np.array(stepper.d_output))
+                index += 1
+            if code > _SUCCESS:
+                watched = self._passed(code, now, log, on_liftoff)
+            log.corrections += self.project(stepper.state)
+            cramped = cramped + 1 if abs(float(step)) < 1e-13 * (1 + abs(float(now))) else 0
+            if cramped > 20:
+                raise _Failed("the step size collapsed (a singularity of the equations is near)")
+            if log.steps % 64 == 0:
+                if time_limit is not None and clock.perf_counter() - began > time_limit:
+                    raise _Failed(f"the time limit of {time_limit:g} s was reached")
+                yield float(now - moments[0]) / length
+
+    def _pressed(self, now: Any, log: _Log, on_liftoff: str) -> bool:
+        """Look at the normal force of the start; return whether to begin at all."""
+        go_on = True
+        for guard, value in zip(self.system.guards, self._guards(self.stepper.state), strict=True):
+            if guard.lift_off and not float(value) > 0:
+                go_on = on_liftoff == "warn"
+                log.happenings.append(Happening(float(now), guard, not go_on))
+        return go_on
+
+    def _passed(self, code: int, now: Any, log: _Log, on_liftoff: str) -> bool:
+        """Note that a guard was passed; return whether to go on."""
+        guard = self.system.guards[-code - 1 if code < 0 else code]
+        go_on = guard.lift_off and on_liftoff == "warn"
+        log.happenings.append(Happening(float(now), guard, not go_on))
+        if not go_on and now != log.times[-1]:
+            self._record(log, now, self.stepper.state)
+        return go_on
+
+    def _record(self, log: _Log, moment: Any, state: Any) -> None:
+        sample = np.array(state)
+        self.project(sample)
+        log.times.append(moment)
+        log.states.append(sample)
+
+    def finish(self, log: _Log, statistics: Statistics) -> Trajectory:
+        states = np.array(log.states, dtype=self.kind)
+        columns = np.ascontiguousarray(states.T)
+        pars = np.repeat(self.parameters[:, None], len(states), axis=1)
+        rows = call(self.code.outputs, columns, pars)
+        recorded: dict[str, Any] = {}
+        first = 0
+        for name, value in (
+            *((item.name, item.value) for item in self.system.observables),
+            *((f"law_{law.name}", law.value) for law in self.system.laws),
+        ):
+            shape = explicit(value)
+            width = len(shape) if isinstance(shape, sp.MatrixBase) else 0
+            block = rows[first : first + max(width, 1)]
+            recorded[name] = block.T if width else block[0]
+            first += max(width, 1)
+        return Trajectory(
+            self.system,
+            self.values,
+            np.array(log.times, dtype=self.kind),
+            states,
+            recorded,
+            tuple(log.happenings),
+            statistics,
+            _dense(log, self.kind),
+        )
+
+
+def _dense(log: _Log, kind: Any) -> Dense | None:
+    if not log.dense:
+        return None
+    begins, lengths, coefficients = zip(*log.dense, strict=True)
+    return Dense(
+        np.array(begins, dtype=kind), np.array(lengths, dtype=kind), np.array(coefficients)
+    )
+
+
+# outcomes of a heyoka step: below these lie failures, above them events
+_SUCCESS = -4294967297
+_LIMIT = -4294967299

@@ -1,0 +1,98 @@
+"""A rigid body: mass, inertia, shape, gyrostat."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..errors import InputError
+from .shapes import Shape
+
+__all__ = ["Body", "check_inertia", "check_mass"]
+
+
+@dataclass(frozen=True)
+class Body:
+    """A rigid body, described in body axes with the centre of mass as origin.
+
+    Parameters
+    ----------
+    mass : float
+        m > 0.
+    inertia : 3 floats or 3×3 floats
+        Principal moments about the centre of mass, if the body axes are principal axes, or the
+        full symmetric inertia tensor in the body axes.
+    shape : Shape
+        Its surface, with the geometric centre relative to the centre of mass.
+    gyrostat : 3 floats
+        Constant momentum k of symmetric rotors, body axes; the total momentum is Iω + k.
+
+    Raises
+    ------
+    InputError
+        If the mass is not positive, or the inertia tensor is not symmetric, not positive
+        definite, or breaks the triangle inequality I₁ + I₂ ≥ I₃.
+    """
+
+    mass: float
+    inertia: tuple[float, float, float] | tuple[tuple[float, ...], ...]
+    shape: Shape
+    gyrostat: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        check_mass(self.mass)
+        check_inertia(self.inertia)
+        object.__setattr__(self, "inertia", _as_tuple(self.inertia))
+        object.__setattr__(self, "gyrostat", tuple(float(x) for x in self.gyrostat))
+        if len(self.gyrostat) != 3 or not all(map(math.isfinite, self.gyrostat)):
+            raise InputError(f"gyrostat {self.gyrostat}: it must be three finite numbers")
+
+    @property
+    def tensor(self) -> np.ndarray:
+        """The inertia tensor about the centre of mass, 3×3, body axes."""
+        array = np.asarray(self.inertia, dtype=float)
+        return np.diag(array) if array.ndim == 1 else array
+
+    @property
+    def principal(self) -> bool:
+        """Whether the body axes are principal axes of inertia."""
+        tensor = self.tensor
+        return bool(np.all(tensor == np.diag(np.diag(tensor))))
+
+
+def _as_tuple(inertia: Sequence[float] | Sequence[Sequence[float]]) -> tuple[object, ...]:
+    array = np.asarray(inertia, dtype=float)
+    return tuple(tuple(map(float, row)) if array.ndim == 2 else float(row) for row in array)
+
+
+def check_mass(mass: float) -> None:
+    """Raise InputError unless the mass is positive and finite."""
+    if not (math.isfinite(mass) and mass > 0):
+        raise InputError(f"mass {mass}: it must be a positive finite number")
+
+
+def check_inertia(inertia: Sequence[float] | Sequence[Sequence[float]]) -> None:
+    """Raise InputError unless `inertia` belongs to a rigid body.
+
+    Accepts three principal moments or a full symmetric 3×3 matrix.
+    """
+    array = np.asarray(inertia, dtype=float)
+    if array.shape not in ((3,), (3, 3)) or not np.all(np.isfinite(array)):
+        raise InputError(
+            f"inertia {inertia}: it must be three principal moments or a symmetric 3x3 matrix"
+        )
+    if array.ndim == 2 and not np.allclose(array, array.T, rtol=1e-12, atol=0):
+        raise InputError(f"inertia {inertia}: the matrix must be symmetric")
+    moments = np.sort(array if array.ndim == 1 else np.linalg.eigvalsh(array))
+    shown = ", ".join(f"{x:.6g}" for x in moments)
+    if moments[0] <= 0:
+        raise InputError(f"inertia: principal moments {shown} must all be positive")
+    if moments[2] > (moments[0] + moments[1]) * (1 + 1e-12):
+        raise InputError(
+            f"inertia: principal moments {shown} break the triangle inequality "
+            f"({moments[2]:.6g} > {moments[0]:.6g} + {moments[1]:.6g}); each moment must be at "
+            "most the sum of the other two"
+        )
