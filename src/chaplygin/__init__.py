@@ -1,0 +1,1 @@
+"""A laboratory for the nonholonomic mechanics of rolling bodies."""

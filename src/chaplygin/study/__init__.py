@@ -1,0 +1,1 @@
+"""Experiment files, datasets, figures and reports."""
