@@ -53,7 +53,7 @@ from .body import Body
 from .contact import Contact, contact as contact_of
 from .surfaces import Plane, Surface
 
-__all__ = ["Field", "Model", "roll"]
+__all__ = ["Field", "Model", "Rolling", "roll"]
 
 Model = Literal["marble", "rubber"]
 Pairs = tuple[tuple[Any, Any], ...]
@@ -87,6 +87,20 @@ class Field:
         object.__setattr__(self, "values", tuple(dict(self.values).items()))
         if not (np.isfinite(self.gravity) and self.gravity >= 0):
             raise InputError(f"gravity {self.gravity}: it must be finite and not negative")
+
+
+@dataclass(frozen=True)
+class Rolling:
+    """What rolls on what: a body, a surface, a contact model and a field, with their numbers."""
+
+    body: Body
+    surface: Surface = Plane()  # noqa: RUF009  (immutable)
+    contact: Model = "marble"
+    field: Field = Field()  # noqa: RUF009  (immutable)
+
+    def system(self, name: str = "rolling-body", title: str = "Rolling body") -> System:
+        """The equations of motion; see :func:`roll`."""
+        return roll(self.body, self.surface, self.contact, self.field, name, title)
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,186 @@
+"""Trajectories as xarray datasets, and to and from NetCDF files."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Mapping
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from ..errors import InputError
+from ..flow.trajectory import Trajectory
+from ..system import Observable
+from ..vectors import Vector
+
+__all__ = ["read", "to_dataset", "write"]
+
+_FRAMES = {
+    "body": ("axis", (1, 2, 3)),
+    "space": ("space", ("x", "y", "z")),
+    "quaternion": ("quaternion", ("w", "x", "y", "z")),
+}
+
+_STATE = {
+    "omega": ("angular velocity", "rad/s", "(1.13)"),
+    "gamma": ("normal of the surface at the contact", "1", "(1.10)"),
+    "M": ("angular momentum about the contact point", "kg m^2/s", "(7.1)"),
+    "r": ("contact point from the centre of mass", "m", "(1.14)"),
+    "zeta": ("upward vertical", "1", ""),
+}
+
+
+def to_dataset(trajectory: Trajectory, attributes: Mapping[str, Any] | None = None) -> xr.Dataset:
+    """A trajectory as a dataset.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+    attributes : mapping, optional
+        Further global attributes, such as the text of the experiment file.
+
+    Returns
+    -------
+    xarray.Dataset
+        Dimension ``time``; vectors have ``axis`` (body), ``space`` or ``quaternion``.  Every
+        variable has ``long_name``, ``units`` and ``source``.  Numbers of 34 digits are split: the
+        variable ``<name>_low`` is what must be added to ``<name>`` to have all of them.
+    """
+    system = trajectory.system
+    variables: dict[str, Any] = {}
+    for name in map(str, system.state):
+        if name in _STATE:
+            meaning, units, source = _STATE[name]
+            _add(variables, name, trajectory[name], "body", meaning, units, source)
+    for item in system.observables:
+        _add_observable(variables, item, trajectory.recorded[item.name])
+    for law in system.laws:
+        label = f"law_{law.name}"
+        units = "J" if law.name == "energy" else ""
+        _add(variables, label, trajectory.recorded[label], "", law.meaning, units, law.source)
+    if "law_energy" in variables:
+        dims, data, notes = variables["law_energy"]
+        variables["energy"] = (dims, data, notes)
+    time, low = _split(trajectory.times)
+    coordinates: dict[str, Any] = {
+        "time": ("time", time, {"long_name": "time", "units": "s", "source": ""}),
+        **{dim: list(labels) for dim, labels in _FRAMES.values() if _used(variables, dim)},
+    }
+    if low is not None:
+        variables["time_low"] = ("time", low, {"long_name": "time, low part", "units": "s",
+                                               "source": ""})
+    statistics = trajectory.statistics
+    notes = {
+        "Conventions": "CF-1.11",
+        "system": system.title,
+        "system_name": system.name,
+        "summary": system.summary,
+        "source": system.source,
+        "parameters": "; ".join(f"{s} = {_shown(v)}" for s, v in trajectory.parameters.items()),
+        "start": "; ".join(
+            f"{s} = {_shown(v)}" for s, v in zip(system.symbols, trajectory.states[0], strict=True)
+        ),
+        "happenings": "\n".join(map(str, trajectory.happenings)),
+        "integrator": f"Taylor series of order {statistics.order}, {statistics.steps} steps",
+        "versions": ", ".join(
+            f"{name} {version(name)}" for name in ("chaplygin", "heyoka", "numpy", "sympy")
+        ),
+    }
+    return xr.Dataset(variables, coordinates, {**notes, **(attributes or {})})
+
+
+def _shown(value: Any) -> str:
+    return repr(float(value)) if isinstance(value, (int, float, np.floating)) else str(value)
+
+
+def _used(variables: Mapping[str, Any], dim: str) -> bool:
+    return any(dim in dims for dims, _, _ in variables.values())
+
+
+def _add_observable(variables: dict[str, Any], item: Observable, values: Any) -> None:
+    if isinstance(item.value, Vector) and item.name == "momentum":
+        item_name = "M"
+    else:
+        item_name = item.name
+    _add(variables, item_name, values, item.frame, item.meaning, item.unit, item.source)
+
+
+def _add(  # noqa: PLR0913
+    variables: dict[str, Any],
+    name: str,
+    values: Any,
+    frame: str,
+    meaning: str,
+    units: str,
+    source: str,
+) -> None:
+    dims = ("time", _FRAMES[frame][0]) if frame else ("time",)
+    high, low = _split(values)
+    notes = {"long_name": meaning, "units": units or "1", "source": source}
+    if frame in ("body", "space"):
+        notes["frame"] = f"{frame} axes"
+    variables[name] = (dims, high, notes)
+    if low is not None:
+        variables[f"{name}_low"] = (dims, low, {**notes, "long_name": f"{meaning}, low part"})
+
+
+def _split(values: Any) -> tuple[Any, Any]:
+    """Doubles, and for 34-digit numbers what is missing to them."""
+    array = np.asarray(values)
+    if array.dtype == np.float64:
+        return array, None
+    high = np.vectorize(float, otypes=[float])(array)
+    rest = array - high.astype(array.dtype)
+    return high, np.vectorize(float, otypes=[float])(rest)
+
+
+def write(dataset: xr.Dataset, path: str | Path, force: bool = False) -> Path:
+    """Write a dataset to a NetCDF file; the file appears complete or not at all.
+
+    Raises
+    ------
+    InputError
+        If the file exists and `force` is false, or its place cannot be written.
+    """
+    target = Path(path)
+    if target.exists() and not force:
+        raise InputError(f"{target} exists already: choose another name, or --force to replace it")
+    if target.is_dir():
+        raise InputError(f"{target} is a folder: the name of a file is needed")
+    temporary = None
+    try:
+        with tempfile.NamedTemporaryFile(
+            dir=target.parent, prefix=f".{target.name}.", delete=False
+        ) as stream:
+            temporary = Path(stream.name)
+        dataset.to_netcdf(temporary, engine="h5netcdf")
+        os.replace(temporary, target)
+    except OSError as problem:
+        raise InputError(
+            f"{target} cannot be written: {problem.strerror or problem}"
+        ) from problem
+    finally:
+        if temporary is not None:
+            temporary.unlink(missing_ok=True)
+    return target
+
+
+def read(path: str | Path) -> xr.Dataset:
+    """Read a dataset written by :func:`write`, into memory.
+
+    Raises
+    ------
+    InputError
+        If the file is missing or not a NetCDF file.
+    """
+    try:
+        with xr.open_dataset(path, engine="h5netcdf") as stored:
+            return stored.load()
+    except FileNotFoundError as problem:
+        raise InputError(f"{path}: there is no such file") from problem
+    except OSError as problem:
+        raise InputError(f"{path}: not a readable NetCDF file") from problem

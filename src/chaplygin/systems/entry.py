@@ -1,0 +1,129 @@
+"""What the catalogue says of one system; `list`, `show` and the documentation read it here."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from ..errors import InputError
+from ..mechanics.rolling import Rolling
+from ..statements import Integral
+from ..system import System
+
+__all__ = ["Entry", "Start", "known_laws", "lookup"]
+
+Numbers = Mapping[str, float]
+
+
+@dataclass(frozen=True)
+class Start:
+    """A start worth looking at: ω and γ (body axes), and for how long to follow it."""
+
+    omega: tuple[float, float, float]
+    gamma: tuple[float, float, float]
+    until: float
+
+
+def _no_laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
+    return ()
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One system of the catalogue.
+
+    Attributes
+    ----------
+    name, title, summary, source : str
+        Identifier, human form, one or two sentences, equation numbers in the paper.
+    defaults : mapping of str to float
+        Parameters by symbol name, with values of an instructive example.
+    build : callable
+        Numbers by symbol name ↦ Rolling; or ↦ System where nothing rolls.
+    start : Start
+    laws : callable
+        (Rolling, System) ↦ the integrals that the paper names for it, besides the energy; empty
+        for a Rolling that this entry does not speak of.
+    """
+
+    name: str
+    title: str
+    summary: str
+    source: str
+    defaults: Numbers
+    build: Callable[[Numbers], Rolling | System]
+    start: Start
+    laws: Callable[[Rolling, System], tuple[Integral, ...]] = _no_laws
+
+    def numbers(self, parameters: Numbers | None = None) -> dict[str, float]:
+        """All parameters, the given ones replacing the defaults.
+
+        Raises
+        ------
+        InputError
+            If a parameter is not one of this system's.
+        """
+        given = dict(parameters or {})
+        for name in given:
+            if name not in self.defaults:
+                raise InputError(
+                    f"{self.name}: no parameter {name!r}{_nearest(name, self.defaults)}; it has "
+                    f"{', '.join(self.defaults)}"
+                )
+        return {**self.defaults, **given}
+
+    def rolling(self, parameters: Numbers | None = None) -> Rolling | None:
+        """What rolls on what; None for a body about a fixed point."""
+        made = self.build(self.numbers(parameters))
+        return made if isinstance(made, Rolling) else None
+
+    def system(self, parameters: Numbers | None = None) -> System:
+        """The System, with the laws that the paper names."""
+        from dataclasses import replace
+
+        made = self.build(self.numbers(parameters))
+        if isinstance(made, System):
+            return made
+        system = made.system(self.name, self.title)
+        system = replace(system, source=self.source, summary=self.summary)
+        return system.with_laws(*self.laws(made, system))
+
+
+def lookup(catalogue: Mapping[str, Entry], name: str) -> Entry:
+    """The entry of that name, or an InputError that names the nearest one."""
+    if name not in catalogue:
+        raise InputError(
+            f"no system {name!r} in the catalogue{_nearest(name, catalogue)}; "
+            "`chaplygin list` shows all of them"
+        )
+    return catalogue[name]
+
+
+def _nearest(name: str, known: Iterable[str]) -> str:
+    close = difflib.get_close_matches(name, list(known), n=1)
+    return f" (did you mean {close[0]!r}?)" if close else ""
+
+
+def known_laws(
+    entries: Iterable[Entry], rolling: Rolling, system: System
+) -> tuple[Integral, ...]:
+    """The integrals that some entries know of a rolling body, each once."""
+    found: dict[str, Integral] = {}
+    for item in entries:
+        for law in item.laws(rolling, system):
+            found.setdefault(law.name, law)
+    return tuple(found.values())
+
+
+def bruns_factor(potential: sp.Expr) -> Any:
+    """k of the Bruns field U = ½k(γ, Iγ) for a diagonal tensor I; None for another potential."""
+    gamma = sp.symbols("gamma_1:4", real=True)
+    inertia = sp.symbols("I_1:4", real=True)
+    factor = sp.cancel(2 * sp.diff(potential, gamma[0]) / (2 * gamma[0] * inertia[0]))
+    bruns = factor / 2 * sp.Add(*(i * c**2 for i, c in zip(inertia, gamma, strict=True)))
+    fits = not factor.free_symbols & {*gamma, *inertia} and sp.expand(potential - bruns) == 0
+    return factor if fits and factor != 0 else None

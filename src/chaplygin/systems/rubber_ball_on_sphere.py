@@ -1,0 +1,70 @@
+"""A balanced ball on a sphere, rubber contact (§9)."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from ..mechanics.rolling import Rolling
+from ..statements import Integral
+from ..system import System
+from ..vectors import Diagonal, dot, normed, scalar, vectors
+from . import ball_on_sphere
+from .entry import Entry, Numbers, Start
+
+omega, gamma = vectors("omega gamma")
+J, A = Diagonal("J"), Diagonal("A")
+k = scalar("k")
+
+
+def build(p: Numbers) -> Rolling:
+    """The ball of §8, kept from spinning."""
+    return replace(ball_on_sphere.build(p), contact="rubber")
+
+
+def build_around(p: Numbers) -> Rolling:
+    """The hollow ball of §8, kept from spinning."""
+    return replace(ball_on_sphere.build_around(p), contact="rubber")
+
+
+def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
+    """(9.4) for k = −1."""
+    value = ball_on_sphere.ratio(rolling)
+    body = rolling.body
+    if value is None or rolling.contact != "rubber" or any(body.gyrostat) or not body.principal:
+        return ()
+    if abs(value + 1) > 1e-12:
+        return ()
+    J_1, J_2, J_3 = J.symbols
+    spread = J_1 * J_2 * J_3 * dot(omega, J * omega) * normed(A * gamma)
+    integral = (normed(J * omega) + spread) / dot(gamma, A * gamma)
+    meaning = "quadratic integral of the case k = −1"
+    return (Integral("quadratic", integral, meaning, on=(k + 1,), source="(9.4)"),)
+
+
+_START = Start(omega=(0.9, -0.5, -0.35483870967741937), gamma=(0.2, -0.3, 0.93), until=60.0)
+_OUTSIDE, _AROUND = ball_on_sphere.ENTRIES
+
+ENTRIES = (
+    Entry(
+        name="rubber-ball-on-sphere",
+        title="Rubber ball on a sphere",
+        summary="A balanced, dynamically asymmetric ball of radius R rolls with neither slipping "
+        "nor spinning on a fixed sphere of radius a, outside (a > 0) or inside (a < 0, |a| > R).",
+        source="§9.1, (9.2)",
+        defaults=_OUTSIDE.defaults,
+        build=build,
+        start=_START,
+        laws=laws,
+    ),
+    Entry(
+        name="rubber-ball-around-sphere",
+        title="Hollow rubber ball around a sphere",
+        summary="A hollow ball, dynamically asymmetric and balanced, rolls with neither slipping "
+        "nor spinning with its inner surface of radius R around a fixed sphere of radius a < R.",
+        source="§9.1, (9.2), (9.4)",
+        defaults=_AROUND.defaults,
+        build=build_around,
+        start=_START,
+        laws=laws,
+    ),
+)

@@ -1,0 +1,51 @@
+"""A dynamically asymmetric ball with displaced centre of mass, marble contact (§10.1)."""
+
+from __future__ import annotations
+
+from ..mechanics.body import Body
+from ..mechanics.rolling import Rolling
+from ..mechanics.shapes import Ball
+from ..mechanics.surfaces import Plane
+from ..statements import Integral
+from ..system import System
+from ..vectors import dot, normed, scalar, vectors, zero
+from .entry import Entry, Numbers, Start
+
+M, omega, gamma, c = vectors("M omega gamma c")
+m, R = scalar("m"), scalar("R")
+
+
+def build(p: Numbers) -> Rolling:
+    """A ball whose geometric centre is c away from its centre of mass."""
+    centre = (p["c_1"], p["c_2"], p["c_3"])
+    return Rolling(Body(p["m"], (p["I_1"], p["I_2"], p["I_3"]), Ball(p["R"], centre=centre)))
+
+
+def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
+    """The quadratic integral M² − m r²(M, ω) of a free ball."""
+    body, field = rolling.body, rolling.field
+    ball = isinstance(body.shape, Ball) and any(body.shape.centre)
+    free = field.gravity == 0 and field.potential == 0 and not any(body.gyrostat)
+    if not (ball and free and rolling.surface == Plane() and rolling.contact == "marble"):
+        return ()
+    r = c - R * gamma + zero
+    value = normed(M) - m * dot(r, r) * dot(M, omega)
+    return (Integral("quadratic", value, "quadratic integral", source="(10.3)"),)
+
+
+ENTRIES = (
+    Entry(
+        name="unbalanced-ball",
+        title="Unbalanced ball",
+        summary="A dynamically asymmetric ball whose centre of mass is away from its centre rolls "
+        "on a horizontal plane without slipping, in the absence of gravity.",
+        source="§10.1, (10.1)–(10.3)",
+        defaults={
+            "m": 1.0, "I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "R": 1.0,
+            "c_1": -0.1, "c_2": 0.05, "c_3": 0.2,
+        },
+        build=build,
+        start=Start(omega=(0.7, 0.4, 1.1), gamma=(0.2, -0.3, 0.93), until=100.0),
+        laws=laws,
+    ),
+)
