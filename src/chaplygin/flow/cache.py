@@ -40,11 +40,17 @@ def _processor() -> str:
     return platform.processor()
 
 
+def _generator() -> str:
+    """The text of the modules that turn formulas into code, so that a change of them counts."""
+    return "".join(path.read_text() for path in sorted(Path(__file__).parent.glob("*.py")))
+
+
 def digest(*parts: str) -> str:
     """A name for code shaped by `parts`, on this machine and with these versions."""
     text = "\x00".join(
         (
             *parts,
+            _generator(),
             platform.platform(),
             platform.python_version(),
             _processor(),

@@ -13,28 +13,41 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["Projector"]
-
-
-def call(function: Any, state: Any, parameters: Any) -> Any:
-    """A compiled function at states (size,) or (size, n); it may know the first few parameters only."""
-    # heyoka counts the parameters up to the last one that occurs in the formulas
-    known = function.nparams
-    return function(state, pars=parameters[:known])
+__all__ = ["Block", "Projector", "call"]
 
 
 @dataclass(frozen=True)
-class Projector:
-    """Moves some columns of a state until some residuals vanish.
+class Block:
+    """Some residuals, compiled.
 
     Attributes
     ----------
     residual : heyoka.cfunc
         The residuals, in working precision.
     slope : heyoka.cfunc
-        Their derivatives with respect to the columns, in double, row by row.
+        Their derivatives with respect to the moved columns, in double, row by row.
     count : int
         Number of residuals.
+    """
+
+    residual: Any
+    slope: Any
+    count: int
+
+
+def call(function: Any, state: Any, parameters: Any) -> Any:
+    """A compiled function at states (size,) or (size, n); it may know the first few parameters."""
+    # heyoka counts the parameters up to the last one that occurs in the formulas
+    return function(state, pars=parameters[: function.nparams])
+
+
+@dataclass(frozen=True)
+class Projector:
+    """Moves some columns of a state until residuals have their target values.
+
+    Attributes
+    ----------
+    blocks : tuple of Block
     columns : slice
         The part of the state that is moved.
     parameters : array
@@ -42,37 +55,40 @@ class Projector:
     threshold : float
         Residuals below this are left alone.
     target : array or None
-        Values that the residual functions should have instead of zero.
+        Values that the residuals should have instead of zero.
     """
 
-    residual: Any
-    slope: Any
-    count: int
+    blocks: tuple[Block, ...]
     columns: slice
     parameters: Any
     threshold: float
     target: Any = None
 
+    def values(self, state: Any) -> Any:
+        """All residual functions at a state."""
+        return np.concatenate([call(b.residual, state, self.parameters) for b in self.blocks])
+
     def defect(self, state: Any) -> Any:
-        """The residuals at a state."""
-        value = call(self.residual, state, self.parameters)
-        return value if self.target is None else value - self.target
+        """How far the residuals are from their targets."""
+        values = self.values(state)
+        return values if self.target is None else values - self.target
 
     def __call__(self, state: Any) -> bool:
         """Project `state` in place; return whether it had to be moved."""
-        if not self.count:
+        if not self.blocks:
             return False
-        defect = self.defect(state)
-        if max(abs(float(x)) for x in defect) <= self.threshold:
+        defect = self.defect(state).astype(float)
+        if np.abs(defect).max() <= self.threshold:
             return False
-        pars = np.array([float(x) for x in self.parameters])
+        pars = self.parameters.astype(float)
         for _ in range(3):
-            point = np.array([float(x) for x in state])
-            slope = call(self.slope, point, pars).reshape(self.count, -1)
+            point = state.astype(float)
+            slope = np.concatenate(
+                [call(b.slope, point, pars).reshape(b.count, -1) for b in self.blocks]
+            )
             # redundant relations (an attitude tied to a unit vector) make the rows dependent
-            step = np.linalg.pinv(slope, rcond=1e-9) @ np.array([float(x) for x in defect])
-            state[self.columns] -= step
-            defect = self.defect(state)
-            if max(abs(float(x)) for x in defect) <= self.threshold:
+            state[self.columns] -= np.linalg.pinv(slope, rcond=1e-9) @ defect
+            defect = self.defect(state).astype(float)
+            if np.abs(defect).max() <= self.threshold:
                 break
         return True

@@ -14,6 +14,7 @@ from ..errors import InputError
 from ..system import System
 from ..vectors import explicit
 from . import cache
+from .projection import Block
 from .translate import Translator
 
 __all__ = ["Compiled", "Precision", "compile_system", "number_type"]
@@ -36,17 +37,18 @@ class Compiled:
         State of the core, then of the motion; one terminal event per guard.
     outputs : heyoka.cfunc
         Observables, laws and guards at a state.
-    core, lift : Constraint
-        What keeps the reduced state, and its lift to space, on their relations.
+    core, lift, laws : tuple of Block
+        The relations of the reduced state, of its lift to space, and the integrals; at most one
+        block each.
     found : bool
         Whether the code came from the cache.
     """
 
     integrator: Any
     outputs: Any
-    core: tuple[Any, Any, int]
-    lift: tuple[Any, Any, int]
-    laws: tuple[Any, Any, int]
+    core: tuple[Block, ...]
+    lift: tuple[Block, ...]
+    laws: tuple[Block, ...]
     found: bool = False
 
 
@@ -116,7 +118,7 @@ class _Plan:
         core = list(self.system.relations)
         lift = list(self.system.motion.relations) if self.system.motion else []
         laws = [law.value for law in system.laws]
-        constrain = _constraints(translate, system)
+        constrain = _constraints(translate)
         return Compiled(
             integrator,
             outputs,
@@ -133,18 +135,19 @@ def hy_event(kind: Any) -> Any:
     return lambda expression, direction: hy.t_event(expression, direction=direction, fp_type=kind)
 
 
-def _constraints(translate: Translator, system: System) -> Any:
-    def build(relations: list[sp.Expr], columns: slice, kind: Any) -> tuple[Any, Any, int]:
-        """Residuals in working precision, derivatives in double, and how many there are."""
+def _constraints(translate: Translator) -> Any:
+    def build(relations: list[sp.Expr], columns: slice, kind: Any) -> tuple[Block, ...]:
         if not relations:
-            return None, None, 0
+            return ()
         residuals = translate.all(relations)
         moved = translate.variables[columns]
         slopes = [hy.diff(residual, variable) for residual in residuals for variable in moved]
         return (
-            hy.cfunc(residuals, translate.variables, fp_type=kind),
-            hy.cfunc(slopes, translate.variables),
-            len(residuals),
+            Block(
+                hy.cfunc(residuals, translate.variables, fp_type=kind),
+                hy.cfunc(slopes, translate.variables),
+                len(residuals),
+            ),
         )
 
     return build

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time as clock
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 import numpy as np
@@ -271,6 +271,9 @@ class _Run:
         self.core = core
         self.left_alone = LEFT_ALONE[precision]
         self.projectors: tuple[Projector, ...] = ()
+        self.loose = _quadratures(system)
+        self.carried = np.array([kind(0)] * len(self.loose), dtype=kind)
+        self.remainder = self.carried.copy()
 
     def begin(self, start: Sequence[Any], moment: Any, keep_integrals: bool) -> None:
         size = len(self.system.symbols)
@@ -282,13 +285,14 @@ class _Run:
             raise InputError("start: all of its numbers must be finite")
         core, lift = slice(0, self.core), slice(self.core, None)
         self.projectors = (
-            Projector(*self.code.core, core, self.parameters, self.left_alone),
-            Projector(*self.code.lift, lift, self.parameters, self.left_alone),
+            Projector(self.code.core, core, self.parameters, self.left_alone),
+            Projector(self.code.lift, lift, self.parameters, self.left_alone),
         )
         self._require_on_phase_space(state)
         self.stepper.state[:] = state
         self.stepper.time = moment
         self.project(self.stepper.state)
+        self._carry()
         if keep_integrals:
             self.projectors = (self._with_integrals(self.stepper.state), *self.projectors[1:])
         for guard, value in zip(self.system.guards, self._guards(self.stepper.state), strict=True):
@@ -297,7 +301,7 @@ class _Run:
 
     def _require_on_phase_space(self, state: Any) -> None:
         for projector in self.projectors:
-            if not projector.count:
+            if not projector.blocks:
                 continue
             defect = max(abs(float(x)) for x in projector.defect(state))
             scale = 1 + max(abs(float(x)) for x in state)
@@ -308,34 +312,13 @@ class _Run:
 
     def _with_integrals(self, state: Any) -> Projector:
         """A projector onto the relations and the present values of the integrals together."""
-        residual, slope, count = self.code.core
-        law, law_slope, laws = self.code.laws
-        width = self.core
-
-        def together(point: Any, pars: Any) -> Any:
-            parts = [call(law, point, pars)]
-            if count:
-                parts.insert(0, call(residual, point, pars))
-            return np.concatenate(parts)
-
-        def slopes(point: Any, pars: Any) -> Any:
-            parts = [call(law_slope, point, pars).reshape(laws, width)]
-            if count:
-                parts.insert(0, call(slope, point, pars).reshape(count, width))
-            return np.concatenate(parts)
-
-        target = together(state, self.parameters)
-        target[:count] = self.kind(0)
+        blocks = (*self.code.core, *self.code.laws)
+        relations = sum(block.count for block in self.code.core)
+        free = Projector(blocks, slice(0, self.core), self.parameters, self.left_alone)
+        target = free.values(state)
+        target[:relations] = self.kind(0)
         scale = max(1.0, *(abs(float(x)) for x in target))
-        return Projector(
-            together,
-            slopes,
-            count + laws,
-            slice(0, width),
-            self.parameters,
-            self.left_alone * scale,
-            target,
-        )
+        return replace(free, threshold=self.left_alone * scale, target=target)
 
     def project(self, state: Any) -> bool:
         return any([projector(state) for projector in self.projectors])
@@ -368,17 +351,20 @@ class _Run:
                 raise _Failed("the state stopped being a number")
             log.steps += 1
             if dense:
-                log.dense.append((before, step, np.array(stepper.tc)))
+                series = np.array(stepper.tc)
+                series[self.loose, 0] += self.carried
+                log.dense.append((before, step, series))
             now = stepper.time
             while index < len(moments) and (
                 moments[index] <= now if forward else moments[index] >= now
             ):
                 stepper.update_d_output(moments[index])
-                self._record(log, moments[index], np.array(stepper.d_output))
+                self._record(log, moments[index], stepper.d_output)
                 index += 1
             if code > _SUCCESS:
                 watched = self._passed(code, now, log, on_liftoff)
             log.corrections += self.project(stepper.state)
+            self._carry()
             cramped = cramped + 1 if abs(float(step)) < 1e-13 * (1 + abs(float(now))) else 0
             if cramped > 20:
                 raise _Failed("the step size collapsed (a singularity of the equations is near)")
@@ -407,9 +393,23 @@ class _Run:
 
     def _record(self, log: _Log, moment: Any, state: Any) -> None:
         sample = np.array(state)
+        sample[self.loose] += self.carried
         self.project(sample)
         log.times.append(moment)
         log.states.append(sample)
+
+    def _carry(self) -> None:
+        """Take the quadratures out of the state, summing them without loss.
+
+        The step size answers to the largest component of the state, so that a place far from
+        the origin would cost the dynamics its digits.
+        """
+        if self.loose:
+            gain = self.stepper.state[self.loose] + self.remainder
+            total = self.carried + gain
+            self.remainder = gain - (total - self.carried)
+            self.carried = total
+            self.stepper.state[self.loose] = self.kind(0)
 
     def finish(self, log: _Log, statistics: Statistics) -> Trajectory:
         states = np.array(log.states, dtype=self.kind)
@@ -437,6 +437,18 @@ class _Run:
             statistics,
             _dense(log, self.kind),
         )
+
+
+def _quadratures(system: System) -> list[int]:
+    """Columns on which neither rates nor relations nor guards depend."""
+    formulas = [
+        *system.rates,
+        *map(explicit, system.relations),
+        *(explicit(guard.value) for guard in system.guards),
+    ]
+    used = {s for formula in formulas for s in formula.free_symbols}
+    used |= {s for _, value in system.needed(formulas) for s in value.free_symbols}
+    return [i for i, symbol in enumerate(system.symbols) if symbol not in used]
 
 
 def _dense(log: _Log, kind: Any) -> Dense | None:
