@@ -1,0 +1,54 @@
+# What to type is told by `make help`; how the environment is set up, by scripts/setup.sh.
+
+VENV := .venv
+BIN := $(VENV)/bin
+PYTEST_FLAGS ?= -n 2
+SOURCES := pyproject.toml constraints.txt scripts/setup.sh
+
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+.NOTPARALLEL:
+.PHONY: help demo test check lint types format bench clean
+
+# A virtual environment knows its own address: in a folder that was moved or copied it is made anew.
+ifneq ($(shell cat $(VENV)/address 2>/dev/null),$(CURDIR))
+.PHONY: $(VENV)/core $(VENV)/dev
+endif
+
+help: ## show this list
+	@echo "make TARGET, where TARGET is one of"
+	@sed -n 's/^\([a-z]*\):.*## \(.*\)/\1	\2/p' $(MAKEFILE_LIST) | while IFS='	' read -r name text; do \
+	  printf '  %-8s %s\n' "$$name" "$$text"; done
+	@echo "The first run installs into $(VENV), from Python 3.11 or newer; PYTHON=... names another one."
+
+demo: $(VENV)/core ## study a rattleback, from its shape to a report in demo/
+	@$(BIN)/chaplygin study examples/rattleback.toml -o demo --force
+	@echo "Open demo/report.html in a browser; the numbers are in demo/trajectory.nc."
+
+test: $(VENV)/dev ## run the tests; PYTEST_FLAGS="-n 0 -k ball" chooses among them
+	@$(BIN)/python -m pytest $(PYTEST_FLAGS)
+
+check: lint types test ## all that a change must pass: format, lint, types, tests
+
+lint: $(VENV)/dev ## check format and lint alone
+	@$(BIN)/python -m ruff format --check .
+	@$(BIN)/python -m ruff check .
+
+types: $(VENV)/dev ## check types alone
+	@$(BIN)/python -m mypy
+
+format: $(VENV)/dev ## put the code in its format and mend what can be mended
+	@$(BIN)/python -m ruff check --fix-only .
+	@$(BIN)/python -m ruff format .
+
+bench: $(VENV)/dev ## run the benchmarks
+	@set -e; for file in benchmarks/bench_*.py; do \
+	  test -e "$$file" || { echo "There are no benchmarks: benchmarks/bench_*.py"; exit 1; }; \
+	  echo "$$file"; $(BIN)/python "$$file"; done
+
+clean: ## remove all that make has made: .venv/, demo/, caches
+	@rm -rf $(VENV) demo build dist .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	@find src tests -type d -name __pycache__ -exec rm -rf {} +
+
+$(VENV)/core $(VENV)/dev: $(SOURCES)
+	@sh scripts/setup.sh $(VENV) $(@F)
