@@ -15,7 +15,7 @@ from types import MappingProxyType
 
 import sympy
 
-from chaplygin.errors import InputError
+from .errors import InputError
 
 FUNCTIONS: Mapping[str, Callable[..., sympy.Expr]] = MappingProxyType(
     {

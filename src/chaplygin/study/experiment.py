@@ -1,0 +1,268 @@
+"""The experiment file: what the command line, the web page and Python share.
+
+A TOML file describes either a body that rolls on a surface (`RollingExperiment`) or a system of
+the catalogue (`SystemExperiment`), a start, and how the motion is computed. The keys, their
+meaning, units and frames are those of `chaplygin.study.tables`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from pydantic import Field, PrivateAttr, ValidationError, ValidationInfo, field_validator
+
+from ..errors import InputError
+from .mistakes import mistakes
+from .source import Source
+from .tables import (
+    BallTable,
+    BodyTable,
+    ContactTable,
+    DiskTable,
+    EllipsoidTable,
+    FieldTable,
+    PlaneTable,
+    RunTable,
+    ShapeTable,
+    SphereTable,
+    StartTable,
+    SurfaceTable,
+    SystemRunTable,
+    SystemStartTable,
+    SystemTable,
+    Table,
+    TorusTable,
+)
+from .toml_text import Key, dumps
+
+__all__ = ["Experiment", "RollingExperiment", "SystemExperiment", "load", "loads"]
+
+
+class _Experiment(Table):
+    """What both kinds of experiment have.
+
+    Two experiments are equal when their tables are, wherever they were read from.
+    """
+
+    _source: Source = PrivateAttr(Source("<experiment>", ""))
+
+    def toml(self) -> str:
+        """A complete TOML text, defaults included, that reads back to an equal experiment."""
+        return dumps(self.model_dump(exclude_none=True))
+
+    @property
+    def text(self) -> str:
+        """The text it was read from, before overrides; its own TOML if it was made in Python."""
+        return self._source.text or self.toml()
+
+    @property
+    def overrides(self) -> tuple[str, ...]:
+        """The options ``KEY=VALUE`` that were applied to the text."""
+        return self._source.overrides
+
+    def where(self, *key: str) -> str:
+        """The place of a key, such as ``where("body", "mass")``, for the message of an error."""
+        return self._source.where(key)
+
+    def __eq__(self, other: object) -> bool:
+        return type(self) is type(other) and self.__dict__ == other.__dict__
+
+    def __hash__(self) -> int:
+        return hash(self.toml())
+
+
+class RollingExperiment(_Experiment):
+    """A body rolls on a surface.
+
+    Raises
+    ------
+    pydantic.ValidationError
+        (A ValueError.) If it is made in Python of parts that do not fit; `load` raises InputError.
+    """
+
+    body: BodyTable = Field(description="a table [body], or [system] instead of it")
+    surface: SurfaceTable = Field(
+        default=PlaneTable(), discriminator="kind", description="a table", validate_default=True
+    )
+    contact: ContactTable = Field(default=ContactTable(), description="a table")
+    field: FieldTable = Field(default=FieldTable(), description="a table")
+    start: StartTable = Field(description="a table [start] with gamma and omega")
+    run: RunTable = Field(default=RunTable(), description="a table")
+
+    @field_validator("surface", mode="before")
+    @classmethod
+    def _plane_by_default(cls, surface: Any) -> Any:
+        return {"kind": "plane"} if surface == {} else surface
+
+    @field_validator("surface")
+    @classmethod
+    def _body_fits(cls, surface: SurfaceTable, info: ValidationInfo) -> SurfaceTable:
+        body = info.data.get("body")
+        misfit = _misfit(body.shape, surface) if body else None
+        if misfit:
+            raise ValueError(misfit)
+        return surface
+
+    @field_validator("field")
+    @classmethod
+    def _names_once(cls, field: FieldTable, info: ValidationInfo) -> FieldTable:
+        body = info.data.get("body")
+        twice = sorted(field.parameters.keys() & body.shape.parameters.keys()) if body else []
+        if twice:
+            raise ValueError(
+                f"the parameter '{twice[0]}' is one of body.shape.parameters too; rename one"
+            )
+        return field
+
+    @field_validator("start")
+    @classmethod
+    def _normal_of_surface(cls, start: StartTable, info: ValidationInfo) -> StartTable:
+        if isinstance(info.data.get("surface"), PlaneTable) and start.normal != (0.0, 0.0, 1.0):
+            raise ValueError("normal is for a sphere alone; on a plane it is always [0, 0, 1]")
+        return start
+
+
+class SystemExperiment(_Experiment):
+    """A system of the catalogue, which decides body, surface, contact and field.
+
+    Raises
+    ------
+    pydantic.ValidationError
+        (A ValueError.) If it is made in Python of wrong parts; `load` raises InputError.
+    """
+
+    system: SystemTable = Field(description="a table [system] with a name")
+    start: SystemStartTable = Field(default=SystemStartTable(), description="a table")
+    run: SystemRunTable = Field(default=SystemRunTable(), description="a table")
+
+
+Experiment = RollingExperiment | SystemExperiment
+"""Either kind of experiment; ``isinstance`` tells which."""
+
+
+def load(source: str | Path, overrides: Iterable[str] = ()) -> Experiment:
+    """Read an experiment file.
+
+    Parameters
+    ----------
+    source
+        Path of the file, or the text itself if it is a str with more than one line.
+    overrides
+        Options ``KEY=VALUE`` that replace or add keys, such as ``"start.omega=[1, 0, 0]"``; the
+        value is a TOML value or a word without quotes.
+
+    Returns
+    -------
+    RollingExperiment or SystemExperiment
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, or for all that is wrong in it: one line for each mistake
+        with file, line, key and what is allowed.
+    """
+    if isinstance(source, str) and "\n" in source:
+        return loads(source, overrides=overrides)
+    name = str(source)
+    try:
+        # A byte order mark, as some editors put it first, is no part of the text.
+        text = Path(source).read_bytes().decode("utf-8-sig")
+    except FileNotFoundError:
+        raise InputError("there is no such file", name) from None
+    except IsADirectoryError:
+        raise InputError("this is a directory, not an experiment file", name) from None
+    except UnicodeDecodeError as error:
+        message = f"byte {error.start + 1} is not UTF-8 text; an experiment file is a text file"
+        raise InputError(message, name) from None
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else str(error)
+        raise InputError(f"the file cannot be read: {reason}", repr(name)) from None
+    return loads(text, name, overrides)
+
+
+def loads(text: str, name: str = "<text>", overrides: Iterable[str] = ()) -> Experiment:
+    """Read the text of an experiment file.
+
+    Parameters
+    ----------
+    text
+        The TOML text.
+    name
+        What errors call it.
+    overrides
+        As for `load`.
+
+    Returns
+    -------
+    RollingExperiment or SystemExperiment
+
+    Raises
+    ------
+    InputError
+        For all that is wrong in it, as `load` does.
+    """
+    source = Source(name, text, tuple(overrides))
+    tables = source.tables()
+    model = SystemExperiment if "system" in tables else RollingExperiment
+    wrong = _decided_by_system(tables) if model is SystemExperiment else {}
+    rest = {key: table for key, table in tables.items() if (key,) not in wrong}
+    try:
+        experiment = model.model_validate(rest)
+    except ValidationError as error:
+        wrong |= mistakes(error, model, rest)
+    if wrong:
+        in_order = sorted(wrong, key=lambda key: source.line(key) or math.inf)
+        raise InputError("\n".join(f"{source.where(key)}: {wrong[key]}" for key in in_order))
+    experiment._source = source
+    return experiment
+
+
+def _decided_by_system(tables: dict[str, Any]) -> dict[Key, str]:
+    """The tables that have no place beside [system]."""
+    decided = [name for name in RollingExperiment.model_fields if name in tables]
+    return {
+        (name,): f"must be absent, as the table [system] decides the {name}"
+        for name in decided
+        if name not in SystemExperiment.model_fields
+    }
+
+
+def _misfit(shape: ShapeTable, surface: SurfaceTable) -> str | None:
+    """Why a body certainly cannot roll on a surface, if so."""
+    radius = surface.radius if isinstance(surface, SphereTable) else None
+    if isinstance(shape, BallTable) and shape.hollow:
+        if radius is None or radius < 0:
+            return "a hollow ball rolls around the outside of a sphere; its radius is positive"
+        if shape.radius <= radius:
+            return (
+                f"a hollow ball of radius {shape.radius:.15g} does not go around a sphere of "
+                f"radius {radius:.15g}; the ball must be the larger one"
+            )
+        return None
+    if radius is None or radius > 0:
+        return None
+    size, meaning = _size(shape)
+    if size < -radius:
+        return None
+    return (
+        f"a bowl of radius {-radius:.15g} is too small for this {shape.kind}, whose {meaning} is "
+        f"{size:.15g}; the bowl must be larger than that"
+    )
+
+
+def _size(shape: ShapeTable) -> tuple[float, str]:
+    """A length which the radius of a bowl must exceed, and its meaning."""
+    match shape:
+        case BallTable() | DiskTable():
+            return shape.radius, "radius"
+        case TorusTable():
+            return shape.radius + shape.tube, "outer radius"
+        case EllipsoidTable():
+            longest, shortest = max(shape.axes), min(shape.axes)
+            # Divided first, as the square of a large number may overflow.
+            return longest / shortest * longest, "largest radius of curvature"
+        case _:
+            return 0.0, "size"

@@ -1,0 +1,142 @@
+"""What pydantic found wrong, told to the user: the key and one sentence."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, get_args, get_origin
+
+from pydantic import BaseModel, ValidationError
+from pydantic.fields import FieldInfo
+from pydantic_core import ErrorDetails
+
+from ..expressions import nearest
+from .toml_text import Key
+
+__all__ = ["mistakes", "shown"]
+
+_LONGEST = 60
+_DEEPEST = 2
+_MOST_BITS = 1024
+
+
+def mistakes(error: ValidationError, model: type[BaseModel], data: object) -> dict[Key, str]:
+    """Translate what is wrong with the tables of a file.
+
+    Parameters
+    ----------
+    error
+        What pydantic says.
+    model
+        The model of the whole file.
+    data
+        The tables that were refused.
+
+    Returns
+    -------
+    dict
+        The path of each wrong key ↦ one sentence.
+    """
+    told: dict[Key, str] = {}
+    for details in error.errors(include_url=False):
+        place = _locate(model, details["loc"])
+        key, sentence = _sentence(details, place, _value(data, place.key))
+        told.setdefault(key, sentence)
+    return told
+
+
+def shown(value: object) -> str:
+    """A value of the file in a few words, as TOML writes it."""
+    if isinstance(value, str):
+        return f"the text {_short(json.dumps(value, ensure_ascii=False))}"
+    return _short(_plain(value, 0))
+
+
+def _plain(value: object, depth: int) -> str:
+    match value:
+        case Mapping():
+            return "a table"
+        case bool():
+            return str(value).lower()
+        case list() | tuple() if depth < _DEEPEST:
+            return f"[{', '.join(_plain(item, depth + 1) for item in value)}]"
+        case list() | tuple():
+            return "[...]"
+        case str():
+            return json.dumps(value, ensure_ascii=False)
+        case int() if value.bit_length() > _MOST_BITS:
+            return "a number too large"
+        case _:
+            return str(value)
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
+
+
+@dataclass(frozen=True)
+class _Place:
+    """A key, the table it belongs to and its description there (None for a named number)."""
+
+    key: Key
+    owner: type[BaseModel] | None = None
+    field: FieldInfo | None = None
+
+
+def _locate(model: type[BaseModel], steps: tuple[int | str, ...]) -> _Place:
+    """Follow pydantic's path, which also holds the kinds of tables and the places in arrays."""
+    place = _Place(())
+    table: Any = model
+    for step in map(str, steps):
+        if _is_choice(table):
+            table = next(t for t in get_args(table) if t.model_fields["kind"].default == step)
+        elif _is_table(table):
+            place = _Place((*place.key, step), table, table.model_fields.get(step))
+            table = place.field.annotation if place.field else None
+        elif get_origin(table) is dict:
+            return _Place((*place.key, step))
+        else:
+            break
+    return place
+
+
+def _is_table(annotation: object) -> bool:
+    return isinstance(annotation, type) and issubclass(annotation, BaseModel)
+
+
+def _is_choice(annotation: object) -> bool:
+    """Whether these are several tables, told apart by their ``kind``."""
+    choices = get_args(annotation)
+    return bool(choices) and all(map(_is_table, choices))
+
+
+def _value(data: Any, key: Key) -> object:
+    for part in key:
+        if not isinstance(data, Mapping) or part not in data:
+            return None
+        data = data[part]
+    return data
+
+
+def _sentence(details: ErrorDetails, place: _Place, value: object) -> tuple[Key, str]:
+    allowed = place.field.description if place.field else "a finite number"
+    context = details.get("ctx", {})
+    match details["type"]:
+        case "missing" if details["loc"][-1] == place.key[-1]:
+            return place.key, f"missing; it must be {allowed}"
+        case "extra_forbidden" if place.owner:
+            return place.key, f"unknown key{nearest(place.key[-1], place.owner.model_fields)}"
+        case "union_tag_invalid":
+            kinds = context["expected_tags"].replace("'", "").split(", ")
+            return (
+                *place.key,
+                "kind",
+            ), f'unknown kind "{context["tag"]}"{nearest(context["tag"], kinds)}'
+        case "union_tag_not_found" if place.field:
+            kinds = [t.model_fields["kind"].default for t in get_args(place.field.annotation)]
+            return (*place.key, "kind"), f"missing; allowed: {', '.join(kinds)}"
+        case "value_error":
+            return place.key, str(context["error"])
+        case _:
+            return place.key, f"must be {allowed}, not {shown(value)}"

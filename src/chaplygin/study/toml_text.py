@@ -1,0 +1,137 @@
+"""TOML as text: on which line a key stands, and how a table is written for people to read."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import tomli_w
+
+__all__ = ["Key", "dotted", "dumps", "key_lines"]
+
+Key = tuple[str, ...]
+
+_TOKEN = re.compile(
+    r'"""(?:\\.|[^\\])*?"{3,5}'
+    r"|'''.*?'{3,5}"
+    r'|"(?:\\.|[^"\\\n])*"'
+    r"|'[^'\n]*'"
+    r"|\#[^\n]*"
+    r"|[\n\[\]{}=]"
+    r"|[^\n\[\]{}=\"'\#]+"
+    r"|.",
+    re.DOTALL,
+)
+
+
+def key_lines(text: str) -> dict[Key, int]:
+    """The lines on which the tables and keys of a TOML text stand.
+
+    Parameters
+    ----------
+    text
+        A valid TOML text. Of an invalid one as much is read as can be.
+
+    Returns
+    -------
+    dict
+        Dotted path of a table or key ↦ number of its line, counted from 1. Keys within an inline
+        table or an array are left out; their owner tells the line.
+    """
+    lines: dict[Key, int] = {}
+    table: Key = ()
+    for number, statement in _statements(text):
+        path = _path(statement)
+        if statement.startswith("["):
+            table = path
+        else:
+            path = table + path
+        # A header [a.b] or a key a.b makes the table a too, if nothing has made it before.
+        for length in range(1, len(path) + 1):
+            lines.setdefault(path[:length], number)
+    return lines
+
+
+def _statements(text: str) -> Iterator[tuple[int, str]]:
+    """Each table header, and each key with its ``=``, with the number of the line it begins on."""
+    line, begun, depth = 1, 1, 0
+    head, in_value = "", False
+    for match in _TOKEN.finditer(text):
+        token = match.group()
+        if token == "\n" and depth == 0:
+            if head.startswith("["):
+                yield begun, head
+            head, in_value = "", False
+        elif not token.startswith("#") and not in_value:
+            begun = begun if head else line
+            head = (head + token).lstrip()
+            in_value = token == "="
+            if in_value:
+                yield begun, head
+        elif token in ("[", "{"):
+            depth += 1
+        elif token in ("]", "}"):
+            depth -= 1
+        line += token.count("\n")
+    if head.startswith("["):
+        yield begun, head
+
+
+def _path(statement: str) -> Key:
+    """The dotted path of a header or of a key with its ``=``, read as TOML reads it."""
+    key = statement.strip().strip("[]= \t\r")
+    try:
+        nested: Any = tomllib.loads(f"{key} = 0")
+    except ValueError:
+        return ()
+    path: list[str] = []
+    while isinstance(nested, dict):
+        name, nested = next(iter(nested.items()))
+        path.append(name)
+    return tuple(path)
+
+
+def dumps(tables: Mapping[str, Any]) -> str:
+    """Write nested tables of numbers, truth values, texts and arrays of numbers as TOML.
+
+    Parameters
+    ----------
+    tables
+        What is to be written. Arrays (lists or tuples, also nested) hold numbers alone; they
+        stand on one line, as a vector or a matrix is best read. Empty tables are left out.
+
+    Returns
+    -------
+    str
+        A TOML text that reads back to the same values.
+    """
+    return "\n\n".join(_blocks((), tables)) + "\n"
+
+
+def dotted(key: Key) -> str:
+    """A path as it stands in a TOML file, parts quoted where they must be."""
+    return ".".join(tomli_w.dumps({part: 0}).removesuffix(" = 0\n") for part in key)
+
+
+def _blocks(path: Key, table: Mapping[str, Any]) -> Iterator[str]:
+    """A table and then its sub-tables, each with its header."""
+    inner = {key: value for key, value in table.items() if isinstance(value, Mapping)}
+    lines = [_assignment(key, value) for key, value in table.items() if key not in inner]
+    if lines:
+        header = [f"[{dotted(path)}]"] if path else []
+        yield "\n".join(header + lines)
+    for key, value in inner.items():
+        yield from _blocks((*path, key), value)
+
+
+def _assignment(key: str, value: Any) -> str:
+    if isinstance(value, list | tuple):
+        return f"{dotted((key,))} = {_array(value)}"
+    return tomli_w.dumps({key: value}).rstrip("\n")
+
+
+def _array(values: list[Any] | tuple[Any, ...]) -> str:
+    inner = (_array(v) if isinstance(v, list | tuple) else repr(v) for v in values)
+    return f"[{', '.join(inner)}]"
