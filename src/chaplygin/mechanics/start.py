@@ -10,12 +10,14 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import mpmath
+import numpy as np
 import sympy as sp
 
 from ..errors import InputError
 from ..system import System
 from ..vectors import Vector, explicit
 from .attitude import attitude
+from .points import touching
 
 __all__ = ["starting_state"]
 
@@ -190,76 +192,43 @@ def evaluate(
 
 
 def _contact_point(system: System, up: list[Any], known: Mapping[sp.Symbol, Any]) -> list[Any]:
-    """The point r of an implicit surface whose outward normal is −γ, by Newton's method.
+    """The point r of an implicit surface f(r − c) = 0 whose outward normal is −γ.
 
-    Unknowns are r − c and the length ℓ of the gradient: ∇f + ℓγ = 0, f = 0.
+    A point good to double precision is polished by Newton's method for ∇f + ℓγ = 0, f = 0, with
+    the length ℓ of the gradient as fourth unknown.
     """
-    from .shapes import IMPLICIT_GRADIENT as slope
-    from .shapes import IMPLICIT_HESSIAN as hessian
-    from .shapes import IMPLICIT_POINT as point
-
-    surface = system.relations[0]
-    shift = [known.get(s, mpmath.mpf(0)) for s in Vector("c").symbols]
-    entries = [*slope.symbols, *hessian.symbols]
-    steps = [*system.needed([sum(entries)], given=set(point.symbols))]
-    names = [*known, *point.symbols, *r.symbols]
-    local = sp.lambdify(
-        names, [explicit(surface), *entries], "mpmath", cse=lambda e: (steps, e)
+    surface, coordinates = explicit(system.relations[0]), r.symbols
+    values = {s: v for s, v in known.items() if s in surface.free_symbols}
+    centre = [known.get(s, mpmath.mpf(0)) for s in Vector("c").symbols]
+    shifted = surface.subs(values).subs(
+        {s: s + v for s, v in zip(coordinates, centre, strict=True)}, simultaneous=True
     )
-
-    def at(x: list[Any]) -> tuple[Any, list[Any], Any]:
-        f, *rest = local(*known.values(), *x, *(u + v for u, v in zip(x, shift, strict=True)))
-        a, b, d, e, g, h = rest[3:]
-        return f, rest[:3], mpmath.matrix([[a, b, d], [b, e, g], [d, g, h]])
-
-    x = _outwards(at, up)
-    for _ in range(200):
-        f, grad, second = at(x)
-        length = mpmath.sqrt(sum(v * v for v in grad))
-        system_matrix = mpmath.zeros(4)
-        for i in range(3):
-            for j in range(3):
-                system_matrix[i, j] = second[i, j]
-            system_matrix[i, 3] = up[i]
-            system_matrix[3, i] = grad[i]
-        defect = [grad[i] + length * up[i] for i in range(3)] + [f]
+    guess = touching(shifted, coordinates, np.array([[float(x) for x in up]]))[0]
+    local = sp.lambdify(
+        coordinates,
+        [shifted, *(shifted.diff(s) for s in coordinates), *sp.hessian(shifted, coordinates)],
+        "mpmath",
+    )
+    x = mpmath.matrix([mpmath.mpf(float(v)) for v in guess])
+    for _ in range(8):
+        f, *rest = local(*x)
+        slope, hessian = rest[:3], rest[3:]
+        length = mpmath.sqrt(sum(v * v for v in slope))
+        matrix = mpmath.matrix(
+            [[*hessian[3 * i : 3 * i + 3], up[i]] for i in range(3)] + [[*slope, 0]]
+        )
+        defect = mpmath.matrix([*(v + length * u for v, u in zip(slope, up, strict=True)), f])
         try:
-            step = mpmath.lu_solve(system_matrix, mpmath.matrix([-v for v in defect]))
+            step = mpmath.lu_solve(matrix, -defect)
         except ZeroDivisionError:
             break
-        size = max(abs(v) for v in x)
-        move = max(abs(step[i]) for i in range(3))
-        # a damped step keeps the iteration on the side of the body that faces the surface
-        damping = min(mpmath.mpf(1), mpmath.mpf("0.3") * size / move) if move else mpmath.mpf(1)
-        x = [x[i] + damping * step[i] for i in range(3)]
-        if move < mpmath.mpf(10) ** (5 - DIGITS) * size:
-            cosine = sum(v * u for v, u in zip(at(x)[1], up, strict=True))
-            if cosine < 0:
-                return [u + v for u, v in zip(x, shift, strict=True)]
-            break
+        x = x + step[:3, 0]
+        if mpmath.norm(step[:3, 0]) < mpmath.mpf(10) ** (5 - DIGITS) * mpmath.norm(x):
+            return [v + shift for v, shift in zip(x, centre, strict=True)]
     raise InputError(
-        "start: no contact point with this normal was found on the surface f = 0; the body must "
-        "be smooth and strictly convex there"
+        "gamma: no contact point with this normal was found; the surface must be smooth and "
+        "strictly convex there"
     )
-
-
-def _outwards(at: Any, up: list[Any]) -> list[Any]:
-    """The point of the surface straight below the geometric centre, along −γ."""
-    far = mpmath.mpf(1)
-    for _ in range(80):
-        if at([-far * v for v in up])[0] > 0:
-            break
-        far *= 2
-    else:
-        raise InputError("surface f = 0: it is not closed, f stays negative far from the centre")
-    near = mpmath.mpf(0)
-    for _ in range(60):
-        middle = (near + far) / 2
-        if at([-middle * v for v in up])[0] > 0:
-            far = middle
-        else:
-            near = middle
-    return [-near * v for v in up]
 
 
 def _place(system: System, known: Mapping[sp.Symbol, Any]) -> list[Any]:

@@ -17,7 +17,7 @@ from ..flow.trajectory import Trajectory
 from ..system import Observable
 from ..vectors import Vector
 
-__all__ = ["read", "to_dataset", "write"]
+__all__ = ["check_target", "read", "to_dataset", "write"]
 
 _FRAMES = {
     "body": ("axis", (1, 2, 3)),
@@ -138,6 +138,18 @@ def _split(values: Any) -> tuple[Any, Any]:
     return high, np.vectorize(float, otypes=[float])(rest)
 
 
+def check_target(target: Path, force: bool = False) -> None:
+    """Raise InputError unless a file may be written to `target`."""
+    if target.is_dir():
+        raise InputError(f"{target} is a folder: the name of a file is needed")
+    if target.exists() and not force:
+        raise InputError(f"{target} exists already: choose another name, or --force to replace it")
+    if not target.parent.is_dir():
+        raise InputError(f"{target} cannot be written: there is no folder {target.parent}")
+    if not os.access(target.parent, os.W_OK):
+        raise InputError(f"{target} cannot be written: the folder {target.parent} is protected")
+
+
 def write(dataset: xr.Dataset, path: str | Path, force: bool = False) -> Path:
     """Write a dataset to a NetCDF file; the file appears complete or not at all.
 
@@ -147,10 +159,7 @@ def write(dataset: xr.Dataset, path: str | Path, force: bool = False) -> Path:
         If the file exists and `force` is false, or its place cannot be written.
     """
     target = Path(path)
-    if target.exists() and not force:
-        raise InputError(f"{target} exists already: choose another name, or --force to replace it")
-    if target.is_dir():
-        raise InputError(f"{target} is a folder: the name of a file is needed")
+    check_target(target, force)
     temporary = None
     try:
         with tempfile.NamedTemporaryFile(

@@ -1,0 +1,55 @@
+"""The command line: one file per command, nothing heavy imported before it is needed."""
+
+from __future__ import annotations
+
+import os
+import sys
+
+import typer
+
+from . import list_, run, show, study
+from .common import complain
+
+__all__ = ["app", "main"]
+
+app = typer.Typer(
+    name="chaplygin",
+    help="A laboratory for nonholonomic mechanics: say what rolls on what.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+app.command("list")(list_.command)
+app.command("show")(show.command)
+app.command("run")(run.command)
+app.command("study")(study.command)
+
+
+@app.callback(invoke_without_command=True)
+def _options(
+    version: bool = typer.Option(False, "--version", help="Print the version and exit."),
+) -> None:
+    if version:
+        from .._version import __version__
+
+        typer.echo(f"chaplygin {__version__}")
+        raise typer.Exit
+
+
+def main() -> None:
+    """Run the command line; exit 0 when done, 1 when the answer is no, 2 on bad input."""
+    from ..errors import InputError, RunError
+
+    try:
+        app()
+    except InputError as error:
+        complain(str(error))
+        sys.exit(2)
+    except RunError as error:
+        complain(str(error))
+        sys.exit(1)
+    except BrokenPipeError:
+        # the reader of a pipe has gone; keep the interpreter from complaining at exit
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(0)

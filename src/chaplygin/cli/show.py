@@ -1,0 +1,70 @@
+"""``chaplygin show``: the equations of motion."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from .common import Json, Override, What, print_json, study_of
+
+__all__ = ["command"]
+
+FORMS = ("text", "latex", "julia", "c", "toml")
+
+
+def command(
+    what: What,
+    overrides: Override = None,
+    form: Annotated[
+        str, typer.Option("--as", help="text, latex, julia, c or toml (the experiment file).")
+    ] = "text",
+    json: Json = False,
+) -> None:
+    """Print equations of motion, parameters, laws and source of a system."""
+    from ..errors import InputError
+
+    if form not in FORMS:
+        raise InputError(f"--as {form}: it must be one of {', '.join(FORMS)}")
+    study = study_of(what, overrides)
+    system = study.system
+    if json:
+        from ..typeset import latex
+
+        print_json(
+            {
+                "name": system.name,
+                "title": system.title,
+                "summary": system.summary,
+                "source": system.source,
+                "state": [str(s) for s in system.symbols],
+                "parameters": [
+                    {
+                        "symbol": str(p.symbol),
+                        "meaning": p.meaning,
+                        "default": p.default,
+                        "unit": p.unit,
+                    }
+                    for p in system.parameters
+                ],
+                "equations": system.latex(),
+                "laws": [
+                    {
+                        "name": law.name,
+                        "meaning": law.meaning,
+                        "value": latex(law.value),
+                        "source": law.source,
+                    }
+                    for law in system.laws
+                ],
+            }
+        )
+        return
+    texts = {
+        "text": lambda: str(system),
+        "latex": system.latex,
+        "julia": lambda: system.source_code("julia"),
+        "c": lambda: system.source_code("c"),
+        "toml": study.complete_toml,
+    }
+    typer.echo(texts[form]().rstrip())

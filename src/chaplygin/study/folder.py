@@ -1,0 +1,89 @@
+"""A study on disk: trajectory, experiment file, figures and report in one folder."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+from ..errors import InputError, RunError
+from ..flow.trajectory import Trajectory
+from . import figures, report
+from .dataset import write
+from .prepare import Study, dataset_of
+from .scene import scene_of
+
+__all__ = ["check_folder", "write_study"]
+
+FILES = ("report.html", "trajectory.nc", "experiment.toml", "figures")
+
+
+def check_folder(folder: Path, force: bool = False) -> None:
+    """Raise InputError unless a study may be written to `folder`."""
+    if folder.exists() and not folder.is_dir():
+        raise InputError(f"{folder} is a file: a study is written to a folder")
+    present = [name for name in FILES if (folder / name).exists()]
+    if present and not force:
+        raise InputError(
+            f"{folder} holds {', '.join(present)} already: choose another folder, or --force to "
+            "replace them"
+        )
+    try:
+        (folder / "figures").mkdir(parents=True, exist_ok=True)
+    except OSError as problem:
+        raise InputError(f"{folder} cannot be written: {problem.strerror}") from problem
+
+
+def write_study(
+    study: Study, folder: Path, force: bool, progress: Callable[[float], None]
+) -> tuple[Trajectory, RunError | None]:
+    """Integrate and write everything; a failed run is written as far as it went.
+
+    Returns
+    -------
+    Trajectory, RunError or None
+        What was computed, and why it ended early if it failed.
+
+    Raises
+    ------
+    InputError
+        If the folder cannot be written.
+    """
+    failure: RunError | None = None
+    try:
+        trajectory = study.trajectory(progress)
+    except RunError as error:
+        if not isinstance(error.partial, Trajectory):
+            raise
+        trajectory, failure = error.partial, error
+    dataset = dataset_of(study, trajectory, complete=failure is None)
+    write(dataset, folder / "trajectory.nc", force)
+    _write_text(folder / "experiment.toml", study.complete_toml())
+    pictures = figures.all_figures(dataset, scene_of(study))
+    for name, figure in pictures.items():
+        for suffix in ("svg", "png"):
+            figures.save(figure, folder / "figures" / f"{name}.{suffix}")
+    text = report.render(study, trajectory, dataset, pictures, failure)
+    _write_text(folder / "report.html", text)
+    return trajectory, failure
+
+
+def _write_text(path: Path, text: str) -> None:
+    """Write a text file that appears complete or not at all."""
+    try:
+        with tempfile.NamedTemporaryFile(
+            "w", dir=path.parent, delete=False, encoding="utf-8"
+        ) as stream:
+            stream.write(text)
+        Path(stream.name).replace(path)
+        path.chmod(0o666 & ~_umask())
+    except OSError as problem:
+        raise InputError(f"{path} cannot be written: {problem.strerror}") from problem
+
+
+def _umask() -> int:
+    """The permissions that new files are to lack."""
+    current = os.umask(0)
+    os.umask(current)
+    return current

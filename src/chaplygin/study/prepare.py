@@ -1,0 +1,256 @@
+"""From an experiment to everything a run needs: the System, its parameters and its start."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import sympy as sp
+import xarray as xr
+
+from ..errors import InputError
+from ..expressions import parse
+from ..flow.trajectory import Trajectory, integrate
+from ..mechanics.body import Body
+from ..mechanics.rolling import Field, Rolling
+from ..mechanics.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Shape, Torus
+from ..mechanics.start import starting_state
+from ..mechanics.surfaces import Plane, Sphere
+from ..system import System
+from ..systems import CATALOGUE, entry, known_laws_of
+from .dataset import to_dataset
+from .experiment import Experiment, RollingExperiment, SystemExperiment
+from .tables import (
+    BallTable,
+    DiskTable,
+    EllipsoidTable,
+    FormulaTable,
+    ImplicitTable,
+    PlaneTable,
+    RevolutionTable,
+    ShapeTable,
+    TorusTable,
+)
+
+__all__ = ["Study", "catalogue_experiment", "dataset_of", "prepare"]
+
+
+@dataclass(frozen=True)
+class Study:
+    """An experiment made ready.
+
+    Attributes
+    ----------
+    experiment : Experiment
+    system : System
+        With every integral that the catalogue knows of it.
+    rolling : Rolling or None
+        What rolls on what; None for a body about a fixed point.
+    omega, gamma : 3 floats
+        The start, body axes; γ as given.
+    until : float
+        Duration.
+    """
+
+    experiment: Experiment
+    system: System
+    rolling: Rolling | None
+    omega: tuple[float, float, float]
+    gamma: tuple[float, float, float]
+    until: float
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """What was done to the input, one sentence each."""
+        length = float(np.linalg.norm(self.gamma))
+        if abs(length - 1) <= 4e-16:
+            return ()
+        unit = ", ".join(f"{x / length:.17g}" for x in self.gamma)
+        return (f"start.gamma has length {length:.9g}; it was normalised to [{unit}]",)
+
+    @cached_property
+    def start(self) -> tuple[Any, ...]:
+        """The state at time 0, on the phase space.
+
+        Raises
+        ------
+        InputError
+            If ω breaks the constraint, or no contact point belongs to γ.
+        """
+        given = self.experiment.start
+        with _at(self.experiment, "start"):
+            return starting_state(
+                self.system, self.omega, self.gamma, heading=given.heading, normal=given.normal
+            )
+
+    @property
+    def times(self) -> Any:
+        """The sample times, equidistant, both ends included."""
+        run = self.experiment.run
+        sign = -1.0 if run.direction == "backward" else 1.0
+        return sign * np.linspace(0.0, self.until, run.samples)
+
+    def complete_toml(self) -> str:
+        """The experiment file with nothing left to defaults of the catalogue."""
+        tables = self.experiment.model_dump()
+        tables["start"] |= {"omega": self.omega, "gamma": self.gamma}
+        tables["run"] |= {"until": self.until}
+        return type(self.experiment).model_validate(tables).toml()
+
+    def trajectory(
+        self, progress: Callable[[float], None] | None = None, dense: bool = False
+    ) -> Trajectory:
+        """Integrate the motion.
+
+        Raises
+        ------
+        InputError
+            If the start is not admissible.
+        RunError
+            If the integration fails; it carries the trajectory so far.
+        """
+        run = self.experiment.run
+        start = self.start
+        with _at(self.experiment, "start"):
+            return integrate(
+                self.system,
+                start,
+                self.times,
+                tolerance=run.tolerance,
+                precision=run.precision,
+                on_liftoff=run.on_liftoff,
+                keep_integrals=run.keep_integrals,
+                time_limit=run.time_limit,
+                dense=dense,
+                progress=progress,
+            )
+
+
+def dataset_of(study: Study, trajectory: Trajectory, complete: bool = True) -> xr.Dataset:
+    """The trajectory of a study as a dataset that also holds the experiment file's text."""
+    return to_dataset(
+        trajectory,
+        {
+            "experiment": study.complete_toml(),
+            "tolerance": study.experiment.run.tolerance,
+            "precision": study.experiment.run.precision,
+            "complete": int(complete),
+        },
+    )
+
+
+@contextlib.contextmanager
+def _at(experiment: Experiment, *key: str) -> Iterator[None]:
+    """Say where in the file a mistake stands that only mechanics could see."""
+    try:
+        yield
+    except InputError as error:
+        if error.where:
+            raise
+        raise InputError(error.message, experiment.where(*key)) from None
+
+
+def prepare(experiment: Experiment) -> Study:
+    """Make an experiment ready.
+
+    Raises
+    ------
+    InputError
+        If its parts do not fit together; the message names the place in the file.
+    """
+    if isinstance(experiment, SystemExperiment):
+        return _from_catalogue(experiment)
+    rolling = _rolling(experiment)
+    system = rolling.system("experiment", _title(rolling))
+    system = system.with_laws(*known_laws_of(rolling, system))
+    start = experiment.start
+    return Study(experiment, system, rolling, start.omega, start.gamma, experiment.run.until)
+
+
+def catalogue_experiment(name: str) -> SystemExperiment:
+    """The experiment that a catalogue entry suggests."""
+    return SystemExperiment.model_validate({"system": {"name": entry(name).name}})
+
+
+def _from_catalogue(experiment: SystemExperiment) -> Study:
+    table = experiment.system
+    with _at(experiment, "system", "name"):
+        item = entry(table.name)
+    with _at(experiment, "system", "parameters"):
+        system, rolling = item.system(table.parameters), item.rolling(table.parameters)
+    start, run = experiment.start, experiment.run
+    return Study(
+        experiment,
+        system,
+        rolling,
+        start.omega or item.start.omega,
+        start.gamma or item.start.gamma,
+        run.until or item.start.until,
+    )
+
+
+def _rolling(experiment: RollingExperiment) -> Rolling:
+    with _at(experiment, "body", "shape"):
+        shape = _shape(experiment.body.shape)
+    table = experiment.body
+    with _at(experiment, "body"):
+        body = Body(table.mass, table.inertia, shape, table.gyrostat)
+    surface = experiment.surface
+    ground = Plane() if isinstance(surface, PlaneTable) else Sphere(surface.radius)
+    forces = experiment.field
+    with _at(experiment, "field"):
+        potential = _formula(forces, forces.potential) if forces.potential else sp.S.Zero
+        field = Field(forces.gravity, potential, _values(forces))
+    return Rolling(body, ground, experiment.contact.model, field)
+
+
+def _values(table: FormulaTable) -> tuple[tuple[sp.Symbol, float], ...]:
+    return tuple((sp.Symbol(name, real=True), x) for name, x in table.parameters.items())
+
+
+def _formula(table: FormulaTable, text: str) -> sp.Expr:
+    return parse(text, {name: sp.Symbol(name, real=True) for name in table.names})
+
+
+def _shape(table: ShapeTable) -> Shape:
+    centre = table.centre
+    match table:
+        case BallTable():
+            return Ball(table.radius, table.hollow, centre=centre)
+        case EllipsoidTable():
+            return Ellipsoid(table.axes, table.turn, centre=centre)
+        case DiskTable():
+            return Disk(table.radius, centre=centre)
+        case TorusTable():
+            return Torus(table.radius, table.tube, centre=centre)
+        case RevolutionTable():
+            values = _values(table)
+            if table.support is not None:
+                return Revolution(_formula(table, table.support), values, centre=centre)
+            chi_1, chi_2 = (_formula(table, text or "0") for text in (table.chi_1, table.chi_2))
+            return Revolution.from_profile(chi_1, chi_2, dict(values), centre)
+        case ImplicitTable():
+            return Implicit(_formula(table, table.surface), _values(table), centre=centre)
+
+
+_SHAPES: Mapping[type, str] = {
+    Ball: "Ball",
+    Ellipsoid: "Ellipsoid",
+    Disk: "Disk",
+    Torus: "Disk with a rounded edge",
+    Revolution: "Body of revolution",
+    Implicit: "Convex body",
+}
+
+
+def _title(rolling: Rolling) -> str:
+    """A name for a body that the catalogue has none for."""
+    ground = "a plane"
+    if isinstance(rolling.surface, Sphere):
+        ground = "a sphere" if rolling.surface.radius > 0 else "the inside of a sphere"
+    manner = "" if rolling.contact == "marble" else ", rubber contact"
+    return f"{_SHAPES[type(rolling.body.shape)]} on {ground}{manner}"

@@ -1,0 +1,59 @@
+"""A trajectory in a few lines: how it was computed, what it kept, what happened."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ..flow.trajectory import Trajectory
+from ..system import System
+
+__all__ = ["drift", "summary", "summary_text"]
+
+
+def drift(values: Any) -> float:
+    """Largest |F(t) − F(0)|, relative to |F(0)|; absolute when F(0) = 0."""
+    change = max(abs(float(v - values[0])) for v in values)
+    size = abs(float(values[0]))
+    return change / size if size else change
+
+
+def summary(trajectory: Trajectory) -> dict[str, Any]:
+    """The facts of a run, ready for JSON; 34-digit numbers are strings."""
+    system, statistics = trajectory.system, trajectory.statistics
+    return {
+        "system": system.name,
+        "time": _plain(trajectory.times[-1]),
+        "final": {
+            str(s): _plain(x) for s, x in zip(system.symbols, trajectory.states[-1], strict=True)
+        },
+        "drift": {
+            law.name: drift(trajectory.recorded[f"law_{law.name}"]) for law in system.laws
+        },
+        "happenings": [
+            {"time": h.time, "what": h.guard.happening, "stopped": h.stopped}
+            for h in trajectory.happenings
+        ],
+        "steps": statistics.steps,
+        "order": statistics.order,
+        "seconds": statistics.seconds,
+    }
+
+
+def _plain(number: Any) -> float | str:
+    return float(number) if isinstance(number, (float, np.floating)) else str(number)
+
+
+def summary_text(system: System, trajectory: Trajectory, facts: dict[str, Any]) -> str:
+    """The same for a reader."""
+    lines = [
+        f"{system.title}: t = {trajectory.times[0]} … {facts['time']}, {facts['steps']} Taylor "
+        f"steps of order {facts['order']} in {facts['seconds']:.3g} s"
+    ]
+    laws = {law.name: law for law in trajectory.system.laws}
+    for name, value in facts["drift"].items():
+        source = f", {laws[name].source}" if laws[name].source else ""
+        lines.append(f"  {laws[name].meaning}{source}: drift {value:.1e}")
+    lines += [f"  {happening}" for happening in trajectory.happenings]
+    return "\n".join(lines)
