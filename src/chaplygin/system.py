@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -222,6 +223,13 @@ class System:
         return {p.symbol: p.default for p in self.parameters}
 
     def _check_symbols(self) -> None:
+        names = [p.symbol for p in self.parameters] + [*self.symbols, *(s for s, _ in self.steps)]
+        for name, count in Counter(names).items():
+            if count > 1:
+                raise InputError(
+                    f"{self.name}: {name} stands for two things; each state variable, definition "
+                    "and parameter needs a name of its own"
+                )
         known = {p.symbol for p in self.parameters} | set(self.symbols)
         for symbol, value in self.steps:
             self._require(value, known, f"the definition of {symbol}")

@@ -47,6 +47,9 @@ class _Experiment(Table):
     Two experiments are equal when their tables are, wherever they were read from.
     """
 
+    title: str | None = Field(default=None, description="a text in quotes", min_length=1)
+    """What reports and figures call it."""
+
     _source: Source = PrivateAttr(Source("<experiment>", ""))
 
     def toml(self) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -165,7 +165,7 @@ def prepare(experiment: Experiment) -> Study:
     if isinstance(experiment, SystemExperiment):
         return _from_catalogue(experiment)
     rolling = _rolling(experiment)
-    system = rolling.system("experiment", _title(rolling))
+    system = rolling.system("experiment", experiment.title or _title(rolling))
     system = system.with_laws(*known_laws_of(rolling, system))
     start = experiment.start
     return Study(experiment, system, rolling, start.omega, start.gamma, experiment.run.until)
@@ -182,6 +182,8 @@ def _from_catalogue(experiment: SystemExperiment) -> Study:
         item = entry(table.name)
     with _at(experiment, "system", "parameters"):
         system, rolling = item.system(table.parameters), item.rolling(table.parameters)
+    if experiment.title:
+        system = replace(system, title=experiment.title)
     start, run = experiment.start, experiment.run
     return Study(
         experiment,

@@ -60,6 +60,7 @@ DIRECTION = "3 finite numbers with at least one not zero"
 FORMULA = "a formula in quotes"
 
 COARSEST, FINEST, FINEST_DOUBLE = 1e-3, 1e-30, 1e-16
+DEFAULT_TOLERANCE = 1e-15
 MOST_SAMPLES = 10_000_000
 
 
@@ -318,9 +319,12 @@ class _RunTable(Table):
     """Equidistant instants, both ends included."""
     precision: Literal["double", "quad"] = Field(default="double", description='"double" or "quad"')
     tolerance: Annotated[Number, Field(ge=FINEST, le=COARSEST)] = Field(
-        default=1e-15, description=f"a number from {FINEST:g} to {COARSEST:g}"
+        default=None,
+        validate_default=True,
+        description=f"a number from {FINEST:g} to {COARSEST:g}",
     )
-    """Local error allowed, relative to the size of the state."""
+    """Local error allowed, relative to the size of the state; by default 1e-15, or 1e-30 in
+    quad precision."""
     direction: Literal["forward", "backward"] = Field(
         default="forward", description='"forward" or "backward"'
     )
@@ -331,6 +335,12 @@ class _RunTable(Table):
     """Whether the solution is projected on its integrals, and not on the constraints alone."""
     time_limit: Positive | None = Field(default=None, description="a positive number of seconds")
     """Time on the clock after which the computation stops."""
+
+    @field_validator("tolerance", mode="before")
+    @classmethod
+    def _finest_by_default(cls, tolerance: object, info: ValidationInfo) -> object:
+        finest = {"quad": FINEST}.get(info.data.get("precision", ""), DEFAULT_TOLERANCE)
+        return finest if tolerance is None else tolerance
 
     @field_validator("tolerance")
     @classmethod

@@ -22,7 +22,7 @@ from . import (
 )
 from .entry import Entry, Start, known_laws, lookup
 
-__all__ = ["CATALOGUE", "Entry", "Start", "entry", "known_laws_of", "system"]
+__all__ = ["CATALOGUE", "Entry", "Start", "entry", "from_catalogue", "known_laws_of"]
 
 CATALOGUE: dict[str, Entry] = {
     item.name: item
@@ -48,7 +48,7 @@ def entry(name: str) -> Entry:
     return lookup(CATALOGUE, name)
 
 
-def system(name: str, **parameters: float) -> System:
+def from_catalogue(name: str, **parameters: float) -> System:
     """A System of the catalogue, with some of its parameters given by symbol name.
 
     Raises

@@ -1,0 +1,147 @@
+"""The report of a study: one HTML page that needs no network, made to be read and printed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import jinja2
+import xarray as xr
+from markupsafe import Markup
+from matplotlib.figure import Figure
+
+from .._version import __version__
+from ..errors import RunError
+from ..flow.trajectory import Trajectory
+from ..mechanics.surfaces import Plane
+from ..typeset import latex, mathml, system_html
+from . import figures
+from .prepare import Study
+from .summary import drift
+
+__all__ = ["render"]
+
+#: Figures in the order in which the page shows them, with heading and caption.
+PLATES = {
+    "contact_path": (
+        "Path of the contact point",
+        "On the surface, coloured by time; the ring marks the start, the dot the end.",
+    ),
+    "normal_on_sphere": (
+        "The normal γ on its sphere",
+        "In body axes: the direction from which the body sees the surface it rolls on.",
+    ),
+    "angular_velocity": ("Angular velocity ω", "Components along the body axes."),
+    "normal_force": (
+        "Normal force",
+        "Where it falls below zero, a body held by nothing but the surface would lift off.",
+    ),
+    "drift": (
+        "Drift of the known integrals",
+        "How far each wanders from its first value, relative to that value; "
+        "rounding of double precision is at 1.1 × 10⁻¹⁶.",
+    ),
+}
+
+
+def render(
+    study: Study,
+    trajectory: Trajectory,
+    dataset: xr.Dataset,
+    pictures: Mapping[str, Figure],
+    failure: RunError | None = None,
+) -> str:
+    """The page as text.
+
+    Parameters
+    ----------
+    study : Study
+    trajectory : Trajectory
+        What was computed.
+    dataset : xarray.Dataset
+        The same, as it is stored.
+    pictures : mapping of str to Figure
+        By name, as :func:`chaplygin.study.figures.all_figures` returns them.
+    failure : RunError, optional
+        Why the run ended early, if it failed.
+
+    Returns
+    -------
+    str
+        HTML with formulas in MathML and figures as inline SVG.
+    """
+    environment = jinja2.Environment(
+        loader=jinja2.PackageLoader("chaplygin.study", "templates"),
+        autoescape=True,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        undefined=jinja2.StrictUndefined,
+    )
+    system = trajectory.system
+    drawn = {name: Markup(figures.svg_text(figure)) for name, figure in pictures.items()}
+    return environment.get_template("report.html").render(
+        title=study.system.title,
+        summary=study.system.summary,
+        setting=_setting(study),
+        scene=drawn.get("scene"),
+        plates=[
+            {"name": name, "heading": heading, "caption": caption, "svg": drawn[name]}
+            for name, (heading, caption) in PLATES.items()
+            if name in drawn
+        ],
+        equations=Markup(system_html(study.system)),
+        laws=[
+            {
+                "meaning": law.meaning,
+                "formula": Markup(mathml(latex(law.value))),
+                "source": law.source,
+                "value": f"{float(trajectory.recorded[f'law_{law.name}'][0]):.12g}",
+                "drift": f"{drift(trajectory.recorded[f'law_{law.name}']):.1e}",
+            }
+            for law in system.laws
+        ],
+        happenings=[str(happening) for happening in trajectory.happenings],
+        remarks=study.remarks,
+        failure=str(failure) if failure else None,
+        facts=_facts(study, trajectory),
+        experiment=dataset.attrs["experiment"],
+        versions=dataset.attrs["versions"],
+        version=__version__,
+    )
+
+
+def _setting(study: Study) -> str:
+    """What rolls on what, in one line."""
+    rolling = study.rolling
+    if rolling is None:
+        return "A body about a fixed point."
+    shape = type(rolling.body.shape).__name__.lower()
+    surface = rolling.surface
+    ground = "a horizontal plane"
+    if not isinstance(surface, Plane):
+        side = "outside" if surface.radius > 0 else "inside"
+        ground = f"a sphere of radius {abs(surface.radius):g}, {side}"
+    manner = "without slipping"
+    if rolling.contact == "rubber":
+        manner = "with neither slipping nor spinning"
+    gravity = rolling.field.gravity
+    field = f"gravity {gravity:g}" if gravity else "no gravity"
+    if rolling.field.potential != 0:
+        field += ", a potential U(γ)"
+    return f"{shape} on {ground}, {manner}; {field}".capitalize()
+
+
+def _facts(study: Study, trajectory: Trajectory) -> list[tuple[str, str]]:
+    run, statistics = study.experiment.run, trajectory.statistics
+    first, last = float(trajectory.times[0]), float(trajectory.times[-1])
+    origin = "code from the cache" if statistics.from_cache else "code compiled for this run"
+    return [
+        ("time", f"{first:g} … {last:.10g}, {len(trajectory.times)} samples"),
+        ("method", f"Taylor series of order {statistics.order}, {statistics.steps} steps"),
+        ("tolerance", f"{run.tolerance:g}, {run.precision} precision"),
+        ("corrections", f"{statistics.corrections} returns to the phase space at rounding level"),
+        ("integrals", "kept by projection" if run.keep_integrals else "left free, as a check"),
+        ("origin", origin),
+    ]
+
+
