@@ -64,8 +64,9 @@ def starting_state(  # noqa: PLR0913
     Raises
     ------
     InputError
-        If γ or the normal is zero, or ω breaks the constraint (ω, γ) = 0 of a rubber contact;
-        the message names the nearest admissible ω.
+        If γ or the normal is zero or outside the domain of the equations (a body lying flat), or
+        ω breaks the constraint (ω, γ) = 0 of a rubber contact; the message then names the
+        nearest admissible ω.
     """
     with mpmath.workdps(DIGITS):
         values = dict(system.defaults) | dict(parameters or {})
@@ -76,6 +77,7 @@ def starting_state(  # noqa: PLR0913
         known |= dict(zip(_OMEGA, spin, strict=True)) | dict(zip(_GAMMA, up, strict=True))
         if r in system.state:
             known |= dict(zip(r.symbols, _contact_point(system, up, known), strict=True))
+        _check_domain(system, known)
         turn = _attitude(up, _direction(normal, "normal"), _number(heading))
         known |= dict(zip(attitude.symbols, turn, strict=True))
         known |= dict(zip(zeta.symbols, _third_row(turn), strict=True))
@@ -132,6 +134,19 @@ def _check_spin(system: System, spin: list[Any], up: list[Any]) -> None:
 def _is_no_spin(relation: sp.Expr) -> bool:
     product = sp.Add(*(x * y for x, y in zip(_OMEGA, _GAMMA, strict=True)))
     return bool(explicit(relation) == product)
+
+
+def _check_domain(system: System, known: Mapping[sp.Symbol, Any]) -> None:
+    """Refuse a position outside the domain of the equations."""
+    for guard in system.guards:
+        if guard.lift_off:
+            continue
+        try:
+            value = evaluate(system, [explicit(guard.value)], known)[0]
+        except ZeroDivisionError:
+            value = mpmath.mpf(0)
+        if not value > 0:
+            raise InputError(f"gamma: this start is outside the domain; {guard.happening}")
 
 
 def _attitude(up: list[Any], normal: list[Any], heading: Any) -> list[Any]:

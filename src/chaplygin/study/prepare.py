@@ -21,7 +21,7 @@ from ..mechanics.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Shap
 from ..mechanics.start import starting_state
 from ..mechanics.surfaces import Plane, Sphere
 from ..system import System
-from ..systems import CATALOGUE, entry, known_laws_of
+from ..systems import entry, known_laws_of
 from .dataset import to_dataset
 from .experiment import Experiment, RollingExperiment, SystemExperiment
 from .tables import (
@@ -67,7 +67,7 @@ class Study:
     def remarks(self) -> tuple[str, ...]:
         """What was done to the input, one sentence each."""
         length = float(np.linalg.norm(self.gamma))
-        if abs(length - 1) <= 4e-16:
+        if self.experiment.start.gamma is None or abs(length - 1) <= 4e-16:
             return ()
         unit = ", ".join(f"{x / length:.17g}" for x in self.gamma)
         return (f"start.gamma has length {length:.9g}; it was normalised to [{unit}]",)
@@ -151,6 +151,9 @@ def _at(experiment: Experiment, *key: str) -> Iterator[None]:
     except InputError as error:
         if error.where:
             raise
+        subject, colon, rest = error.message.partition(": ")
+        if colon and subject.isidentifier():
+            raise InputError(rest, experiment.where(*key, subject)) from None
         raise InputError(error.message, experiment.where(*key)) from None
 
 

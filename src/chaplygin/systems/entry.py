@@ -71,7 +71,7 @@ class Entry:
         for name in given:
             if name not in self.defaults:
                 raise InputError(
-                    f"{self.name}: no parameter {name!r}{_nearest(name, self.defaults)}; it has "
+                    f"no parameter {name!r} in {self.name}{_nearest(name, self.defaults)}; it has "
                     f"{', '.join(self.defaults)}"
                 )
         return {**self.defaults, **given}
