@@ -2,11 +2,13 @@
 
 An entry is native code, so it is only ever read from a folder that belongs to this user and that
 nobody else can write to; its name is a digest of everything that shaped it (formulas, tolerance,
-versions, processor).  A cache that cannot be used is no error: the code is compiled again.
+versions, processor), and its first bytes are a digest of the rest, so that damaged code is never
+run.  A cache that cannot be used is no error: the code is compiled again.
 """
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import os
 import pickle
@@ -23,6 +25,7 @@ import platformdirs
 __all__ = ["digest", "folder", "remember"]
 
 _KEEP = 200
+_SEAL = hashlib.sha256().digest_size
 
 
 def folder() -> Path:
@@ -68,30 +71,43 @@ def _trusted(path: Path) -> bool:
     return status.st_uid == os.getuid() and not status.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
 
 
+def _sealed(content: bytes) -> bytes:
+    return hashlib.sha256(content).digest()
+
+
 def _read(path: Path) -> Any:
     try:
         if _trusted(path.parent) and _trusted(path):
-            entry = pickle.loads(path.read_bytes())
-            path.touch()
-            return entry
+            stored = path.read_bytes()
+            seal, content = stored[:_SEAL], stored[_SEAL:]
+            if seal == _sealed(content):
+                entry = pickle.loads(content)
+                path.touch()
+                return entry
     except (OSError, pickle.UnpicklingError, EOFError, ValueError, AttributeError, RuntimeError):
         pass
     return None
 
 
 def _write(path: Path, entry: Any) -> None:
+    temporary = None
     try:
         path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
         if not _trusted(path.parent):
             return
         with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as stream:
-            stream.write(pickle.dumps(entry))
-        os.replace(stream.name, path)
+            temporary = Path(stream.name)
+            content = pickle.dumps(entry)
+            stream.write(_sealed(content))
+            stream.write(content)
+        temporary.replace(path)
         entries = sorted(path.parent.glob("*.code"), key=lambda p: p.stat().st_mtime)
         for old in entries[:-_KEEP]:
             old.unlink(missing_ok=True)
     except OSError:
-        pass
+        if temporary is not None:
+            with contextlib.suppress(OSError):
+                temporary.unlink(missing_ok=True)
 
 
 def remember(name: str, make: Callable[[], Any]) -> tuple[Any, bool]:
