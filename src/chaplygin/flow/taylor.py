@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Literal
 
@@ -17,9 +17,10 @@ from . import cache
 from .projection import Block
 from .translate import Translator
 
-__all__ = ["Compiled", "Precision", "compile_system", "number_type"]
+__all__ = ["Compiled", "Direction", "Precision", "compile_system", "number_type"]
 
 Precision = Literal["double", "quad"]
+Direction = Literal["forward", "backward"]
 
 #: Tolerances finer than this are beyond the working precision.
 FINEST = {"double": np.finfo(float).eps, "quad": 2e-34}
@@ -74,6 +75,7 @@ class _Plan:
     system: System
     tolerance: float
     precision: Precision
+    direction: Direction
 
     @cached_property
     def lifted(self) -> System:
@@ -81,26 +83,35 @@ class _Plan:
 
     def name(self) -> str:
         system = self.lifted
-        formulas = [
-            *system.symbols,
-            *(p.symbol for p in system.parameters),
-            *(item for step in system.steps for item in step),
-            *system.rates,
-            *map(explicit, system.relations),
-            *(explicit(item.value) for item in (*system.laws, *system.observables, *system.guards)),
+        # each part in a list of its own: an observable is compiled otherwise than a guard
+        shape = [
+            self.system.symbols,
+            self.system.relations,
+            system.symbols,
+            [p.symbol for p in system.parameters],
+            [item for step in system.steps for item in step],
+            system.rates,
+            system.relations,
+            [law.value for law in system.laws],
+            [observable.value for observable in system.observables],
+            [guard.value for guard in system.guards],
         ]
-        parts = (str(formula) for formula in formulas)
-        core = str(len(self.system.symbols))
-        return cache.digest(*parts, core, repr(self.tolerance), self.precision)
+        # srepr keeps every digit of a decimal number, which str does not
+        formulas = (sp.srepr([explicit(item) for item in part]) for part in shape)
+        return cache.digest(*formulas, repr(self.tolerance), self.precision, self.direction)
 
     def compile(self) -> Compiled:
         system, kind = self.lifted, number_type(self.precision)
         translate = Translator(system)
         variables = translate.variables
         parameters = [kind(1)] * len(system.parameters)
+        # heyoka looks at the derivative in time, whichever way it runs
+        falling = {
+            "forward": hy.event_direction.negative,
+            "backward": hy.event_direction.positive,
+        }[self.direction]
         events = [
-            hy_event(kind)(translate(guard.value), direction=hy.event_direction.negative)
-            for guard in system.guards
+            hy_event(kind)(translate(guard.value), direction=falling) for guard in system.guards
         ]
         integrator = hy.taylor_adaptive(
             list(zip(variables, translate.all(system.rates), strict=True)),
@@ -111,7 +122,11 @@ class _Plan:
             t_events=events,
             compact_mode=True,
         )
-        recorded = [item.value for item in (*system.observables, *system.laws, *system.guards)]
+        recorded = [
+            *(observable.value for observable in system.observables),
+            *(law.value for law in system.laws),
+            *(guard.value for guard in system.guards),
+        ]
         # a constant makes the list non-empty
         outputs = hy.cfunc([*translate.all(recorded), variables[0]], variables, fp_type=kind)
         size = len(self.system.symbols)
@@ -154,7 +169,10 @@ def _constraints(translate: Translator) -> Any:
 
 
 def compile_system(
-    system: System, tolerance: float = 1e-15, precision: Precision = "double"
+    system: System,
+    tolerance: float = 1e-15,
+    precision: Precision = "double",
+    direction: Direction = "forward",
 ) -> Compiled:
     """Compile a system, or fetch its code from the cache.
 
@@ -166,6 +184,8 @@ def compile_system(
         Relative error per step; limited by the working precision.
     precision : ``"double"`` or ``"quad"``
         16 or 34 digits.
+    direction : ``"forward"`` or ``"backward"``
+        Of time: a guard is passed where it falls to zero in this direction.
 
     Raises
     ------
@@ -179,10 +199,7 @@ def compile_system(
             f"tolerance {tolerance} is beyond double precision: use at least 1e-16, or "
             "precision 'quad'"
         )
-    plan = _Plan(system, tolerance, precision)
-    bundle, found = cache.remember(plan.name(), lambda: _pack(plan.compile()))
-    return Compiled(*bundle, found=found)
-
-
-def _pack(code: Compiled) -> tuple[Any, ...]:
-    return (code.integrator, code.outputs, code.core, code.lift, code.laws)
+    plan = _Plan(system, tolerance, precision, direction)
+    code: Compiled
+    code, found = cache.remember(plan.name(), plan.compile)
+    return replace(code, found=found)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import time as clock
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
+import mpmath
 import numpy as np
 import sympy as sp
 
@@ -15,12 +17,15 @@ from ..errors import InputError, RunError
 from ..system import Guard, System
 from ..vectors import explicit
 from .projection import Projector, call
-from .taylor import Compiled, Precision, compile_system, number_type
+from .taylor import Compiled, Direction, Precision, compile_system, number_type
 
 __all__ = ["Happening", "Statistics", "Trajectory", "integrate"]
 
 #: Residuals of the relations that are left alone, per precision.
 LEFT_ALONE = {"double": 1e-15, "quad": 1e-32}
+
+#: A guard has vanished at a singularity when this little is left of its first value.
+VANISHED = 1e-5
 
 
 @dataclass(frozen=True)
@@ -188,10 +193,11 @@ def integrate(
         If the integration fails; it carries the last good time and the trajectory so far.
     """
     values = _values(system, parameters)
-    code = compile_system(system, tolerance, precision)
     kind = number_type(precision)
-    lifted = system.lifted() if system.motion else system
     moments = _moments(times, kind)
+    direction: Direction = "forward" if moments[0] < moments[-1] else "backward"
+    code = compile_system(system, tolerance, precision, direction)
+    lifted = system.lifted() if system.motion else system
     run = _Run(lifted, len(system.symbols), code, kind, values, precision)
     run.begin(start, moments[0], keep_integrals)
     began = clock.perf_counter()
@@ -201,34 +207,50 @@ def integrate(
         for done in run.walk(moments, log, on_liftoff, dense, began, time_limit):
             if progress is not None:
                 progress(done)
-    except _Failed as stop:
+    except _StoppedError as stop:
         failure = str(stop)
     except KeyboardInterrupt:
         failure = "interrupted"
+    if failure is not None:
+        run.keep_last(log)
     seconds = clock.perf_counter() - began
-    trajectory = run.finish(log, Statistics(
-        log.steps, code.integrator.order, log.corrections, seconds, code.found
-    ))
+    trajectory = run.finish(
+        log, Statistics(log.steps, code.integrator.order, log.corrections, seconds, code.found)
+    )
     if failure is not None:
         last = float(log.times[-1])
         raise RunError(f"{system.name}: {failure}", last, trajectory)
     return trajectory
 
 
-class _Failed(Exception):
+class _StoppedError(Exception):
     """The integration cannot go on."""
 
 
-def _values(
-    system: System, parameters: Mapping[sp.Symbol, Any] | None
-) -> dict[sp.Symbol, Any]:
+def _values(system: System, parameters: Mapping[sp.Symbol, Any] | None) -> dict[sp.Symbol, Any]:
     values: dict[sp.Symbol, Any] = dict(system.defaults)
     for symbol, value in (parameters or {}).items():
         if symbol not in values:
             known = ", ".join(map(str, values))
             raise InputError(f"{system.name}: no parameter {symbol}; it has {known}")
         values[symbol] = value
+    if parameters:
+        _check_admissible(system, values)
     return values
+
+
+def _check_admissible(system: System, values: Mapping[sp.Symbol, Any]) -> None:
+    for symbol, value in values.items():
+        if not math.isfinite(float(value)):
+            raise InputError(f"{system.name}: {symbol} = {value} must be a finite number")
+    numbers = {symbol: sp.Float(_text(value), 40) for symbol, value in values.items()}
+    for parameter in system.parameters:
+        for condition in parameter.admissible:
+            if condition.subs(numbers) == sp.false:
+                raise InputError(
+                    f"{system.name}: {parameter.symbol} = {values[parameter.symbol]} is not "
+                    f"admissible; {condition} must hold"
+                )
 
 
 def _moments(times: Sequence[Any], kind: Any) -> list[Any]:
@@ -237,7 +259,7 @@ def _moments(times: Sequence[Any], kind: Any) -> list[Any]:
         raise InputError(f"{len(moments)} time(s) given: at least a first and a last are needed")
     if not all(math.isfinite(float(t)) for t in moments):
         raise InputError("times: all of them must be finite numbers")
-    pairs = list(zip(moments, moments[1:], strict=False))
+    pairs = list(itertools.pairwise(moments))
     if not (all(s < t for s, t in pairs) or all(s > t for s, t in pairs)):
         raise InputError("times: they must be all increasing or all decreasing")
     return moments
@@ -245,6 +267,9 @@ def _moments(times: Sequence[Any], kind: Any) -> list[Any]:
 
 def _text(number: Any) -> str:
     """A number as written, so that 0.1 means one tenth at any precision."""
+    if isinstance(number, mpmath.mpf):
+        # str would round to the digits that mpmath happens to work with
+        return str(mpmath.nstr(number, 40))
     return repr(float(number)) if isinstance(number, (int, float, np.number)) else str(number)
 
 
@@ -274,6 +299,8 @@ class _Run:
         self.loose = _quadratures(system)
         self.carried = np.array([kind(0)] * len(self.loose), dtype=kind)
         self.remainder = self.carried.copy()
+        self.first_guards: Any = ()
+        self.good: tuple[Any, Any] = (kind(0), ())
 
     def begin(self, start: Sequence[Any], moment: Any, keep_integrals: bool) -> None:
         size = len(self.system.symbols)
@@ -295,9 +322,11 @@ class _Run:
         self._carry()
         if keep_integrals:
             self.projectors = (self._with_integrals(self.stepper.state), *self.projectors[1:])
-        for guard, value in zip(self.system.guards, self._guards(self.stepper.state), strict=True):
+        self.first_guards = self._guards(self.stepper.state)
+        for guard, value in zip(self.system.guards, self.first_guards, strict=True):
             if not float(value) > 0 and not guard.lift_off:
                 raise InputError(f"start: {guard.happening} ({guard.name} = {float(value):.6g})")
+        self.good = (moment, self._whole(self.stepper.state))
 
     def _require_on_phase_space(self, state: Any) -> None:
         for projector in self.projectors:
@@ -327,7 +356,7 @@ class _Run:
         values = call(self.code.outputs, np.array(state), self.parameters)
         return values[len(values) - 1 - len(self.system.guards) : -1]
 
-    def walk(  # noqa: PLR0913
+    def walk(
         self,
         moments: list[Any],
         log: _Log,
@@ -348,7 +377,8 @@ class _Run:
             outcome, step = stepper.step(max_delta_t=last - before, write_tc=True)
             code = int(outcome)
             if code <= _SUCCESS and code not in (_SUCCESS, _LIMIT):
-                raise _Failed("the state stopped being a number")
+                self._break_down(log, "the state stopped being a number")
+                return
             log.steps += 1
             if dense:
                 series = np.array(stepper.tc)
@@ -365,18 +395,21 @@ class _Run:
                 watched = self._passed(code, now, log, on_liftoff)
             log.corrections += self.project(stepper.state)
             self._carry()
+            self.good = (now, self._whole(stepper.state))
             cramped = cramped + 1 if abs(float(step)) < 1e-13 * (1 + abs(float(now))) else 0
             if cramped > 20:
-                raise _Failed("the step size collapsed (a singularity of the equations is near)")
+                reason = "the step size collapsed (a singularity of the equations is near)"
+                self._break_down(log, reason)
+                return
             if log.steps % 64 == 0:
                 if time_limit is not None and clock.perf_counter() - began > time_limit:
-                    raise _Failed(f"the time limit of {time_limit:g} s was reached")
+                    raise _StoppedError(f"the time limit of {time_limit:g} s was reached")
                 yield float(now - moments[0]) / length
 
     def _pressed(self, now: Any, log: _Log, on_liftoff: str) -> bool:
         """Look at the normal force of the start; return whether to begin at all."""
         go_on = True
-        for guard, value in zip(self.system.guards, self._guards(self.stepper.state), strict=True):
+        for guard, value in zip(self.system.guards, self.first_guards, strict=True):
             if guard.lift_off and not float(value) > 0:
                 go_on = on_liftoff == "warn"
                 log.happenings.append(Happening(float(now), guard, not go_on))
@@ -391,9 +424,37 @@ class _Run:
             self._record(log, now, self.stepper.state)
         return go_on
 
+    def _break_down(self, log: _Log, reason: str) -> None:
+        """End at a singularity: in failure, unless a guard says what has happened.
+
+        Where a shape flattens, the contact point runs away as the root of the time that is left,
+        so that no step gets past the guard that vanishes there.
+        """
+        now, state = self.good
+        guards = zip(self.system.guards, self.first_guards, self._guards(state), strict=True)
+        for guard, first, value in guards:
+            if not guard.lift_off and float(value) < VANISHED * float(first):
+                self.keep_last(log)
+                log.happenings.append(Happening(float(now), guard, True))
+                return
+        raise _StoppedError(reason)
+
+    def keep_last(self, log: _Log) -> None:
+        """Make the last good state the last sample."""
+        now, state = self.good
+        if now != log.times[-1]:
+            self._append(log, now, np.array(state))
+
+    def _whole(self, state: Any) -> Any:
+        """A copy of a state of the integrator, its quadratures put back."""
+        whole = np.array(state)
+        whole[self.loose] += self.carried
+        return whole
+
     def _record(self, log: _Log, moment: Any, state: Any) -> None:
-        sample = np.array(state)
-        sample[self.loose] += self.carried
+        self._append(log, moment, self._whole(state))
+
+    def _append(self, log: _Log, moment: Any, sample: Any) -> None:
         self.project(sample)
         log.times.append(moment)
         log.states.append(sample)

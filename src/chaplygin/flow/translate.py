@@ -59,8 +59,11 @@ class Translator:
         flat: list[Any] = []
         for formula in formulas:
             value = explicit(formula)
-            flat.extend(map(self._visit, value) if isinstance(value, sp.MatrixBase) else
-                        [self._visit(value)])
+            flat.extend(
+                map(self._visit, value)
+                if isinstance(value, sp.MatrixBase)
+                else [self._visit(value)]
+            )
         return flat
 
     def _visit(self, node: sp.Expr) -> Any:
