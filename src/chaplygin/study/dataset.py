@@ -25,6 +25,12 @@ _FRAMES = {
     "quaternion": ("quaternion", ("w", "x", "y", "z")),
 }
 
+_LABELS = {
+    "axis": "body axis",
+    "space": "space axis",
+    "quaternion": "component of the quaternion",
+}
+
 _STATE = {
     "omega": ("angular velocity", "rad/s", "(1.13)"),
     "gamma": ("normal of the surface at the contact", "1", "(1.10)"),
@@ -62,19 +68,23 @@ def to_dataset(trajectory: Trajectory, attributes: Mapping[str, Any] | None = No
         label = f"law_{law.name}"
         units = "J" if law.name == "energy" else ""
         _add(variables, label, trajectory.recorded[label], "", law.meaning, units, law.source)
-    if "law_energy" in variables:
-        dims, data, notes = variables["law_energy"]
-        variables["energy"] = (dims, data, notes)
+    for part in ("", "_low"):
+        if f"law_energy{part}" in variables:
+            variables[f"energy{part}"] = variables[f"law_energy{part}"]
     time, low = _split(trajectory.times)
     coordinates: dict[str, Any] = {
         "time": ("time", time, {"long_name": "time", "units": "s", "source": ""}),
-        **{dim: list(labels) for dim, labels in _FRAMES.values() if _used(variables, dim)},
+        **{
+            dim: (dim, list(labels), {"long_name": _LABELS[dim], "units": "1", "source": ""})
+            for dim, labels in _FRAMES.values()
+            if _used(variables, dim)
+        },
     }
     if low is not None:
-        variables["time_low"] = ("time", low, {"long_name": "time, low part", "units": "s",
-                                               "source": ""})
+        notes = {"long_name": "time, low part", "units": "s", "source": ""}
+        variables["time_low"] = ("time", low, notes)
     statistics = trajectory.statistics
-    notes = {
+    facts = {
         "Conventions": "CF-1.11",
         "system": system.title,
         "system_name": system.name,
@@ -90,7 +100,7 @@ def to_dataset(trajectory: Trajectory, attributes: Mapping[str, Any] | None = No
             f"{name} {version(name)}" for name in ("chaplygin", "heyoka", "numpy", "sympy")
         ),
     }
-    return xr.Dataset(variables, coordinates, {**notes, **(attributes or {})})
+    return xr.Dataset(variables, coordinates, {**facts, **(attributes or {})})
 
 
 def _shown(value: Any) -> str:
@@ -102,14 +112,12 @@ def _used(variables: Mapping[str, Any], dim: str) -> bool:
 
 
 def _add_observable(variables: dict[str, Any], item: Observable, values: Any) -> None:
-    if isinstance(item.value, Vector) and item.name == "momentum":
-        item_name = "M"
-    else:
-        item_name = item.name
-    _add(variables, item_name, values, item.frame, item.meaning, item.unit, item.source)
+    is_momentum = isinstance(item.value, Vector) and item.name == "momentum"
+    name = "M" if is_momentum else item.name
+    _add(variables, name, values, item.frame, item.meaning, item.unit, item.source)
 
 
-def _add(  # noqa: PLR0913
+def _add(
     variables: dict[str, Any],
     name: str,
     values: Any,
@@ -167,11 +175,9 @@ def write(dataset: xr.Dataset, path: str | Path, force: bool = False) -> Path:
         ) as stream:
             temporary = Path(stream.name)
         dataset.to_netcdf(temporary, engine="h5netcdf")
-        os.replace(temporary, target)
+        temporary.replace(target)
     except OSError as problem:
-        raise InputError(
-            f"{target} cannot be written: {problem.strerror or problem}"
-        ) from problem
+        raise InputError(f"{target} cannot be written: {problem.strerror or problem}") from problem
     finally:
         if temporary is not None:
             temporary.unlink(missing_ok=True)
