@@ -1,0 +1,431 @@
+"""A System as a page of paper: plain text for a terminal, LaTeX, and HTML with MathML.
+
+Formulas themselves are written by :mod:`chaplygin.notation`, whose :func:`text` and
+:func:`latex` are offered here as well.
+"""
+
+from __future__ import annotations
+
+import html
+import re
+import textwrap
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal
+
+import sympy as sp
+
+from .notation import LATEX, UNICODE, Notation, latex, rate, signed_terms, text, width
+from .vectors import Diagonal, Gradient, Symmetric, Vector, explicit
+
+if TYPE_CHECKING:
+    from .statements import Integral
+    from .system import System
+
+__all__ = ["field_text", "latex", "mathml", "system_html", "system_latex", "system_text", "text"]
+
+#: Columns of a terminal page, and of a displayed equation before it is broken.
+WIDTH = 100
+LINE = 84
+
+_INDENT = "    "
+
+Pairs = tuple[tuple[Any, Any], ...]
+
+
+# --- what belongs on the page --------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Page:
+    """The formulas of a system as a reader needs them.
+
+    Attributes
+    ----------
+    field : pairs
+        State and rates; a rate that is only a name (γ̇) is replaced by its definition.
+    where : pairs
+        Tensors and vectors of parameters by components, then the definitions that the field
+        needs, in order.
+    further : pairs
+        The same for what laws and relations need besides.
+    """
+
+    field: Pairs
+    where: Pairs
+    further: Pairs
+
+
+def _page(system: System) -> _Page:
+    definitions = dict(system.definitions)
+    field = []
+    spelt_out = set()
+    for name, formula in system.field:
+        trivial = isinstance(formula, Vector) and formula.name == f"{name}dot"
+        field.append((name, definitions[formula] if trivial else formula))
+        if trivial:
+            spelt_out.add(formula)
+    needed = _needed(system, [formula for _, formula in system.field])
+    where = tuple(pair for pair in needed if pair[0] not in spelt_out)
+    claims = [law.value for law in system.laws] + list(system.relations)
+    extra = tuple(pair for pair in _needed(system, claims) if pair not in needed)
+    given = _given(system, [formula for _, formula in (*field, *where)])
+    given_too = _given(system, [*claims, *(formula for _, formula in extra)])
+    return _Page(
+        field=tuple(field),
+        where=given + where,
+        further=tuple(pair for pair in given_too if pair not in given) + extra,
+    )
+
+
+def _scalars(name: Any) -> set[sp.Symbol]:
+    return {name} if isinstance(name, sp.Symbol) else set(name.symbols)
+
+
+def _mentioned(formula: Any) -> set[sp.Symbol]:
+    """Symbols on which a formula depends or whose name it shows, as ∂U/∂γ shows U."""
+    shown: set[sp.Symbol] = {gradient.args[2] for gradient in formula.atoms(Gradient)}
+    return shown.union(explicit(formula).free_symbols)
+
+
+def _needed(system: System, formulas: Iterable[Any]) -> Pairs:
+    """The definitions on which formulas depend, in order."""
+    wanted = set().union(*map(_mentioned, formulas))
+    chosen = []
+    for name, formula in reversed(system.definitions):
+        if wanted & _scalars(name):
+            chosen.append((name, formula))
+            wanted |= _mentioned(formula)
+    return tuple(reversed(chosen))
+
+
+def _given(system: System, formulas: Iterable[Any]) -> Pairs:
+    """Tensors and vectors made of parameters, by their components."""
+    known = {name for name, _ in system.field} | {name for name, _ in system.definitions}
+    atoms = set().union(*(formula.atoms(Vector, Diagonal, Symmetric) for formula in formulas))
+    found = []
+    for name in sorted(atoms - known, key=str):
+        entries = explicit(name) if isinstance(name, Vector) else name.entries
+        found.append((name, entries))
+    return tuple(found)
+
+
+def _equation(vanishing: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Both sides of ``vanishing = 0`` with the number on the right: γ² = 1."""
+    number, rest = vanishing.as_coeff_Add()
+    if number != 0 and rest.could_extract_minus_sign():
+        number, rest = -number, -rest
+    return rest, -number
+
+
+def _conditions(law: Integral, write: Any) -> str:
+    """The level on which a law holds, such as "k = −1"; empty when it holds everywhere."""
+    return ", ".join(" = ".join(map(write, _equation(zero))) for zero in law.on)
+
+
+def _number(value: float) -> str:
+    return f"{value:.10g}".replace("-", "−")
+
+
+def _unit(unit: str) -> str:
+    raised = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+    return re.sub(r"\^(-?\d+)", lambda match: match[1].translate(raised), unit)
+
+
+# --- plain text ----------------------------------------------------------------------------
+
+
+def system_text(system: System) -> str:
+    """A system for a terminal, at most 100 columns wide.
+
+    Returns
+    -------
+    str
+        Title and summary, equations of motion, what their letters stand for, phase space,
+        parameters, laws and source.
+    """
+    page = _page(system)
+    blocks = [[system.title, *_paragraph(system.summary)]]
+    blocks.append(["Equations of motion", *_field_lines(page)])
+    if page.where:
+        blocks[-1] += ["where", *_equations(_written(page.where))]
+    if system.relations:
+        sides = [tuple(map(text, _equation(zero))) for zero in system.relations]
+        blocks[-1] += ["on the phase space", *_equations(sides)]
+    if system.parameters:
+        rows = [
+            (text(p.symbol), _number(p.default), _unit(p.unit), p.meaning)
+            for p in system.parameters
+        ]
+        blocks.append(["Parameters", *_table(rows)])
+    if system.laws:
+        laws = [row for law in system.laws for row in _law_rows(law)]
+        blocks.append(["Constant along the motion", *_table(laws)])
+        if page.further:
+            blocks[-1] += ["with", *_equations(_written(page.further))]
+    if system.source:
+        blocks.append([f"Source: {system.source}"])
+    return "\n\n".join("\n".join(block) for block in blocks)
+
+
+def field_text(system: System) -> list[str]:
+    """The equations of motion alone, as indented lines at most 100 columns wide."""
+    return _field_lines(_page(system))
+
+
+def _field_lines(page: _Page) -> list[str]:
+    return _equations((rate(name, UNICODE), text(formula)) for name, formula in page.field)
+
+
+def _written(pairs: Pairs) -> list[tuple[str, str]]:
+    return [(text(name), text(formula)) for name, formula in pairs]
+
+
+def _paragraph(words: str) -> list[str]:
+    return textwrap.wrap(words, WIDTH)
+
+
+def _equations(sides: Iterable[tuple[str, ...]]) -> list[str]:
+    lines: list[str] = []
+    for left, right in sides:
+        head = f"{_INDENT}{left} = "
+        lines += _broken(head, right)
+    return lines
+
+
+def _law_rows(law: Integral) -> list[tuple[str, str]]:
+    meaning = law.meaning
+    if law.on:
+        meaning += f", when {_conditions(law, text)}"
+    return [(law.name, text(law.value)), ("", "; ".join(filter(None, (meaning, law.source))))]
+
+
+def _table(rows: Sequence[tuple[str, ...]]) -> list[str]:
+    """Columns as wide as they must be; the last one is broken into lines."""
+    columns = [max(map(width, column)) for column in zip(*rows, strict=True)][:-1]
+    lines: list[str] = []
+    for *cells, last in rows:
+        padded = (
+            cell + " " * (room - width(cell)) for cell, room in zip(cells, columns, strict=True)
+        )
+        lines += _broken(_INDENT + "".join(f"{cell}  " for cell in padded), last)
+    return lines
+
+
+def _broken(head: str, formula: str) -> list[str]:
+    """`head` and a formula, continued under the formula at the best places to break."""
+    lines = []
+    indent = " " * width(head)
+    while width(head) + width(formula) > WIDTH:
+        cut = _best_break(formula, WIDTH - width(head))
+        if cut is None:
+            break
+        lines.append(head + formula[:cut])
+        head, formula = indent, formula[cut + 1 :]
+    return [*lines, (head + formula).rstrip()]
+
+
+def _best_break(formula: str, room: int) -> int | None:
+    """The space at which to break so that `room` columns are kept: outside brackets, before ±."""
+    best: tuple[float, int] | None = None
+    depth = 0
+    used = 0
+    for index, character in enumerate(formula):
+        used += width(character)
+        if used > room + 1:
+            break
+        depth += (character in "([") - (character in ")]")
+        if character != " " or index == 0:
+            continue
+        before, after = formula[index - 1], formula[index + 1 : index + 2]
+        if after in "+−":
+            cost = 0.0
+        elif before in ";,":
+            cost = -0.5 if before == ";" else 0.5
+        elif before in "+−×⊗/" or after in "×⊗/":
+            cost = 8.0
+        else:
+            cost = 4.0
+        if best is None or depth + cost <= best[0]:
+            best = (depth + cost, index)
+    return best[1] if best else None
+
+
+# --- LaTeX ---------------------------------------------------------------------------------
+
+
+def system_latex(system: System) -> str:
+    r"""The equations of motion and what their letters stand for, as an ``aligned`` environment.
+
+    Returns
+    -------
+    str
+        LaTeX for math mode; long sums are broken into several lines.
+    """
+    page = _page(system)
+    rows = _aligned_rows((rate(name, LATEX), formula) for name, formula in page.field)
+    if page.where:
+        rows.append(r"\text{where} \quad &")
+        rows += _aligned_rows((latex(name), formula) for name, formula in page.where)
+    return _aligned(rows)
+
+
+def _aligned(rows: Sequence[str]) -> str:
+    return "\\begin{aligned}\n" + " \\\\\n".join(rows) + "\n\\end{aligned}"
+
+
+def _aligned_rows(sides: Iterable[tuple[str, Any]]) -> list[str]:
+    rows = []
+    for left, formula in sides:
+        first, *others = _lines(formula, LATEX)
+        rows.append(f"{left} &= {first}")
+        rows += [rf"&\quad {{}} {line}" for line in others]
+    return rows
+
+
+def _lines(formula: Any, notation: Notation) -> list[str]:
+    """A sum as lines of about `LINE` columns each."""
+    lines: list[str] = []
+    used = 0
+    measured = signed_terms(formula, UNICODE)
+    for (sign, term), (_, plain) in zip(signed_terms(formula, notation), measured, strict=True):
+        signed = f"{sign} {term}".strip()
+        if lines and used + width(plain) <= LINE:
+            lines[-1] += f" {signed}"
+            used += width(plain) + 3
+        else:
+            lines.append(signed)
+            used = width(plain)
+    return lines
+
+
+# --- HTML ----------------------------------------------------------------------------------
+
+_STYLE = """\
+<style>
+.chaplygin-system table { border-collapse: collapse; margin: 0.3em 0 0.8em; }
+.chaplygin-system th, .chaplygin-system td
+  { padding: 0.15em 0.8em 0.15em 0; text-align: left; vertical-align: baseline; }
+.chaplygin-system th { font-weight: normal; opacity: 0.65; }
+.chaplygin-system .formula { overflow: auto hidden; margin: 0.4em 0 0.4em 1.5em; }
+.chaplygin-system math { font-family: "Latin Modern Math", "STIX Two Math", "Cambria Math",
+  "DejaVu Math TeX Gyre", math; }
+</style>"""
+
+
+def system_html(system: System) -> str:
+    """A system as a self-contained HTML fragment with MathML, for notebooks and reports.
+
+    Returns
+    -------
+    str
+        One ``<section class="chaplygin-system">`` with title, equations, what their letters
+        stand for, phase space, parameters, laws and source.
+    """
+    page = _page(system)
+    parts = [_STYLE, f"<h3>{html.escape(system.title)}</h3>"]
+    if system.summary:
+        parts.append(f"<p>{html.escape(system.summary)}</p>")
+    field = _aligned_rows((rate(name, LATEX), formula) for name, formula in page.field)
+    parts += ["<h4>Equations of motion</h4>", _display(field)]
+    if page.where:
+        parts += ["<p>where</p>", _display(_defining_rows(page.where))]
+    if system.relations:
+        sides = [_equation(zero) for zero in system.relations]
+        rows = [f"{latex(left)} &= {latex(right)}" for left, right in sides]
+        parts += ["<p>on the phase space</p>", _display(rows)]
+    if system.parameters:
+        parts += ["<h4>Parameters</h4>", _parameter_table(system)]
+    if system.laws:
+        parts += ["<h4>Constant along the motion</h4>", _law_table(system)]
+        if page.further:
+            parts += ["<p>with</p>", _display(_defining_rows(page.further))]
+    if system.source:
+        parts.append(f"<p>Source: {html.escape(system.source)}</p>")
+    return '<section class="chaplygin-system">\n' + "\n".join(parts) + "\n</section>"
+
+
+def _defining_rows(pairs: Pairs) -> list[str]:
+    return _aligned_rows((latex(name), formula) for name, formula in pairs)
+
+
+def _display(rows: Sequence[str]) -> str:
+    return f'<div class="formula">{mathml(_aligned(rows))}</div>'
+
+
+def _html_table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    head = "".join(f"<th>{cell}</th>" for cell in header)
+    body = "\n".join("<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows)
+    return f"<table>\n<tr>{head}</tr>\n{body}\n</table>"
+
+
+def _parameter_table(system: System) -> str:
+    return _html_table(
+        ("symbol", "default", "unit", "meaning"),
+        (
+            (
+                mathml(latex(p.symbol)),
+                _number(p.default),
+                html.escape(_unit(p.unit)),
+                html.escape(p.meaning),
+            )
+            for p in system.parameters
+        ),
+    )
+
+
+def _law_table(system: System) -> str:
+    rows = []
+    for law in system.laws:
+        meaning = html.escape(law.meaning)
+        if law.on:
+            meaning += f", when {mathml(_conditions(law, latex))}"
+        rows.append(
+            (html.escape(law.name), mathml(latex(law.value)), meaning, html.escape(law.source))
+        )
+    return _html_table(("name", "formula", "meaning", "source"), rows)
+
+
+# --- MathML --------------------------------------------------------------------------------
+
+
+def mathml(formula: str, display: Literal["inline", "block"] = "inline") -> str:
+    r"""LaTeX as MathML that browsers show without help.
+
+    Parameters
+    ----------
+    formula : str
+        LaTeX for math mode, as :func:`latex` and :func:`system_latex` write it; other
+        environments than ``aligned`` and ``pmatrix`` are passed on as they are.
+    display : ``"inline"`` or ``"block"``
+        In a line of text or on a line of its own.
+
+    Returns
+    -------
+    str
+        One ``<math>`` element.
+    """
+    from latex2mathml.converter import convert
+
+    # the converter aligns rows in `split` alone, which looks the same
+    written = convert(re.sub(r"\{aligned\}", "{split}", formula), display=display)
+    written = re.sub(
+        r'<mi mathvariant="bold-italic">&#x([0-9A-F]+);</mi>', _bold_greek, str(written)
+    )
+    # a function's name is no operator, which would keep its distance
+    written = re.sub(r"<mo>([a-z]{2,}\d?)</mo>", r"<mi>\1</mi>", written)
+    # without this, a dot is as small as an exponent
+    written = written.replace("<mover>", '<mover accent="true">')
+    # browsers follow MathML Core, which leaves the alignment of columns to style sheets
+    style = r'style="text-align: \1; text-align: -webkit-\1; padding: 0.25em 0"'
+    return re.sub(r'columnalign="(\w+)"', style, written)
+
+
+def _bold_greek(match: re.Match[str]) -> str:
+    """A bold Greek letter by its own code point, since browsers ignore ``mathvariant``."""
+    code = int(match[1], 16)
+    if ord("α") <= code <= ord("ω"):
+        code += ord("𝜶") - ord("α")
+    elif ord("Α") <= code <= ord("Ω"):
+        code += ord("𝜜") - ord("Α")
+    return f"<mi>&#x{code:05X};</mi>"
