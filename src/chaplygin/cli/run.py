@@ -22,7 +22,8 @@ def command(
 ) -> None:
     """Integrate a motion and write it to a NetCDF file."""
     from ..errors import RunError
-    from ..study.dataset import check_target, write
+    from ..study.dataset import write
+    from ..study.files import check_target
     from ..study.prepare import dataset_of
     from ..study.summary import summary, summary_text
 

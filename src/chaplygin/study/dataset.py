@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
 from collections.abc import Mapping
 from importlib.metadata import version
 from pathlib import Path
@@ -16,8 +14,9 @@ from ..errors import InputError
 from ..flow.trajectory import Trajectory
 from ..system import Observable
 from ..vectors import Vector
+from .files import check_target, completed
 
-__all__ = ["check_target", "read", "to_dataset", "write"]
+__all__ = ["read", "to_dataset", "write"]
 
 _FRAMES = {
     "body": ("axis", (1, 2, 3)),
@@ -146,18 +145,6 @@ def _split(values: Any) -> tuple[Any, Any]:
     return high, np.vectorize(float, otypes=[float])(rest)
 
 
-def check_target(target: Path, force: bool = False) -> None:
-    """Raise InputError unless a file may be written to `target`."""
-    if target.is_dir():
-        raise InputError(f"{target} is a folder: the name of a file is needed")
-    if target.exists() and not force:
-        raise InputError(f"{target} exists already: choose another name, or --force to replace it")
-    if not target.parent.is_dir():
-        raise InputError(f"{target} cannot be written: there is no folder {target.parent}")
-    if not os.access(target.parent, os.W_OK):
-        raise InputError(f"{target} cannot be written: the folder {target.parent} is protected")
-
-
 def write(dataset: xr.Dataset, path: str | Path, force: bool = False) -> Path:
     """Write a dataset to a NetCDF file; the file appears complete or not at all.
 
@@ -168,19 +155,8 @@ def write(dataset: xr.Dataset, path: str | Path, force: bool = False) -> Path:
     """
     target = Path(path)
     check_target(target, force)
-    temporary = None
-    try:
-        with tempfile.NamedTemporaryFile(
-            dir=target.parent, prefix=f".{target.name}.", delete=False
-        ) as stream:
-            temporary = Path(stream.name)
+    with completed(target) as temporary:
         dataset.to_netcdf(temporary, engine="h5netcdf")
-        temporary.replace(target)
-    except OSError as problem:
-        raise InputError(f"{target} cannot be written: {problem.strerror or problem}") from problem
-    finally:
-        if temporary is not None:
-            temporary.unlink(missing_ok=True)
     return target
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
@@ -11,6 +9,7 @@ from ..errors import InputError, RunError
 from ..flow.trajectory import Trajectory
 from . import figures, report
 from .dataset import write
+from .files import completed
 from .prepare import Study, dataset_of
 from .scene import scene_of
 
@@ -59,31 +58,13 @@ def write_study(
         trajectory, failure = error.partial, error
     dataset = dataset_of(study, trajectory, complete=failure is None)
     write(dataset, folder / "trajectory.nc", force)
-    _write_text(folder / "experiment.toml", study.complete_toml())
+    with completed(folder / "experiment.toml") as temporary:
+        temporary.write_text(study.complete_toml(), encoding="utf-8")
     pictures = figures.all_figures(dataset, scene_of(study))
     for name, figure in pictures.items():
         for suffix in ("svg", "png"):
             figures.save(figure, folder / "figures" / f"{name}.{suffix}")
     text = report.render(study, trajectory, dataset, pictures, failure)
-    _write_text(folder / "report.html", text)
+    with completed(folder / "report.html") as temporary:
+        temporary.write_text(text, encoding="utf-8")
     return trajectory, failure
-
-
-def _write_text(path: Path, text: str) -> None:
-    """Write a text file that appears complete or not at all."""
-    try:
-        with tempfile.NamedTemporaryFile(
-            "w", dir=path.parent, delete=False, encoding="utf-8"
-        ) as stream:
-            stream.write(text)
-        Path(stream.name).replace(path)
-        path.chmod(0o666 & ~_umask())
-    except OSError as problem:
-        raise InputError(f"{path} cannot be written: {problem.strerror}") from problem
-
-
-def _umask() -> int:
-    """The permissions that new files are to lack."""
-    current = os.umask(0)
-    os.umask(current)
-    return current

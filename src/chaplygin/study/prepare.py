@@ -64,6 +64,11 @@ class Study:
     until: float
 
     @property
+    def own(self) -> bool:
+        """Whether it is a body of the user's, not a system of the catalogue."""
+        return isinstance(self.experiment, RollingExperiment)
+
+    @property
     def remarks(self) -> tuple[str, ...]:
         """What was done to the input, one sentence each."""
         length = float(np.linalg.norm(self.gamma))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from dataclasses import replace
 
 import jinja2
 import xarray as xr
@@ -81,15 +81,15 @@ def render(
     drawn = {name: Markup(figures.svg_text(figure)) for name, figure in pictures.items()}
     return environment.get_template("report.html").render(
         title=study.system.title,
-        summary=study.system.summary,
-        setting=_setting(study),
+        lead=_setting(study) if study.own else study.system.summary,
+        setting="" if study.own else _setting(study),
         scene=drawn.get("scene"),
         plates=[
             {"name": name, "heading": heading, "caption": caption, "svg": drawn[name]}
             for name, (heading, caption) in PLATES.items()
             if name in drawn
         ],
-        equations=Markup(system_html(study.system)),
+        equations=Markup(system_html(replace(study.system, laws=()))),
         laws=[
             {
                 "meaning": law.meaning,
@@ -134,14 +134,12 @@ def _setting(study: Study) -> str:
 def _facts(study: Study, trajectory: Trajectory) -> list[tuple[str, str]]:
     run, statistics = study.experiment.run, trajectory.statistics
     first, last = float(trajectory.times[0]), float(trajectory.times[-1])
-    origin = "code from the cache" if statistics.from_cache else "code compiled for this run"
     return [
         ("time", f"{first:g} … {last:.10g}, {len(trajectory.times)} samples"),
         ("method", f"Taylor series of order {statistics.order}, {statistics.steps} steps"),
         ("tolerance", f"{run.tolerance:g}, {run.precision} precision"),
         ("corrections", f"{statistics.corrections} returns to the phase space at rounding level"),
         ("integrals", "kept by projection" if run.keep_integrals else "left free, as a check"),
-        ("origin", origin),
     ]
 
 
