@@ -1,0 +1,71 @@
+"""Motions and instants of rolling bodies against the independent reference."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import reference
+from chaplygin.flow.trajectory import integrate
+from mechanics.compare import (
+    begin,
+    deviations,
+    draw,
+    equations,
+    instant_of_package,
+    instant_of_reference,
+    told_by_package,
+    told_by_reference,
+)
+
+SHAPES = ("ball centred", *reference.SHAPES)
+
+COMBINATIONS = [
+    (shape, support, contact, inertia)
+    for shape in SHAPES
+    for support in reference.SUPPORTS
+    for contact in reference.CONTACTS
+    for inertia in reference.INERTIAS
+    if shape != "hollow ball" or support == "outside"
+]
+
+TIMES = np.linspace(0.0, 10.0, 11)
+
+
+def prepare(shape, support, contact, inertia, seed):
+    """A case, the package's equations and its start; a full inertia tensor comes loaded."""
+    drawn = draw(shape, support, contact, inertia, seed, loaded=inertia == "turned")
+    system = equations(drawn)
+    case, state = begin(drawn, system)
+    return case, system, state
+
+
+def compare_motions(case, system, state):
+    trajectory = integrate(system, state, TIMES, on_liftoff="warn")
+    assert len(trajectory.times) == len(TIMES)
+    return deviations(told_by_package(trajectory), told_by_reference(case, case.run(TIMES)))
+
+
+@pytest.fixture(scope="module", params=COMBINATIONS, ids="-".join)
+def prepared(request):
+    return prepare(*request.param, seed=1)
+
+
+def test_instant_agrees_with_reference(prepared):
+    case, system, state = prepared
+    found = instant_of_package(system, state)
+    deviation = deviations(found, instant_of_reference(case, system, state))
+    assert max(deviation.values()) < 1e-11, deviation
+
+
+def test_motion_agrees_with_reference(prepared):
+    deviation = compare_motions(*prepared)
+    assert max(deviation.values()) < 1e-10, deviation
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [2, 3, 4])
+@pytest.mark.parametrize("names", COMBINATIONS, ids="-".join)
+def test_more_motions_agree_with_reference(names, seed):
+    deviation = compare_motions(*prepare(*names, seed))
+    assert max(deviation.values()) < 1e-10, deviation
