@@ -126,6 +126,17 @@ class Trajectory:
             first += width
         raise KeyError(name)
 
+    def thinned(self, pieces: int) -> Trajectory:
+        """Every `pieces`-th sample, and the last one."""
+        last = len(self.times) - 1
+        kept = [*range(0, last, pieces), last]
+        return replace(
+            self,
+            times=self.times[kept],
+            states=self.states[kept],
+            recorded={name: values[kept] for name, values in self.recorded.items()},
+        )
+
 
 @dataclass
 class _Log:

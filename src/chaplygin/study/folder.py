@@ -11,9 +11,12 @@ from . import figures, report
 from .dataset import write
 from .files import completed
 from .prepare import Study, dataset_of
-from .scene import scene_of
+from .scene import scene_of, weight_of
 
 __all__ = ["check_folder", "write_study"]
+
+#: Points through which curves are drawn, at least.
+SMOOTH = 3000
 
 FILES = ("report.html", "trajectory.nc", "experiment.toml", "figures")
 
@@ -50,17 +53,21 @@ def write_study(
         If the folder cannot be written.
     """
     failure: RunError | None = None
+    # curves are drawn through more points than the file is to have
+    pieces = -(-SMOOTH // (study.experiment.run.samples - 1))
     try:
-        trajectory = study.trajectory(progress)
+        trajectory = study.trajectory(progress, pieces)
     except RunError as error:
         if not isinstance(error.partial, Trajectory):
             raise
         trajectory, failure = error.partial, error
+    smooth = dataset_of(study, trajectory, complete=failure is None)
+    trajectory = trajectory.thinned(pieces)
     dataset = dataset_of(study, trajectory, complete=failure is None)
     write(dataset, folder / "trajectory.nc", force)
     with completed(folder / "experiment.toml") as temporary:
         temporary.write_text(study.complete_toml(), encoding="utf-8")
-    pictures = figures.all_figures(dataset, scene_of(study))
+    pictures = figures.all_figures(smooth, scene_of(study), weight_of(study))
     for name, figure in pictures.items():
         for suffix in ("svg", "png"):
             figures.save(figure, folder / "figures" / f"{name}.{suffix}")

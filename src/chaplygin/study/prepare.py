@@ -107,9 +107,21 @@ class Study:
         return type(self.experiment).model_validate(tables).toml()
 
     def trajectory(
-        self, progress: Callable[[float], None] | None = None, dense: bool = False
+        self,
+        progress: Callable[[float], None] | None = None,
+        pieces: int = 1,
+        dense: bool = False,
     ) -> Trajectory:
         """Integrate the motion.
+
+        Parameters
+        ----------
+        progress : callable, optional
+            Called with the fraction done.
+        pieces : int
+            Into how many pieces each sample interval is divided; see `Trajectory.thinned`.
+        dense : bool
+            Keep the continuous trajectory.
 
         Raises
         ------
@@ -124,7 +136,7 @@ class Study:
             return integrate(
                 self.system,
                 start,
-                self.times,
+                _divided(self.times, pieces),
                 tolerance=run.tolerance,
                 precision=run.precision,
                 on_liftoff=run.on_liftoff,
@@ -133,6 +145,12 @@ class Study:
                 dense=dense,
                 progress=progress,
             )
+
+
+def _divided(times: Any, pieces: int) -> Any:
+    """Times with each interval divided, the given ones unchanged to the bit."""
+    places = np.arange((len(times) - 1) * pieces + 1) / pieces
+    return np.interp(places, np.arange(len(times)), times)
 
 
 def dataset_of(study: Study, trajectory: Trajectory, complete: bool = True) -> xr.Dataset:

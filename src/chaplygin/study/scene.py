@@ -9,7 +9,7 @@ from ..mechanics.surfaces import Plane
 from .drawing import Ground, Outline, PlaneGround, SphereGround, outline_from_contact
 from .prepare import Study
 
-__all__ = ["Scene", "scene_of"]
+__all__ = ["Scene", "scene_of", "weight_of"]
 
 
 class Scene(NamedTuple):
@@ -26,3 +26,10 @@ def scene_of(study: Study) -> Scene | None:
     surface = study.rolling.surface
     ground = PlaneGround() if isinstance(surface, Plane) else SphereGround(surface.radius)
     return Scene(outline_from_contact(contact_points(study.rolling.body.shape)), ground)
+
+
+def weight_of(study: Study) -> float | None:
+    """m g, with which the normal force is compared; None without gravity."""
+    if study.rolling is None or not study.rolling.field.gravity:
+        return None
+    return study.rolling.body.mass * study.rolling.field.gravity
