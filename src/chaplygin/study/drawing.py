@@ -1,0 +1,636 @@
+"""Geometry behind the pictures: views, drawn bodies, the surfaces they roll on, curves.
+
+Everything here is plain geometry in arrays; nothing is drawn. A picture is made by projecting
+space orthographically on a sheet of paper (`View`), keeping the facets that face the reader. Bodies
+are convex, so that these never cover each other, and whole bodies and grounds are painted from the
+farthest to the nearest: what touches in one point is parted by the plane of contact. All lengths
+are in the units of the trajectory, all angles in radians.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+from typing import TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+from scipy.interpolate import CubicSpline
+
+FloatArray: TypeAlias = npt.NDArray[np.float64]
+IntArray: TypeAlias = npt.NDArray[np.int64]
+BoolArray: TypeAlias = npt.NDArray[np.bool_]
+
+_POLE_OFFSET = 1e-6
+"""Angle kept from the poles of the direction grid, where a flat face has no single point."""
+
+_FLAT_THICKNESS = 0.04
+"""Thickness, relative to its radius, with which a disk of no thickness is drawn."""
+
+_WRAP = 0.4
+"""How far the lamp reaches round a body: the cosine, negated, of where the darkest side begins."""
+
+_SMALLEST_STEP = 1e-7
+"""Steps of the direction grid are not refined below this angle: there the body is flat."""
+
+
+def unit(vectors: FloatArray) -> FloatArray:
+    """Vectors of length one along the given ones; a zero vector stays zero."""
+    lengths = np.linalg.norm(vectors, axis=-1, keepdims=True)
+    return vectors / np.where(lengths > 0.0, lengths, 1.0)
+
+
+def rotation_matrices(attitude: FloatArray) -> FloatArray:
+    """Matrices of the rotations given by quaternions.
+
+    Parameters
+    ----------
+    attitude : (..., 4) array
+        Quaternions (w, x, y, z), body to space; they are normalised first.
+
+    Returns
+    -------
+    (..., 3, 3) array
+        R with v_space = R v_body.
+    """
+    w, x, y, z = np.moveaxis(unit(attitude), -1, 0)
+    rows = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ]
+    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+
+
+@dataclass(frozen=True)
+class View:
+    """An orthographic view of space from a direction.
+
+    Attributes
+    ----------
+    azimuth, elevation : float
+        Where the reader stands: angle in the plane xy from the axis x, and height above that
+        plane.
+    """
+
+    azimuth: float
+    elevation: float
+
+    @cached_property
+    def toward(self) -> FloatArray:
+        """Unit vector of space from the scene to the reader."""
+        flat = np.cos(self.elevation)
+        return np.array(
+            [flat * np.cos(self.azimuth), flat * np.sin(self.azimuth), np.sin(self.elevation)]
+        )
+
+    @cached_property
+    def right(self) -> FloatArray:
+        """Unit vector of space that points to the right on the paper."""
+        return np.array([-np.sin(self.azimuth), np.cos(self.azimuth), 0.0])
+
+    @cached_property
+    def up(self) -> FloatArray:
+        """Unit vector of space that points upwards on the paper."""
+        return np.cross(self.toward, self.right)
+
+    @cached_property
+    def light(self) -> FloatArray:
+        """Unit vector of space towards the lamp, over the reader's left shoulder."""
+        return unit(-0.55 * self.right + 0.75 * self.up + 0.65 * self.toward)
+
+    def project(self, points: FloatArray) -> FloatArray:
+        """Points of the paper (..., 2) for points of space (..., 3)."""
+        return np.stack([points @ self.right, points @ self.up], axis=-1)
+
+    def depth(self, points: FloatArray) -> FloatArray:
+        """Nearness to the reader of points of space (..., 3): larger is nearer."""
+        return np.asarray(points @ self.toward, dtype=np.float64)
+
+    def faces_reader(self, normals: FloatArray) -> BoolArray:
+        """Whether a surface with these outward normals (..., 3) shows its outer side."""
+        return np.asarray(normals @ self.toward > 0.0, dtype=np.bool_)
+
+
+@dataclass(frozen=True, eq=False)
+class Facets:
+    """Polygons of a surface.
+
+    Attributes
+    ----------
+    polygons : (m, 4, 3) array
+        Corners, anticlockwise as seen from outside; a triangle repeats its last corner.
+    normals : (m, 3) array
+        Outward unit normals of the smooth surface in the middle of each polygon, for shading.
+    tones : (m,) array of int
+        Which of the two colours of the surface the polygon has, 0 or 1.
+    """
+
+    polygons: FloatArray
+    normals: FloatArray
+    tones: IntArray
+
+    def __len__(self) -> int:
+        """Count the polygons."""
+        return len(self.polygons)
+
+    def select(self, chosen: BoolArray) -> Facets:
+        """The polygons marked true in `chosen` (m,)."""
+        return Facets(self.polygons[chosen], self.normals[chosen], self.tones[chosen])
+
+    def faces_reader(self, view: View) -> BoolArray:
+        """Whether each polygon shows its outer side in `view`, as a (m,) array."""
+        return view.faces_reader(_plane_normals(self.polygons))
+
+
+@dataclass(frozen=True, eq=False)
+class SurfaceCurve:
+    """A curve on a surface, with the outward unit normals that tell where it can be seen.
+
+    Attributes
+    ----------
+    points, normals : (n, 3) arrays
+        Points of the curve and outward unit normals of the surface there, in the same axes.
+    """
+
+    points: FloatArray
+    normals: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Outline:
+    """The drawn body: a closed convex mesh in body axes, the centre of mass at the origin.
+
+    Attributes
+    ----------
+    vertices : (n, 3) array
+        Points of the surface.
+    faces : (m, 4) array of int
+        Corners of the facets as numbers of vertices, anticlockwise as seen from outside; a
+        triangle repeats its last corner.
+    normals : (m, 3) array
+        Outward unit normals of the smooth surface in the middle of each facet.
+    tones : (m,) array of int
+        Colour of each facet, 0 or 1: neighbouring octants of directions alternate, so that a
+        ball is seen to turn.
+    seams : tuple of SurfaceCurve
+        Curves between the octants.
+    hollow : bool
+        Whether the body is a shell that rolls with its inner side.
+    """
+
+    vertices: FloatArray
+    faces: IntArray
+    normals: FloatArray
+    tones: IntArray
+    seams: tuple[SurfaceCurve, ...]
+    hollow: bool
+
+    @property
+    def diameter(self) -> float:
+        """Longest extent of the body along a body axis."""
+        return float(np.max(np.ptp(self.vertices, axis=0)))
+
+    @property
+    def facets(self) -> Facets:
+        """The polygons of the mesh."""
+        return Facets(self.vertices[self.faces], self.normals, self.tones)
+
+    def placed(self, rotation: FloatArray, centre: FloatArray) -> Outline:
+        """The same body in space.
+
+        Parameters
+        ----------
+        rotation : (3, 3) array
+            Matrix R with v_space = R v_body.
+        centre : (3,) array
+            Centre of mass in space.
+        """
+        return Outline(
+            self.vertices @ rotation.T + centre,
+            self.faces,
+            self.normals @ rotation.T,
+            self.tones,
+            tuple(
+                SurfaceCurve(seam.points @ rotation.T + centre, seam.normals @ rotation.T)
+                for seam in self.seams
+            ),
+            self.hollow,
+        )
+
+
+@dataclass(frozen=True)
+class PlaneGround:
+    """The body rolls on the plane z = 0 of space."""
+
+
+@dataclass(frozen=True)
+class SphereGround:
+    """The body rolls on a sphere with its centre at the origin of space.
+
+    Attributes
+    ----------
+    radius : float
+        Signed: positive when the body rolls on the outside, negative on the inside.
+    """
+
+    radius: float
+
+
+Ground: TypeAlias = PlaneGround | SphereGround
+
+
+def outline_from_contact(
+    contact_of_gamma: Callable[[FloatArray], FloatArray], rows: int = 48, columns: int = 96
+) -> Outline:
+    """Mesh of a strictly convex body, or of one whose flat faces are square to body axis 3.
+
+    The contact vector is sampled on a grid of directions with its poles on body axis 3. Grid
+    lines are added where neighbouring points of the surface lie farthest apart, so that sharp
+    and flat places are drawn as well as round ones. The two poles are closed by caps, which
+    are the faces of a disk and no more than points of a ball.
+
+    Parameters
+    ----------
+    contact_of_gamma : callable
+        r(gamma): for unit vectors (n, 3), the points (n, 3) of the body surface whose outward
+        normal is -gamma (or +gamma, for a shell that rolls with its inner side), body axes.
+    rows, columns : int
+        Number of steps of the grid from pole to pole, and around.
+
+    Returns
+    -------
+    Outline
+        The mesh; a body of no thickness is given a small one, to be visible from its edge.
+    """
+
+    def contact(theta: FloatArray, phi: FloatArray) -> FloatArray:
+        gamma = _direction(theta, phi)
+        return np.asarray(contact_of_gamma(gamma.reshape(-1, 3)), np.float64).reshape(gamma.shape)
+
+    around = np.linspace(0.0, 2 * np.pi, 17)
+    theta = _refined(
+        np.array([_POLE_OFFSET, np.pi / 2, np.pi - _POLE_OFFSET]),
+        lambda angle: contact(np.full_like(around, angle), around),
+        rows,
+    )
+    phi = _refined(
+        np.linspace(0.0, 2 * np.pi, 5),
+        lambda angle: contact(theta, np.full_like(theta, angle)),
+        columns,
+    )[:-1]
+    grid_theta, grid_phi = np.meshgrid(theta, phi, indexing="ij")
+    gamma = _direction(grid_theta, grid_phi)
+    points = contact(grid_theta, grid_phi)
+    hollow = bool(np.mean(np.sum((points - points.mean(axis=(0, 1))) * gamma, axis=-1)) > 0.0)
+    outward = gamma if hollow else -gamma
+    points = _thickened(points, outward)
+    return _closed_mesh(points, outward, theta, phi, hollow)
+
+
+def _direction(theta: FloatArray, phi: FloatArray) -> FloatArray:
+    """Unit vectors with polar angle `theta` from axis 3 and azimuth `phi`."""
+    return np.stack(
+        [np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)], axis=-1
+    )
+
+
+def _refined(nodes: FloatArray, sample: Callable[[float], FloatArray], count: int) -> FloatArray:
+    """About `count` steps over the given nodes, kept, along which the surface changes evenly.
+
+    A step is as wide as the largest distance between the points `sample` gives at its ends. The
+    widest is halved again and again; then the steps between two of the nodes are made alike.
+    """
+    angles = [float(node) for node in nodes]
+    points = [sample(angle) for angle in angles]
+    size = max(float(np.max(np.abs(p))) for p in points)
+
+    def width(step: int) -> float:
+        if angles[step + 1] - angles[step] < _SMALLEST_STEP:
+            return 0.0
+        return float(np.max(np.linalg.norm(points[step + 1] - points[step], axis=-1)))
+
+    widths = [width(step) for step in range(len(angles) - 1)]
+    while len(widths) < count and max(widths) > 1e-6 * size:
+        step = int(np.argmax(widths))
+        middle = (angles[step] + angles[step + 1]) / 2
+        angles.insert(step + 1, middle)
+        points.insert(step + 1, sample(middle))
+        widths[step : step + 1] = [width(step), width(step + 1)]
+    distances = np.concatenate([[0.0], np.cumsum(widths)])
+    even = [nodes[:1]]
+    for start, stop in pairwise(np.searchsorted(angles, nodes)):
+        total = distances[stop] - distances[start]
+        steps = max(1, round(count * total / distances[-1])) if total > 0.0 else 1
+        targets = np.linspace(distances[start], distances[stop], steps + 1)[1:-1]
+        between = np.interp(targets, distances[start : stop + 1], angles[start : stop + 1])
+        even += [between, np.array([angles[stop]])]
+    return np.concatenate(even)
+
+
+def _thickened(points: FloatArray, outward: FloatArray) -> FloatArray:
+    """Move the two sides of a body with no thickness along axis 3 apart; leave others alone."""
+    across = float(np.max(np.ptp(points[..., :2], axis=(0, 1))))
+    if float(np.ptp(points[..., 2])) >= _FLAT_THICKNESS * across / 2:
+        return points
+    thickened = points.copy()
+    thickened[..., 2] += _FLAT_THICKNESS / 4 * across * np.sign(np.round(outward[..., 2], 9))
+    return thickened
+
+
+def _closed_mesh(
+    points: FloatArray, outward: FloatArray, theta: FloatArray, phi: FloatArray, hollow: bool
+) -> Outline:
+    """Quadrilaterals between the rows of a grid (rows, columns, 3), and two caps."""
+    rows, columns = points.shape[:2]
+    caps = points[[0, -1]].mean(axis=1)
+    cap_normals = unit(outward[[0, -1]].mean(axis=1))
+    vertices = np.concatenate([points.reshape(-1, 3), caps])
+    vertex_normals = np.concatenate([outward.reshape(-1, 3), cap_normals])
+
+    column = np.arange(columns)
+    following = (column + 1) % columns
+    strips = [
+        np.stack([a + column, a + following, b + following, b + column], axis=-1)
+        for a, b in zip(
+            range(0, (rows - 1) * columns, columns),
+            range(columns, rows * columns, columns),
+            strict=True,
+        )
+    ]
+    fans = [
+        np.stack(
+            [ring + column, ring + following, np.full(columns, cap), np.full(columns, cap)], -1
+        )
+        for ring, cap in ((0, rows * columns), ((rows - 1) * columns, rows * columns + 1))
+    ]
+    quadrant = np.floor((phi + 1e-9) / (np.pi / 2)).astype(np.int64)
+    northern = ((theta[:-1] + theta[1:]) / 2 < np.pi / 2).astype(np.int64)
+    strip_tones = [(quadrant + half) % 2 for half in northern]
+    fan_tones = [(quadrant + half) % 2 for half in (1, 0)]
+
+    faces = np.concatenate(fans + strips)
+    tones = np.concatenate(fan_tones + strip_tones)
+    # The caps are flat: near a rim their normal must not be blended with that of the wall.
+    smooth = unit(vertex_normals[np.concatenate(strips)].mean(axis=1))
+    flat = np.repeat(cap_normals, columns, axis=0)
+    normals = np.concatenate([flat, smooth])
+
+    geometric = _plane_normals(vertices[faces])
+    inverted = np.sum(geometric * normals, axis=-1) < 0.0
+    faces[inverted] = faces[inverted][:, ::-1]
+    size = float(np.max(np.ptp(vertices, axis=0)))
+    solid = np.linalg.norm(geometric, axis=-1) > 1e-9 * size**2
+    return Outline(
+        vertices,
+        faces[solid],
+        normals[solid],
+        tones[solid],
+        _seams(points, outward, caps, cap_normals, theta, phi),
+        hollow,
+    )
+
+
+def _seams(
+    points: FloatArray,
+    outward: FloatArray,
+    caps: FloatArray,
+    cap_normals: FloatArray,
+    theta: FloatArray,
+    phi: FloatArray,
+) -> tuple[SurfaceCurve, ...]:
+    """The equator and the four quarter meridians of the grid, continued over the caps."""
+    equator = int(np.argmin(np.abs(theta - np.pi / 2)))
+    closing = [*range(len(phi)), 0]
+    seams = [SurfaceCurve(points[equator, closing], outward[equator, closing])]
+    for quarter in range(4):
+        column = int(np.argmin(np.abs(phi - quarter * np.pi / 2)))
+        # At the rim of a flat cap the curve turns a corner, and is seen from the cap's side too.
+        seams.append(SurfaceCurve(points[:, column], outward[:, column]))
+        for cap, normal, row in zip(caps, cap_normals, (0, -1), strict=True):
+            seams.append(
+                SurfaceCurve(np.stack([cap, points[row, column]]), np.stack([normal, normal]))
+            )
+    return tuple(seams)
+
+
+def _plane_normals(polygons: FloatArray) -> FloatArray:
+    """Normals (m, 3) of polygons (m, 4, 3), twice their area long."""
+    return np.cross(polygons[:, 2] - polygons[:, 0], polygons[:, 3] - polygons[:, 1])
+
+
+def sphere_cap(radius: float, pole: float, opening: float, rows: int, columns: int) -> Facets:
+    """Part of a sphere about the origin, around the axis z of space.
+
+    Parameters
+    ----------
+    radius : float
+        Positive.
+    pole : float
+        1 for the part around the top, -1 around the bottom.
+    opening : float
+        Angle from the pole to the rim; pi gives the whole sphere.
+    rows, columns : int
+        Number of facets from the pole to the rim, and around.
+    """
+    theta, phi = np.meshgrid(
+        np.linspace(0.0, opening, rows + 1), np.linspace(0.0, 2 * np.pi, columns + 1), indexing="ij"
+    )
+    grid = _direction(theta, phi) * np.array([1.0, pole, pole])
+    corners = np.stack([grid[:-1, :-1], grid[1:, :-1], grid[1:, 1:], grid[:-1, 1:]], axis=2)
+    corners = corners.reshape(-1, 4, 3)
+    return Facets(
+        radius * corners, unit(corners.mean(axis=1)), np.zeros(len(corners), dtype=np.int64)
+    )
+
+
+def shaded(colours: FloatArray, normals: FloatArray, view: View, contrast: float) -> FloatArray:
+    """Colours of a lit surface.
+
+    Parameters
+    ----------
+    colours : (m, 3) array
+        Red, green and blue of the surface itself, from 0 to 1.
+    normals : (m, 3) array
+        Unit normals of the side that is seen, space axes.
+    view : View
+        The lamp stands over the reader's left shoulder.
+    contrast : float
+        How much darker the sides turned away from the lamp are, from 0 to 1.
+
+    Returns
+    -------
+    (m, 3) array
+        Red, green and blue with shade and a soft gleam.
+    """
+    diffuse = np.clip((normals @ view.light + _WRAP) / (1.0 + _WRAP), 0.0, 1.0)
+    gleam = 0.4 * contrast * np.clip(normals @ unit(view.light + view.toward), 0.0, 1.0) ** 28
+    lit = colours * (1.04 - contrast + contrast * diffuse)[:, None]
+    return np.clip(lit + (1.0 - lit) * gleam[:, None], 0.0, 1.0)
+
+
+def sphere_shades(
+    radius: float, view: View, side: float, levels: int
+) -> list[tuple[FloatArray, float]]:
+    """Regions of equal light on a sphere about the origin, each inside the one before.
+
+    Seen along one direction, the part of a sphere that is lit at least so much is convex on
+    paper: it is the hull of a piece of a circle about the lamp and a piece of the border.
+
+    Parameters
+    ----------
+    radius : float
+        Positive.
+    view : View
+    side : float
+        1 for the near half seen from outside, -1 for the far half seen from inside.
+    levels : int
+        Number of regions.
+
+    Returns
+    -------
+    list of (polygon, brightness)
+        Corners (k, 2) on paper; the light in the region, from 0 to 1.
+    """
+    angle = np.linspace(0.0, 2 * np.pi, 121)[:-1, None]
+    border = np.cos(angle) * view.right + np.sin(angle) * view.up
+    first = unit(np.cross(view.light, view.right))
+    second = np.cross(view.light, first)
+    shades = []
+    for level in range(levels):
+        brightness = level / levels
+        height = brightness * (1.0 + _WRAP) - _WRAP
+        ring = np.sqrt(1.0 - height**2) * (np.cos(angle) * first + np.sin(angle) * second)
+        ring = ring + height * view.light
+        inside = [ring[view.faces_reader(ring)], border[border @ view.light >= height]]
+        normals = np.concatenate(inside) if level else border
+        shades.append((convex_hull(side * radius * view.project(normals)), brightness))
+    return shades
+
+
+def convex_hull(points: FloatArray) -> FloatArray:
+    """Corners (k, 2), anticlockwise, of the smallest convex polygon around points (n, 2).
+
+    Points on one line give its two ends, points at one place that place.
+    """
+    ordered = [(float(x), float(y)) for x, y in np.unique(points, axis=0)]
+    if len(ordered) < 3:
+        return np.array(ordered)
+
+    def chain(sequence: list[tuple[float, float]]) -> list[tuple[float, float]]:
+        kept: list[tuple[float, float]] = []
+        for x, y in sequence:
+            while len(kept) > 1:
+                (x0, y0), (x1, y1) = kept[-2:]
+                if (x1 - x0) * (y - y0) - (y1 - y0) * (x - x0) > 0.0:
+                    break
+                kept.pop()
+            kept.append((x, y))
+        return kept[:-1]
+
+    return np.array(chain(ordered) + chain(ordered[::-1]))
+
+
+def cast_shadow(points: FloatArray, ground: Ground, light: FloatArray) -> FloatArray:
+    """Shadow of a convex body on what it rolls on.
+
+    Parameters
+    ----------
+    points : (n, 3) array
+        Points of the body, space axes.
+    ground : PlaneGround or SphereGround
+        What the shadow falls on. The light enters a bowl through its far side.
+    light : (3,) array
+        Unit vector towards the lamp, space axes, above the horizon.
+
+    Returns
+    -------
+    (k, 3) array
+        Corners of the shadow on the ground, space axes; none when the body is on the dark side
+        of a sphere.
+    """
+    if isinstance(ground, PlaneGround):
+        flat = points - points[:, 2:] / light[2] * light
+        corners = convex_hull(flat[:, :2])
+        return np.concatenate([corners, np.zeros((len(corners), 1))], axis=1)
+    if ground.radius > 0.0 and points.mean(axis=0) @ light < 0.0:
+        return np.empty((0, 3))
+    first = unit(np.cross(light, np.array([0.0, 1.0, 0.0])))
+    second = np.cross(light, first)
+    corners = convex_hull(np.stack([points @ first, points @ second], axis=-1))
+    reach = np.linalg.norm(corners, axis=-1, keepdims=True)
+    corners = corners * np.minimum(1.0, abs(ground.radius) / np.maximum(reach, 1e-300))
+    height = np.sqrt(np.clip(ground.radius**2 - np.sum(corners**2, axis=-1), 0.0, None))
+    along = np.copysign(height, ground.radius)
+    return np.column_stack([corners, along]) @ np.stack([first, second, light])
+
+
+def cut_by_plane(polygon: FloatArray, normal: FloatArray) -> FloatArray:
+    """The part of a polygon (k, 3) on the side of `normal` of a plane through the origin."""
+    side = polygon @ normal
+    kept: list[FloatArray] = []
+    for index in range(len(polygon)):
+        before, after = side[index - 1], side[index]
+        if (before > 0.0) != (after > 0.0):
+            step = before / (before - after)
+            kept.append(polygon[index - 1] + step * (polygon[index] - polygon[index - 1]))
+        if after > 0.0:
+            kept.append(polygon[index])
+    return np.array(kept) if kept else np.empty((0, 3))
+
+
+def runs(marked: BoolArray) -> Iterator[slice]:
+    """Stretches of a curve on which every step is marked.
+
+    Parameters
+    ----------
+    marked : (n - 1,) array of bool
+        One mark for each step between neighbouring points of a curve of n points.
+
+    Yields
+    ------
+    slice
+        The points at the ends of consecutive marked steps.
+    """
+    padded = np.concatenate([[False], marked, [False]]).astype(np.int8)
+    changes = np.flatnonzero(np.diff(padded))
+    for start, stop in zip(changes[::2], changes[1::2], strict=True):
+        yield slice(int(start), int(stop) + 1)
+
+
+def smooth_curve(
+    times: FloatArray, points: FloatArray, count: int
+) -> tuple[FloatArray, FloatArray]:
+    """A curve through samples, fine enough to look smooth on paper.
+
+    Samples so sparse that the curve between them is anybody's guess (it turns by more than half
+    a radian from one to the next, for most of them) are left as they are, and so are fewer than
+    four.
+
+    Parameters
+    ----------
+    times : (n,) array
+        Increasing.
+    points : (n, d) array
+        Samples of the curve.
+    count : int
+        How many points the result has at least, when it is refined.
+
+    Returns
+    -------
+    times, points : (m,) and (m, d) arrays
+        Cubic spline through the samples, which are among its points.
+    """
+    if not 4 <= len(times) < count:
+        return times, points
+    steps = unit(np.diff(points, axis=0))
+    turns = np.sum(steps[1:] * steps[:-1], axis=-1)
+    if np.median(turns) < np.cos(0.5):
+        return times, points
+    parts = -(-count // (len(times) - 1))
+    fractions = np.linspace(0.0, 1.0, parts, endpoint=False)
+    fine = (times[:-1, None] + np.diff(times)[:, None] * fractions).ravel()
+    fine = np.append(fine, times[-1])
+    return fine, np.asarray(CubicSpline(times, points)(fine), dtype=np.float64)
