@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, TypeAlias
 
 import sympy as sp
 
@@ -16,9 +16,11 @@ from .vectors import Diagonal, Symmetric, Vector, explicit
 
 __all__ = ["Guard", "Motion", "Observable", "Parameter", "System"]
 
-Name = Vector | sp.Symbol
-Quantity = Vector | Diagonal | Symmetric | sp.Symbol
-Pairs = tuple[tuple[Any, Any], ...]
+Name: TypeAlias = Vector | sp.Symbol
+Quantity: TypeAlias = Vector | Diagonal | Symmetric | sp.Symbol
+Pairs: TypeAlias = tuple[tuple[Any, Any], ...]
+#: Written as a mapping or as pairs, kept as pairs.
+Declared: TypeAlias = Any
 
 
 @dataclass(frozen=True)
@@ -94,7 +96,7 @@ class Motion:
     places and directions in space.
     """
 
-    field: Pairs
+    field: Declared
     relations: tuple[sp.Expr, ...]
     observables: tuple[Observable, ...]
 
@@ -165,9 +167,9 @@ class System:
 
     name: str
     title: str
-    field: Pairs
+    field: Declared
     parameters: tuple[Parameter, ...] = ()
-    definitions: Pairs = ()
+    definitions: Declared = ()
     relations: tuple[sp.Expr, ...] = ()
     laws: tuple[Integral, ...] = ()
     observables: tuple[Observable, ...] = ()
@@ -175,7 +177,7 @@ class System:
     motion: Motion | None = None
     source: str = ""
     summary: str = ""
-    start: Pairs = ()
+    start: Declared = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "field", _pairs(self.field))

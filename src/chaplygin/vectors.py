@@ -8,7 +8,7 @@ A vector is a SymPy matrix expression of shape (3, 1).  Formulas built from
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, TypeAlias
 
 import sympy as sp
 from sympy.core.symbol import Str
@@ -47,8 +47,8 @@ __all__ = [
     "zero",
 ]
 
-Scalar = sp.Expr
-Components = sp.ImmutableDenseMatrix
+Scalar: TypeAlias = sp.Expr
+Components: TypeAlias = sp.ImmutableDenseMatrix
 
 _LABELS = {2: ("x", "y"), 3: ("1", "2", "3"), 4: ("w", "x", "y", "z")}
 
@@ -61,7 +61,7 @@ def scalar(name: str) -> sp.Symbol:
     return sp.Symbol(name, real=True)
 
 
-class Vector(sp.MatrixSymbol):  # type: ignore[misc]
+class Vector(sp.MatrixSymbol):
     """A named vector whose components are the scalars ``name_1``, ``name_2``, ``name_3``.
 
     Parameters
@@ -74,7 +74,8 @@ class Vector(sp.MatrixSymbol):  # type: ignore[misc]
     """
 
     def __new__(cls, name: str | Str, size: int = 3, *_: Any) -> Vector:
-        return sp.Basic.__new__(cls, Str(str(name)), sp.Integer(size), sp.S.One)
+        made: Vector = sp.Basic.__new__(cls, Str(str(name)), sp.Integer(size), sp.S.One)
+        return made
 
     def doit(self, **_: Any) -> Vector:
         """A name is evaluated already."""
@@ -92,7 +93,7 @@ class Vector(sp.MatrixSymbol):  # type: ignore[misc]
         return rf"\boldsymbol{{{sp.latex(sp.Symbol(self.name))}}}"
 
 
-class _Tensor(sp.MatrixSymbol):  # type: ignore[misc]
+class _Tensor(sp.MatrixSymbol):
     def __new__(cls, name: str | Str, *_: Any) -> Any:
         return sp.Basic.__new__(cls, Str(str(name)), sp.Integer(3), sp.Integer(3))
 
@@ -145,13 +146,14 @@ class Symmetric(_Tensor):
         return tuple(matrix[i, j] for i, j in Symmetric._pairs)
 
 
-class Cross(MatrixExpr):  # type: ignore[misc]
+class Cross(MatrixExpr):
     """The vector product; build it with :func:`cross`."""
 
     shape = (sp.Integer(3), sp.S.One)
 
     def __new__(cls, left: MatrixExpr, right: MatrixExpr) -> Cross:
-        return sp.Basic.__new__(cls, left, right)
+        made: Cross = sp.Basic.__new__(cls, left, right)
+        return made
 
     def doit(self, **_: Any) -> Cross:
         """Stay as written: components are taken by :func:`explicit`."""
@@ -161,7 +163,7 @@ class Cross(MatrixExpr):  # type: ignore[misc]
         return r" \times ".join(_factor(arg, printer) for arg in self.args)
 
 
-class Dot(sp.Expr):  # type: ignore[misc]
+class Dot(sp.Expr):
     """The scalar product (u, v); build it with :func:`dot`."""
 
     is_commutative = True
@@ -169,14 +171,15 @@ class Dot(sp.Expr):  # type: ignore[misc]
     precedence = PRECEDENCE["Atom"]
 
     def __new__(cls, left: MatrixExpr, right: MatrixExpr) -> Dot:
-        return sp.Basic.__new__(cls, left, right)
+        made: Dot = sp.Basic.__new__(cls, left, right)
+        return made
 
     def _latex(self, printer: LatexPrinter) -> str:
         left, right = (printer._print(arg) for arg in self.args)
         return rf"\left({left}, {right}\right)"
 
 
-class Gradient(MatrixExpr):  # type: ignore[misc]
+class Gradient(MatrixExpr):
     """∂U/∂u for a scalar `U` written in the components of the vector `u`.
 
     The name under which U is printed is the third argument.
@@ -185,7 +188,8 @@ class Gradient(MatrixExpr):  # type: ignore[misc]
     shape = (sp.Integer(3), sp.S.One)
 
     def __new__(cls, value: Scalar, variable: Vector, name: sp.Symbol) -> Gradient:
-        return sp.Basic.__new__(cls, value, variable, name)
+        made: Gradient = sp.Basic.__new__(cls, value, variable, name)
+        return made
 
     def doit(self, **_: Any) -> Gradient:
         """Stay as written: components are taken by :func:`explicit`."""

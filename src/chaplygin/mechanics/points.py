@@ -46,7 +46,8 @@ def contact_points(shape: Shape) -> Callable[[Array], Array]:
 
     def points(gamma: Array) -> Array:
         columns = reach(*np.asarray(gamma, dtype=float).T, *values.values())
-        return centre + np.stack(np.broadcast_arrays(*columns), axis=1)
+        found: Array = centre + np.stack(np.broadcast_arrays(*columns), axis=1)
+        return found
 
     return points
 
