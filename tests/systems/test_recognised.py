@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,10 +12,7 @@ from chaplygin.study.experiment import loads
 from chaplygin.study.prepare import Study, prepare
 from chaplygin.study.summary import drift
 from chaplygin.systems import CATALOGUE
-from chaplygin.vectors import dot, explicit, normed, vectors
 from evaluation import numeric
-
-M, omega, gamma = vectors("M omega gamma")
 
 BODY = """
 [body]
