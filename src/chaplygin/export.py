@@ -325,7 +325,9 @@ class _C(_Language):
 
     def write(self, formula: sp.Expr) -> str:
         powers = {"Pow": [(lambda base, exponent: True, _c_power)]}
-        return str(sp.ccode(formula, standard="c99", user_functions=powers))
+        # C99 itself has no names for these
+        numbers = {constant: constant.evalf(17) for constant in (sp.pi, sp.E)}
+        return str(sp.ccode(formula.xreplace(numbers), standard="c99", user_functions=powers))
 
     def assignment(self, name: str, value: str) -> str:
         return f"const double {name} = {value};"
