@@ -1,0 +1,73 @@
+"""Figures of a trajectory: the rolling body, its paths, its motion in time, its conserved laws.
+
+Every figure is a function of a trajectory's dataset (and, for the drawn body, of its outline and
+of what it rolls on) and returns a `matplotlib.figure.Figure`; nothing global is touched. Needed
+variables that the dataset lacks are an `InputError`; `all_figures` leaves such figures out.
+"""
+
+from __future__ import annotations
+
+import xarray as xr
+from matplotlib.figure import Figure
+
+from ..drawing import Ground, Outline
+from .charts import angular_velocity, conserved, drift, normal_force, relative_drift
+from .curves import contact_path, normal_on_sphere
+from .files import FORMATS, save, svg_text
+from .scenes import scene
+from .style import STYLE
+from .variables import NEEDED
+
+__all__ = [
+    "FORMATS",
+    "STYLE",
+    "all_figures",
+    "angular_velocity",
+    "contact_path",
+    "drift",
+    "normal_force",
+    "normal_on_sphere",
+    "relative_drift",
+    "save",
+    "scene",
+    "svg_text",
+]
+
+
+def all_figures(
+    dataset: xr.Dataset,
+    drawn: tuple[Outline, Ground] | None = None,
+    weight: float | None = None,
+) -> dict[str, Figure]:
+    """Every figure the trajectory has the variables for.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+    drawn : tuple of Outline and PlaneGround or SphereGround, optional
+        Shape of the body and what it rolls on; without them there is neither scene nor path of
+        the contact point.
+    weight : float, optional
+        Weight of the body, for comparison with the normal force.
+
+    Returns
+    -------
+    dict
+        Figures by the names of the functions that make them: `scene`, `contact_path`,
+        `normal_on_sphere`, `angular_velocity`, `normal_force`, `drift`, in this order.
+    """
+    possible = {name for name, needed in NEEDED.items() if all(item in dataset for item in needed)}
+    figures: dict[str, Figure] = {}
+    if "scene" in possible and drawn is not None:
+        figures["scene"] = scene(dataset, *drawn)
+    if "contact_path" in possible and drawn is not None:
+        figures["contact_path"] = contact_path(dataset, drawn[1])
+    if "normal_on_sphere" in possible:
+        figures["normal_on_sphere"] = normal_on_sphere(dataset)
+    if "angular_velocity" in possible:
+        figures["angular_velocity"] = angular_velocity(dataset)
+    if "normal_force" in possible:
+        figures["normal_force"] = normal_force(dataset, weight)
+    if conserved(dataset):
+        figures["drift"] = drift(dataset)
+    return figures

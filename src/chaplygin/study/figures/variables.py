@@ -1,0 +1,78 @@
+"""What figures ask of a trajectory's dataset: values, units, texts."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import xarray as xr
+from matplotlib.mathtext import MathTextParser
+
+from ...errors import InputError
+from ..drawing import FloatArray
+
+NEEDED = {
+    "scene": ("contact", "centre", "attitude", "gamma"),
+    "contact_path": ("contact",),
+    "normal_on_sphere": ("gamma",),
+    "angular_velocity": ("omega",),
+    "normal_force": ("normal_force",),
+}
+NOTHING = 1e-9
+"""What is smaller than this counts as zero, for want of a scale: it is not magnified."""
+CURVE_POINTS = 1200
+"""Points with which a smooth path is drawn."""
+
+
+def require(dataset: xr.Dataset, figure: str) -> None:
+    """Raise InputError unless the dataset has what the figure needs."""
+    missing = [name for name in NEEDED[figure] if name not in dataset]
+    if missing:
+        raise InputError(
+            f"the figure {figure} needs {', '.join(missing)}, which the trajectory of "
+            f"{title_of(dataset)} does not have"
+        )
+
+
+def title_of(dataset: xr.Dataset) -> str:
+    """Title of the system."""
+    return str(dataset.attrs.get("system", "this system"))
+
+
+def values_of(dataset: xr.Dataset, name: str) -> FloatArray:
+    """Values of a variable, time along the first axis."""
+    return np.asarray(dataset[name].transpose("time", ...).values, dtype=np.float64)
+
+
+def times_of(dataset: xr.Dataset) -> FloatArray:
+    """Instants of the samples, shape (n,)."""
+    return np.asarray(dataset["time"].values, dtype=np.float64)
+
+
+def time_shares(times: FloatArray, since: float | None = None) -> FloatArray:
+    """Share of the time that has gone by at each instant, from `since` or the first to the last."""
+    start = float(times[0]) if since is None else since
+    span = float(times[-1]) - start
+    return (times - start) / span if span > 0.0 else np.ones_like(times)
+
+
+def readable(text: str) -> str:
+    """The text itself if its formulas can be typeset, else the text with plain dollar signs."""
+    try:
+        MathTextParser("path").parse(text)
+    except ValueError:
+        return text.replace("$", r"\$")
+    return text
+
+
+def unit_of(dataset: xr.Dataset, name: str) -> str:
+    """Unit of a variable, exponents raised; empty for a pure number."""
+    units = str(dataset[name].attrs.get("units", "")).strip()
+    if units in ("", "1"):
+        return ""
+    return re.sub(r"(?:\*\*|\^)\{?(-?\d+)\}?", r"$^{\1}$", units).replace("*", r"$\,$")
+
+
+def with_unit(text: str, units: str) -> str:
+    """A text, and the unit in brackets if there is one."""
+    return f"{text}  ({units})" if units else text
