@@ -365,7 +365,7 @@ def _relations(case: Case, system: System, state: Sequence[Any]) -> np.ndarray:
 def _guards(case: Case, gamma: np.ndarray) -> dict[str, np.ndarray]:
     """The domain of the equations, from the curvature of the body seen by the reference."""
     first, second = radii_of_curvature(case, gamma)
-    trace, product = first + second, first * second
+    product = first * second
     implicit = case.shape_table["kind"] == "implicit"
     guards = {
         "guard flat": np.array([gamma[0] ** 2 + gamma[1] ** 2 - 1e-12]),
@@ -373,8 +373,9 @@ def _guards(case: Case, gamma: np.ndarray) -> dict[str, np.ndarray]:
     }
     if isinstance(case.surface, reference.Sphere):
         a = case.surface.radius
-        measure = 1 / product if implicit else 1.0
-        guards["guard fits"] = measure * np.array([(a + first) * (a + second)])
+        both = np.array([(a + first) * (a + second), a * (2 * a + first + second)])
+        both_curved = np.array([both[0] / product, 1 / first + 1 / second + 2 / a])
+        guards["guard fits"] = both_curved if implicit else both
     return guards
 
 

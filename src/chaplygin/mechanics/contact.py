@@ -14,6 +14,7 @@ from typing import Any
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
+from ..errors import InputError
 from ..system import Guard, Parameter
 from ..vectors import (
     Symmetric,
@@ -83,7 +84,14 @@ class Contact:
 
 
 def contact(shape: Shape, surface: Surface) -> Contact:
-    """The contact of `shape` with `surface`."""
+    """The contact of `shape` with `surface`.
+
+    Raises
+    ------
+    InputError
+        If a ball does not fit into the sphere, or a hollow one not around it.  Where another
+        shape fits depends on the point of contact; there a guard watches.
+    """
     if isinstance(shape, Implicit):
         return _through_surface(shape, surface)
     if isinstance(shape, Ball):
@@ -98,12 +106,30 @@ def _sphere_parameters(surface: Surface) -> tuple[Parameter, ...]:
     return (Parameter(a, meaning, surface.radius, "m", (sp.Ne(a, 0),)),)
 
 
-def _fits(value: sp.Expr) -> Guard:
-    return Guard("fits", value, "the body no longer fits into the sphere at the contact")
+def _fits(product: sp.Expr, total: sp.Expr) -> tuple[Guard, Guard]:
+    """Product and sum of 1 + R₁/a and 1 + R₂/a, up to positive factors: both are positive."""
+    happening = "the body does not fit into the sphere at the contact"
+    return Guard("fits", product, happening), Guard("fits", total, happening)
+
+
+def _check_ball(shape: Ball, surface: Surface) -> None:
+    """Refuse a ball larger than its bowl, and a hollow one that goes around nothing."""
+    around = surface.radius if isinstance(surface, Sphere) else None
+    if shape.hollow and (around is None or not 0 < around < shape.radius):
+        raise InputError(
+            f"hollow ball of radius {shape.radius:g}: it rolls around the outside of a sphere of "
+            "positive, smaller radius"
+        )
+    if not shape.hollow and around is not None and -shape.radius <= around < 0:
+        raise InputError(
+            f"ball of radius {shape.radius:g} in a bowl of radius {-around:g}: the bowl must be "
+            "the larger one"
+        )
 
 
 def _of_ball(shape: Ball, surface: Surface) -> Contact:
     """A ball: γ̇ = k γ×ω with k = a/(a + R), and r stays a sum that simplifies products."""
+    _check_ball(shape, surface)
     ball = shape.gauss()
     c = shape.offset
     definitions: Pairs = ()
@@ -150,7 +176,7 @@ def _through_gauss_map(shape: Shape, body: GaussMap, surface: Surface) -> Contac
 
         definitions += ((gammadot, solve(swing)),)
         rate, pull = gammadot, solve
-        guards += (_fits(area),)
+        guards += _fits(area, 2 * a**2 + a * trace)
     definitions += ((rdot, -body.spread(rate)),)
     return Contact(
         state=((gamma, rate),),
@@ -208,7 +234,7 @@ def _through_surface(shape: Implicit, surface: Surface) -> Contact:
         definitions += ((rdot, -solve(swing)), (gammadot, swing + rdot / a))
         rate = gammadot
         pull = lambda force: force - solve(force - dot(gamma, force) * gamma) / a  # noqa: E731
-        guards = (_fits(area * a**2),)
+        guards = _fits(area * a**2, mean + 2 / a)
     convex = Guard("convex", gauss, "the contact leaves the convex part of the body")
     return Contact(
         state=((r, rdot),),
