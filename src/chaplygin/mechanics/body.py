@@ -68,6 +68,14 @@ def _as_tuple(inertia: Sequence[float] | Sequence[Sequence[float]]) -> tuple[obj
     return tuple(tuple(map(float, row)) if array.ndim == 2 else float(row) for row in array)
 
 
+def _numbers(inertia: Sequence[float] | Sequence[Sequence[float]]) -> np.ndarray:
+    """The entries as an array; an empty one if they do not form any."""
+    try:
+        return np.asarray(inertia, dtype=float)
+    except (TypeError, ValueError):
+        return np.empty(0)
+
+
 def check_mass(mass: float) -> None:
     """Raise InputError unless the mass is positive and finite."""
     if not (math.isfinite(mass) and mass > 0):
@@ -79,12 +87,13 @@ def check_inertia(inertia: Sequence[float] | Sequence[Sequence[float]]) -> None:
 
     Accepts three principal moments or a full symmetric 3×3 matrix.
     """
-    array = np.asarray(inertia, dtype=float)
+    array = _numbers(inertia)
     if array.shape not in ((3,), (3, 3)) or not np.all(np.isfinite(array)):
         raise InputError(
             f"inertia {inertia}: it must be three principal moments or a symmetric 3x3 matrix"
         )
-    if array.ndim == 2 and not np.allclose(array, array.T, rtol=1e-12, atol=0):
+    rounding = 1e-12 * np.abs(array).max()
+    if array.ndim == 2 and not np.allclose(array, array.T, rtol=0, atol=rounding):
         raise InputError(f"inertia {inertia}: the matrix must be symmetric")
     moments = np.sort(array if array.ndim == 1 else np.linalg.eigvalsh(array))
     shown = ", ".join(f"{x:.6g}" for x in moments)

@@ -51,6 +51,7 @@ from .attitude import (
 )
 from .body import Body
 from .contact import Contact, contact as contact_of
+from .shapes import check_values
 from .surfaces import Plane, Surface
 
 __all__ = ["Field", "Model", "Rolling", "roll"]
@@ -85,6 +86,7 @@ class Field:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "values", tuple(dict(self.values).items()))
+        check_values(self.values)
         if not (np.isfinite(self.gravity) and self.gravity >= 0):
             raise InputError(f"gravity {self.gravity}: it must be finite and not negative")
 

@@ -91,6 +91,13 @@ def _positive(shape: str, **lengths: float) -> None:
             raise InputError(f"{name} {value} of the {shape}: it must be a positive finite number")
 
 
+def check_values(values: tuple[tuple[sp.Symbol, float], ...]) -> None:
+    """Raise InputError unless every parameter of a formula has a finite value."""
+    for symbol, value in values:
+        if not math.isfinite(value):
+            raise InputError(f"parameter {symbol} = {value}: it must be a finite number")
+
+
 def _check_centre(centre: tuple[float, float, float]) -> None:
     if len(centre) != 3 or not all(math.isfinite(x) for x in centre):
         raise InputError(f"centre {centre}: it must be three finite numbers")
@@ -191,13 +198,17 @@ class Ellipsoid(_Centred):
     Raises
     ------
     InputError
-        If a semi-axis is not positive.
+        If there are not three positive semi-axes, or the angle is not finite.
     """
 
     axes: tuple[float, float, float]
     turn: float = 0.0
 
     def __post_init__(self) -> None:
+        if len(self.axes) != 3:
+            raise InputError(f"axes {self.axes} of the ellipsoid: three semi-axes are needed")
+        if not math.isfinite(self.turn):
+            raise InputError(f"turn {self.turn} of the ellipsoid: it must be a finite angle")
         for i, value in enumerate(self.axes, 1):
             _positive("ellipsoid", **{f"semi-axis {i}": value})
         _check_centre(self.centre)
@@ -319,6 +330,7 @@ class Revolution(_Centred):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "values", tuple(dict(self.values).items()))
+        check_values(self.values)
         _check_centre(self.centre)
         unknown = self.support.free_symbols - {gamma.symbols[2]} - {s for s, _ in self.values}
         if unknown:
@@ -423,6 +435,7 @@ class Implicit(_Centred):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "values", tuple(dict(self.values).items()))
+        check_values(self.values)
         _check_centre(self.centre)
         unknown = self.surface.free_symbols - set(self.coordinates) - {s for s, _ in self.values}
         if unknown:
