@@ -5,8 +5,8 @@ from __future__ import annotations
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ..vectors import Vector, constant, explicit, scalar
 from ..system import Observable
+from ..vectors import Vector, constant, explicit
 
 __all__ = ["attitude", "quaternion_rate", "rotation", "tie", "unit_length"]
 
@@ -64,8 +64,3 @@ def attitude_observable() -> Observable:
         frame="quaternion",
         source="(1.13)",
     )
-
-
-def time_symbol() -> sp.Symbol:
-    """The independent variable t."""
-    return scalar("t")
