@@ -30,11 +30,7 @@ Array = npt.NDArray[np.float64]
 INSTALLED = [target for target in TARGETS if find_spec(target)]
 COMPILER = shutil.which("cc")
 
-FEW = [
-    ("ball", "plane", "marble"),
-    ("rattleback", "sphere", "rubber"),
-    ("implicit", "sphere", "marble"),
-]
+FEW = [("ball", "sphere", "marble"), ("implicit", "plane", "rubber")]
 ROUNDING = 1e-14
 
 

@@ -308,8 +308,6 @@ _STYLE = """\
   { padding: 0.15em 0.8em 0.15em 0; text-align: left; vertical-align: baseline; }
 .chaplygin-system th { font-weight: normal; opacity: 0.65; }
 .chaplygin-system .formula { overflow: auto hidden; margin: 0.4em 0 0.4em 1.5em; }
-.chaplygin-system math { font-family: "Latin Modern Math", "STIX Two Math", "Cambria Math",
-  "DejaVu Math TeX Gyre", math; }
 </style>"""
 
 
@@ -389,6 +387,10 @@ def _law_table(system: System) -> str:
 # --- MathML --------------------------------------------------------------------------------
 
 
+#: Fonts with tall brackets and roots, one of which most systems have.
+_FONTS = "font-family: 'Latin Modern Math', 'STIX Two Math', 'Cambria Math', 'DejaVu Math TeX Gyre', math"
+
+
 def mathml(formula: str, display: Literal["inline", "block"] = "inline") -> str:
     r"""LaTeX as MathML that browsers show without help.
 
@@ -412,6 +414,7 @@ def mathml(formula: str, display: Literal["inline", "block"] = "inline") -> str:
     written = re.sub(
         r'<mi mathvariant="bold-italic">&#x([0-9A-F]+);</mi>', _bold_greek, str(written)
     )
+    written = written.replace("<math ", f'<math style="{_FONTS}" ', 1)
     # a function's name is no operator, which would keep its distance
     written = re.sub(r"<mo>([a-z]{2,}\d?)</mo>", r"<mi>\1</mi>", written)
     # without this, a dot is as small as an exponent
