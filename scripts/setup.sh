@@ -60,7 +60,7 @@ choose_python() {
         found="There is no python3 on the search path."
     fi
     fail "Python $least or newer is needed. $found" \
-        "On Debian and Ubuntu, install it as root:  apt install python3 python3-venv" \
+        "On Debian 12, Ubuntu 24.04 and newer, install it as root:  apt install python3 python3-venv" \
         "or name one that is elsewhere:  make PYTHON=/path/to/python$least ..."
 }
 
@@ -73,7 +73,7 @@ is_usable() {
 
 show_log() {
     printf '%s\n' "$1 The last lines of $log:" >&2
-    tail -n 12 "$log" | sed 's/^/    /' >&2
+    tail -n 20 "$log" | sed 's/^/    /' >&2
     exit 1
 }
 
