@@ -388,7 +388,7 @@ def _law_table(system: System) -> str:
 
 
 #: Fonts with tall brackets and roots, one of which most systems have.
-_FONTS = "font-family: 'Latin Modern Math', 'STIX Two Math', 'Cambria Math', 'DejaVu Math TeX Gyre', math"
+_FONTS = ("Latin Modern Math", "STIX Two Math", "Cambria Math", "DejaVu Math TeX Gyre")
 
 
 def mathml(formula: str, display: Literal["inline", "block"] = "inline") -> str:
@@ -414,7 +414,8 @@ def mathml(formula: str, display: Literal["inline", "block"] = "inline") -> str:
     written = re.sub(
         r'<mi mathvariant="bold-italic">&#x([0-9A-F]+);</mi>', _bold_greek, str(written)
     )
-    written = written.replace("<math ", f'<math style="{_FONTS}" ', 1)
+    fonts = ", ".join(f"'{font}'" for font in _FONTS)
+    written = written.replace("<math ", f'<math style="font-family: {fonts}, math" ', 1)
     # a function's name is no operator, which would keep its distance
     written = re.sub(r"<mo>([a-z]{2,}\d?)</mo>", r"<mi>\1</mi>", written)
     # without this, a dot is as small as an exponent
