@@ -104,7 +104,6 @@ class _Plan:
         system, kind = self.lifted, number_type(self.precision)
         translate = Translator(system)
         variables = translate.variables
-        parameters = [kind(1)] * len(system.parameters)
         # heyoka looks at the derivative in time, whichever way it runs
         falling = {
             "forward": hy.event_direction.negative,
@@ -116,7 +115,6 @@ class _Plan:
         integrator = hy.taylor_adaptive(
             list(zip(variables, translate.all(system.rates), strict=True)),
             [kind(1)] * len(variables),
-            pars=parameters,
             tol=kind(max(self.tolerance, FINEST[self.precision])),
             fp_type=kind,
             t_events=events,
