@@ -189,3 +189,9 @@ def test_explicit_agrees_with_matrices(left: Case, right: Case) -> None:
     assert sp.Matrix(product.xreplace(NUMBERS)) == left.value.cross(right.value)
     number = sp.sympify(explicit(dot(left.formula, right.formula))).xreplace(NUMBERS)
     assert number == left.value.dot(right.value)
+
+
+def test_a_product_alone_and_inside_another_is_made_explicit_in_both_places() -> None:
+    nested = dot(u, v) * dot(dot(u, v) * w + u, w)
+    assert not explicit(nested).has(Dot)
+    assert same(nested, dot(u, v) ** 2 * dot(w, w) + dot(u, v) * dot(u, w))

@@ -90,7 +90,7 @@ class Vector(sp.MatrixSymbol):
         return iter(self.symbols)
 
     def _latex(self, printer: LatexPrinter) -> str:
-        return rf"\boldsymbol{{{sp.latex(sp.Symbol(self.name))}}}"
+        return _as_on_paper(self)
 
 
 class _Tensor(sp.MatrixSymbol):
@@ -102,7 +102,7 @@ class _Tensor(sp.MatrixSymbol):
         return self
 
     def _latex(self, printer: LatexPrinter) -> str:
-        return rf"\mathbf{{{sp.latex(sp.Symbol(self.name))}}}"
+        return _as_on_paper(self)
 
 
 class Diagonal(_Tensor):
@@ -160,7 +160,7 @@ class Cross(MatrixExpr):
         return self
 
     def _latex(self, printer: LatexPrinter) -> str:
-        return r" \times ".join(_factor(arg, printer) for arg in self.args)
+        return _as_on_paper(self)
 
 
 class Dot(sp.Expr):
@@ -175,8 +175,7 @@ class Dot(sp.Expr):
         return made
 
     def _latex(self, printer: LatexPrinter) -> str:
-        left, right = (printer._print(arg) for arg in self.args)
-        return rf"\left({left}, {right}\right)"
+        return _as_on_paper(self)
 
 
 class Gradient(MatrixExpr):
@@ -196,14 +195,14 @@ class Gradient(MatrixExpr):
         return self
 
     def _latex(self, printer: LatexPrinter) -> str:
-        _, variable, name = self.args
-        return rf"\frac{{\partial {printer._print(name)}}}{{\partial {printer._print(variable)}}}"
+        return _as_on_paper(self)
 
 
-def _factor(arg: sp.Basic, printer: LatexPrinter) -> str:
-    text: str = printer._print(arg)
-    simple = isinstance(arg, (sp.MatrixSymbol, Gradient))
-    return text if simple else rf"\left({text}\right)"
+def _as_on_paper(formula: sp.Basic) -> str:
+    """LaTeX for SymPy's own printer, which notebooks call for a formula of its own."""
+    from .notation import latex
+
+    return latex(formula)
 
 
 def vectors(names: str) -> tuple[Vector, ...]:
@@ -309,9 +308,8 @@ def explicit(expression: Any) -> Any:
     if isinstance(expression, sp.MatrixBase):
         return Components(expression.applyfunc(explicit))
     if not isinstance(expression, MatrixExpr):
-        dots = expression.atoms(Dot)
-        outermost = {d for d in dots if not any(d is not o and o.has(d) for o in dots)}
-        return expression.xreplace({d: _explicit_dot(d) for d in outermost})
+        # from the top down, so that products inside products are reached with their factors
+        return expression.xreplace({d: _explicit_dot(d) for d in expression.atoms(Dot)})
     return _explicit_matrix(expression)
 
 

@@ -128,7 +128,7 @@ def _check_ball(shape: Ball, surface: Surface) -> None:
 
 
 def _of_ball(shape: Ball, surface: Surface) -> Contact:
-    """A ball: γ̇ = k γ×ω with k = a/(a + R), and r stays a sum that simplifies products."""
+    """A ball: γ̇ = k γ×ω with k = a/(a + R); ṙ stays a multiple of it, so that products shorten."""
     _check_ball(shape, surface)
     ball = shape.gauss()
     c = shape.offset
@@ -138,16 +138,17 @@ def _of_ball(shape: Ball, surface: Surface) -> Contact:
         k = scalar("k")
         definitions = ((k, a / (a + ball.support)),)
         rate, pull = k * rate, lambda force: k * force
-    square = ball.determinant
+    reach, square = ball.reach, ball.determinant
     if any(shape.centre):
-        square = square - 2 * ball.support * dot(c, gamma) + normed(c)
+        definitions += ((r, c + ball.reach),)
+        reach, square = r, normed(r)
     return Contact(
         state=((gamma, rate),),
         relations=(normed(gamma) - 1,),
         parameters=ball.parameters + shape.offset_parameters + _sphere_parameters(surface),
         definitions=definitions,
         guards=(),
-        r=c + ball.reach,
+        r=reach,
         rdot=-ball.spread(rate),
         gammadot=rate,
         square=square,

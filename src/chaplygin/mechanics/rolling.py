@@ -282,7 +282,7 @@ def _marble(balance: _Balance, surface: Surface, name: str, title: str) -> Syste
         relations=touch.relations,
         momentum=M,
         start=((M, _momentum(balance)),),
-        contact_law="no slip (marble)",
+        contact_law="without slipping (marble contact)",
         observables=(Observable("omega", omega, "angular velocity", "rad/s", "body"),),
         source="(1.17), (10.1)",
     )
@@ -290,7 +290,7 @@ def _marble(balance: _Balance, surface: Surface, name: str, title: str) -> Syste
 
 def _rubber(balance: _Balance, surface: Surface, name: str, title: str) -> System:
     touch = balance.touch
-    B, acceleration = Vector("e"), balance.solve(X)
+    B, acceleration = Vector("q"), balance.solve(X)
     spin_rate = dot(omega, touch.gammadot) if not isinstance(surface, Plane) else sp.S.Zero
     definitions = (
         *balance.definitions,
@@ -310,11 +310,9 @@ def _rubber(balance: _Balance, surface: Surface, name: str, title: str) -> Syste
         relations=(*touch.relations, dot(omega, gamma)),
         momentum=M,
         start=(),
-        contact_law="no slip, no spin (rubber)",
+        contact_law="with neither slipping nor spinning (rubber contact)",
         observables=(
-            Observable(
-                "momentum", M, "angular momentum about the contact point", "kg m^2/s", "body"
-            ),
+            Observable("M", M, "angular momentum about the contact point", "kg m^2/s", "body"),
             Observable(
                 "spin_torque", lambda_0, "torque about the normal", "N m", source="(1.19)"
             ),
@@ -342,7 +340,7 @@ def _free_torque(balance: _Balance) -> MatrixExpr:
     """Right-hand side of Ĩ ω̇ without the torque λ₀γ, (1.18)."""
     touch = balance.touch
     return (
-        cross(_momentum(balance), omega)
+        cross(M, omega)
         + cross(balance.rotors, omega)
         - m * cross(touch.r, cross(omega, touch.rdot))
         - cross(touch.r, balance.force)
@@ -403,15 +401,16 @@ def _finish(
         guards=guards,
         motion=_motion(balance, surface),
         source=source,
-        summary=f"A rigid body rolling on a {_surface_words(surface)} with {contact_law}.",
+        summary=f"A rigid body rolls {contact_law} on {_surface_words(surface)}.",
         start=start,
     )
 
 
 def _surface_words(surface: Surface) -> str:
     if isinstance(surface, Plane):
-        return "horizontal plane"
-    return "fixed sphere, outside" if surface.radius > 0 else "fixed sphere, inside"
+        return "a horizontal plane"
+    side = "outside" if surface.radius > 0 else "inside"
+    return f"the {side} of a fixed sphere"
 
 
 def _motion(balance: _Balance, surface: Surface) -> Motion:

@@ -12,8 +12,6 @@ import xarray as xr
 
 from ..errors import InputError
 from ..flow.trajectory import Trajectory
-from ..system import Observable
-from ..vectors import Vector
 from .files import check_target, completed
 
 __all__ = ["read", "to_dataset", "write"]
@@ -62,7 +60,8 @@ def to_dataset(trajectory: Trajectory, attributes: Mapping[str, Any] | None = No
             meaning, units, source = _STATE[name]
             _add(variables, name, trajectory[name], "body", meaning, units, source)
     for item in system.observables:
-        _add_observable(variables, item, trajectory.recorded[item.name])
+        values = trajectory.recorded[item.name]
+        _add(variables, item.name, values, item.frame, item.meaning, item.unit, item.source)
     for law in system.laws:
         label = f"law_{law.name}"
         units = "J" if law.name == "energy" else ""
@@ -108,12 +107,6 @@ def _shown(value: Any) -> str:
 
 def _used(variables: Mapping[str, Any], dim: str) -> bool:
     return any(dim in dims for dims, _, _ in variables.values())
-
-
-def _add_observable(variables: dict[str, Any], item: Observable, values: Any) -> None:
-    is_momentum = isinstance(item.value, Vector) and item.name == "momentum"
-    name = "M" if is_momentum else item.name
-    _add(variables, name, values, item.frame, item.meaning, item.unit, item.source)
 
 
 def _add(
