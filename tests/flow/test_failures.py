@@ -1,0 +1,137 @@
+"""Runs that cannot be carried to their end keep what they have."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from chaplygin.errors import RunError
+from chaplygin.flow.trajectory import integrate
+from chaplygin.mechanics.start import starting_state
+from chaplygin.system import Guard, System
+from chaplygin.systems import CATALOGUE
+
+x = sp.Symbol("x", real=True)
+
+
+def scalar(rate: sp.Expr, **parts: object) -> System:
+    return System(name="scalar", title="Scalar", field={x: rate}, **parts)
+
+
+def failure(*arguments: object, **options: object) -> RunError:
+    with pytest.raises(RunError) as caught:
+        integrate(*arguments, **options)
+    error = caught.value
+    assert error.time == float(error.partial.times[-1])
+    assert len(error.partial.times) == len(error.partial.states)
+    assert str(error) == f"{error.reason} (the last good time is {error.time:.9g})"
+    return error
+
+
+@pytest.fixture(scope="module")
+def ball():
+    entry = CATALOGUE["chaplygin-ball"]
+    system = entry.system()
+    return system, starting_state(system, entry.start.omega, entry.start.gamma)
+
+
+@pytest.mark.parametrize("sense", [1, -1], ids=["forward", "backward"])
+@pytest.mark.parametrize("precision", ["double", "quad"])
+def test_a_solution_that_runs_away(precision, sense):
+    """x = 1/(1 − t) is infinite at t = 1."""
+    times = [0.0, sense * 0.5, sense * 2.0]
+    error = failure(scalar(sense * x**2), [1], times, precision=precision)
+    assert error.reason.startswith("scalar: the step size collapsed (a singularity")
+    assert 1 - 1e-11 < sense * error.time < 1
+    assert [float(t) for t in error.partial.times] == [*times[:2], error.time]
+    assert float(error.partial["x"][1]) == pytest.approx(2.0, rel=1e-15)
+    assert error.partial.happenings == ()
+
+
+@pytest.mark.parametrize("sense", [1, -1], ids=["forward", "backward"])
+def test_a_solution_with_a_branch_point(sense):
+    """x = √(1 − t) ends at t = 1, with infinite velocity."""
+    error = failure(scalar(-sense / (2 * x)), [1], [0.0, sense * 0.75, sense * 2.0], dense=True)
+    assert sense * error.time == pytest.approx(1.0, abs=1e-10)
+    assert error.partial["x"][1] == pytest.approx(0.5, rel=1e-14)
+    assert error.partial["x"][-1] < 1e-4
+    assert np.all(np.isfinite(error.partial.states))
+    assert error.partial.dense.span == (0.0, error.time)
+    assert error.partial.dense(sense * 0.36)[0, 0] == pytest.approx(0.8, rel=1e-14)
+
+
+def test_a_guard_that_vanishes_at_the_singularity_is_what_happened():
+    ended = scalar(-1 / (2 * x), guards=(Guard("positive", x, "x has come to zero"),))
+    motion = integrate(ended, [1], [0.0, 0.75, 2.0])
+    (happening,) = motion.happenings
+    assert happening.guard.happening == "x has come to zero"
+    assert happening.stopped
+    assert happening.time == motion.times[-1] == pytest.approx(1.0, abs=1e-10)
+
+
+def test_a_guard_that_does_not_vanish_is_not_blamed():
+    ended = scalar(x**2, guards=(Guard("large", x, "x has come to zero"),))
+    assert failure(ended, [1], [0.0, 2.0]).reason.startswith("scalar: the step size collapsed")
+
+
+def test_a_field_that_is_no_number_at_the_start():
+    error = failure(scalar(sp.log(x)), [-1], [0.0, 1.0])
+    assert error.reason == "scalar: the state stopped being a number"
+    assert error.partial.times.tolist() == [0.0]
+    assert error.partial.states.tolist() == [[-1.0]]
+
+
+def test_the_time_limit(ball):
+    system, start = ball
+    error = failure(system, start, np.linspace(0.0, 1e7, 11), time_limit=0.05)
+    assert error.reason == "chaplygin-ball: the time limit of 0.05 s was reached"
+    assert 0 < error.time < 1e7
+    assert error.partial.statistics.seconds < 5
+    assert error.partial.statistics.steps > 0
+    energy = error.partial.recorded["law_energy"]
+    assert abs(energy[-1] - energy[0]) < 1e-13 * energy[0]
+
+
+def test_within_the_time_limit_nothing_happens(ball):
+    system, start = ball
+    limited = integrate(system, start, [0.0, 10.0], time_limit=1000.0)
+    assert limited.states.tolist() == integrate(system, start, [0.0, 10.0]).states.tolist()
+
+
+def test_an_interrupt_keeps_the_partial_trajectory(ball):
+    system, start = ball
+    seen = []
+
+    def interrupt(fraction: float) -> None:
+        seen.append(fraction)
+        if len(seen) == 3:
+            raise KeyboardInterrupt
+
+    times = np.linspace(0.0, 1000.0, 1001)
+    error = failure(system, start, times, progress=interrupt, dense=True)
+    assert error.reason == "chaplygin-ball: interrupted"
+    assert error.time == pytest.approx(1000 * seen[-1])
+    whole = integrate(system, start, times[times < error.time])
+    count = len(whole.times)
+    assert count > 10
+    assert len(error.partial.times) == count + 1
+    assert np.abs(error.partial.states[:count] - whole.states).max() < 1e-12
+    assert error.partial.dense.span == (0.0, error.time)
+
+
+def test_another_error_in_progress_is_not_swallowed(ball):
+    system, start = ball
+
+    def fail(fraction: float) -> None:
+        raise ZeroDivisionError(fraction)
+
+    with pytest.raises(ZeroDivisionError):
+        integrate(system, start, [0.0, 100.0], progress=fail)
+
+
+def test_after_a_failure_the_next_run_is_as_good_as_ever(ball):
+    system, start = ball
+    before = integrate(system, start, [0.0, 5.0])
+    failure(system, start, [0.0, 1e7], time_limit=0.01)
+    assert integrate(system, start, [0.0, 5.0]).states.tolist() == before.states.tolist()
