@@ -267,11 +267,18 @@ class System:
         """
         if self.motion is None:
             raise InputError(f"{self.name}: this system has no motion in space to be lifted to")
+        return self._lifted
+
+    @cached_property
+    def _lifted(self) -> System:
+        motion = self.motion
+        if motion is None:
+            return self
         return replace(
             self,
-            field=self.field + self.motion.field,
-            relations=self.relations + self.motion.relations,
-            observables=self.observables + self.motion.observables,
+            field=self.field + motion.field,
+            relations=self.relations + motion.relations,
+            observables=self.observables + motion.observables,
             motion=None,
         )
 

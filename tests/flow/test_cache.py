@@ -37,11 +37,18 @@ OSCILLATOR = System(
 
 
 @pytest.fixture
-def place(tmp_path, monkeypatch):
+def folder(tmp_path, monkeypatch):
     """An empty cache of the test's own."""
     chosen = tmp_path / "code"
     monkeypatch.setenv("CHAPLYGIN_CACHE", str(chosen))
     return chosen
+
+
+@pytest.fixture
+def place(folder, monkeypatch):
+    """The same without what this process has at hand, so that files alone count."""
+    monkeypatch.setattr(cache, "_version", lambda path: object())
+    return folder
 
 
 def entries(folder: Path) -> list[Path]:
@@ -187,7 +194,8 @@ def test_a_folder_that_cannot_be_made_is_no_error(tmp_path, monkeypatch):
     obstacle.write_text("")
     monkeypatch.setenv("CHAPLYGIN_CACHE", str(obstacle / "code"))
     assert remember() == ((1, 2), False)
-    assert remember() == ((1, 2), False)
+    # what is at hand serves without a file
+    assert remember() == ((1, 2), True)
 
 
 def test_a_folder_that_cannot_be_written_is_no_error(place, monkeypatch):
@@ -285,3 +293,25 @@ def test_parameters_share_the_code(place):
         assert motion.statistics.from_cache
         assert motion["x"] == pytest.approx(np.cos(frequency * times), abs=2e-15)
     assert len(entries(place)) == 1
+
+
+def test_an_entry_at_hand_is_not_read_again(folder, monkeypatch):
+    made, found = remember()
+    assert not found
+    monkeypatch.setattr(cache, "_read", lambda path: pytest.fail("the file was read"))
+    again, found = remember(value=(3, 4))
+    assert found
+    assert again is made
+
+
+def test_an_entry_at_hand_yields_to_a_newer_file(folder):
+    remember()
+    assert remember(value=(3, 4)) == ((1, 2), True)
+    (folder / "name.code").unlink()
+    assert remember(value=(5, 6)) == ((5, 6), False)
+
+
+def test_few_entries_are_at_hand(folder):
+    for number in range(3 * cache._AT_HAND):
+        remember(f"name{number}", number)
+    assert len(cache._at_hand) <= cache._AT_HAND

@@ -25,6 +25,7 @@ import platformdirs
 __all__ = ["digest", "folder", "remember"]
 
 _KEEP = 200
+_AT_HAND = 32
 _SEAL = hashlib.sha256().digest_size
 
 
@@ -110,12 +111,30 @@ def _write(path: Path, entry: Any) -> None:
                 temporary.unlink(missing_ok=True)
 
 
+def _version(path: Path) -> tuple[int, int] | None:
+    """Which version of a file is there; None if there is none."""
+    try:
+        status = path.stat()
+    except OSError:
+        return None
+    return status.st_mtime_ns, status.st_size
+
+
+#: Entries of this process, with the version of the file that they were read from or written to.
+_at_hand: dict[Path, tuple[Any, tuple[int, int] | None]] = {}
+
+
 def remember(name: str, make: Callable[[], Any]) -> tuple[Any, bool]:
     """The entry called `name`, and whether it was found; made and kept if it was not."""
     path = folder() / f"{name}.code"
+    if path in _at_hand and _at_hand[path][1] == _version(path):
+        return _at_hand[path][0], True
     entry = _read(path)
-    if entry is not None:
-        return entry, True
-    entry = make()
-    _write(path, entry)
-    return entry, False
+    found = entry is not None
+    if not found:
+        entry = make()
+        _write(path, entry)
+    if len(_at_hand) >= _AT_HAND:
+        del _at_hand[next(iter(_at_hand))]
+    _at_hand[path] = entry, _version(path)
+    return entry, found

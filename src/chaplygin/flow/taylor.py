@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any, Literal
 
 import heyoka as hy
@@ -81,6 +81,7 @@ class _Plan:
     def lifted(self) -> System:
         return self.system.lifted() if self.system.motion else self.system
 
+    @cached_property
     def name(self) -> str:
         system = self.lifted
         # each part in a list of its own: an observable is compiled otherwise than a guard
@@ -197,7 +198,15 @@ def compile_system(
             f"tolerance {tolerance} is beyond double precision: use at least 1e-16, or "
             "precision 'quad'"
         )
-    plan = _Plan(system, tolerance, precision, direction)
+    plan = _plan(system, tolerance, precision, direction)
     code: Compiled
-    code, found = cache.remember(plan.name(), plan.compile)
+    code, found = cache.remember(plan.name, plan.compile)
     return replace(code, found=found)
+
+
+@lru_cache(maxsize=32)
+def _plan(
+    system: System, tolerance: float, precision: Precision, direction: Direction
+) -> _Plan:
+    """The plan of a system, kept because its name takes longer to find than code to fetch."""
+    return _Plan(system, tolerance, precision, direction)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import copy
 import itertools
 import math
 import time as clock
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from typing import Any, Literal
 
 import mpmath
@@ -56,24 +58,31 @@ class Statistics:
 class Dense:
     """A continuous trajectory: the Taylor polynomials of all steps.
 
-    Calling it with times inside ``(first, last)`` gives states, shape (times, state).
+    Calling it with times inside `span` gives states, shape (times, state).
+
+    Attributes
+    ----------
+    begins, ends : array (steps,)
+        Where each step begins and ends.
+    coefficients : array (steps, state, order + 1)
+        Of the powers of the time since the step began.
     """
 
     begins: Any
-    lengths: Any
+    ends: Any
     coefficients: Any
 
     @property
     def span(self) -> tuple[float, float]:
         """The two ends of the covered interval of time, in the direction of integration."""
-        return float(self.begins[0]), float(self.begins[-1] + self.lengths[-1])
+        return float(self.begins[0]), float(self.ends[-1])
 
     def __call__(self, times: Any) -> Any:
         wanted = np.atleast_1d(np.asarray(times, dtype=float))
         low, high = sorted(self.span)
         if np.any(wanted < low) or np.any(wanted > high):
             raise InputError(f"time outside the computed interval from {low:g} to {high:g}")
-        sign = 1.0 if self.lengths[0] > 0 else -1.0
+        sign = 1.0 if self.ends[0] > self.begins[0] else -1.0
         begins = sign * self.begins.astype(float)
         index = np.clip(np.searchsorted(begins, sign * wanted, side="right") - 1, 0, None)
         step = wanted - self.begins[index]
@@ -300,7 +309,8 @@ class _Run:
         self.values = values
         self.kind = kind
         self.code = code
-        self.stepper = code.integrator
+        # a copy, since stepping changes it and the code is shared
+        self.stepper = copy.copy(code.integrator)
         numbers = [kind(_text(v)) for v in values.values()]
         self.parameters = np.array(numbers, dtype=kind)
         self.stepper.pars[:] = self.parameters[: len(self.stepper.pars)]
@@ -391,11 +401,11 @@ class _Run:
                 self._break_down(log, "the state stopped being a number")
                 return
             log.steps += 1
+            now = stepper.time
             if dense:
                 series = np.array(stepper.tc)
                 series[self.loose, 0] += self.carried
-                log.dense.append((before, step, series))
-            now = stepper.time
+                log.dense.append((before, now, series))
             while index < len(moments) and (
                 moments[index] <= now if forward else moments[index] >= now
             ):
@@ -511,6 +521,7 @@ class _Run:
         )
 
 
+@lru_cache(maxsize=32)
 def _quadratures(system: System) -> list[int]:
     """Columns on which neither rates nor relations nor guards depend."""
     formulas = [
@@ -526,10 +537,8 @@ def _quadratures(system: System) -> list[int]:
 def _dense(log: _Log, kind: Any) -> Dense | None:
     if not log.dense:
         return None
-    begins, lengths, coefficients = zip(*log.dense, strict=True)
-    return Dense(
-        np.array(begins, dtype=kind), np.array(lengths, dtype=kind), np.array(coefficients)
-    )
+    begins, ends, coefficients = zip(*log.dense, strict=True)
+    return Dense(np.array(begins, dtype=kind), np.array(ends, dtype=kind), np.array(coefficients))
 
 
 # outcomes of a heyoka step: below these lie failures, above them events
