@@ -148,8 +148,10 @@ def write(dataset: xr.Dataset, path: str | Path, force: bool = False) -> Path:
     """
     target = Path(path)
     check_target(target, force)
+    # by way of memory, since HDF5 may bring the process down when a disk is full
+    content = dataset.to_netcdf(engine="h5netcdf")
     with completed(target) as temporary:
-        dataset.to_netcdf(temporary, engine="h5netcdf")
+        temporary.write_bytes(content)
     return target
 
 
