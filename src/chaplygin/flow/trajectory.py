@@ -500,12 +500,7 @@ class _Run:
         rows = call(self.code.outputs, columns, pars)
         recorded: dict[str, Any] = {}
         first = 0
-        for name, value in (
-            *((item.name, item.value) for item in self.system.observables),
-            *((f"law_{law.name}", law.value) for law in self.system.laws),
-        ):
-            shape = explicit(value)
-            width = len(shape) if isinstance(shape, sp.MatrixBase) else 0
+        for name, width in _layout(self.system):
             block = rows[first : first + max(width, 1)]
             recorded[name] = block.T if width else block[0]
             first += max(width, 1)
@@ -519,6 +514,19 @@ class _Run:
             statistics,
             _dense(log, self.kind),
         )
+
+
+@lru_cache(maxsize=32)
+def _layout(system: System) -> list[tuple[str, int]]:
+    """Names of what is recorded, with the number of components; 0 for a scalar."""
+    recorded = [
+        *((item.name, item.value) for item in system.observables),
+        *((f"law_{law.name}", law.value) for law in system.laws),
+    ]
+    shapes = [(name, explicit(value)) for name, value in recorded]
+    return [
+        (name, len(shape) if isinstance(shape, sp.MatrixBase) else 0) for name, shape in shapes
+    ]
 
 
 @lru_cache(maxsize=32)
