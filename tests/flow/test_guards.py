@@ -303,6 +303,21 @@ def test_an_ellipsoid_rolls_on_to_where_the_bowl_is_too_narrow():
     assert max(radii) == pytest.approx(2.0, abs=1e-4)
 
 
+def test_a_guard_may_be_the_same_in_every_state():
+    """A ball given by its support function is convex everywhere; its second guard is watched."""
+    u = sp.Symbol("gamma_3", real=True)
+    inertia, start = (0.08, 0.1, 0.13), ((0.3, -0.4, 0.2), (0.36, -0.48, 0.8))
+    shapes = Ball(RADIUS), Revolution(sp.Rational(1, 2) + 0 * u)
+    ends = []
+    for shape in shapes:
+        system = roll(Body(1.0, inertia, shape), Sphere(DOME), field=Field(G))
+        state = starting_state(system, *start, normal=(np.sin(TILT), 0.0, np.cos(TILT)))
+        ends.append(integrate(system, state, [0.0, 5.0]))
+    one, other = ends
+    assert one.happenings[0].guard.name == other.happenings[0].guard.name == "contact"
+    assert one.times[-1] == pytest.approx(other.times[-1], abs=1e-13)
+
+
 @pytest.mark.parametrize(
     ("shape", "surface", "gamma", "message"),
     [

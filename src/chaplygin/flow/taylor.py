@@ -35,12 +35,14 @@ class Compiled:
     Attributes
     ----------
     integrator : heyoka.taylor_adaptive
-        State of the core, then of the motion; one terminal event per guard.
+        State of the core, then of the motion; a terminal event for each of `watched`.
     outputs : heyoka.cfunc
         Observables, laws and guards at a state.
     core, lift, laws : tuple of Block
         The relations of the reduced state, of its lift to space, and the integrals; at most one
         block each.
+    watched : tuple of int
+        Guards that can change during a motion; others are the same in every state.
     found : bool
         Whether the code came from the cache.
     """
@@ -50,6 +52,7 @@ class Compiled:
     core: tuple[Block, ...]
     lift: tuple[Block, ...]
     laws: tuple[Block, ...]
+    watched: tuple[int, ...]
     found: bool = False
 
 
@@ -110,9 +113,9 @@ class _Plan:
             "forward": hy.event_direction.negative,
             "backward": hy.event_direction.positive,
         }[self.direction]
-        events = [
-            hy_event(kind)(translate(guard.value), direction=falling) for guard in system.guards
-        ]
+        guards = translate.all([guard.value for guard in system.guards])
+        watched = tuple(i for i, guard in enumerate(guards) if hy.get_variables(guard))
+        events = [hy_event(kind)(guards[i], direction=falling) for i in watched]
         integrator = hy.taylor_adaptive(
             list(zip(variables, translate.all(system.rates), strict=True)),
             [kind(1)] * len(variables),
@@ -139,6 +142,7 @@ class _Plan:
             constrain(core, slice(0, size), kind),
             constrain(lift, slice(size, None), kind),
             constrain(laws, slice(0, size), kind),
+            watched,
         )
 
 
@@ -205,8 +209,6 @@ def compile_system(
 
 
 @lru_cache(maxsize=32)
-def _plan(
-    system: System, tolerance: float, precision: Precision, direction: Direction
-) -> _Plan:
+def _plan(system: System, tolerance: float, precision: Precision, direction: Direction) -> _Plan:
     """The plan of a system, kept because its name takes longer to find than code to fetch."""
     return _Plan(system, tolerance, precision, direction)

@@ -438,7 +438,7 @@ class _Run:
 
     def _passed(self, code: int, now: Any, log: _Log, on_liftoff: str) -> bool:
         """Note that a guard was passed; return whether to go on."""
-        guard = self.system.guards[-code - 1 if code < 0 else code]
+        guard = self.system.guards[self.code.watched[-code - 1 if code < 0 else code]]
         go_on = guard.lift_off and on_liftoff == "warn"
         log.happenings.append(Happening(float(now), guard, not go_on))
         if not go_on and now != log.times[-1]:
@@ -524,9 +524,7 @@ def _layout(system: System) -> list[tuple[str, int]]:
         *((f"law_{law.name}", law.value) for law in system.laws),
     ]
     shapes = [(name, explicit(value)) for name, value in recorded]
-    return [
-        (name, len(shape) if isinstance(shape, sp.MatrixBase) else 0) for name, shape in shapes
-    ]
+    return [(name, len(shape) if isinstance(shape, sp.MatrixBase) else 0) for name, shape in shapes]
 
 
 @lru_cache(maxsize=32)
