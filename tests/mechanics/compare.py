@@ -201,8 +201,7 @@ def told_by_package(trajectory: Trajectory) -> dict[str, np.ndarray]:
     told = {name: np.asarray(values, float) for name, values in trajectory.recorded.items()}
     told |= {str(name): np.asarray(trajectory[str(name)]) for name in trajectory.system.state}
     told["energy"] = told.pop("law_energy")
-    momentum = told.pop("M", None)
-    return told if momentum is None else told | {"momentum": momentum}
+    return told
 
 
 def told_by_reference(case: Case, motion: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
@@ -221,7 +220,7 @@ def told_by_reference(case: Case, motion: Mapping[str, np.ndarray]) -> dict[str,
         "place": motion["centre"][:, :2],
         "zeta": turns[:, 2, :],
         "r": r,
-        "momentum": omega @ np.asarray(case.body.inertia) + orbital,
+        "M": omega @ np.asarray(case.body.inertia) + orbital,
         "normal_force": motion["normal_force"],
         "friction_force": force - motion["normal_force"][:, None] * gamma,
         "spin_torque": motion["spin_torque"],
@@ -320,7 +319,7 @@ def instant_of_reference(case: Case, system: System, state: Sequence[Any]) -> di
         "rate of attitude": rates[reference.Q],
         "rate of place": y[reference.V][:2],
         "omega": omega,
-        "momentum": tensor @ omega + mass * np.cross(r, np.cross(omega, r)),
+        "M": tensor @ omega + mass * np.cross(r, np.cross(omega, r)),
         "gamma": gamma,
         "attitude": y[reference.Q],
         "centre": y[reference.X],

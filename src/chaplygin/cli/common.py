@@ -77,7 +77,7 @@ def study_of(what: str, overrides: list[str] | None, precision: str | None = Non
     if precision is not None:
         options.append(f"run.precision={precision}")
     path = Path(what)
-    if path.suffix == ".toml" or path.exists() or len(path.parts) > 1:
+    if path.suffix == ".toml" or path.is_file() or len(path.parts) > 1:
         experiment = load(path, options)
     else:
         experiment = loads(f'[system]\nname = "{entry(what).name}"\n', what, options)

@@ -26,9 +26,9 @@ def command(
     from ..study.folder import check_folder, write_study
     from ..study.summary import summary, summary_text
 
+    study = study_of(what, overrides, precision)
     folder = output or Path(Path(what).stem)
     check_folder(folder, force)
-    study = study_of(what, overrides, precision)
     with progress(study.system.title) as update:
         trajectory, failure = write_study(study, folder, force, update)
     result = summary(trajectory)
