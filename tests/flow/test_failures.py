@@ -70,9 +70,19 @@ def test_a_guard_that_vanishes_at_the_singularity_is_what_happened():
     assert happening.time == motion.times[-1] == pytest.approx(1.0, abs=1e-10)
 
 
-def test_a_guard_that_does_not_vanish_is_not_blamed():
-    ended = scalar(x**2, guards=(Guard("large", x, "x has come to zero"),))
-    assert failure(ended, [1], [0.0, 2.0]).reason.startswith("scalar: the step size collapsed")
+@pytest.mark.parametrize(
+    "guard",
+    [
+        Guard("large", x, "it grows"),
+        Guard("left", 1 + 1 / x, "half of it is left"),
+        Guard("contact", 1 / x, "it vanishes, but the equations hold beyond", lift_off=True),
+    ],
+    ids=lambda guard: guard.name,
+)
+def test_another_guard_is_not_blamed(guard):
+    error = failure(scalar(x**2, guards=(guard,)), [1], [0.0, 2.0])
+    assert error.reason.startswith("scalar: the step size collapsed")
+    assert error.partial.happenings == ()
 
 
 def test_a_field_that_is_no_number_at_the_start():

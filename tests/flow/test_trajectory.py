@@ -434,6 +434,30 @@ def test_one_system_can_be_integrated_from_many_starts():
     assert first.states.tolist() == again.states.tolist()
 
 
+def test_a_run_within_a_run():
+    """The compiled code is shared, the state of a run is its own."""
+    system, start = example("chaplygin-ball")
+    alone = integrate(system, start, [0.0, 100.0])
+    inner = []
+
+    def disturb(_: float) -> None:
+        inner.append(integrate(system, start, [5.0, -5.0], parameters={m: 2.0}))
+
+    m = sp.Symbol("m", real=True)
+    assert integrate(system, start, [0.0, 100.0], progress=disturb).states.tolist() == (
+        alone.states.tolist()
+    )
+    assert len(inner) > 1
+    assert inner[0].states.tolist() == inner[-1].states.tolist()
+
+    def disturb_alike(_: float) -> None:
+        integrate(system, start, [0.0, 5.0], parameters={m: 2.0})
+
+    assert integrate(system, start, [0.0, 100.0], progress=disturb_alike).states.tolist() == (
+        alone.states.tolist()
+    )
+
+
 def test_a_system_without_anything_recorded():
     (u,) = vectors("u")
     bare = System(name="bare", title="Bare", field={u: -u})
