@@ -8,7 +8,7 @@ SOURCES := pyproject.toml constraints.txt scripts/setup.sh
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help demo test check lint types format bench clean
+.PHONY: help demo test check lint types format pictures bench clean
 
 # A virtual environment knows its own address: in a folder that was moved or copied it is made anew.
 ifneq ($(shell cat $(VENV)/address 2>/dev/null),$(CURDIR))
@@ -40,6 +40,11 @@ types: $(VENV)/dev ## check types alone
 format: $(VENV)/dev ## put the code in its format and mend what can be mended
 	@$(BIN)/python -m ruff check --fix-only .
 	@$(BIN)/python -m ruff format .
+
+pictures: $(VENV)/core ## draw the pictures of the README again
+	@set -e; for name in rattleback coin ball_in_a_bowl; do \
+	  $(BIN)/chaplygin study examples/$$name.toml -o build/$$name --force; \
+	  cp build/$$name/figures/scene.png docs/pictures/$$name.png; done
 
 bench: $(VENV)/dev ## run the benchmarks
 	@set -e; for file in benchmarks/bench_*.py; do \
