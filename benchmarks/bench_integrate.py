@@ -81,10 +81,10 @@ def measure(name: str, until: float, turns: int) -> list[dict[str, object]]:
         chosen = {key: loosest(method, exact, target) for key, method in candidates.items()}
         times: dict[str, list[float]] = {key: [] for key, found in chosen.items() if found}
         for _ in range(turns):
-            for key in times:
+            for key, taken in times.items():
                 began = time.perf_counter()
                 candidates[key](chosen[key][0])
-                times[key].append(time.perf_counter() - began)
+                taken.append(time.perf_counter() - began)
         own = statistics.median(times["chaplygin"])
         for key, found in chosen.items():
             row: dict[str, object] = {"system": name, "until": until, "target": target}

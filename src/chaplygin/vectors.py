@@ -74,6 +74,7 @@ class Vector(sp.MatrixSymbol):
     """
 
     def __new__(cls, name: str | Str, size: int = 3, *_: Any) -> Vector:
+        """Make the symbol; SymPy rebuilds expressions through here."""
         made: Vector = sp.Basic.__new__(cls, Str(str(name)), sp.Integer(size), sp.S.One)
         return made
 
@@ -152,6 +153,7 @@ class Cross(MatrixExpr):
     shape = (sp.Integer(3), sp.S.One)
 
     def __new__(cls, left: MatrixExpr, right: MatrixExpr) -> Cross:
+        """Make the node as it stands, without evaluation."""
         made: Cross = sp.Basic.__new__(cls, left, right)
         return made
 
@@ -171,6 +173,7 @@ class Dot(sp.Expr):
     precedence = PRECEDENCE["Atom"]
 
     def __new__(cls, left: MatrixExpr, right: MatrixExpr) -> Dot:
+        """Make the node as it stands, without evaluation."""
         made: Dot = sp.Basic.__new__(cls, left, right)
         return made
 
@@ -187,6 +190,7 @@ class Gradient(MatrixExpr):
     shape = (sp.Integer(3), sp.S.One)
 
     def __new__(cls, value: Scalar, variable: Vector, name: sp.Symbol) -> Gradient:
+        """Make the node as it stands, without evaluation."""
         made: Gradient = sp.Basic.__new__(cls, value, variable, name)
         return made
 
@@ -263,9 +267,9 @@ def dot(left: MatrixExpr, right: MatrixExpr) -> Scalar:
     ends = []
     for side in (left, right):
         parts = _parts(side)
-        if len(parts) == 1:
-            factor, side = factor * parts[0][0], parts[0][1]
-        ends.append(side)
+        share, end = parts[0] if len(parts) == 1 else (sp.S.One, side)
+        factor = factor * share
+        ends.append(end)
     return factor * Dot(*ends)
 
 
@@ -318,7 +322,7 @@ def _explicit_dot(product: Dot) -> Scalar:
     return sp.Add(*(a * b for a, b in zip(left, right, strict=True)))
 
 
-def _explicit_matrix(expression: MatrixExpr) -> Components:  # noqa: PLR0911
+def _explicit_matrix(expression: MatrixExpr) -> Components:
     match expression:
         case Vector():
             return Components(expression.symbols)

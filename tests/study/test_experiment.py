@@ -252,7 +252,11 @@ def test_sentence_of_the_triangle_inequality() -> None:
         ("1e-15", "1e-31", "run.tolerance: must be a number from 1e-30 to 0.001, not 1e-31"),
         ("1e-15", "0.1", "run.tolerance: must be a number from 1e-30 to 0.001, not 0.1"),
         ("1e-15", "1e-17", 'run.tolerance: 1e-17 needs run.precision = "quad"'),
-        ("[run]", "[rum]", "line 24, rum: unknown key, did you mean 'run'? allowed: title, body, surf"),
+        (
+            "[run]",
+            "[rum]",
+            "line 24, rum: unknown key, did you mean 'run'? allowed: title, body, surf",
+        ),
         ("[start]", "[starts]", "body.toml, start: missing; it must be a table [start] with gam"),
         ("[start]", "[[start]]", "line 20, start: must be a table [start] with gamma and omega,"),
         ("mass = 1.0", "mass 1.0", "body.toml, line 2: not valid TOML: Expected '=' after a key"),

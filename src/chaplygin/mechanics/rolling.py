@@ -15,7 +15,7 @@ What depends on shape and surface is kinematics, kept in :mod:`chaplygin.mechani
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -37,7 +37,6 @@ from ..vectors import (
     gradient,
     identity,
     normed,
-    outer,
     scalar,
     zero,
 )
@@ -50,7 +49,8 @@ from .attitude import (
     unit_length,
 )
 from .body import Body
-from .contact import Contact, contact as contact_of
+from .contact import Contact
+from .contact import contact as contact_of
 from .shapes import check_values
 from .surfaces import Plane, Surface
 
@@ -98,7 +98,7 @@ class Rolling:
     body: Body
     surface: Surface = Plane()  # noqa: RUF009  (immutable)
     contact: Model = "marble"
-    field: Field = Field()  # noqa: RUF009  (immutable)
+    field: Field = Field()
 
     def system(self, name: str = "rolling-body", title: str = "Rolling body") -> System:
         """The equations of motion; see :func:`roll`."""
@@ -125,7 +125,7 @@ def roll(
     body: Body,
     surface: Surface = Plane(),  # noqa: B008  (immutable)
     contact: Model = "marble",
-    field: Field = Field(),  # noqa: B008  (immutable)
+    field: Field = Field(),
     name: str = "rolling-body",
     title: str = "Rolling body",
 ) -> System:
@@ -313,9 +313,7 @@ def _rubber(balance: _Balance, surface: Surface, name: str, title: str) -> Syste
         contact_law="with neither slipping nor spinning (rubber contact)",
         observables=(
             Observable("M", M, "angular momentum about the contact point", "kg m^2/s", "body"),
-            Observable(
-                "spin_torque", lambda_0, "torque about the normal", "N m", source="(1.19)"
-            ),
+            Observable("spin_torque", lambda_0, "torque about the normal", "N m", source="(1.19)"),
         ),
         source="(1.18), (1.23)",
     )
@@ -373,9 +371,7 @@ def _finish(
     definitions += ((N, m * acceleration - balance.force),)
     guards = touch.guards
     if balance.force != zero:
-        guards += (
-            Guard("contact", dot(N, gamma), "the normal force changes sign", lift_off=True),
-        )
+        guards += (Guard("contact", dot(N, gamma), "the normal force changes sign", lift_off=True),)
     if balance.vertical is zeta and balance.force != zero:
         field += ((zeta, cross(zeta, omega)),)
         relations += (normed(zeta) - 1,)
@@ -388,15 +384,11 @@ def _finish(
         parameters=balance.parameters,
         definitions=definitions,
         relations=relations,
-        laws=(
-            Integral("energy", kinetic + balance.energy, "energy", source="(3.3), Theorem 1"),
-        ),
+        laws=(Integral("energy", kinetic + balance.energy, "energy", source="(3.3), Theorem 1"),),
         observables=(
             *(item for item in (*observables, normal) if item.value not in shown),
             Observable("normal_force", dot(N, gamma), "normal force", "N"),
-            Observable(
-                "friction_force", N - dot(N, gamma) * gamma, "friction force", "N", "body"
-            ),
+            Observable("friction_force", N - dot(N, gamma) * gamma, "friction force", "N", "body"),
         ),
         guards=guards,
         motion=_motion(balance, surface),

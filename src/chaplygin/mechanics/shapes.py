@@ -125,7 +125,6 @@ class _Centred:
         )
 
 
-
 @dataclass(frozen=True)
 class Ball(_Centred):
     """A ball of the given radius; a hollow one rolls with its inner surface around a sphere.
@@ -175,9 +174,7 @@ def _tensor_map(
         reach=-tube * gamma - Bg / s,
         spread=lambda u: tube * u + B * u / s - (dot(Bg, u) / s**3) * Bg,
         trace=2 * tube + trace / s - normed(Bg) / s**3,
-        determinant=tube**2
-        + tube * (trace / s - normed(Bg) / s**3)
-        + determinant / s**4,
+        determinant=tube**2 + tube * (trace / s - normed(Bg) / s**3) + determinant / s**4,
         support=tube + s,
         guards=guards,
     )
@@ -248,7 +245,13 @@ def _rim(radius: float, tube: sp.Expr, parameters: tuple[Parameter, ...], what: 
         tube,
         (_length(R, f"radius of the {what}", radius), *parameters),
         ((B, R**2 * explicit(across)),),
-        (Guard("flat", lean - sp.Rational(str(FLAT)) ** 2, f"the body lies flat (tilt below {FLAT:g} rad)"),),
+        (
+            Guard(
+                "flat",
+                lean - sp.Rational(str(FLAT)) ** 2,
+                f"the body lies flat (tilt below {FLAT:g} rad)",
+            ),
+        ),
     )
 
 
@@ -367,7 +370,9 @@ class Revolution(_Centred):
         table = dict(values or {})
         for cosine in (sp.Rational(n, 17) for n in (-16, -9, -2, 5, 12)):
             number = sp.N(defect.subs({**table, u: cosine}))
-            if number.free_symbols or abs(number) > 1e-9 * (1 + abs(sp.N(chi_1.subs({**table, u: cosine})))):
+            if number.free_symbols or abs(number) > 1e-9 * (
+                1 + abs(sp.N(chi_1.subs({**table, u: cosine})))
+            ):
                 raise InputError(
                     f"profile chi_1 = {chi_1}, chi_2 = {chi_2}: the surface has no normal -gamma, "
                     f"since -gamma_3 chi_1 + (1 - gamma_3^2) chi_1' + gamma_3 chi_2' is {number} "
@@ -443,7 +448,9 @@ class Implicit(_Centred):
                 f"surface {self.surface} = 0: {', '.join(sorted(map(str, unknown)))} is not known; "
                 "it may use x, y, z and the parameters of the shape"
             )
-        inside = sp.N(self.surface.subs({**dict(self.values), **dict.fromkeys(self.coordinates, 0)}))
+        inside = sp.N(
+            self.surface.subs({**dict(self.values), **dict.fromkeys(self.coordinates, 0)})
+        )
         if not (inside.is_real and inside < 0):
             raise InputError(
                 f"surface {self.surface} = 0: the left side is {inside} at the geometric centre "

@@ -30,7 +30,7 @@ omega, gamma, zeta, r = Vector("omega"), Vector("gamma"), Vector("zeta"), Vector
 place = Vector("place", 2)
 
 
-def starting_state(  # noqa: PLR0913
+def starting_state(
     system: System,
     omega: Sequence[float],
     gamma: Sequence[float],
@@ -178,8 +178,10 @@ def _cross(u: list[Any], v: list[Any]) -> list[Any]:
 def _times(p: list[Any], q: list[Any]) -> list[Any]:
     scalar = p[0] * q[0] - sum(x * y for x, y in zip(p[1:], q[1:], strict=True))
     vector = _cross(p[1:], q[1:])
-    return [scalar, *(p[0] * y + q[0] * x + z for x, y, z in
-                      zip(p[1:], q[1:], vector, strict=True))]
+    return [
+        scalar,
+        *(p[0] * y + q[0] * x + z for x, y, z in zip(p[1:], q[1:], vector, strict=True)),
+    ]
 
 
 def _third_row(turn: list[Any]) -> list[Any]:

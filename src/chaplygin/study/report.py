@@ -141,5 +141,3 @@ def _facts(study: Study, trajectory: Trajectory) -> list[tuple[str, str]]:
         ("corrections", f"{statistics.corrections} returns to the phase space at rounding level"),
         ("integrals", "kept by projection" if run.keep_integrals else "left free, as a check"),
     ]
-
-

@@ -108,9 +108,7 @@ def _nearest(name: str, known: Iterable[str]) -> str:
     return f" (did you mean {close[0]!r}?)" if close else ""
 
 
-def known_laws(
-    entries: Iterable[Entry], rolling: Rolling, system: System
-) -> tuple[Integral, ...]:
+def known_laws(entries: Iterable[Entry], rolling: Rolling, system: System) -> tuple[Integral, ...]:
     """The integrals that some entries know of a rolling body, each once."""
     found: dict[str, Integral] = {}
     for item in entries:

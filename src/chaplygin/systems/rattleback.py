@@ -10,9 +10,7 @@ from .entry import Entry, Numbers, Start
 
 def build(p: Numbers) -> Rolling:
     """A heavy ellipsoid, turned by δ about the axis on which its centre of mass lies."""
-    shape = Ellipsoid(
-        (p["b_1"], p["b_2"], p["b_3"]), turn=p["delta"], centre=(0.0, 0.0, p["c_3"])
-    )
+    shape = Ellipsoid((p["b_1"], p["b_2"], p["b_3"]), turn=p["delta"], centre=(0.0, 0.0, p["c_3"]))
     body = Body(p["m"], (p["I_1"], p["I_2"], p["I_3"]), shape)
     return Rolling(body, field=Field(p["g"]))
 
@@ -39,6 +37,10 @@ ENTRIES = (
             "g": 9.81,
         },
         build=build,
-        start=Start(omega=(0.0, 0.0, -5.0), gamma=(-0.008726535498373935, 0.008726203218641756, 0.9999238475781955), until=8.0),
+        start=Start(
+            omega=(0.0, 0.0, -5.0),
+            gamma=(-0.008726535498373935, 0.008726203218641756, 0.9999238475781955),
+            until=8.0,
+        ),
     ),
 )
