@@ -93,6 +93,8 @@ def to_dataset(trajectory: Trajectory, attributes: Mapping[str, Any] | None = No
             f"{s} = {_shown(v)}" for s, v in zip(system.symbols, trajectory.states[0], strict=True)
         ),
         "happenings": "\n".join(map(str, trajectory.happenings)),
+        "tolerance": statistics.tolerance,
+        "precision": statistics.precision,
         "integrator": f"Taylor series of order {statistics.order}, {statistics.steps} steps",
         "versions": ", ".join(
             f"{name} {version(name)}" for name in ("chaplygin", "heyoka", "numpy", "sympy")

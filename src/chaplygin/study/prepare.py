@@ -159,8 +159,6 @@ def dataset_of(study: Study, trajectory: Trajectory, complete: bool = True) -> x
         trajectory,
         {
             "experiment": study.complete_toml(),
-            "tolerance": study.experiment.run.tolerance,
-            "precision": study.experiment.run.precision,
             "complete": int(complete),
         },
     )

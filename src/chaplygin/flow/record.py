@@ -1,0 +1,135 @@
+"""What a run leaves behind: states, observables, happenings, the continuous trajectory."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from ..errors import InputError
+from ..system import Guard, System
+
+__all__ = ["Dense", "Happening", "Statistics", "Trajectory"]
+
+
+@dataclass(frozen=True)
+class Happening:
+    """A guard that was passed: what happened, and when."""
+
+    time: float
+    guard: Guard
+    stopped: bool
+
+    def __str__(self) -> str:
+        end = "the run ends there" if self.stopped else "the run goes on"
+        return f"t = {self.time:.17g}: {self.guard.happening}; {end}"
+
+
+@dataclass(frozen=True)
+class Statistics:
+    """How a trajectory was computed."""
+
+    steps: int
+    order: int
+    tolerance: float
+    precision: str
+    corrections: int
+    seconds: float
+    from_cache: bool
+
+
+@dataclass(frozen=True)
+class Dense:
+    """A continuous trajectory: the Taylor polynomials of all steps.
+
+    Calling it with times inside `span` gives states, shape (times, state).
+
+    Attributes
+    ----------
+    begins, ends : array (steps,)
+        Where each step begins and ends.
+    coefficients : array (steps, state, order + 1)
+        Of the powers of the time since the step began.
+    """
+
+    begins: Any
+    ends: Any
+    coefficients: Any
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """The two ends of the covered interval of time, in the direction of integration."""
+        return float(self.begins[0]), float(self.ends[-1])
+
+    def __call__(self, times: Any) -> Any:
+        """States (times, state) at `times`; InputError outside the computed interval."""
+        wanted = np.atleast_1d(np.asarray(times, dtype=float))
+        low, high = sorted(self.span)
+        if np.any(wanted < low) or np.any(wanted > high):
+            raise InputError(f"time outside the computed interval from {low:g} to {high:g}")
+        sign = 1.0 if self.ends[0] > self.begins[0] else -1.0
+        begins = sign * self.begins.astype(float)
+        index = np.clip(np.searchsorted(begins, sign * wanted, side="right") - 1, 0, None)
+        step = wanted - self.begins[index]
+        value = self.coefficients[index, :, -1]
+        for order in range(self.coefficients.shape[2] - 2, -1, -1):
+            value = value * step[:, None] + self.coefficients[index, :, order]
+        return value
+
+
+@dataclass(frozen=True)
+class Trajectory:
+    """States and observables of a system along one motion.
+
+    Attributes
+    ----------
+    system : System
+        Lifted to space where it has a motion.
+    parameters : mapping of Symbol to number
+    times : array (n,)
+    states : array (n, size)
+        In the flat order of ``system.symbols``; 34-digit numbers at precision "quad".
+    recorded : mapping of str to array
+        Observables by name, (n,) or (n, components), and ``law_<name>`` for every integral.
+    happenings : tuple of Happening
+        Guards passed on the way, in order.
+    statistics : Statistics
+    dense : Dense or None
+        The continuous trajectory, when it was asked for.
+    """
+
+    system: System
+    parameters: Mapping[sp.Symbol, Any]
+    times: Any
+    states: Any
+    recorded: Mapping[str, Any]
+    happenings: tuple[Happening, ...]
+    statistics: Statistics
+    dense: Dense | None = None
+
+    def __getitem__(self, name: str) -> Any:
+        """A state variable or an observable by name."""
+        if name in self.recorded:
+            return self.recorded[name]
+        first = 0
+        for variable in self.system.state:
+            width = 1 if isinstance(variable, sp.Symbol) else len(variable.symbols)
+            if str(variable) == name:
+                block = self.states[:, first : first + width]
+                return block[:, 0] if isinstance(variable, sp.Symbol) else block
+            first += width
+        raise KeyError(name)
+
+    def thinned(self, pieces: int) -> Trajectory:
+        """Every `pieces`-th sample, and the last one."""
+        last = len(self.times) - 1
+        kept = [*range(0, last, pieces), last]
+        return replace(
+            self,
+            times=self.times[kept],
+            states=self.states[kept],
+            recorded={name: values[kept] for name, values in self.recorded.items()},
+        )
