@@ -26,6 +26,8 @@ class Integral:
         empty when it holds everywhere.
     source : str
         Where it is stated, such as ``"(7.2)"``.
+    unit : str
+        SI unit of its value.
     """
 
     name: str
@@ -33,3 +35,4 @@ class Integral:
     meaning: str
     on: tuple[sp.Expr, ...] = field(default=())
     source: str = ""
+    unit: str = ""

@@ -368,7 +368,9 @@ def _guards(case: Case, gamma: np.ndarray) -> dict[str, np.ndarray]:
     implicit = case.shape_table["kind"] == "implicit"
     guards = {
         "guard flat": np.array([gamma[0] ** 2 + gamma[1] ** 2 - 1e-12]),
-        "guard convex": np.array([1 / product if implicit else product]),
+        "guard convex": np.array(
+            [1 / product, 1 / first + 1 / second] if implicit else [product, first + second]
+        ),
     }
     if isinstance(case.surface, reference.Sphere):
         a = case.surface.radius

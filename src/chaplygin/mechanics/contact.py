@@ -33,6 +33,7 @@ from .shapes import (
     GaussMap,
     Implicit,
     Shape,
+    convexity,
 )
 from .surfaces import Plane, Sphere, Surface
 
@@ -236,13 +237,13 @@ def _through_surface(shape: Implicit, surface: Surface) -> Contact:
         rate = gammadot
         pull = lambda force: force - solve(force - dot(gamma, force) * gamma) / a  # noqa: E731
         guards = _fits(area * a**2, mean + 2 / a)
-    convex = Guard("convex", gauss, "the contact leaves the convex part of the body")
+    convex = convexity(gauss, mean)
     return Contact(
         state=((r, rdot),),
         relations=(_on_surface(f, x, shape),),
         parameters=shape.parameters + shape.offset_parameters + _sphere_parameters(surface),
         definitions=definitions,
-        guards=(convex, *guards),
+        guards=(*convex, *guards),
         r=r,
         rdot=rdot,
         gammadot=rate,

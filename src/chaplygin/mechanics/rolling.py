@@ -384,11 +384,17 @@ def _finish(
         parameters=balance.parameters,
         definitions=definitions,
         relations=relations,
-        laws=(Integral("energy", kinetic + balance.energy, "energy", source="(3.3), Theorem 1"),),
+        laws=(
+            Integral(
+                "energy", kinetic + balance.energy, "energy", source="(3.3), Theorem 1", unit="J"
+            ),
+        ),
         observables=(
             *(item for item in (*observables, normal) if item.value not in shown),
-            Observable("normal_force", dot(N, gamma), "normal force", "N"),
-            Observable("friction_force", N - dot(N, gamma) * gamma, "friction force", "N", "body"),
+            Observable("normal_force", dot(N, gamma), "normal force", "N", source="(1.17)"),
+            Observable(
+                "friction_force", N - dot(N, gamma) * gamma, "friction force", "N", "body", "(1.17)"
+            ),
         ),
         guards=guards,
         motion=_motion(balance, surface),
@@ -432,7 +438,7 @@ def _motion(balance: _Balance, surface: Surface) -> Motion:
         relations=relations,
         observables=(
             attitude_observable(),
-            Observable("centre", centre, "centre of mass", "m", "space"),
-            Observable("contact", point, "contact point", "m", "space"),
+            Observable("centre", centre, "centre of mass", "m", "space", "(1.17)"),
+            Observable("contact", point, "contact point", "m", "space", "(1.14)"),
         ),
     )

@@ -81,6 +81,12 @@ class GaussMap:
     guards: tuple[Guard, ...] = ()
 
 
+def convexity(product: sp.Expr, total: sp.Expr) -> tuple[Guard, Guard]:
+    """Product and sum of the principal curvatures, up to positive factors: both are positive."""
+    happening = "the contact leaves the convex part of the body"
+    return Guard("convex", product, happening), Guard("convex", total, happening)
+
+
 def _length(symbol: sp.Symbol, meaning: str, value: float) -> Parameter:
     return Parameter(symbol, meaning, value, "m", (symbol > 0,))
 
@@ -405,13 +411,7 @@ class Revolution(_Centred):
             trace=parallel + meridian,
             determinant=parallel * meridian,
             support=p,
-            guards=(
-                Guard(
-                    "convex",
-                    parallel * meridian,
-                    "the contact leaves the convex part of the body",
-                ),
-            ),
+            guards=convexity(parallel * meridian, parallel + meridian),
         )
 
 

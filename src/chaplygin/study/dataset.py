@@ -64,8 +64,7 @@ def to_dataset(trajectory: Trajectory, attributes: Mapping[str, Any] | None = No
         _add(variables, item.name, values, item.frame, item.meaning, item.unit, item.source)
     for law in system.laws:
         label = f"law_{law.name}"
-        units = "J" if law.name == "energy" else ""
-        _add(variables, label, trajectory.recorded[label], "", law.meaning, units, law.source)
+        _add(variables, label, trajectory.recorded[label], "", law.meaning, law.unit, law.source)
     for part in ("", "_low"):
         if f"law_energy{part}" in variables:
             variables[f"energy{part}"] = variables[f"law_energy{part}"]

@@ -104,6 +104,9 @@ class Study:
         tables = self.experiment.model_dump()
         tables["start"] |= {"omega": self.omega, "gamma": self.gamma}
         tables["run"] |= {"until": self.until}
+        if isinstance(self.experiment, SystemExperiment):
+            table = self.experiment.system
+            tables["system"]["parameters"] = entry(table.name).numbers(table.parameters)
         return type(self.experiment).model_validate(tables).toml()
 
     def trajectory(
@@ -189,7 +192,8 @@ def prepare(experiment: Experiment) -> Study:
     if isinstance(experiment, SystemExperiment):
         return _from_catalogue(experiment)
     rolling = _rolling(experiment)
-    system = rolling.system("experiment", experiment.title or _title(rolling))
+    with _at(experiment, "body"):
+        system = rolling.system("experiment", experiment.title or _title(rolling))
     system = system.with_laws(*known_laws_of(rolling, system))
     start = experiment.start
     return Study(experiment, system, rolling, start.omega, start.gamma, experiment.run.until)

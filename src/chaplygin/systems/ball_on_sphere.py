@@ -48,7 +48,11 @@ def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
         return ()
     rotors = any(rolling.body.gyrostat)
     total = M + k_rotors if rotors else M + zero
-    found = [Integral("momentum", normed(total), "square of the momentum", source="(8.2)")]
+    found = [
+        Integral(
+            "momentum", normed(total), "square of the momentum", source="(8.2)", unit="kg^2 m^4/s^2"
+        )
+    ]
     if abs(value + 1) < 1e-12 and rolling.body.principal and not rotors:
         half = (sp.Add(*I.symbols) + m * R**2) / 2
         tensor = constant(sp.diag(*(half - moment for moment in I.symbols)))
@@ -59,6 +63,7 @@ def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
                 "linear integral of the case k = −1",
                 on=(k + 1,),
                 source="(8.3)",
+                unit="kg^2 m^4/s",
             )
         )
     return tuple(found)

@@ -27,15 +27,29 @@ def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
     if not (balanced and rolling.surface == Plane() and rolling.contact == "marble"):
         return ()
     total = M + k if any(body.gyrostat) else M + zero
-    found = [Integral("area", dot(total, gamma), "area integral", source="(7.2)")]
+    found = [Integral("area", dot(total, gamma), "area integral", source="(7.2)", unit="kg m^2/s")]
     potential = rolling.field.potential
     if potential == 0:
-        found.append(Integral("momentum", normed(total), "square of the momentum", source="(7.4)"))
+        found.append(
+            Integral(
+                "momentum",
+                normed(total),
+                "square of the momentum",
+                source="(7.4)",
+                unit="kg^2 m^4/s^2",
+            )
+        )
     elif body.principal and total == M and (factor := bruns_factor(potential)) is not None:
         J_1, J_2, J_3 = J.symbols
         value = normed(M) - factor * J_1 * J_2 * J_3 * dot(gamma, A * gamma)
         found.append(
-            Integral("momentum", value, "square of the momentum, Bruns field", source="Remark 20")
+            Integral(
+                "momentum",
+                value,
+                "square of the momentum, Bruns field",
+                source="Remark 20",
+                unit="kg^2 m^4/s^2",
+            )
         )
     return tuple(found)
 

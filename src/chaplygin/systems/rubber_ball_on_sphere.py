@@ -38,7 +38,9 @@ def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
     spread = J_1 * J_2 * J_3 * dot(omega, J * omega) * normed(A * gamma)
     integral = (normed(J * omega) + spread) / dot(gamma, A * gamma)
     meaning = "quadratic integral of the case k = −1"
-    return (Integral("quadratic", integral, meaning, on=(k + 1,), source="(9.4)"),)
+    return (
+        Integral("quadratic", integral, meaning, on=(k + 1,), source="(9.4)", unit="kg^2 m^4/s^2"),
+    )
 
 
 _START = Start(omega=(0.9, -0.5, -0.35483870967741937), gamma=(0.2, -0.3, 0.93), until=60.0)

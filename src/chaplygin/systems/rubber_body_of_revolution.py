@@ -51,7 +51,15 @@ def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
     if isinstance(body.shape, Ball):
         height = dot(body.shape.offset, gamma) - R
     factor = sp.sqrt(I_1 * g_3**2 + I_3 * (1 - g_3**2) + m * height**2)
-    return (Integral("spin", factor * omega.symbols[2], "integral linear in ω", source="(5.1)"),)
+    return (
+        Integral(
+            "spin",
+            factor * omega.symbols[2],
+            "integral linear in ω",
+            source="(5.1)",
+            unit="kg^0.5 m/s",
+        ),
+    )
 
 
 ENTRIES = (

@@ -32,12 +32,20 @@ def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
     value = normed(cross(total, gamma))
     potential = rolling.field.potential
     if potential == 0:
-        return (Integral("momentum", value, "square of the horizontal momentum", source="(6.4)"),)
+        return (
+            Integral(
+                "momentum",
+                value,
+                "square of the horizontal momentum",
+                source="(6.4)",
+                unit="kg^2 m^4/s^2",
+            ),
+        )
     if body.principal and total == M and (factor := bruns_factor(potential)) is not None:
         J_1, J_2, J_3 = J.symbols
         value = value - factor * J_1 * J_2 * J_3 * dot(gamma, A * gamma)
         meaning = "square of the horizontal momentum, Bruns field"
-        return (Integral("momentum", value, meaning, source="Remark 15"),)
+        return (Integral("momentum", value, meaning, source="Remark 15", unit="kg^2 m^4/s^2"),)
     return ()
 
 

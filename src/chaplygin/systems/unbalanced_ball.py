@@ -30,7 +30,9 @@ def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
         return ()
     r = c - R * gamma + zero
     value = normed(M) - m * dot(r, r) * dot(M, omega)
-    return (Integral("quadratic", value, "quadratic integral", source="(10.3)"),)
+    return (
+        Integral("quadratic", value, "quadratic integral", source="(10.3)", unit="kg^2 m^4/s^2"),
+    )
 
 
 ENTRIES = (

@@ -30,7 +30,9 @@ def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
     if not (ball and free and rolling.surface == Plane() and rolling.contact == "rubber"):
         return ()
     value = normed(cross(M, gamma)) + 2 * m * R * dot(gamma, c) * dot(M, omega)
-    return (Integral("quadratic", value, "quadratic integral", source="(10.5)"),)
+    return (
+        Integral("quadratic", value, "quadratic integral", source="(10.5)", unit="kg^2 m^4/s^2"),
+    )
 
 
 ENTRIES = (

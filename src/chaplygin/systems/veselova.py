@@ -44,12 +44,19 @@ def build(p: Numbers) -> System:
         field={omega: A * (X + lambda_0 * gamma), gamma: cross(gamma, omega)},
         relations=(normed(gamma) - 1, dot(omega, gamma)),
         laws=(
-            Integral("energy", sp.Rational(1, 2) * dot(I * omega, omega), "energy", source="(6.2)"),
+            Integral(
+                "energy",
+                sp.Rational(1, 2) * dot(I * omega, omega),
+                "energy",
+                source="(6.2)",
+                unit="J",
+            ),
             Integral(
                 "momentum",
                 normed(cross(I * omega, gamma)),
                 "square of the horizontal momentum",
                 source="(6.4)",
+                unit="kg^2 m^4/s^2",
             ),
         ),
         observables=(
