@@ -112,7 +112,7 @@ class _Evaluation:
             return Dual(mpmath.cos(inside.value), -mpmath.sin(inside.value) * inside.rate)
         if node.func is sp.sin:
             return Dual(mpmath.sin(inside.value), mpmath.cos(inside.value) * inside.rate)
-        raise NotImplementedError(node)
+        raise TypeError(node)
 
 
 def is_rational(system: System, formulas: Iterable[Any]) -> bool:
