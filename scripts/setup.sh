@@ -86,7 +86,7 @@ fi
 
 case $wanted in
 core) what="." named="chaplygin" size="0.8 GB" ;;
-dev) what=".[dev]" named="chaplygin and the tools for work on it" size="1.1 GB" ;;
+dev) what=".[dev]" named="chaplygin and the tools for work on it" size="1.5 GB" ;;
 esac
 echo "Installing $named into $venv (Python $(version_of "$python"), $size); this happens once and takes a minute or two."
 
