@@ -33,6 +33,9 @@ from .variables import (
     with_unit,
 )
 
+_LEFT = 0.76
+"""Inches to the left of a map, for its numbers."""
+
 
 def contact_path(dataset: xr.Dataset, surface: Ground) -> Figure:
     """The path of the contact point on the surface, in the colours of time.
@@ -65,11 +68,13 @@ def contact_path(dataset: xr.Dataset, surface: Ground) -> Figure:
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(WIDTH, 4.0))
         figure.set_label(f"Path of the contact point: {title_of(dataset)}")
+        span = (samples[0], samples[-1])
         if isinstance(surface, PlaneGround):
             _path_on_plane(figure, dataset, times, points)
+            time_bar(figure, dataset, span, (_LEFT, 0.16))
         else:
             _path_on_sphere(figure, times, points, surface)
-        time_bar(figure, dataset, (samples[0], samples[-1]), (0.62, 0.16))
+            time_bar(figure, dataset, span, (0.12, 0.16))
     return figure
 
 
@@ -79,7 +84,7 @@ def _path_on_plane(
     low, high = points[:, :2].min(axis=0), points[:, :2].max(axis=0)
     extent = float(np.max(high - low))
     middle = (low + high) / 2
-    left, right, bottom, top = 0.62, 0.12, 0.86, 0.12
+    left, right, bottom, top = _LEFT, 0.12, 0.86, 0.12
     wide = WIDTH - left - right
     size = np.maximum(high - low, 0.05 * extent) if extent > NOTHING else np.array([2.0, 1.0])
     tall = float(np.clip(wide * size[1] / size[0], 1.6, 4.4))
@@ -165,7 +170,7 @@ def normal_on_sphere(dataset: xr.Dataset) -> Figure:
         timed_on_surface(sheet, curve, fractions, 1.0, 1.8, 1.0)
         mark_ends(sheet, curve, 1.0)
         fit_height(figure, sheet.axes, 4.2, 4.4)
-        time_bar(figure, dataset, (samples[0], samples[-1]), (0.62, 0.16))
+        time_bar(figure, dataset, (samples[0], samples[-1]), (0.12, 0.16))
     return figure
 
 

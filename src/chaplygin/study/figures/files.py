@@ -85,7 +85,7 @@ def svg_text(figure: Figure) -> str:
         1,
     )
     text = re.sub(r' d="[^"]*"', _rounded, text)
-    return _own_ids(re.sub(r"\n\s*", "\n", text))
+    return _own_ids(re.sub(r"\n\s*", "\n", text.strip()))
 
 
 def _rounded(path: re.Match[str]) -> str:

@@ -31,7 +31,8 @@ def on_ground(points: FloatArray, ground: Ground) -> SurfaceCurve:
 def draw_grid(sheet: Sheet, path: FloatArray, diameter: float) -> float:
     """A square grid on the plane that fades with the distance from the path."""
     near = path[:: max(1, len(path) // 150), :2]
-    fade = 0.85 * diameter
+    extent = float(np.max(np.ptp(near, axis=0)))
+    fade = max(0.85 * diameter, 0.13 * extent)
     low, high = near.min(axis=0) - fade, near.max(axis=0) + fade
     spacing = _round_number(max(0.5 * diameter, float(np.max(high - low)) / 32))
     levels = 7

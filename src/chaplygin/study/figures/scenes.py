@@ -30,8 +30,12 @@ from .sheet import Sheet, blank_axes, fit_height, mark_start, shown, time_bar, t
 from .style import BODY_TONES, QUIET, SHELL_TONES, STYLE, WIDTH
 from .variables import CURVE_POINTS, require, time_shares, times_of, title_of, unit_of, values_of
 
-_REACH = 5.5
-"""How many diameters of the body the path drawn in a scene may extend."""
+_WHOLE = 10.0
+"""How many diameters of the body a path may extend to be drawn as a whole."""
+
+_REACH = 6.0
+"""How many diameters of the body the last part of a longer path extends in a scene."""
+
 _TRACE = 6.3
 """How many diameters of the body the path traced on it may be long: twice around a ball."""
 
@@ -63,8 +67,9 @@ def scene(
     InputError
         If the dataset lacks a variable, or has no sample up to `until`.
     """
-    reach = _REACH * outline.diameter if isinstance(surface, PlaneGround) else np.inf
-    track = _track(dataset, "scene", reach, until)
+    track = _track(dataset, until)
+    if isinstance(surface, PlaneGround):
+        track = track.last_part(outline.diameter)
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(WIDTH, WIDTH))
         figure.set_label(f"The body and the path of its contact point: {title_of(dataset)}")
@@ -97,7 +102,7 @@ def scene(
 
 @dataclass(frozen=True, eq=False)
 class _Track:
-    """The last stretch of a rolling body's way that fits into a picture.
+    """The way of a rolling body, as far as it is drawn.
 
     Attributes
     ----------
@@ -115,6 +120,22 @@ class _Track:
     centre: FloatArray
     rotation: FloatArray
     normal: FloatArray
+
+    def last_part(self, diameter: float) -> _Track:
+        """As much of the way, back from its end, as fits beside a body of this diameter."""
+        low = np.minimum.accumulate(self.contact[::-1], axis=0)
+        high = np.maximum.accumulate(self.contact[::-1], axis=0)
+        extent = np.max(high - low, axis=1)
+        if extent[-1] <= _WHOLE * diameter:
+            return self
+        kept = slice(-int(np.sum(extent <= _REACH * diameter)), None)
+        return _Track(
+            self.times[kept],
+            self.contact[kept],
+            self.centre[kept],
+            self.rotation[kept],
+            self.normal[kept],
+        )
 
     def path(self, ground: Ground) -> tuple[FloatArray, SurfaceCurve]:
         """Times, and the path of the contact on the ground, smooth."""
@@ -136,28 +157,22 @@ class _Track:
         return times, SurfaceCurve(both[:, :3] @ turn + self.centre[-1], unit(both[:, 3:]) @ turn)
 
 
-def _track(dataset: xr.Dataset, figure: str, reach: float, until: float | None) -> _Track:
-    require(dataset, figure)
+def _track(dataset: xr.Dataset, until: float | None) -> _Track:
+    """All finite samples up to an instant."""
+    require(dataset, "scene")
     times = times_of(dataset)
-    contact = values_of(dataset, "contact")
-    attitude = values_of(dataset, "attitude")
+    contact, attitude = values_of(dataset, "contact"), values_of(dataset, "attitude")
     good = np.isfinite(contact).all(axis=1) & np.isfinite(attitude).all(axis=1)
     if until is not None:
         good &= times <= until
-    chosen = np.flatnonzero(good)
-    if not len(chosen):
-        raise InputError(f"the figure {figure} has no sample to show of {title_of(dataset)}")
-    backwards = contact[chosen[::-1]]
-    low = np.minimum.accumulate(backwards, axis=0)
-    high = np.maximum.accumulate(backwards, axis=0)
-    within = int(np.sum(np.max(high - low, axis=1) <= reach))
-    chosen = chosen[len(chosen) - max(within, 1) :]
+    if not np.any(good):
+        raise InputError(f"the figure scene has no sample to show of {title_of(dataset)}")
     return _Track(
-        times[chosen],
-        contact[chosen],
-        values_of(dataset, "centre")[chosen],
-        rotation_matrices(attitude[chosen]),
-        values_of(dataset, "gamma")[chosen],
+        times[good],
+        contact[good],
+        values_of(dataset, "centre")[good],
+        rotation_matrices(attitude[good]),
+        values_of(dataset, "gamma")[good],
     )
 
 
@@ -231,7 +246,8 @@ def _draw_border(sheet: Sheet, body: Outline, colour: str, width: float) -> None
 
 def _draw_ghosts(sheet: Sheet, track: _Track, outline: Outline) -> None:
     """Pale bodies at earlier places, as far as they stand clear of each other and of the last."""
-    apart = 1.25 * outline.diameter
+    extent = float(np.max(np.ptp(track.contact, axis=0)))
+    apart = max(1.25 * outline.diameter, 0.2 * extent)
     places = [len(track.times) - 1]
     middle = track.centre + track.rotation @ outline.vertices.mean(axis=0)
     flat = sheet.view.project(middle)

@@ -22,6 +22,9 @@ from .variables import unit_of
 _SHADES = 160
 """Steps between black and white of the shades of a body."""
 
+_TIME_STEPS = 96
+"""Steps of the colours of time on a curve from first to last instant."""
+
 
 class Sheet:
     """A sheet of paper on which space is seen from `view`; later strokes cover earlier ones."""
@@ -111,7 +114,8 @@ class Sheet:
         if len(points) < 2:
             return
         flat = self.view.project(points)
-        pieces = np.unique(np.linspace(0, len(flat) - 1, min(len(flat), 97)).astype(int))
+        count = 2 + int(_TIME_STEPS * (fractions[-1] - fractions[0]))
+        pieces = np.unique(np.linspace(0, len(flat) - 1, min(len(flat), count)).astype(int))
         pairs = list(pairwise(pieces))
         colours = TIME_COLOURS([(fractions[a] + fractions[b]) / 2 for a, b in pairs])
         paper = np.ones(4)

@@ -18,8 +18,11 @@ NEEDED = {
     "angular_velocity": ("omega",),
     "normal_force": ("normal_force",),
 }
+"""Variables without which there is no such figure."""
+
 NOTHING = 1e-9
 """What is smaller than this counts as zero, for want of a scale: it is not magnified."""
+
 CURVE_POINTS = 1200
 """Points with which a smooth path is drawn."""
 
