@@ -239,6 +239,11 @@ def deviations(
     }
 
 
+def worst(deviation: Mapping[str, float]) -> float:
+    """The greatest deviation; not a number if one of them is none."""
+    return float(np.max(list(deviation.values())))
+
+
 def _same_sign(name: str, values: np.ndarray, expected: np.ndarray) -> np.ndarray:
     """An attitude quaternion and its opposite are one attitude."""
     if name != "attitude":
