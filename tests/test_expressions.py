@@ -33,7 +33,6 @@ X, Y, Z = NAMES["x"], NAMES["y"], NAMES["z"]
         ("+x - -y", X + Y),
         ("pi/2", sympy.pi / 2),
         ("atan2(y, x)", sympy.atan2(Y, X)),
-        ("abs(-x)", sympy.Abs(X)),
         ("x**4 + y**4 + z**4 - 1", X**4 + Y**4 + Z**4 - 1),
         ("  x\n\t + y ", X + Y),
         ("(8)**(1/3)", sympy.Integer(2)),
@@ -56,7 +55,7 @@ def test_every_function_of_one_argument(name: str) -> None:
     ("text", "message", "caret"),
     [
         ("gama_3**2 + 1", "unknown name 'gama_3', did you mean 'gamma_3'?", 0),
-        ("x + open", "unknown name 'open'; allowed: x, y, z, gamma_3, a, Abs", 4),
+        ("x + open", "unknown name 'open'; allowed: x, y, z, gamma_3, a, acos", 4),
         ("__import__(1)", "unknown name '__import__'", 0),
         ("x^2", "a power is written **", 1),
         ("x = 1", "write a formula, not an equation", 2),
@@ -188,7 +187,7 @@ def _formulas() -> st.SearchStrategy[str]:
 
 @settings(max_examples=150, deadline=None)
 @given(_formulas())
-@example("abs(sin(exp(99)))")
+@example("cos(sin(exp(99)))")
 def test_accepted_formulas_are_real_and_exact(text: str) -> None:
     try:
         value = parse(text, NAMES)

@@ -32,8 +32,6 @@ FUNCTIONS: Mapping[str, Callable[..., sympy.Expr]] = MappingProxyType(
         "tanh": sympy.tanh,
         "exp": sympy.exp,
         "log": sympy.log,
-        "Abs": sympy.Abs,
-        "abs": sympy.Abs,
     }
 )
 """Functions that a formula may call; each takes one argument, ``atan2`` takes two."""

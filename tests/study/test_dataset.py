@@ -246,7 +246,8 @@ def test_another_file_is_not_replaced_unasked(tmp_path, dataset):
     target = tmp_path / "motion.nc"
     target.write_text("precious")
     assert refusal(dataset, target) == (
-        f"{target} exists already: choose another name, or --force to replace it"
+        f"{target} exists already: choose another name, or have it replaced "
+        "(--force, in Python force=True)"
     )
     assert target.read_text() == "precious"
     write(dataset, target, force=True)

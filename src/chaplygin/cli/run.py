@@ -21,13 +21,15 @@ def command(
     json: Json = False,
 ) -> None:
     """Integrate a motion and write it to a NetCDF file."""
-    from ..errors import RunError
+    from ..errors import InputError, RunError
     from ..study.dataset import write
     from ..study.files import check_target
     from ..study.prepare import dataset_of
     from ..study.summary import summary, summary_text
 
     check_target(output, force)
+    if output.exists() and Path(what).exists() and output.samefile(what):
+        raise InputError(f"{output} is the experiment file itself: choose another name")
     study = study_of(what, overrides, precision)
     try:
         with progress(study.system.title) as update:

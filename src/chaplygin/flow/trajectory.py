@@ -27,6 +27,9 @@ __all__ = ["Dense", "Happening", "Statistics", "Trajectory", "integrate"]
 #: Residuals of the relations that are left alone, per precision.
 LEFT_ALONE = {"double": 1e-15, "quad": 1e-32}
 
+#: Tolerances that are used unless another one is given.
+USUAL = {"double": 1e-15, "quad": 1e-30}
+
 #: A guard has vanished at a singularity when this little is left of its first value.
 VANISHED = 1e-5
 
@@ -48,8 +51,8 @@ def integrate(
     start: Sequence[Any],
     times: Sequence[Any],
     *,
-    parameters: Mapping[sp.Symbol, Any] | None = None,
-    tolerance: float = 1e-15,
+    parameters: Mapping[Any, Any] | None = None,
+    tolerance: float | None = None,
     precision: Precision = "double",
     on_liftoff: Literal["stop", "warn"] = "stop",
     keep_integrals: bool = False,
@@ -68,10 +71,11 @@ def integrate(
         :func:`chaplygin.mechanics.start.starting_state`.
     times : sequence of numbers
         At least two, all increasing or all decreasing (backward integration).
-    parameters : mapping of Symbol to number, optional
+    parameters : mapping of Symbol or name to number, optional
         Values that replace the system's defaults.
     tolerance, precision
-        See :func:`chaplygin.flow.taylor.compile_system`.
+        See :func:`chaplygin.flow.taylor.compile_system`; the tolerance is 1e-15 in double
+        precision and 1e-30 with 34 digits unless another one is given.
     on_liftoff : ``"stop"`` or ``"warn"``
         Whether the run ends or goes on when the normal force changes sign.  Leaving the domain
         of the equations (a body lying flat, a contact on a non-convex part) always ends it.
@@ -100,6 +104,8 @@ def integrate(
     kind = number_type(precision)
     moments = _moments(times, kind)
     direction: Direction = "forward" if moments[0] < moments[-1] else "backward"
+    if tolerance is None:
+        tolerance = USUAL[precision]
     code = compile_system(system, tolerance, precision, direction)
     lifted = system.lifted() if system.motion else system
     run = _Run(lifted, len(system.symbols), code, kind, values, precision)
@@ -140,12 +146,14 @@ class _StoppedError(Exception):
     """The integration cannot go on."""
 
 
-def _values(system: System, parameters: Mapping[sp.Symbol, Any] | None) -> dict[sp.Symbol, Any]:
+def _values(system: System, parameters: Mapping[Any, Any] | None) -> dict[sp.Symbol, Any]:
     values: dict[sp.Symbol, Any] = dict(system.defaults)
-    for symbol, value in (parameters or {}).items():
-        if symbol not in values:
+    by_name = {str(symbol): symbol for symbol in values}
+    for key, value in (parameters or {}).items():
+        symbol = by_name.get(str(key))
+        if symbol is None:
             known = ", ".join(map(str, values))
-            raise InputError(f"{system.name}: no parameter {symbol}; it has {known}")
+            raise InputError(f"{system.name}: no parameter {key}; it has {known}")
         values[symbol] = value
     if parameters:
         _check_admissible(system, values)
@@ -236,11 +244,24 @@ class _Run:
         self._carry()
         if keep_integrals:
             self.projectors = (self._with_integrals(self.stepper.state), *self.projectors[1:])
+        self._require_numbers(self._whole(self.stepper.state))
         self.first_guards = self._guards(self.stepper.state)
         for guard, value in zip(self.system.guards, self.first_guards, strict=True):
             if not float(value) > 0 and not guard.lift_off:
                 raise InputError(f"start: {guard.happening} ({guard.name} = {float(value):.6g})")
         self.good = (moment, self._whole(self.stepper.state))
+
+    def _require_numbers(self, state: Any) -> None:
+        """Refuse a start where something that is recorded is not a finite number."""
+        values = iter(call(self.code.outputs, state, self.parameters))
+        for name, width in _layout(self.system):
+            for _ in range(max(width, 1)):
+                value = float(next(values))
+                if not math.isfinite(value):
+                    raise InputError(
+                        f"start: {name} is {value} there; all that is recorded must be a finite "
+                        "number"
+                    )
 
     def _require_on_phase_space(self, state: Any) -> None:
         for projector in self.projectors:
@@ -326,7 +347,8 @@ class _Run:
         for guard, value in zip(self.system.guards, self.first_guards, strict=True):
             if guard.lift_off and not float(value) > 0:
                 go_on = on_liftoff == "warn"
-                log.happenings.append(Happening(float(now), guard, not go_on))
+                pressed = replace(guard, happening="the normal force is negative at the start")
+                log.happenings.append(Happening(float(now), pressed, not go_on))
         return go_on
 
     def _passed(self, code: int, now: Any, log: _Log, on_liftoff: str) -> bool:

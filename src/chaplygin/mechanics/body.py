@@ -96,12 +96,12 @@ def check_inertia(inertia: Sequence[float] | Sequence[Sequence[float]]) -> None:
     if array.ndim == 2 and not np.allclose(array, array.T, rtol=0, atol=rounding):
         raise InputError(f"inertia {inertia}: the matrix must be symmetric")
     moments = np.sort(array if array.ndim == 1 else np.linalg.eigvalsh(array))
-    shown = ", ".join(f"{x:.6g}" for x in moments)
+    shown = ", ".join(f"{x:.12g}" for x in moments)
     if moments[0] <= 0:
         raise InputError(f"inertia: principal moments {shown} must all be positive")
     if moments[2] > (moments[0] + moments[1]) * (1 + 1e-12):
         raise InputError(
             f"inertia: principal moments {shown} break the triangle inequality "
-            f"({moments[2]:.6g} > {moments[0]:.6g} + {moments[1]:.6g}); each moment must be at "
+            f"({moments[2]:.12g} > {moments[0]:.12g} + {moments[1]:.12g}); each moment must be at "
             "most the sum of the other two"
         )

@@ -15,10 +15,17 @@ __all__ = ["check_target", "completed"]
 
 def check_target(target: Path, force: bool = False) -> None:
     """Raise InputError unless a file may be written to `target`."""
+    try:
+        target.exists()
+    except OSError as problem:
+        raise InputError(f"{target} cannot be written: {problem.strerror}") from problem
     if target.is_dir():
         raise InputError(f"{target} is a folder: the name of a file is needed")
     if target.exists() and not force:
-        raise InputError(f"{target} exists already: choose another name, or --force to replace it")
+        raise InputError(
+            f"{target} exists already: choose another name, or have it "
+            "replaced (--force, in Python force=True)"
+        )
     if not target.parent.is_dir():
         raise InputError(f"{target} cannot be written: there is no folder {target.parent}")
     if not os.access(target.parent, os.W_OK):

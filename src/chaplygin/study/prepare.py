@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -36,7 +37,7 @@ from .tables import (
     TorusTable,
 )
 
-__all__ = ["Study", "catalogue_experiment", "dataset_of", "prepare"]
+__all__ = ["Study", "catalogue_experiment", "dataset_of", "prepare", "shape_name"]
 
 
 @dataclass(frozen=True)
@@ -71,7 +72,7 @@ class Study:
     @property
     def remarks(self) -> tuple[str, ...]:
         """What was done to the input, one sentence each."""
-        length = float(np.linalg.norm(self.gamma))
+        length = math.hypot(*self.gamma)
         if self.experiment.start.gamma is None or abs(length - 1) <= 4e-16:
             return ()
         unit = ", ".join(f"{x / length:.17g}" for x in self.gamma)
@@ -97,7 +98,8 @@ class Study:
         """The sample times, equidistant, both ends included."""
         run = self.experiment.run
         sign = -1.0 if run.direction == "backward" else 1.0
-        return sign * np.linspace(0.0, self.until, run.samples)
+        # adding zero turns −0 into 0
+        return sign * np.linspace(0.0, self.until, run.samples) + 0.0
 
     def complete_toml(self) -> str:
         """The experiment file with nothing left to defaults of the catalogue."""
@@ -283,4 +285,10 @@ def _title(rolling: Rolling) -> str:
     if isinstance(rolling.surface, Sphere):
         ground = "a sphere" if rolling.surface.radius > 0 else "the inside of a sphere"
     manner = "" if rolling.contact == "marble" else ", rubber contact"
-    return f"{_SHAPES[type(rolling.body.shape)]} on {ground}{manner}"
+    return f"{shape_name(rolling)} on {ground}{manner}"
+
+
+def shape_name(rolling: Rolling) -> str:
+    """What the body is, in words."""
+    shape = rolling.body.shape
+    return "Hollow ball" if isinstance(shape, Ball) and shape.hollow else _SHAPES[type(shape)]

@@ -16,7 +16,7 @@ from ..flow.trajectory import Trajectory
 from ..mechanics.surfaces import Plane
 from ..typeset import latex, mathml, system_html
 from . import figures
-from .prepare import Study
+from .prepare import Study, shape_name
 from .summary import drift
 
 __all__ = ["render"]
@@ -38,8 +38,7 @@ PLATES = {
     ),
     "drift": (
         "Drift of the known integrals",
-        "How far each wanders from its first value, relative to that value; "
-        "rounding of double precision is at 1.1 × 10⁻¹⁶.",
+        "How far each wanders from its first value, relative to that value.",
     ),
 }
 
@@ -85,7 +84,12 @@ def render(
         setting="" if study.own else _setting(study),
         scene=drawn.get("scene"),
         plates=[
-            {"name": name, "heading": heading, "caption": caption, "svg": drawn[name]}
+            {
+                "name": name,
+                "heading": heading,
+                "caption": f"{caption} {_remark(study, name)}",
+                "svg": drawn[name],
+            }
             for name, (heading, caption) in PLATES.items()
             if name in drawn
         ],
@@ -110,12 +114,21 @@ def render(
     )
 
 
+def _remark(study: Study, name: str) -> str:
+    """What a figure needs to be said besides, for this study."""
+    if name == "drift" and study.experiment.run.precision == "double":
+        return "Rounding of double precision is at 1.1 × 10⁻¹⁶."
+    if name == "normal_force" and study.rolling and not study.rolling.field.gravity:
+        return "Without gravity the contact is taken as two-sided, and the sign is not watched."
+    return ""
+
+
 def _setting(study: Study) -> str:
     """What rolls on what, in one line."""
     rolling = study.rolling
     if rolling is None:
         return "A body about a fixed point."
-    shape = type(rolling.body.shape).__name__.lower()
+    shape = shape_name(rolling)
     surface = rolling.surface
     ground = "a horizontal plane"
     if not isinstance(surface, Plane):
@@ -128,7 +141,9 @@ def _setting(study: Study) -> str:
     field = f"gravity {gravity:g}" if gravity else "no gravity"
     if rolling.field.potential != 0:
         field += ", a potential U(γ)"
-    return f"{shape} on {ground}, {manner}; {field}".capitalize()
+    if any(rolling.body.gyrostat):
+        field += "; with rotors"
+    return f"{shape} on {ground}, {manner}; {field}"
 
 
 def _facts(study: Study, trajectory: Trajectory) -> list[tuple[str, str]]:

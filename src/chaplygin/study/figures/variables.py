@@ -56,7 +56,7 @@ def time_shares(times: FloatArray, since: float | None = None) -> FloatArray:
     """Share of the time that has gone by at each instant, from `since` or the first to the last."""
     start = float(times[0]) if since is None else since
     span = float(times[-1]) - start
-    return (times - start) / span if span > 0.0 else np.ones_like(times)
+    return (times - start) / span if span != 0.0 else np.ones_like(times)
 
 
 def readable(text: str) -> str:
