@@ -179,7 +179,8 @@ def _at(experiment: Experiment, *key: str) -> Iterator[None]:
             raise
         subject, colon, rest = error.message.partition(": ")
         if colon and subject.isidentifier():
-            raise InputError(rest, experiment.where(*key, subject)) from None
+            place = key if subject == key[-1] else (*key, subject)
+            raise InputError(rest, experiment.where(*place)) from None
         raise InputError(error.message, experiment.where(*key)) from None
 
 
