@@ -10,6 +10,11 @@ from .common import Json, Override, What, print_json, study_of
 
 __all__ = ["command"]
 
+LEGEND = """
+In body axes: ω angular velocity, M momentum about the contact point, γ outward normal of the
+surface at the contact, r from the centre of mass to the contact point, c to the geometric centre,
+ζ the vertical; E is the unit tensor."""
+
 FORMS = ("text", "latex", "julia", "c", "toml")
 
 
@@ -68,3 +73,5 @@ def command(
         "toml": study.complete_toml,
     }
     typer.echo(texts[form]().rstrip())
+    if form == "text":
+        typer.echo(LEGEND)
