@@ -61,7 +61,7 @@ BODIES = (
 )
 
 _PROFILE = "shapes.Revolution.from_profile"
-_SIZE = "1 + abs(sp.N(chi_1.subs({**table, u: cosine})))"
+_SIZE = "1 + abs(sp.N(chi_1.subs(here)))"
 
 #: Changes that alter no motion, with the reason.
 HARMLESS = {
@@ -85,7 +85,7 @@ HARMLESS = {
     ),
     **dict.fromkeys(
         (
-            f"{_PROFILE}: {_SIZE} -> 1 - abs(sp.N(chi_1.subs({{**table, u: cosine}})))",
+            f"{_PROFILE}: {_SIZE} -> 1 - abs(sp.N(chi_1.subs(here)))",
             f"{_PROFILE}: {_SIZE} -> 1 + {_SIZE}",
             f"{_PROFILE}: 1e-09 * ({_SIZE}) -> (1e-09 + 1) * ({_SIZE})",
             f"{_PROFILE}: 1e-09 * ({_SIZE}) -> {_SIZE}",
@@ -96,7 +96,14 @@ HARMLESS = {
 }
 
 #: Functions that only look at input; their messages are tested elsewhere.
-SPECTATORS = {"_check_ball", "_check_centre", "_check_potential", "_positive", "__post_init__"}
+SPECTATORS = {
+    "_require_known",
+    "_check_ball",
+    "_check_centre",
+    "_check_potential",
+    "_positive",
+    "__post_init__",
+}
 
 
 # ---------------------------------------------------------------------------------------------
@@ -220,7 +227,7 @@ def named(found: list[Change]) -> dict[str, Change]:
 
 @cache
 def code(module: str) -> types.CodeType:
-    """A module that notes in ``used`` which of its functions are called."""
+    """A module that notes in ``CALLED`` which of its functions are called."""
     tree = parsed(module)
     _note_calls(tree, "")
     return compile(ast.fix_missing_locations(tree), f"{module}.py", "exec")
@@ -232,7 +239,7 @@ def _note_calls(node: ast.AST, function: str) -> None:
     for child in ast.iter_child_nodes(node):
         _note_calls(child, function)
     if isinstance(node, ast.FunctionDef):
-        node.body[:0] = ast.parse(f"used.add((__name__, {function!r}))").body
+        node.body[:0] = ast.parse(f"CALLED.add((__name__, {function!r}))").body
 
 
 def package(change: Change | None, used: set[tuple[str, str]]) -> Package:
@@ -248,7 +255,7 @@ def package(change: Change | None, used: set[tuple[str, str]]) -> Package:
     for name in LOADED:
         module = types.ModuleType(f"mutant.mechanics.{name}")
         module.__package__ = "mutant.mechanics"
-        module.used = used
+        module.CALLED = used
         sys.modules[module.__name__] = module
         changed = change is not None and name == change.module
         exec(compile(change.tree(), f"{name}.py", "exec") if changed else code(name), vars(module))

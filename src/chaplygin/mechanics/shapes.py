@@ -104,6 +104,16 @@ def check_values(values: tuple[tuple[sp.Symbol, float], ...]) -> None:
             raise InputError(f"parameter {symbol} = {value}: it must be a finite number")
 
 
+def _require_known(what: str, used: set[sp.Symbol], known: set[sp.Symbol], variables: str) -> None:
+    """Raise InputError if a formula uses a symbol that is neither variable nor parameter."""
+    unknown = sorted(map(str, used - known))
+    if unknown:
+        raise InputError(
+            f"{what}: {', '.join(unknown)} is not known; it may use {variables} and the "
+            "parameters of the shape"
+        )
+
+
 def _check_centre(centre: tuple[float, float, float]) -> None:
     if len(centre) != 3 or not all(math.isfinite(x) for x in centre):
         raise InputError(f"centre {centre}: it must be three finite numbers")
@@ -341,12 +351,12 @@ class Revolution(_Centred):
         object.__setattr__(self, "values", tuple(dict(self.values).items()))
         check_values(self.values)
         _check_centre(self.centre)
-        unknown = self.support.free_symbols - {gamma.symbols[2]} - {s for s, _ in self.values}
-        if unknown:
-            raise InputError(
-                f"support function {self.support}: {', '.join(sorted(map(str, unknown)))} is not "
-                "known; it may use gamma_3 and the parameters of the shape"
-            )
+        _require_known(
+            f"support function {self.support}",
+            self.support.free_symbols,
+            {gamma.symbols[2], *dict(self.values)},
+            "gamma_3",
+        )
         for cosine in (-1.0, -0.5, 0.0, 0.5, 1.0):
             value = self._at(self.support, cosine)
             if not (math.isfinite(value) and value > 0):
@@ -368,17 +378,22 @@ class Revolution(_Centred):
         Raises
         ------
         InputError
-            If χ₁ and χ₂ do not belong to one surface with normal −γ, that is, if
-            −γ₃χ₁ + (1 − γ₃²)χ₁′ + γ₃χ₂′ is not zero.
+            If an unknown symbol occurs, or χ₁ and χ₂ do not belong to one surface with normal
+            −γ, that is, if −γ₃χ₁ + (1 − γ₃²)χ₁′ + γ₃χ₂′ is not zero.
         """
         u = gamma.symbols[2]
-        defect = -u * chi_1 + (1 - u**2) * chi_1.diff(u) + u * chi_2.diff(u)
         table = dict(values or {})
+        _require_known(
+            f"profile chi_1 = {chi_1}, chi_2 = {chi_2}",
+            chi_1.free_symbols | chi_2.free_symbols,
+            {u, *table},
+            "gamma_3",
+        )
+        defect = -u * chi_1 + (1 - u**2) * chi_1.diff(u) + u * chi_2.diff(u)
         for cosine in (sp.Rational(n, 17) for n in (-16, -9, -2, 5, 12)):
-            number = sp.N(defect.subs({**table, u: cosine}))
-            if number.free_symbols or abs(number) > 1e-9 * (
-                1 + abs(sp.N(chi_1.subs({**table, u: cosine})))
-            ):
+            here = {**table, u: cosine}
+            number = sp.N(defect.subs(here))
+            if abs(number) > 1e-9 * (1 + abs(sp.N(chi_1.subs(here)))):
                 raise InputError(
                     f"profile chi_1 = {chi_1}, chi_2 = {chi_2}: the surface has no normal -gamma, "
                     f"since -gamma_3 chi_1 + (1 - gamma_3^2) chi_1' + gamma_3 chi_2' is {number} "
@@ -442,12 +457,12 @@ class Implicit(_Centred):
         object.__setattr__(self, "values", tuple(dict(self.values).items()))
         check_values(self.values)
         _check_centre(self.centre)
-        unknown = self.surface.free_symbols - set(self.coordinates) - {s for s, _ in self.values}
-        if unknown:
-            raise InputError(
-                f"surface {self.surface} = 0: {', '.join(sorted(map(str, unknown)))} is not known; "
-                "it may use x, y, z and the parameters of the shape"
-            )
+        _require_known(
+            f"surface {self.surface} = 0",
+            self.surface.free_symbols,
+            {*self.coordinates, *dict(self.values)},
+            "x, y, z",
+        )
         inside = sp.N(
             self.surface.subs({**dict(self.values), **dict.fromkeys(self.coordinates, 0)})
         )
