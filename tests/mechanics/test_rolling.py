@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from hypothesis import assume, given, settings
 
 import reference
 from chaplygin.flow.trajectory import integrate
+from mechanics.bodies import COMBINATIONS as COMBINED
+from mechanics.bodies import portrait, state_of
 from mechanics.compare import (
     begin,
     deviations,
@@ -18,6 +21,7 @@ from mechanics.compare import (
     told_by_reference,
     worst,
 )
+from mechanics.portrait import coordinates, directions
 
 SHAPES = ("ball centred", *reference.SHAPES)
 
@@ -29,6 +33,8 @@ COMBINATIONS = [
     for inertia in reference.INERTIAS
     if shape != "hollow ball" or support == "outside"
 ]
+
+FLAT_SHAPES = ("disk", "torus")
 
 TIMES = np.linspace(0.0, 10.0, 11)
 
@@ -70,3 +76,23 @@ def test_motion_agrees_with_reference(prepared):
 def test_more_motions_agree_with_reference(names, seed):
     deviation = compare_motions(*prepare(*names, seed))
     assert worst(deviation) < 1e-10, deviation
+
+
+# ---------------------------------------------------------------------------------------------
+# Whatever rolls: what every motion keeps
+
+
+@pytest.mark.parametrize("contact", reference.CONTACTS)
+@pytest.mark.parametrize(("shape", "surface"), COMBINED)
+@given(omega=coordinates, gamma=directions, zeta=directions)
+@settings(max_examples=25, deadline=None)
+def test_energy_and_relations_are_kept(shape, surface, contact, omega, gamma, zeta):
+    one = portrait(shape, surface, contact)
+    assume(shape not in FLAT_SHAPES or np.hypot(gamma[0], gamma[1]) > 0.1)
+    state = state_of(one, 3 * omega, gamma, zeta)
+    here, rates = one.at(state), one.along(state)
+    size = 1 + max(np.abs(here[f"rate of {name}"]).max() for name in one.system.state)
+    for name in [name for name in here if name.startswith("relation")]:
+        assert abs(here[name][0]) < 1e-12
+        assert abs(rates[name][0]) < 1e-11 * size
+    assert abs(rates["energy"][0]) < 1e-11 * size * (1 + abs(here["energy"][0]))
