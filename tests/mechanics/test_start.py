@@ -16,7 +16,7 @@ import reference
 from chaplygin.errors import InputError
 from chaplygin.mechanics.body import Body
 from chaplygin.mechanics.rolling import Field, roll
-from chaplygin.mechanics.shapes import Ball, Ellipsoid, Implicit
+from chaplygin.mechanics.shapes import Ball, Ellipsoid, Implicit, Revolution
 from chaplygin.mechanics.start import evaluate, starting_state
 from chaplygin.mechanics.surfaces import Plane, Sphere
 from chaplygin.vectors import Vector, explicit, scalar
@@ -293,6 +293,14 @@ def test_body_outside_the_domain_is_refused():
     with pytest.raises(InputError, match="gamma: this start is outside the domain; the body does"):
         starting_state(system, (1.0, 0.0, 0.0), (1.0, 0.0, 0.0))
     assert starting_state(system, (1.0, 0.0, 0.0), (0.0, 0.0, 1.0))
+
+
+def test_body_of_revolution_does_not_start_on_a_flat_face():
+    """A disk thickened by a ball, by its support function: its curvature at the pole is none."""
+    rim = sp.sqrt(1 - Vector("gamma").symbols[2] ** 2)
+    system = roll(Body(1.0, (1.0, 1.0, 1.0), Revolution(rim + sp.Rational(1, 5))))
+    with pytest.raises(InputError, match="the contact leaves the convex part of the body"):
+        starting_state(system, (1.0, 0.0, 0.0), (0.0, 0.0, 1.0))
 
 
 def test_system_with_more_to_its_state_is_refused():
