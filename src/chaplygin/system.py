@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 import sympy as sp
 
 from .errors import InputError
-from .statements import Integral
+from .statements import Integral, Law
 from .vectors import Diagonal, Symmetric, Vector, explicit
 
 __all__ = ["Guard", "Motion", "Observable", "Parameter", "System"]
@@ -147,7 +147,7 @@ class System:
     parameters : tuple of Parameter
     relations : tuple of sympy.Expr
         Vanish on the phase space.
-    laws : tuple of Integral
+    laws : tuple of Law
     observables : tuple of Observable
     guards : tuple of Guard
     motion : Motion, optional
@@ -171,7 +171,7 @@ class System:
     parameters: tuple[Parameter, ...] = ()
     definitions: Declared = ()
     relations: tuple[sp.Expr, ...] = ()
-    laws: tuple[Integral, ...] = ()
+    laws: tuple[Law, ...] = ()
     observables: tuple[Observable, ...] = ()
     guards: tuple[Guard, ...] = ()
     motion: Motion | None = None
@@ -220,6 +220,11 @@ class System:
         return tuple(reversed(chosen))
 
     @property
+    def integrals(self) -> tuple[Integral, ...]:
+        """The first integrals among the laws."""
+        return tuple(law for law in self.laws if isinstance(law, Integral))
+
+    @property
     def defaults(self) -> dict[sp.Symbol, float]:
         """Default value of every parameter."""
         return {p.symbol: p.default for p in self.parameters}
@@ -238,7 +243,7 @@ class System:
             known.add(symbol)
         for symbol, value in zip(self.symbols, self.rates, strict=True):
             self._require(value, known, f"the rate of {symbol}")
-        for law in self.laws:
+        for law in self.integrals:
             self._require(explicit(law.value), known, f"the law {law.name!r}")
         for relation in self.relations:
             self._require(explicit(relation), known, f"the relation {relation}")
@@ -253,7 +258,7 @@ class System:
 
     # --- making other systems --------------------------------------------------------------
 
-    def with_laws(self, *laws: Integral) -> System:
+    def with_laws(self, *laws: Law) -> System:
         """The same system with further laws claimed of it."""
         return replace(self, laws=self.laws + laws)
 

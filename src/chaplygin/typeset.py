@@ -67,7 +67,7 @@ def _page(system: System) -> _Page:
             spelt_out.add(formula)
     needed = _needed(system, [formula for _, formula in system.field])
     where = tuple(pair for pair in needed if pair[0] not in spelt_out)
-    claims = [law.value for law in system.laws] + list(system.relations)
+    claims = [law.value for law in system.integrals] + list(system.relations)
     extra = tuple(pair for pair in _needed(system, claims) if pair not in needed)
     given = _given(system, [formula for _, formula in (*field, *where)])
     given_too = _given(system, [*claims, *(formula for _, formula in extra)])
@@ -158,8 +158,8 @@ def system_text(system: System) -> str:
             for p in system.parameters
         ]
         blocks.append(["Parameters", *_table(rows)])
-    if system.laws:
-        laws = [row for law in system.laws for row in _law_rows(law)]
+    if system.integrals:
+        laws = [row for law in system.integrals for row in _law_rows(law)]
         blocks.append(["Constant along the motion", *_table(laws)])
         if page.further:
             blocks[-1] += ["with", *_equations(_written(page.further))]
@@ -334,7 +334,7 @@ def system_html(system: System) -> str:
         parts += ["<p>on the phase space</p>", _display(rows)]
     if system.parameters:
         parts += ["<h4>Parameters</h4>", _parameter_table(system)]
-    if system.laws:
+    if system.integrals:
         parts += ["<h4>Constant along the motion</h4>", _law_table(system)]
         if page.further:
             parts += ["<p>with</p>", _display(_defining_rows(page.further))]
@@ -374,7 +374,7 @@ def _parameter_table(system: System) -> str:
 
 def _law_table(system: System) -> str:
     rows = []
-    for law in system.laws:
+    for law in system.integrals:
         meaning = html.escape(law.meaning)
         if law.on:
             meaning += f", when {mathml(_conditions(law, latex))}"

@@ -60,7 +60,7 @@ def command(
                         "value": latex(law.value),
                         "source": law.source,
                     }
-                    for law in system.laws
+                    for law in system.integrals
                 ],
             }
         )

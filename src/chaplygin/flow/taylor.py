@@ -96,7 +96,7 @@ class _Plan:
             [item for step in system.steps for item in step],
             system.rates,
             system.relations,
-            [law.value for law in system.laws],
+            [law.value for law in system.integrals],
             [observable.value for observable in system.observables],
             [guard.value for guard in system.guards],
         ]
@@ -126,7 +126,7 @@ class _Plan:
         )
         recorded = [
             *(observable.value for observable in system.observables),
-            *(law.value for law in system.laws),
+            *(law.value for law in system.integrals),
             *(guard.value for guard in system.guards),
         ]
         # a constant makes the list non-empty
@@ -134,7 +134,7 @@ class _Plan:
         size = len(self.system.symbols)
         core = list(self.system.relations)
         lift = list(self.system.motion.relations) if self.system.motion else []
-        laws = [law.value for law in system.laws]
+        laws = [law.value for law in system.integrals]
         constrain = _constraints(translate)
         return Compiled(
             integrator,

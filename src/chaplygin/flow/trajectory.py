@@ -436,7 +436,7 @@ def _layout(system: System) -> list[tuple[str, int]]:
     """Names of what is recorded, with the number of components; 0 for a scalar."""
     recorded = [
         *((item.name, item.value) for item in system.observables),
-        *((f"law_{law.name}", law.value) for law in system.laws),
+        *((f"law_{law.name}", law.value) for law in system.integrals),
     ]
     shapes = [(name, explicit(value)) for name, value in recorded]
     return [(name, len(shape) if isinstance(shape, sp.MatrixBase) else 0) for name, shape in shapes]

@@ -62,7 +62,7 @@ def to_dataset(trajectory: Trajectory, attributes: Mapping[str, Any] | None = No
     for item in system.observables:
         values = trajectory.recorded[item.name]
         _add(variables, item.name, values, item.frame, item.meaning, item.unit, item.source)
-    for law in system.laws:
+    for law in system.integrals:
         label = f"law_{law.name}"
         _add(variables, label, trajectory.recorded[label], "", law.meaning, law.unit, law.source)
     for part in ("", "_low"):

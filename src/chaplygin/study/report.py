@@ -102,7 +102,7 @@ def render(
                 "value": f"{float(trajectory.recorded[f'law_{law.name}'][0]):.12g}",
                 "drift": f"{drift(trajectory.recorded[f'law_{law.name}']):.1e}",
             }
-            for law in system.laws
+            for law in system.integrals
         ],
         happenings=[str(happening) for happening in trajectory.happenings],
         remarks=study.remarks,

@@ -28,7 +28,7 @@ def summary(trajectory: Trajectory) -> dict[str, Any]:
         "final": {
             str(s): _plain(x) for s, x in zip(system.symbols, trajectory.states[-1], strict=True)
         },
-        "drift": {law.name: drift(trajectory.recorded[f"law_{law.name}"]) for law in system.laws},
+        "drift": {law.name: drift(trajectory.recorded[f"law_{law.name}"]) for law in system.integrals},
         "happenings": [
             {"time": h.time, "what": h.guard.happening, "stopped": h.stopped}
             for h in trajectory.happenings
@@ -49,7 +49,7 @@ def summary_text(system: System, trajectory: Trajectory, facts: dict[str, Any]) 
         f"{system.title}: t = {trajectory.times[0]} … {facts['time']}, {facts['steps']} Taylor "
         f"steps of order {facts['order']} in {facts['seconds']:.3g} s"
     ]
-    laws = {law.name: law for law in trajectory.system.laws}
+    laws = {law.name: law for law in trajectory.system.integrals}
     for name, value in facts["drift"].items():
         source = f", {laws[name].source}" if laws[name].source else ""
         lines.append(f"  {laws[name].meaning}{source}: drift {value:.1e}")

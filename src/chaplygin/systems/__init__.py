@@ -5,40 +5,20 @@ A file offers its systems as ``ENTRIES``; :data:`CATALOGUE` collects them by nam
 
 from __future__ import annotations
 
+import pkgutil
+from importlib import import_module
+
 from ..mechanics.rolling import Rolling
-from ..statements import Integral
+from ..statements import Law
 from ..system import System
-from . import (
-    ball_on_sphere,
-    chaplygin_ball,
-    heavy_disk,
-    rattleback,
-    rubber_ball_on_sphere,
-    rubber_body_of_revolution,
-    rubber_chaplygin_ball,
-    unbalanced_ball,
-    unbalanced_rubber_ball,
-    veselova,
-)
 from .entry import Entry, Start, known_laws, lookup
 
 __all__ = ["CATALOGUE", "Entry", "Start", "entry", "from_catalogue", "known_laws_of"]
 
 CATALOGUE: dict[str, Entry] = {
     item.name: item
-    for module in (
-        chaplygin_ball,
-        rubber_chaplygin_ball,
-        veselova,
-        unbalanced_ball,
-        unbalanced_rubber_ball,
-        rattleback,
-        rubber_body_of_revolution,
-        heavy_disk,
-        ball_on_sphere,
-        rubber_ball_on_sphere,
-    )
-    for item in module.ENTRIES
+    for module in sorted(m.name for m in pkgutil.iter_modules(__path__) if m.name != "entry")
+    for item in getattr(import_module(f".{module}", __name__), "ENTRIES", ())
 }
 """Every system of the catalogue by its name."""
 
@@ -59,6 +39,6 @@ def from_catalogue(name: str, **parameters: float) -> System:
     return entry(name).system(parameters)
 
 
-def known_laws_of(rolling: Rolling, made: System) -> tuple[Integral, ...]:
-    """The integrals that the catalogue knows of a body, whether or not it was named."""
+def known_laws_of(rolling: Rolling, made: System) -> tuple[Law, ...]:
+    """The laws that the catalogue knows of a body, whether or not it was named."""
     return known_laws(CATALOGUE.values(), rolling, made)

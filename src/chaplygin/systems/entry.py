@@ -11,7 +11,7 @@ import sympy as sp
 
 from ..errors import InputError
 from ..mechanics.rolling import Rolling
-from ..statements import Integral
+from ..statements import Law
 from ..system import System
 
 __all__ = ["Entry", "Start", "known_laws", "lookup"]
@@ -28,7 +28,7 @@ class Start:
     until: float
 
 
-def _no_laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
+def _no_laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     return ()
 
 
@@ -46,8 +46,11 @@ class Entry:
         Numbers by symbol name ↦ Rolling; or ↦ System where nothing rolls.
     start : Start
     laws : callable
-        (Rolling, System) ↦ the integrals that the paper names for it, besides the energy; empty
+        (Rolling, System) ↦ the laws that the paper names for it, besides the energy; empty
         for a Rolling that this entry does not speak of.
+    general : callable, optional
+        The System with what is arbitrary left arbitrary (a potential U(γ), a profile), and the
+        laws that hold for every choice: for proofs alone, it cannot be run.
     """
 
     name: str
@@ -57,7 +60,8 @@ class Entry:
     defaults: Numbers
     build: Callable[[Numbers], Rolling | System]
     start: Start
-    laws: Callable[[Rolling, System], tuple[Integral, ...]] = _no_laws
+    laws: Callable[[Rolling, System], tuple[Law, ...]] = _no_laws
+    general: Callable[[], System] | None = None
 
     def numbers(self, parameters: Numbers | None = None) -> dict[str, float]:
         """All parameters, the given ones replacing the defaults.
@@ -108,9 +112,9 @@ def _nearest(name: str, known: Iterable[str]) -> str:
     return f" (did you mean {close[0]!r}?)" if close else ""
 
 
-def known_laws(entries: Iterable[Entry], rolling: Rolling, system: System) -> tuple[Integral, ...]:
+def known_laws(entries: Iterable[Entry], rolling: Rolling, system: System) -> tuple[Law, ...]:
     """The integrals that some entries know of a rolling body, each once."""
-    found: dict[str, Integral] = {}
+    found: dict[str, Law] = {}
     for item in entries:
         for law in item.laws(rolling, system):
             found.setdefault(law.name, law)

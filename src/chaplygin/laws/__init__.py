@@ -1,0 +1,1 @@
+"""Laws stated, proved and searched for."""
