@@ -22,9 +22,7 @@ def _sections(number: int | None) -> list[str]:
 def claims(section: int | None = None) -> tuple[Claim, ...]:
     """The claims of one section, or of the whole paper, in reading order."""
     return tuple(
-        claim
-        for name in _sections(section)
-        for claim in import_module(f".{name}", __name__).CLAIMS
+        claim for name in _sections(section) for claim in import_module(f".{name}", __name__).CLAIMS
     )
 
 

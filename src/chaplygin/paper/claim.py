@@ -6,9 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from ..laws.verdict import Verdict
 from ..statements import Law
 from ..system import System
-from ..laws.verdict import Verdict
 
 __all__ = ["Case", "Claim", "Remark"]
 

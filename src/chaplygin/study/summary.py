@@ -28,7 +28,9 @@ def summary(trajectory: Trajectory) -> dict[str, Any]:
         "final": {
             str(s): _plain(x) for s, x in zip(system.symbols, trajectory.states[-1], strict=True)
         },
-        "drift": {law.name: drift(trajectory.recorded[f"law_{law.name}"]) for law in system.integrals},
+        "drift": {
+            law.name: drift(trajectory.recorded[f"law_{law.name}"]) for law in system.integrals
+        },
         "happenings": [
             {"time": h.time, "what": h.guard.happening, "stopped": h.stopped}
             for h in trajectory.happenings
