@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, field
+from typing import Any, TypeAlias
 
 import sympy as sp
 
@@ -17,15 +17,40 @@ from ..system import System
 __all__ = ["Entry", "Start", "known_laws", "lookup"]
 
 Numbers = Mapping[str, float]
+Triple: TypeAlias = tuple[float, float, float]
+#: Values of a state by the names of its variables: a number, or the components of a vector.
+Values: TypeAlias = Mapping[str, float | tuple[float, ...]]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Start:
-    """A start worth looking at: ω and γ (body axes), and for how long to follow it."""
+    """A start worth looking at: ω and γ, or the whole state by name.
 
-    omega: tuple[float, float, float]
-    gamma: tuple[float, float, float]
+    Parameters
+    ----------
+    until : float
+        For how long to follow it.
+    omega, gamma : 3 floats, optional
+        Angular velocity and normal, body axes, from which the rest of the state follows.
+    state : mapping of str to float or floats, optional
+        The state by the names of its variables, for a system that is not given by ω and γ; what
+        belongs to the lift to space may be left out.
+
+    Raises
+    ------
+    InputError
+        Unless either ω and γ are given, or a state.
+    """
+
     until: float
+    omega: Triple | None = None
+    gamma: Triple | None = None
+    state: Values | None = None
+
+    def __post_init__(self) -> None:
+        halves = [self.omega is not None, self.gamma is not None]
+        if all(halves) == (self.state is not None) or any(halves) != all(halves):
+            raise InputError("a start is given either by both omega and gamma or by a state")
 
 
 def _no_laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
@@ -51,6 +76,8 @@ class Entry:
     general : callable, optional
         The System with what is arbitrary left arbitrary (a potential U(γ), a profile), and the
         laws that hold for every choice: for proofs alone, it cannot be run.
+    variables : mapping of str to (str, str)
+        Meaning and SI unit of state variables by name, where the start is given by a state.
     """
 
     name: str
@@ -62,6 +89,7 @@ class Entry:
     start: Start
     laws: Callable[[Rolling, System], tuple[Law, ...]] = _no_laws
     general: Callable[[], System] | None = None
+    variables: Mapping[str, tuple[str, str]] = field(default_factory=dict)
 
     def numbers(self, parameters: Numbers | None = None) -> dict[str, float]:
         """All parameters, the given ones replacing the defaults.
