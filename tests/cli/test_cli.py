@@ -16,6 +16,9 @@ from chaplygin.cli import main
 from chaplygin.study.dataset import read
 from chaplygin.study.experiment import load
 from chaplygin.systems import CATALOGUE
+from named_states import named_states
+
+__all__ = ["named_states"]
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -235,3 +238,21 @@ def test_importing_the_command_line_imports_nothing_heavy() -> None:
         [sys.executable, "-c", script], capture_output=True, text=True, check=True
     )
     assert result.stdout.strip() == "[]"
+
+
+@pytest.mark.parametrize("name", ["trial-sleigh", "trial-top"])
+def test_systems_started_by_their_state(ask: Ask, named_states: None, name: str) -> None:
+    code, out, _ = ask("show", name)
+    assert code == 0
+    assert "contact point" not in out
+    assert ("u velocity along the blade" in out) == (name == "trial-sleigh")
+    code, out, _ = ask("run", name, "-o", "motion.nc", "--set", "run.until=1")
+    assert code == 0
+    assert "energy: drift" in out
+    assert float(read("motion.nc").time[-1]) == 1.0
+    code, out, _ = ask("study", name, "--set", "run.until=1")
+    assert code == 0
+    assert load(Path(name) / "experiment.toml").run.until == 1.0
+    code, _, err = ask("run", name, "-o", "other.nc", "--set", "start.speed=1")
+    assert code == 2
+    assert "--set start.speed: unknown variable" in err

@@ -175,11 +175,7 @@ def test_a_name_is_enough(name):
     item = CATALOGUE[name]
     assert not made.own
     assert made.system == item.system()
-    assert (made.omega, made.gamma, made.until) == (
-        item.start.omega,
-        item.start.gamma,
-        item.start.until,
-    )
+    assert (made.given, made.until) == (item.start.values, item.start.until)
     assert (made.rolling is None) == (name == "veselova")
     assert made.times[-1] == item.start.until
     assert len(made.times) == 101

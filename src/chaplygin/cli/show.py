@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from typing import Annotated
 
 import typer
@@ -9,11 +10,6 @@ import typer
 from .common import Json, Override, What, print_json, study_of
 
 __all__ = ["command"]
-
-LEGEND = """
-In body axes: ω angular velocity, M momentum about the contact point, γ outward normal of the
-surface at the contact, r from the centre of mass to the contact point, c to the geometric centre,
-ζ the vertical; E is the unit tensor."""
 
 FORMS = ("text", "latex", "julia", "c", "toml")
 
@@ -28,6 +24,7 @@ def command(
 ) -> None:
     """Print equations of motion, parameters, laws and source of a system."""
     from ..errors import InputError
+    from ..study.summary import legend
 
     if form not in FORMS:
         raise InputError(f"--as {form}: it must be one of {', '.join(FORMS)}")
@@ -73,5 +70,5 @@ def command(
         "toml": study.complete_toml,
     }
     typer.echo(texts[form]().rstrip())
-    if form == "text":
-        typer.echo(LEGEND)
+    if form == "text" and (words := legend(study)):
+        typer.echo("\n" + textwrap.fill(words, 100))

@@ -28,16 +28,31 @@ _LABELS = {
     "quaternion": "component of the quaternion",
 }
 
-_STATE = {
+#: Vectors of three components in body axes: meaning, unit, source.
+_BODY = {
     "omega": ("angular velocity", "rad/s", "(1.13)"),
-    "gamma": ("normal of the surface at the contact", "1", "(1.10)"),
-    "M": ("angular momentum about the contact point", "kg m^2/s", "(7.1)"),
+    "gamma": ("unit vector fixed in space", "1", "(1.10)"),
+    "M": ("angular momentum", "kg m^2/s", ""),
     "r": ("contact point from the centre of mass", "m", "(1.14)"),
     "zeta": ("upward vertical", "1", ""),
 }
 
+#: The same where a body touches a surface.
+_TOUCHING = {
+    **_BODY,
+    "gamma": ("normal of the surface at the contact", "1", "(1.10)"),
+    "M": ("angular momentum about the contact point", "kg m^2/s", "(7.1)"),
+}
 
-def to_dataset(trajectory: Trajectory, attributes: Mapping[str, Any] | None = None) -> xr.Dataset:
+#: Variables of the lift to space, which are recorded as observables.
+_LIFT = ("attitude", "place")
+
+
+def to_dataset(
+    trajectory: Trajectory,
+    attributes: Mapping[str, Any] | None = None,
+    meanings: Mapping[str, tuple[str, str]] | None = None,
+) -> xr.Dataset:
     """A trajectory as a dataset.
 
     Parameters
@@ -45,20 +60,22 @@ def to_dataset(trajectory: Trajectory, attributes: Mapping[str, Any] | None = No
     trajectory : Trajectory
     attributes : mapping, optional
         Further global attributes, such as the text of the experiment file.
+    meanings : mapping of str to (str, str), optional
+        Meaning and SI unit of variables of the state, by name.
 
     Returns
     -------
     xarray.Dataset
-        Dimension ``time``; vectors have ``axis`` (body), ``space`` or ``quaternion``.  Every
+        Dimension ``time``; vectors have ``axis`` (body), ``space`` or ``quaternion``, and
+        vectors of the state in no known frame a dimension ``<name>_component``.  Every
         variable has ``long_name``, ``units`` and ``source``.  Numbers of 34 digits are split: the
         variable ``<name>_low`` is what must be added to ``<name>`` to have all of them.
     """
     system = trajectory.system
     variables: dict[str, Any] = {}
     for name in map(str, system.state):
-        if name in _STATE:
-            meaning, units, source = _STATE[name]
-            _add(variables, name, trajectory[name], "body", meaning, units, source)
+        if name not in _LIFT:
+            _add_state(variables, trajectory, name, (meanings or {}).get(name))
     for item in system.observables:
         values = trajectory.recorded[item.name]
         _add(variables, item.name, values, item.frame, item.meaning, item.unit, item.source)
@@ -110,6 +127,20 @@ def _used(variables: Mapping[str, Any], dim: str) -> bool:
     return any(dim in dims for dims, _, _ in variables.values())
 
 
+def _add_state(
+    variables: dict[str, Any], trajectory: Trajectory, name: str, told: tuple[str, str] | None
+) -> None:
+    """A variable of the state; what its system does not tell of it follows from its name."""
+    values = trajectory[name]
+    touching = any(item.name == "contact" for item in trajectory.system.observables)
+    known = (_TOUCHING if touching else _BODY) if values.shape[1:] == (3,) else {}
+    meaning, units, source = (*told, "") if told else known.get(name, (name, "", ""))
+    if values.ndim == 1 or name in known:
+        _add(variables, name, values, "body" if name in known else "", meaning, units, source)
+    else:
+        _add(variables, name, values, f"{name}_component", meaning, units, source)
+
+
 def _add(
     variables: dict[str, Any],
     name: str,
@@ -119,7 +150,7 @@ def _add(
     units: str,
     source: str,
 ) -> None:
-    dims = ("time", _FRAMES[frame][0]) if frame else ("time",)
+    dims = ("time", _FRAMES[frame][0] if frame in _FRAMES else frame) if frame else ("time",)
     high, low = _split(values)
     notes = {"long_name": meaning, "units": units or "1", "source": source}
     if frame in ("body", "space"):

@@ -1,8 +1,10 @@
 """The experiment file: what the command line, the web page and Python share.
 
 A TOML file describes either a body that rolls on a surface (`RollingExperiment`) or a system of
-the catalogue (`SystemExperiment`), a start, and how the motion is computed. The keys, their
-meaning, units and frames are those of `chaplygin.study.tables`.
+the catalogue, a start, and how the motion is computed. What moves in the catalogue's system is
+mostly a body whose start is given by ω and γ (`SystemExperiment`); of any other system the start
+gives the state by the names of its variables (`StateExperiment`). The keys, their meaning, units
+and frames are those of `chaplygin.study.tables`.
 """
 
 from __future__ import annotations
@@ -15,6 +17,7 @@ from typing import Any
 from pydantic import Field, PrivateAttr, ValidationError, ValidationInfo, field_validator
 
 from ..errors import InputError
+from ..systems import CATALOGUE
 from .mistakes import mistakes
 from .source import Source
 from .tables import (
@@ -29,6 +32,7 @@ from .tables import (
     ShapeTable,
     SphereTable,
     StartTable,
+    StateTable,
     SurfaceTable,
     SystemRunTable,
     SystemStartTable,
@@ -38,7 +42,14 @@ from .tables import (
 )
 from .toml_text import Key, dumps
 
-__all__ = ["Experiment", "RollingExperiment", "SystemExperiment", "load", "loads"]
+__all__ = [
+    "Experiment",
+    "RollingExperiment",
+    "StateExperiment",
+    "SystemExperiment",
+    "load",
+    "loads",
+]
 
 
 class _Experiment(Table):
@@ -142,8 +153,22 @@ class SystemExperiment(_Experiment):
     run: SystemRunTable = Field(default=SystemRunTable(), description="a table")
 
 
-Experiment = RollingExperiment | SystemExperiment
-"""Either kind of experiment; ``isinstance`` tells which."""
+class StateExperiment(_Experiment):
+    """A system of the catalogue whose start is given by the names of its state.
+
+    Raises
+    ------
+    pydantic.ValidationError
+        (A ValueError.) If it is made in Python of wrong parts; `load` raises InputError.
+    """
+
+    system: SystemTable = Field(description="a table [system] with a name")
+    start: StateTable = Field(default={}, description="a table of named values")
+    run: SystemRunTable = Field(default=SystemRunTable(), description="a table")
+
+
+Experiment = RollingExperiment | SystemExperiment | StateExperiment
+"""Any kind of experiment; ``isinstance`` tells which."""
 
 
 def load(source: str | Path, overrides: Iterable[str] = ()) -> Experiment:
@@ -159,7 +184,7 @@ def load(source: str | Path, overrides: Iterable[str] = ()) -> Experiment:
 
     Returns
     -------
-    RollingExperiment or SystemExperiment
+    RollingExperiment, SystemExperiment or StateExperiment
 
     Raises
     ------
@@ -200,7 +225,7 @@ def loads(text: str, name: str = "<text>", overrides: Iterable[str] = ()) -> Exp
 
     Returns
     -------
-    RollingExperiment or SystemExperiment
+    RollingExperiment, SystemExperiment or StateExperiment
 
     Raises
     ------
@@ -209,8 +234,8 @@ def loads(text: str, name: str = "<text>", overrides: Iterable[str] = ()) -> Exp
     """
     source = Source(name, text, tuple(overrides))
     tables = source.tables()
-    model = SystemExperiment if "system" in tables else RollingExperiment
-    wrong = _decided_by_system(tables) if model is SystemExperiment else {}
+    model = _model(tables)
+    wrong = {} if model is RollingExperiment else _decided_by_system(tables)
     rest = {key: table for key, table in tables.items() if (key,) not in wrong}
     try:
         experiment = model.model_validate(rest)
@@ -221,6 +246,16 @@ def loads(text: str, name: str = "<text>", overrides: Iterable[str] = ()) -> Exp
         raise InputError("\n".join(f"{source.where(key)}: {wrong[key]}" for key in in_order))
     experiment._source = source
     return experiment
+
+
+def _model(tables: dict[str, Any]) -> type[Experiment]:
+    """The kind of experiment that these tables mean to be."""
+    if "system" not in tables:
+        return RollingExperiment
+    table = tables["system"]
+    name = table.get("name") if isinstance(table, dict) else None
+    item = CATALOGUE.get(name) if isinstance(name, str) else None
+    return StateExperiment if item and item.start.state is not None else SystemExperiment
 
 
 def _decided_by_system(tables: dict[str, Any]) -> dict[Key, str]:

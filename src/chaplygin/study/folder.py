@@ -67,7 +67,10 @@ def write_study(
     write(dataset, folder / "trajectory.nc", force)
     with completed(folder / "experiment.toml") as temporary:
         temporary.write_text(study.complete_toml(), encoding="utf-8")
-    pictures = figures.all_figures(smooth, scene_of(study), weight_of(study))
+    if study.by_state:
+        pictures = figures.state_figures(smooth, [str(name) for name in study.system.state])
+    else:
+        pictures = figures.all_figures(smooth, scene_of(study), weight_of(study))
     for name, figure in pictures.items():
         for suffix in ("svg", "png"):
             figures.save(figure, folder / "figures" / f"{name}.{suffix}")

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import contextlib
-import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -24,7 +23,8 @@ from ..mechanics.surfaces import Plane, Sphere
 from ..system import System
 from ..systems import entry, known_laws_of
 from .dataset import to_dataset
-from .experiment import Experiment, RollingExperiment, SystemExperiment
+from .experiment import Experiment, RollingExperiment, StateExperiment, SystemExperiment
+from .state import given_state, normalised, on_level, unit_vectors
 from .tables import (
     BallTable,
     DiskTable,
@@ -51,18 +51,20 @@ class Study:
         With every integral that the catalogue knows of it.
     rolling : Rolling or None
         What rolls on what; None for a body about a fixed point.
-    omega, gamma : 3 floats
-        The start, body axes; γ as given.
+    given : mapping of str to number or numbers
+        The start as given, by name: ω and γ, or the variables of the state.
     until : float
         Duration.
+    variables : mapping of str to (str, str)
+        Meaning and unit of variables of the state, where the start is given by it.
     """
 
     experiment: Experiment
     system: System
     rolling: Rolling | None
-    omega: tuple[float, float, float]
-    gamma: tuple[float, float, float]
+    given: Mapping[str, Any]
     until: float
+    variables: Mapping[str, tuple[str, str]] = field(default_factory=dict)
 
     @property
     def own(self) -> bool:
@@ -70,13 +72,21 @@ class Study:
         return isinstance(self.experiment, RollingExperiment)
 
     @property
+    def by_state(self) -> bool:
+        """Whether the start is given by the state, not by ω and γ."""
+        return isinstance(self.experiment, StateExperiment)
+
+    @property
     def remarks(self) -> tuple[str, ...]:
         """What was done to the input, one sentence each."""
-        length = math.hypot(*self.gamma)
-        if self.experiment.start.gamma is None or abs(length - 1) <= 4e-16:
-            return ()
-        unit = ", ".join(f"{x / length:.17g}" for x in self.gamma)
-        return (f"start.gamma has length {length:.9g}; it was normalised to [{unit}]",)
+        unit = unit_vectors(self.system) if self.by_state else {"gamma"}
+        start = self.experiment.start
+        told = start if isinstance(start, dict) else start.model_dump(exclude_none=True)
+        return tuple(
+            f"start.{name} has length {length:.9g}; it was normalised to "
+            f"[{', '.join(f'{x:.17g}' for x in direction)}]"
+            for name, (length, direction) in normalised(told, unit).items()
+        )
 
     @cached_property
     def start(self) -> tuple[Any, ...]:
@@ -87,11 +97,24 @@ class Study:
         InputError
             If ω breaks the constraint, or no contact point belongs to γ.
         """
-        given = self.experiment.start
+        start = self.experiment.start
         with _at(self.experiment, "start"):
+            if isinstance(start, dict):
+                return given_state(self.system, self.given)
             return starting_state(
-                self.system, self.omega, self.gamma, heading=given.heading, normal=given.normal
+                self.system,
+                self.given["omega"],
+                self.given["gamma"],
+                heading=start.heading,
+                normal=start.normal,
             )
+
+    @cached_property
+    def watched(self) -> System:
+        """The system with those integrals alone whose level the start lies on."""
+        state = self.start[: len(self.system.symbols)]
+        holding = [law for law in self.system.integrals if on_level(self.system, law.on, state)]
+        return replace(self.system, laws=tuple(holding))
 
     @property
     def times(self) -> Any:
@@ -104,9 +127,9 @@ class Study:
     def complete_toml(self) -> str:
         """The experiment file with nothing left to defaults of the catalogue."""
         tables = self.experiment.model_dump()
-        tables["start"] |= {"omega": self.omega, "gamma": self.gamma}
+        tables["start"] |= self.given
         tables["run"] |= {"until": self.until}
-        if isinstance(self.experiment, SystemExperiment):
+        if not isinstance(self.experiment, RollingExperiment):
             table = self.experiment.system
             tables["system"]["parameters"] = entry(table.name).numbers(table.parameters)
         return type(self.experiment).model_validate(tables).toml()
@@ -139,7 +162,7 @@ class Study:
         start = self.start
         with _at(self.experiment, "start"):
             return integrate(
-                self.system,
+                self.watched,
                 start,
                 _divided(self.times, pieces),
                 tolerance=run.tolerance,
@@ -166,6 +189,7 @@ def dataset_of(study: Study, trajectory: Trajectory, complete: bool = True) -> x
             "experiment": study.complete_toml(),
             "complete": int(complete),
         },
+        study.variables,
     )
 
 
@@ -192,22 +216,24 @@ def prepare(experiment: Experiment) -> Study:
     InputError
         If its parts do not fit together; the message names the place in the file.
     """
-    if isinstance(experiment, SystemExperiment):
+    if not isinstance(experiment, RollingExperiment):
         return _from_catalogue(experiment)
     rolling = _rolling(experiment)
     with _at(experiment, "body"):
         system = rolling.system("experiment", experiment.title or _title(rolling))
     system = system.with_laws(*known_laws_of(rolling, system))
-    start = experiment.start
-    return Study(experiment, system, rolling, start.omega, start.gamma, experiment.run.until)
+    given = {"omega": experiment.start.omega, "gamma": experiment.start.gamma}
+    return Study(experiment, system, rolling, given, experiment.run.until)
 
 
-def catalogue_experiment(name: str) -> SystemExperiment:
+def catalogue_experiment(name: str) -> SystemExperiment | StateExperiment:
     """The experiment that a catalogue entry suggests."""
-    return SystemExperiment.model_validate({"system": {"name": entry(name).name}})
+    item = entry(name)
+    model = SystemExperiment if item.start.state is None else StateExperiment
+    return model.model_validate({"system": {"name": item.name}})
 
 
-def _from_catalogue(experiment: SystemExperiment) -> Study:
+def _from_catalogue(experiment: SystemExperiment | StateExperiment) -> Study:
     table = experiment.system
     with _at(experiment, "system", "name"):
         item = entry(table.name)
@@ -215,15 +241,11 @@ def _from_catalogue(experiment: SystemExperiment) -> Study:
         system, rolling = item.system(table.parameters), item.rolling(table.parameters)
     if experiment.title:
         system = replace(system, title=experiment.title)
-    start, run = experiment.start, experiment.run
-    return Study(
-        experiment,
-        system,
-        rolling,
-        start.omega or item.start.omega,
-        start.gamma or item.start.gamma,
-        run.until or item.start.until,
-    )
+    start, suggested = experiment.start, item.start
+    told = start if isinstance(start, dict) else {"omega": start.omega, "gamma": start.gamma}
+    given = suggested.values | {name: value for name, value in told.items() if value is not None}
+    until = experiment.run.until or suggested.until
+    return Study(experiment, system, rolling, given, until, item.variables)
 
 
 def _rolling(experiment: RollingExperiment) -> Rolling:

@@ -17,7 +17,7 @@ from ..mechanics.surfaces import Plane
 from ..typeset import latex, mathml, system_html
 from . import figures
 from .prepare import Study, shape_name
-from .summary import drift
+from .summary import drift, legend
 
 __all__ = ["render"]
 
@@ -27,6 +27,7 @@ PLATES = {
         "Path of the contact point",
         "On the surface, coloured by time; the ring marks the start, the dot the end.",
     ),
+    "state": ("The state", "The variables of the state against time."),
     "normal_on_sphere": (
         "The normal γ on its sphere",
         "In body axes: the direction from which the body sees the surface it rolls on.",
@@ -94,6 +95,7 @@ def render(
             if name in drawn
         ],
         equations=Markup(system_html(replace(study.system, laws=()))),
+        legend=legend(study),
         laws=[
             {
                 "meaning": law.meaning,
@@ -126,6 +128,8 @@ def _remark(study: Study, name: str) -> str:
 def _setting(study: Study) -> str:
     """What rolls on what, in one line."""
     rolling = study.rolling
+    if study.by_state:
+        return ""
     if rolling is None:
         return "A body about a fixed point."
     shape = shape_name(rolling)

@@ -7,9 +7,29 @@ from typing import Any
 import numpy as np
 
 from ..flow.trajectory import Trajectory
+from ..notation import text
 from ..system import System
+from .prepare import Study
 
-__all__ = ["drift", "summary", "summary_text"]
+__all__ = ["drift", "legend", "summary", "summary_text"]
+
+_BODY_AXES = (
+    "In body axes: ω angular velocity, M momentum about the contact point, γ outward normal of the "
+    "surface at the contact, r from the centre of mass to the contact point, c to the geometric "
+    "centre, ζ the vertical; E is the unit tensor."
+)
+
+
+def legend(study: Study) -> str:
+    """What the letters of the equations mean; empty where nothing is told of them."""
+    if not study.by_state:
+        return _BODY_AXES
+    meanings = [
+        f"{text(name)} {study.variables[str(name)][0]}"
+        for name in study.system.state
+        if str(name) in study.variables
+    ]
+    return f"The state: {'; '.join(meanings)}." if meanings else ""
 
 
 def drift(values: Any) -> float:

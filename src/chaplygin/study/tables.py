@@ -7,6 +7,7 @@ Units are SI, angles in radians.
 from __future__ import annotations
 
 import keyword
+import math
 import re
 from typing import Annotated, ClassVar, Literal
 
@@ -16,6 +17,7 @@ from pydantic import (
     BaseModel,
     ConfigDict,
     Field,
+    PlainValidator,
     Strict,
     StrictBool,
     StrictInt,
@@ -27,6 +29,7 @@ from pydantic import (
 from ..errors import InputError
 from ..expressions import RESERVED, parse
 from ..mechanics.body import check_inertia
+from .mistakes import shown
 
 __all__ = [
     "BallTable",
@@ -42,6 +45,7 @@ __all__ = [
     "ShapeTable",
     "SphereTable",
     "StartTable",
+    "StateTable",
     "SurfaceTable",
     "SystemRunTable",
     "SystemStartTable",
@@ -58,6 +62,7 @@ POSITIVE = "a positive finite number"
 THREE = "3 finite numbers"
 DIRECTION = "3 finite numbers with at least one not zero"
 FORMULA = "a formula in quotes"
+STATE = "a finite number, or finite numbers in brackets"
 
 COARSEST, FINEST, FINEST_DOUBLE = 1e-3, 1e-30, 1e-16
 DEFAULT_TOLERANCE = 1e-15
@@ -306,6 +311,19 @@ class SystemStartTable(_StartTable):
 
     gamma: Vector | None = Field(default=None, description=DIRECTION)
     omega: Vector | None = Field(default=None, description=THREE)
+
+
+def _state_value(value: object) -> float | tuple[float, ...]:
+    """A number, or numbers in brackets; which of both a variable needs, its system says."""
+    listed = value if isinstance(value, list | tuple) else [value]
+    numbers = [float(x) for x in listed if isinstance(x, int | float) and not isinstance(x, bool)]
+    if len(numbers) < len(listed) or not all(map(math.isfinite, numbers)):
+        raise ValueError(f"must be {STATE}, not {shown(value)}")
+    return tuple(numbers) if isinstance(value, list | tuple) else numbers[0]
+
+
+StateTable = dict[str, Annotated[float | tuple[float, ...], PlainValidator(_state_value)]]
+"""The start of a system that is not given by ω and γ: variables of its state by name."""
 
 
 class _RunTable(Table):

@@ -52,6 +52,11 @@ class Start:
         if all(halves) == (self.state is not None) or any(halves) != all(halves):
             raise InputError("a start is given either by both omega and gamma or by a state")
 
+    @property
+    def values(self) -> dict[str, Any]:
+        """What is given, by name: ω and γ, or the variables of the state."""
+        return {"omega": self.omega, "gamma": self.gamma} if self.state is None else {**self.state}
+
 
 def _no_laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     return ()

@@ -7,11 +7,13 @@ variables that the dataset lacks are an `InputError`; `all_figures` leaves such 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import xarray as xr
 from matplotlib.figure import Figure
 
 from ..drawing import Ground, Outline
-from .charts import angular_velocity, conserved, drift, normal_force, relative_drift
+from .charts import angular_velocity, conserved, drift, normal_force, relative_drift, state
 from .curves import contact_path, normal_on_sphere
 from .files import FORMATS, save, svg_text
 from .scenes import scene
@@ -30,6 +32,8 @@ __all__ = [
     "relative_drift",
     "save",
     "scene",
+    "state",
+    "state_figures",
     "svg_text",
 ]
 
@@ -68,6 +72,26 @@ def all_figures(
         figures["angular_velocity"] = angular_velocity(dataset)
     if "normal_force" in possible:
         figures["normal_force"] = normal_force(dataset, weight)
+    if conserved(dataset):
+        figures["drift"] = drift(dataset)
+    return figures
+
+
+def state_figures(dataset: xr.Dataset, names: Sequence[str]) -> dict[str, Figure]:
+    """The figures of a system that is no body with ω and γ: its state in time, and the drift.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+    names : sequence of str
+        The variables of the state.
+
+    Returns
+    -------
+    dict
+        Figures by the names of the functions that make them: `state`, `drift`, in this order.
+    """
+    figures = {"state": state(dataset, names)}
     if conserved(dataset):
         figures["drift"] = drift(dataset)
     return figures

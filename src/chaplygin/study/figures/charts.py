@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import matplotlib as mpl
 import numpy as np
 import xarray as xr
@@ -9,6 +11,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ...errors import InputError
+from ...notation import latex
+from ...vectors import Vector, scalar
 from ..drawing import FloatArray
 from .style import ALARM, COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 from .variables import NOTHING, readable, require, times_of, title_of, unit_of, values_of, with_unit
@@ -61,6 +65,66 @@ def angular_velocity(dataset: xr.Dataset) -> Figure:
         _widen(axes, np.concatenate([omega.ravel(), length]))
         _legend_above(axes, 4)
     return figure
+
+
+def state(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
+    """Variables of the state against time, one panel for each, vectors by their components.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+    names : sequence of str
+        The variables, from top to bottom.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Raises
+    ------
+    InputError
+        If there are no variables, or the dataset lacks one.
+    """
+    missing = [name for name in names if name not in dataset]
+    if missing or not names:
+        raise InputError(
+            f"the figure state needs variables of the trajectory of {title_of(dataset)}, and "
+            f"{', '.join(missing) or 'none'} cannot be shown"
+        )
+    times = times_of(dataset)
+    with mpl.rc_context(STYLE):
+        figure = Figure(figsize=(WIDTH, 0.5 + 1.35 * len(names)), layout="constrained")
+        figure.set_label(f"The state against time: {title_of(dataset)}")
+        panels = figure.subplots(len(names), sharex=True, squeeze=False)[:, 0]
+        for axes, name in zip(panels, names, strict=True):
+            _panel(axes, dataset, name)
+        panels[-1].set_xlabel(_time_label(dataset))
+        if times[-1] > times[0]:
+            panels[-1].set_xlim(times[0], times[-1])
+        figure.align_ylabels(list(panels))
+    return figure
+
+
+def _panel(axes: Axes, dataset: xr.Dataset, name: str) -> None:
+    """One variable against time."""
+    times, values = times_of(dataset), values_of(dataset, name)
+    symbol = latex(Vector(name) if values.ndim > 1 else scalar(name))
+    columns = values.reshape(len(values), -1).T
+    for number, column in enumerate(columns):
+        label = latex(scalar(f"{name}_{number + 1}")) if values.ndim > 1 else symbol
+        axes.plot(
+            times,
+            column,
+            color=SERIES[number % len(SERIES)] if len(columns) > 3 else COMPONENTS[number],
+            marker=_marker(times),
+            label=f"${label}$",
+        )
+    axes.grid(axis="y", color=FAINT, linewidth=0.4)
+    axes.set_axisbelow(True)
+    axes.set_ylabel(with_unit(f"${symbol}$", unit_of(dataset, name)))
+    _widen(axes, columns.ravel())
+    if values.ndim > 1:
+        axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=len(columns))
 
 
 def normal_force(dataset: xr.Dataset, weight: float | None = None) -> Figure:

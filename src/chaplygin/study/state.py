@@ -1,0 +1,221 @@
+"""From named values to a state on the phase space, for systems that ω and γ do not describe.
+
+As in :mod:`chaplygin.mechanics.start`, numbers are carried with 50 digits and rounded once.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection, Mapping, Sequence
+from typing import Any
+
+import mpmath
+import numpy as np
+import sympy as sp
+
+from ..errors import InputError
+from ..expressions import nearest
+from ..mechanics.attitude import attitude
+from ..mechanics.start import DIGITS, SLACK
+from ..notation import text
+from ..system import System
+from ..vectors import Vector, explicit, normed
+from .mistakes import shown
+
+__all__ = ["given_state", "normalised", "on_level", "unit_vectors"]
+
+#: Steps of Newton's method by which a start is put on the phase space, at most.
+_STEPS = 40
+
+#: A unit vector given in doubles may miss its length by this much.
+ROUNDING = 4e-16
+
+#: By how much a variable is moved to find a slope.
+_DIFFERENCE = mpmath.mpf(10) ** -20
+Values = Mapping[str, float | Sequence[float]]
+
+
+def given_state(system: System, values: Values) -> tuple[Any, ...]:
+    """The state of a system, lifted to space where it has a motion, from values by name.
+
+    Parameters
+    ----------
+    system : System
+    values : mapping of str to number or numbers
+        Every variable of the state; those of the lift may be left out.  A vector that the
+        relations make a unit vector is normalised.
+
+    Returns
+    -------
+    tuple of mpmath.mpf
+        In flat order, on the relations to 50 digits.  Of the lift, what is not given starts at
+        zero, and the attitude so that γ (where there is one) points upward.
+
+    Raises
+    ------
+    InputError
+        If a name is unknown or missing, a value has the wrong shape, or the state misses the
+        relations; the message then names the nearest state that does not.
+    """
+    with mpmath.workdps(DIGITS):
+        known = _read(system, values)
+        lifted = system.lifted() if system.motion else system
+        _complete(lifted, known)
+        state = [x for name in lifted.state for x in known[str(name)]]
+        return tuple(_on_relations(lifted, state))
+
+
+def normalised(values: Values, names: Collection[str]) -> dict[str, tuple[float, list[float]]]:
+    """The vectors of these names that had not the length one: their length and their direction."""
+    found = {}
+    for name in names & values.keys():
+        given = [float(x) for x in _numbers(name, values[name], 3)]
+        length = math.hypot(*given)
+        if abs(length - 1) > ROUNDING:
+            found[name] = length, [x / length for x in given]
+    return found
+
+
+def on_level(system: System, level: Sequence[sp.Expr], state: Sequence[Any]) -> bool:
+    """Whether all expressions of a level vanish at a state, but for rounding."""
+    with mpmath.workdps(DIGITS):
+        size = 1 + max((abs(x) for x in state), default=0)
+        found = _function(system, [explicit(e) for e in level])(state)
+        return all(abs(x) <= SLACK * size**2 for x in found)
+
+
+def _read(system: System, values: Values) -> dict[str, list[Any]]:
+    """The given values as numbers, names and shapes checked, unit vectors normalised."""
+    lifted = system.lifted() if system.motion else system
+    sizes = {str(name): _size(name) for name in lifted.state}
+    for name in values:
+        if name not in sizes:
+            raise InputError(f"{name}: unknown variable{nearest(name, sizes)}")
+    missing = [str(name) for name in system.state if str(name) not in values]
+    if missing:
+        raise InputError(
+            f"start: {', '.join(missing)} missing; the state of {system.name} is "
+            f"{', '.join(map(str, system.state))}"
+        )
+    known = {name: _numbers(name, given, sizes[name]) for name, given in values.items()}
+    for name in unit_vectors(lifted) & known.keys():
+        length = mpmath.norm(known[name])
+        if length == 0:
+            raise InputError(f"{name}: must not be zero, as it is a direction")
+        known[name] = [x / length for x in known[name]]
+    return known
+
+
+def _size(name: Any) -> int:
+    """Number of components; 0 for a scalar."""
+    return 0 if isinstance(name, sp.Symbol) else len(name.symbols)
+
+
+def _numbers(name: str, given: float | Sequence[float], size: int) -> list[Any]:
+    listed = list(given) if isinstance(given, Sequence) else [given]
+    fits = isinstance(given, Sequence) == (size > 0) and len(listed) == max(size, 1)
+    if not fits or not all(mpmath.isfinite(x) for x in listed):
+        wanted = f"{size} finite numbers" if size else "a finite number"
+        raise InputError(f"{name}: must be {wanted}, not {shown(given)}")
+    return [mpmath.mpf(repr(float(x))) for x in listed]
+
+
+def unit_vectors(system: System) -> set[str]:
+    """Names of the state's vectors whose length the relations make one."""
+    relations = [explicit(relation) for relation in system.relations]
+    return {
+        str(name)
+        for name in system.state
+        if isinstance(name, Vector) and explicit(normed(name)) - 1 in relations
+    }
+
+
+def _complete(lifted: System, known: dict[str, list[Any]]) -> None:
+    """What is not given of the lift to space."""
+    zero = mpmath.mpf(0)
+    for name in lifted.state:
+        known.setdefault(str(name), [zero] * max(_size(name), 1))
+    if attitude in lifted.state and not any(known[str(attitude)]):
+        known[str(attitude)] = _upright(known.get("gamma", [zero, zero, mpmath.mpf(1)]))
+
+
+def _upright(gamma: list[Any]) -> list[Any]:
+    """The quaternion that takes the unit vector γ (body) to the vertical along the shortest way."""
+    zero = mpmath.mpf(0)
+    x, y, z = gamma
+    turn = [1 + z, y, -x, zero] if 1 + z > SLACK else [zero, mpmath.mpf(1), zero, zero]
+    length = mpmath.norm(turn)
+    return [part / length for part in turn]
+
+
+def _function(system: System, formulas: Sequence[sp.Expr]) -> Callable[[Sequence[Any]], list[Any]]:
+    """Scalar formulas of a system as a function of its flat state, for numbers of mpmath."""
+    constants = {s: mpmath.mpf(repr(float(v))) for s, v in system.defaults.items()}
+    steps = list(system.needed(formulas))
+    function = sp.lambdify(
+        [*system.symbols, *constants], list(formulas), "mpmath", cse=lambda e: (steps, e)
+    )
+
+    def values(state: Sequence[Any]) -> list[Any]:
+        try:
+            return list(function(*state, *constants.values()))
+        except ZeroDivisionError:
+            raise InputError("start: the equations are singular at this state") from None
+
+    return values
+
+
+def _on_relations(lifted: System, state: list[Any]) -> list[Any]:
+    """The state moved onto the relations along the shortest way; refused if that is far."""
+    if not lifted.relations:
+        return state
+    residual = _function(lifted, [explicit(relation) for relation in lifted.relations])
+    near = _newton(residual, state)
+    defects = residual(state)
+    if near is not None and _distance(near, state) <= SLACK * (1 + max(map(abs, state))):
+        return near
+    worst = max(range(len(defects)), key=lambda i: abs(defects[i]))
+    message = (
+        f"start: the relation {text(lifted.relations[worst])} = 0 is missed by "
+        f"{float(defects[worst]):.6g}"
+    )
+    if near is not None:
+        message += f"; the nearest admissible state is {_listed(lifted, near)}"
+    raise InputError(message)
+
+
+def _newton(
+    residual: Callable[[Sequence[Any]], list[Any]], state: Sequence[Any]
+) -> list[Any] | None:
+    """The point near `state` where all residuals vanish, if Newton's method finds one."""
+    point = list(state)
+    for _ in range(_STEPS):
+        defects = residual(point)
+        if max(map(abs, defects)) < mpmath.mpf(10) ** (8 - DIGITS):
+            return point
+        columns = []
+        for index in range(len(point)):
+            moved = list(point)
+            moved[index] += _DIFFERENCE
+            pairs = zip(residual(moved), defects, strict=True)
+            columns.append([float((x - y) / _DIFFERENCE) for x, y in pairs])
+        # redundant relations (an attitude tied to a unit vector) make the rows dependent
+        inverse = np.linalg.pinv(np.array(columns).T, rcond=1e-9)
+        for index, row in enumerate(inverse):
+            point[index] -= sum(float(a) * x for a, x in zip(row, defects, strict=True))
+    return None
+
+
+def _distance(one: Sequence[Any], other: Sequence[Any]) -> Any:
+    return max(abs(x - y) for x, y in zip(one, other, strict=True))
+
+
+def _listed(system: System, state: Sequence[Any]) -> str:
+    """A state by names, as it would be given."""
+    parts = []
+    rest = [repr(float(x)) for x in state]
+    for name in system.state:
+        size = _size(name)
+        values, rest = rest[: max(size, 1)], rest[max(size, 1) :]
+        parts.append(f"{name} = [{', '.join(values)}]" if size else f"{name} = {values[0]}")
+    return ", ".join(parts)
