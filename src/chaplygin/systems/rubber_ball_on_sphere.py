@@ -4,10 +4,15 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from ..mechanics.rolling import Rolling
-from ..statements import Integral
+import sympy as sp
+
+from ..mechanics.body import Body
+from ..mechanics.rolling import Field, Rolling
+from ..mechanics.shapes import Ball
+from ..mechanics.surfaces import Sphere
+from ..statements import Integral, Law, Measure
 from ..system import System
-from ..vectors import Diagonal, dot, normed, scalar, vectors
+from ..vectors import Diagonal, Symmetric, dot, normed, scalar, vectors
 from . import ball_on_sphere
 from .entry import Entry, Numbers, Start
 
@@ -26,21 +31,47 @@ def build_around(p: Numbers) -> Rolling:
     return replace(ball_on_sphere.build_around(p), contact="rubber")
 
 
-def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
-    """(9.4) for k = −1."""
+#: (γ, J⁻¹γ), the square of ρ in (9.9).
+RHO_SQUARED = dot(gamma, A * gamma)
+
+
+def measure(rolling: Rolling, system: System) -> tuple[Measure, ...]:
+    """(9.3), with rotors, under gravity and in every potential."""
+    body, surface = rolling.body, rolling.surface
+    balanced = isinstance(body.shape, Ball) and not any(body.shape.centre)
+    if not (balanced and isinstance(surface, Sphere) and rolling.contact == "rubber"):
+        return ()
+    tensor = A if body.principal else Symmetric("A")
+    density = {dot(gamma, tensor * gamma): 1 / (2 * k)}
+    return (Measure("measure", density, "invariant measure", source="(9.3)"),)
+
+
+def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
+    """The measure (9.3), and (9.4) for k = −1."""
+    found: tuple[Law, ...] = measure(rolling, system)
     value = ball_on_sphere.ratio(rolling)
     body = rolling.body
     if value is None or rolling.contact != "rubber" or any(body.gyrostat) or not body.principal:
-        return ()
+        return found
     if abs(value + 1) > 1e-12:
-        return ()
+        return found
     J_1, J_2, J_3 = J.symbols
     spread = J_1 * J_2 * J_3 * dot(omega, J * omega) * normed(A * gamma)
-    integral = (normed(J * omega) + spread) / dot(gamma, A * gamma)
+    integral = (normed(J * omega) + spread) / RHO_SQUARED
     meaning = "quadratic integral of the case k = −1"
     return (
+        *found,
         Integral("quadratic", integral, meaning, on=(k + 1,), source="(9.4)", unit="kg^2 m^4/s^2"),
     )
+
+
+def unspecified() -> System:
+    """The ball on the outside, with rotors, in an arbitrary potential U(γ)."""
+    potential = sp.Function("U")(*gamma.symbols)
+    body = Body(1.0, (1.0, 1.5, 2.1), Ball(1.0), gyrostat=(0.3, -0.2, 0.5))
+    rolling = Rolling(body, Sphere(2.0), "rubber", Field(0.0, potential))
+    made = rolling.system("rubber-ball-on-sphere", "Rubber ball on a sphere")
+    return made.with_laws(*measure(rolling, made))
 
 
 _START = Start(omega=(0.9, -0.5, -0.35483870967741937), gamma=(0.2, -0.3, 0.93), until=60.0)
@@ -57,6 +88,7 @@ ENTRIES = (
         build=build,
         start=_START,
         laws=laws,
+        general=unspecified,
     ),
     Entry(
         name="rubber-ball-around-sphere",

@@ -22,6 +22,11 @@ def build(p: Numbers) -> Rolling:
     return replace(unbalanced_ball.build(p), contact="rubber")
 
 
+def build_on_sphere(p: Numbers) -> Rolling:
+    """The ball on a sphere, kept from spinning."""
+    return replace(unbalanced_ball.build_on_sphere(p), contact="rubber")
+
+
 def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
     """(10.5), with c = −a from the centre of mass to the geometric centre."""
     body, field = rolling.body, rolling.field
@@ -35,6 +40,9 @@ def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
     )
 
 
+_START = Start(omega=(0.9, -0.5, -0.35483870967741937), gamma=(0.2, -0.3, 0.93), until=100.0)
+_ON_PLANE, _ON_SPHERE = unbalanced_ball.ENTRIES
+
 ENTRIES = (
     Entry(
         name="unbalanced-rubber-ball",
@@ -42,9 +50,21 @@ ENTRIES = (
         summary="A dynamically asymmetric ball whose centre of mass is away from its centre rolls "
         "on a horizontal plane with neither slipping nor spinning, in the absence of gravity.",
         source="§10.2, (10.4), (10.5)",
-        defaults=unbalanced_ball.ENTRIES[0].defaults,
+        defaults=_ON_PLANE.defaults,
         build=build,
-        start=Start(omega=(0.9, -0.5, -0.35483870967741937), gamma=(0.2, -0.3, 0.93), until=100.0),
+        start=_START,
+        laws=laws,
+    ),
+    Entry(
+        name="unbalanced-rubber-ball-on-sphere",
+        title="Unbalanced rubber ball on a sphere",
+        summary="A dynamically asymmetric ball whose centre of mass is away from its centre rolls "
+        "with neither slipping nor spinning on a fixed sphere of radius a; of its integrals only "
+        "the energy is known.",
+        source="§1.4, (1.23); §10.2",
+        defaults=_ON_SPHERE.defaults,
+        build=build_on_sphere,
+        start=_START,
         laws=laws,
     ),
 )
