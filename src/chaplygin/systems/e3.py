@@ -1,0 +1,115 @@
+"""Hamiltonian systems on the (co)algebra e(3), in the form of the Kirchhoff equations (§6.3).
+
+    dM/dt = M×∂H/∂M + Γ×∂H/∂Γ,   dΓ/dt = Γ×∂H/∂M,
+
+that is, ẋ = {x, H} with {M_i, M_j} = −ε_ijk M_k, {M_i, Γ_j} = −ε_ijk Γ_k, {Γ_i, Γ_j} = 0.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
+
+from ..statements import ConformallyHamiltonian, Integral, Law, PoissonStructure
+from ..system import Parameter, System
+from ..vectors import (
+    Components,
+    Diagonal,
+    cross,
+    dot,
+    gradient,
+    hat,
+    normed,
+    scalar,
+    vectors,
+)
+
+__all__ = ["Gamma", "I", "M", "bracket", "e3_system", "inertia_parameters", "lie_poisson"]
+
+M, Gamma = vectors("M Gamma")
+I = Diagonal("I")  # noqa: E741  (the letter of the paper)
+H = scalar("H")
+
+
+def lie_poisson(first: MatrixExpr, second: MatrixExpr) -> Components:
+    """The 6×6 matrix [[û, v̂], [v̂, 0]] for u = `first`, v = `second`."""
+    corner = hat(second)
+    top = hat(first).row_join(corner)
+    return Components(top.col_join(corner.row_join(Components.zeros(3, 3))))
+
+
+def bracket() -> PoissonStructure:
+    """The Lie–Poisson bracket of e(3) in M and Γ, with its two Casimir functions."""
+    return PoissonStructure(
+        "bracket",
+        lie_poisson(M, Gamma),
+        casimirs=(normed(Gamma), dot(M, Gamma)),
+        rank=4,
+        meaning="bracket of e(3), with {M_i, M_j} = −ε_ijk M_k",
+        source="(6.11)",
+    )
+
+
+def inertia_parameters(moments: tuple[float, float, float]) -> tuple[Parameter, ...]:
+    """The three numbers I_1, I_2, I_3 of a positive tensor."""
+    return tuple(
+        Parameter(s, f"moment of inertia about body axis {i}", value, "kg m^2", (s > 0,))
+        for i, (s, value) in enumerate(zip(I.symbols, moments, strict=True), 1)
+    )
+
+
+def e3_system(
+    name: str,
+    title: str,
+    hamiltonian: sp.Expr,
+    parameters: tuple[Parameter, ...],
+    *,
+    level: tuple[sp.Expr, ...] = (),
+    laws: tuple[Law, ...] = (),
+    source: str = "",
+    summary: str = "",
+    unit: str = "J",
+) -> System:
+    """The Hamiltonian system with the given H(M, Γ) on e(3), with Γ² = 1.
+
+    Parameters
+    ----------
+    name, title, source, summary : str
+    hamiltonian : sympy.Expr
+        H, in the components of M and Γ (body axes).
+    parameters : tuple of Parameter
+    level : tuple of sympy.Expr
+        Further relations, such as (M, Γ) = 0.
+    laws : tuple of Law
+        What holds besides the Hamiltonian form, its energy and the area integral.
+    unit : str
+        SI unit of H.
+    """
+    slope_M, slope_Gamma = gradient(hamiltonian, M, "H"), gradient(hamiltonian, Gamma, "H")
+    structure = bracket()
+    return System(
+        name=name,
+        title=title,
+        source=source,
+        summary=summary,
+        parameters=parameters,
+        definitions={H: hamiltonian},
+        field={
+            M: cross(M, slope_M) + cross(Gamma, slope_Gamma),
+            Gamma: cross(Gamma, slope_M),
+        },
+        relations=(normed(Gamma) - 1, *level),
+        laws=(
+            Integral("energy", H, "Hamiltonian function", source=source, unit=unit),
+            structure,
+            ConformallyHamiltonian(
+                "hamiltonian",
+                sp.S.One,
+                structure,
+                H,
+                "Hamiltonian form on e(3)",
+                source="(6.11)",
+            ),
+            *laws,
+        ),
+    )

@@ -1,0 +1,63 @@
+"""The Neumann system: a point on a sphere in a quadratic potential (§6.3)."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ..mechanics.body import check_inertia
+from ..statements import Integral
+from ..system import Parameter, System
+from ..vectors import dot, normed, scalar
+from .e3 import Gamma, I, M, e3_system, inertia_parameters
+from .entry import Entry, Numbers, Start
+
+c = scalar("c")
+
+TITLE = "Neumann system"
+SUMMARY = (
+    "A point moves on a sphere in a quadratic potential: the Clebsch case with α = 1 and β = 0, "
+    "at zero area constant."
+)
+SOURCE = "§6.3, (6.14), Theorem 8"
+STRENGTH = "strength of the potential"
+
+
+def build(p: Numbers) -> System:
+    """H = ½M² + ½c(Γ, IΓ) at (M, Γ) = 0; Γ is the place of the point, Γ×M its velocity."""
+    moments = (p["I_1"], p["I_2"], p["I_3"])
+    check_inertia(moments)
+    I_1, I_2, I_3 = I.symbols
+    return e3_system(
+        "neumann",
+        TITLE,
+        (normed(M) + c * dot(Gamma, I * Gamma)) / 2,
+        (*inertia_parameters(moments), Parameter(c, STRENGTH, p["c"], "1/(kg m^2)")),
+        level=(dot(M, Gamma),),
+        laws=(
+            Integral(
+                "second",
+                (dot(M, I * M) - c * I_1 * I_2 * I_3 * dot(Gamma, I**-1 * Gamma)) / 2,
+                "second quadratic integral, of the Clebsch case",
+                source="(6.14)",
+            ),
+        ),
+        source=SOURCE,
+        summary=SUMMARY,
+        unit="",
+    )
+
+
+ENTRIES = (
+    Entry(
+        name="neumann",
+        title=TITLE,
+        summary=SUMMARY,
+        source=SOURCE,
+        defaults={"I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "c": 0.8},
+        build=build,
+        start=Start(
+            state={"M": (0.9, -0.2, -0.4), "Gamma": (2 / 7, -3 / 7, 6 / 7)},
+            until=60.0,
+        ),
+    ),
+)
