@@ -7,6 +7,8 @@ that is, ẋ = {x, H} with {M_i, M_j} = −ε_ijk M_k, {M_i, Γ_j} = −ε_ijk �
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
@@ -24,10 +26,20 @@ from ..vectors import (
     vectors,
 )
 
-__all__ = ["Gamma", "I", "M", "bracket", "e3_system", "inertia_parameters", "lie_poisson"]
+__all__ = [
+    "Gamma",
+    "H",
+    "I",
+    "M",
+    "bracket",
+    "e3_system",
+    "hamiltonian_form",
+    "inertia_parameters",
+    "lie_poisson",
+]
 
 M, Gamma = vectors("M Gamma")
-I = Diagonal("I")  # noqa: E741  (the letter of the paper)
+I = Diagonal("I")
 H = scalar("H")
 
 
@@ -38,15 +50,25 @@ def lie_poisson(first: MatrixExpr, second: MatrixExpr) -> Components:
     return Components(top.col_join(corner.row_join(Components.zeros(3, 3))))
 
 
-def bracket() -> PoissonStructure:
-    """The Lie–Poisson bracket of e(3) in M and Γ, with its two Casimir functions."""
+def bracket(sign: int = -1) -> PoissonStructure:
+    """The bracket {M_i, M_j} = `sign` ε_ijk M_k of e(3), with its two Casimir functions.
+
+    The paper prints it with the sign +1, which reverses the motion.
+    """
     return PoissonStructure(
         "bracket",
-        lie_poisson(M, Gamma),
+        -sign * lie_poisson(M, Gamma),
         casimirs=(normed(Gamma), dot(M, Gamma)),
         rank=4,
-        meaning="bracket of e(3), with {M_i, M_j} = −ε_ijk M_k",
+        meaning=f"bracket of e(3), {{M_i, M_j}} = {'−' if sign < 0 else ''}ε_ijk M_k",
         source="(6.11)",
+    )
+
+
+def hamiltonian_form(structure: PoissonStructure) -> ConformallyHamiltonian:
+    """ẋ = {x, H} with the given bracket."""
+    return ConformallyHamiltonian(
+        "hamiltonian", sp.S.One, structure, H, "Hamiltonian form on e(3)", source="(6.11)"
     )
 
 
@@ -102,13 +124,10 @@ def e3_system(
         laws=(
             Integral("energy", H, "Hamiltonian function", source=source, unit=unit),
             structure,
-            ConformallyHamiltonian(
-                "hamiltonian",
-                sp.S.One,
-                structure,
-                H,
-                "Hamiltonian form on e(3)",
-                source="(6.11)",
+            replace(
+                hamiltonian_form(structure),
+                as_printed=hamiltonian_form(bracket(+1)),
+                misprint="sign of the bracket",
             ),
             *laws,
         ),

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import sympy as sp
-
 from ..mechanics.body import check_inertia
 from ..statements import Integral
 from ..system import Parameter, System

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 
 from ..mechanics.body import check_inertia
 from ..statements import Integral, Isomorphism
 from ..system import Parameter, System
-from ..vectors import Diagonal, constant, dot, explicit, normed, scalar
+from ..vectors import constant, dot, explicit, normed, scalar
 from . import clebsch
 from .clebsch import alpha, beta
 from .e3 import Gamma, I, M, e3_system, inertia_parameters
 from .entry import Entry, Numbers, Start
+from .neumann import c
 
 I_1, I_2, I_3 = I.symbols
 HALF = sp.Rational(1, 2)
@@ -60,7 +63,7 @@ def build(p: Numbers) -> System:
     """H of (6.13)."""
     moments = (p["I_1"], p["I_2"], p["I_3"])
     check_inertia(moments)
-    numbers = {**p, "c": 1.0}
+    target = clebsch.build({**p, "c": 1.0})
     return e3_system(
         "veselova-geodesic-flow",
         TITLE,
@@ -74,7 +77,11 @@ def build(p: Numbers) -> System:
         laws=(
             Integral("first", FIRST, "Veselova Hamiltonian", source="(6.12)"),
             Integral("second", SECOND, "second quadratic integral", source="(6.13)"),
-            to_clebsch(clebsch.build(numbers)),
+            replace(
+                to_clebsch(target),
+                as_printed=to_clebsch(target, -1),
+                misprint="sign of k, with the equations (6.11)",
+            ),
         ),
         source=SOURCE,
         summary=SUMMARY,
@@ -82,8 +89,11 @@ def build(p: Numbers) -> System:
     )
 
 
-def to_clebsch(target: System) -> Isomorphism:
-    """Proposition 6: L = I^(−1/2) M and s = (Γ, IΓ)^(−1/2) I^(1/2) Γ move as the Clebsch case."""
+def to_clebsch(target: System, sign: int = 1) -> Isomorphism:
+    """Proposition 6: L = I^(−1/2) M and s = (Γ, IΓ)^(−1/2) I^(1/2) Γ move as the Clebsch case.
+
+    Their time is kτ with k = `sign` √det I.
+    """
     inverse = constant(sp.diag(*(1 / sp.sqrt(s) for s in I.symbols)))
     return Isomorphism(
         "clebsch",
@@ -92,8 +102,8 @@ def to_clebsch(target: System) -> Isomorphism:
             M: inverse * M,
             Gamma: ROOT * Gamma / LENGTH,
         },
-        sp.sqrt(I_1 * I_2 * I_3),
-        {clebsch.c: normed(M) * dot(Gamma, I * Gamma) / (I_1 * I_2 * I_3)},
+        sign * sp.sqrt(I_1 * I_2 * I_3),
+        {c: normed(M) * dot(Gamma, I * Gamma) / (I_1 * I_2 * I_3)},
         "Clebsch case with c = M²(Γ, IΓ)/det I",
         source="Proposition 6",
     )
