@@ -1,0 +1,107 @@
+"""The Chaplygin ball together with its whole orientation (§7.2)."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import sympy as sp
+
+from ..mechanics.attitude import attitude, quaternion_rate, rotation, unit_length
+from ..mechanics.body import check_inertia, check_mass
+from ..statements import Integral, Measure
+from ..system import System
+from ..vectors import Components, cross, dot, gradient, vectors, zero
+from .chaplygin_bracket import DET_IQ, PARAMETERS, TENSORS, A, D
+from .entry import Entry, Numbers, Start
+
+M, alpha, beta, gamma, omega = vectors("M alpha beta gamma omega")
+
+TITLE = "Chaplygin ball with its orientation"
+SUMMARY = (
+    "The Chaplygin ball with all three axes of space, seen from the body: without a field the "
+    "momentum about the contact point is constant in space."
+)
+SOURCE = "§7.2"
+
+#: ω = I_Q⁻¹M.
+SPIN = A * M + D * dot(A * gamma, M) / (1 - D * dot(gamma, A * gamma)) * (A * gamma)
+
+
+def axes() -> tuple[Components, Components, Components]:
+    """α, β, γ: the axes of space in body axes, the rows of the rotation."""
+    turn = rotation()
+    first, second, third = (Components(turn[i, :].T) for i in range(3))
+    return first, second, third
+
+
+def orientation(potential: sp.Expr) -> System:
+    """The ball with α, β, γ, in a potential U(γ)."""
+    slope = gradient(potential, gamma)
+    torque = zero if potential == 0 else cross(gamma, slope)
+    laws = [
+        Integral("energy", dot(M, omega) / 2 + potential, "energy", source="(7.2)", unit="J"),
+        Integral("area", dot(M, gamma), "area integral", source="(7.2)", unit="kg m^2/s"),
+        Measure("measure", {DET_IQ: -sp.Rational(1, 2)}, "invariant measure", source="(7.3)"),
+    ]
+    if potential == 0:
+        laws += [
+            Integral(
+                name,
+                dot(M, axis),
+                f"momentum about the {place} axis of space",
+                source="§7.2",
+                unit="kg m^2/s",
+            )
+            for name, axis, place in (("along_x", alpha, "first"), ("along_y", beta, "second"))
+        ]
+    return System(
+        name="chaplygin-ball-unreduced",
+        title=TITLE,
+        summary=SUMMARY,
+        source=SOURCE,
+        parameters=PARAMETERS,
+        definitions={
+            **TENSORS,
+            **dict(zip((alpha, beta, gamma), axes(), strict=True)),
+            omega: SPIN,
+        },
+        field={M: cross(M, omega) + torque, attitude: quaternion_rate(omega)},
+        relations=(unit_length(),),
+        laws=tuple(laws),
+    )
+
+
+def build(p: Numbers) -> System:
+    """The ball without a field."""
+    check_mass(p["m"])
+    check_inertia((p["I_1"], p["I_2"], p["I_3"]))
+    made = orientation(sp.S.Zero)
+    return replace(
+        made,
+        parameters=tuple(replace(item, default=p[str(item.symbol)]) for item in made.parameters),
+    )
+
+
+def unspecified() -> System:
+    """The ball in an arbitrary potential U(γ)."""
+    return orientation(sp.Function("U")(*gamma.symbols))
+
+
+ENTRIES = (
+    Entry(
+        name="chaplygin-ball-unreduced",
+        title=TITLE,
+        summary=SUMMARY,
+        source=SOURCE,
+        defaults={"m": 1.0, "I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "R": 1.0},
+        build=build,
+        start=Start(
+            state={
+                "M": (0.9, 0.4, 1.1),
+                "attitude": (4 / 5, 2 / 5, -1 / 5, 2 / 5),
+            },
+            until=20.0,
+        ),
+        general=unspecified,
+    ),
+)
