@@ -1,0 +1,274 @@
+"""§7.1: equations of motion and conservation laws of the Chaplygin ball."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import sympy as sp
+
+from ..laws.verdict import Verdict
+from ..mechanics.body import Body
+from ..mechanics.rolling import Field, roll
+from ..mechanics.shapes import Ball
+from ..statements import Identity, Integral, Measure
+from ..system import System
+from ..systems import CATALOGUE
+from ..systems.chaplygin_ball import unspecified
+from ..systems.chaplygin_bracket import DET_J, D
+from ..systems.rates import rate
+from ..vectors import (
+    Diagonal,
+    cross,
+    dot,
+    explicit,
+    gradient,
+    identity,
+    normed,
+    outer,
+    vectors,
+)
+from .claim import Case, Claim, Remark
+
+M, omega, gamma, k = vectors("M omega gamma k")
+I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")
+HALF = sp.Rational(1, 2)
+U = sp.Function("U")(*gamma.symbols)
+TORQUE = cross(gamma, gradient(U, gamma))
+MOVED = "(6.1) is the Veselova system; (7.1) is meant"
+
+
+@cache
+def ball() -> System:
+    """The rolling ball in an unspecified potential, derived from mechanics."""
+    return unspecified()
+
+
+@cache
+def free_ball() -> System:
+    """The rolling ball without a field."""
+    return CATALOGUE["chaplygin-ball"].system()
+
+
+@cache
+def rubber_ball() -> System:
+    """(6.1) with an unspecified potential and the tensor J: the ball that does not spin."""
+    return roll(Body(1.0, (1.0, 1.5, 2.1), Ball(1.0)), contact="rubber", field=Field(potential=U))
+
+
+def identity_of(name: str, *formulas: object) -> Identity:
+    """Formulas that vanish."""
+    return Identity(name, formulas)
+
+
+# --- equations -----------------------------------------------------------------------------
+
+
+def equations() -> Case:
+    """(7.1)."""
+    return ball(), identity_of(
+        "equations",
+        rate(M) - (cross(M, omega) + TORQUE),
+        rate(gamma) - cross(gamma, omega),
+    )
+
+
+def momentum() -> Case:
+    """M of (7.1)."""
+    return ball(), identity_of("momentum", M - (I * omega + D * cross(gamma, cross(omega, gamma))))
+
+
+def about_contact() -> Case:
+    """M is the momentum about the point of contact: Iω + (R γ)×m v, v = ω×Rγ."""
+    arm = sp.Symbol("R", real=True) * gamma
+    moment = I * omega + sp.Symbol("m", real=True) * cross(arm, cross(omega, arm))
+    return ball(), identity_of("about_contact", M - moment)
+
+
+def tensor() -> Case:
+    """I_Q = J − D γ⊗γ, J = I + D E, with M = I_Q ω."""
+    return ball(), identity_of(
+        "tensor",
+        M - (J * omega - D * (outer(gamma, gamma) * omega)),
+        explicit(J - (I + D * identity)),
+    )
+
+
+# --- conservation laws ---------------------------------------------------------------------
+
+
+def energy() -> Case:
+    """The energy of (7.2)."""
+    return ball(), Integral("energy", HALF * dot(M, omega) + U)
+
+
+def geometric() -> Case:
+    """γ² of (7.2)."""
+    return ball(), Integral("geometric", normed(gamma))
+
+
+def area() -> Case:
+    """(M, γ) of (7.2)."""
+    return ball(), Integral("area", dot(M, gamma))
+
+
+def area_of_6_1() -> Case:
+    """(M, γ) along (6.1) with the tensor J."""
+    return rubber_ball(), Integral("area", dot(M, gamma))
+
+
+def momentum_of_6_1() -> Case:
+    """(M, M) along (6.1) with the tensor J."""
+    free = CATALOGUE["rubber-chaplygin-ball"].system()
+    return free, Integral("momentum", normed(M))
+
+
+def measure() -> Case:
+    """The density (7.3)."""
+    tensor_Q = explicit(J - D * outer(gamma, gamma))
+    return ball(), Measure("measure", {sp.Matrix(tensor_Q).det(): -HALF})
+
+
+def determinant() -> Case:
+    """det I_Q of (7.3)."""
+    tensor_Q = sp.Matrix(explicit(J - D * outer(gamma, gamma)))
+    return ball(), identity_of(
+        "determinant", tensor_Q.det() - DET_J * (1 - D * dot(gamma, A * gamma))
+    )
+
+
+def square() -> Case:
+    """(7.4)."""
+    return free_ball(), Integral("momentum", normed(M))
+
+
+def euler_jacobi() -> Case:
+    """The rank of dH, d(γ²), d(M, γ), d(M²) at a rational point of R^6."""
+    tensor_J, reach = sp.diag(2, 3, 5), HALF
+    momentum_M, normal = sp.Matrix(M.symbols), sp.Matrix(gamma.symbols)
+    lever = tensor_J.inv() * normal
+    share = reach * lever.dot(momentum_M) ** 2 / (1 - reach * normal.dot(lever))
+    integrals = sp.Matrix(
+        [
+            momentum_M.dot(tensor_J.inv() * momentum_M) + share,
+            normal.dot(normal),
+            momentum_M.dot(normal),
+            momentum_M.dot(momentum_M),
+        ]
+    )
+    variables = [*M, *gamma]
+    point = dict(zip(variables, (3, -1, 2, *(sp.Rational(n, 3) for n in (1, 2, -2))), strict=True))
+    rank = integrals.jacobian(variables).subs(point).rank()
+    return Verdict(
+        "independent integrals",
+        "proven" if rank == len(integrals) else "refuted",
+        shown=f"dH, d(γ²), d(M, γ), d(M²) have rank {rank} on R⁶; the measure is (7.3)",
+        witness={str(symbol): value for symbol, value in point.items()},
+    )
+
+
+def bruns() -> Case:
+    """The generalised integral in Bruns' field."""
+    system = CATALOGUE["chaplygin-ball-bruns"].system()
+    (law,) = (item for item in system.integrals if item.name == "momentum")
+    return system, law
+
+
+def gyrostat() -> Case:
+    """The generalised integral with rotors."""
+    return CATALOGUE["chaplygin-ball-gyrostat"].system(), Integral("momentum", normed(M + k))
+
+
+CLAIMS = (
+    Claim(
+        "(7.1)",
+        r"$\dot{M} = M \times \omega + \gamma \times \frac{\partial U}{\partial \gamma}$, "
+        r"$\dot{\gamma} = \gamma \times \omega$",
+        equations,
+    ),
+    Claim(
+        "(7.1), M",
+        r"$M = I\omega + D\gamma \times (\omega \times \gamma) = I_Q\omega$, $D = mR^2$",
+        momentum,
+    ),
+    Claim(
+        "§7.1, after (7.1)",
+        "The vector M is the ball's angular momentum with respect to the point of contact.",
+        about_contact,
+    ),
+    Claim(
+        "§7.1, I_Q",
+        r"$I_Q = J - D\gamma \otimes \gamma$, $J = I + DE$",
+        tensor,
+    ),
+    Claim(
+        "(7.2), energy",
+        r"(7.1) admits the integral $H = \frac{1}{2}(M, \omega) + U(\gamma)$.",
+        energy,
+    ),
+    Claim("(7.2), geometric integral", r"$(\gamma, \gamma) = 1$ is preserved.", geometric),
+    Claim(
+        "(7.2), area integral",
+        r"Equations (6.1) admit the integral of areas $(M, \gamma) = c = $ const.",
+        area_of_6_1,
+        area,
+        r"Equations (7.1) admit the integral of areas $(M, \gamma) = c = $ const.",
+        MOVED,
+    ),
+    Claim(
+        "(7.3), measure",
+        r"(7.1) preserves $\rho_\mu d^3M d^3\gamma$ with $\rho_\mu = (\det I_Q)^{-1/2}$.",
+        measure,
+    ),
+    Claim(
+        "(7.3), determinant",
+        r"$(\det I_Q)^{-1/2} = [\det J (1 - D(\gamma, J^{-1}\gamma))]^{-1/2}$",
+        determinant,
+    ),
+    Claim(
+        "(7.4)",
+        r"If $U = 0$, the system (6.1) has an additional integral $F = (M, M)$.",
+        momentum_of_6_1,
+        square,
+        r"If $U = 0$, the system (7.1) has an additional integral $F = (M, M)$.",
+        MOVED,
+    ),
+    Claim(
+        "§7.1, after (7.4)",
+        "With U = 0 it is integrable by the Euler–Jacobi theorem: an invariant measure and n − 2 "
+        "independent integrals on the phase space of dimension n = 6.",
+        euler_jacobi,
+    ),
+    Claim(
+        "Remark 20, Bruns",
+        r"The integral (7.4) can be generalised to the Bruns field "
+        r"$U(\gamma) = \frac{k}{2}(\gamma, I\gamma)$.",
+        bruns,
+        note=r"the integral is $M^2 - k \det J (\gamma, J^{-1}\gamma)$",
+    ),
+    Claim(
+        "Remark 20, gyrostat",
+        "The integral (7.4) can be generalised to the gyrostat.",
+        gyrostat,
+        note=r"the integral is $(M + k)^2$, with the equations of §7.4",
+    ),
+)
+
+REMARKS = (
+    Remark(
+        "§7.1, after (7.4)",
+        "The solution was given in hyperelliptic functions; qualitative analysis and stability "
+        "were studied elsewhere.",
+        "literature",
+    ),
+    Remark(
+        "Remark 20",
+        "Other integrable potentials at zero area constant can be found on e(3).",
+        "no potential is stated",
+    ),
+    Remark(
+        "Remark 21",
+        "History of the Hamiltonisation of the Chaplygin ball; without a change of time the "
+        "equations are not Hamiltonian, as periods on resonant tori differ.",
+        "history; the numerical result is cited from [46]",
+    ),
+)
