@@ -1,0 +1,372 @@
+"""What a law stands on: the phase space of a system, cut down to a level, made triangular."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+import sympy as sp
+from flint import arb, fmpq, fmpq_poly
+from sympy.core.function import AppliedUndef
+
+from ..errors import InputError
+from ..system import System
+from ..vectors import explicit
+from .algebra import Budget, Element, Fractions
+from .errors import NotExact, OutOfReach
+from .jets import Evaluator, Jet
+from .numbers import Balls, Rationals, exact_root
+
+__all__ = ["Ground"]
+
+Poly = Any
+Terms = dict[tuple[int, ...], Any]
+
+
+@dataclass(frozen=True)
+class Ground:
+    """The points at which a law is claimed.
+
+    Parameters
+    ----------
+    system : System
+    on : tuple of sympy.Expr
+        The level: further expressions that vanish.
+
+    Raises
+    ------
+    InputError
+        If the level is empty, or uses a symbol that the system does not have.
+    """
+
+    system: System
+    on: tuple[Any, ...] = ()
+
+    @cached_property
+    def steps(self) -> dict[sp.Symbol, sp.Expr]:
+        """The definitions, by symbol."""
+        return dict(self.system.steps)
+
+    @cached_property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """State and parameters."""
+        return (*self.system.symbols, *(p.symbol for p in self.system.parameters))
+
+    @cached_property
+    def conditions(self) -> tuple[sp.Expr, ...]:
+        """What vanishes: relations of the system and the level."""
+        return tuple(explicit(c) for c in (*self.system.relations, *self.on))
+
+    @cached_property
+    def moving(self) -> tuple[sp.Expr, ...]:
+        """The conditions that involve the state, in terms of state and parameters alone."""
+        state = set(self.system.symbols)
+        expanded = (self.expanded(c) for c in self.conditions)
+        return tuple(c for c in expanded if c.free_symbols & state)
+
+    @cached_property
+    def forced(self) -> tuple[str, ...]:
+        """Unspecified functions whose value the conditions say is zero."""
+        return tuple(type(c).__name__ for c in self.conditions if isinstance(c, AppliedUndef))
+
+    def expanded(self, formula: sp.Expr) -> sp.Expr:
+        """A formula in which the definitions are written out."""
+        while formula.free_symbols & set(self.steps):
+            formula = formula.xreplace(self.steps)
+        return formula
+
+    # --- the triangular set ----------------------------------------------------------------
+
+    @cached_property
+    def _triangle(
+        self,
+    ) -> tuple[tuple[str, ...], tuple[tuple[str, dict[tuple[Any, ...], Any]], ...]]:
+        """Names in order, highest first, and the relations from the lowest to the highest.
+
+        A relation is kept as a mapping of named exponents to coefficients, since the ring in
+        which it is used orders the variables otherwise.
+        """
+        names = [str(s) for s in self.symbols]
+        draft = Fractions(names)
+        evaluate = self.evaluator(draft)
+        waiting = []
+        for condition in self.conditions:
+            self._known(condition)
+            if isinstance(condition, AppliedUndef):
+                continue
+            waiting.append(_numerator(evaluate.value(condition), condition))
+        chain: list[tuple[str, Poly]] = []
+        while waiting:
+            for main, relation in reversed(chain):
+                waiting = [draft.pseudo_remainder(g, relation, main) for g in waiting]
+            waiting = [g for g in waiting if g]
+            for g in waiting:
+                if g.is_constant():
+                    raise InputError(
+                        f"{self.system.name}: the level {_listed(self.on)} is empty; its "
+                        "conditions contradict each other or the phase space"
+                    )
+            best = min(
+                (
+                    (_merit(draft, g, v), i, v)
+                    for i, g in enumerate(waiting)
+                    for v in names
+                    if _possible(draft, g, v, chain)
+                ),
+                default=None,
+            )
+            if waiting and best is None:
+                raise OutOfReach("the conditions of the level cannot be made triangular")
+            if best is not None:
+                _, index, main = best
+                chain.append((main, waiting.pop(index)))
+        ordered = _sorted(draft, chain)
+        mains = [main for main, _ in ordered]
+        order = (*reversed(mains), *(n for n in names if n not in mains))
+        kept = tuple(
+            (
+                main,
+                {
+                    tuple(zip(draft.names, map(int, e), strict=True)): c
+                    for e, c in poly.to_dict().items()
+                },
+            )
+            for main, poly in ordered
+        )
+        return order, kept
+
+    def _known(self, condition: Any) -> None:
+        unknown = condition.free_symbols - set(self.symbols) - set(self.steps)
+        if unknown:
+            raise InputError(
+                f"{self.system.name}: the level {condition} = 0 uses "
+                f"{', '.join(sorted(map(str, unknown)))}, which is neither a state variable, a "
+                "definition nor a parameter"
+            )
+
+    def fractions(self, spare: int, sample: Mapping[str, float], budget: Budget) -> Fractions:
+        """The field of fractions modulo the conditions."""
+        names, chain = self._triangle
+        field = Fractions(names, spare, sample, budget)
+        for main, terms in chain:
+            made = {}
+            for named, number in terms.items():
+                powers = dict(named)
+                made[tuple(powers.get(n, 0) for n in field.names)] = number
+            field.impose(main, field.ring.from_dict(made))
+        for name in self.forced:
+            field.nothing(name)
+        return field
+
+    # --- points ----------------------------------------------------------------------------
+
+    def point(self, generator: random.Random) -> tuple[dict[str, Any], bool]:
+        """A random point that satisfies the conditions, and whether it is exactly rational.
+
+        Raises
+        ------
+        OutOfReach
+            If none was found.
+        """
+        for _ in range(60):
+            try:
+                return self._try_point(generator)
+            except ZeroDivisionError:
+                continue
+        raise OutOfReach(f"no real point was found on the level {_listed(self.on)}")
+
+    def _try_point(self, generator: random.Random) -> tuple[dict[str, Any], bool]:
+        names, chain = self._triangle
+        mains = {main for main, _ in chain}
+        values: dict[str, Any] = {}
+        for main, terms in chain:
+            values |= _sphere(main, terms, mains - {main}, generator) or {}
+        defaults = {str(p.symbol): p.default for p in self.system.parameters}
+        for name in names:
+            if name not in mains and name not in values:
+                values[name] = _chosen(defaults.get(name), generator)
+        exact = True
+        for main, terms in chain:
+            if main not in values:
+                values[main] = _solved(main, terms, values, generator)
+                exact = exact and isinstance(values[main], fmpq)
+        return values, exact
+
+    def numbers(self, values: Mapping[str, Any], exact: bool) -> Rationals | Balls:
+        """The field of numbers at a point."""
+        made = Rationals(values) if exact else Balls(values)
+        made.forced = self.forced
+        return made
+
+    # --- evaluation ------------------------------------------------------------------------
+
+    def _seeds(self, field: Any) -> dict[sp.Symbol, Any]:
+        values = {s: field.generator(str(s)) for s in self.symbols}
+        if isinstance(field, Fractions):
+            values = {s: field.polynomial(v.poly) for s, v in values.items()}
+        return values
+
+    def evaluator(self, field: Any) -> Evaluator:
+        """Values alone."""
+        return Evaluator(field, {s: Jet(v, {}) for s, v in self._seeds(field).items()}, self.steps)
+
+    def along(self, field: Any, plain: Evaluator | None = None) -> Evaluator:
+        """Values with their time derivatives along the field of the system."""
+        plain = plain or self.evaluator(field)
+        rates = dict(zip(self.system.symbols, self.system.rates, strict=True))
+        given = {}
+        for symbol, value in self._seeds(field).items():
+            slopes = {-1: plain.value(rates[symbol])} if symbol in rates else {}
+            given[symbol] = Jet(value, slopes)
+        return Evaluator(field, given, self.steps)
+
+    def partial(self, field: Any) -> Evaluator:
+        """Values with their partial derivatives by the state variables, numbered."""
+        number = {s: i for i, s in enumerate(self.system.symbols)}
+        given = {
+            s: Jet(v, {number[s]: field.one} if s in number else {})
+            for s, v in self._seeds(field).items()
+        }
+        return Evaluator(field, given, self.steps)
+
+
+def _listed(on: tuple[Any, ...]) -> str:
+    return ", ".join(f"{c} = 0" for c in on) or "given by the relations"
+
+
+def _numerator(element: Element, condition: Any) -> Poly:
+    """The polynomial whose vanishing a condition states."""
+    poly = element.poly
+    for number, power in element.powers.items():
+        for _ in range(max(power, 0)):
+            poly = poly * element.home.factors[number]
+    highest = poly.degrees()[: element.home.spare] if poly else ()
+    if any(highest):
+        raise OutOfReach(
+            f"the condition {condition} = 0 contains a root or a function; state it as a polynomial"
+        )
+    return poly
+
+
+def _variables(draft: Fractions, poly: Poly) -> set[str]:
+    return {n for n, d in zip(draft.names, poly.degrees(), strict=True) if d}
+
+
+def _merit(draft: Fractions, poly: Poly, name: str) -> tuple[int, int, int]:
+    """How well a variable serves as the main one of a relation; smaller is better."""
+    position = draft.names.index(name)
+    degree = int(poly.degrees()[position])
+    lead = draft.coefficient(poly, position, degree)
+    if lead.is_constant():
+        kind = 0 if degree == 1 else degree - 1
+    else:
+        kind = 10 * degree + (len(lead) > 1)
+    return kind, len(lead), -position
+
+
+def _possible(draft: Fractions, poly: Poly, name: str, chain: list[tuple[str, Poly]]) -> bool:
+    """Whether the variable can be the main one: in the relation, free, and without a circle."""
+    if name in {main for main, _ in chain} or name not in _variables(draft, poly):
+        return False
+    try:
+        _sorted(draft, [*chain, (name, poly)])
+    except OutOfReach:
+        return False
+    return True
+
+
+def _sorted(draft: Fractions, chain: list[tuple[str, Poly]]) -> list[tuple[str, Poly]]:
+    """The relations from the lowest main variable to the highest."""
+    mains = {main for main, _ in chain}
+    needs = {main: (_variables(draft, poly) & mains) - {main} for main, poly in chain}
+    done: list[str] = []
+    while len(done) < len(chain):
+        ready = [m for m in needs if m not in done and needs[m] <= set(done)]
+        if not ready:
+            raise OutOfReach("the conditions of the level cannot be made triangular")
+        done.extend(ready)
+    polys = dict(chain)
+    return [(main, polys[main]) for main in done]
+
+
+def _chosen(default: float | None, generator: random.Random) -> fmpq:
+    """A random rational number, near the default of a parameter."""
+    if default is None or default == 0:
+        return fmpq(generator.choice([-1, 1]) * generator.randint(3, 17), generator.randint(11, 19))
+    near = Fraction(repr(float(default))) * Fraction(generator.randint(90, 115), 100)
+    return fmpq(near.numerator, near.denominator)
+
+
+def _sphere(
+    main: str, terms: Mapping[Any, Any], taken: set[str], generator: random.Random
+) -> dict[str, Any] | None:
+    """A rational point of x² + y² + … = c, if the relation is one and c is a square."""
+    members, constant, scale = [], fmpq(0), None
+    for named, number in terms.items():
+        present = [(n, p) for n, p in named if p]
+        if not present:
+            constant = number
+        elif len(present) == 1 and present[0][1] == 2 and scale in (None, number):
+            members.append(present[0][0])
+            scale = number
+        else:
+            return None
+    if scale is None or len(members) < 2 or taken & set(members):
+        return None
+    try:
+        radius = exact_root(-constant / scale, 2)
+    except NotExact:
+        return None
+    shares = [fmpq(generator.randint(-9, 9), generator.randint(7, 13)) for _ in members[1:]]
+    square = sum((s * s for s in shares), fmpq(0))
+    point = [2 * s / (1 + square) for s in shares] + [(square - 1) / (1 + square)]
+    if any(x == 0 for x in point):
+        raise ZeroDivisionError
+    return {n: radius * x for n, x in zip(sorted(members), point, strict=True)}
+
+
+def _solved(
+    main: str, terms: Mapping[Any, Any], values: Mapping[str, Any], generator: random.Random
+) -> Any:
+    """A real value of the main variable, the others being given."""
+    coefficients: dict[int, Any] = {}
+    for named, number in terms.items():
+        total: Any = number
+        degree = 0
+        for name, power in named:
+            if name == main:
+                degree = power
+            elif power:
+                total = values[name] ** power * total
+        coefficients[degree] = coefficients.get(degree, fmpq(0)) + total
+    top = max(coefficients)
+    c = [coefficients.get(i, fmpq(0)) for i in range(top + 1)]
+    if top == 1:
+        return _divided(-c[0], c[1])
+    if top == 2:
+        square = c[1] * c[1] - 4 * c[0] * c[2]
+        if not square > 0:
+            raise ZeroDivisionError
+        sign = generator.choice([-1, 1])
+        try:
+            if not isinstance(square, fmpq):
+                raise NotExact
+            root: Any = exact_root(square, 2)
+        except NotExact:
+            root = arb(square).sqrt()
+        return _divided(sign * root - c[1], 2 * c[2])
+    if all(isinstance(x, fmpq) for x in c):
+        real = [z.real for z, _ in fmpq_poly(c).complex_roots() if z.imag == 0]
+        if real:
+            return generator.choice(real)
+    raise ZeroDivisionError
+
+
+def _divided(above: Any, below: Any) -> Any:
+    if below == 0 or (not isinstance(below, fmpq) and 0 in below):
+        raise ZeroDivisionError
+    return above / below

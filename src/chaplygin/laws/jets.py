@@ -1,0 +1,261 @@
+"""Formulas evaluated with their derivatives, in any of the fields of this package.
+
+A jet is a value with some directional derivatives.  Seeding the state with unit vectors gives
+partial derivatives, seeding it with the field gives time derivatives.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from ..statements import Rate
+from .errors import OutOfReach
+
+__all__ = ["Evaluator", "Jet"]
+
+#: Along the field of the system.
+ALONG = -1
+
+
+@dataclass(frozen=True)
+class Jet:
+    """A value and its derivatives in numbered directions; a missing one is zero."""
+
+    value: Any
+    slopes: Mapping[int, Any]
+
+    def __add__(self, other: Jet) -> Jet:
+        slopes = dict(self.slopes)
+        for i, slope in other.slopes.items():
+            slopes[i] = slopes[i] + slope if i in slopes else slope
+        return Jet(self.value + other.value, slopes)
+
+    def __mul__(self, other: Jet) -> Jet:
+        slopes = {i: slope * other.value for i, slope in self.slopes.items()}
+        for i, slope in other.slopes.items():
+            part = self.value * slope
+            slopes[i] = slopes[i] + part if i in slopes else part
+        return Jet(self.value * other.value, slopes)
+
+    def through(self, value: Any, derivative: Any) -> Jet:
+        """A function of this jet, by its value and derivative here."""
+        return Jet(value, {i: derivative * slope for i, slope in self.slopes.items()})
+
+
+class Evaluator:
+    """Evaluates formulas of one system in one field.
+
+    Parameters
+    ----------
+    field
+        One of `Fractions`, `Rationals`, `Balls`.
+    given : mapping of Symbol to Jet
+        Known symbols: state and parameters.
+    steps : mapping of Symbol to formula
+        Definitions, evaluated when first needed.
+    """
+
+    def __init__(
+        self,
+        field: Any,
+        given: Mapping[sp.Symbol, Jet],
+        steps: Mapping[sp.Symbol, sp.Expr],
+    ) -> None:
+        self.field = field
+        self.steps = dict(steps)
+        self._seen: dict[Any, Jet] = dict(given)
+        self.unnamed: Callable[[sp.Symbol], Jet] | None = None
+
+    def with_steps(self, steps: Mapping[sp.Symbol, sp.Expr]) -> Evaluator:
+        """The same evaluation with further definitions."""
+        made = Evaluator(self.field, self._seen, {**self.steps, **steps})
+        for symbol in steps:
+            made._seen.pop(symbol, None)
+        return made
+
+    def value(self, formula: Any) -> Any:
+        """Value alone."""
+        return self(formula).value
+
+    def slope(self, formula: Any, direction: int = ALONG) -> Any:
+        """One derivative."""
+        return self(formula).slopes.get(direction, self.field.zero)
+
+    def __call__(self, formula: Any) -> Jet:
+        """The jet of a formula."""
+        formula = sp.sympify(formula)
+        found = self._seen.get(formula)
+        if found is None:
+            found = self._evaluate(formula)
+            self._seen[formula] = found
+        return found
+
+    def _constant(self, number: Any) -> Jet:
+        return Jet(self.field.rational(number), {})
+
+    def _evaluate(self, formula: Any) -> Jet:
+        if formula.is_Symbol:
+            if formula in self.steps:
+                return self(self.steps[formula])
+            raise OutOfReach(f"the symbol {formula} is unknown")
+        if formula.is_Rational:
+            return self._constant(formula)
+        if formula.is_Float:
+            return self._constant(sp.nsimplify(formula, rational=True))
+        if formula.is_Add:
+            return self._fold(formula.args, Jet.__add__)
+        if formula.is_Mul:
+            return self._fold(formula.args, Jet.__mul__)
+        if formula.is_Pow:
+            return self._power(formula.base, formula.exp)
+        if isinstance(formula, sp.exp):
+            return self._exponential(formula)
+        if isinstance(formula, Rate):
+            inner = self(formula.args[0])
+            return Jet(inner.slopes.get(ALONG, self.field.zero), {})
+        if isinstance(formula, AppliedUndef | sp.Derivative | sp.Subs):
+            return self._unspecified(formula)
+        return self._function(formula)
+
+    def _fold(self, parts: Any, combine: Callable[[Jet, Jet], Jet]) -> Jet:
+        result = self(parts[0])
+        for part in parts[1:]:
+            result = combine(result, self(part))
+        return result
+
+    def _power(self, base: Any, exponent: Any) -> Jet:
+        inner = self(base)
+        field = self.field
+        if exponent.is_Integer:
+            n = int(exponent)
+            if n < 0 and field.vanishes(inner.value):
+                raise ZeroDivisionError
+            if not inner.slopes:
+                return Jet(inner.value**n, {})
+            lower = inner.value ** (n - 1)
+            return inner.through(lower * inner.value, field.rational(n) * lower)
+        outer = self(exponent)
+        if outer.slopes:
+            raise OutOfReach(f"the exponent {exponent} changes along the motion")
+        raised = self._raised(inner.value, exponent, outer.value)
+        if not inner.slopes:
+            return Jet(raised, {})
+        return inner.through(raised, outer.value * raised / inner.value)
+
+    def _raised(self, base: Any, exponent: Any, value: Any) -> Any:
+        """A power with an exponent that is rational, or becomes so on the level, or is symbolic."""
+        number = exponent if exponent.is_Rational else self.field.as_rational(value)
+        if number is not None:
+            return self.field.root(base, int(number.q)) ** int(number.p)
+        terms = (term.as_coeff_Mul() for term in sp.Add.make_args(sp.expand(exponent)))
+        return self.field.power(base, [(theta, number) for number, theta in terms])
+
+    def _exponential(self, formula: Any) -> Jet:
+        inner = self(formula.args[0])
+        made = self.field.opaque("exp", [inner.value])
+        return inner.through(made, made)
+
+    def _unspecified(self, formula: Any) -> Jet:
+        """A value of an unspecified function, or of one of its derivatives."""
+        function, orders, places = _taken_apart(formula)
+        inner = [self(place) for place in places]
+        values = [jet.value for jet in inner]
+
+        def named(counts: tuple[int, ...]) -> Any:
+            label = "".join(map(str, counts)) if any(counts) else ""
+            return self.field.opaque(f"{function}{'_' + label if label else ''}", values)
+
+        slopes: dict[int, Any] = {}
+        for j, jet in enumerate(inner):
+            if jet.slopes:
+                raised = tuple(n + (i == j) for i, n in enumerate(orders))
+                partial = named(raised)
+                for i, slope in jet.slopes.items():
+                    part = partial * slope
+                    slopes[i] = slopes[i] + part if i in slopes else part
+        return Jet(named(orders), slopes)
+
+    def _function(self, formula: Any) -> Jet:
+        field = self.field
+        if isinstance(formula, sp.sin | sp.cos):
+            return self._circular(formula)
+        if isinstance(formula, sp.tan | sp.cot | sp.sec | sp.csc | sp.sinh | sp.cosh | sp.tanh):
+            return (
+                self(formula.rewrite(sp.exp if _hyperbolic(formula) else sp.sin).doit())
+                if (_hyperbolic(formula))
+                else self(_as_ratio(formula))
+            )
+        inner = [self(part) for part in formula.args]
+        values = [jet.value for jet in inner]
+        one = field.one
+        if isinstance(formula, sp.log):
+            return inner[0].through(field.opaque("log", values), one / values[0])
+        if isinstance(formula, sp.atan2):
+            y, x = inner
+            square = x.value * x.value + y.value * y.value
+            made = y.through(field.opaque("atan2", values), x.value / square)
+            return made + x.through(field.zero, field.zero - y.value / square)
+        x = values[0] if values else None
+        if isinstance(formula, sp.atan):
+            return inner[0].through(field.opaque("atan", values), one / (one + x * x))
+        if isinstance(formula, sp.asin | sp.acos):
+            rest = field.root(one - x * x, 2)
+            sign = one if isinstance(formula, sp.asin) else field.zero - one
+            return inner[0].through(field.opaque(type(formula).__name__, values), sign / rest)
+        if isinstance(formula, sp.Abs):
+            raise OutOfReach("an absolute value; write it with a square root")
+        raise OutOfReach(
+            f"the formula {formula} is of a kind ({type(formula).__name__}) unknown here"
+        )
+
+    def _circular(self, formula: Any) -> Jet:
+        angle = formula.args[0]
+        spread = sp.expand_trig(formula)
+        if spread != formula:
+            return self(spread)
+        inner = self(angle)
+        sine, cosine = self.field.circle(inner.value)
+        if isinstance(formula, sp.sin):
+            return inner.through(sine, cosine)
+        return inner.through(cosine, self.field.zero - sine)
+
+
+def _hyperbolic(formula: Any) -> bool:
+    return isinstance(formula, sp.sinh | sp.cosh | sp.tanh)
+
+
+def _as_ratio(formula: Any) -> Any:
+    angle = formula.args[0]
+    sine, cosine = sp.sin(angle), sp.cos(angle)
+    return {
+        sp.tan: sine / cosine,
+        sp.cot: cosine / sine,
+        sp.sec: 1 / cosine,
+        sp.csc: 1 / sine,
+    }[type(formula)]
+
+
+def _taken_apart(formula: Any) -> tuple[str, tuple[int, ...], tuple[Any, ...]]:
+    """Name of an unspecified function, orders of its derivatives, and where it is taken."""
+    places: dict[Any, Any] = {}
+    inner = formula
+    while isinstance(inner, sp.Subs):
+        places = {**dict(zip(inner.variables, inner.point, strict=True)), **places}
+        inner = inner.expr
+    counted: dict[Any, int] = {}
+    if isinstance(inner, sp.Derivative):
+        for variable, count in inner.variable_count:
+            counted[variable] = counted.get(variable, 0) + int(count)
+        inner = inner.expr
+    if not isinstance(inner, AppliedUndef):
+        raise OutOfReach(f"the derivative {formula} is not of a single unspecified function")
+    for variable in counted:
+        if inner.args.count(variable) != 1:
+            raise OutOfReach(f"the derivative {formula} is not by one place of its function")
+    orders = tuple(counted.get(place, 0) for place in inner.args)
+    return type(inner).__name__, orders, tuple(p.xreplace(places) for p in inner.args)

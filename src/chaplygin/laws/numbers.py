@@ -1,0 +1,183 @@
+"""Fields of numbers in which laws are tried at a point: exact rationals, and balls.
+
+Both offer what :class:`chaplygin.laws.algebra.Fractions` offers, so that one evaluation of a law
+serves its proof and its refutation.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import sympy as sp
+from flint import arb, ctx, fmpq
+
+from .errors import NotExact
+
+__all__ = ["Balls", "Rationals", "exact_root"]
+
+#: Digits (binary) carried by balls.
+PRECISION = 320
+
+
+def _invented(seed: str) -> fmpq:
+    """A rational number that depends on its seed alone: the value of an unspecified function."""
+    generator = random.Random(seed)
+    return fmpq(generator.randint(20, 60), generator.randint(20, 60))
+
+
+def exact_root(value: fmpq, degree: int) -> fmpq:
+    """The exact root of a rational number; NotExact if it has none.
+
+    Raises
+    ------
+    NotExact
+        If the root is irrational.
+    """
+    parts = []
+    for part in (value.p, value.q):
+        root, exact = sp.integer_nthroot(abs(int(part)), degree)
+        if not exact or (part < 0 and degree % 2 == 0):
+            raise NotExact
+        parts.append(int(root) * (-1 if part < 0 else 1))
+    return fmpq(parts[0], parts[1])
+
+
+class Rationals:
+    """The rational numbers; whatever is not rational raises NotExact."""
+
+    exact = True
+    one, zero = fmpq(1), fmpq(0)
+
+    def __init__(self, values: Mapping[str, Any]) -> None:
+        self.values = dict(values)
+        self.forced: tuple[str, ...] = ()
+
+    def rational(self, value: Any) -> fmpq:
+        """A rational number."""
+        number = sp.Rational(value)
+        return fmpq(int(number.p), int(number.q))
+
+    def generator(self, name: str) -> Any:
+        """Value of a symbol at the point."""
+        return self.values[name]
+
+    def vanishes(self, element: Any) -> bool:
+        """Whether a number is zero."""
+        return bool(element == 0)
+
+    def root(self, element: Any, degree: int) -> Any:
+        """The positive root."""
+        if element == 0 and degree > 1:
+            raise ZeroDivisionError
+        return exact_root(element, degree)
+
+    def power(self, element: Any, exponents: Iterable[tuple[Any, Any]]) -> Any:
+        """The product of element^(number·θ) over pairs (θ, number)."""
+        raise NotExact
+
+    def as_rational(self, element: Any) -> Any:
+        """The number itself."""
+        return element
+
+    def circle(self, angle: Any) -> Any:
+        """Sine and cosine."""
+        raise NotExact
+
+    def opaque(self, name: str, arguments: Sequence[Any], value: float = 0.7) -> Any:
+        """A value of an unspecified function; of a known one there is none."""
+        if name in KNOWN:
+            raise NotExact
+        if name in self.forced:
+            return self.zero
+        return _invented(f"{name}{arguments}")
+
+
+KNOWN = {"exp", "log", "acos", "asin", "atan", "atan2"}
+
+
+class Balls:
+    """Real balls (midpoint and radius); what holds for them holds for every number inside."""
+
+    exact = False
+
+    def __init__(self, values: Mapping[str, Any]) -> None:
+        ctx.prec = PRECISION
+        self.values = {name: arb(value) for name, value in values.items()}
+        self.one, self.zero = arb(1), arb(0)
+        self._seen: list[tuple[str, tuple[Any, ...], Any]] = []
+        self.forced: tuple[str, ...] = ()
+
+    def rational(self, value: Any) -> Any:
+        """A rational number."""
+        number = sp.Rational(value)
+        return arb(int(number.p)) / arb(int(number.q))
+
+    def generator(self, name: str) -> Any:
+        """Value of a symbol at the point."""
+        return self.values[name]
+
+    def vanishes(self, element: Any) -> bool:
+        """Whether a ball contains zero, so that nothing can be said against it."""
+        return 0 in element
+
+    def root(self, element: Any, degree: int) -> Any:
+        """The positive root."""
+        if degree == 1:
+            return element
+        if not element > 0:
+            raise ZeroDivisionError
+        return element.root(degree)
+
+    def power(self, element: Any, exponents: Iterable[tuple[Any, Any]]) -> Any:
+        """The product of element^(number·θ) over pairs (θ, number); θ as a formula."""
+        if not element > 0:
+            raise ZeroDivisionError
+        total = arb(0)
+        for theta, number in exponents:
+            value = arb(1)
+            if theta != 1:
+                symbols = sorted(theta.free_symbols, key=str)
+                given = {s: self.values[str(s)] for s in symbols}
+                value = _exponent(theta, given)
+            total += self.rational(number) * value
+        return element**total
+
+    def as_rational(self, element: Any) -> Any:
+        """Unknown for a ball."""
+        return None
+
+    def circle(self, angle: Any) -> Any:
+        """Sine and cosine."""
+        return angle.sin(), angle.cos()
+
+    def opaque(self, name: str, arguments: Sequence[Any], value: float = 0.7) -> Any:
+        """A function value: computed for a known function, invented for an unspecified one."""
+        if name in KNOWN:
+            first, *rest = arguments
+            method = getattr(arb, name)
+            return method(first, *rest)
+        if name in self.forced:
+            return self.zero
+        for other, places, known in self._seen:
+            if other == name and all(a.overlaps(b) for a, b in zip(places, arguments, strict=True)):
+                return known
+        made = _invented(f"{name}{[a.str(12, radius=False) for a in arguments]}")
+        self._seen.append((name, tuple(arguments), arb(made.p) / arb(made.q)))
+        return self._seen[-1][2]
+
+
+def _exponent(formula: Any, values: Mapping[Any, Any]) -> Any:
+    """A rational formula in parameters as a ball."""
+    if formula in values:
+        return values[formula]
+    if formula.is_Rational:
+        return arb(int(formula.p)) / arb(int(formula.q))
+    parts = [_exponent(part, values) for part in formula.args]
+    if formula.is_Pow:
+        return parts[0] ** parts[1]
+    total = parts[0]
+    for part in parts[1:]:
+        total = total + part if formula.is_Add else total * part
+    return total

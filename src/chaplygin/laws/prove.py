@@ -1,0 +1,153 @@
+"""Proof and refutation of laws.
+
+A law is tried at points first: where a residual is not zero, exactly or as a ball that does not
+contain zero, the law is refuted there.  A law that survives is computed symbolically; when every
+residual vanishes modulo the relations and the level it is proven, since no denominator vanished
+at the points.  Otherwise it is undecided, and the verdict says why.
+"""
+
+from __future__ import annotations
+
+import random
+import time
+from collections.abc import Iterator
+from typing import Any, overload
+
+from ..errors import InputError
+from ..statements import Isomorphism, Law, PoissonStructure
+from ..system import System
+from .algebra import Budget, Fractions
+from .errors import NotExact, OutOfReach, SpareNeeded
+from .ground import Ground
+from .rank import shortfall
+from .residuals import preserved, residuals
+from .verdict import Verdict
+
+__all__ = ["prove"]
+
+POINTS = 2
+SEED = 20080830
+
+
+@overload
+def prove(system: System, law: None = None, *, seconds: float = ...) -> tuple[Verdict, ...]: ...
+@overload
+def prove(system: System, law: Law, *, seconds: float = ...) -> Verdict: ...
+def prove(
+    system: System, law: Law | None = None, *, seconds: float = 120.0
+) -> Verdict | tuple[Verdict, ...]:
+    """Prove or refute a law of a system, or all of its laws.
+
+    Parameters
+    ----------
+    system : System
+    law : Law, optional
+        One law; by default all laws of the system.
+    seconds : float
+        Time after which a law is left undecided.
+
+    Returns
+    -------
+    Verdict or tuple of Verdict
+
+    Raises
+    ------
+    InputError
+        If a law uses an unknown symbol, or its level is empty or annuls a denominator.
+    """
+    if law is None:
+        return tuple(prove(system, each, seconds=seconds) for each in system.laws)
+    started = time.monotonic()
+    budget = Budget(deadline=started + seconds)
+    try:
+        verdict = _decided(system, law, budget)
+    except OutOfReach as reason:
+        verdict = Verdict(law.name, "undecided", reason=str(reason))
+    return Verdict(
+        law.name,
+        verdict.decision,
+        verdict.shown,
+        verdict.reason,
+        max(verdict.terms, budget.largest),
+        time.monotonic() - started,
+        verdict.witness,
+    )
+
+
+def _everything(law: Law, ground: Ground, field: Any) -> Iterator[tuple[str, Any]]:
+    yield from preserved(ground, field)
+    yield from residuals(law, ground, field)
+
+
+def _decided(system: System, law: Law, budget: Budget) -> Verdict:
+    ground = Ground(system, law.on)
+    generator = random.Random(SEED)
+    sample: dict[str, float] = {}
+    for _ in range(POINTS):
+        values, witness = _tried(law, ground, generator)
+        sample = sample or {name: float(value) for name, value in values.items()}
+        if witness is not None:
+            what, residual = witness
+            return Verdict(
+                law.name,
+                "refuted",
+                shown=f"{what} is not zero at a point",
+                witness={
+                    "point": {n: str(v) for n, v in values.items()},
+                    "what": what,
+                    "residual": str(residual),
+                },
+            )
+        budget.watch()
+    spare = 8
+    while True:
+        try:
+            field = ground.fractions(spare, sample, budget)
+            return _computed(law, ground, field)
+        except SpareNeeded:
+            spare *= 2
+
+
+def _tried(
+    law: Law, ground: Ground, generator: random.Random
+) -> tuple[dict[str, Any], tuple[str, Any] | None]:
+    """A point of the level, and the first residual that is not zero there."""
+    for _ in range(40):
+        values, exact = ground.point(generator)
+        for rational in (True, False) if exact else (False,):
+            field = ground.numbers(values, rational)
+            try:
+                for what, residual in _everything(law, ground, field):
+                    if not field.vanishes(residual):
+                        return values, (what, residual)
+                missing = shortfall(law, ground, field)
+            except NotExact:
+                continue
+            except ZeroDivisionError:
+                break
+            return values, missing
+    raise InputError(
+        f"{ground.system.name}: the law {law.name!r} divides by zero, or takes a root of a "
+        "negative quantity, at every point tried on its level"
+    )
+
+
+def _computed(law: Law, ground: Ground, field: Fractions) -> Verdict:
+    count = 0
+    for what, residual in _everything(law, ground, field):
+        count += 1
+        if not field.vanishes(residual):
+            return Verdict(
+                law.name,
+                "undecided",
+                reason=f"{what} vanishes at the points tried, but does not reduce to zero: a "
+                f"polynomial of {len(residual.poly):,} terms remains",
+            )
+    return Verdict(law.name, "proven", shown=_words(law, count))
+
+
+def _words(law: Law, count: int) -> str:
+    kind = {Isomorphism: "carried onto the target", PoissonStructure: "Jacobi identity"}
+    extra = next((words for cls, words in kind.items() if isinstance(law, cls)), "")
+    many = "1 residual is" if count == 1 else f"{count} residuals are"
+    return f"{many} zero modulo the relations" + (f" ({extra})" if extra else "")

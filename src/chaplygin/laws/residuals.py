@@ -1,0 +1,326 @@
+"""What must vanish for a law to hold, evaluated in any field.
+
+Every function yields pairs (what, value): the law holds where all values are zero.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import singledispatch
+from itertools import combinations
+from typing import Any, TypeAlias
+
+import sympy as sp
+
+from ..errors import InputError
+from ..statements import (
+    ConformallyHamiltonian,
+    Identity,
+    Integral,
+    Isomorphism,
+    Law,
+    Measure,
+    PoissonStructure,
+    Rate,
+    Reduction,
+    Symmetry,
+)
+from ..vectors import explicit
+from .ground import Ground
+from .jets import Evaluator, Jet
+
+__all__ = ["components", "preserved", "residuals"]
+
+Residuals: TypeAlias = Iterator[tuple[str, Any]]
+
+
+@singledispatch
+def residuals(law: Law, ground: Ground, field: Any) -> Residuals:
+    """What must vanish for `law` to hold on `ground`, evaluated in `field`."""
+    raise InputError(f"a law of kind {type(law).__name__} cannot be proved")
+
+
+def preserved(ground: Ground, field: Any) -> Residuals:
+    """Rates of the conditions: they vanish when the phase space and the level are invariant."""
+    along = ground.along(field)
+    for condition in ground.moving:
+        yield f"rate of {condition}", along.slope(condition)
+
+
+def _scalars(value: Any) -> list[sp.Expr]:
+    """The scalar formulas of a scalar, vector, matrix or tuple of these."""
+    if isinstance(value, (tuple, list)):
+        return [scalar for part in value for scalar in _scalars(part)]
+    made = explicit(value)
+    return list(made) if isinstance(made, sp.MatrixBase) else [made]
+
+
+def components(pairs: Sequence[tuple[Any, Any]]) -> dict[sp.Symbol, sp.Expr]:
+    """Pairs (name, formula) as scalar symbols with scalar formulas."""
+    found: dict[sp.Symbol, sp.Expr] = {}
+    for name, formula in pairs:
+        symbols = (name,) if isinstance(name, sp.Symbol) else name.symbols
+        found.update(zip(symbols, _scalars(formula), strict=True))
+    return found
+
+
+# --- integrals, identities, reductions -----------------------------------------------------
+
+
+@residuals.register
+def _(law: Integral, ground: Ground, field: Any) -> Residuals:
+    yield "v(F)", ground.along(field).slope(explicit(law.value))
+
+
+@residuals.register
+def _(law: Identity, ground: Ground, field: Any) -> Residuals:
+    formulas = [_without_second_rates(f, ground) for f in _scalars(law.value)]
+    rated = any(f.has(Rate) for f in formulas)
+    evaluate = ground.along(field) if rated else ground.evaluator(field)
+    for i, formula in enumerate(formulas, 1):
+        yield f"component {i}", evaluate.value(formula)
+
+
+@residuals.register
+def _(law: Reduction, ground: Ground, field: Any) -> Residuals:
+    quantities = components(law.quantities)
+    evaluate = ground.along(field).with_steps(quantities)
+    for i, equation in enumerate(law.equations, 1):
+        formula = _without_second_rates(explicit(equation), ground, quantities)
+        yield f"equation {i}", evaluate.value(formula)
+
+
+def _without_second_rates(
+    formula: sp.Expr, ground: Ground, quantities: dict[sp.Symbol, sp.Expr] | None = None
+) -> sp.Expr:
+    """Rates of rates, written out: the inner one becomes a formula in the state."""
+
+    def inner(formula: sp.Expr) -> sp.Expr:
+        replaced = {
+            rate: written(rate.args[0])
+            for rate in formula.atoms(Rate)
+            if not _nested(rate, formula)
+        }
+        return formula.xreplace(replaced)
+
+    def written(formula: sp.Expr) -> sp.Expr:
+        formula = inner(formula)
+        while formula.free_symbols & set(quantities or {}):
+            formula = formula.xreplace(quantities or {})
+        formula = ground.expanded(formula)
+        rates = zip(ground.system.symbols, ground.system.rates, strict=True)
+        return sp.Add(*(sp.diff(formula, s) * rate for s, rate in rates))
+
+    deep = {
+        rate: Rate(inner(rate.args[0])) for rate in formula.atoms(Rate) if rate.args[0].has(Rate)
+    }
+    outermost = {r: v for r, v in deep.items() if not _nested(r, formula)}
+    return formula.xreplace(outermost)
+
+
+def _nested(rate: sp.Expr, formula: sp.Expr) -> bool:
+    """Whether a rate occurs only inside another rate of the formula."""
+    return any(rate in other.args[0].atoms(Rate) for other in formula.atoms(Rate) if other != rate)
+
+
+# --- invariant measure ---------------------------------------------------------------------
+
+
+@residuals.register
+def _(law: Measure, ground: Ground, field: Any) -> Residuals:
+    partial = ground.partial(field)
+    rates = [partial(rate) for rate in ground.system.rates]
+    total = field.zero
+    for i, rate in enumerate(rates):
+        total = total + _slope(field, rate, i)
+    for base, exponent in law.density:
+        inner, power = partial(explicit(base)), partial(sp.sympify(exponent))
+        if power.slopes:
+            raise InputError(
+                f"the law {law.name!r}: the exponent {exponent} of a density must not depend on "
+                "the state"
+            )
+        if field.vanishes(inner.value):
+            raise ZeroDivisionError
+        total = total + power.value * _along(field, inner, rates) / inner.value
+    yield "div(ρv)/ρ", total - _transverse(ground, field, partial, rates)
+
+
+def _slope(field: Any, jet: Jet, direction: int) -> Any:
+    return jet.slopes.get(direction, field.zero)
+
+
+def _along(field: Any, jet: Jet, rates: Sequence[Jet]) -> Any:
+    """Derivative of a function along a vector field, from its partial derivatives."""
+    total = field.zero
+    for i, slope in jet.slopes.items():
+        total = total + slope * rates[i].value
+    return total
+
+
+def _transverse(ground: Ground, field: Any, partial: Evaluator, rates: Sequence[Jet]) -> Any:
+    """The part of the divergence that points out of the phase space.
+
+    With v(F_i) = Σ C_ij F_j for the conditions F it is the trace of C.
+    """
+    symbols = ground.system.symbols
+    normals, drifts = [], []
+    for condition in ground.moving:
+        slopes = [partial(sp.diff(condition, s)) for s in symbols]
+        drift = Jet(field.zero, {})
+        for slope, rate in zip(slopes, rates, strict=True):
+            drift = drift + slope * rate
+        normals.append([slope.value for slope in slopes])
+        drifts.append([_slope(field, drift, i) for i in range(len(symbols))])
+    moving = [i for i, row in enumerate(drifts) if not all(field.vanishes(x) for x in row)]
+    if not moving:
+        return field.zero
+    gram = [[_product(field, a, b) for b in normals] for a in normals]
+    total = field.zero
+    for i in moving:
+        right = [_product(field, drifts[i], normal) for normal in normals]
+        total = total + _solution(field, gram, right)[i]
+    return total
+
+
+def _product(field: Any, first: Sequence[Any], second: Sequence[Any]) -> Any:
+    total = field.zero
+    for a, b in zip(first, second, strict=True):
+        total = total + a * b
+    return total
+
+
+def _solution(field: Any, matrix: Sequence[Sequence[Any]], right: Sequence[Any]) -> list[Any]:
+    """Solution of a small linear system, by Gauss and Jordan."""
+    rows = [[*row, value] for row, value in zip(matrix, right, strict=True)]
+    for i in range(len(rows)):
+        pivot = next((j for j in range(i, len(rows)) if not field.vanishes(rows[j][i])), None)
+        if pivot is None:
+            raise ZeroDivisionError
+        rows[i], rows[pivot] = rows[pivot], rows[i]
+        rows[i] = [x / rows[i][i] for x in rows[i]]
+        for j in range(len(rows)):
+            if j != i:
+                factor = rows[j][i]
+                rows[j] = [x - factor * y for x, y in zip(rows[j], rows[i], strict=True)]
+    return [row[-1] for row in rows]
+
+
+# --- symmetry fields -----------------------------------------------------------------------
+
+
+@residuals.register
+def _(law: Symmetry, ground: Ground, field: Any) -> Residuals:
+    partial = ground.partial(field)
+    given = components(law.field)
+    symbols = ground.system.symbols
+    rates = [partial(rate) for rate in ground.system.rates]
+    push = [partial(given.get(s, sp.S.Zero)) for s in symbols]
+    for condition in ground.moving:
+        yield f"u({condition})", _along(field, partial(condition), push)
+    for symbol, rate, shift in zip(symbols, rates, push, strict=True):
+        yield f"[u, v] in {symbol}", _along(field, rate, push) - _along(field, shift, rates)
+
+
+# --- Poisson structures --------------------------------------------------------------------
+
+
+@residuals.register
+def _(law: PoissonStructure, ground: Ground, field: Any) -> Residuals:
+    partial = ground.partial(field)
+    size = len(ground.system.symbols)
+    if law.matrix.shape != (size, size):
+        raise InputError(
+            f"the law {law.name!r}: its matrix is {law.matrix.shape[0]}×{law.matrix.shape[1]}, "
+            f"but the state has {size} variables"
+        )
+    entries = [[partial(law.matrix[i, j]) for j in range(size)] for i in range(size)]
+    values = [[entry.value for entry in row] for row in entries]
+    for i in range(size):
+        for j in range(i, size):
+            yield f"J[{i + 1},{j + 1}] + J[{j + 1},{i + 1}]", values[i][j] + values[j][i]
+    for condition in ground.moving:
+        yield from _casimir(field, f"{{·, {condition}}}", partial(condition), values)
+    for i, j, k in combinations(range(size), 3):
+        total = field.zero
+        for a, b, c in ((i, j, k), (j, k, i), (k, i, j)):
+            for number, slope in entries[b][c].slopes.items():
+                total = total + values[a][number] * slope
+        yield f"Jacobi identity {i + 1}, {j + 1}, {k + 1}", total
+    for casimir in law.casimirs:
+        yield from _casimir(field, f"{{·, {casimir}}}", partial(explicit(casimir)), values)
+    if law.rank is not None:
+        for rows in combinations(range(size), law.rank + 2):
+            yield f"Pfaffian of {rows}", _pfaffian(field, values, rows)
+
+
+def _casimir(field: Any, name: str, function: Jet, values: Sequence[Sequence[Any]]) -> Residuals:
+    for i, row in enumerate(values, 1):
+        total = field.zero
+        for j, slope in function.slopes.items():
+            total = total + row[j] * slope
+        yield f"{name}, component {i}", total
+
+
+def _pfaffian(field: Any, matrix: Sequence[Sequence[Any]], rows: tuple[int, ...]) -> Any:
+    """Pfaffian of a principal submatrix; all of one size vanish when the rank is below it."""
+    if not rows:
+        return field.one
+    first, *rest = rows
+    total = field.zero
+    for position, other in enumerate(rest):
+        remaining = tuple(r for r in rest if r != other)
+        part = matrix[first][other] * _pfaffian(field, matrix, remaining)
+        total = total + part if position % 2 == 0 else total - part
+    return total
+
+
+@residuals.register
+def _(law: ConformallyHamiltonian, ground: Ground, field: Any) -> Residuals:
+    yield from residuals(law.structure, ground, field)
+    partial = ground.partial(field)
+    size = len(ground.system.symbols)
+    gradient = partial(explicit(law.hamiltonian)).slopes
+    multiplier = partial.value(explicit(law.multiplier))
+    for i, rate in enumerate(ground.system.rates):
+        total = field.zero
+        for j in range(size):
+            if j in gradient:
+                total = total + partial.value(law.structure.matrix[i, j]) * gradient[j]
+        name = ground.system.symbols[i]
+        yield f"v − N J dH in {name}", partial.value(rate) - multiplier * total
+
+
+# --- isomorphisms --------------------------------------------------------------------------
+
+
+@residuals.register
+def _(law: Isomorphism, ground: Ground, field: Any) -> Residuals:
+    along = ground.along(field)
+    target = law.target
+    images = {s: along(f) for s, f in components(law.map).items()}
+    missing = set(target.symbols) - set(images)
+    if missing:
+        raise InputError(
+            f"the law {law.name!r} does not say what {', '.join(sorted(map(str, missing)))} of "
+            f"{target.name} is"
+        )
+    constants = {s: along(f) for s, f in components(law.constants).items()}
+    for symbol, constant in constants.items():
+        yield f"rate of {symbol}", _slope(field, constant, -1)
+    own = {str(s) for s in ground.symbols}
+    for parameter in target.parameters:
+        if parameter.symbol not in constants:
+            if str(parameter.symbol) not in own:
+                raise InputError(
+                    f"the law {law.name!r} does not say what the parameter {parameter.symbol} of "
+                    f"{target.name} is"
+                )
+            constants[parameter.symbol] = along(parameter.symbol)
+    given = {s: Jet(jet.value, {}) for s, jet in {**constants, **images}.items()}
+    there = Evaluator(field, given, dict(target.steps))
+    for relation in target.relations:
+        yield f"{relation} in {target.name}", there.value(explicit(relation))
+    speed = along.value(explicit(law.time))
+    for symbol, rate in zip(target.symbols, target.rates, strict=True):
+        yield f"rate of {symbol}", _slope(field, images[symbol], -1) - speed * there.value(rate)

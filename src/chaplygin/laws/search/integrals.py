@@ -1,0 +1,279 @@
+"""The search for first integrals."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+import sympy as sp
+
+from ...statements import Integral
+from ..prove import prove
+from .ansatz import Table, table
+from .finding import Finding, Progress, Question, silent
+from .grading import Weight, weights
+from .lifting import Part, Solution, plan, points_for, solutions
+from .linear import combination, independent_columns, nullspace, rank
+from .modular import PRIME, Integers, inverse, power
+from .stage import Sample
+from .vocabulary import Scalars, Vocabulary, component_scalars
+
+__all__ = ["integrals"]
+
+_SPARE = 24
+_SEED = 20080830
+
+
+def integrals(question: Question, progress: Progress = silent) -> Iterator[Finding]:
+    """First integrals of the form P/Qˢ with P polynomial and Q a divisor, one after the other.
+
+    An integral that is a polynomial in earlier ones and functions of the parameters is not
+    repeated.  Each comes with the verdict of the prover.
+
+    Parameters
+    ----------
+    question : Question
+    progress : callable
+
+    Raises
+    ------
+    InputError
+        If the ansatz does not fit into memory or the field is not algebraic.
+    """
+    question.ansatz.check()
+    search = _Search(question)
+    shells = [
+        (degree, divisor, exponent)
+        for degree in range(question.ansatz.degree + 1)
+        for divisor, exponent in _divisions(question)
+    ]
+    for number, (degree, divisor, exponent) in enumerate(shells):
+        progress(number / len(shells), f"degree {degree}")
+        yield from search.shell(degree, divisor, exponent)
+    progress(1.0, "")
+
+
+def _divisions(question: Question) -> list[tuple[sp.Expr, int]]:
+    return [
+        (sp.S.One, 0),
+        *((d, s) for d in question.divisors for s in range(1, question.powers + 1)),
+    ]
+
+
+@dataclass
+class _Known:
+    """Integrals found so far, by their values at the points of the common sample."""
+
+    values: list[tuple[int, Integers]] = field(default_factory=list)
+
+    def products(self, degree: int, points: int) -> Integers:
+        """All products of total degree ≤ `degree`, 1 first; shape (products, points)."""
+        found = [(0, np.ones(points, dtype=np.int64))]
+        for own, value in self.values:
+            row = list(found)
+            while own and row:
+                row = [
+                    (total + own, product * value % PRIME)
+                    for total, product in row
+                    if total + own <= degree
+                ]
+                found += row
+        return np.array([value for _, value in found])
+
+
+class _Search:
+    """One search: the common sample, what is known, and the vocabulary of formulas."""
+
+    def __init__(self, question: Question) -> None:
+        self.question = question
+        self.stage = question.stage
+        self.points = question.ansatz.size + 64
+        self.sample = self.stage.sample(self.points, _SEED, common=True)
+        self.table: Table = table(question.ansatz, self.sample)
+        self.known = _Known()
+        self.formulas: list[sp.Expr] = []
+        self.weights: dict[sp.Symbol, Weight] = weights(self.stage)
+        self.vocabulary = Vocabulary(self.stage, question.ansatz, self.weights)
+
+    # --- one shell -------------------------------------------------------------------------
+
+    def shell(self, degree: int, divisor: sp.Expr, exponent: int) -> Iterator[Finding]:
+        """Integrals of one degree in the momenta over one power of a divisor."""
+        momenta = len(self.question.ansatz.momenta)
+        chosen = [i for i, e in enumerate(self.table.exponents) if sum(e[:momenta]) <= degree]
+        value, rate = self.table.value[chosen], self.table.rate[chosen]
+        kept = independent_columns(value.T)
+        chosen, value, rate = [chosen[i] for i in kept], value[kept], rate[kept]
+        over, change = _divided(self.sample, divisor, exponent)
+        kernel = nullspace((rate - value * change % PRIME).T % PRIME)
+        found = _product(kernel, value) * over % PRIME
+        if self._fresh(found, degree) == []:
+            return
+        for law in self._covariant(degree, divisor, exponent, found):
+            yield self._finding(law, degree)
+        fresh = self._fresh(found, degree)
+        if not fresh:
+            return
+        for law in self._componentwise(
+            [kernel[i] for i in fresh], chosen, divisor, exponent, found, degree
+        ):
+            yield self._finding(law, degree)
+        left = len(self._fresh(found, degree))
+        if left:
+            yield Finding(
+                "integral",
+                None,
+                None,
+                remark=f"{left} further of degree {degree} in the momenta, whose coefficients "
+                f"have a degree above {self.question.parameter_degree} in the parameters",
+            )
+
+    def _fresh(self, found: Integers, degree: int) -> list[int]:
+        """Which functions do not depend linearly on products of known integrals."""
+        products = self.known.products(degree, self.points)
+        stacked = np.concatenate([products, found]).T
+        first = len(products)
+        return [i - first for i in independent_columns(stacked) if i >= first]
+
+    # --- formulas --------------------------------------------------------------------------
+
+    def _covariant(
+        self, degree: int, divisor: sp.Expr, exponent: int, found: Integers
+    ) -> Iterator[sp.Expr]:
+        """Vector formulas, of increasing degree in the parameters, while something is missing."""
+        parts = self.vocabulary.parts(degree, self.question.ansatz.gamma_degree)
+        ways = [(sp.S.One, 0)] + ([(divisor, exponent)] if exponent else [])
+        for size in range(self.question.parameter_degree + 1):
+            for below, power_ in ways:
+                laws = self._lifted(parts, self.vocabulary.scalars, size, below, power_)
+                yield from self._accepted(laws, degree)
+                if not self._fresh(found, degree):
+                    return
+
+    def _componentwise(
+        self,
+        kernel: Sequence[Integers],
+        chosen: Sequence[int],
+        divisor: sp.Expr,
+        exponent: int,
+        found: Integers,
+        degree: int,
+    ) -> Iterator[sp.Expr]:
+        """Formulas in components, on the monomials that occur."""
+        symbols = (*self.question.ansatz.momenta, *self.question.ansatz.coordinates)
+        scalars = component_scalars(self.stage, self.weights)
+        for vector in kernel:
+            parts = []
+            for i in np.flatnonzero(vector):
+                powers = self.table.exponents[chosen[i]]
+                formula = sp.Mul(*(s**e for s, e in zip(symbols, powers, strict=True)))
+                weight = _weight(symbols, powers, self.weights)
+                parts.append(Part(formula, weight, sum(powers)))
+            for size in range(self.question.parameter_degree + 1):
+                before = len(self._fresh(found, degree))
+                laws = self._lifted(parts, scalars, size, divisor, exponent)
+                yield from self._accepted(laws, degree)
+                if len(self._fresh(found, degree)) < before:
+                    break
+
+    def _lifted(
+        self,
+        parts: Sequence[Part],
+        scalars: Scalars,
+        size: int,
+        divisor: sp.Expr,
+        exponent: int,
+    ) -> list[sp.Expr]:
+        """Integrals with coefficients of one degree in the parameters, the simplest first."""
+        zero = tuple(0 for _ in next(iter(self.weights.values())))
+        made = plan(parts, scalars.weights, size, zero)
+        sample = self.stage.sample(points_for(made), _SEED + 1, common=False)
+        jets = [sample(part.formula) for part in parts]
+        value = np.array([jet.value for jet in jets])[:, None]
+        rate = np.array([sample.along(jet) for jet in jets])[:, None]
+        _, change = _divided(sample, divisor, exponent)
+        numbers = np.array([sample(s).value for s in scalars.formulas])
+        numbers = numbers.reshape(len(scalars.formulas), value.shape[-1])
+        found = solutions(made, parts, value, (rate - value * change) % PRIME, numbers)
+        ordered = sorted(found, key=lambda solution: solution.effort)
+        return [_formula(s, parts, scalars) / divisor**exponent for s in ordered]
+
+    def _accepted(self, laws: Sequence[sp.Expr], degree: int) -> Iterator[sp.Expr]:
+        """Those that are new, and take note of them."""
+        for law in laws:
+            value = self.sample(law).value
+            if not self._fresh(value[None], degree):
+                continue
+            own = self._degree(law, degree)
+            self.known.values.append((own, value))
+            if self._independent(law):
+                self.formulas.append(law)
+                yield law
+
+    def _degree(self, law: sp.Expr, degree: int) -> int:
+        """The degree that products count; at least one, so that there are finitely many."""
+        return max(degree, 1)
+
+    def _independent(self, law: sp.Expr) -> bool:
+        """Whether the gradient of a law does not depend on those of earlier ones."""
+        formulas = [*self.stage.relations, *self.formulas, law]
+        gradients = np.array([self.sample(f).slope[:, 0] for f in formulas])
+        return rank(gradients) > rank(gradients[:-1])
+
+    # --- findings --------------------------------------------------------------------------
+
+    def _finding(self, formula: sp.Expr, degree: int) -> Finding:
+        name = f"F_{len(self.formulas)}"
+        law = Integral(name, formula, on=self.stage.on)
+        verdict = prove(self.stage.system, law)
+        return Finding("integral", law, verdict, known=self._recognised(formula, degree))
+
+    def _recognised(self, formula: sp.Expr, degree: int) -> str:
+        """The law of the catalogue that a formula repeats, up to earlier integrals."""
+        products = self.known.products(max(degree, 2), self.points)
+        value = self.sample(formula).value
+        others = [row for row in products if (row != value).any()]
+        for law in self.stage.system.integrals:
+            told = self.sample(law.value)
+            if self.sample.along(told).any():
+                continue
+            found = combination(np.array([*others, value]).T, told.value)
+            if found is not None and found[-1]:
+                return f"{law.name}, {law.source}" if law.source else law.name
+        return ""
+
+
+def _divided(sample: Sample, divisor: sp.Expr, exponent: int) -> tuple[Integers, Integers]:
+    """Q⁻ˢ and the logarithmic rate of Qˢ at the points of a sample."""
+    jet = sample(divisor)
+    below = inverse(jet.value)
+    return power(below, exponent), sample.along(jet) * below % PRIME * exponent % PRIME
+
+
+def _product(left: Integers, right: Integers) -> Integers:
+    """The matrix product modulo the prime."""
+    total = np.zeros((left.shape[0], right.shape[1]), dtype=np.int64)
+    for index in range(left.shape[1]):
+        total = (total + left[:, index, None] * right[index]) % PRIME
+    return total
+
+
+def _weight(
+    symbols: Sequence[sp.Symbol], powers: Sequence[int], known: dict[sp.Symbol, Weight]
+) -> Weight:
+    weight = tuple(0 for _ in known[symbols[0]])
+    for symbol, exponent in zip(symbols, powers, strict=True):
+        weight = tuple(a + exponent * b for a, b in zip(weight, known[symbol], strict=True))
+    return weight
+
+
+def _formula(solution: Solution, parts: Sequence[Part], scalars: Scalars) -> sp.Expr:
+    return sp.Add(
+        *(
+            sp.Rational(number.numerator, number.denominator)
+            * sp.Mul(*(scalars.formulas[i] for i in chosen))
+            * parts[index].formula
+            for number, chosen, index in solution.terms
+        )
+    )

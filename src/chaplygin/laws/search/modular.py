@@ -1,0 +1,178 @@
+"""Formulas evaluated at many points at once in the integers modulo a large prime.
+
+A `Jet` holds the values of a formula at N points and its derivatives there.  Arithmetic modulo
+2³¹ − 1 is exact and fits 64-bit integers, so that NumPy does all points in one stroke; what
+holds at random points of a field so large holds identically, but for a chance of one in millions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+import sympy as sp
+
+from ...errors import InputError
+
+__all__ = ["PRIME", "Evaluator", "Integers", "Jet", "inverse", "power", "square_root"]
+
+PRIME = 2**31 - 1
+"""The modulus; it leaves the remainder 3 on division by 4, which makes square roots easy."""
+
+Integers: TypeAlias = npt.NDArray[np.int64]
+Truths: TypeAlias = npt.NDArray[np.bool_]
+
+
+def power(base: Integers, exponent: int) -> Integers:
+    """base^exponent modulo the prime, for an exponent ≥ 0, elementwise."""
+    result = np.ones_like(base)
+    while exponent:
+        if exponent & 1:
+            result = result * base % PRIME
+        base = base * base % PRIME
+        exponent >>= 1
+    return result
+
+
+def inverse(values: Integers) -> Integers:
+    """The reciprocals modulo the prime; 0 is carried to 0."""
+    return power(values, PRIME - 2)
+
+
+def square_root(values: Integers) -> tuple[Integers, Truths]:
+    """A square root modulo the prime, and where there is one."""
+    root = power(values, (PRIME + 1) // 4)
+    return root, root * root % PRIME == values
+
+
+@dataclass(frozen=True)
+class Jet:
+    """Values at N points and derivatives in D directions, all reduced modulo the prime.
+
+    Attributes
+    ----------
+    value : array of int64, shape (N,)
+    slope : array of int64, shape (D, N)
+    """
+
+    value: Integers
+    slope: Integers
+
+    def __add__(self, other: Jet) -> Jet:
+        return Jet((self.value + other.value) % PRIME, (self.slope + other.slope) % PRIME)
+
+    def __sub__(self, other: Jet) -> Jet:
+        return Jet((self.value - other.value) % PRIME, (self.slope - other.slope) % PRIME)
+
+    def __mul__(self, other: Jet) -> Jet:
+        slope = (self.slope * other.value % PRIME + other.slope * self.value) % PRIME
+        return Jet(self.value * other.value % PRIME, slope)
+
+    def chained(self, value: Integers, derivative: Integers) -> Jet:
+        """f(self), given f and f′ at the values."""
+        return Jet(value, self.slope * derivative % PRIME)
+
+    def along(self, direction: Iterable[Integers]) -> Integers:
+        """The derivative in a direction with the given components, shape (N,)."""
+        total = np.zeros_like(self.value)
+        for part, component in zip(self.slope, direction, strict=True):
+            total = (total + part * component) % PRIME
+        return total
+
+
+class Evaluator:
+    """Formulas in given symbols, evaluated once each.
+
+    Parameters
+    ----------
+    known : mapping of Symbol to Jet
+    points, directions : int
+        The shape of all jets.
+    definitions : mapping of Symbol to sympy.Expr
+        Further symbols, each evaluated when a formula asks for it.
+
+    Attributes
+    ----------
+    good : array of bool, shape (N,)
+        Where no division by zero and no root of a non-square was met.
+    """
+
+    def __init__(
+        self,
+        known: Mapping[sp.Symbol, Jet],
+        points: int,
+        directions: int,
+        definitions: Mapping[sp.Symbol, sp.Expr],
+    ) -> None:
+        self._jets: dict[sp.Basic, Jet] = dict(known)
+        self._definitions = definitions
+        self._points = points
+        self._directions = directions
+        self.good: Truths = np.ones(points, dtype=bool)
+
+    def constant(self, number: int) -> Jet:
+        """The jet of an integer."""
+        return Jet(
+            np.full(self._points, number % PRIME, dtype=np.int64),
+            np.zeros((self._directions, self._points), dtype=np.int64),
+        )
+
+    def __call__(self, formula: Any) -> Jet:
+        """The jet of a scalar formula.
+
+        Raises
+        ------
+        InputError
+            If it is not algebraic in its symbols.
+        """
+        found = self._jets.get(formula)
+        if found is None:
+            found = self._jets[formula] = self._fresh(formula)
+        return found
+
+    def _fresh(self, formula: sp.Basic) -> Jet:
+        match formula:
+            case sp.Symbol() if formula in self._definitions:
+                return self(self._definitions[formula])
+            case sp.Rational():
+                top, bottom = self.constant(int(formula.p)), self.constant(int(formula.q))
+                return top if formula.q == 1 else top * self._reciprocal(bottom)
+            case sp.Float():
+                return self(sp.Rational(str(formula)))
+            case sp.Add():
+                total = self(formula.args[0])
+                for term in formula.args[1:]:
+                    total = total + self(term)
+                return total
+            case sp.Mul():
+                product = self(formula.args[0])
+                for factor in formula.args[1:]:
+                    product = product * self(factor)
+                return product
+            case sp.Pow() if formula.exp.is_Integer:
+                return self._raised(self(formula.base), int(formula.exp))
+            case sp.Pow() if formula.exp.is_Rational and formula.exp.q == 2:
+                return self._raised(self._root(self(formula.base)), int(formula.exp.p))
+        raise InputError(
+            f"the search needs algebraic formulas (+, −, ×, /, powers, square roots); {formula} "
+            "is not one"
+        )
+
+    def _raised(self, base: Jet, exponent: int) -> Jet:
+        if exponent < 0:
+            return self._raised(self._reciprocal(base), -exponent)
+        below = power(base.value, max(exponent - 1, 0))
+        return base.chained(below * base.value % PRIME, below * exponent % PRIME)
+
+    def _reciprocal(self, jet: Jet) -> Jet:
+        self.good &= jet.value != 0
+        value = inverse(jet.value)
+        return jet.chained(value, (PRIME - value) * value % PRIME)
+
+    def _root(self, jet: Jet) -> Jet:
+        root, exists = square_root(jet.value)
+        self.good &= exists & (root != 0)
+        return jet.chained(root, inverse(2 * root % PRIME))

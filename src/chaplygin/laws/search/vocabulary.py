@@ -1,0 +1,226 @@
+"""The vector formulas of which laws are made: products of (u, v), (u, Jv), (Ju, Jv), tr J, …
+
+The equations of a rolling body do not prefer any axes: turning the body's axes turns vectors and
+tensors alike.  Their laws are then scalars made of these vectors and tensors.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations_with_replacement
+from typing import Any
+
+import sympy as sp
+
+from ...vectors import Diagonal, Symmetric, Vector, dot, explicit
+from .ansatz import Ansatz
+from .grading import Weight, total
+from .lifting import Part
+from .stage import Stage
+
+__all__ = ["Scalars", "Vocabulary", "component_scalars"]
+
+_MOMENTA = ("M", "omega")
+
+
+@dataclass(frozen=True)
+class Scalars:
+    """Quantities made of parameters alone, with their weights."""
+
+    formulas: tuple[sp.Expr, ...]
+    weights: tuple[Weight, ...]
+
+
+def _parameters(made: Stage, table: dict[sp.Symbol, Weight]) -> list[sp.Symbol]:
+    """Free parameters, and definitions that are numbers' worth of them and not tensors."""
+    return [s for s in made.free if s in table]
+
+
+def component_scalars(made: Stage, table: dict[sp.Symbol, Weight]) -> Scalars:
+    """The free parameters one by one, principal moments at the contact instead of at the centre."""
+    formulas: list[sp.Expr] = _parameters(made, table)
+    scalars = [s for s in _numbers(made) if s in table]
+    found = [*formulas, *scalars]
+    return Scalars(tuple(found), tuple(table[s] for s in found))
+
+
+def _numbers(made: Stage) -> list[sp.Symbol]:
+    """Scalar definitions that depend on parameters alone, such as k = a/(a + R)."""
+    named = {name for name, _ in made.system.definitions if isinstance(name, sp.Symbol)}
+    return [s for s, value in made.constants.items() if s in named and value.free_symbols]
+
+
+@dataclass(frozen=True)
+class _Atom:
+    """A scalar product and its degrees in momenta and coordinates."""
+
+    formula: sp.Expr
+    momenta: int
+    coordinates: int
+    effort: int
+    weight: Weight
+
+
+@dataclass(frozen=True)
+class Vocabulary:
+    """What formulas about a system are made of.
+
+    Parameters
+    ----------
+    stage : Stage
+    ansatz : Ansatz
+        Says which vectors are momenta and which are coordinates.
+    table : dict
+        Weights of all symbols.
+    """
+
+    stage: Stage
+    ansatz: Ansatz
+    table: dict[sp.Symbol, Weight]
+
+    @cached_property
+    def _names(self) -> tuple[Any, ...]:
+        """All vectors and tensors that the equations mention."""
+        system = self.stage.system
+        found: dict[Any, None] = {}
+        for name, formula in (*system.field, *system.definitions):
+            if not isinstance(name, sp.Symbol):
+                found[name] = None
+            for atom in sorted(formula.atoms(Vector, Diagonal, Symmetric), key=str):
+                found[atom] = None
+        return tuple(name for name in found if set(name.symbols) <= set(self.table))
+
+    @cached_property
+    def _fixed(self) -> set[sp.Symbol]:
+        return {p.symbol for p in self.stage.system.parameters} | set(self.stage.constants)
+
+    def _vectors(self) -> list[Vector]:
+        return [n for n in self._names if isinstance(n, Vector) and n.shape[0] == 3]
+
+    @cached_property
+    def momenta(self) -> tuple[Vector, ...]:
+        """The vectors in the momenta of the ansatz, and M and ω."""
+        chosen = set(self.ansatz.momenta)
+        return tuple(
+            v
+            for v in self._vectors()
+            if set(v.symbols) <= chosen
+            or (v.name in _MOMENTA and not set(v.symbols) & set(self.ansatz.coordinates))
+        )
+
+    @cached_property
+    def coordinates(self) -> tuple[Vector, ...]:
+        """The vectors in the coordinates of the ansatz, and those that are linear in them."""
+        chosen = set(self.ansatz.coordinates)
+        steps = dict(self.stage.system.steps)
+        found = []
+        for vector in self._vectors():
+            symbols = set(vector.symbols)
+            if symbols <= chosen:
+                found.append(vector)
+            elif symbols <= set(steps) and not symbols <= self._fixed:
+                values = [steps[s] for s in vector.symbols]
+                reached = set().union(*(v.free_symbols for v in values))
+                if reached <= chosen | self._fixed and all(
+                    v.is_polynomial(*chosen) and sp.total_degree(v, *chosen) == 1 for v in values
+                ):
+                    found.append(vector)
+        return tuple(found)
+
+    @cached_property
+    def constants(self) -> tuple[Vector, ...]:
+        """Constant vectors."""
+        return tuple(v for v in self._vectors() if set(v.symbols) <= self._fixed)
+
+    @cached_property
+    def tensors(self) -> tuple[tuple[Any, Any], ...]:
+        """Constant tensors, each with its inverse where the equations name it.
+
+        Where a tensor and its inverse are named, others differ from it by a multiple of E.
+        """
+        constant = [
+            n
+            for n in self._names
+            if isinstance(n, (Diagonal, Symmetric)) and set(n.symbols) <= self._fixed
+        ]
+        definitions = dict(self.stage.system.definitions)
+        pairs = [(t, n) for t in constant for n in constant if definitions.get(n) == t**-1]
+        return tuple(pairs[:1]) or tuple((t, None) for t in constant[:1])
+
+    def _weight(self, vector: Any) -> Weight:
+        return self.table[vector.symbols[0]]
+
+    def _pairings(self, u: Vector, v: Vector) -> Iterator[tuple[sp.Expr, Weight, int]]:
+        """(u, v), (u, Jv), (u, Av), (Ju, Jv), (Au, Av)."""
+        base = total(self._weight(u), self._weight(v))
+        yield dot(u, v), base, 1
+        for pair in self.tensors:
+            for number, tensor in enumerate(t for t in pair if t is not None):
+                by = self._weight(tensor)
+                once = total(base, by)
+                yield dot(u, tensor * v), once, 2 + number
+                yield dot(tensor * u, tensor * v), total(once, by), 3 + number
+
+    @cached_property
+    def _atoms(self) -> tuple[_Atom, ...]:
+        graded: list[tuple[Vector, int, int]] = [
+            *((v, 1, 0) for v in self.momenta),
+            *((v, 0, 1) for v in self.coordinates),
+            *((v, 0, 0) for v in self.constants),
+        ]
+        found = []
+        for (u, m, c), (v, n, d) in combinations_with_replacement(graded, 2):
+            if m + n + c + d:
+                found += [
+                    _Atom(formula, m + n, c + d, effort, weight)
+                    for formula, weight, effort in self._pairings(u, v)
+                ]
+        return tuple(self._useful(found))
+
+    def _useful(self, atoms: Iterable[_Atom]) -> Iterator[_Atom]:
+        """Those that are not constant on the phase space."""
+        sample = self.stage.sample(8, 5, common=True)
+        for atom in atoms:
+            values = sample(atom.formula).value
+            if (values != values[0]).any():
+                yield atom
+
+    @cached_property
+    def scalars(self) -> Scalars:
+        """Parameters that are no components, traces, determinants, products of constant vectors."""
+        parts = {s for n in self._names for s in n.symbols}
+        found: list[tuple[sp.Expr, Weight]] = [
+            (s, self.table[s])
+            for s in (*_parameters(self.stage, self.table), *_numbers(self.stage))
+            if s not in parts and s in self.table
+        ]
+        for tensor, _ in self.tensors:
+            weight = self._weight(tensor)
+            entries = explicit(tensor)
+            found.append((sp.trace(entries), weight))
+            found.append((entries.det(method="berkowitz"), tuple(3 * w for w in weight)))
+        for u, v in combinations_with_replacement(self.constants, 2):
+            found += [(formula, weight) for formula, weight, _ in self._pairings(u, v)]
+        return Scalars(tuple(f for f, _ in found), tuple(w for _, w in found))
+
+    def parts(self, degree: int, gamma_degree: int) -> tuple[Part, ...]:
+        """Products of scalar products up to the given degrees in momenta and coordinates."""
+        zero = tuple(0 for _ in next(iter(self.table.values())))
+        return tuple(self._products(Part(sp.S.One, zero, 0), self._atoms, degree, gamma_degree))
+
+    def _products(
+        self, below: Part, atoms: Sequence[_Atom], degree: int, gamma_degree: int
+    ) -> Iterator[Part]:
+        yield below
+        for index, atom in enumerate(atoms):
+            if atom.momenta <= degree and atom.coordinates <= gamma_degree:
+                product = Part(
+                    below.formula * atom.formula,
+                    total(below.weight, atom.weight),
+                    below.effort + atom.effort + 1,
+                )
+                yield from self._products(
+                    product, atoms[index:], degree - atom.momenta, gamma_degree - atom.coordinates
+                )
