@@ -120,6 +120,7 @@ class Fractions:
         self.factors: list[Poly] = []
         self.meanings: dict[str, str] = {}
         self._factor_numbers: dict[str, int] = {}
+        self._root_of: dict[int, tuple[int, int]] = {}
         self._auxiliary: dict[Any, Any] = {}
         self._circles: set[str] = set()
         self._zeros: set[str] = set()
@@ -136,8 +137,8 @@ class Fractions:
         return Element(self, self.ring.constant(fmpq(int(number.p), int(number.q))), {})
 
     def generator(self, name: str) -> Element:
-        """A generator by its name."""
-        return Element(self, self.generators[name], {})
+        """A generator by its name, reduced where a relation gives its value."""
+        return Element(self, self.reduce(self.generators[name]), {})
 
     def polynomial(self, poly: Poly) -> Element:
         """A polynomial of the ring as an element."""
@@ -169,7 +170,19 @@ class Fractions:
                 powers[number] = total
             else:
                 del powers[number]
-        return Element(self, self._product(first.poly, second.poly), powers)
+        return Element(self, self._product(first.poly, second.poly), self._unrooted(powers))
+
+    def _unrooted(self, powers: dict[int, int]) -> dict[int, int]:
+        """Powers of a root written as powers of what it is a root of, where they are."""
+        for number in [n for n in powers if n in self._root_of]:
+            base, degree = self._root_of[number]
+            whole = int(powers[number] / degree)
+            if whole:
+                for n, change in ((number, -whole * degree), (base, whole)):
+                    powers[n] = powers.get(n, 0) + change
+                    if not powers[n]:
+                        del powers[n]
+        return powers
 
     def _product(self, first: Poly, second: Poly) -> Poly:
         self.budget.foresee(first, second)
@@ -192,7 +205,20 @@ class Fractions:
                 common[number] = low
         poly = self._over(first, common) + self._over(second, common)
         self.budget.spend(poly)
-        return Element(self, poly, common if poly else {})
+        return self._lightened(poly, common) if poly else self.zero
+
+    def _lightened(self, poly: Poly, powers: dict[int, int]) -> Element:
+        """An element in which generators are cancelled against the denominator."""
+        single = [n for n, p in powers.items() if p < 0 and len(self.factors[n]) == 1]
+        if single:
+            shared = poly.term_content().monoms()[0]
+            for number in single:
+                (position,) = (i for i, d in enumerate(self.factors[number].degrees()) if d)
+                times = min(int(shared[position]), -powers[number])
+                if times:
+                    poly = divmod(poly, self.factors[number] ** times)[0]
+                    powers[number] += times
+        return Element(self, poly, {n: p for n, p in powers.items() if p})
 
     def _over(self, element: Element, common: Mapping[int, int]) -> Poly:
         poly = element.poly
@@ -223,7 +249,7 @@ class Fractions:
         for number, power in parts:
             powers[number] = powers.get(number, 0) - power
         kept = {number: power for number, power in powers.items() if power}
-        return Element(self, self.ring.constant(1 / content), kept)
+        return Element(self, self.ring.constant(1 / content), self._unrooted(kept))
 
     def _factorised(self, poly: Poly) -> tuple[fmpq, list[tuple[int, int]]]:
         """Content and named factors with their powers."""
@@ -324,7 +350,7 @@ class Fractions:
         for number, power in parts:
             total[number] = total.get(number, 0) + power
         signed = []
-        for number, power in total.items():
+        for number, power in self._unrooted(total).items():
             poly = self.factors[number]
             if self.at_sample(poly) < 0:
                 poly = -poly
@@ -391,7 +417,17 @@ class Fractions:
         key = ("root", str(base), degree)
         made = self._new(key, f"({base})^(1/{degree})", lambda: float(value ** (1 / degree)))
         self.impose(str(made), made**degree - base)
+        lead = base.leading_coefficient()
+        if lead == 1 and not base.is_constant():
+            self._root_of[self._named(made)] = (self._named(base), degree)
         return Element(self, made, {})
+
+    def exponential(self, element: Element) -> Element:
+        """The exponential; that of the opposite is its reciprocal."""
+        opposite = ("exp", self._key(-element))
+        if opposite in self._auxiliary:
+            return self.invert(Element(self, self._auxiliary[opposite], {}))
+        return self.opaque("exp", [element])
 
     def circle(self, angle: Element) -> tuple[Element, Element]:
         """Sine and cosine."""

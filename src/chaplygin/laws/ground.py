@@ -18,7 +18,7 @@ from ..system import System
 from ..vectors import explicit
 from .algebra import Budget, Element, Fractions
 from .errors import NotExact, OutOfReach
-from .jets import Evaluator, Jet
+from .jets import Evaluator, Exchange, Jet
 from .numbers import Balls, Rationals, exact_root
 
 __all__ = ["Ground"]
@@ -50,6 +50,40 @@ class Ground:
     def steps(self) -> dict[sp.Symbol, sp.Expr]:
         """The definitions, by symbol."""
         return dict(self.system.steps)
+
+    @cached_property
+    def exchanged(self) -> tuple[Exchange, ...]:
+        """Definitions that take the place of a parameter as generators."""
+        parameters = {p.symbol for p in self.system.parameters}
+        for condition in self.conditions:
+            parameters -= self._reach(condition, set())
+        found: dict[sp.Symbol, Exchange] = {}
+        for name, formula in self.system.steps:
+            gone = {e.parameter for e in found.values()}
+            for parameter in sorted(formula.free_symbols & parameters - gone, key=str):
+                factor = sp.diff(formula, parameter)
+                rest = formula.xreplace({parameter: sp.S.Zero})
+                if factor.is_Rational and factor != 0 and not (gone | {parameter}) & self._reach(rest, set(found)):
+                    found[name] = Exchange(name, parameter, factor, rest)
+                    break
+        return tuple(found.values())
+
+    def _reach(self, formula: sp.Expr, stop: set[sp.Symbol]) -> set[sp.Symbol]:
+        """Symbols on which a formula depends, through all definitions but those in `stop`."""
+        found: set[sp.Symbol] = set()
+        waiting = set(formula.free_symbols)
+        while waiting:
+            symbol = waiting.pop()
+            found.add(symbol)
+            if symbol in self.steps and symbol not in stop:
+                waiting |= self.steps[symbol].free_symbols - found
+        return found
+
+    @cached_property
+    def generators(self) -> tuple[sp.Symbol, ...]:
+        """Independent symbols: state and parameters, some of them exchanged."""
+        instead = {e.parameter: e.name for e in self.exchanged}
+        return tuple(instead.get(s, s) for s in self.symbols)
 
     @cached_property
     def symbols(self) -> tuple[sp.Symbol, ...]:
@@ -90,7 +124,7 @@ class Ground:
         A relation is kept as a mapping of named exponents to coefficients, since the ring in
         which it is used orders the variables otherwise.
         """
-        names = [str(s) for s in self.symbols]
+        names = [str(s) for s in self.generators]
         draft = Fractions(names)
         evaluate = self.evaluator(draft)
         waiting = []
@@ -186,15 +220,49 @@ class Ground:
         for main, terms in chain:
             values |= _sphere(main, terms, mains - {main}, generator) or {}
         defaults = {str(p.symbol): p.default for p in self.system.parameters}
+        exchanged = {str(e.name) for e in self.exchanged}
+        involved = {n for _, terms in chain for named in terms for n, power in named if power}
         for name in names:
-            if name not in mains and name not in values:
+            if name in mains or name in values:
+                continue
+            if name not in exchanged:
                 values[name] = _chosen(defaults.get(name), generator)
+            elif name in involved:
+                values[name] = fmpq(generator.randint(20, 40), 20)
         exact = True
         for main, terms in chain:
             if main not in values:
                 values[main] = _solved(main, terms, values, generator)
                 exact = exact and isinstance(values[main], fmpq)
-        return values, exact
+        return self._with_exchanged(values, generator, exact)
+
+    def _with_exchanged(
+        self, values: dict[str, Any], generator: random.Random, exact: bool
+    ) -> tuple[dict[str, Any], bool]:
+        """The point with its exchanged definitions, whose parameters stay near their defaults."""
+        defaults = {str(p.symbol): p.default for p in self.system.parameters}
+        known = {str(s): s for s in (*self.generators, *(e.parameter for e in self.exchanged))}
+        given = {known[name]: value for name, value in values.items()}
+        for change in self.exchanged:
+            if change.name not in given:
+                given[change.parameter] = _chosen(defaults[str(change.parameter)], generator)
+        names = [e.name for e in self.exchanged if e.name not in given]
+        for rational in (True, False) if exact else (False,):
+            numbers = {str(s): v for s, v in given.items()}
+            field = self.numbers(numbers, rational)
+            jets = {s: Jet(field.generator(str(s)), {}) for s in given}
+            evaluate = Evaluator(field, jets, self.steps)
+            try:
+                found = {str(n): evaluate.value(n) for n in names}
+            except NotExact:
+                continue
+            return {**values, **found}, rational
+        raise ZeroDivisionError
+
+    def point_shown(self, field: Any) -> dict[str, str]:
+        """State and parameters at a point, for a reader."""
+        evaluate = self.evaluator(field)
+        return {str(s): _shown(evaluate.value(s)) for s in self.symbols}
 
     def numbers(self, values: Mapping[str, Any], exact: bool) -> Rationals | Balls:
         """The field of numbers at a point."""
@@ -205,14 +273,13 @@ class Ground:
     # --- evaluation ------------------------------------------------------------------------
 
     def _seeds(self, field: Any) -> dict[sp.Symbol, Any]:
-        values = {s: field.generator(str(s)) for s in self.symbols}
-        if isinstance(field, Fractions):
-            values = {s: field.polynomial(v.poly) for s, v in values.items()}
-        return values
+        values = {s: field.generator(str(s)) for s in self.generators}
+        return {s: v for s, v in values.items() if s not in self.steps}
 
     def evaluator(self, field: Any) -> Evaluator:
         """Values alone."""
-        return Evaluator(field, {s: Jet(v, {}) for s, v in self._seeds(field).items()}, self.steps)
+        given = {s: Jet(v, {}) for s, v in self._seeds(field).items()}
+        return Evaluator(field, given, self.steps, self.exchanged)
 
     def along(self, field: Any, plain: Evaluator | None = None) -> Evaluator:
         """Values with their time derivatives along the field of the system."""
@@ -222,7 +289,7 @@ class Ground:
         for symbol, value in self._seeds(field).items():
             slopes = {-1: plain.value(rates[symbol])} if symbol in rates else {}
             given[symbol] = Jet(value, slopes)
-        return Evaluator(field, given, self.steps)
+        return Evaluator(field, given, self.steps, self.exchanged)
 
     def partial(self, field: Any) -> Evaluator:
         """Values with their partial derivatives by the state variables, numbered."""
@@ -231,7 +298,7 @@ class Ground:
             s: Jet(v, {number[s]: field.one} if s in number else {})
             for s, v in self._seeds(field).items()
         }
-        return Evaluator(field, given, self.steps)
+        return Evaluator(field, given, self.steps, self.exchanged)
 
 
 def _listed(on: tuple[Any, ...]) -> str:
@@ -364,6 +431,10 @@ def _solved(
         if real:
             return generator.choice(real)
     raise ZeroDivisionError
+
+
+def _shown(value: Any) -> str:
+    return str(value) if isinstance(value, fmpq) else str(value.str(20))
 
 
 def _divided(above: Any, below: Any) -> Any:

@@ -6,7 +6,7 @@ partial derivatives, seeding it with the field gives time derivatives.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,7 +16,7 @@ from sympy.core.function import AppliedUndef
 from ..statements import Rate
 from .errors import OutOfReach
 
-__all__ = ["Evaluator", "Jet"]
+__all__ = ["Evaluator", "Exchange", "Jet"]
 
 #: Along the field of the system.
 ALONG = -1
@@ -47,6 +47,20 @@ class Jet:
         return Jet(value, {i: derivative * slope for i, slope in self.slopes.items()})
 
 
+@dataclass(frozen=True)
+class Exchange:
+    """A definition ``name = factor·parameter + rest`` read as one of the parameter.
+
+    The name becomes a generator, and what is divided by it stays short: with J = I + m r² one
+    computes with J, not with I.
+    """
+
+    name: sp.Symbol
+    parameter: sp.Symbol
+    factor: sp.Rational
+    rest: sp.Expr
+
+
 class Evaluator:
     """Evaluates formulas of one system in one field.
 
@@ -58,6 +72,8 @@ class Evaluator:
         Known symbols: state and parameters.
     steps : mapping of Symbol to formula
         Definitions, evaluated when first needed.
+    exchanged : mapping of Symbol to Exchange
+        Definitions that are generators in place of a parameter.
     """
 
     def __init__(
@@ -65,15 +81,18 @@ class Evaluator:
         field: Any,
         given: Mapping[sp.Symbol, Jet],
         steps: Mapping[sp.Symbol, sp.Expr],
+        exchanged: Sequence[Exchange] = (),
     ) -> None:
         self.field = field
         self.steps = dict(steps)
+        self.exchanged = tuple(exchanged)
+        self._by_name = {e.name: e for e in exchanged}
+        self._by_parameter = {e.parameter: e for e in exchanged}
         self._seen: dict[Any, Jet] = dict(given)
-        self.unnamed: Callable[[sp.Symbol], Jet] | None = None
 
     def with_steps(self, steps: Mapping[sp.Symbol, sp.Expr]) -> Evaluator:
         """The same evaluation with further definitions."""
-        made = Evaluator(self.field, self._seen, {**self.steps, **steps})
+        made = Evaluator(self.field, self._seen, {**self.steps, **steps}, self.exchanged)
         for symbol in steps:
             made._seen.pop(symbol, None)
         return made
@@ -100,6 +119,13 @@ class Evaluator:
 
     def _evaluate(self, formula: Any) -> Jet:
         if formula.is_Symbol:
+            if formula in self._by_name:
+                rest = self(self._by_name[formula].rest)
+                return Jet(self.field.generator(str(formula)), rest.slopes)
+            if formula in self._by_parameter:
+                change = self._by_parameter[formula]
+                difference = self.value(change.name) - self.value(change.rest)
+                return Jet(difference * self.field.rational(1 / change.factor), {})
             if formula in self.steps:
                 return self(self.steps[formula])
             raise OutOfReach(f"the symbol {formula} is unknown")
@@ -156,8 +182,11 @@ class Evaluator:
         return self.field.power(base, [(theta, number) for number, theta in terms])
 
     def _exponential(self, formula: Any) -> Jet:
-        inner = self(formula.args[0])
-        made = self.field.opaque("exp", [inner.value])
+        exponent = sp.expand(formula.args[0])
+        if exponent.is_Add:
+            return self._fold([sp.exp(term) for term in exponent.args], Jet.__mul__)
+        inner = self(exponent)
+        made = self.field.exponential(inner.value)
         return inner.through(made, made)
 
     def _unspecified(self, formula: Any) -> Jet:

@@ -85,6 +85,10 @@ class Rationals:
         """Sine and cosine."""
         raise NotExact
 
+    def exponential(self, element: Any) -> Any:
+        """The exponential."""
+        raise NotExact
+
     def opaque(self, name: str, arguments: Sequence[Any], value: float = 0.7) -> Any:
         """A value of an unspecified function; of a known one there is none."""
         if name in KNOWN:
@@ -94,7 +98,7 @@ class Rationals:
         return _invented(f"{name}{arguments}")
 
 
-KNOWN = {"exp", "log", "acos", "asin", "atan", "atan2"}
+KNOWN = {"log", "acos", "asin", "atan", "atan2"}
 
 
 class Balls:
@@ -151,6 +155,10 @@ class Balls:
     def circle(self, angle: Any) -> Any:
         """Sine and cosine."""
         return angle.sin(), angle.cos()
+
+    def exponential(self, element: Any) -> Any:
+        """The exponential."""
+        return element.exp()
 
     def opaque(self, name: str, arguments: Sequence[Any], value: float = 0.7) -> Any:
         """A function value: computed for a known function, invented for an unspecified one."""

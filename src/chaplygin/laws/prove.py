@@ -19,6 +19,7 @@ from ..system import System
 from .algebra import Budget, Fractions
 from .errors import NotExact, OutOfReach, SpareNeeded
 from .ground import Ground
+from .numbers import Balls, Rationals
 from .rank import shortfall
 from .residuals import preserved, residuals
 from .verdict import Verdict
@@ -84,8 +85,8 @@ def _decided(system: System, law: Law, budget: Budget) -> Verdict:
     generator = random.Random(SEED)
     sample: dict[str, float] = {}
     for _ in range(POINTS):
-        values, witness = _tried(law, ground, generator)
-        sample = sample or {name: float(value) for name, value in values.items()}
+        field, witness = _tried(law, ground, generator)
+        sample = sample or {name: float(value) for name, value in field.values.items()}
         if witness is not None:
             what, residual = witness
             return Verdict(
@@ -93,7 +94,7 @@ def _decided(system: System, law: Law, budget: Budget) -> Verdict:
                 "refuted",
                 shown=f"{what} is not zero at a point",
                 witness={
-                    "point": {n: str(v) for n, v in values.items()},
+                    "point": ground.point_shown(field),
                     "what": what,
                     "residual": str(residual),
                 },
@@ -110,7 +111,7 @@ def _decided(system: System, law: Law, budget: Budget) -> Verdict:
 
 def _tried(
     law: Law, ground: Ground, generator: random.Random
-) -> tuple[dict[str, Any], tuple[str, Any] | None]:
+) -> tuple[Rationals | Balls, tuple[str, Any] | None]:
     """A point of the level, and the first residual that is not zero there."""
     for _ in range(40):
         values, exact = ground.point(generator)
@@ -119,13 +120,13 @@ def _tried(
             try:
                 for what, residual in _everything(law, ground, field):
                     if not field.vanishes(residual):
-                        return values, (what, residual)
+                        return field, (what, residual)
                 missing = shortfall(law, ground, field)
             except NotExact:
                 continue
             except ZeroDivisionError:
                 break
-            return values, missing
+            return field, missing
     raise InputError(
         f"{ground.system.name}: the law {law.name!r} divides by zero, or takes a root of a "
         "negative quantity, at every point tried on its level"
