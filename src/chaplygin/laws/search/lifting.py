@@ -66,9 +66,7 @@ class Solution:
     effort: int
 
 
-def plan(
-    parts: Sequence[Part], scalars: Sequence[Weight], degree: int, zero: Weight
-) -> Plan:
+def plan(parts: Sequence[Part], scalars: Sequence[Weight], degree: int, zero: Weight) -> Plan:
     """Sort products of a part and at most `degree` scalars by their weight."""
     products = [
         (chosen, total(zero, *(scalars[i] for i in chosen)))
