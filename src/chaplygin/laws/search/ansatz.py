@@ -15,12 +15,12 @@ from ...vectors import Vector
 from .modular import PRIME, Integers
 from .stage import Sample
 
-__all__ = ["MEMORY", "Ansatz", "Table", "default_momenta", "rates_of_products", "table"]
+__all__ = ["MEMORY", "Ansatz", "Exponents", "Table", "default_momenta", "rates_of_products", "table"]
 
 MEMORY = 4_000_000_000
 """Bytes that the linear algebra of a search may take."""
 _BYTES = 72  # per entry of the square matrix: value, rate, a Python integer, FLINT's copies
-_USUAL = ("M", "omega", "p", "v")
+_USUAL = ("omega", "M", "p", "v")
 
 Exponents = tuple[int, ...]
 
@@ -89,8 +89,9 @@ class Table:
 
 
 def default_momenta(system: System) -> tuple[sp.Symbol, ...]:
-    """The momentum-like part of the state: M or ω where there is one, else all that is first."""
-    vectors = {v.name: v.symbols for v in system.state if isinstance(v, Vector)}
+    """The momentum-like quantity: ω or M where there is one, else what is first in the state."""
+    named = (*system.state, *(name for name, _ in system.definitions))
+    vectors = {v.name: v.symbols for v in named if isinstance(v, Vector)}
     for name in _USUAL:
         if name in vectors:
             return vectors[name]

@@ -41,6 +41,8 @@ class Question:
         Largest power of a divisor.
     parameter_degree : int
         Largest degree in the parameters of a coefficient.
+    seconds : float
+        Time that the proof of one law may take.
     """
 
     stage: Stage
@@ -48,6 +50,7 @@ class Question:
     divisors: tuple[sp.Expr, ...] = ()
     powers: int = 1
     parameter_degree: int = 3
+    seconds: float = 60.0
 
 
 @dataclass(frozen=True)

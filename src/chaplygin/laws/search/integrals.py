@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from fractions import Fraction
+from math import gcd, lcm
 
 import numpy as np
 import sympy as sp
@@ -14,7 +16,7 @@ from .ansatz import Table, table
 from .finding import Finding, Progress, Question, silent
 from .grading import Weight, weights
 from .lifting import Part, Solution, plan, points_for, solutions
-from .linear import combination, independent_columns, nullspace, rank
+from .linear import combination, independent_columns, nullspace, product, rank
 from .modular import PRIME, Integers, inverse, power
 from .stage import Sample
 from .vocabulary import Scalars, Vocabulary, component_scalars
@@ -107,7 +109,7 @@ class _Search:
         chosen, value, rate = [chosen[i] for i in kept], value[kept], rate[kept]
         over, change = _divided(self.sample, divisor, exponent)
         kernel = nullspace((rate - value * change % PRIME).T % PRIME)
-        found = _product(kernel, value) * over % PRIME
+        found = product(kernel, value) * over % PRIME
         if self._fresh(found, degree) == []:
             return
         for law in self._covariant(degree, divisor, exponent, found):
@@ -226,7 +228,7 @@ class _Search:
     def _finding(self, formula: sp.Expr, degree: int) -> Finding:
         name = f"F_{len(self.formulas)}"
         law = Integral(name, formula, on=self.stage.on)
-        verdict = prove(self.stage.system, law)
+        verdict = prove(self.stage.system, law, seconds=self.question.seconds)
         return Finding("integral", law, verdict, known=self._recognised(formula, degree))
 
     def _recognised(self, formula: sp.Expr, degree: int) -> str:
@@ -251,14 +253,6 @@ def _divided(sample: Sample, divisor: sp.Expr, exponent: int) -> tuple[Integers,
     return power(below, exponent), sample.along(jet) * below % PRIME * exponent % PRIME
 
 
-def _product(left: Integers, right: Integers) -> Integers:
-    """The matrix product modulo the prime."""
-    total = np.zeros((left.shape[0], right.shape[1]), dtype=np.int64)
-    for index in range(left.shape[1]):
-        total = (total + left[:, index, None] * right[index]) % PRIME
-    return total
-
-
 def _weight(
     symbols: Sequence[sp.Symbol], powers: Sequence[int], known: dict[sp.Symbol, Weight]
 ) -> Weight:
@@ -269,9 +263,16 @@ def _weight(
 
 
 def _formula(solution: Solution, parts: Sequence[Part], scalars: Scalars) -> sp.Expr:
+    """A solution written with coprime integers, its simplest term positive."""
+    numbers = [number for number, _, _ in solution.terms]
+    simplest = min(
+        solution.terms, key=lambda term: (len(term[1]), parts[term[2]].effort)
+    )[0]
+    scale = Fraction(lcm(*(n.denominator for n in numbers)), gcd(*(n.numerator for n in numbers)))
+    scale = scale if simplest > 0 else -scale
     return sp.Add(
         *(
-            sp.Rational(number.numerator, number.denominator)
+            sp.Integer(int(number * scale))
             * sp.Mul(*(scalars.formulas[i] for i in chosen))
             * parts[index].formula
             for number, chosen, index in solution.terms

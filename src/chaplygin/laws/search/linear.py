@@ -9,7 +9,7 @@ from flint import nmod_mat
 
 from .modular import PRIME, Integers
 
-__all__ = ["combination", "independent_columns", "nullspace", "rank", "rational"]
+__all__ = ["combination", "independent_columns", "nullspace", "product", "rank", "rational"]
 
 
 def _matrix(values: Integers) -> nmod_mat:
@@ -65,6 +65,14 @@ def nullspace(values: Integers) -> Integers:
                 break
             basis[index, pivot] = -int(reduced[row, column]) % PRIME
     return basis
+
+
+def product(left: Integers, right: Integers) -> Integers:
+    """The matrix product modulo the prime."""
+    total = np.zeros((left.shape[0], right.shape[1]), dtype=np.int64)
+    for index in range(left.shape[1]):
+        total = (total + left[:, index, None] * right[index]) % PRIME
+    return total
 
 
 def combination(columns: Integers, target: Integers) -> list[int] | None:

@@ -22,6 +22,8 @@ __all__ = ["PRIME", "Evaluator", "Integers", "Jet", "inverse", "power", "square_
 PRIME = 2**31 - 1
 """The modulus; it leaves the remainder 3 on division by 4, which makes square roots easy."""
 
+_WILD = 1_234_567  # prime to the order of the multiplicative group
+
 Integers: TypeAlias = npt.NDArray[np.int64]
 Truths: TypeAlias = npt.NDArray[np.bool_]
 
@@ -138,8 +140,7 @@ class Evaluator:
             case sp.Symbol() if formula in self._definitions:
                 return self(self._definitions[formula])
             case sp.Rational():
-                top, bottom = self.constant(int(formula.p)), self.constant(int(formula.q))
-                return top if formula.q == 1 else top * self._reciprocal(bottom)
+                return self.constant(int(formula.p) * pow(int(formula.q), -1, PRIME))
             case sp.Float():
                 return self(sp.Rational(str(formula)))
             case sp.Add():
@@ -156,10 +157,31 @@ class Evaluator:
                 return self._raised(self(formula.base), int(formula.exp))
             case sp.Pow() if formula.exp.is_Rational and formula.exp.q == 2:
                 return self._raised(self._root(self(formula.base)), int(formula.exp.p))
+            case sp.sin() | sp.cos():
+                return self._circular(formula)
+            case sp.tan():
+                return self(sp.sin(formula.args[0]) / sp.cos(formula.args[0]))
+            case sp.cot():
+                return self(sp.cos(formula.args[0]) / sp.sin(formula.args[0]))
         raise InputError(
-            f"the search needs algebraic formulas (+, −, ×, /, powers, square roots); {formula} "
-            "is not one"
+            f"the search needs formulas of +, −, ×, /, powers, square roots, sines and cosines; "
+            f"{formula} is not one"
         )
+
+    def _circular(self, formula: sp.Expr) -> Jet:
+        """Sine or cosine of an angle: a point of the circle that depends on the angle wildly."""
+        expanded = sp.expand_trig(formula)
+        if expanded != formula:
+            return self(expanded)
+        angle = self(formula.args[0])
+        half = power(angle.value, _WILD)
+        square = half * half % PRIME
+        self.good &= square != PRIME - 1
+        below = inverse((1 + square) % PRIME)
+        sine, cosine = 2 * half * below % PRIME, (1 - square) * below % PRIME
+        if isinstance(formula, sp.sin):
+            return angle.chained(sine, cosine)
+        return angle.chained(cosine, -sine % PRIME)
 
     def _raised(self, base: Jet, exponent: int) -> Jet:
         if exponent < 0:

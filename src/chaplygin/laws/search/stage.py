@@ -24,6 +24,8 @@ __all__ = ["Sample", "Stage", "stage"]
 
 _HALF = pow(2, -1, PRIME)
 _PROBE = 64
+_PATIENCE = 3
+_NEXT = 1_000_003
 
 
 @dataclass(frozen=True)
@@ -134,6 +136,7 @@ class Stage:
         """
         rng = np.random.default_rng(seed)
         values: dict[sp.Symbol, Integers] = {}
+        fruitless = 0
         shared = {s: int(rng.integers(1, PRIME)) for s in self.free}
         have = 0
         while have < points:
@@ -143,14 +146,18 @@ class Stage:
                 for s in self.free
             }
             drawn |= {s: rng.integers(1, PRIME, batch) for s in self.system.symbols}
-            solved = self._solved(drawn, self.order)
+            solved = self._regular(self._solved(drawn, self.order))
             values = {
                 s: np.concatenate([values[s], new]) if values else new for s, new in solved.items()
             }
+            fruitless = 0 if len(next(iter(values.values()))) > have else fruitless + 1
             have = len(next(iter(values.values())))
+            if fruitless == _PATIENCE:
+                # a root of parameters alone that does not exist for these values of them
+                return self.sample(points, seed + _NEXT, common=common)
         made = self._jets({s: v[:points] for s, v in values.items()})
         if not made.evaluate.good.all():
-            return self.sample(points, seed + 1_000_003, common=common)
+            return self.sample(points, seed + _NEXT, common=common)
         return made
 
     def _jets(self, values: Mapping[sp.Symbol, Integers]) -> Sample:
@@ -182,6 +189,21 @@ class Stage:
             roots, good, _ = self._roots(relation, variable, found)
             found = {s: (roots if s == variable else v)[good] for s, v in found.items()}
         return found
+
+    @cached_property
+    def _rooted(self) -> tuple[sp.Expr, ...]:
+        """Definitions and rates with roots, which exist at some points only."""
+        formulas = [*(formula for _, formula in self.system.steps), *self.system.rates]
+        return tuple(
+            f for f in formulas if any(not p.exp.is_integer for p in f.atoms(sp.Pow))
+        )
+
+    def _regular(self, values: dict[sp.Symbol, Integers]) -> dict[sp.Symbol, Integers]:
+        """The points at which the roots in the equations exist."""
+        good: Any = np.ones(len(next(iter(values.values()))), dtype=bool)
+        for formula in self._rooted:
+            good = good & self._value(formula, values)[1]
+        return {s: v[good] for s, v in values.items()}
 
     def _value(
         self, formula: sp.Expr, values: Mapping[sp.Symbol, Integers]
