@@ -218,7 +218,7 @@ ENTRIES = (
         source=SOURCE,
         defaults=DEFAULTS,
         build=build,
-        start=Start(state={"u": 0.7, "v": 1.1, "p_u": 0.9, "p_v": 0.8}, until=0.05),
+        start=Start(state={"u": 0.7, "v": 1.1, "p_u": 0.9, "p_v": 0.8}, until=0.5),
         variables={
             "u": ("smaller separating coordinate of the normal", "kg m^2"),
             "v": ("larger separating coordinate of the normal", "kg m^2"),

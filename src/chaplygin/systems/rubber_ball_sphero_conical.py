@@ -228,7 +228,7 @@ ENTRIES = (
         source=SOURCE,
         defaults=DEFAULTS,
         build=build,
-        start=Start(state={"xi": 0.7, "eta": 1.1, "p_xi": 0.9, "p_eta": 0.8}, until=0.05),
+        start=Start(state={"xi": 0.7, "eta": 1.1, "p_xi": 0.9, "p_eta": 0.8}, until=2.0),
         variables={
             "xi": ("smaller sphero-conical coordinate of the normal", "kg m^2"),
             "eta": ("larger sphero-conical coordinate of the normal", "kg m^2"),
