@@ -11,11 +11,12 @@ import re
 import unicodedata
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import IntEnum
 from typing import Any, ClassVar
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 from sympy.matrices.expressions import (
     Identity,
@@ -28,6 +29,7 @@ from sympy.matrices.expressions import (
     ZeroMatrix,
 )
 
+from .statements import Rate
 from .vectors import Cross, Diagonal, Dot, Gradient, Symmetric, Vector
 
 __all__ = ["LATEX", "UNICODE", "Notation", "latex", "rate", "signed_terms", "text", "width"]
@@ -220,6 +222,14 @@ class Notation(ABC):
         """∂value/∂variable."""
 
     @abstractmethod
+    def quotient(self, above: str, below: str) -> _Piece:
+        """A derivative: what is above the line and what is below, both written."""
+
+    @abstractmethod
+    def partial(self, name: str, order: int, above: bool = False) -> str:
+        """∂²U above the line of a derivative, ∂x² below it."""
+
+    @abstractmethod
     def matrix(self, rows: Sequence[Sequence[str]]) -> _Piece:
         """All entries, row by row."""
 
@@ -329,6 +339,13 @@ class _Unicode(Notation):
     def gradient(self, value: str, variable: str) -> _Piece:
         return _Piece(f"∂{value}/∂{variable}", Level.PRODUCT)
 
+    def quotient(self, above: str, below: str) -> _Piece:
+        return _Piece(f"{above}/{self.brackets(below) if ' ' in below else below}", Level.PRODUCT)
+
+    def partial(self, name: str, order: int, above: bool = False) -> str:
+        raised = "" if order == 1 else str(order).translate(_RAISED)
+        return f"∂{raised}{name}" if above else f"∂{name}{raised}"
+
     def matrix(self, rows: Sequence[Sequence[str]]) -> _Piece:
         if all(len(row) == 1 for row in rows):
             return _Piece(f"({', '.join(row[0] for row in rows)})")
@@ -355,7 +372,7 @@ class _Latex(Notation):
     #: A vector whose components take more characters is written as a column.
     _longest_list = 200
 
-    _functions = frozenset({"sin", "cos", "tan", "sinh", "cosh", "tanh", "log", "exp"}) | {
+    _functions = frozenset({"sin", "cos", "tan", "cot", "sinh", "cosh", "tanh", "log", "exp"}) | {
         "arcsin",
         "arccos",
         "arctan",
@@ -443,6 +460,13 @@ class _Latex(Notation):
 
     def gradient(self, value: str, variable: str) -> _Piece:
         return _Piece(rf"\frac{{\partial {value}}}{{\partial {variable}}}", Level.PRODUCT)
+
+    def quotient(self, above: str, below: str) -> _Piece:
+        return _Piece(rf"\frac{{{above}}}{{{below}}}", Level.PRODUCT)
+
+    def partial(self, name: str, order: int, above: bool = False) -> str:
+        raised = "" if order == 1 else f"^{{{order}}}"
+        return rf"\partial{raised} {name}" if above else rf"\partial {name}{raised}"
 
     def matrix(self, rows: Sequence[Sequence[str]]) -> _Piece:
         listed = r",\, ".join(row[0] for row in rows)
@@ -539,6 +563,14 @@ def _factor_key(factor: Any) -> tuple[int, int, str]:
         return 0, _FIRST.get(str(base), kind), str(base).casefold()
     rank = 3 if isinstance(base, sp.Add) else 1 if isinstance(base, Dot) else 2
     return 0 if base.is_number else rank, 0, str(sp.sstr(factor))
+
+
+def _vector_of(symbols: Sequence[Any]) -> Vector | None:
+    """The vector whose three components these are, if they are."""
+    if len(symbols) < 3 or not isinstance(symbols[0], sp.Symbol):
+        return None
+    vector = Vector(str(symbols[0]).removesuffix("_1"))
+    return vector if tuple(symbols) == vector.symbols else None
 
 
 @dataclass(frozen=True)
@@ -674,6 +706,10 @@ class _Writer:
                 return self._power(formula)
             case sp.Abs():
                 return notation.norm(self.piece(formula.args[0]).text)
+            case Rate():
+                return self._rate(formula)
+            case sp.Derivative():
+                return self._derivative(formula)
             case sp.Function():
                 return self._function(formula, 1)
             case Relational():
@@ -703,7 +739,7 @@ class _Writer:
             return length if odd == 1 else self.notation.power(length, str(odd))
         if exponent == sp.S.Half:
             return self.notation.root(self.piece(base))
-        if isinstance(base, sp.Function) and not isinstance(base, sp.Abs) and whole:
+        if isinstance(base, sp.Function) and not isinstance(base, (sp.Abs, Rate)) and whole:
             return self._function(base, int(exponent))
         written = f"{exponent.p}/{exponent.q}" if exponent.is_Rational else None
         if whole:
@@ -712,8 +748,52 @@ class _Writer:
 
     def _function(self, formula: sp.Function, exponent: int) -> _Piece:
         name = str(formula.func.__name__)
+        if isinstance(formula, AppliedUndef):
+            head = self.notation.letter(_letter(name), bold=False).text
+            written = f"{head}{self.notation.brackets(self._arguments(formula))}"
+            piece = _Piece(written, Level.ATOM)
+            return piece if exponent == 1 else self.notation.power(piece, str(exponent))
         arguments = [self.piece(argument).text for argument in formula.args]
         return self.notation.call(_FUNCTION_NAMES.get(name, name), arguments, exponent)
+
+    def _rate(self, formula: Any) -> _Piece:
+        """ẋ for a letter, d(…)/dt for a formula."""
+        inner, times = formula, 0
+        while isinstance(inner, Rate):
+            inner, times = inner.args[0], times + 1
+        if isinstance(inner, sp.Symbol) and times <= 2:
+            letter = _letter(str(inner))
+            for _ in range(times):
+                letter = letter.dotted()
+            return self.notation.letter(letter, bold=False)
+        below = self.notation.power(_Piece("dt"), str(times)).text if times > 1 else "dt"
+        above = self.notation.power(_Piece("d"), str(times)).text if times > 1 else "d"
+        shown = self.notation.guard(self.piece(inner), Level.ATOM)
+        return self.notation.quotient(f"{above} {shown}", below)
+
+    def _derivative(self, formula: sp.Derivative) -> _Piece:
+        """U′(x), U″(x) or ∂U/∂γ₁ of a function that is left open."""
+        inner, order = formula.expr, sum(count for _, count in formula.variable_count)
+        name = self.notation.letter(_letter(str(inner.func.__name__)), bold=False).text
+        if len(inner.args) == 1 and order <= 3:
+            letter = replace(_letter(str(inner.func.__name__)), primes=order)
+            head = self.notation.letter(letter, bold=False).text
+            return _Piece(f"{head}{self.notation.brackets(self._arguments(inner))}", Level.POWER)
+        below = " ".join(
+            self.notation.partial(self.piece(s).text, int(count))
+            for s, count in formula.variable_count
+        )
+        return self.notation.quotient(self.notation.partial(name, order, above=True), below)
+
+    def _arguments(self, formula: sp.Function) -> str:
+        """Arguments of a function; a vector's components by the name of the vector."""
+        listed = list(formula.args)
+        shown = []
+        while listed:
+            whole = _vector_of(listed[:3])
+            shown.append(self.piece(whole if whole is not None else listed[0]).text)
+            listed = listed[3:] if whole is not None else listed[1:]
+        return ", ".join(shown)
 
     def _tensor(self, formula: Any) -> _Piece:
         """A vector or tensor that is neither a sum nor a product."""

@@ -11,18 +11,31 @@ import re
 import textwrap
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from .claims import caption, equation, formulas, heading, sides
+from .mathml import mathml
 from .notation import LATEX, UNICODE, Notation, latex, rate, signed_terms, text, width
 from .vectors import Diagonal, Gradient, Symmetric, Vector, explicit
 
 if TYPE_CHECKING:
-    from .statements import Integral
+    from .statements import Integral, Law
     from .system import System
 
-__all__ = ["field_text", "latex", "mathml", "system_html", "system_latex", "system_text", "text"]
+__all__ = [
+    "claims_html",
+    "field_text",
+    "latex",
+    "law_html",
+    "law_latex",
+    "mathml",
+    "system_html",
+    "system_latex",
+    "system_text",
+    "text",
+]
 
 #: Columns of a terminal page, and of a displayed equation before it is broken.
 WIDTH = 100
@@ -67,7 +80,8 @@ def _page(system: System) -> _Page:
             spelt_out.add(formula)
     needed = _needed(system, [formula for _, formula in system.field])
     where = tuple(pair for pair in needed if pair[0] not in spelt_out)
-    claims = [law.value for law in system.integrals] + list(system.relations)
+    claims = [formula for law in system.laws for formula in formulas(law)]
+    claims += system.relations
     extra = tuple(pair for pair in _needed(system, claims) if pair not in needed)
     given = _given(system, [formula for _, formula in (*field, *where)])
     given_too = _given(system, [*claims, *(formula for _, formula in extra)])
@@ -110,19 +124,6 @@ def _given(system: System, formulas: Iterable[Any]) -> Pairs:
     return tuple(found)
 
 
-def _equation(vanishing: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Both sides of ``vanishing = 0`` with the number on the right: γ² = 1."""
-    number, rest = vanishing.as_coeff_Add()
-    if number != 0 and rest.could_extract_minus_sign():
-        number, rest = -number, -rest
-    return rest, -number
-
-
-def _conditions(law: Integral, write: Any) -> str:
-    """The level on which a law holds, such as "k = −1"; empty when it holds everywhere."""
-    return ", ".join(" = ".join(map(write, _equation(zero))) for zero in law.on)
-
-
 def _number(value: float) -> str:
     return f"{value:.10g}".replace("-", "−")
 
@@ -150,7 +151,7 @@ def system_text(system: System) -> str:
     if page.where:
         blocks[-1] += ["where", *_equations(_written(page.where))]
     if system.relations:
-        sides = [tuple(map(text, _equation(zero))) for zero in system.relations]
+        sides = [tuple(map(text, equation(zero))) for zero in system.relations]
         blocks[-1] += ["on the phase space", *_equations(sides)]
     if system.parameters:
         rows = [
@@ -159,10 +160,11 @@ def system_text(system: System) -> str:
         ]
         blocks.append(["Parameters", *_table(rows)])
     if system.integrals:
-        laws = [row for law in system.integrals for row in _law_rows(law)]
+        laws = [row for law in system.integrals for row in _law_rows(law, system)]
         blocks.append(["Constant along the motion", *_table(laws)])
-        if page.further:
-            blocks[-1] += ["with", *_equations(_written(page.further))]
+    blocks += [_law_lines(law, system) for law in _others(system)]
+    if page.further:
+        blocks.append(["In the laws", *_equations(_written(page.further))])
     if system.source:
         blocks.append([f"Source: {system.source}"])
     return "\n\n".join("\n".join(block) for block in blocks)
@@ -193,11 +195,23 @@ def _equations(sides: Iterable[tuple[str, ...]]) -> list[str]:
     return lines
 
 
-def _law_rows(law: Integral) -> list[tuple[str, str]]:
-    meaning = law.meaning
-    if law.on:
-        meaning += f", when {_conditions(law, text)}"
-    return [(law.name, text(law.value)), ("", "; ".join(filter(None, (meaning, law.source))))]
+def _law_rows(law: Integral, system: System) -> list[tuple[str, str]]:
+    return [(law.name, text(law.value)), ("", caption(law, system, text))]
+
+
+def _others(system: System) -> list[Law]:
+    """The laws besides the integrals."""
+    return [law for law in system.laws if law not in system.integrals]
+
+
+def _law_lines(law: Law, system: System) -> list[str]:
+    """A law of any kind: what it is, its equations, its caption."""
+    lines = [heading(law)]
+    for left, right in sides(law, system, UNICODE):
+        head = f"{_INDENT}{left} = " if left else _INDENT * 2
+        lines += _broken(head, right if isinstance(right, str) else text(right))
+    told = caption(law, system, text)
+    return [*lines, *(textwrap.indent(line, _INDENT) for line in textwrap.wrap(told, WIDTH - 4))]
 
 
 def _table(rows: Sequence[tuple[str, ...]]) -> list[str]:
@@ -329,18 +343,66 @@ def system_html(system: System) -> str:
     if page.where:
         parts += ["<p>where</p>", _display(_defining_rows(page.where))]
     if system.relations:
-        sides = [_equation(zero) for zero in system.relations]
+        sides = [equation(zero) for zero in system.relations]
         rows = [f"{latex(left)} &= {latex(right)}" for left, right in sides]
         parts += ["<p>on the phase space</p>", _display(rows)]
     if system.parameters:
         parts += ["<h4>Parameters</h4>", _parameter_table(system)]
     if system.integrals:
         parts += ["<h4>Constant along the motion</h4>", _law_table(system)]
-        if page.further:
-            parts += ["<p>with</p>", _display(_defining_rows(page.further))]
+    parts += [law_html(law, system) for law in _others(system)]
+    if page.further:
+        parts += ["<h4>In the laws</h4>", _display(_defining_rows(page.further))]
     if system.source:
         parts.append(f"<p>Source: {html.escape(system.source)}</p>")
     return '<section class="chaplygin-system">\n' + "\n".join(parts) + "\n</section>"
+
+
+def law_html(law: Law, system: System) -> str:
+    """A law of any kind as HTML: what it is, its equations in MathML, its caption."""
+    parts = [f"<h4>{html.escape(heading(law))}</h4>", _display(_law_rows_latex(law, system))]
+    told = _caption_html(law, system)
+    if told:
+        parts.append(f'<p class="caption">{told}</p>')
+    return "\n".join(parts)
+
+
+def claims_html(system: System) -> str:
+    """All laws of a system, integrals too, and what their letters stand for; empty without any."""
+    parts = [law_html(law, system) for law in system.laws]
+    further = _page(system).further
+    if parts and further:
+        parts += ["<h4>In the laws</h4>", _display(_defining_rows(further))]
+    return "\n".join(parts)
+
+
+def law_latex(law: Law, system: System) -> str:
+    """The equations of a law as an ``aligned`` environment; of an integral its formula alone."""
+    if law in system.integrals:
+        return latex(law.value)
+    return _aligned(_law_rows_latex(law, system))
+
+
+def _law_rows_latex(law: Law, system: System) -> list[str]:
+    rows = []
+    for left, right in sides(law, system, LATEX):
+        if isinstance(right, str):
+            rows.append(f"{left} &= {right}" if left else rf"&\quad {right}")
+        else:
+            rows += _aligned_rows([(left, right)])
+    return rows
+
+
+def _caption_html(law: Law, system: System) -> str:
+    """The caption of a law; the formulas of its level in MathML."""
+    kept: list[str] = []
+
+    def mark(formula: Any) -> str:
+        kept.append(mathml(latex(formula)))
+        return f"\0{len(kept) - 1}\0"
+
+    told = html.escape(caption(law, system, mark))
+    return re.sub(r"\0(\d+)\0", lambda match: kept[int(match[1])], told)
 
 
 def _defining_rows(pairs: Pairs) -> list[str]:
@@ -373,63 +435,8 @@ def _parameter_table(system: System) -> str:
 
 
 def _law_table(system: System) -> str:
-    rows = []
-    for law in system.integrals:
-        meaning = html.escape(law.meaning)
-        if law.on:
-            meaning += f", when {mathml(_conditions(law, latex))}"
-        rows.append(
-            (html.escape(law.name), mathml(latex(law.value)), meaning, html.escape(law.source))
-        )
-    return _html_table(("name", "formula", "meaning", "source"), rows)
-
-
-# --- MathML --------------------------------------------------------------------------------
-
-
-#: Fonts with tall brackets and roots, one of which most systems have.
-_FONTS = ("Latin Modern Math", "STIX Two Math", "Cambria Math", "DejaVu Math TeX Gyre")
-
-
-def mathml(formula: str, display: Literal["inline", "block"] = "inline") -> str:
-    r"""LaTeX as MathML that browsers show without help.
-
-    Parameters
-    ----------
-    formula : str
-        LaTeX for math mode, as :func:`latex` and :func:`system_latex` write it; other
-        environments than ``aligned`` and ``pmatrix`` are passed on as they are.
-    display : ``"inline"`` or ``"block"``
-        In a line of text or on a line of its own.
-
-    Returns
-    -------
-    str
-        One ``<math>`` element.
-    """
-    from latex2mathml.converter import convert
-
-    # the converter aligns rows in `split` alone, which looks the same
-    written = convert(re.sub(r"\{aligned\}", "{split}", formula), display=display)
-    written = re.sub(
-        r'<mi mathvariant="bold-italic">&#x([0-9A-F]+);</mi>', _bold_greek, str(written)
+    rows = (
+        (html.escape(law.name), mathml(latex(law.value)), _caption_html(law, system))
+        for law in system.integrals
     )
-    fonts = ", ".join(f"'{font}'" for font in _FONTS)
-    written = written.replace("<math ", f'<math style="font-family: {fonts}, math" ', 1)
-    # a function's name is no operator, which would keep its distance
-    written = re.sub(r"<mo>([a-z]{2,}\d?)</mo>", r"<mi>\1</mi>", written)
-    # without this, a dot is as small as an exponent
-    written = written.replace("<mover>", '<mover accent="true">')
-    # browsers follow MathML Core, which leaves the alignment of columns to style sheets
-    style = r'style="text-align: \1; text-align: -webkit-\1; padding: 0.25em 0"'
-    return re.sub(r'columnalign="(\w+)"', style, written)
-
-
-def _bold_greek(match: re.Match[str]) -> str:
-    """A bold Greek letter by its own code point, since browsers ignore ``mathvariant``."""
-    code = int(match[1], 16)
-    if ord("α") <= code <= ord("ω"):
-        code += ord("𝜶") - ord("α")
-    elif ord("Α") <= code <= ord("Ω"):
-        code += ord("𝜜") - ord("Α")
-    return f"<mi>&#x{code:05X};</mi>"
+    return _html_table(("name", "formula", "meaning"), rows)

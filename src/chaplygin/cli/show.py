@@ -31,7 +31,8 @@ def command(
     study = study_of(what, overrides)
     system = study.system
     if json:
-        from ..typeset import latex
+        from ..claims import heading, level
+        from ..typeset import latex, law_latex
 
         print_json(
             {
@@ -52,12 +53,16 @@ def command(
                 "equations": system.latex(),
                 "laws": [
                     {
-                        "name": law.name,
-                        "meaning": law.meaning,
-                        "value": latex(law.value),
+                        "kind": type(law).__name__,
+                        "heading": heading(law),
+                        "name": getattr(law, "name", ""),
+                        "meaning": getattr(law, "meaning", ""),
+                        "value": law_latex(law, system),
+                        "level": level(law, system, latex),
                         "source": law.source,
+                        "misprint": law.misprint,
                     }
-                    for law in system.integrals
+                    for law in system.laws
                 ],
             }
         )

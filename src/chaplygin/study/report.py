@@ -14,7 +14,8 @@ from .._version import __version__
 from ..errors import RunError
 from ..flow.trajectory import Trajectory
 from ..mechanics.surfaces import Plane
-from ..typeset import latex, mathml, system_html
+from ..statements import Law
+from ..typeset import claims_html, latex, mathml, system_html
 from . import figures
 from .prepare import Study, shape_name
 from .summary import drift, legend
@@ -106,6 +107,7 @@ def render(
             }
             for law in system.integrals
         ],
+        claims=Markup(claims_html(replace(study.system, laws=_unobserved(study)))),
         happenings=[str(happening) for happening in trajectory.happenings],
         remarks=study.remarks,
         failure=str(failure) if failure else None,
@@ -114,6 +116,11 @@ def render(
         versions=dataset.attrs["versions"],
         version=__version__,
     )
+
+
+def _unobserved(study: Study) -> tuple[Law, ...]:
+    """The laws that are no integrals observed along this motion."""
+    return tuple(law for law in study.system.laws if law not in study.watched.laws)
 
 
 def _remark(study: Study, name: str) -> str:
