@@ -15,12 +15,20 @@ from ...vectors import Vector
 from .modular import PRIME, Integers
 from .stage import Sample
 
-__all__ = ["MEMORY", "Ansatz", "Exponents", "Table", "default_momenta", "rates_of_products", "table"]
+__all__ = [
+    "MEMORY",
+    "Ansatz",
+    "Exponents",
+    "Table",
+    "default_momenta",
+    "rates_of_products",
+    "table",
+]
 
 MEMORY = 4_000_000_000
 """Bytes that the linear algebra of a search may take."""
 _BYTES = 72  # per entry of the square matrix: value, rate, a Python integer, FLINT's copies
-_USUAL = ("omega", "M", "p", "v")
+_USUAL = ("M", "omega")
 
 Exponents = tuple[int, ...]
 
@@ -31,14 +39,14 @@ class Ansatz:
 
     Parameters
     ----------
-    momenta, coordinates : tuples of Symbol
-        States or definitions.
+    momenta, coordinates : tuples of sympy.Expr
+        States, definitions, sines and cosines of angles.
     degree, gamma_degree : int
         Largest total degrees in the momenta and in the coordinates.
     """
 
-    momenta: tuple[sp.Symbol, ...]
-    coordinates: tuple[sp.Symbol, ...]
+    momenta: tuple[sp.Expr, ...]
+    coordinates: tuple[sp.Expr, ...]
     degree: int
     gamma_degree: int
 
@@ -88,15 +96,19 @@ class Table:
     rate: Integers
 
 
-def default_momenta(system: System) -> tuple[sp.Symbol, ...]:
-    """The momentum-like quantity: ω or M where there is one, else what is first in the state."""
+def default_momenta(system: System) -> tuple[tuple[sp.Symbol, ...], ...]:
+    """The momentum-like quantities: M or ω of the state, then ω where it is defined.
+
+    Where there is none of these, what comes first in the state.
+    """
     named = (*system.state, *(name for name, _ in system.definitions))
     vectors = {v.name: v.symbols for v in named if isinstance(v, Vector)}
-    for name in _USUAL:
-        if name in vectors:
-            return vectors[name]
+    found = [vectors[name] for name in _USUAL if name in vectors]
+    found.sort(key=lambda symbols: not set(symbols) <= set(system.symbols))
+    if found and set(found[0]) <= set(system.symbols):
+        return tuple(found[:1] if found[0] == vectors.get("omega") else found)
     first = system.state[0]
-    return first.symbols if isinstance(first, Vector) else (first,)
+    return (first.symbols if isinstance(first, Vector) else (first,),)
 
 
 def _exponents(variables: int, degree: int) -> list[Exponents]:
@@ -123,7 +135,7 @@ def rates_of_products(
 
 
 def _monomials(
-    sample: Sample, variables: Sequence[sp.Symbol], degree: int
+    sample: Sample, variables: Sequence[sp.Expr], degree: int
 ) -> tuple[list[Exponents], Integers, Integers]:
     exponents = _exponents(len(variables), degree)
     jets = [sample(variable) for variable in variables]

@@ -34,6 +34,8 @@ class Question:
         The system, conditions on its parameters, a level.
     ansatz : Ansatz
         Polynomials in momenta and coordinates.
+    also : tuple of Ansatz
+        Further polynomials of which an integral may be made, such as those in ω besides M.
     divisors : tuple of sympy.Expr
         Polynomials that an integral may be divided by (one at a time, up to `powers`), or of
         whose powers the density of a measure is made.
@@ -47,6 +49,7 @@ class Question:
 
     stage: Stage
     ansatz: Ansatz
+    also: tuple[Ansatz, ...] = ()
     divisors: tuple[sp.Expr, ...] = ()
     powers: int = 1
     parameter_degree: int = 3

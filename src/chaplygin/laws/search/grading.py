@@ -6,7 +6,7 @@ parts of pure weight, each an integral; this makes the linear algebra of a searc
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import lcm
@@ -17,7 +17,7 @@ from flint import fmpq, fmpq_mat
 
 from .stage import Stage
 
-__all__ = ["Weight", "total", "weights"]
+__all__ = ["Weight", "total", "weight_of", "weights"]
 
 Weight: TypeAlias = tuple[int, ...]
 Form: TypeAlias = dict[Any, Fraction]
@@ -104,6 +104,20 @@ def _weight(form: Form, scalings: Iterable[Mapping[Any, Fraction]]) -> tuple[Fra
 def total(*weights: Weight) -> Weight:
     """The weight of a product."""
     return tuple(sum(parts) for parts in zip(*weights, strict=True))
+
+
+def weight_of(
+    factors: Sequence[sp.Expr], powers: Sequence[int], table: Mapping[sp.Symbol, Weight]
+) -> Weight:
+    """The weight of a product of powers; what has no weight of its own is a pure number."""
+    zero = tuple(0 for _ in next(iter(table.values())))
+    return total(
+        zero,
+        *(
+            tuple(exponent * w for w in table.get(factor, zero))
+            for factor, exponent in zip(factors, powers, strict=True)
+        ),
+    )
 
 
 def _solutions(ties: list[Form], bases: list[Any]) -> list[dict[Any, Fraction]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from math import gcd, lcm
 
@@ -12,9 +12,9 @@ import sympy as sp
 
 from ...statements import Integral
 from ..prove import prove
-from .ansatz import Table, table
+from .ansatz import Ansatz, Exponents, Table, table
 from .finding import Finding, Progress, Question, silent
-from .grading import Weight, weights
+from .grading import Weight, weight_of, weights
 from .lifting import Part, Solution, plan, points_for, solutions
 from .linear import combination, independent_columns, nullspace, product, rank
 from .modular import PRIME, Integers, inverse, power
@@ -43,16 +43,19 @@ def integrals(question: Question, progress: Progress = silent) -> Iterator[Findi
     InputError
         If the ansatz does not fit into memory or the field is not algebraic.
     """
-    question.ansatz.check()
+    families = (question.ansatz, *question.also)
+    for family in families:
+        family.check()
     search = _Search(question)
     shells = [
-        (degree, divisor, exponent)
+        _Shell(family, degree, divisor, exponent)
         for degree in range(question.ansatz.degree + 1)
         for divisor, exponent in _divisions(question)
+        for family in families
     ]
-    for number, (degree, divisor, exponent) in enumerate(shells):
-        progress(number / len(shells), f"degree {degree}")
-        yield from search.shell(degree, divisor, exponent)
+    for number, shell in enumerate(shells):
+        progress(number / len(shells), f"degree {shell.degree}")
+        yield from search.findings(shell)
     progress(1.0, "")
 
 
@@ -61,6 +64,16 @@ def _divisions(question: Question) -> list[tuple[sp.Expr, int]]:
         (sp.S.One, 0),
         *((d, s) for d in question.divisors for s in range(1, question.powers + 1)),
     ]
+
+
+@dataclass(frozen=True)
+class _Shell:
+    """Polynomials up to one degree in the momenta of an ansatz, over a power of a divisor."""
+
+    ansatz: Ansatz
+    degree: int
+    divisor: sp.Expr
+    exponent: int
 
 
 @dataclass
@@ -90,9 +103,9 @@ class _Search:
     def __init__(self, question: Question) -> None:
         self.question = question
         self.stage = question.stage
-        self.points = question.ansatz.size + 64
+        self.points = max(a.size for a in (question.ansatz, *question.also)) + _SPARE
         self.sample = self.stage.sample(self.points, _SEED, common=True)
-        self.table: Table = table(question.ansatz, self.sample)
+        self.tables: dict[Ansatz, Table] = {}
         self.known = _Known()
         self.formulas: list[sp.Expr] = []
         self.weights: dict[sp.Symbol, Weight] = weights(self.stage)
@@ -100,36 +113,38 @@ class _Search:
 
     # --- one shell -------------------------------------------------------------------------
 
-    def shell(self, degree: int, divisor: sp.Expr, exponent: int) -> Iterator[Finding]:
-        """Integrals of one degree in the momenta over one power of a divisor."""
-        momenta = len(self.question.ansatz.momenta)
-        chosen = [i for i, e in enumerate(self.table.exponents) if sum(e[:momenta]) <= degree]
-        value, rate = self.table.value[chosen], self.table.rate[chosen]
-        kept = independent_columns(value.T)
-        chosen, value, rate = [chosen[i] for i in kept], value[kept], rate[kept]
-        over, change = _divided(self.sample, divisor, exponent)
-        kernel = nullspace((rate - value * change % PRIME).T % PRIME)
+    def findings(self, shell: _Shell) -> Iterator[Finding]:
+        """Integrals of one shell that do not follow from those found before."""
+        exponents, value, rate = self._monomials(shell)
+        over, change = _divided(self.sample, shell)
+        kernel = nullspace((rate - value * change).T % PRIME)
         found = product(kernel, value) * over % PRIME
-        if self._fresh(found, degree) == []:
+        if not self._fresh(found, shell.degree):
             return
-        for law in self._covariant(degree, divisor, exponent, found):
-            yield self._finding(law, degree)
-        fresh = self._fresh(found, degree)
-        if not fresh:
-            return
-        for law in self._componentwise(
-            [kernel[i] for i in fresh], chosen, divisor, exponent, found, degree
-        ):
-            yield self._finding(law, degree)
-        left = len(self._fresh(found, degree))
+        for law in self._covariant(shell, found):
+            yield self._finding(law, shell.degree)
+        fresh = self._fresh(found, shell.degree)
+        for law in self._componentwise(shell, [kernel[i] for i in fresh], exponents, found):
+            yield self._finding(law, shell.degree)
+        left = len(self._fresh(found, shell.degree))
         if left:
             yield Finding(
                 "integral",
                 None,
                 None,
-                remark=f"{left} further of degree {degree} in the momenta, whose coefficients "
+                remark=f"{left} of degree {shell.degree} in the momenta, whose coefficients "
                 f"have a degree above {self.question.parameter_degree} in the parameters",
             )
+
+    def _monomials(self, shell: _Shell) -> tuple[list[Exponents], Integers, Integers]:
+        """Monomials of a shell that are independent on the phase space."""
+        made = self.tables.get(shell.ansatz)
+        if made is None:
+            made = self.tables[shell.ansatz] = table(shell.ansatz, self.sample)
+        momenta = len(shell.ansatz.momenta)
+        low = [i for i, e in enumerate(made.exponents) if sum(e[:momenta]) <= shell.degree]
+        chosen = [low[i] for i in independent_columns(made.value[low].T)]
+        return [made.exponents[i] for i in chosen], made.value[chosen], made.rate[chosen]
 
     def _fresh(self, found: Integers, degree: int) -> list[int]:
         """Which functions do not depend linearly on products of known integrals."""
@@ -140,52 +155,42 @@ class _Search:
 
     # --- formulas --------------------------------------------------------------------------
 
-    def _covariant(
-        self, degree: int, divisor: sp.Expr, exponent: int, found: Integers
-    ) -> Iterator[sp.Expr]:
+    def _covariant(self, shell: _Shell, found: Integers) -> Iterator[sp.Expr]:
         """Vector formulas, of increasing degree in the parameters, while something is missing."""
-        parts = self.vocabulary.parts(degree, self.question.ansatz.gamma_degree)
-        ways = [(sp.S.One, 0)] + ([(divisor, exponent)] if exponent else [])
+        parts = self.vocabulary.parts(shell.degree, shell.ansatz.gamma_degree)
+        plain = replace(shell, divisor=sp.S.One, exponent=0)
         for size in range(self.question.parameter_degree + 1):
-            for below, power_ in ways:
-                laws = self._lifted(parts, self.vocabulary.scalars, size, below, power_)
-                yield from self._accepted(laws, degree)
-                if not self._fresh(found, degree):
+            for way in dict.fromkeys((plain, shell)):
+                laws = self._lifted(parts, self.vocabulary.scalars, size, way)
+                yield from self._accepted(laws, shell.degree)
+                if not self._fresh(found, shell.degree):
                     return
 
     def _componentwise(
         self,
+        shell: _Shell,
         kernel: Sequence[Integers],
-        chosen: Sequence[int],
-        divisor: sp.Expr,
-        exponent: int,
+        exponents: Sequence[Exponents],
         found: Integers,
-        degree: int,
     ) -> Iterator[sp.Expr]:
         """Formulas in components, on the monomials that occur."""
-        symbols = (*self.question.ansatz.momenta, *self.question.ansatz.coordinates)
+        symbols = (*shell.ansatz.momenta, *shell.ansatz.coordinates)
         scalars = component_scalars(self.stage, self.weights)
         for vector in kernel:
             parts = []
             for i in np.flatnonzero(vector):
-                powers = self.table.exponents[chosen[i]]
-                formula = sp.Mul(*(s**e for s, e in zip(symbols, powers, strict=True)))
-                weight = _weight(symbols, powers, self.weights)
-                parts.append(Part(formula, weight, sum(powers)))
+                formula = sp.Mul(*(s**e for s, e in zip(symbols, exponents[i], strict=True)))
+                weight = weight_of(symbols, exponents[i], self.weights)
+                parts.append(Part(formula, weight, sum(exponents[i])))
             for size in range(self.question.parameter_degree + 1):
-                before = len(self._fresh(found, degree))
-                laws = self._lifted(parts, scalars, size, divisor, exponent)
-                yield from self._accepted(laws, degree)
-                if len(self._fresh(found, degree)) < before:
+                before = len(self._fresh(found, shell.degree))
+                laws = self._lifted(parts, scalars, size, shell)
+                yield from self._accepted(laws, shell.degree)
+                if len(self._fresh(found, shell.degree)) < before:
                     break
 
     def _lifted(
-        self,
-        parts: Sequence[Part],
-        scalars: Scalars,
-        size: int,
-        divisor: sp.Expr,
-        exponent: int,
+        self, parts: Sequence[Part], scalars: Scalars, size: int, shell: _Shell
     ) -> list[sp.Expr]:
         """Integrals with coefficients of one degree in the parameters, the simplest first."""
         zero = tuple(0 for _ in next(iter(self.weights.values())))
@@ -194,12 +199,12 @@ class _Search:
         jets = [sample(part.formula) for part in parts]
         value = np.array([jet.value for jet in jets])[:, None]
         rate = np.array([sample.along(jet) for jet in jets])[:, None]
-        _, change = _divided(sample, divisor, exponent)
+        _, change = _divided(sample, shell)
         numbers = np.array([sample(s).value for s in scalars.formulas])
         numbers = numbers.reshape(len(scalars.formulas), value.shape[-1])
         found = solutions(made, parts, value, (rate - value * change) % PRIME, numbers)
         ordered = sorted(found, key=lambda solution: solution.effort)
-        return [_formula(s, parts, scalars) / divisor**exponent for s in ordered]
+        return [_formula(s, parts, scalars) / shell.divisor**shell.exponent for s in ordered]
 
     def _accepted(self, laws: Sequence[sp.Expr], degree: int) -> Iterator[sp.Expr]:
         """Those that are new, and take note of them."""
@@ -207,15 +212,11 @@ class _Search:
             value = self.sample(law).value
             if not self._fresh(value[None], degree):
                 continue
-            own = self._degree(law, degree)
-            self.known.values.append((own, value))
+            # at least one, so that there are finitely many products
+            self.known.values.append((max(degree, 1), value))
             if self._independent(law):
                 self.formulas.append(law)
                 yield law
-
-    def _degree(self, law: sp.Expr, degree: int) -> int:
-        """The degree that products count; at least one, so that there are finitely many."""
-        return max(degree, 1)
 
     def _independent(self, law: sp.Expr) -> bool:
         """Whether the gradient of a law does not depend on those of earlier ones."""
@@ -246,28 +247,18 @@ class _Search:
         return ""
 
 
-def _divided(sample: Sample, divisor: sp.Expr, exponent: int) -> tuple[Integers, Integers]:
+def _divided(sample: Sample, shell: _Shell) -> tuple[Integers, Integers]:
     """Q⁻ˢ and the logarithmic rate of Qˢ at the points of a sample."""
-    jet = sample(divisor)
+    jet = sample(shell.divisor)
     below = inverse(jet.value)
-    return power(below, exponent), sample.along(jet) * below % PRIME * exponent % PRIME
-
-
-def _weight(
-    symbols: Sequence[sp.Symbol], powers: Sequence[int], known: dict[sp.Symbol, Weight]
-) -> Weight:
-    weight = tuple(0 for _ in known[symbols[0]])
-    for symbol, exponent in zip(symbols, powers, strict=True):
-        weight = tuple(a + exponent * b for a, b in zip(weight, known[symbol], strict=True))
-    return weight
+    rate = sample.along(jet) * below % PRIME * shell.exponent % PRIME
+    return power(below, shell.exponent), rate
 
 
 def _formula(solution: Solution, parts: Sequence[Part], scalars: Scalars) -> sp.Expr:
     """A solution written with coprime integers, its simplest term positive."""
     numbers = [number for number, _, _ in solution.terms]
-    simplest = min(
-        solution.terms, key=lambda term: (len(term[1]), parts[term[2]].effort)
-    )[0]
+    simplest = min(solution.terms, key=lambda term: (len(term[1]), parts[term[2]].effort))[0]
     scale = Fraction(lcm(*(n.denominator for n in numbers)), gcd(*(n.numerator for n in numbers)))
     scale = scale if simplest > 0 else -scale
     return sp.Add(

@@ -157,9 +157,7 @@ def _rate(stage: Stage, relation: sp.Expr) -> sp.Expr:
 # --- exponents -----------------------------------------------------------------------------
 
 
-def _exponent(
-    stage: Stage, samples: Sequence[Sample], residues: Sequence[int]
-) -> sp.Expr | None:
+def _exponent(stage: Stage, samples: Sequence[Sample], residues: Sequence[int]) -> sp.Expr | None:
     """The number, or simple function of the parameters, with these residues at the samples.
 
     Tried are q, and q₀ + q₁ f for f one of s, 1/s and s/t with parameters or constants s, t.
@@ -168,9 +166,7 @@ def _exponent(
     if first is not None and all(rational(r) == first for r in residues):
         return sp.Rational(first.numerator, first.denominator)
     numbers = [s for s in (*stage.constants, *stage.free) if s not in stage.system.symbols]
-    candidates = [
-        s / t for s, t in product((sp.S.One, *numbers), (sp.S.One, *numbers)) if s != t
-    ]
+    candidates = [s / t for s, t in product((sp.S.One, *numbers), (sp.S.One, *numbers)) if s != t]
     for candidate in sorted(candidates, key=lambda c: (sp.count_ops(c), -len(str(c)))):
         at = [int(sample(candidate).value[0]) for sample in samples]
         fit = _line(at, residues)

@@ -52,7 +52,8 @@ def _only_coordinates(vocabulary: Vocabulary, formula: sp.Expr, sample: Sample) 
     if not sample.along(jet).any() or not jet.value.all():
         return False
     symbols = vocabulary.stage.system.symbols
-    moving = [i for i, s in enumerate(symbols) if s not in vocabulary.ansatz.coordinates]
+    places = {s for c in vocabulary.ansatz.coordinates for s in c.free_symbols}
+    moving = [i for i, s in enumerate(symbols) if s not in places]
     return not np.any(jet.slope[moving])
 
 

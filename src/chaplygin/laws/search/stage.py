@@ -19,6 +19,7 @@ from ...notation import text
 from ...system import System
 from ...vectors import explicit
 from .modular import PRIME, Evaluator, Integers, Jet, inverse, square_root
+from .real import has_real_points
 
 __all__ = ["Sample", "Stage", "stage"]
 
@@ -194,9 +195,7 @@ class Stage:
     def _rooted(self) -> tuple[sp.Expr, ...]:
         """Definitions and rates with roots, which exist at some points only."""
         formulas = [*(formula for _, formula in self.system.steps), *self.system.rates]
-        return tuple(
-            f for f in formulas if any(not p.exp.is_integer for p in f.atoms(sp.Pow))
-        )
+        return tuple(f for f in formulas if any(not p.exp.is_integer for p in f.atoms(sp.Pow)))
 
     def _regular(self, values: dict[sp.Symbol, Integers]) -> dict[sp.Symbol, Integers]:
         """The points at which the roots in the equations exist."""
@@ -256,7 +255,6 @@ class Stage:
             value, _ = self._value(relation, values)
             if not value.any():
                 return self._order(others, done)
-        self._complain_if_empty(rest, settled)
         return None
 
     def _candidates(self, relation: sp.Expr, settled: set[sp.Symbol]) -> Iterator[sp.Symbol]:
@@ -269,11 +267,6 @@ class Stage:
         for _, value in steps:
             reached |= value.free_symbols
         return reached
-
-    def _complain_if_empty(self, rest: Sequence[sp.Expr], settled: set[sp.Symbol]) -> None:
-        for relation in rest:
-            if not any(True for _ in self._candidates(relation, settled)) and relation != 0:
-                raise InputError(f"the level {text(relation)} = 0 has no points")
 
 
 def stage(
@@ -347,14 +340,9 @@ def _check_level(made: Stage) -> None:
     """Refuse a level that has no real points or does not stay where it is."""
     if not made.level:
         return
-    sample = made.sample(_PROBE, 1, common=False)
-    for formula in made.level:
-        if sample.along(sample(formula)).any():
-            raise InputError(
-                f"the level {text(formula)} = 0 is not invariant: the motion leaves it"
-            )
-    from .real import has_real_points
-
+    shown = ", ".join(f"{text(e)} = 0" for e in made.level)
     if not has_real_points(made):
-        shown = ", ".join(f"{text(e)} = 0" for e in made.level)
         raise InputError(f"the level {shown} is empty: no real point lies on it")
+    sample = made.sample(_PROBE, 1, common=False)
+    if any(sample.along(sample(formula)).any() for formula in made.level):
+        raise InputError(f"the level {shown} is not invariant: the motion leaves it")

@@ -12,7 +12,7 @@ from ...vectors import constant
 from ..prove import prove
 from .ansatz import Exponents, Table, table
 from .finding import Finding, Progress, Question, silent
-from .grading import Weight, weights
+from .grading import Weight, weight_of, weights
 from .integrals import integrals
 from .lifting import Part, Solution, plan, points_for, solutions
 from .linear import independent_columns, nullspace, product
@@ -82,7 +82,9 @@ class _Search:
         )
         kernel = nullspace(condition.reshape(len(condition), -1).T)
         found = product(kernel, value.reshape(len(value), -1))
-        vectors = sorted(zip(kernel, found, strict=True), key=lambda pair: np.count_nonzero(pair[0]))
+        vectors = sorted(
+            zip(kernel, found, strict=True), key=lambda pair: np.count_nonzero(pair[0])
+        )
         for number, (vector, field) in enumerate(vectors):
             progress(0.5 + 0.5 * number / len(vectors), "fields")
             if not self._fresh(field):
@@ -102,11 +104,8 @@ class _Search:
             component, monomial = divmod(int(index), len(exponents))
             powers = exponents[monomial]
             formula = sp.Mul(*(s**e for s, e in zip(variables, powers, strict=True)))
-            own = self.weights[self.symbols[component]]
-            weight = tuple(
-                sum(e * self.weights[s][i] for s, e in zip(variables, powers, strict=True)) - w
-                for i, w in enumerate(own)
-            )
+            own = self.symbols[component]
+            weight = weight_of((*variables, own), (*powers, -1), self.weights)
             parts.append(Part(((str(self.symbols[component]), formula),), weight, sum(powers)))
         scalars = component_scalars(self.stage, self.weights)
         for size in range(self.question.parameter_degree + 1):
@@ -121,9 +120,7 @@ class _Search:
             f"{self.question.parameter_degree} in the parameters",
         )
 
-    def _solutions(
-        self, parts: Sequence[Part], scalars: Scalars, size: int
-    ) -> Solution | None:
+    def _solutions(self, parts: Sequence[Part], scalars: Scalars, size: int) -> Solution | None:
         zero = tuple(0 for _ in next(iter(self.weights.values())))
         made = plan(parts, scalars.weights, size, zero)
         sample = self.stage.sample(points_for(made), _SEED + 1, common=False)
@@ -158,7 +155,9 @@ class _Search:
                 field.append((name, constant([components[s] for s in name.symbols])))
         self.count += 1
         law = Symmetry(f"u_{self.count}", tuple(field), on=self.stage.on)
-        return Finding("symmetry", law, prove(self.stage.system, law, seconds=self.question.seconds))
+        return Finding(
+            "symmetry", law, prove(self.stage.system, law, seconds=self.question.seconds)
+        )
 
 
 def _fields(

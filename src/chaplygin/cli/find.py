@@ -1,0 +1,209 @@
+"""``chaplygin find``: laws that nobody has told."""
+
+from __future__ import annotations
+
+import time
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from .common import Json, Override, What, inform, print_json, progress, study_of
+
+if TYPE_CHECKING:
+    from ..laws.search import Finding, Question
+
+__all__ = ["command"]
+
+_TITLES = {
+    "integrals": "First integrals",
+    "measure": "Invariant measures",
+    "symmetries": "Symmetry fields",
+}
+
+
+def command(
+    kind: Annotated[str, typer.Argument(metavar="KIND", help="integrals, measure or symmetries.")],
+    what: What,
+    overrides: Override = None,
+    degree: Annotated[int, typer.Option(help="Largest degree in the momenta.")] = 2,
+    gamma_degree: Annotated[int, typer.Option(help="Largest degree in the coordinates.")] = 2,
+    momenta: Annotated[
+        str, typer.Option(metavar="NAMES", help="Momenta, e.g. M; by default ω where it is known.")
+    ] = "",
+    coordinates: Annotated[
+        str, typer.Option(metavar="NAMES", help="Coordinates, e.g. gamma; by default the others.")
+    ] = "",
+    at: Annotated[
+        list[str] | None,
+        typer.Option(metavar="CONDITION", help="A condition on the parameters, e.g. k=-1."),
+    ] = None,
+    on: Annotated[
+        list[str] | None,
+        typer.Option(metavar="FORMULA", help="Vanishes on the level, e.g. 'M·γ'."),
+    ] = None,
+    divisors: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--denominator",
+            "--base",
+            metavar="FORMULA",
+            help="Divides an integral, or is a factor of a density, e.g. '(γ, A γ)'; by default "
+            "those that suggest themselves; 1 for none.",
+        ),
+    ] = None,
+    power: Annotated[int, typer.Option(help="Largest power of a denominator.")] = 1,
+    parameter_degree: Annotated[
+        int, typer.Option(help="Largest degree of coefficients in the parameters.")
+    ] = 3,
+    seconds: Annotated[float, typer.Option(help="Time for the proof of one law.")] = 60.0,
+    json: Json = False,
+) -> None:
+    """Search for integrals, invariant measures or symmetries, and prove what is found."""
+    from ..errors import InputError
+
+    if kind not in _TITLES:
+        raise InputError(f"KIND {kind}: it must be one of {', '.join(_TITLES)}")
+    from ..laws.search import ask
+
+    system = study_of(what, overrides).system
+    began = time.monotonic()
+    question = ask(
+        system,
+        degree=degree,
+        gamma_degree=gamma_degree,
+        momenta=momenta,
+        coordinates=coordinates,
+        at=at or (),
+        on=on or (),
+        divisors=None if divisors is None else [d for d in divisors if d.strip() != "1"],
+        powers=power,
+        parameter_degree=parameter_degree,
+        seconds=seconds,
+    )
+    found, complete = _collected(kind, question)
+    elapsed = time.monotonic() - began
+    if json:
+        print_json(_as_json(kind, question, found, complete, elapsed))
+    else:
+        typer.echo(_as_text(kind, question, found, complete))
+    raise typer.Exit(0 if found else 1)
+
+
+def _collected(kind: str, question: Question) -> tuple[list[Finding], bool]:
+    """What is found, and whether the search came to its end; Ctrl-C keeps what there is."""
+    from ..laws.search import integrals, measures, symmetries
+
+    search = {"integrals": integrals, "measure": measures, "symmetries": symmetries}[kind]
+    found: list[Finding] = []
+    try:
+        with progress(f"searching for {kind}") as update:
+            for finding in search(question, lambda fraction, _: update(fraction)):
+                found.append(finding)
+    except KeyboardInterrupt:
+        inform("interrupted: what follows was found until then")
+        return found, False
+    return found, True
+
+
+def _names(symbols: Any) -> list[str]:
+    from ..notation import text
+
+    return [text(s) for s in symbols]
+
+
+def _equation(vanishing: Any) -> str:
+    """A vanishing formula as an equation, its number on the right."""
+    from ..notation import text
+
+    number, rest = vanishing.as_coeff_Add()
+    return f"{text(rest)} = {text(-number)}"
+
+
+def _setting(question: Question) -> str:
+    ansatz = question.ansatz
+    lines = [
+        f"of degree ≤ {ansatz.degree} in "
+        + " or ".join(", ".join(_names(a.momenta)) for a in (ansatz, *question.also))
+        + (
+            f" and ≤ {ansatz.gamma_degree} in {', '.join(_names(ansatz.coordinates))}"
+            if ansatz.coordinates
+            else ""
+        )
+    ]
+    if question.stage.on:
+        lines.append("where " + ", ".join(_equation(f) for f in question.stage.on))
+    return "\n    ".join(lines)
+
+
+def _shown(finding: Finding) -> list[str]:
+    from ..notation import text
+    from ..vectors import scalar
+
+    law, verdict = finding.law, finding.verdict
+    if law is None or verdict is None:
+        return [f"  observed modulo a prime only: {finding.remark}"]
+    status = "proven" if verdict else f"observed only, {verdict.decision}: {verdict.reason}"
+    known = f"; repeats {finding.known}" if finding.known else ""
+    label = "ρ" if finding.kind == "measure" else text(scalar(law.name))
+    if finding.kind == "symmetry":
+        formula = ",  ".join(f"{text(name)} ↦ {text(value)}" for name, value in finding.formula)
+    else:
+        formula = text(finding.formula)
+    return [f"  {label} = {formula}", f"      {status}{known}"]
+
+
+def _as_text(kind: str, question: Question, found: list[Finding], complete: bool) -> str:
+    from ..notation import text
+
+    lines = [f"{_TITLES[kind]} of {question.stage.system.title}"]
+    if kind != "measure":
+        lines.append(f"    {_setting(question)}")
+    if question.divisors and kind != "symmetries":
+        words = "divided by" if kind == "integrals" else "made of powers of"
+        lines.append(f"    {words} {', '.join(text(d) for d in question.divisors)}")
+    lines.append("")
+    for finding in found:
+        lines += _shown(finding)
+    if not complete:
+        lines.append("  interrupted: what else there is has not been looked at")
+    elif not found:
+        lines.append("  none")
+    return "\n".join(lines)
+
+
+def _as_json(
+    kind: str, question: Question, found: list[Finding], complete: bool, elapsed: float
+) -> dict[str, Any]:
+    from ..notation import latex, text
+
+    ansatz = question.ansatz
+    return {
+        "system": question.stage.system.name,
+        "kind": kind,
+        "momenta": [str(s) for s in ansatz.momenta],
+        "coordinates": [str(s) for s in ansatz.coordinates],
+        "degree": ansatz.degree,
+        "gamma_degree": ansatz.gamma_degree,
+        "divisors": [text(d) for d in question.divisors],
+        "on": [_equation(f) for f in question.stage.on],
+        "complete": complete,
+        "seconds": round(elapsed, 3),
+        "found": [_finding_json(finding, text, latex) for finding in found],
+    }
+
+
+def _finding_json(finding: Finding, text: Any, latex: Any) -> dict[str, Any]:
+    law, verdict = finding.law, finding.verdict
+    if law is None or verdict is None:
+        return {"formula": None, "verdict": "observed", "remark": finding.remark}
+    pairs = finding.formula if finding.kind == "symmetry" else (("", finding.formula),)
+    shown = {str(name): (text(value), latex(value)) for name, value in pairs}
+    return {
+        "name": law.name,
+        "formula": {n: t for n, (t, _) in shown.items()} if len(shown) > 1 else shown[""][0],
+        "latex": {n: v for n, (_, v) in shown.items()} if len(shown) > 1 else shown[""][1],
+        "verdict": verdict.decision,
+        "reason": verdict.reason,
+        "repeats": finding.known,
+        "seconds": round(verdict.seconds, 3),
+    }

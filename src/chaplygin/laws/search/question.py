@@ -1,0 +1,119 @@
+"""From words to a question: what a user asks, checked and completed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from ...errors import InputError
+from ...system import System
+from .ansatz import Ansatz, default_momenta
+from .finding import Question
+from .formulas import condition, formula, quantities
+from .grading import weights
+from .natural import natural
+from .stage import stage
+from .vocabulary import Vocabulary
+
+__all__ = ["ask"]
+
+_MOMENTUM_LIKE = ("M", "omega")
+_CIRCULAR = (sp.sin, sp.cos, sp.tan, sp.cot)
+
+
+def ask(
+    system: System,
+    *,
+    degree: int = 2,
+    gamma_degree: int = 2,
+    momenta: str = "",
+    coordinates: str = "",
+    at: Sequence[str] = (),
+    on: Sequence[str] = (),
+    divisors: Sequence[str] | None = None,
+    powers: int = 1,
+    parameter_degree: int = 3,
+    seconds: float = 60.0,
+) -> Question:
+    """Put a question to the search.
+
+    Parameters
+    ----------
+    system : System
+    degree, gamma_degree : int
+        Largest degrees in the momenta and in the coordinates.
+    momenta, coordinates : str
+        Names of vectors and scalars, separated by commas; by default M and ω, and all that is
+        left of the state.  An angle enters by its sine and cosine.
+    at : sequence of str
+        Conditions on the parameters, such as ``"k = -1"``.
+    on : sequence of str
+        Formulas that vanish on the level in question, such as ``"M·γ"``.
+    divisors : sequence of str, optional
+        Formulas by whose powers an integral may be divided, or of whose powers a density is
+        made; by default those that suggest themselves.
+    powers : int
+        Largest power of a divisor.
+    parameter_degree : int
+        Largest degree in the parameters of a coefficient.
+    seconds : float
+        Time that the proof of one law may take.
+
+    Returns
+    -------
+    Question
+
+    Raises
+    ------
+    InputError
+        If something in it is unknown, impossible or too large.
+    """
+    for value, name, least in (
+        (degree, "degree", 0),
+        (gamma_degree, "gamma_degree", 0),
+        (powers, "powers", 0),
+        (parameter_degree, "parameter_degree", 0),
+    ):
+        if value < least:
+            raise InputError(f"{name} is {value}; it must not be negative")
+    if not seconds > 0:
+        raise InputError(f"seconds is {seconds}; it must be positive")
+    given = quantities(momenta, system, "momenta")
+    families = (given,) if given else default_momenta(system)
+    second = quantities(coordinates, system, "coordinates") or _rest(system, families[0])
+    common = set(families[0]) & set(second)
+    if common:
+        raise InputError(f"{min(map(str, common))} is both a momentum and a coordinate")
+    places = _without_angles(system, second)
+    ansatz, *also = (Ansatz(family, places, degree, gamma_degree) for family in families)
+    ansatz.check()
+    made = stage(
+        system,
+        [condition(text, system, "at") for text in at],
+        [formula(text, system, "on") for text in on],
+    )
+    if divisors is None:
+        found = natural(Vocabulary(made, ansatz, weights(made)))
+    else:
+        found = tuple(formula(text, system, "denominator") for text in divisors)
+    return Question(made, ansatz, tuple(also), found, powers, parameter_degree, seconds)
+
+
+def _rest(system: System, momenta: tuple[sp.Symbol, ...]) -> tuple[sp.Symbol, ...]:
+    """The state without what is momentum-like."""
+    names = [n for n in system.state if getattr(n, "name", "") in _MOMENTUM_LIKE]
+    like = {s for name in names if not isinstance(name, sp.Symbol) for s in name.symbols}
+    return tuple(s for s in system.symbols if s not in like | set(momenta))
+
+
+def _without_angles(system: System, symbols: tuple[sp.Symbol, ...]) -> tuple[sp.Expr, ...]:
+    """Angles replaced by their sines and cosines."""
+    formulas = [*system.rates, *(value for _, value in system.steps)]
+    angles = {
+        s for f in formulas for node in f.atoms(*_CIRCULAR) for s in node.args[0].free_symbols
+    }
+    found: list[sp.Expr] = []
+    for symbol in symbols:
+        found += [sp.sin(symbol), sp.cos(symbol)] if symbol in angles else [symbol]
+    return tuple(found)
