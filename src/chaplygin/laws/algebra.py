@@ -120,7 +120,8 @@ class Fractions:
         self.factors: list[Poly] = []
         self.meanings: dict[str, str] = {}
         self._factor_numbers: dict[str, int] = {}
-        self._root_of: dict[int, tuple[int, int]] = {}
+        self._root_of: dict[int, tuple[fmpq, int, int]] = {}
+        self._roots: dict[str, tuple[Poly, int]] = {}
         self._auxiliary: dict[Any, Any] = {}
         self._circles: set[str] = set()
         self._zeros: set[str] = set()
@@ -170,19 +171,20 @@ class Fractions:
                 powers[number] = total
             else:
                 del powers[number]
-        return Element(self, self._product(first.poly, second.poly), self._unrooted(powers))
+        return self._unrooted(Element(self, self._product(first.poly, second.poly), powers))
 
-    def _unrooted(self, powers: dict[int, int]) -> dict[int, int]:
+    def _unrooted(self, element: Element) -> Element:
         """Powers of a root written as powers of what it is a root of, where they are."""
+        if not any(n in self._root_of for n in element.powers):
+            return element
+        poly, powers = element.poly, dict(element.powers)
         for number in [n for n in powers if n in self._root_of]:
-            base, degree = self._root_of[number]
+            lead, base, degree = self._root_of[number]
             whole = int(powers[number] / degree)
-            if whole:
-                for n, change in ((number, -whole * degree), (base, whole)):
-                    powers[n] = powers.get(n, 0) + change
-                    if not powers[n]:
-                        del powers[n]
-        return powers
+            for n, change in ((number, -whole * degree), (base, whole)):
+                powers[n] = powers.get(n, 0) + change
+            poly = poly * lead**whole
+        return Element(self, poly, {n: p for n, p in powers.items() if p})
 
     def _product(self, first: Poly, second: Poly) -> Poly:
         self.budget.foresee(first, second)
@@ -249,7 +251,7 @@ class Fractions:
         for number, power in parts:
             powers[number] = powers.get(number, 0) - power
         kept = {number: power for number, power in powers.items() if power}
-        return Element(self, self.ring.constant(1 / content), self._unrooted(kept))
+        return self._unrooted(Element(self, self.ring.constant(1 / content), kept))
 
     def _factorised(self, poly: Poly) -> tuple[fmpq, list[tuple[int, int]]]:
         """Content and named factors with their powers."""
@@ -345,16 +347,16 @@ class Fractions:
 
     def _positive_parts(self, element: Element) -> tuple[fmpq, list[tuple[Poly, int]]]:
         """Content and factors with powers, every factor positive at the sample point."""
-        content, parts = self._factorised(element.poly)
+        content, parts = self._factorised(self.reduce(element.poly))
         total: dict[int, int] = dict(element.powers)
         for number, power in parts:
             total[number] = total.get(number, 0) + power
         signed = []
-        for number, power in self._unrooted(total).items():
+        for number, power in total.items():
             poly = self.factors[number]
             if self.at_sample(poly) < 0:
                 poly = -poly
-                content = content * (-1) ** power
+                content = -content if power % 2 else content
             if power:
                 signed.append((poly, power))
         return content, signed
@@ -390,6 +392,9 @@ class Fractions:
         return sp.Rational(int(value.p), int(value.q))
 
     def _one_power(self, base: Poly, theta: Any, exponent: Any) -> Element:
+        if str(base) in self._roots:
+            inner, degree = self._roots[str(base)]
+            return self._one_power(inner, theta, exponent / degree)
         if theta == 1:
             whole = exponent.p // exponent.q
             result = self.integer_power(Element(self, base, {}), int(whole))
@@ -417,9 +422,10 @@ class Fractions:
         key = ("root", str(base), degree)
         made = self._new(key, f"({base})^(1/{degree})", lambda: float(value ** (1 / degree)))
         self.impose(str(made), made**degree - base)
-        lead = base.leading_coefficient()
-        if lead == 1 and not base.is_constant():
-            self._root_of[self._named(made)] = (self._named(base), degree)
+        self._roots[str(made)] = (base, degree)
+        if not base.is_constant():
+            lead = base.leading_coefficient()
+            self._root_of[self._named(made)] = (lead, self._named(base / lead), degree)
         return Element(self, made, {})
 
     def exponential(self, element: Element) -> Element:

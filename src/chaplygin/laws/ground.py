@@ -48,22 +48,57 @@ class Ground:
 
     @cached_property
     def steps(self) -> dict[sp.Symbol, sp.Expr]:
-        """The definitions, by symbol."""
+        """The definitions, by symbol; and parameters that the level gives in terms of others."""
+        return {**self._definitions, **self.settled}
+
+    @cached_property
+    def _definitions(self) -> dict[sp.Symbol, sp.Expr]:
         return dict(self.system.steps)
+
+    @cached_property
+    def settled(self) -> dict[sp.Symbol, sp.Expr]:
+        """Parameters that conditions on parameters alone settle, such as k = −1."""
+        return self._settlement[0]
+
+    @cached_property
+    def _settlement(self) -> tuple[dict[sp.Symbol, sp.Expr], tuple[sp.Expr, ...]]:
+        """What is settled, and the conditions that remain."""
+        parameters = {p.symbol for p in self.system.parameters}
+        found: dict[sp.Symbol, sp.Expr] = {}
+        remaining = []
+        for condition in self.conditions:
+            self._known(condition)
+            formula = condition
+            while formula.free_symbols & {*self._definitions, *found}:
+                formula = formula.xreplace(self._definitions).xreplace(found)
+            choice = None
+            if formula.free_symbols and formula.free_symbols <= parameters:
+                choice = _linear_in(sp.fraction(sp.together(formula))[0])
+            if choice is None:
+                remaining.append(condition)
+            else:
+                found = {p: v.xreplace(dict([choice])) for p, v in found.items()}
+                found |= dict([choice])
+        return found, tuple(remaining)
 
     @cached_property
     def exchanged(self) -> tuple[Exchange, ...]:
         """Definitions that take the place of a parameter as generators."""
-        parameters = {p.symbol for p in self.system.parameters}
-        for condition in self.conditions:
+        parameters = {p.symbol for p in self.system.parameters} - set(self.settled)
+        for condition in self._settlement[1]:
             parameters -= self._reach(condition, set())
         found: dict[sp.Symbol, Exchange] = {}
-        for name, formula in self.system.steps:
+        for name, raw in self.system.steps:
+            formula = raw.xreplace(self.settled)
             gone = {e.parameter for e in found.values()}
             for parameter in sorted(formula.free_symbols & parameters - gone, key=str):
                 factor = sp.diff(formula, parameter)
                 rest = formula.xreplace({parameter: sp.S.Zero})
-                if factor.is_Rational and factor != 0 and not (gone | {parameter}) & self._reach(rest, set(found)):
+                if (
+                    factor.is_Rational
+                    and factor != 0
+                    and not (gone | {parameter}) & self._reach(rest, set(found))
+                ):
                     found[name] = Exchange(name, parameter, factor, rest)
                     break
         return tuple(found.values())
@@ -83,7 +118,7 @@ class Ground:
     def generators(self) -> tuple[sp.Symbol, ...]:
         """Independent symbols: state and parameters, some of them exchanged."""
         instead = {e.parameter: e.name for e in self.exchanged}
-        return tuple(instead.get(s, s) for s in self.symbols)
+        return tuple(instead.get(s, s) for s in self.symbols if s not in self.settled)
 
     @cached_property
     def symbols(self) -> tuple[sp.Symbol, ...]:
@@ -128,8 +163,7 @@ class Ground:
         draft = Fractions(names)
         evaluate = self.evaluator(draft)
         waiting = []
-        for condition in self.conditions:
-            self._known(condition)
+        for condition in self._settlement[1]:
             if isinstance(condition, AppliedUndef):
                 continue
             waiting.append(_numerator(evaluate.value(condition), condition))
@@ -174,7 +208,7 @@ class Ground:
         return order, kept
 
     def _known(self, condition: Any) -> None:
-        unknown = condition.free_symbols - set(self.symbols) - set(self.steps)
+        unknown = condition.free_symbols - set(self.symbols) - set(self._definitions)
         if unknown:
             raise InputError(
                 f"{self.system.name}: the level {condition} = 0 uses "
@@ -301,6 +335,15 @@ class Ground:
         return Evaluator(field, given, self.steps, self.exchanged)
 
 
+def _linear_in(formula: sp.Expr) -> tuple[sp.Symbol, sp.Expr] | None:
+    """A symbol in which a formula is linear with a number as factor, and its value at zero."""
+    for symbol in sorted(formula.free_symbols, key=str):
+        factor = sp.diff(formula, symbol)
+        if factor.is_Rational and factor != 0:
+            return symbol, -formula.xreplace({symbol: sp.S.Zero}) / factor
+    return None
+
+
 def _listed(on: tuple[Any, ...]) -> str:
     return ", ".join(f"{c} = 0" for c in on) or "given by the relations"
 
@@ -363,7 +406,10 @@ def _sorted(draft: Fractions, chain: list[tuple[str, Poly]]) -> list[tuple[str, 
 def _chosen(default: float | None, generator: random.Random) -> fmpq:
     """A random rational number, near the default of a parameter."""
     if default is None or default == 0:
-        return fmpq(generator.choice([-1, 1]) * generator.randint(3, 17), generator.randint(11, 19))
+        reach = generator.choice([17, 17, 60])
+        return fmpq(
+            generator.choice([-1, 1]) * generator.randint(3, reach), generator.randint(11, 19)
+        )
     near = Fraction(repr(float(default))) * Fraction(generator.randint(90, 115), 100)
     return fmpq(near.numerator, near.denominator)
 

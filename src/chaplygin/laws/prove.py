@@ -27,6 +27,7 @@ from .verdict import Verdict
 __all__ = ["prove"]
 
 POINTS = 2
+ATTEMPTS = 400
 SEED = 20080830
 
 
@@ -113,7 +114,7 @@ def _tried(
     law: Law, ground: Ground, generator: random.Random
 ) -> tuple[Rationals | Balls, tuple[str, Any] | None]:
     """A point of the level, and the first residual that is not zero there."""
-    for _ in range(40):
+    for _ in range(ATTEMPTS):
         values, exact = ground.point(generator)
         for rational in (True, False) if exact else (False,):
             field = ground.numbers(values, rational)

@@ -8,7 +8,7 @@ from typing import Any, Literal
 
 import sympy as sp
 
-from ...statements import Law
+from ...statements import Integral, Measure, Symmetry
 from ..verdict import Verdict
 from .ansatz import Ansatz
 from .stage import Stage
@@ -63,7 +63,7 @@ class Finding:
     Attributes
     ----------
     kind : ``"integral"``, ``"measure"`` or ``"symmetry"``
-    law : Law or None
+    law : Integral, Measure, Symmetry or None
         None where it was seen modulo a prime alone and not written as a formula.
     verdict : Verdict or None
         What the prover says of it.
@@ -74,7 +74,7 @@ class Finding:
     """
 
     kind: Kind
-    law: Law | None
+    law: Integral | Measure | Symmetry | None
     verdict: Verdict | None
     known: str = ""
     remark: str = ""

@@ -178,10 +178,11 @@ class _Search:
         scalars = component_scalars(self.stage, self.weights)
         for vector in kernel:
             parts = []
-            for i in np.flatnonzero(vector):
-                formula = sp.Mul(*(s**e for s, e in zip(symbols, exponents[i], strict=True)))
-                weight = weight_of(symbols, exponents[i], self.weights)
-                parts.append(Part(formula, weight, sum(exponents[i])))
+            for entry, powers in zip(vector, exponents, strict=True):
+                if entry:
+                    formula = sp.Mul(*(s**e for s, e in zip(symbols, powers, strict=True)))
+                    weight = weight_of(symbols, powers, self.weights)
+                    parts.append(Part(formula, weight, sum(powers)))
             for size in range(self.question.parameter_degree + 1):
                 before = len(self._fresh(found, shell.degree))
                 laws = self._lifted(parts, scalars, size, shell)

@@ -1,4 +1,4 @@
-"""The vector formulas of which laws are made: products of (u, v), (u, Jv), (Ju, Jv), tr J, …
+"""The vector formulas of which laws are made: products of (u, v), (u, Jv), (Ju, Jv) and others.
 
 The equations of a rolling body do not prefer any axes: turning the body's axes turns vectors and
 tensors alike.  Their laws are then scalars made of these vectors and tensors.
