@@ -177,36 +177,37 @@ def _with_all_laws(chi: tuple[sp.Expr, sp.Expr], potential: sp.Expr = POTENTIAL)
     )
 
 
-def rolled() -> Rolling:
-    """A body of revolution in an unspecified potential, as the general equations have it."""
+def rolled(gravity: float = 0.0) -> System:
+    """The same, as the mechanics of any rolling body gives it; its I_2 is a symbol of its own."""
     body = Body(1.0, (0.3, 0.3, 0.2), Revolution(1 + g_3**2 / 4))
-    return Rolling(body, contact="rubber", field=Field(potential=POTENTIAL))
-
-
-def general() -> System:
-    """Any profile, with the proof that its equations are the general ones (1.18)."""
-    from_mechanics = rolled().system("rubber-body-of-revolution")
+    field = Field(gravity, POTENTIAL)
+    made = Rolling(body, contact="rubber", field=field).system("rubber-body-of-revolution")
     profile = {
         scalar("p"): HEIGHT,
         scalar("pprime"): HEIGHT.diff(g_3),
         scalar("pprime2"): HEIGHT.diff(g_3, 2),
     }
-    target = replace(
-        from_mechanics,
-        definitions=tuple(
-            (name, profile.get(name, value)) for name, value in from_mechanics.definitions
-        ),
+    return replace(
+        made,
+        definitions=tuple((name, profile.get(name, value)) for name, value in made.definitions),
     )
-    return unspecified().with_laws(
-        Isomorphism(
-            "rolling",
-            target,
-            {omega: omega, gamma: gamma},
-            constants={I_2: I_1},
-            meaning="the equations of any rubber body on a plane",
-            source="(1.18)",
-        )
+
+
+def onto_rolled() -> Isomorphism:
+    """The equations of `unspecified` are those of `rolled`."""
+    return Isomorphism(
+        "rolling",
+        rolled(),
+        {omega: omega, gamma: gamma},
+        constants={I_2: I_1},
+        meaning="the equations of any rubber body on a plane",
+        source="(1.18)",
     )
+
+
+def general() -> System:
+    """Any profile, with the proof that its equations are the general ones."""
+    return unspecified().with_laws(onto_rolled())
 
 
 # --- catalogue -----------------------------------------------------------------------------
