@@ -12,7 +12,7 @@ from ..mechanics.body import Body
 from ..mechanics.rolling import Field, Rolling
 from ..mechanics.shapes import Ellipsoid
 from ..mechanics.surfaces import Sphere
-from ..statements import Identity, Integral, Law, Rate
+from ..statements import Identity, Integral, Rate
 from ..system import Parameter, System
 from ..vectors import (
     Diagonal,
@@ -158,24 +158,9 @@ def any_rubber_body(curvature: sp.Expr = sp.S.Zero) -> System:
     )
 
 
-def laws_of_any() -> tuple[Law, ...]:
-    """What holds for every shape and every potential."""
-    half = sp.Rational(1, 2)
-    return (
-        Identity(
-            "couple",
-            Rate(POTENTIAL) + dot(torque, omega),
-            "the couple does the work of the potential",
-            source="(1.17)",
-        ),
-        Identity(
-            "contact",
-            (rdot - rate_of(r), dot(gamma, rdot)),
-            "rate of the contact point, which stays in the tangent plane",
-            source="§1.3",
-        ),
-        Integral("energy", half * dot(M, omega) + POTENTIAL, "energy", source="(3.3), Theorem 1"),
-    )
+def _energy() -> Integral:
+    value = sp.Rational(1, 2) * dot(M, omega) + POTENTIAL
+    return Integral("energy", value, "energy", source="(3.3), Theorem 1")
 
 
 def build(p: Numbers) -> Rolling:
@@ -195,14 +180,34 @@ def _body(p: Numbers) -> Body:
 
 def general() -> System:
     """Any shape and potential on a plane."""
-    system = any_rubber_body()
-    return system.with_laws(*laws_of_any())
+    return any_rubber_body().with_laws(
+        Identity(
+            "couple",
+            Rate(POTENTIAL) + dot(torque, omega),
+            "the couple does the work of the potential",
+            source="(1.17)",
+        ),
+        Identity(
+            "contact",
+            (rdot - rate_of(r), dot(gamma, rdot)),
+            "rate of the contact point, which stays in the tangent plane",
+            source="§1.3",
+        ),
+        _energy(),
+    )
 
 
 def general_on_sphere() -> System:
     """Any shape and potential on a sphere of radius a."""
-    system = any_rubber_body(1 / a)
-    return system.with_laws(*laws_of_any())
+    return any_rubber_body(1 / a).with_laws(
+        Identity(
+            "kinematics",
+            gammadot + cross(omega, gamma) - rdot / a,
+            "the contact wanders over the body as fast as over the sphere",
+            source="(1.23)",
+        ),
+        _energy(),
+    )
 
 
 _START = Start(omega=(0.9, -0.5, -0.35483870967741937), gamma=(0.2, -0.3, 0.93), until=30.0)
