@@ -54,8 +54,6 @@ KINETIC = TURNING + D / 2 * (thetadot**2 + phidot**2 * SIN**2)
 SPREAD = (I_1 * TURN**2 + I_2 * ACROSS**2) * SIN**2 + I_3 * COS**2
 CYCLIC_REST = (I_1 - I_2) * thetadot * SIN * TURN * ACROSS + I_3 * phidot * COS
 PRECESSION = (c - CYCLIC_REST) / SPREAD
-#: The Routh function, in θ, φ, θ̇, φ̇ and c.
-ROUTH = (KINETIC - psidot * c).subs(psidot, PRECESSION)
 #: S of (7.10), with ψ̇ and without.
 GYROSCOPIC = REACH * SIN * (phidot * COS + psidot)
 
@@ -83,6 +81,18 @@ def lagrange(function: sp.Expr, coordinate: sp.Symbol) -> sp.Expr:
     """d/dt(∂F/∂q̇) − ∂F/∂q."""
     slope = sp.diff(function, VELOCITIES[coordinate])
     return Rate(slope) - sp.diff(function, coordinate)
+
+
+def routh_slope(kinetic: sp.Expr, precession: sp.Expr, variable: sp.Symbol) -> sp.Expr:
+    """∂R/∂q or ∂R/∂q̇ of the Routh function R = T − ψ̇c, through ψ̇ = `precession`."""
+    through = sp.diff(kinetic, psidot) - c
+    return sp.diff(kinetic, variable) + through * sp.diff(precession, variable)
+
+
+def routh(coordinate: sp.Symbol) -> sp.Expr:
+    """d/dt(∂R/∂q̇) − ∂R/∂q, with R in θ, φ, θ̇, φ̇ and c."""
+    slope = routh_slope(KINETIC, PRECESSION, VELOCITIES[coordinate])
+    return Rate(slope) - routh_slope(KINETIC, PRECESSION, coordinate)
 
 
 def reaction(coordinate: sp.Symbol) -> sp.Expr:
@@ -144,8 +154,9 @@ def routh_equations() -> Case:
     return turning(), Identity(
         "routh",
         (
-            lagrange(ROUTH, theta) + phidot * GYROSCOPIC,
-            lagrange(ROUTH, phi) - thetadot * GYROSCOPIC,
+            psidot - PRECESSION,
+            routh(theta) + phidot * GYROSCOPIC,
+            routh(phi) - thetadot * GYROSCOPIC,
         ),
     )
 
@@ -169,8 +180,8 @@ def generalised_chaplygin() -> Case:
     return turning(), Identity(
         "chaplygin",
         (
-            lagrange(ROUTH, theta) - phidot * factor,
-            lagrange(ROUTH, phi) + thetadot * factor,
+            routh(theta) - phidot * factor,
+            routh(phi) + thetadot * factor,
             factor - (a_1 * thetadot + a_2 * phidot + b),
             *(sp.diff(a, v) for a in (a_1, a_2) for v in (thetadot, phidot)),
         ),

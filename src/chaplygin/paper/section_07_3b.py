@@ -28,6 +28,7 @@ from ..systems.chaplygin_ball_angles import (
     p_theta,
     phi,
     phidot,
+    psidot,
     reduced,
     reduction,
     theta,
@@ -36,7 +37,7 @@ from ..systems.chaplygin_ball_angles import (
 from ..systems.chaplygin_bracket import DET_J, A, D, I, L, R, gamma, m
 from ..vectors import dot, explicit, scalar, zero
 from .claim import Case, Claim, Remark
-from .section_07_3a import ROUTH, turning
+from .section_07_3a import KINETIC, PRECESSION, routh_slope, turning
 
 I_1, I_2, I_3 = I.symbols
 HALF = sp.Rational(1, 2)
@@ -48,12 +49,14 @@ COORDINATES = (theta, phi, p_theta, p_phi)
 
 #: S̄ as (7.13) prints it.
 SBAR = c * (I_3 + m * R**2) * m * R**2 * N**3 * SIN * (I_1 * ACROSS**2 + I_2 * TURN**2 + m * R**2)
-#: N in the angles, and the Routh function in θ, φ, θ′, φ′.
+#: N in the angles; T and ψ̇ in θ, φ, θ′, φ′; the slopes of R̄.
 MULTIPLIER = 1 / sp.sqrt(explicit(DET_IQ_ANGLES))
-ROUTH_BAR = ROUTH.subs(
-    {thetadot: MULTIPLIER * thetaprime, phidot: MULTIPLIER * phiprime}, simultaneous=True
-)
-SLOPES = {s: sp.diff(ROUTH_BAR, s) for s in (thetaprime, phiprime)}
+SLOWED = {thetadot: MULTIPLIER * thetaprime, phidot: MULTIPLIER * phiprime}
+KINETIC_BAR = KINETIC.subs(SLOWED, simultaneous=True)
+PRECESSION_BAR = PRECESSION.subs(SLOWED, simultaneous=True)
+SLOPES = {
+    s: routh_slope(KINETIC_BAR, PRECESSION_BAR, s) for s in (theta, phi, thetaprime, phiprime)
+}
 
 
 @cache
@@ -81,15 +84,16 @@ def new_time() -> Case:
     return turning_slowly(), Identity(
         "new_time",
         (
-            Rate(SLOPES[thetaprime]) / N - sp.diff(ROUTH_BAR, theta) + phiprime * SBAR,
-            Rate(SLOPES[phiprime]) / N - sp.diff(ROUTH_BAR, phi) - thetaprime * SBAR,
+            psidot - PRECESSION_BAR,
+            Rate(SLOPES[thetaprime]) / N - SLOPES[theta] + phiprime * SBAR,
+            Rate(SLOPES[phiprime]) / N - SLOPES[phi] - thetaprime * SBAR,
         ),
     )
 
 
 def legendre() -> Case:
     """H = θ′p_θ + φ′p_φ − R̄ is the energy."""
-    value = thetaprime * p_theta + phiprime * p_phi - ROUTH_BAR
+    value = thetaprime * p_theta + phiprime * p_phi - (KINETIC_BAR - psidot * c)
     return turning_slowly(), Identity("legendre", value - dot(M, omega) / 2)
 
 

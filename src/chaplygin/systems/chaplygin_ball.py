@@ -24,6 +24,7 @@ from ..statements import (
 )
 from ..system import System
 from ..vectors import Diagonal, dot, explicit, normed, scalar, vectors, zero
+from .chaplygin_ball_clebsch import onto_clebsch, onto_fedorov
 from .chaplygin_bracket import DET_IQ, D, hamiltonian_form
 from .e3 import lie_poisson
 from .entry import Entry, Numbers, Start, bruns_factor
@@ -85,6 +86,8 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
         found.append(Integral("momentum", square, meaning, source=source, unit=MOMENTUM_UNIT))
     if body.principal:
         found += _forms(system, total)
+    if body.principal and potential == 0 and total == M:
+        found += [onto_clebsch(), onto_fedorov()]
     return tuple(found)
 
 

@@ -1,0 +1,149 @@
+"""The Chaplygin ball at zero area constant and the Clebsch case (§7.5).
+
+Two isomorphisms, both on (M, γ) = 0: on a level of (M, M) by Theorem 10, and on a level of
+M² − 2DH by Fedorov, K = (1 − D(γ, J⁻¹γ))^(1/2) Iω.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ..mechanics.body import check_inertia
+from ..statements import Integral, Isomorphism
+from ..system import Parameter, System
+from ..vectors import Diagonal, constant, cross, dot, normed, scalar, vectors
+from . import clebsch
+from .chaplygin_bracket import DET_IQ, DET_J, A, D, J, gamma
+from .e3 import Gamma, inertia_parameters
+from .e3 import M as CLEBSCH_MOMENTUM
+from .entry import Entry, Numbers, Start
+
+M, K, omega = vectors("M K omega")
+I = Diagonal("I")
+beta = scalar("beta")
+
+DET_I = sp.Mul(*I.symbols)
+INVERSE = I**-1
+AREA = (dot(M, gamma),)
+#: The diagonals of B = IJ⁻¹ and of its root.
+WIDTHS = tuple(i * a for i, a in zip(I.symbols, A.symbols, strict=True))
+ROOTS = tuple(sp.sqrt(b) for b in WIDTHS)
+#: (γ, Bγ) = 1 − D(γ, J⁻¹γ).
+SPREAD = dot(gamma, constant([b * g for b, g in zip(WIDTHS, gamma, strict=True)]))
+
+TITLE = "Chaplygin ball in Fedorov's variables"
+SUMMARY = (
+    "The system on e(3), a Clebsch case, that the Chaplygin ball without a field becomes at zero "
+    "area constant."
+)
+SOURCE = "§7.5, 2"
+
+
+def fedorov(p: Numbers) -> System:
+    """K′ = K×I⁻¹K − βγ×Iγ, γ′ = γ×I⁻¹K."""
+    moments = (p["I_1"], p["I_2"], p["I_3"])
+    check_inertia(moments)
+    target = clebsch.build({**p, "c": 1.0, "alpha": 0.0, "beta": 1.0})
+    return System(
+        name="chaplygin-ball-fedorov",
+        title=TITLE,
+        summary=SUMMARY,
+        source=SOURCE,
+        parameters=(
+            *inertia_parameters(moments),
+            Parameter(beta, "D/det J times the level of M² − 2DH", p["beta"], "1/s^2"),
+        ),
+        field={
+            K: cross(K, INVERSE * K) - beta * cross(gamma, I * gamma),
+            gamma: cross(gamma, INVERSE * K),
+        },
+        relations=(normed(gamma) - 1,),
+        laws=(
+            Integral(
+                "energy",
+                (dot(K, INVERSE * K) - beta * dot(gamma, I * gamma)) / 2,
+                "Hamiltonian function",
+                source=SOURCE,
+                unit="J",
+            ),
+            Integral("area", dot(K, gamma), "area integral", source=SOURCE, unit="kg m^2/s"),
+            Integral(
+                "clebsch",
+                normed(K) + beta * DET_I * dot(gamma, INVERSE * gamma),
+                "integral of Clebsch",
+                source=SOURCE,
+                unit="kg^2 m^4/s^2",
+            ),
+            Isomorphism(
+                "clebsch_case",
+                target,
+                {CLEBSCH_MOMENTUM: K, Gamma: gamma},
+                constants={
+                    **{s: 1 / s for s in I.symbols},
+                    clebsch.c: beta * DET_I,
+                    clebsch.alpha: sp.S.Zero,
+                    clebsch.beta: sp.S.One,
+                },
+                meaning="Clebsch case (6.14) with I⁻¹ for I, α = 0, β = 1",
+                source=SOURCE,
+            ),
+        ),
+    )
+
+
+def onto_clebsch() -> Isomorphism:
+    """Theorem 10: the ball without a field on a level of (M, M), at (M, γ) = 0."""
+    density = 1 / sp.sqrt(DET_IQ)
+    momentum = [density * s / root for s, root in zip(M, ROOTS, strict=True)]
+    place = [root * g / sp.sqrt(SPREAD) for root, g in zip(ROOTS, gamma, strict=True)]
+    numbers = clebsch.ENTRIES[0].defaults
+    return Isomorphism(
+        "clebsch_case",
+        clebsch.build(numbers),
+        {CLEBSCH_MOMENTUM: constant(momentum), Gamma: constant(place)},
+        density * DET_J / D * sp.Mul(*ROOTS),
+        constants={
+            **dict(zip(I.symbols, WIDTHS, strict=True)),
+            clebsch.c: density**2 * normed(M) * SPREAD / sp.Mul(*WIDTHS),
+            clebsch.alpha: sp.S.One,
+            clebsch.beta: -sp.S.One,
+        },
+        meaning="Clebsch case (6.14) with I = IJ⁻¹, α = 1, β = −1",
+        on=AREA,
+        source="Theorem 10",
+    )
+
+
+def onto_fedorov() -> Isomorphism:
+    """Fedorov's isomorphism: the ball without a field on a level of M² − 2DH, at (M, γ) = 0."""
+    density = sp.sqrt(1 - D * dot(gamma, A * gamma))
+    momentum = density * (I * omega)
+    level = dot(J * momentum, INVERSE * momentum) / dot(I * gamma, A * gamma)
+    return Isomorphism(
+        "fedorov",
+        fedorov(NUMBERS),
+        {K: momentum, gamma: gamma},
+        1 / density,
+        constants={beta: D / DET_J * level},
+        meaning="Clebsch case in Fedorov's variables",
+        on=AREA,
+        source="§7.5, 2",
+    )
+
+
+NUMBERS = {"I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "beta": 0.6}
+
+ENTRIES = (
+    Entry(
+        name="chaplygin-ball-fedorov",
+        title=TITLE,
+        summary=SUMMARY,
+        source=SOURCE,
+        defaults=NUMBERS,
+        build=fedorov,
+        start=Start(
+            state={"K": (0.9, -0.2, -0.4), "gamma": (2 / 7, -3 / 7, 6 / 7)},
+            until=60.0,
+        ),
+    ),
+)
