@@ -7,7 +7,7 @@ import sympy as sp
 from ..mechanics.body import Body
 from ..mechanics.rolling import Field, roll
 from ..mechanics.shapes import Ellipsoid
-from ..statements import Identity, Integral, Rate
+from ..statements import Identity, Rate
 from ..system import System
 from ..systems import CATALOGUE
 from ..vectors import Vector
@@ -127,11 +127,7 @@ def examples() -> Case:
     body = Body(1.0, (1.0, 1.5, 2.1), Ellipsoid((1.0, 0.9, 0.8)))
     rubber = roll(body, contact="rubber", field=Field(potential=potential))
     named = [rubber, *(CATALOGUE[name].system() for name in ("chaplygin-ball", "veselova"))]
-    return tuple((made, _energy(made)) for made in named)
-
-
-def _energy(made: System) -> Integral:
-    return next(law for law in made.integrals if law.name == "energy")
+    return tuple((made, named(made, "energy")) for made in named)
 
 
 CLAIMS = (
