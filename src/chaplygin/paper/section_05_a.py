@@ -11,7 +11,7 @@ from functools import cache
 
 import sympy as sp
 
-from ..statements import Identity, Integral, Rate, Symmetry
+from ..statements import Identity, Integral, Rate, Reduction, Symmetry
 from ..system import System
 from ..systems import CATALOGUE
 from ..systems import rubber_body_of_revolution as catalogue
@@ -176,7 +176,7 @@ def principal() -> Case:
     return body(), Identity("B", moment - (I_1 + m * dot(r, r)) * normed(n))
 
 
-def quadratures() -> Case:
+def quadratures() -> tuple[System, Reduction]:
     """(5.2) in γ₃ instead of θ."""
     return body(), catalogue.quadratures(body(), r + 0 * gamma, dot(r, gamma), ())
 
