@@ -7,6 +7,7 @@ from functools import cache
 from typing import Any
 
 import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
 
 from ..laws.verdict import Verdict
 from ..statements import Identity, Integral, PoissonStructure
@@ -119,26 +120,25 @@ def energy() -> Case:
     return ball(), Identity("energy", dot(M, omega) / 2 + U - ENERGY)
 
 
-def _equations(system: System) -> Case:
+def _equations(system: System, momentum: MatrixExpr) -> Case:
     return system, Identity(
         "hamilton",
         (
-            rate(M) / DENSITY - hamilton(L / DENSITY),
-            rate(L) / DENSITY - hamilton(L),
+            rate(momentum) / DENSITY - hamilton(momentum.xreplace({M: L / DENSITY})),
             rate(gamma) / DENSITY - hamilton(gamma),
         ),
     )
 
 
 def equations_of_6_1() -> Case:
-    """Hamilton's equations along (6.1) with the tensor J."""
+    """Hamilton's equations for M and γ along (6.1) with the tensor J."""
     made = rubber_ball()
-    return _equations(replace(made, definitions=(*made.definitions, (L, DENSITY * M))))
+    return _equations(replace(made, definitions=(*made.definitions, (L, DENSITY * M))), M)
 
 
 def equations() -> Case:
-    """Hamilton's equations along (7.1)."""
-    return _equations(ball())
+    """Hamilton's equations for L and γ along (7.1)."""
+    return _equations(ball(), L)
 
 
 CLAIMS = (
@@ -174,7 +174,7 @@ CLAIMS = (
         r"With $\rho_\mu dt = d\tau$, $L = \rho_\mu M$ the equations of motion (7.1) take the "
         r"Hamiltonian form $\frac{dL_k}{d\tau} = \{H, L_k\}$, "
         r"$\frac{d\gamma_k}{d\tau} = \{H, \gamma_k\}$ with (7.6) and (7.7), for any potential.",
-        MOVED + "; the equation printed for M_k holds for M_k = L_k/ρ as for L_k, and the order "
+        MOVED + "; L_k is meant for M_k (any function of L, γ obeys the same equation); the order "
         "{H, x} of the bracket is opposite to that of (3.5) and Theorem 9",
     ),
     Claim(

@@ -10,6 +10,7 @@ import sympy as sp
 
 from ..statements import ConformallyHamiltonian, Identity, PoissonStructure, Rate
 from ..system import System
+from ..systems import CATALOGUE
 from ..systems.chaplygin_ball_angles import (
     ACROSS,
     COS,
@@ -29,7 +30,6 @@ from ..systems.chaplygin_ball_angles import (
     phi,
     phidot,
     psidot,
-    reduced,
     reduction,
     theta,
     thetadot,
@@ -76,7 +76,7 @@ def turning_slowly() -> System:
 @cache
 def canonical() -> System:
     """θ, φ, p_θ, p_φ in the time τ."""
-    return reduced()
+    return CATALOGUE["chaplygin-ball-reduced"].system()
 
 
 def new_time() -> Case:

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cache
 
 import sympy as sp
 
-from ..statements import Identity, Integral, Isomorphism, Measure, PoissonStructure
+from ..statements import Identity, Integral, Measure
 from ..system import System
-from ..systems.chaplygin_ball import DENSITY, unspecified_with_rotors
+from ..systems.chaplygin_ball import unspecified_with_rotors
 from ..systems.chaplygin_ball_angles import (
     ACROSS,
     COS,
     SIN,
     TURN,
-    N,
-    Sbar,
     ball_in_angles,
     c,
     phi,
@@ -28,22 +25,17 @@ from ..systems.chaplygin_ball_angles import (
 )
 from ..systems.chaplygin_bracket import (
     DET_IQ,
-    DET_J,
-    A,
     D,
     I,
     J,
-    L,
     gamma,
     hamiltonian_form,
     k,
-    rho,
-    u,
 )
-from ..systems.e3 import lie_poisson
 from ..systems.rates import rate
 from ..vectors import constant, cross, dot, explicit, gradient, vectors
 from .claim import Case, Claim
+from .printed import law_named, printed_form
 from .section_07_3a import CYCLIC_REST, GYROSCOPIC, KINETIC, SPIN, SPREAD, VELOCITIES, routh_slope
 
 M, omega = vectors("M omega")
@@ -104,51 +96,29 @@ def measure() -> Case:
     return ball(), Measure("measure", {DET_IQ: -HALF})
 
 
-def _gyroscopic(sign: int) -> Case:
-    """Theorem 9 with rotors, with a sign before k in S̄."""
-    law = reduction(k)
-    value = (
-        N**3
-        * D
-        * SIN
-        * (c * J_3 * (J_1 * ACROSS**2 + J_2 * TURN**2) + sign * DET_J * dot(gamma, A * k))
-    )
-    definitions = tuple(
-        (name, value if name == Sbar else formula) for name, formula in law.target.definitions
-    )
-    return ball_in_angles(k), replace(law, target=replace(law.target, definitions=definitions))
-
-
 def gyroscopic_printed() -> Case:
-    """S̄ as printed."""
-    return _gyroscopic(1)
+    """Theorem 9 with rotors, S̄ as printed."""
+    return ball_in_angles(k), printed_form(reduction(k))
 
 
 def gyroscopic() -> Case:
-    """S̄ put right."""
-    return _gyroscopic(-1)
-
-
-def _bracket(twisted: sp.MatrixExpr) -> Case:
-    """A Poisson bracket on which the energy gives the motion, dx/dτ = {H, x}."""
-    target = hamiltonian_form(U, k)
-    definitions = tuple(
-        (name, twisted if name == u else formula) for name, formula in target.definitions
-    )
-    target = replace(target, definitions=definitions, laws=())
-    onto = Isomorphism("form", target, {L: DENSITY * (M + k), gamma: gamma}, DENSITY)
-    return (target, PoissonStructure("bracket", -lie_poisson(u, gamma))), (ball(), onto)
+    """Theorem 9 with rotors, S̄ put right."""
+    return ball_in_angles(k), reduction(k)
 
 
 def bracket_printed() -> Case:
-    """The bracket as printed."""
-    return _bracket(L - D * DET_J * (rho**2 * dot(L, gamma) - dot(gamma, A * k)) * gamma)
+    """The energy with the bracket as printed, in the variables of the ball."""
+    system = hamiltonian_form(U, k)
+    return system, printed_form(law_named(system, "hamiltonian"))
 
 
 def bracket() -> Case:
-    """The bracket put right."""
-    lever = rho**2 * dot(L, gamma) * (A * gamma) - rho**3 * dot(gamma, A * k) * gamma
-    return _bracket(L - D * DET_J * lever)
+    """The bracket put right is Poisson, and with the energy it gives the motion of the ball."""
+    system = hamiltonian_form(U, k)
+    return (
+        (system, law_named(system, "hamiltonian")),
+        (ball(), law_named(ball(), "hamiltonian_form")),
+    )
 
 
 CLAIMS = (

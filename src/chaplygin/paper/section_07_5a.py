@@ -14,9 +14,9 @@ from ..systems import CATALOGUE
 from ..systems.chaplygin_ball import DENSITY
 from ..systems.chaplygin_ball_clebsch import onto_clebsch
 from ..systems.chaplygin_bracket import DET_J, A, D, I, L, gamma, hamiltonian_form, u
-from ..systems.e3 import Gamma
 from ..vectors import Diagonal, dot, explicit, identity, normed, vectors
 from .claim import Case, Claim
+from .printed import printed_form
 
 M, omega = vectors("M omega")
 B = Diagonal("B")
@@ -59,27 +59,14 @@ def tensor() -> Case:
     return ball(), Identity("tensor", explicit(B - (identity - D * A)))
 
 
-def _theorem(power: sp.Rational) -> Case:
-    """Theorem 10 with s = (γ, Bγ)^(−1/2) B^power γ."""
-    law = onto_clebsch()
-    widths = [i * a for i, a in zip(I.symbols, A.symbols, strict=True)]
-    length = sp.sqrt(sp.Add(*(b * g**2 for b, g in zip(widths, gamma, strict=True))))
-    place = [b**power * g / length for b, g in zip(widths, gamma, strict=True)]
-    changed = tuple(
-        (name, sp.ImmutableDenseMatrix(place) if name == Gamma else formula)
-        for name, formula in law.map
-    )
-    return CATALOGUE["chaplygin-ball"].system(), replace(law, map=changed)
-
-
 def theorem_printed() -> Case:
     """s with B^(−1/2)."""
-    return _theorem(sp.Rational(-1, 2))
+    return CATALOGUE["chaplygin-ball"].system(), printed_form(onto_clebsch())
 
 
 def theorem() -> Case:
     """s with B^(1/2)."""
-    return _theorem(sp.Rational(1, 2))
+    return CATALOGUE["chaplygin-ball"].system(), onto_clebsch()
 
 
 CLAIMS = (

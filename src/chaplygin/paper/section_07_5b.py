@@ -8,14 +8,15 @@ from functools import cache
 import sympy as sp
 
 from ..statements import Identity, Integral, Rate
-from ..system import Parameter, System
+from ..system import System
 from ..systems import CATALOGUE
 from ..systems.chaplygin_ball import DENSITY
-from ..systems.chaplygin_ball_clebsch import beta, onto_fedorov
+from ..systems.chaplygin_ball_clebsch import onto_fedorov
 from ..systems.chaplygin_bracket import DET_J, A, D, I, J, gamma
 from ..systems.rates import rate
 from ..vectors import cross, dot, normed, scalar, vectors
 from .claim import Case, Claim, Remark
+from .printed import printed_form
 
 M, omega, Q, K = vectors("M omega Q K")
 rho = scalar("rho")
@@ -108,19 +109,7 @@ def integral() -> Case:
 
 def final_printed() -> Case:
     """The final system as printed, with J⁻¹ in the rate of γ."""
-    law = onto_fedorov()
-    parameters = tuple(
-        Parameter(s, "moment of inertia about the contact point", 1.0) for s in J.symbols
-    )
-    field = (
-        (K, cross(K, INVERSE * K) - beta * cross(gamma, I * gamma)),
-        (gamma, cross(gamma, J**-1 * K)),
-    )
-    target = replace(
-        law.target, parameters=law.target.parameters + parameters, field=field, laws=()
-    )
-    constants = law.constants + tuple((s, s) for s in J.symbols)
-    return CATALOGUE["chaplygin-ball"].system(), replace(law, target=target, constants=constants)
+    return CATALOGUE["chaplygin-ball"].system(), printed_form(onto_fedorov())
 
 
 def final() -> Case:

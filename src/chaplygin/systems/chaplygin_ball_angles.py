@@ -12,7 +12,7 @@ import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from ..mechanics.body import check_inertia, check_mass
-from ..statements import ConformallyHamiltonian, Integral, Isomorphism, PoissonStructure
+from ..statements import ConformallyHamiltonian, Identity, Integral, Isomorphism, PoissonStructure
 from ..system import Guard, Observable, Parameter, System
 from ..vectors import Components, constant, cross, dot, explicit, scalar, vectors, zero
 from .chaplygin_bracket import (
@@ -138,10 +138,8 @@ def in_space(made: System) -> System:
 def gyroscopic(rotors: MatrixExpr) -> sp.Expr:
     """S̄ of (7.13), and of §7.4 for rotors, in the angles."""
     J_1, J_2, J_3 = J.symbols
-    term = c * J_3 * (J_1 * ACROSS**2 + J_2 * TURN**2)
-    if rotors != zero:
-        term = term - DET_J * dot(gamma, A * rotors)
-    return N**3 * D * SIN * term
+    turning = c * J_3 * (J_1 * ACROSS**2 + J_2 * TURN**2)
+    return N**3 * D * SIN * (turning - DET_J * dot(gamma, A * rotors))
 
 
 def hamiltonian(rotors: MatrixExpr) -> sp.Expr:
@@ -153,20 +151,39 @@ def hamiltonian(rotors: MatrixExpr) -> sp.Expr:
     return value
 
 
-def theorem_9() -> sp.Expr:
-    """H of Theorem 9, its misprints put right, with N for ρ."""
+def _theorem_9() -> Identity:
+    """H of Theorem 9, as it is and as it is printed, against the energy."""
     I_1, I_2, I_3 = I.symbols
     one, two = I_1 * TURN**2 + I_2 * ACROSS**2, I_1 * ACROSS**2 + I_2 * TURN**2
     swing = D * dot(VERTICAL, I * VERTICAL)
     mixed = (I_1 - I_2) * TURN * ACROSS
     reach = I_3 + D * SIN**2
-    return (
+    agreed = -N * c * p_theta / SIN * mixed * reach
+    right = (
         p_theta**2 * (I_3 * one + swing) / 2
         + p_phi**2 / SIN**2 * (I_1 * I_2 * SIN**2 + I_3 * two * COS**2 + swing) / 2
         + p_theta * p_phi / SIN * I_3 * mixed * COS
-        - N * c * p_theta / SIN * mixed * reach
         - N * c * p_phi / SIN**2 * I_3 * (two + D) * COS
         + N**2 * c**2 / SIN**2 * reach * (two + D) / 2
+    )
+    printed = (
+        p_theta**2 * (I_3 * one - swing) / 2
+        + p_phi**2 / SIN**2 * (I_1 * I_2 * SIN**2 + I_3 * one * COS**2 - swing) / 2
+        + p_theta * p_phi / SIN * I_3 * mixed * COS * SIN
+        - N * c * p_phi / SIN**2 * I_3 * (two + D)
+        + N**2 * c**2 / SIN**2 * reach * (two + D)
+    )
+    energy_here = hamiltonian(zero)
+    law = Identity(
+        "hamiltonian_in_angles",
+        agreed + right - energy_here,
+        meaning="the energy in θ, φ, p_θ, p_φ, term by term",
+        source="Theorem 9",
+    )
+    return replace(
+        law,
+        as_printed=replace(law, value=agreed + printed - energy_here),
+        misprint="signs of D, Ĩ₁₂ for Ĩ₂₁, factors sin θ, cos θ and ½",
     )
 
 
@@ -175,8 +192,16 @@ def gyroscopic_matrix(twist: sp.Expr) -> Components:
     return Components([[0, 0, 1, 0], [0, 0, 0, 1], [-1, 0, 0, -twist], [0, -1, twist, 0]])
 
 
-def reduced(rotors: MatrixExpr = zero) -> System:
-    """θ, φ and their momenta in the time τ, at a given area constant; Theorem 9."""
+def reduced(rotors: MatrixExpr, twist: sp.Expr) -> System:
+    """θ, φ and their momenta in the time τ, at a given area constant; Theorem 9.
+
+    Parameters
+    ----------
+    rotors : MatrixExpr
+        Gyrostatic momentum: the vector ``k``, or zero.
+    twist : sympy.Expr
+        S̄ in the angles.
+    """
     energy_here = hamiltonian(rotors)
     slopes = [sp.diff(energy_here, s) for s in (theta, phi, p_theta, p_phi)]
     structure = PoissonStructure(
@@ -197,7 +222,7 @@ def reduced(rotors: MatrixExpr = zero) -> System:
             **TENSORS,
             gamma: VERTICAL,
             N: 1 / sp.sqrt(DET_IQ_ANGLES),
-            Sbar: gyroscopic(rotors),
+            Sbar: twist,
         },
         field={
             theta: slopes[2],
@@ -214,8 +239,9 @@ def reduced(rotors: MatrixExpr = zero) -> System:
                 structure,
                 energy_here,
                 "Hamiltonian form",
-                source="Theorem 9",
+                source="Theorem 9" if rotors == zero else "§7.4",
             ),
+            *((_theorem_9(),) if rotors == zero else ()),
         ),
     )
 
@@ -225,9 +251,9 @@ def reduction(rotors: MatrixExpr = zero) -> Isomorphism:
     density = 1 / sp.sqrt(DET_IQ)
     total = M + rotors
     first, second, third = explicit(total)
-    return Isomorphism(
+    law = Isomorphism(
         "reduced",
-        reduced(rotors),
+        reduced(rotors, gyroscopic(rotors)),
         {
             theta: theta,
             phi: phi,
@@ -238,6 +264,13 @@ def reduction(rotors: MatrixExpr = zero) -> Isomorphism:
         constants={c: dot(total, gamma)},
         meaning="Hamiltonian form in Euler angles",
         source="Theorem 9" if rotors == zero else "§7.4",
+    )
+    if rotors == zero:
+        return law
+    return replace(
+        law,
+        as_printed=replace(law, target=reduced(rotors, gyroscopic(-rotors))),
+        misprint="sign of the term with k in S̄",
     )
 
 
@@ -260,7 +293,7 @@ def build(p: Numbers) -> System:
 
 def build_reduced(p: Numbers) -> System:
     """Its Hamiltonian form."""
-    return _with_numbers(reduced(), p)
+    return _with_numbers(reduced(zero, gyroscopic(zero)), p)
 
 
 def general_with_rotors() -> System:

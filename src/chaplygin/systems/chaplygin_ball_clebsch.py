@@ -6,6 +6,8 @@ M² − 2DH by Fedorov, K = (1 − D(γ, J⁻¹γ))^(1/2) Iω.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 
 from ..mechanics.body import check_inertia
@@ -17,6 +19,7 @@ from .chaplygin_bracket import DET_IQ, DET_J, A, D, J, gamma
 from .e3 import Gamma, inertia_parameters
 from .e3 import M as CLEBSCH_MOMENTUM
 from .entry import Entry, Numbers, Start
+from .neumann import c
 
 M, K, omega = vectors("M K omega")
 I = Diagonal("I")
@@ -80,7 +83,7 @@ def fedorov(p: Numbers) -> System:
                 {CLEBSCH_MOMENTUM: K, Gamma: gamma},
                 constants={
                     **{s: 1 / s for s in I.symbols},
-                    clebsch.c: beta * DET_I,
+                    c: beta * DET_I,
                     clebsch.alpha: sp.S.Zero,
                     clebsch.beta: sp.S.One,
                 },
@@ -94,23 +97,28 @@ def fedorov(p: Numbers) -> System:
 def onto_clebsch() -> Isomorphism:
     """Theorem 10: the ball without a field on a level of (M, M), at (M, γ) = 0."""
     density = 1 / sp.sqrt(DET_IQ)
-    momentum = [density * s / root for s, root in zip(M, ROOTS, strict=True)]
+    momentum = constant([density * s / root for s, root in zip(M, ROOTS, strict=True)])
     place = [root * g / sp.sqrt(SPREAD) for root, g in zip(ROOTS, gamma, strict=True)]
-    numbers = clebsch.ENTRIES[0].defaults
-    return Isomorphism(
+    printed = [p / b for p, b in zip(place, WIDTHS, strict=True)]
+    law = Isomorphism(
         "clebsch_case",
-        clebsch.build(numbers),
-        {CLEBSCH_MOMENTUM: constant(momentum), Gamma: constant(place)},
+        clebsch.build(clebsch.ENTRIES[0].defaults),
+        {CLEBSCH_MOMENTUM: momentum, Gamma: constant(place)},
         density * DET_J / D * sp.Mul(*ROOTS),
         constants={
             **dict(zip(I.symbols, WIDTHS, strict=True)),
-            clebsch.c: density**2 * normed(M) * SPREAD / sp.Mul(*WIDTHS),
+            c: density**2 * normed(M) * SPREAD / sp.Mul(*WIDTHS),
             clebsch.alpha: sp.S.One,
             clebsch.beta: -sp.S.One,
         },
         meaning="Clebsch case (6.14) with I = IJ⁻¹, α = 1, β = −1",
         on=AREA,
         source="Theorem 10",
+    )
+    return replace(
+        law,
+        as_printed=replace(law, map={CLEBSCH_MOMENTUM: momentum, Gamma: constant(printed)}),
+        misprint="B^(−1/2) for B^(1/2) in s",
     )
 
 
@@ -119,7 +127,7 @@ def onto_fedorov() -> Isomorphism:
     density = sp.sqrt(1 - D * dot(gamma, A * gamma))
     momentum = density * (I * omega)
     level = dot(J * momentum, INVERSE * momentum) / dot(I * gamma, A * gamma)
-    return Isomorphism(
+    law = Isomorphism(
         "fedorov",
         fedorov(NUMBERS),
         {K: momentum, gamma: gamma},
@@ -127,8 +135,27 @@ def onto_fedorov() -> Isomorphism:
         constants={beta: D / DET_J * level},
         meaning="Clebsch case in Fedorov's variables",
         on=AREA,
-        source="§7.5, 2",
+        source=SOURCE,
     )
+    return replace(
+        law,
+        as_printed=replace(
+            law,
+            target=_printed_by(law.target),
+            constants=(*law.constants, *((s, s) for s in J.symbols)),
+        ),
+        misprint="J⁻¹ for I⁻¹ in the rate of γ",
+    )
+
+
+def _printed_by(right: System) -> System:
+    """The final system of §7.5 as printed."""
+    moments = tuple(
+        Parameter(s, f"moment of inertia J = I + D about body axis {i}", 1.0, "kg m^2")
+        for i, s in enumerate(J.symbols, 1)
+    )
+    rates = dict(right.field) | {gamma: cross(gamma, J**-1 * K)}
+    return replace(right, parameters=right.parameters + moments, field=rates, laws=())
 
 
 NUMBERS = {"I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "beta": 0.6}

@@ -11,6 +11,8 @@ that is, L′ = u×∂H/∂L + γ×∂H/∂γ, γ′ = γ×∂H/∂L.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
@@ -48,6 +50,12 @@ SUMMARY = (
 )
 SOURCE = "§7.2, (7.5)–(7.7)"
 
+ROTORS_TITLE = "Chaplygin ball with rotors as a Hamiltonian system"
+ROTORS_SUMMARY = (
+    "The Chaplygin ball with rotors in the time dτ = ρ dt and the momentum L = ρ(M + k), on its "
+    "own nonlinear Poisson bracket."
+)
+
 PARAMETERS = (
     Parameter(m, "mass", 1.0, "kg", (m > 0,)),
     *(
@@ -81,6 +89,19 @@ def twisted(rotors: MatrixExpr) -> MatrixExpr:
     return L - D * DET_J * bend + D * DET_J * rho**3 * dot(gamma, A * rotors) * gamma
 
 
+def _with_misprint(
+    law: ConformallyHamiltonian, structure: PoissonStructure
+) -> ConformallyHamiltonian:
+    """The Hamiltonian form with rotors, beside the bracket that §7.4 prints."""
+    bend = L - D * DET_J * (rho**2 * dot(L, gamma) - dot(gamma, A * k)) * gamma
+    printed = PoissonStructure("bracket", lie_poisson(bend, gamma))
+    return replace(
+        law,
+        as_printed=replace(law, structure=printed),
+        misprint="the factors J_k⁻¹ and ρ³ are missing in the bracket",
+    )
+
+
 def hamiltonian_form(potential: sp.Expr, rotors: MatrixExpr = zero) -> System:
     """The Hamiltonian system on the bracket, for a potential U(γ) and rotors.
 
@@ -106,11 +127,16 @@ def hamiltonian_form(potential: sp.Expr, rotors: MatrixExpr = zero) -> System:
         meaning="minus the bracket (7.6), so that dx/dτ = {x, H}",
         source="(7.6)" if rotors == zero else "§7.4",
     )
+    form = ConformallyHamiltonian(
+        "hamiltonian", sp.S.One, structure, hamiltonian, "Hamiltonian form", source="§7.2"
+    )
+    if rotors != zero:
+        form = _with_misprint(replace(form, source="§7.4"), structure)
     return System(
-        name="chaplygin-bracket",
-        title=TITLE,
-        summary=SUMMARY,
-        source=SOURCE,
+        name="chaplygin-bracket" if rotors == zero else "chaplygin-bracket-gyrostat",
+        title=TITLE if rotors == zero else ROTORS_TITLE,
+        summary=SUMMARY if rotors == zero else ROTORS_SUMMARY,
+        source=SOURCE if rotors == zero else "§7.4",
         parameters=PARAMETERS if rotors == zero else PARAMETERS + ROTORS,
         definitions={
             **TENSORS,
@@ -126,26 +152,14 @@ def hamiltonian_form(potential: sp.Expr, rotors: MatrixExpr = zero) -> System:
             Integral("energy", hamiltonian, "energy", source="(7.7)", unit="J"),
             Integral("area", dot(L, gamma) / rho, "area integral", source="(7.2)", unit="kg m^2/s"),
             structure,
-            ConformallyHamiltonian(
-                "hamiltonian",
-                sp.S.One,
-                structure,
-                hamiltonian,
-                "Hamiltonian form",
-                source="§7.2",
-            ),
+            form,
         ),
     )
 
 
-def build(p: Numbers) -> System:
-    """The ball without a potential."""
-    from dataclasses import replace
-
+def _with_numbers(made: System, square: sp.Expr, p: Numbers) -> System:
     check_mass(p["m"])
     check_inertia((p["I_1"], p["I_2"], p["I_3"]))
-    made = hamiltonian_form(sp.S.Zero)
-    square = normed(L) * DET_IQ
     made = made.with_laws(
         Integral("momentum", square, "square of the momentum", source="(7.4)", unit="kg^2 m^4/s^2")
     )
@@ -155,10 +169,31 @@ def build(p: Numbers) -> System:
     )
 
 
+def build(p: Numbers) -> System:
+    """The ball without a potential."""
+    return _with_numbers(hamiltonian_form(sp.S.Zero), normed(L) * DET_IQ, p)
+
+
+def build_with_rotors(p: Numbers) -> System:
+    """The ball with rotors, without a potential."""
+    return _with_numbers(hamiltonian_form(sp.S.Zero, k), normed(L) * DET_IQ, p)
+
+
 def unspecified() -> System:
-    """The same system in an arbitrary potential U(γ)."""
+    """The ball in an arbitrary potential U(γ)."""
     return hamiltonian_form(sp.Function("U")(*gamma.symbols))
 
+
+def unspecified_with_rotors() -> System:
+    """The ball with rotors in an arbitrary potential U(γ)."""
+    return hamiltonian_form(sp.Function("U")(*gamma.symbols), k)
+
+
+NUMBERS = {"m": 1.0, "I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "R": 1.0}
+START = Start(
+    state={"L": (0.35, 0.31, 0.77), "gamma": (2 / 7, -3 / 7, 6 / 7)},
+    until=20.0,
+)
 
 ENTRIES = (
     Entry(
@@ -166,12 +201,19 @@ ENTRIES = (
         title=TITLE,
         summary=SUMMARY,
         source=SOURCE,
-        defaults={"m": 1.0, "I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "R": 1.0},
+        defaults=NUMBERS,
         build=build,
-        start=Start(
-            state={"L": (0.35, 0.31, 0.77), "gamma": (2 / 7, -3 / 7, 6 / 7)},
-            until=20.0,
-        ),
+        start=START,
         general=unspecified,
+    ),
+    Entry(
+        name="chaplygin-bracket-gyrostat",
+        title=ROTORS_TITLE,
+        summary=ROTORS_SUMMARY,
+        source="§7.4",
+        defaults={**NUMBERS, "k_1": 0.3, "k_2": -0.2, "k_3": 0.5},
+        build=build_with_rotors,
+        start=START,
+        general=unspecified_with_rotors,
     ),
 )
