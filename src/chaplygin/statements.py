@@ -9,7 +9,7 @@ expressions in state and parameters that must vanish for the law to hold, such a
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import sympy as sp
@@ -55,6 +55,8 @@ class Law:
 
     Parameters
     ----------
+    name : str
+        Short name.
     on : tuple of sympy.Expr
         Expressions in the parameters or the state that must vanish for the law to hold; empty
         when it holds everywhere.
@@ -66,6 +68,7 @@ class Law:
         What is wrong with the printed form, in one phrase.
     """
 
+    name: str = field(kw_only=False)
     on: tuple[sp.Expr, ...] = ()
     source: str = ""
     as_printed: Law | None = None
@@ -88,7 +91,6 @@ class Integral(Law):
         SI unit of its value.
     """
 
-    name: str
     value: sp.Expr
     meaning: str = ""
     unit: str = ""
@@ -109,7 +111,6 @@ class Measure(Law):
     meaning : str
     """
 
-    name: str
     density: Declared
     meaning: str = ""
 
@@ -134,7 +135,6 @@ class Symmetry(Law):
     meaning : str
     """
 
-    name: str
     field: Declared
     meaning: str = ""
 
@@ -158,7 +158,6 @@ class PoissonStructure(Law):
     meaning : str
     """
 
-    name: str
     matrix: Any
     casimirs: tuple[sp.Expr, ...] = ()
     rank: int | None = None
@@ -185,7 +184,6 @@ class ConformallyHamiltonian(Law):
     meaning : str
     """
 
-    name: str
     multiplier: sp.Expr
     structure: PoissonStructure
     hamiltonian: sp.Expr
@@ -211,7 +209,6 @@ class Isomorphism(Law):
     meaning : str
     """
 
-    name: str
     target: System
     map: Declared
     time: sp.Expr = sp.S.One
@@ -238,7 +235,6 @@ class Reduction(Law):
     meaning : str
     """
 
-    name: str
     quantities: Declared
     equations: tuple[sp.Expr, ...]
     meaning: str = ""
@@ -268,6 +264,5 @@ class Identity(Law):
     meaning : str
     """
 
-    name: str
     value: Any
     meaning: str = ""

@@ -21,7 +21,7 @@ from typing import Any
 import sympy as sp
 from flint import Ordering, fmpq, fmpq_mpoly_ctx
 
-from .errors import OutOfReach, SpareNeeded
+from .errors import OutOfReachError, SpareNeededError
 
 __all__ = ["Budget", "Element", "Fractions"]
 
@@ -43,19 +43,21 @@ class Budget:
     watch: Callable[[], None] = field(default=lambda: None)
 
     def spend(self, poly: Poly) -> None:
-        """Note the size of a polynomial; OutOfReach when it or the time is too much."""
+        """Note the size of a polynomial; OutOfReachError when it or the time is too much."""
         size = len(poly)
         self.largest = max(self.largest, size)
         if size > self.terms:
-            raise OutOfReach(f"a polynomial of {size:,} terms exceeds the limit of {self.terms:,}")
+            raise OutOfReachError(
+                f"a polynomial of {size:,} terms exceeds the limit of {self.terms:,}"
+            )
         if time.monotonic() > self.deadline:
-            raise OutOfReach(f"the time given ran out at a polynomial of {size:,} terms")
+            raise OutOfReachError(f"the time given ran out at a polynomial of {size:,} terms")
 
     def foresee(self, first: Poly, second: Poly) -> None:
         """Refuse a product that would not fit into memory."""
         pairs = len(first) * len(second)
         if pairs > 200 * self.terms:
-            raise OutOfReach(
+            raise OutOfReachError(
                 f"a product of polynomials with {len(first):,} and {len(second):,} terms exceeds "
                 f"the limit of {self.terms:,} terms"
             )
@@ -150,7 +152,7 @@ class Fractions:
         if key not in self._auxiliary:
             taken = len(self._auxiliary)
             if taken == self.spare:
-                raise SpareNeeded(self.spare)
+                raise SpareNeededError(self.spare)
             name = f"aux{taken}"
             self._auxiliary[key] = self.generators[name]
             self.meanings[name] = meaning
@@ -282,6 +284,11 @@ class Fractions:
         degrees = tuple((i, int(n)) for i, n in enumerate(lead) if n)
         self._chain.insert(0, (main, poly, degrees))
 
+    @property
+    def relations(self) -> tuple[tuple[str, Poly, tuple[tuple[int, int], ...]], ...]:
+        """Main variable, polynomial and leading exponents of every relation, highest first."""
+        return tuple(self._chain)
+
     def reduce(self, poly: Poly) -> Poly:
         """Remainder after division by the relations, by leading terms."""
         if not self._chain or not poly:
@@ -373,7 +380,7 @@ class Fractions:
             raise ZeroDivisionError
         content, parts = self._positive_parts(element)
         if content < 0:
-            raise OutOfReach("a root of a quantity that is negative at the sample point")
+            raise OutOfReachError("a root of a quantity that is negative at the sample point")
         bases: list[tuple[Poly, int]] = [*parts]
         for prime, power in sp.factorint(sp.Rational(int(content.p), int(content.q))).items():
             bases.append((self.ring.constant(int(prime)), int(power)))
@@ -402,7 +409,9 @@ class Fractions:
             return result * self._root(base, int(part.q)) ** int(part.p) if part else result
         fine = exponent * FINENESS
         if fine.q != 1:
-            raise OutOfReach(f"the exponent {exponent}·{theta} is not a multiple of 1/{FINENESS}")
+            raise OutOfReachError(
+                f"the exponent {exponent}·{theta} is not a multiple of 1/{FINENESS}"
+            )
         value = self.at_sample(base)
         made = self._new(
             ("power", str(base), theta),

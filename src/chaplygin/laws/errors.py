@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-__all__ = ["NotExact", "OutOfReach", "SpareNeeded"]
+__all__ = ["NotExactError", "OutOfReachError", "SpareNeededError"]
 
 
-class OutOfReach(Exception):
+class OutOfReachError(Exception):
     """The computation would be too large, take too long, or meets a formula it cannot treat."""
 
 
-class NotExact(Exception):
+class NotExactError(Exception):
     """A value has no exact rational form."""
 
 
-class SpareNeeded(Exception):
+class SpareNeededError(Exception):
     """More auxiliary symbols are needed than were provided."""

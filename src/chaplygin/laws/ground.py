@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import Any, TypeVar
 
 import sympy as sp
 from flint import arb, fmpq, fmpq_poly
@@ -17,13 +17,14 @@ from ..errors import InputError
 from ..system import System
 from ..vectors import explicit
 from .algebra import Budget, Element, Fractions
-from .errors import NotExact, OutOfReach
+from .errors import NotExactError, OutOfReachError
 from .jets import Evaluator, Exchange, Jet
 from .numbers import Balls, Rationals, exact_root
 
 __all__ = ["Ground"]
 
 Poly = Any
+Kind = TypeVar("Kind", bound=Fractions)
 Terms = dict[tuple[int, ...], Any]
 
 
@@ -188,7 +189,7 @@ class Ground:
                 default=None,
             )
             if waiting and best is None:
-                raise OutOfReach("the conditions of the level cannot be made triangular")
+                raise OutOfReachError("the conditions of the level cannot be made triangular")
             if best is not None:
                 _, index, main = best
                 chain.append((main, waiting.pop(index)))
@@ -216,10 +217,16 @@ class Ground:
                 "definition nor a parameter"
             )
 
-    def fractions(self, spare: int, sample: Mapping[str, float], budget: Budget) -> Fractions:
-        """The field of fractions modulo the conditions."""
+    def fractions(
+        self,
+        kind: Callable[[Sequence[str], int, Mapping[str, float], Budget], Kind],
+        spare: int,
+        sample: Mapping[str, float],
+        budget: Budget,
+    ) -> Kind:
+        """The field of fractions modulo the conditions, of the class given."""
         names, chain = self._triangle
-        field = Fractions(names, spare, sample, budget)
+        field = kind(names, spare, sample, budget)
         for main, terms in chain:
             made = {}
             for named, number in terms.items():
@@ -237,7 +244,7 @@ class Ground:
 
         Raises
         ------
-        OutOfReach
+        OutOfReachError
             If none was found.
         """
         for _ in range(60):
@@ -245,7 +252,7 @@ class Ground:
                 return self._try_point(generator)
             except ZeroDivisionError:
                 continue
-        raise OutOfReach(f"no real point was found on the level {_listed(self.on)}")
+        raise OutOfReachError(f"no real point was found on the level {_listed(self.on)}")
 
     def _try_point(self, generator: random.Random) -> tuple[dict[str, Any], bool]:
         names, chain = self._triangle
@@ -288,7 +295,7 @@ class Ground:
             evaluate = Evaluator(field, jets, self.steps)
             try:
                 found = {str(n): evaluate.value(n) for n in names}
-            except NotExact:
+            except NotExactError:
                 continue
             return {**values, **found}, rational
         raise ZeroDivisionError
@@ -356,7 +363,7 @@ def _numerator(element: Element, condition: Any) -> Poly:
             poly = poly * element.home.factors[number]
     highest = poly.degrees()[: element.home.spare] if poly else ()
     if any(highest):
-        raise OutOfReach(
+        raise OutOfReachError(
             f"the condition {condition} = 0 contains a root or a function; state it as a polynomial"
         )
     return poly
@@ -384,7 +391,7 @@ def _possible(draft: Fractions, poly: Poly, name: str, chain: list[tuple[str, Po
         return False
     try:
         _sorted(draft, [*chain, (name, poly)])
-    except OutOfReach:
+    except OutOfReachError:
         return False
     return True
 
@@ -397,7 +404,7 @@ def _sorted(draft: Fractions, chain: list[tuple[str, Poly]]) -> list[tuple[str, 
     while len(done) < len(chain):
         ready = [m for m in needs if m not in done and needs[m] <= set(done)]
         if not ready:
-            raise OutOfReach("the conditions of the level cannot be made triangular")
+            raise OutOfReachError("the conditions of the level cannot be made triangular")
         done.extend(ready)
     polys = dict(chain)
     return [(main, polys[main]) for main in done]
@@ -432,7 +439,7 @@ def _sphere(
         return None
     try:
         radius = exact_root(-constant / scale, 2)
-    except NotExact:
+    except NotExactError:
         return None
     shares = [fmpq(generator.randint(-9, 9), generator.randint(7, 13)) for _ in members[1:]]
     square = sum((s * s for s in shares), fmpq(0))
@@ -467,13 +474,14 @@ def _solved(
         sign = generator.choice([-1, 1])
         try:
             if not isinstance(square, fmpq):
-                raise NotExact
+                raise NotExactError
             root: Any = exact_root(square, 2)
-        except NotExact:
+        except NotExactError:
             root = arb(square).sqrt()
         return _divided(sign * root - c[1], 2 * c[2])
     if all(isinstance(x, fmpq) for x in c):
-        real = [z.real for z, _ in fmpq_poly(c).complex_roots() if z.imag == 0]
+        roots: Any = fmpq_poly(c).complex_roots()
+        real = [z.real for z, _ in roots if z.imag == 0]
         if real:
             return generator.choice(real)
     raise ZeroDivisionError

@@ -14,7 +14,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from ..statements import Rate
-from .errors import OutOfReach
+from .errors import OutOfReachError
 
 __all__ = ["Evaluator", "Exchange", "Jet"]
 
@@ -128,7 +128,7 @@ class Evaluator:
                 return Jet(difference * self.field.rational(1 / change.factor), {})
             if formula in self.steps:
                 return self(self.steps[formula])
-            raise OutOfReach(f"the symbol {formula} is unknown")
+            raise OutOfReachError(f"the symbol {formula} is unknown")
         if formula.is_Rational:
             return self._constant(formula)
         if formula.is_Float:
@@ -167,7 +167,7 @@ class Evaluator:
             return inner.through(lower * inner.value, field.rational(n) * lower)
         outer = self(exponent)
         if outer.slopes:
-            raise OutOfReach(f"the exponent {exponent} changes along the motion")
+            raise OutOfReachError(f"the exponent {exponent} changes along the motion")
         raised = self._raised(inner.value, exponent, outer.value)
         if not inner.slopes:
             return Jet(raised, {})
@@ -213,23 +213,21 @@ class Evaluator:
         field = self.field
         if isinstance(formula, sp.sin | sp.cos):
             return self._circular(formula)
-        if isinstance(formula, sp.tan | sp.cot | sp.sec | sp.csc | sp.sinh | sp.cosh | sp.tanh):
-            return (
-                self(formula.rewrite(sp.exp if _hyperbolic(formula) else sp.sin).doit())
-                if (_hyperbolic(formula))
-                else self(_as_ratio(formula))
-            )
+        if isinstance(formula, sp.tan | sp.cot | sp.sec | sp.csc):
+            return self(_as_ratio(formula))
+        if isinstance(formula, sp.sinh | sp.cosh | sp.tanh):
+            return self(formula.rewrite(sp.exp))
         inner = [self(part) for part in formula.args]
         values = [jet.value for jet in inner]
         one = field.one
         if isinstance(formula, sp.log):
             return inner[0].through(field.opaque("log", values), one / values[0])
         if isinstance(formula, sp.atan2):
-            y, x = inner
-            square = x.value * x.value + y.value * y.value
-            made = y.through(field.opaque("atan2", values), x.value / square)
-            return made + x.through(field.zero, field.zero - y.value / square)
-        x = values[0] if values else None
+            upper, lower = inner
+            square = lower.value * lower.value + upper.value * upper.value
+            made = upper.through(field.opaque("atan2", values), lower.value / square)
+            return made + lower.through(field.zero, field.zero - upper.value / square)
+        x = values[0]
         if isinstance(formula, sp.atan):
             return inner[0].through(field.opaque("atan", values), one / (one + x * x))
         if isinstance(formula, sp.asin | sp.acos):
@@ -237,8 +235,8 @@ class Evaluator:
             sign = one if isinstance(formula, sp.asin) else field.zero - one
             return inner[0].through(field.opaque(type(formula).__name__, values), sign / rest)
         if isinstance(formula, sp.Abs):
-            raise OutOfReach("an absolute value; write it with a square root")
-        raise OutOfReach(
+            raise OutOfReachError("an absolute value; write it with a square root")
+        raise OutOfReachError(
             f"the formula {formula} is of a kind ({type(formula).__name__}) unknown here"
         )
 
@@ -252,10 +250,6 @@ class Evaluator:
         if isinstance(formula, sp.sin):
             return inner.through(sine, cosine)
         return inner.through(cosine, self.field.zero - sine)
-
-
-def _hyperbolic(formula: Any) -> bool:
-    return isinstance(formula, sp.sinh | sp.cosh | sp.tanh)
 
 
 def _as_ratio(formula: Any) -> Any:
@@ -282,9 +276,9 @@ def _taken_apart(formula: Any) -> tuple[str, tuple[int, ...], tuple[Any, ...]]:
             counted[variable] = counted.get(variable, 0) + int(count)
         inner = inner.expr
     if not isinstance(inner, AppliedUndef):
-        raise OutOfReach(f"the derivative {formula} is not of a single unspecified function")
+        raise OutOfReachError(f"the derivative {formula} is not of a single unspecified function")
     for variable in counted:
         if inner.args.count(variable) != 1:
-            raise OutOfReach(f"the derivative {formula} is not by one place of its function")
+            raise OutOfReachError(f"the derivative {formula} is not by one place of its function")
     orders = tuple(counted.get(place, 0) for place in inner.args)
     return type(inner).__name__, orders, tuple(p.xreplace(places) for p in inner.args)

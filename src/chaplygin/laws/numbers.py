@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 from flint import arb, ctx, fmpq
 
-from .errors import NotExact
+from .errors import NotExactError
 
 __all__ = ["Balls", "Rationals", "exact_root"]
 
@@ -28,24 +28,24 @@ def _invented(seed: str) -> fmpq:
 
 
 def exact_root(value: fmpq, degree: int) -> fmpq:
-    """The exact root of a rational number; NotExact if it has none.
+    """The exact root of a rational number; NotExactError if it has none.
 
     Raises
     ------
-    NotExact
+    NotExactError
         If the root is irrational.
     """
     parts = []
     for part in (value.p, value.q):
         root, exact = sp.integer_nthroot(abs(int(part)), degree)
         if not exact or (part < 0 and degree % 2 == 0):
-            raise NotExact
+            raise NotExactError
         parts.append(int(root) * (-1 if part < 0 else 1))
     return fmpq(parts[0], parts[1])
 
 
 class Rationals:
-    """The rational numbers; whatever is not rational raises NotExact."""
+    """The rational numbers; whatever is not rational raises NotExactError."""
 
     exact = True
     one, zero = fmpq(1), fmpq(0)
@@ -75,7 +75,7 @@ class Rationals:
 
     def power(self, element: Any, exponents: Iterable[tuple[Any, Any]]) -> Any:
         """The product of element^(number·θ) over pairs (θ, number)."""
-        raise NotExact
+        raise NotExactError
 
     def as_rational(self, element: Any) -> Any:
         """The number itself."""
@@ -83,16 +83,16 @@ class Rationals:
 
     def circle(self, angle: Any) -> Any:
         """Sine and cosine."""
-        raise NotExact
+        raise NotExactError
 
     def exponential(self, element: Any) -> Any:
         """The exponential."""
-        raise NotExact
+        raise NotExactError
 
     def opaque(self, name: str, arguments: Sequence[Any], value: float = 0.7) -> Any:
         """A value of an unspecified function; of a known one there is none."""
         if name in KNOWN:
-            raise NotExact
+            raise NotExactError
         if name in self.forced:
             return self.zero
         return _invented(f"{name}{arguments}")

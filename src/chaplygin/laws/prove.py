@@ -11,20 +11,22 @@ from __future__ import annotations
 import random
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any, overload
 
 from ..errors import InputError
 from ..statements import Isomorphism, Law, PoissonStructure
 from ..system import System
 from .algebra import Budget, Fractions
-from .errors import NotExact, OutOfReach, SpareNeeded
+from .errors import NotExactError, OutOfReachError, SpareNeededError
 from .ground import Ground
+from .memory import fingerprint, recall, remember
 from .numbers import Balls, Rationals
 from .rank import shortfall
 from .residuals import preserved, residuals
 from .verdict import Verdict
 
-__all__ = ["prove"]
+__all__ = ["everything", "prove", "tried"]
 
 POINTS = 2
 ATTEMPTS = 400
@@ -59,24 +61,24 @@ def prove(
     """
     if law is None:
         return tuple(prove(system, each, seconds=seconds) for each in system.laws)
+    name = fingerprint(system, law)
+    kept = recall(name)
+    if kept is not None:
+        return kept
     started = time.monotonic()
     budget = Budget(deadline=started + seconds)
     try:
         verdict = _decided(system, law, budget)
-    except OutOfReach as reason:
+    except OutOfReachError as reason:
         verdict = Verdict(law.name, "undecided", reason=str(reason))
-    return Verdict(
-        law.name,
-        verdict.decision,
-        verdict.shown,
-        verdict.reason,
-        max(verdict.terms, budget.largest),
-        time.monotonic() - started,
-        verdict.witness,
-    )
+    verdict = replace(verdict, terms=budget.largest, seconds=time.monotonic() - started)
+    if verdict.decision != "undecided":
+        remember(name, verdict)
+    return verdict
 
 
-def _everything(law: Law, ground: Ground, field: Any) -> Iterator[tuple[str, Any]]:
+def everything(law: Law, ground: Ground, field: Any) -> Iterator[tuple[str, Any]]:
+    """All residuals: of the law, and of the level being invariant."""
     yield from preserved(ground, field)
     yield from residuals(law, ground, field)
 
@@ -86,7 +88,7 @@ def _decided(system: System, law: Law, budget: Budget) -> Verdict:
     generator = random.Random(SEED)
     sample: dict[str, float] = {}
     for _ in range(POINTS):
-        field, witness = _tried(law, ground, generator)
+        field, witness = tried(law, ground, generator)
         sample = sample or {name: float(value) for name, value in field.values.items()}
         if witness is not None:
             what, residual = witness
@@ -104,13 +106,12 @@ def _decided(system: System, law: Law, budget: Budget) -> Verdict:
     spare = 8
     while True:
         try:
-            field = ground.fractions(spare, sample, budget)
-            return _computed(law, ground, field)
-        except SpareNeeded:
+            return _computed(law, ground, ground.fractions(Fractions, spare, sample, budget))
+        except SpareNeededError:
             spare *= 2
 
 
-def _tried(
+def tried(
     law: Law, ground: Ground, generator: random.Random
 ) -> tuple[Rationals | Balls, tuple[str, Any] | None]:
     """A point of the level, and the first residual that is not zero there."""
@@ -119,11 +120,11 @@ def _tried(
         for rational in (True, False) if exact else (False,):
             field = ground.numbers(values, rational)
             try:
-                for what, residual in _everything(law, ground, field):
+                for what, residual in everything(law, ground, field):
                     if not field.vanishes(residual):
                         return field, (what, residual)
                 missing = shortfall(law, ground, field)
-            except NotExact:
+            except NotExactError:
                 continue
             except ZeroDivisionError:
                 break
@@ -136,7 +137,7 @@ def _tried(
 
 def _computed(law: Law, ground: Ground, field: Fractions) -> Verdict:
     count = 0
-    for what, residual in _everything(law, ground, field):
+    for what, residual in everything(law, ground, field):
         count += 1
         if not field.vanishes(residual):
             return Verdict(

@@ -228,7 +228,11 @@ class Stage:
         linear = (at[1] - at[0] - square) % PRIME
         suits = bool(np.all((9 * square + 3 * linear + at[0] - at[3]) % PRIME == 0))
         if not np.any(square):
-            return -at[0] * inverse(linear) % PRIME, good & (linear != 0), suits and bool(linear.any())
+            return (
+                -at[0] * inverse(linear) % PRIME,
+                good & (linear != 0),
+                suits and bool(linear.any()),
+            )
         root, exists = square_root((linear * linear - 4 * (square * at[0] % PRIME)) % PRIME)
         solution = (root - linear) % PRIME * inverse(2 * square % PRIME) % PRIME
         return solution, good & exists & (square != 0), suits
