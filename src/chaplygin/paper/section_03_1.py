@@ -12,6 +12,7 @@ from ..system import System
 from ..systems import CATALOGUE
 from ..vectors import Vector
 from .claim import Case, Claim, Remark
+from .named import named
 from .unspecified import fields, gradient, of, system
 
 q = sp.symbols("q_1:4", real=True)
@@ -126,8 +127,8 @@ def examples() -> Case:
     potential = sp.Function("U")(*gamma.symbols)
     body = Body(1.0, (1.0, 1.5, 2.1), Ellipsoid((1.0, 0.9, 0.8)))
     rubber = roll(body, contact="rubber", field=Field(potential=potential))
-    named = [rubber, *(CATALOGUE[name].system() for name in ("chaplygin-ball", "veselova"))]
-    return tuple((made, named(made, "energy")) for made in named)
+    made = [rubber, *(CATALOGUE[name].system() for name in ("chaplygin-ball", "veselova"))]
+    return tuple((each, named(each, "energy")) for each in made)
 
 
 CLAIMS = (
