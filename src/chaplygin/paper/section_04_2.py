@@ -9,6 +9,7 @@ from ..statements import (
     ConformallyHamiltonian,
     Identity,
     Integral,
+    Law,
     Measure,
     PoissonStructure,
     Rate,
@@ -18,7 +19,7 @@ from ..system import System
 from .claim import Case, Claim, Remark
 from .contrary import contrary
 from .tori import F_1, F_2, canonical_in, not_hamiltonian, theta_1, theta_2
-from .unspecified import fields, of, system
+from .unspecified import of, system
 
 ANGLES = (theta_1, theta_2)
 STATE = (theta_1, theta_2, F_1, F_2)
@@ -37,13 +38,15 @@ LAMBDA = of("lambda1 lambda2", F_1, F_2)
 
 
 def quadratures() -> Case:
-    """On the level surface with the density ρ the form ρ(v₁ dx₂ − v₂ dx₁) is closed."""
+    """On the level surface ρv = (∂ψ/∂x₂, −∂ψ/∂x₁), with ψ = ∫ρ(v₁ dx₂ − v₂ dx₁) an integral.
+
+    div(ρv) = 0 says just that there is such a ψ locally; the time is a quadrature along ψ = const.
+    """
     x = sp.symbols("x_1:3", real=True)
-    v, (rho,) = fields("v1 v2", x), of("rho", *x)
-    first, second = (rho * v[s] for s in x)
-    spread = sp.Add(*(sp.diff(rho * v[s], s) for s in x))
-    exterior = sp.diff(first, x[0]) + sp.diff(second, x[1])
-    return system("surface", "ẋ = v(x)", v), Identity("closed", (exterior - spread))
+    psi, rho = of("psi rho", *x)
+    rates = (sp.diff(psi, x[1]) / rho, -sp.diff(psi, x[0]) / rho)
+    made = system("surface", "the level surface", dict(zip(x, rates, strict=True)))
+    return (made, Measure("measure", {rho: sp.S.One})), (made, Integral("trajectories", psi))
 
 
 def measure_of_kolmogorov() -> Case:
@@ -66,7 +69,7 @@ def corollary_2_corrected() -> Case:
     return (made, structure), (made, form), *_constant_ratio()
 
 
-def _constant_ratio() -> Case:
+def _constant_ratio() -> tuple[tuple[System, Law], ...]:
     """n = 3 with a constant rotation number: {θ_i, F} = c_i, H = F, N = Λ/Φ."""
     (speed,), (spread,) = of("Lambda", F_1), of("Phi", *ANGLES, F_1)
     ratio = (sp.S(2), sp.S(3))
@@ -110,8 +113,8 @@ CLAIMS = (
         r"A system that preserves measure and has $n - 2$ first integrals: the solutions that lie "
         r"on $\mathcal{M}_c$ can be expressed in terms of quadratures",
         quadratures,
-        note="on the two-dimensional level surface the measure makes the equation of the "
-        "trajectories a total differential",
+        note="the measure makes the equation of the trajectories on the level surface a total "
+        "differential",
     ),
     Claim(
         "(4.3)",
