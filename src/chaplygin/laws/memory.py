@@ -38,7 +38,7 @@ def source_text(*rooms: str) -> str:
     """The text of the modules in some rooms of the package, or of the whole package."""
     home = Path(__file__).parent.parent
     roots = [home / room for room in rooms] or [home]
-    paths = sorted(path for root in roots for path in root.rglob("*.py"))
+    paths = sorted(p for r in roots for p in ([r] if r.is_file() else r.rglob("*.py")))
     return "".join(f"{path.relative_to(home)}\n{path.read_text()}" for path in paths)
 
 

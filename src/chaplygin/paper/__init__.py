@@ -13,16 +13,19 @@ from .claim import Case, Claim, Remark
 __all__ = ["Case", "Claim", "Remark", "claims", "remarks"]
 
 
-def _sections(number: int | None) -> list[str]:
+def _modules() -> dict[str, int]:
+    """Modules of claims in reading order, each with the section of the paper it belongs to."""
     names = sorted(m.name for m in pkgutil.iter_modules(__path__) if m.name.startswith("section_"))
-    wanted = "section_" if number is None else f"section_{number:02d}_"
-    return [name for name in names if name.startswith(wanted)]
+    return {name: int(name.removeprefix("section_")[:2]) for name in names}
 
 
-def claims(section: int | None = None) -> tuple[Claim, ...]:
-    """The claims of one section, or of the whole paper, in reading order."""
+def claims(section: int | None = None) -> tuple[tuple[int, Claim], ...]:
+    """The claims of one section, or of the whole paper, in reading order, with their section."""
     return tuple(
-        claim for name in _sections(section) for claim in import_module(f".{name}", __name__).CLAIMS
+        (number, claim)
+        for name, number in _modules().items()
+        if section in (None, number)
+        for claim in import_module(f".{name}", __name__).CLAIMS
     )
 
 
@@ -30,6 +33,7 @@ def remarks(section: int | None = None) -> tuple[Remark, ...]:
     """What was not computed, in reading order."""
     return tuple(
         remark
-        for name in _sections(section)
+        for name, number in _modules().items()
+        if section in (None, number)
         for remark in getattr(import_module(f".{name}", __name__), "REMARKS", ())
     )

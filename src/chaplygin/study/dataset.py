@@ -44,8 +44,8 @@ _TOUCHING = {
     "M": ("angular momentum about the contact point", "kg m^2/s", "(7.1)"),
 }
 
-#: Variables of the lift to space, which are recorded as observables.
-_LIFT = ("attitude", "place")
+#: Horizontal place of a centre of mass in the lift to space, which is recorded whole.
+_PLACE = "place"
 
 
 def to_dataset(
@@ -74,7 +74,7 @@ def to_dataset(
     system = trajectory.system
     variables: dict[str, Any] = {}
     for name in map(str, system.state):
-        if name not in _LIFT:
+        if name != _PLACE and name not in trajectory.recorded:
             _add_state(variables, trajectory, name, (meanings or {}).get(name))
     for item in system.observables:
         values = trajectory.recorded[item.name]
@@ -132,6 +132,9 @@ def _add_state(
 ) -> None:
     """A variable of the state; what its system does not tell of it follows from its name."""
     values = trajectory[name]
+    if name == "attitude":
+        _add(variables, name, values, "quaternion", "attitude quaternion, body to space", "", "")
+        return
     touching = any(item.name == "contact" for item in trajectory.system.observables)
     known = (_TOUCHING if touching else _BODY) if values.shape[1:] == (3,) else {}
     meaning, units, source = (*told, "") if told else known.get(name, (name, "", ""))

@@ -28,7 +28,6 @@ __all__ = [
 MEMORY = 4_000_000_000
 """Bytes that the linear algebra of a search may take."""
 _BYTES = 72  # per entry of the square matrix: value, rate, a Python integer, FLINT's copies
-_USUAL = ("M", "omega")
 
 Exponents = tuple[int, ...]
 
@@ -97,18 +96,18 @@ class Table:
 
 
 def default_momenta(system: System) -> tuple[tuple[sp.Symbol, ...], ...]:
-    """The momentum-like quantities: M or ω of the state, then ω where it is defined.
+    """The momentum-like quantities: M or ω of the state, and ω beside M where it is defined.
 
-    Where there is none of these, what comes first in the state.
+    Where there is neither, the first vector of the state; where there is none, all of it.
     """
     named = (*system.state, *(name for name, _ in system.definitions))
     vectors = {v.name: v.symbols for v in named if isinstance(v, Vector)}
-    found = [vectors[name] for name in _USUAL if name in vectors]
-    found.sort(key=lambda symbols: not set(symbols) <= set(system.symbols))
-    if found and set(found[0]) <= set(system.symbols):
-        return tuple(found[:1] if found[0] == vectors.get("omega") else found)
-    first = system.state[0]
-    return (first.symbols if isinstance(first, Vector) else (first,),)
+    state = [v for v in system.state if isinstance(v, Vector)]
+    if any(v.name == "M" for v in state):
+        return tuple(vectors[name] for name in ("M", "omega") if name in vectors)
+    for vector in sorted(state, key=lambda v: v.name != "omega"):
+        return (vector.symbols,)
+    return (system.symbols,)
 
 
 def _exponents(variables: int, degree: int) -> list[Exponents]:

@@ -24,6 +24,7 @@ from .vocabulary import Scalars, Vocabulary, component_scalars
 __all__ = ["integrals"]
 
 _SPARE = 24
+_SIMPLE = 1
 _SEED = 20080830
 
 
@@ -47,15 +48,21 @@ def integrals(question: Question, progress: Progress = silent) -> Iterator[Findi
     for family in families:
         family.check()
     search = _Search(question)
-    shells = [
-        _Shell(family, degree, divisor, exponent)
+    steps = [
+        step
         for degree in range(question.ansatz.degree + 1)
-        for divisor, exponent in _divisions(question)
-        for family in families
+        for step in (
+            degree,
+            *(
+                _Shell(family, degree, divisor, exponent)
+                for divisor, exponent in _divisions(question)
+                for family in families
+            ),
+        )
     ]
-    for number, shell in enumerate(shells):
-        progress(number / len(shells), f"degree {shell.degree}")
-        yield from search.findings(shell)
+    for number, step in enumerate(steps):
+        progress(number / len(steps), "vector formulas" if isinstance(step, int) else "polynomials")
+        yield from search.simple(step) if isinstance(step, int) else search.findings(step)
     progress(1.0, "")
 
 
@@ -82,19 +89,22 @@ class _Known:
 
     values: list[tuple[int, Integers]] = field(default_factory=list)
 
-    def products(self, degree: int, points: int) -> Integers:
-        """All products of total degree ≤ `degree`, 1 first; shape (products, points)."""
-        found = [(0, np.ones(points, dtype=np.int64))]
+    def products(self, degree: int, gamma_degree: int, points: int) -> Integers:
+        """All products up to a degree in the momenta, 1 first; shape (products, points).
+
+        Integrals of the coordinates alone occur in powers up to `gamma_degree`.
+        """
+        found = [(0, 0, np.ones(points, dtype=np.int64))]
         for own, value in self.values:
             row = list(found)
-            while own and row:
+            while row:
                 row = [
-                    (total + own, product * value % PRIME)
-                    for total, product in row
-                    if total + own <= degree
+                    (total + own, places + (own == 0), product * value % PRIME)
+                    for total, places, product in row
+                    if total + own <= degree and places + (own == 0) <= gamma_degree
                 ]
                 found += row
-        return np.array([value for _, value in found])
+        return np.array([value for *_, value in found])
 
 
 class _Search:
@@ -112,6 +122,15 @@ class _Search:
         self.vocabulary = Vocabulary(self.stage, question.ansatz, self.weights)
 
     # --- one shell -------------------------------------------------------------------------
+
+    def simple(self, degree: int) -> Iterator[Finding]:
+        """Integrals that are simple vector formulas, whether or not they are polynomials."""
+        plain = _Shell(self.question.ansatz, degree, sp.S.One, 0)
+        parts = self.vocabulary.parts(degree, self.question.ansatz.gamma_degree)
+        for size in range(min(_SIMPLE, self.question.parameter_degree) + 1):
+            laws = self._lifted(parts, self.vocabulary.scalars, size, plain)
+            for law in self._accepted(laws, degree):
+                yield self._finding(law, degree)
 
     def findings(self, shell: _Shell) -> Iterator[Finding]:
         """Integrals of one shell that do not follow from those found before."""
@@ -146,9 +165,12 @@ class _Search:
         chosen = [low[i] for i in independent_columns(made.value[low].T)]
         return [made.exponents[i] for i in chosen], made.value[chosen], made.rate[chosen]
 
+    def _products(self, degree: int) -> Integers:
+        return self.known.products(degree, self.question.ansatz.gamma_degree, self.points)
+
     def _fresh(self, found: Integers, degree: int) -> list[int]:
         """Which functions do not depend linearly on products of known integrals."""
-        products = self.known.products(degree, self.points)
+        products = self._products(degree)
         stacked = np.concatenate([products, found]).T
         first = len(products)
         return [i - first for i in independent_columns(stacked) if i >= first]
@@ -213,8 +235,7 @@ class _Search:
             value = self.sample(law).value
             if not self._fresh(value[None], degree):
                 continue
-            # at least one, so that there are finitely many products
-            self.known.values.append((max(degree, 1), value))
+            self.known.values.append((degree, value))
             if self._independent(law):
                 self.formulas.append(law)
                 yield law
@@ -235,7 +256,7 @@ class _Search:
 
     def _recognised(self, formula: sp.Expr, degree: int) -> str:
         """The law of the catalogue that a formula repeats, up to earlier integrals."""
-        products = self.known.products(max(degree, 2), self.points)
+        products = self._products(max(degree, 2))
         value = self.sample(formula).value
         others = [row for row in products if (row != value).any()]
         for law in self.stage.system.integrals:

@@ -23,7 +23,7 @@ from .modular import PRIME, Integers
 
 __all__ = ["LARGEST", "Part", "Plan", "Solution", "plan", "points_for", "solutions"]
 
-LARGEST = 2500
+LARGEST = 1000
 """The largest number of unknowns of one linear system."""
 _SPARE = 24
 

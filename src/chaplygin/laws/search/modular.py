@@ -16,6 +16,7 @@ import numpy.typing as npt
 import sympy as sp
 
 from ...errors import InputError
+from ...vectors import Dot, explicit
 
 __all__ = ["PRIME", "Evaluator", "Integers", "Jet", "inverse", "power", "square_root"]
 
@@ -139,6 +140,8 @@ class Evaluator:
         match formula:
             case sp.Symbol() if formula in self._definitions:
                 return self(self._definitions[formula])
+            case Dot():
+                return self(explicit(formula))
             case sp.Rational():
                 return self.constant(int(formula.p) * pow(int(formula.q), -1, PRIME))
             case sp.Float():
@@ -157,6 +160,12 @@ class Evaluator:
                 return self._raised(self(formula.base), int(formula.exp))
             case sp.Pow() if formula.exp.is_Rational and formula.exp.q == 2:
                 return self._raised(self._root(self(formula.base)), int(formula.exp.p))
+            case sp.Pow():
+                return self._symbolic_power(formula.base, formula.exp)
+            case sp.exp():
+                inner = self(formula.args[0])
+                value = power(inner.value, _WILD)
+                return inner.chained(value, value)
             case sp.sin() | sp.cos():
                 return self._circular(formula)
             case sp.tan():
@@ -164,8 +173,8 @@ class Evaluator:
             case sp.cot():
                 return self(sp.cos(formula.args[0]) / sp.sin(formula.args[0]))
         raise InputError(
-            f"the search needs formulas of +, −, ×, /, powers, square roots, sines and cosines; "
-            f"{formula} is not one"
+            f"the search needs formulas of +, −, ×, /, powers, exp, sines and cosines; {formula} "
+            "is not one"
         )
 
     def _circular(self, formula: sp.Expr) -> Jet:
@@ -182,6 +191,20 @@ class Evaluator:
         if isinstance(formula, sp.sin):
             return angle.chained(sine, cosine)
         return angle.chained(cosine, -sine % PRIME)
+
+    def _symbolic_power(self, base: sp.Expr, exponent: sp.Expr) -> Jet:
+        """Powers with exponents such as 2 − 1/k: wild functions of base and exponent."""
+        product = self.constant(1)
+        for term in sp.Add.make_args(sp.expand(exponent)):
+            number, letters = term.as_coeff_Mul()
+            if letters == 1:
+                product = product * self(base**number)
+                continue
+            inner, theta = self(base), self(letters / number.q)
+            wild = power((inner.value + theta.value) % PRIME, _WILD)
+            slope = theta.value * wild % PRIME * inverse(inner.value) % PRIME
+            product = product * self._raised(inner.chained(wild, slope), int(number.p))
+        return product
 
     def _raised(self, base: Jet, exponent: int) -> Jet:
         if exponent < 0:

@@ -80,8 +80,13 @@ def ask(
     if not seconds > 0:
         raise InputError(f"seconds is {seconds}; it must be positive")
     given = quantities(momenta, system, "momenta")
+    second = quantities(coordinates, system, "coordinates")
     families = (given,) if given else default_momenta(system)
-    second = quantities(coordinates, system, "coordinates") or _rest(system, families[0])
+    if set(families[0]) == set(system.symbols):
+        angles = _angles(system)
+        second = second or tuple(s for s in system.symbols if s in angles)
+        families = (tuple(s for s in system.symbols if s not in second),)
+    second = second or _rest(system, families[0])
     common = set(families[0]) & set(second)
     if common:
         raise InputError(f"{min(map(str, common))} is both a momentum and a coordinate")
@@ -109,11 +114,14 @@ def _rest(system: System, momenta: tuple[sp.Symbol, ...]) -> tuple[sp.Symbol, ..
 
 def _without_angles(system: System, symbols: tuple[sp.Symbol, ...]) -> tuple[sp.Expr, ...]:
     """Angles replaced by their sines and cosines."""
-    formulas = [*system.rates, *(value for _, value in system.steps)]
-    angles = {
-        s for f in formulas for node in f.atoms(*_CIRCULAR) for s in node.args[0].free_symbols
-    }
+    angles = _angles(system)
     found: list[sp.Expr] = []
     for symbol in symbols:
         found += [sp.sin(symbol), sp.cos(symbol)] if symbol in angles else [symbol]
     return tuple(found)
+
+
+def _angles(system: System) -> set[sp.Symbol]:
+    """What enters the equations through sines and cosines."""
+    formulas = [*system.rates, *(value for _, value in system.steps)]
+    return {s for f in formulas for node in f.atoms(*_CIRCULAR) for s in node.args[0].free_symbols}

@@ -53,7 +53,7 @@ class Sample:
 
     def __call__(self, formula: Any) -> Jet:
         """The jet of a scalar formula, written with or without vectors."""
-        return self.evaluate(explicit(formula))
+        return self.evaluate(formula)
 
 
 @dataclass(frozen=True)

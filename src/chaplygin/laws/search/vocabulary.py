@@ -13,6 +13,7 @@ from itertools import combinations_with_replacement
 from typing import Any
 
 import sympy as sp
+from sympy.matrices.expressions import MatAdd
 
 from ...vectors import Diagonal, Symmetric, Vector, dot, explicit
 from .ansatz import Ansatz
@@ -115,12 +116,13 @@ class Vocabulary:
         """The vectors in the coordinates of the ansatz, and those that are linear in them."""
         chosen = set(self.ansatz.coordinates)
         steps = dict(self.stage.system.steps)
+        written = dict(self.stage.system.definitions)
         found = []
         for vector in self._vectors():
             symbols = set(vector.symbols)
             if symbols <= chosen:
                 found.append(vector)
-            elif symbols <= set(steps) and not symbols <= self._fixed:
+            elif isinstance(written.get(vector), MatAdd) and not symbols <= self._fixed:
                 values = [steps[s] for s in vector.symbols]
                 reached = set().union(*(v.free_symbols for v in values))
                 if reached <= chosen | self._fixed and all(
@@ -131,8 +133,9 @@ class Vocabulary:
 
     @cached_property
     def constants(self) -> tuple[Vector, ...]:
-        """Constant vectors."""
-        return tuple(v for v in self._vectors() if set(v.symbols) <= self._fixed)
+        """Vectors of parameters."""
+        parameters = {p.symbol for p in self.stage.system.parameters}
+        return tuple(v for v in self._vectors() if set(v.symbols) <= parameters)
 
     @cached_property
     def tensors(self) -> tuple[tuple[Any, Any], ...]:

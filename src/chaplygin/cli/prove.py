@@ -1,0 +1,189 @@
+"""``chaplygin prove``: the laws of a system, each with its verdict."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from .common import Force, Json, Override, What, inform, print_json, progress, study_of
+
+if TYPE_CHECKING:
+    from ..laws.verdict import Verdict
+    from ..statements import Law
+    from ..system import System
+
+__all__ = ["command", "styled"]
+
+COLOURS = {"proven": "green", "refuted": "red", "undecided": "yellow"}
+
+
+def command(
+    what: What,
+    overrides: Override = None,
+    only: Annotated[
+        list[str] | None, typer.Option("--law", metavar="LAW", help="Only this law, by its name.")
+    ] = None,
+    seconds: Annotated[float, typer.Option(help="Time for the proof of one law.")] = 120.0,
+    certificate: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Write certificates (JSON) that a program can check."),
+    ] = None,
+    force: Force = False,
+    json: Json = False,
+) -> None:
+    """Prove or refute the laws of a system; exit 1 when one is not proven."""
+    from ..errors import InputError
+    from ..study.files import check_target
+
+    if seconds <= 0:
+        raise InputError(f"--seconds {seconds:g}: it must be positive")
+    if certificate is not None:
+        check_target(certificate, force)
+    claims = _chosen(_claims(what, overrides), only or [], what)
+    done: list[tuple[System, Law, Verdict]] = []
+    interrupted = False
+    try:
+        with progress("Proving") as report:
+            for count, (system, law) in enumerate(claims):
+                report(count / len(claims))
+                done.append((system, law, _verdict(system, law, seconds, certificate)))
+    except KeyboardInterrupt:
+        interrupted = True
+    if json:
+        print_json([_record(*row) for row in done])
+    else:
+        _print(done)
+    if certificate is not None:
+        _write(certificate, [verdict.certificate for _, _, verdict in done])
+    if interrupted:
+        inform(f"interrupted: {len(claims) - len(done)} of {len(claims)} laws were not tried")
+    if interrupted or not all(verdict for _, _, verdict in done):
+        raise typer.Exit(1)
+
+
+def _claims(what: str, overrides: list[str] | None) -> list[tuple[System, Law]]:
+    """The laws of the system, and those of its general form where the catalogue has one."""
+    from ..systems import CATALOGUE
+
+    system = study_of(what, overrides).system
+    found = [(system, law) for law in system.laws]
+    general = CATALOGUE[what].general if what in CATALOGUE else None
+    if general is not None:
+        wide = general()
+        found += [(wide, law) for law in wide.laws]
+    return found
+
+
+def _chosen(
+    claims: list[tuple[System, Law]], only: list[str], what: str
+) -> list[tuple[System, Law]]:
+    from ..errors import InputError
+
+    names = [law.name for _, law in claims]
+    for name in only:
+        if name not in names:
+            listed = ", ".join(dict.fromkeys(names)) or "none"
+            raise InputError(f"no law {name!r} of {what}; its laws are {listed}")
+    return [pair for pair in claims if not only or pair[1].name in only]
+
+
+def _verdict(system: System, law: Law, seconds: float, certificate: Path | None) -> Verdict:
+    from ..laws.certificate import certified
+    from ..laws.prove import prove
+
+    if certificate is None:
+        return prove(system, law, seconds=seconds)
+    return certified(system, law, seconds)
+
+
+def _record(system: System, law: Law, verdict: Verdict) -> dict[str, Any]:
+    from ..claims import heading, level
+    from ..laws.prove import prove
+    from ..typeset import latex, law_latex
+
+    printed = law.as_printed
+    record = {
+        "source": law.source,
+        "statement": f"{heading(law)}: {getattr(law, 'meaning', '') or law.name}",
+        "printed": (prove(system, printed) if printed is not None else verdict).decision,
+        "corrected": law_latex(law, system),
+        "verdict": verdict.decision,
+        "note": law.misprint,
+        "seconds": round(verdict.seconds, 3),
+        "system": system.name,
+        "law": law.name,
+        "level": level(law, system, latex),
+        "shown": verdict.shown,
+        "reason": verdict.reason,
+        "terms": verdict.terms,
+    }
+    if verdict.witness is not None:
+        record["witness"] = verdict.witness
+    return record
+
+
+def styled(decision: str) -> str:
+    """A verdict in its colour, for the terminal."""
+    return f"[{COLOURS[decision]}]{decision}[/]"
+
+
+def _print(done: list[tuple[System, Law, Verdict]]) -> None:
+    from rich import box
+    from rich.console import Console
+    from rich.markup import escape
+    from rich.table import Table
+
+    from ..claims import heading, level
+    from ..laws.prove import prove
+    from ..typeset import text
+
+    console = Console()
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
+    table.add_column("Law", style="bold", no_wrap=True)
+    table.add_column("What it states")
+    table.add_column("Source", style="dim")
+    table.add_column("Verdict", no_wrap=True)
+    table.add_column("Terms", justify="right")
+    table.add_column("Time", justify="right", no_wrap=True)
+    previous = None
+    for system, law, verdict in done:
+        if previous is not None and system.title != previous:
+            table.add_section()
+            table.add_row("", f"[italic]{escape(system.title)}[/]")
+        previous = system.title
+        words = f"{heading(law)}: {getattr(law, 'meaning', '')}".rstrip(": ")
+        where = level(law, system, text)
+        table.add_row(
+            escape(law.name),
+            escape(f"{words} {where}".strip()),
+            escape(law.source),
+            styled(verdict.decision),
+            f"{verdict.terms:,}" if verdict.terms else "",
+            f"{verdict.seconds:.2f} s",
+        )
+        if law.as_printed is not None:
+            wrong = prove(system, law.as_printed)
+            table.add_row("", escape(f"as printed: {law.misprint}"), "", styled(wrong.decision))
+    console.print(table)
+    for _, law, verdict in done:
+        if verdict.witness is not None:
+            point = ", ".join(f"{n} = {v}" for n, v in verdict.witness["point"].items())
+            console.print(
+                f"\n{law.name}: {verdict.witness['what']} = {verdict.witness['residual']} at "
+                f"{point}",
+                markup=False,
+            )
+        elif verdict.reason:
+            console.print(f"\n{law.name}: {verdict.reason}", markup=False)
+
+
+def _write(path: Path, certificates: list[Any]) -> None:
+    import json
+
+    from ..study.files import completed
+
+    with completed(path) as place:
+        place.write_text(json.dumps(certificates, ensure_ascii=False))
+    inform(f"certificates: {path}")
