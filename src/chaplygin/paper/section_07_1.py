@@ -6,7 +6,6 @@ from functools import cache
 
 import sympy as sp
 
-from ..laws.verdict import Verdict
 from ..mechanics.body import Body
 from ..mechanics.rolling import Field, roll
 from ..mechanics.shapes import Ball
@@ -28,6 +27,7 @@ from ..vectors import (
     vectors,
 )
 from .claim import Case, Claim, Remark
+from .independence import independent, rational_point
 
 M, omega, gamma, k = vectors("M omega gamma k")
 I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")
@@ -142,28 +142,12 @@ def square() -> Case:
 
 
 def euler_jacobi() -> Case:
-    """The rank of dH, d(γ²), d(M, γ), d(M²) at a rational point of R^6."""
-    tensor_J, reach = sp.diag(2, 3, 5), HALF
-    momentum_M, normal = sp.Matrix(M.symbols), sp.Matrix(gamma.symbols)
-    lever = tensor_J.inv() * normal
-    share = reach * lever.dot(momentum_M) ** 2 / (1 - reach * normal.dot(lever))
-    integrals = sp.Matrix(
-        [
-            momentum_M.dot(tensor_J.inv() * momentum_M) + share,
-            normal.dot(normal),
-            momentum_M.dot(normal),
-            momentum_M.dot(momentum_M),
-        ]
-    )
-    variables = [*M, *gamma]
-    point = dict(zip(variables, (3, -1, 2, *(sp.Rational(n, 3) for n in (1, 2, -2))), strict=True))
-    rank = integrals.jacobian(variables).subs(point).rank()
-    return Verdict(
-        "independent integrals",
-        "proven" if rank == len(integrals) else "refuted",
-        shown=f"dH, d(γ²), d(M, γ), d(M²) have rank {rank} on R⁶; the measure is (7.3)",
-        witness={str(symbol): value for symbol, value in point.items()},
-    )
+    """H, γ², (M, γ), M² are independent on R^6."""
+    system = free_ball()
+    thirds = {f"gamma_{i}": sp.Rational(n, 3) for i, n in enumerate((1, 2, -2), 1)}
+    point = rational_point(system, {"M_1": 3, "M_2": -1, "M_3": 2, **thirds})
+    integrals = [dot(M, omega), normed(gamma), dot(M, gamma), normed(M)]
+    return independent(system, integrals, point)
 
 
 def bruns() -> Case:

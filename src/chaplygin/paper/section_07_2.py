@@ -9,17 +9,18 @@ from typing import Any
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ..laws.verdict import Verdict
+from ..mechanics.attitude import attitude, quaternion_rate, rotation, unit_length
 from ..statements import Identity, Integral, PoissonStructure
 from ..system import System
 from ..systems.chaplygin_ball import DENSITY, unspecified
-from ..systems.chaplygin_ball_unreduced import SPIN, axes, orientation
+from ..systems.chaplygin_ball_unreduced import orientation
 from ..systems.chaplygin_bracket import DET_J, A, D, J, L, gamma, hamiltonian_form
 from ..systems.e3 import lie_poisson
 from ..systems.rates import rate
 from ..vectors import Components, constant, cross, dot, explicit, vectors
 from .claim import Case, Claim, Remark
-from .section_07_1 import MOVED, rubber_ball
+from .independence import independent, rational_point
+from .section_07_1 import MOVED, free_ball, rubber_ball
 
 M, omega, alpha, beta = vectors("M omega alpha beta")
 J_1, J_2, J_3 = J.symbols
@@ -57,9 +58,17 @@ def ball() -> System:
 
 
 def kinematics() -> Case:
-    """The rates of α and β."""
-    return orientation(U), Identity(
-        "axes", (rate(alpha) - cross(alpha, omega), rate(beta) - cross(beta, omega))
+    """The rates of α and β, the first rows of the rotation from body to space."""
+    made = free_ball()
+    system = replace(
+        made,
+        field=(*made.field, (attitude, quaternion_rate(omega))),
+        relations=(*made.relations, unit_length()),
+        motion=None,
+    )
+    first, second = (sp.ImmutableDenseMatrix(rotation()[i, :].T) for i in range(2))
+    return system, Identity(
+        "axes", (rate(first) - cross(first, omega), rate(second) - cross(second, omega))
     )
 
 
@@ -81,32 +90,16 @@ def along_without_field() -> Case:
 
 
 def superintegrable() -> Case:
-    """The rank of the five integrals and of the constraint |q|² = 1 in the seven variables."""
-    quaternion = sp.symbols("attitude_w attitude_x attitude_y attitude_z", real=True)
-    momentum = sp.Matrix(M.symbols)
-    directions = [sp.Matrix(axis) for axis in axes()]
-    normal = dict(zip(gamma.symbols, directions[2], strict=True))
-    numbers = dict(zip((*A.symbols, *sp.symbols("m R", real=True)), (5, 4, 3, 1, 1), strict=True))
-    numbers = {s: sp.Rational(n, 10) for s, n in numbers.items()}
-    spin = sp.Matrix(explicit(SPIN)).subs(normal).subs(numbers)
-    integrals = sp.Matrix(
-        [
-            momentum.dot(spin),
-            *(momentum.dot(axis) for axis in directions),
-            momentum.dot(momentum),
-            sum(s**2 for s in quaternion),
-        ]
-    )
-    variables = [*M, *quaternion]
-    values = [3, -1, 2, *(sp.Rational(n, 5) for n in (4, 2, -1, 2))]
-    point = dict(zip(variables, values, strict=True))
-    rank = integrals.jacobian(variables).subs(point).rank()
-    return Verdict(
-        "dimension of the integral manifolds",
-        "proven" if len(variables) - rank == 2 else "refuted",
-        shown=f"the integrals and |q|² have rank {rank} in the {len(variables)} variables M, q",
-        witness={str(symbol): value for symbol, value in point.items()},
-    )
+    """Six conditions on α, β, γ and four integrals are independent in the twelve variables."""
+    system = orientation(sp.S.Zero)
+    axes = (alpha, beta, gamma)
+    conditions = [dot(a, b) for i, a in enumerate(axes) for b in axes[i:]]
+    integrals = [dot(M, omega), *(dot(M, axis) for axis in axes)]
+    third, unit = sp.Rational(1, 3), sp.eye(3)
+    frame = 2 * third * sp.ones(3, 3) - unit
+    values = dict(zip(system.symbols, (3, -1, 2, *frame), strict=True))
+    point = rational_point(system, {str(s): value for s, value in values.items()})
+    return independent(system, conditions + integrals, point)
 
 
 def poisson() -> Case:
@@ -146,7 +139,7 @@ CLAIMS = (
         "§7.2, first display",
         r"$\dot{\alpha} = \alpha \times \omega$, $\dot{\beta} = \beta \times \omega$",
         kinematics,
-        note="proved for α, β given by the attitude",
+        note="α, β are the first rows of the rotation from body to space",
     ),
     Claim(
         "§7.2, second display",

@@ -169,7 +169,7 @@ ENTRIES = (
         defaults=NUMBERS,
         build=fedorov,
         start=Start(
-            state={"K": (0.9, -0.2, -0.4), "gamma": (2 / 7, -3 / 7, 6 / 7)},
+            state={"K": (0.9, -0.2, 0.3), "gamma": (2 / 7, -3 / 7, 6 / 7)},
             until=60.0,
         ),
     ),

@@ -6,11 +6,10 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ..mechanics.attitude import attitude, quaternion_rate, rotation, unit_length
 from ..mechanics.body import check_inertia, check_mass
 from ..statements import Integral, Measure
 from ..system import System
-from ..vectors import Components, cross, dot, gradient, vectors, zero
+from ..vectors import cross, dot, gradient, normed, vectors, zero
 from .chaplygin_bracket import DET_IQ, PARAMETERS, TENSORS, A, D
 from .entry import Entry, Numbers, Start
 
@@ -27,15 +26,12 @@ SOURCE = "§7.2"
 SPIN = A * M + D * dot(A * gamma, M) / (1 - D * dot(gamma, A * gamma)) * (A * gamma)
 
 
-def axes() -> tuple[Components, Components, Components]:
-    """α, β, γ: the axes of space in body axes, the rows of the rotation."""
-    turn = rotation()
-    first, second, third = (Components(turn[i, :].T) for i in range(3))
-    return first, second, third
-
-
 def orientation(potential: sp.Expr) -> System:
-    """The ball with α, β, γ, in a potential U(γ)."""
+    """The ball with α, β, γ, in a potential U(γ).
+
+    α and β enter no other equation: the laws hold for any two vectors that are at rest in space,
+    not only for two that are orthonormal with γ.
+    """
     slope = gradient(potential, gamma)
     torque = zero if potential == 0 else cross(gamma, slope)
     laws = [
@@ -60,13 +56,14 @@ def orientation(potential: sp.Expr) -> System:
         summary=SUMMARY,
         source=SOURCE,
         parameters=PARAMETERS,
-        definitions={
-            **TENSORS,
-            **dict(zip((alpha, beta, gamma), axes(), strict=True)),
-            omega: SPIN,
+        definitions={**TENSORS, omega: SPIN},
+        field={
+            M: cross(M, omega) + torque,
+            alpha: cross(alpha, omega),
+            beta: cross(beta, omega),
+            gamma: cross(gamma, omega),
         },
-        field={M: cross(M, omega) + torque, attitude: quaternion_rate(omega)},
-        relations=(unit_length(),),
+        relations=(normed(gamma) - 1,),
         laws=tuple(laws),
     )
 
@@ -98,7 +95,9 @@ ENTRIES = (
         start=Start(
             state={
                 "M": (0.9, 0.4, 1.1),
-                "attitude": (4 / 5, 2 / 5, -1 / 5, 2 / 5),
+                "alpha": (6 / 7, 2 / 7, -3 / 7),
+                "beta": (3 / 7, -6 / 7, 2 / 7),
+                "gamma": (-2 / 7, -3 / 7, -6 / 7),
             },
             until=20.0,
         ),
