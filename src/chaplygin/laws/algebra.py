@@ -372,9 +372,11 @@ class Fractions:
         """The root that is positive at the sample point."""
         if degree == 1:
             return element
-        return self.power(element, ((sp.S.One, sp.Rational(1, degree)),))
+        return self.power(element, ((sp.S.One, sp.Rational(1, degree)),), None)
 
-    def power(self, element: Element, exponents: Iterable[tuple[Any, Any]]) -> Element:
+    def power(
+        self, element: Element, exponents: Iterable[tuple[Any, Any]], value: Element | None
+    ) -> Element:
         """The product of element^(number · θ) over pairs (θ, number); θ = 1 or symbolic."""
         if self.vanishes(element):
             raise ZeroDivisionError

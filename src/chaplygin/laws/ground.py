@@ -169,6 +169,7 @@ class Ground:
                 continue
             waiting.append(_numerator(evaluate.value(condition), condition))
         chain: list[tuple[str, Poly]] = []
+        moving = {str(s) for s in self.system.symbols}
         while waiting:
             for main, relation in reversed(chain):
                 waiting = [draft.pseudo_remainder(g, relation, main) for g in waiting]
@@ -181,7 +182,7 @@ class Ground:
                     )
             best = min(
                 (
-                    (_merit(draft, g, v), i, v)
+                    (_merit(draft, g, v, moving), i, v)
                     for i, g in enumerate(waiting)
                     for v in names
                     if _possible(draft, g, v, chain)
@@ -292,7 +293,7 @@ class Ground:
             numbers = {str(s): v for s, v in given.items()}
             field = self.numbers(numbers, rational)
             jets = {s: Jet(field.generator(str(s)), {}) for s in given}
-            evaluate = Evaluator(field, jets, self.steps)
+            evaluate = Evaluator(field, jets.get, self.steps)
             try:
                 found = {str(n): evaluate.value(n) for n in names}
             except NotExactError:
@@ -313,33 +314,40 @@ class Ground:
 
     # --- evaluation ------------------------------------------------------------------------
 
-    def _seeds(self, field: Any) -> dict[sp.Symbol, Any]:
-        values = {s: field.generator(str(s)) for s in self.generators}
-        return {s: v for s, v in values.items() if s not in self.steps}
-
     def evaluator(self, field: Any) -> Evaluator:
         """Values alone."""
-        given = {s: Jet(v, {}) for s, v in self._seeds(field).items()}
-        return Evaluator(field, given, self.steps, self.exchanged)
+        own = set(self.generators) - set(self.steps)
 
-    def along(self, field: Any, plain: Evaluator | None = None) -> Evaluator:
+        def seed(symbol: sp.Symbol) -> Jet | None:
+            return Jet(field.generator(str(symbol)), {}) if symbol in own else None
+
+        return Evaluator(field, seed, self.steps, self.exchanged)
+
+    def along(self, field: Any) -> Evaluator:
         """Values with their time derivatives along the field of the system."""
-        plain = plain or self.evaluator(field)
+        plain = self.evaluator(field)
         rates = dict(zip(self.system.symbols, self.system.rates, strict=True))
-        given = {}
-        for symbol, value in self._seeds(field).items():
-            slopes = {-1: plain.value(rates[symbol])} if symbol in rates else {}
-            given[symbol] = Jet(value, slopes)
-        return Evaluator(field, given, self.steps, self.exchanged)
+
+        def seed(symbol: sp.Symbol) -> Jet | None:
+            known = plain.seed(symbol)
+            if known is None or symbol not in rates:
+                return known
+            return Jet(known.value, {-1: plain.value(rates[symbol])})
+
+        return Evaluator(field, seed, self.steps, self.exchanged)
 
     def partial(self, field: Any) -> Evaluator:
         """Values with their partial derivatives by the state variables, numbered."""
+        plain = self.evaluator(field)
         number = {s: i for i, s in enumerate(self.system.symbols)}
-        given = {
-            s: Jet(v, {number[s]: field.one} if s in number else {})
-            for s, v in self._seeds(field).items()
-        }
-        return Evaluator(field, given, self.steps, self.exchanged)
+
+        def seed(symbol: sp.Symbol) -> Jet | None:
+            known = plain.seed(symbol)
+            if known is None or symbol not in number:
+                return known
+            return Jet(known.value, {number[symbol]: field.one})
+
+        return Evaluator(field, seed, self.steps, self.exchanged)
 
 
 def _linear_in(formula: sp.Expr) -> tuple[sp.Symbol, sp.Expr] | None:
@@ -373,7 +381,7 @@ def _variables(draft: Fractions, poly: Poly) -> set[str]:
     return {n for n, d in zip(draft.names, poly.degrees(), strict=True) if d}
 
 
-def _merit(draft: Fractions, poly: Poly, name: str) -> tuple[int, int, int]:
+def _merit(draft: Fractions, poly: Poly, name: str, moving: set[str]) -> tuple[int, int, int]:
     """How well a variable serves as the main one of a relation; smaller is better."""
     position = draft.names.index(name)
     degree = int(poly.degrees()[position])
@@ -381,7 +389,8 @@ def _merit(draft: Fractions, poly: Poly, name: str) -> tuple[int, int, int]:
     if lead.is_constant():
         kind = 0 if degree == 1 else degree - 1
     else:
-        kind = 10 * degree + (len(lead) > 1)
+        # a coefficient of parameters alone vanishes for special bodies, one of the state anywhere
+        kind = 10 * degree + (len(lead) > 1) + 4 * bool(_variables(draft, lead) & moving)
     return kind, len(lead), -position
 
 

@@ -68,8 +68,8 @@ class Evaluator:
     ----------
     field
         One of `Fractions`, `Rationals`, `Balls`.
-    given : mapping of Symbol to Jet
-        Known symbols: state and parameters.
+    seed : callable
+        The jet of a generator (state, parameters); None for any other symbol.
     steps : mapping of Symbol to formula
         Definitions, evaluated when first needed.
     exchanged : mapping of Symbol to Exchange
@@ -79,7 +79,7 @@ class Evaluator:
     def __init__(
         self,
         field: Any,
-        given: Mapping[sp.Symbol, Jet],
+        seed: Callable[[sp.Symbol], Jet | None],
         steps: Mapping[sp.Symbol, sp.Expr],
         exchanged: Sequence[Exchange] = (),
     ) -> None:
@@ -88,14 +88,12 @@ class Evaluator:
         self.exchanged = tuple(exchanged)
         self._by_name = {e.name: e for e in exchanged}
         self._by_parameter = {e.parameter: e for e in exchanged}
-        self._seen: dict[Any, Jet] = dict(given)
+        self.seed = seed
+        self._seen: dict[Any, Jet] = {}
 
     def with_steps(self, steps: Mapping[sp.Symbol, sp.Expr]) -> Evaluator:
         """The same evaluation with further definitions."""
-        made = Evaluator(self.field, self._seen, {**self.steps, **steps}, self.exchanged)
-        for symbol in steps:
-            made._seen.pop(symbol, None)
-        return made
+        return Evaluator(self.field, self.seed, {**self.steps, **steps}, self.exchanged)
 
     def value(self, formula: Any) -> Any:
         """Value alone."""
@@ -128,6 +126,9 @@ class Evaluator:
                 return Jet(difference * self.field.rational(1 / change.factor), {})
             if formula in self.steps:
                 return self(self.steps[formula])
+            seeded = self.seed(formula)
+            if seeded is not None:
+                return seeded
             raise OutOfReachError(f"the symbol {formula} is unknown")
         if formula.is_Rational:
             return self._constant(formula)
@@ -179,7 +180,7 @@ class Evaluator:
         if number is not None:
             return self.field.root(base, int(number.q)) ** int(number.p)
         terms = (term.as_coeff_Mul() for term in sp.Add.make_args(sp.expand(exponent)))
-        return self.field.power(base, [(theta, number) for number, theta in terms])
+        return self.field.power(base, [(theta, number) for number, theta in terms], value)
 
     def _exponential(self, formula: Any) -> Jet:
         exponent = sp.expand(formula.args[0])

@@ -73,8 +73,8 @@ class Rationals:
             raise ZeroDivisionError
         return exact_root(element, degree)
 
-    def power(self, element: Any, exponents: Iterable[tuple[Any, Any]]) -> Any:
-        """The product of element^(number·θ) over pairs (θ, number)."""
+    def power(self, element: Any, exponents: Iterable[tuple[Any, Any]], value: Any) -> Any:
+        """A power with a symbolic exponent."""
         raise NotExactError
 
     def as_rational(self, element: Any) -> Any:
@@ -134,19 +134,11 @@ class Balls:
             raise ZeroDivisionError
         return element.root(degree)
 
-    def power(self, element: Any, exponents: Iterable[tuple[Any, Any]]) -> Any:
-        """The product of element^(number·θ) over pairs (θ, number); θ as a formula."""
+    def power(self, element: Any, exponents: Iterable[tuple[Any, Any]], value: Any) -> Any:
+        """A power whose exponent has the given value."""
         if not element > 0:
             raise ZeroDivisionError
-        total = arb(0)
-        for theta, number in exponents:
-            value = arb(1)
-            if theta != 1:
-                symbols = sorted(theta.free_symbols, key=str)
-                given = {s: self.values[str(s)] for s in symbols}
-                value = _exponent(theta, given)
-            total += self.rational(number) * value
-        return element**total
+        return element**value
 
     def as_rational(self, element: Any) -> Any:
         """Unknown for a ball."""
@@ -174,18 +166,3 @@ class Balls:
         made = _invented(f"{name}{[a.str(12, radius=False) for a in arguments]}")
         self._seen.append((name, tuple(arguments), arb(made.p) / arb(made.q)))
         return self._seen[-1][2]
-
-
-def _exponent(formula: Any, values: Mapping[Any, Any]) -> Any:
-    """A rational formula in parameters as a ball."""
-    if formula in values:
-        return values[formula]
-    if formula.is_Rational:
-        return arb(int(formula.p)) / arb(int(formula.q))
-    parts = [_exponent(part, values) for part in formula.args]
-    if formula.is_Pow:
-        return parts[0] ** parts[1]
-    total = parts[0]
-    for part in parts[1:]:
-        total = total + part if formula.is_Add else total * part
-    return total

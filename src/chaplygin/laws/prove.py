@@ -15,7 +15,7 @@ from dataclasses import replace
 from typing import Any, overload
 
 from ..errors import InputError
-from ..statements import Isomorphism, Law, PoissonStructure
+from ..statements import Identity, Isomorphism, Law, PoissonStructure
 from ..system import System
 from .algebra import Budget, Fractions
 from .errors import NotExactError, OutOfReachError, SpareNeededError
@@ -136,8 +136,20 @@ def tried(
 
 
 def _computed(law: Law, ground: Ground, field: Fractions) -> Verdict:
+    """The residuals, symbolically; that the level is invariant is shown once for all its laws."""
+    invariance = Identity("invariance of the level", (), on=law.on)
+    name = fingerprint(ground.system, invariance)
+    if recall(name) is None:
+        verdict = _vanishing(invariance, preserved(ground, field), field)
+        if verdict.decision != "proven":
+            return replace(verdict, law=law.name)
+        remember(name, verdict)
+    return _vanishing(law, residuals(law, ground, field), field)
+
+
+def _vanishing(law: Law, pairs: Iterator[tuple[str, Any]], field: Fractions) -> Verdict:
     count = 0
-    for what, residual in everything(law, ground, field):
+    for what, residual in pairs:
         count += 1
         if not field.vanishes(residual):
             return Verdict(

@@ -318,7 +318,7 @@ def _(law: Isomorphism, ground: Ground, field: Any) -> Residuals:
                 )
             constants[parameter.symbol] = along(parameter.symbol)
     given = {s: Jet(jet.value, {}) for s, jet in {**constants, **images}.items()}
-    there = Evaluator(field, given, dict(target.steps))
+    there = Evaluator(field, given.get, dict(target.steps))
     for relation in target.relations:
         yield f"{relation} in {target.name}", there.value(explicit(relation))
     speed = along.value(explicit(law.time))
