@@ -4,17 +4,22 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from ..mechanics.rolling import Rolling
+import sympy as sp
+
+from ..mechanics.rolling import Field, Rolling
 from ..mechanics.shapes import Ball
 from ..mechanics.surfaces import Plane
-from ..statements import Integral
+from ..statements import Integral, Isomorphism, Law, Measure
 from ..system import System
 from ..vectors import Diagonal, cross, dot, normed, vectors, zero
-from . import chaplygin_ball
+from . import chaplygin_ball, veselova
 from .entry import Entry, Numbers, Start, bruns_factor
 
-M, gamma, k = vectors("M gamma k")
-J, A = Diagonal("J"), Diagonal("A")
+M, gamma, k, omega = vectors("M gamma k omega")
+I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")
+
+SOURCE = "§2.4"
+MOMENTUM_UNIT = chaplygin_ball.MOMENTUM_UNIT
 
 
 def build(p: Numbers) -> Rolling:
@@ -22,31 +27,59 @@ def build(p: Numbers) -> Rolling:
     return replace(chaplygin_ball.build(p), contact="rubber")
 
 
-def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
-    """The square of the horizontal momentum, without a potential or with Bruns'."""
+def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
+    """Measure; the square of the horizontal momentum without a potential or with Bruns'."""
     body = rolling.body
     balanced = isinstance(body.shape, Ball) and not any(body.shape.centre)
     if not (balanced and rolling.surface == Plane() and rolling.contact == "rubber"):
         return ()
+    found: tuple[Law, ...] = (_measure(),) if body.principal else ()
     total = M + k if any(body.gyrostat) else M + zero
     value = normed(cross(total, gamma))
     potential = rolling.field.potential
     if potential == 0:
+        meaning = "square of the horizontal momentum"
+        found = (Integral("momentum", value, meaning, source="(6.4)", unit=MOMENTUM_UNIT), *found)
         return (
-            Integral(
-                "momentum",
-                value,
-                "square of the horizontal momentum",
-                source="(6.4)",
-                unit="kg^2 m^4/s^2",
-            ),
+            (*found, _onto(veselova.build(veselova.NUMBERS)))
+            if body.principal and total == M
+            else found
         )
     if body.principal and total == M and (factor := bruns_factor(potential)) is not None:
-        J_1, J_2, J_3 = J.symbols
-        value = value - factor * J_1 * J_2 * J_3 * dot(gamma, A * gamma)
+        value = value - factor * sp.Mul(*J.symbols) * dot(gamma, A * gamma)
         meaning = "square of the horizontal momentum, Bruns field"
-        return (Integral("momentum", value, meaning, source="Remark 15", unit="kg^2 m^4/s^2"),)
-    return ()
+        law = Integral("momentum", value, meaning, source="Remark 15", unit=MOMENTUM_UNIT)
+        return (law, *found)
+    return found
+
+
+def _measure() -> Measure:
+    return Measure(
+        "measure",
+        {dot(gamma, A * gamma): sp.Rational(1, 2)},
+        "invariant measure ρ d³ω d³γ",
+        source="(6.3)",
+    )
+
+
+def _onto(target: System) -> Isomorphism:
+    """The Veselova system with J for I."""
+    return Isomorphism(
+        "veselova",
+        target,
+        {omega: omega, gamma: gamma},
+        constants=dict(zip(I.symbols, J.symbols, strict=True)),
+        meaning="Veselova system with J = I + mR² for I",
+        source=SOURCE,
+    )
+
+
+def unspecified() -> System:
+    """The ball in an arbitrary potential U(γ)."""
+    potential = sp.Function("U")(*gamma.symbols)
+    rolling = replace(build(chaplygin_ball.NUMBERS), field=Field(potential=potential))
+    made = rolling.system("rubber-chaplygin-ball")
+    return made.with_laws(_measure(), _onto(veselova.general()))
 
 
 ENTRIES = (
@@ -55,10 +88,11 @@ ENTRIES = (
         title="Chaplygin ball with rubber contact",
         summary="A balanced, dynamically asymmetric ball rolls on a horizontal plane with neither "
         "slipping nor spinning; its equations are those of the Veselova system with J = I + mR².",
-        source="§2.4",
-        defaults=chaplygin_ball.ENTRIES[0].defaults,
+        source=SOURCE,
+        defaults=chaplygin_ball.NUMBERS,
         build=build,
         start=Start(omega=(0.9, -0.5, -0.35483870967741937), gamma=(0.2, -0.3, 0.93), until=60.0),
         laws=laws,
+        general=unspecified,
     ),
 )
