@@ -210,7 +210,7 @@ def _balance(body: Body, surface: Surface, field: Field) -> _Balance:
         energy = m * g * height
     if field.potential != 0:
         parameters += tuple(
-            Parameter(s, "parameter of the potential", value) for s, value in field.values
+            Parameter(s, "parameter of the potential", value, "SI") for s, value in field.values
         )
         _check_potential(field.potential, parameters)
         definitions += ((U, field.potential),)
