@@ -1,0 +1,266 @@
+"""§10.2: the unbalanced rubber ball on a plane."""
+
+from __future__ import annotations
+
+import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
+
+from ..laws.prove import prove
+from ..laws.verdict import Verdict
+from ..statements import Identity, Integral, Isomorphism, Law, Rate
+from ..system import System
+from ..systems import from_catalogue, veselova
+from ..vectors import Diagonal, Vector, cross, dot, normed, scalar, zero
+from .claim import Case, Claim, Remark
+from .independence import independent, rational_point
+from .measure_at_rest import curl_of_divergence
+from .unbalanced import (
+    GAMMA_RATE,
+    NORMAL,
+    OFFSET,
+    OMEGA_RATE,
+    R_RATE,
+    I,
+    M,
+    R,
+    about_contact,
+    c,
+    gamma,
+    m,
+    obstructed,
+    omega,
+    r,
+)
+
+J, q = Diagonal("J"), Vector("q")
+
+#: Right-hand side of (10.4) without λ₀.
+FREE = cross(about_contact(omega), omega) - m * cross(r, cross(omega, R_RATE))
+
+
+def rubber() -> System:
+    """The unbalanced rubber ball of the catalogue, as it follows from mechanics."""
+    return from_catalogue("unbalanced-rubber-ball")
+
+
+def rubber_equations() -> Case:
+    """(10.4) but for λ₀: the balance across γ, and γ̇."""
+    excess = about_contact(OMEGA_RATE) - FREE
+    made = rubber()
+    return (
+        (made, Identity("balance", cross(gamma, excess), "balance across the normal")),
+        (made, Identity("normal", GAMMA_RATE - cross(gamma, omega), "motion of the normal")),
+    )
+
+
+def spin_torque() -> Case:
+    """λ₀ of (10.4), with q = Ĩ⁻¹γ."""
+    made = rubber()
+    excess = dot(gamma, about_contact(OMEGA_RATE) - FREE) + dot(q, FREE) / dot(q, gamma)
+    return (
+        (made, Identity("inverse", about_contact(q) - gamma, "q is Ĩ⁻¹γ")),
+        (made, Identity("torque", excess, "torque λ₀")),
+    )
+
+
+def rubber_invariants() -> Case:
+    """(10.2) and the constraint for the rubber ball."""
+    made = rubber()
+    laws: tuple[Law, ...] = (
+        Integral("length", normed(gamma), "length of the normal"),
+        Integral("energy", dot(M, omega) / 2, "energy"),
+        Identity("constraint", dot(omega, gamma), "the constraint"),
+    )
+    return tuple((made, law) for law in laws)
+
+
+def rubber_quadratic(vector: MatrixExpr) -> sp.Expr:
+    """(10.5) with a given a."""
+    share = 2 * R * m * dot(gamma, vector) * dot(M, omega)
+    value: sp.Expr = normed(cross(M, gamma)) - share
+    return value
+
+
+def quadratic() -> Case:
+    """(10.5), with the a of r = −Rγ − a."""
+    law = Integral("quadratic", rubber_quadratic(OFFSET), "quadratic integral", source="(10.5)")
+    return rubber(), law
+
+
+def as_marble_integral() -> Case:
+    """(10.5) is |M×γ|² − m r²(M, ω) up to a multiple of the energy."""
+    same = normed(cross(M, gamma)) - m * normed(r) * dot(M, omega)
+    shift = m * (R**2 + normed(c)) * dot(M, omega)
+    law = Identity("analogue", rubber_quadratic(OFFSET) - same - shift, "(10.5) and (10.3)")
+    return rubber(), law
+
+
+def balanced_rubber() -> Case:
+    """(10.5) for a = 0 is |Jω×γ|², the integral of the Veselova system with J for I."""
+    made = from_catalogue("rubber-chaplygin-ball")
+    excess = rubber_quadratic(zero) - normed(cross(J * omega, gamma))
+    return made, Identity("balanced", excess, "(10.5) for a = 0")
+
+
+def as_veselova() -> Case:
+    """a = 0: the Veselova system with I + mR² for I."""
+    target = veselova.build(veselova.ENTRIES[0].defaults)
+    moments = [i + m * R**2 for i in I.symbols]
+    law = Isomorphism(
+        "veselova",
+        target,
+        {omega: omega, gamma: gamma},
+        constants=dict(zip(I.symbols, moments, strict=True)),
+    )
+    return from_catalogue("rubber-chaplygin-ball"), law
+
+
+def rank_of_rubber() -> Verdict:
+    """γ², (ω, γ), H and F₂ are independent, so that their levels are two-dimensional."""
+    made = rubber()
+    state: dict[str, object] = {"omega_1": 9, "omega_2": -5, "omega_3": "-11/2"}
+    functions = (normed(gamma), dot(omega, gamma), dot(M, omega), rubber_quadratic(OFFSET))
+    return independent(made, functions, rational_point(made, state | NORMAL))
+
+
+def measure_of_rubber() -> Verdict:
+    """Undecided; no density smooth at ω = 0."""
+    found, shown, seconds = obstructed(
+        rubber(), curl_of_divergence, "the curl of the divergence of the field"
+    )
+    reason = (
+        f"no invariant density is positive and smooth at ω = 0 ({shown}); densities that are "
+        "singular there are not excluded"
+    )
+    return Verdict("measure", "undecided", reason=reason if found else shown, seconds=seconds)
+
+
+# --- flows on a torus ----------------------------------------------------------------------
+
+theta, phi = scalar("theta"), scalar("phi")
+
+
+def torus() -> System:
+    """θ̇ = sin θ, φ̇ = 1 on a torus; on the cycle θ = π the field has the divergence −1."""
+    return System(
+        name="torus", title="Flow on a torus", field={theta: sp.sin(theta), phi: sp.S.One}
+    )
+
+
+def approach() -> tuple[System, Identity]:
+    """cot(θ/2) falls like e^(−t), so that θ → π while φ runs on."""
+    ratio = sp.sin(theta) / (1 - sp.cos(theta))
+    return torus(), Identity("approach", Rate(ratio) + ratio, "approach to the cycle θ = π")
+
+
+def only_regular_motions() -> Verdict:
+    """Refuted by the flow above, which has no smooth measure but asymptotic motions."""
+    made = torus()
+    on_cycle = sp.diff(dict(made.field)[theta], theta).subs(theta, sp.pi)
+    asymptotic = prove(*approach())
+    refuted = bool(asymptotic) and on_cycle != 0
+    return Verdict(
+        "motions on a torus",
+        "refuted" if refuted else "undecided",
+        shown="θ̇ = sin θ, φ̇ = 1 has motions asymptotic to the limit cycle θ = π; a smooth density "
+        "would change by the factor e^(2π) along it",
+        witness={"field": "(sin θ, 1)", "divergence on the cycle": str(on_cycle)},
+    )
+
+
+CLAIMS = (
+    Claim(
+        "(10.4), equations",
+        r"$\tilde{\mathbf I}\dot{\boldsymbol\omega} = \tilde{\mathbf I}\boldsymbol\omega\times"
+        r"\boldsymbol\omega - m\mathbf r\times(\boldsymbol\omega\times\dot{\mathbf r}) + "
+        r"\lambda_0\boldsymbol\gamma$, $\dot{\boldsymbol\gamma} = \boldsymbol\gamma\times"
+        r"\boldsymbol\omega$.",
+        rubber_equations,
+    ),
+    Claim(
+        "(10.4), λ₀",
+        r"$\lambda_0 = -\frac{(\tilde{\mathbf I}^{-1}\boldsymbol\gamma,\tilde{\mathbf I}"
+        r"\boldsymbol\omega\times\boldsymbol\omega - m\mathbf r\times(\boldsymbol\omega\times"
+        r"\dot{\mathbf r}))}{(\tilde{\mathbf I}^{-1}\boldsymbol\gamma,\boldsymbol\gamma)}$.",
+        spin_torque,
+    ),
+    Claim(
+        "§10.2, integrals",
+        r"The integrals (10.2) and the equation of constraint "
+        r"$(\boldsymbol\omega,\boldsymbol\gamma) = 0$ hold.",
+        rubber_invariants,
+    ),
+    Claim(
+        "(10.5)",
+        r"$F_2 = |\tilde{\mathbf I}\boldsymbol\omega\times\boldsymbol\gamma|^2 - "
+        r"2Rm(\boldsymbol\gamma,\mathbf a)(\tilde{\mathbf I}\boldsymbol\omega,\boldsymbol\omega)$ "
+        r"is an integral.",
+        quadratic,
+        note="with the a of r = −Rγ − a, from the geometric centre to the centre of mass",
+    ),
+    Claim(
+        "§10.2, analogue of (10.3)",
+        r"(10.5) is an analogue of the integral (10.3).",
+        as_marble_integral,
+        note="it is |M×γ|² − m r²(M, ω) plus a multiple of the energy",
+    ),
+    Claim(
+        "§10.2, a = 0",
+        r"For $\mathbf a = 0$ this integral transforms into the integral of Veselova's system "
+        r"(Section 6).",
+        balanced_rubber,
+        note="with J = I + mR² for I",
+    ),
+    Claim(
+        "§10.2, only the measure is missing",
+        r"Only invariant measure is missing for the system (10.4) to be Euler–Jacobi integrable.",
+        rank_of_rubber,
+        note="shown: the four integrals are independent in six variables",
+    ),
+    Claim(
+        "§10.2, integral manifold",
+        r"The common level surface of the integrals of the system (10.4) is two-dimensional.",
+        rank_of_rubber,
+    ),
+    Claim(
+        "§10.2, perturbation",
+        r"The system is obtained by perturbation (small $\mathbf a$) of Veselova's system.",
+        as_veselova,
+        note="shown: for a = 0 it is Veselova's system with I + mR² for I",
+    ),
+    Claim(
+        "§10.2, motions on a torus",
+        r"If an integral invariant does not exist, only periodic or quasi-periodic trajectories "
+        r"are possible.",
+        only_regular_motions,
+        approach,
+        r"If an integral invariant does not exist, asymptotic trajectories and limit cycles may "
+        r"occur on such a torus; only if it exists all trajectories are periodic or "
+        r"quasi-periodic",
+        "“does not exist” for “exists”; the second half, that an invariant leaves only periodic "
+        "and quasi-periodic motions, is Kolmogorov's theorem; shown is the first, on "
+        "θ̇ = sin θ, φ̇ = 1",
+    ),
+    Claim(
+        "§10.2, existence of a measure",
+        r"Preliminary numerical experiments indicate the possibility of existence of invariant "
+        r"measure although it is not yet found in the analytical form.",
+        measure_of_rubber,
+        note="a smooth one does not exist near rest",
+    ),
+)
+
+REMARKS = (
+    Remark(
+        "§10.2",
+        "As the invariant manifolds are two-dimensional, the system has no chaotic trajectories; "
+        "in the two-dimensional realm there are no strange attractors.",
+        "general theory of flows on surfaces (Poincaré, Bendixson, Denjoy)",
+    ),
+    Remark(
+        "§10.2",
+        "The question of existence of invariant measure is reduced to the analysis of the flow on "
+        "two-dimensional invariant tori [45, 78].",
+        "literature",
+    ),
+)
