@@ -10,9 +10,9 @@ so that (ω', n) is constant, ω' = (ω', n) n − (R/ρ)(ω − (ω, n) n), and
 
     M = I ω + Σ D (ω − (ω, n) n),    D = d R²/ρ²,
 
-is constant in space.  Whatever their number, supporting balls enter by the symmetric tensor
-Σ D n⊗n, fixed in space, alone: three of them, in the directions of its axes α, β, γ, are the
-general case.  A single one gives the equations of the Chaplygin ball with D = m R².
+is constant in space.  Here three balls support it, in any directions α, β, γ; since they enter by
+the tensor Σ D n⊗n, fixed in space, alone, three do for any number.  A single one gives the
+equations of the Chaplygin ball with D = m R².
 """
 
 from __future__ import annotations
@@ -20,15 +20,24 @@ from __future__ import annotations
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ..mechanics.attitude import attitude, quaternion_rate, unit_length
 from ..mechanics.body import check_inertia
 from ..statements import Integral, Isomorphism, Law, Measure
 from ..system import Observable, Parameter, System
-from ..vectors import Diagonal, Symmetric, cross, dot, explicit, identity, outer, scalar, vectors
+from ..vectors import (
+    Diagonal,
+    Symmetric,
+    cross,
+    dot,
+    explicit,
+    identity,
+    normed,
+    outer,
+    scalar,
+    vectors,
+)
 from . import chaplygin_ball_unreduced
 from .e3 import inertia_parameters
 from .entry import Entry, Numbers, Start
-from .straight_line_ball import space_axes
 
 M, omega, alpha, beta, gamma = vectors("M omega alpha beta gamma")
 I = Diagonal("I")
@@ -63,23 +72,19 @@ def laws(p: Numbers) -> tuple[Law, ...]:
         Integral("energy", HALF * dot(M, omega), "energy", source=SOURCE, unit="J"),
         *(
             Integral(
-                f"along_{name}",
+                f"along_{axis}",
                 dot(M, axis),
-                f"momentum about the {place} axis of the bearing",
+                f"momentum about the direction of the {place} ball",
                 source=SOURCE,
                 unit=MOMENTUM,
             )
-            for name, place, axis in (
-                ("x", "first", alpha),
-                ("y", "second", beta),
-                ("z", "third", gamma),
-            )
+            for place, axis in (("first", alpha), ("second", beta), ("third", gamma))
         ),
         Measure("measure", {Delta: -HALF}, "invariant measure", source=SOURCE),
         Isomorphism(
             "chaplygin_ball",
             chaplygin_ball_unreduced.build({"m": 1.0, "R": 1.0, **moments}),
-            {M: M, attitude: attitude},
+            {name: name for name in (M, alpha, beta, gamma)},
             constants={m: D_3, R: sp.S.One},
             meaning="a single supporting ball",
             source=SOURCE,
@@ -89,7 +94,7 @@ def laws(p: Numbers) -> tuple[Law, ...]:
 
 
 def build(p: Numbers) -> System:
-    """The ball with supports in the directions of the three axes of space."""
+    """The ball on three supporting balls."""
     moments = (p["I_1"], p["I_2"], p["I_3"])
     check_inertia(moments)
     return System(
@@ -102,7 +107,7 @@ def build(p: Numbers) -> System:
             *(
                 Parameter(
                     weight,
-                    f"d R²/ρ² of the balls that support it along axis {i} of space",
+                    f"d R²/ρ² of supporting ball {i}",
                     p[str(weight)],
                     "kg m^2",
                     (weight >= 0,),
@@ -111,14 +116,18 @@ def build(p: Numbers) -> System:
             ),
         ),
         definitions={
-            **space_axes(),
             B: tensor(),
             C: explicit(B).adjugate(),
             Delta: explicit(B).det(method="berkowitz"),
             omega: C * M / Delta,
         },
-        field={M: cross(M, omega), attitude: quaternion_rate(omega)},
-        relations=(unit_length(),),
+        field={
+            M: cross(M, omega),
+            alpha: cross(alpha, omega),
+            beta: cross(beta, omega),
+            gamma: cross(gamma, omega),
+        },
+        relations=(normed(alpha) - 1, normed(beta) - 1, normed(gamma) - 1),
         laws=laws(p),
         observables=(Observable("omega", omega, "angular velocity", "rad/s", "body"),),
     )
@@ -133,6 +142,11 @@ ENTRIES = (
         defaults=DEFAULTS,
         build=build,
         start=Start(state={"M": (1.2, -0.7, 1.9), "attitude": (0.8, 0.4, -0.2, 0.4)}, until=60.0),
-        variables={"M": ("momentum of the ball and its supports", MOMENTUM)},
+        variables={
+            "M": ("momentum of the ball and its supports", MOMENTUM),
+            **{
+                name: ("direction of a supporting ball", "1") for name in ("alpha", "beta", "gamma")
+            },
+        },
     ),
 )
