@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import sympy as sp
 
+from ..laws.prove import prove
+from ..laws.verdict import Verdict
 from ..statements import (
     ConformallyHamiltonian,
     Identity,
+    Law,
     PoissonStructure,
     Rate,
 )
 from ..system import System
+from ..systems import CATALOGUE
 from .claim import Case, Claim, Remark
+from .named import named
 from .unspecified import gradient, hamiltonian, of, skew, system
 
 x = sp.symbols("x_1:4", real=True)
@@ -86,6 +91,34 @@ def canonical_form() -> Case:
     return system("canonical", "q̇ = N ∂H/∂p, ṗ = −N ∂H/∂q", field), form
 
 
+def _top(names: tuple[str, ...]) -> tuple[tuple[System, Law], ...]:
+    made = CATALOGUE["lagrange-top"].system()
+    return tuple((made, named(made, name)) for name in names)
+
+
+def additional_corrected() -> Case:
+    """The Lagrange top: leaves of dimension four, one integral besides H, quadratures."""
+    return _top(("bracket", "energy", "spin", "nutation", "intrinsic_rotation"))
+
+
+def additional_printed() -> Verdict:
+    """n = 2 integrals besides H are necessary; the Lagrange top has one.
+
+    Three independent functions in involution on a symplectic leaf of dimension four there cannot
+    be at all.
+    """
+    verdicts = [prove(*case) for case in _top(("bracket", "spin", "nutation"))]
+    decided = all(verdicts)
+    return Verdict(
+        "additional",
+        "refuted" if decided else "undecided",
+        shown="the Lagrange top, on leaves of dimension four, is integrated with one integral "
+        "besides the Hamiltonian",
+        reason="" if decided else "the laws of the Lagrange top are not proven",
+        witness={"n": 2, "additional integrals": 1} if decided else None,
+    )
+
+
 CLAIMS = (
     Claim(
         "§3.4, Casimir functions",
@@ -124,6 +157,17 @@ CLAIMS = (
         canonical_form,
         note="for two degrees of freedom",
     ),
+    Claim(
+        "§3.4, first situation",
+        r"For the system to be integrable the existence of "
+        r"$n = \frac12\dim\mathcal{M}_c$ additional first integrals is necessary",
+        additional_printed,
+        additional_corrected,
+        r"$\frac12\dim\mathcal{M}_c - 1$ first integrals besides the Hamiltonian, in involution "
+        "with it and with each other, are sufficient",
+        "the Hamiltonian is one of the n; “additional” is read as besides it and the Casimir "
+        "functions",
+    ),
 )
 
 REMARKS = (
@@ -136,12 +180,5 @@ REMARKS = (
         "Theorem 2",
         "The generalized Darboux theorem",
         "a quoted theorem; its formulas are claims",
-    ),
-    Remark(
-        "§3.4, first situation",
-        "For the system to be integrable the existence of n = ½ dim M_c additional first integrals "
-        "is necessary",
-        "right when “additional” means besides the Casimir functions and the Hamiltonian is one of "
-        "the n; the n integrals must be in involution, and they are sufficient",
     ),
 )

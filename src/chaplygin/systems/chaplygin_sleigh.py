@@ -135,7 +135,7 @@ def reduced(p: Numbers) -> System:
     """u̇ = aΩ², Ω̇ = −(m a/J) uΩ."""
     energy = HALF * (m * u**2 + J * Omega**2)
     structure = PoissonStructure(
-        "bracket", [[0, 1], [-1, 0]], rank=2, meaning="{u, Ω} = 1", source=SOURCE
+        "bracket", [[0, 1], [-1, 0]], rank=2, meaning="bracket of the velocities", source=SOURCE
     )
     return System(
         name="chaplygin-sleigh-reduced",

@@ -208,7 +208,7 @@ ENTRIES = (
         title=TITLE,
         summary=SUMMARY,
         source=SOURCE,
-        defaults={"m": 1.0, "c": 1.0, "kappa": 0.8, "b": 0.5},
+        defaults={"m": 1.0, "c": 1.0, "kappa": 0.3, "b": 0.5},
         build=build,
         start=Start(state={"q_1": 1.0, "q_2": 0.0, "P_1": 0.2, "P_2": 0.7}, until=60.0),
         general=general,
