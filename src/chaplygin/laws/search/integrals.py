@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from math import gcd, lcm
+from math import comb, gcd, lcm
 
 import numpy as np
 import sympy as sp
@@ -25,6 +25,7 @@ __all__ = ["integrals"]
 
 _SPARE = 24
 _SIMPLE = 1
+_FEW, _MANY = 15_000, 60_000
 _SEED = 20080830
 
 
@@ -128,7 +129,7 @@ class _Search:
         plain = _Shell(self.question.ansatz, degree, sp.S.One, 0)
         parts = self.vocabulary.parts(degree, self.question.ansatz.gamma_degree)
         for size in range(min(_SIMPLE, self.question.parameter_degree) + 1):
-            laws = self._lifted(parts, self.vocabulary.scalars, size, plain)
+            laws = self._lifted(parts, self.vocabulary.scalars, size, plain, _FEW)
             for law in self._accepted(laws, degree):
                 yield self._finding(law, degree)
 
@@ -213,9 +214,19 @@ class _Search:
                     break
 
     def _lifted(
-        self, parts: Sequence[Part], scalars: Scalars, size: int, shell: _Shell
+        self,
+        parts: Sequence[Part],
+        scalars: Scalars,
+        size: int,
+        shell: _Shell,
+        most: int = _MANY,
     ) -> list[sp.Expr]:
-        """Integrals with coefficients of one degree in the parameters, the simplest first."""
+        """Integrals with coefficients of one degree in the parameters, the simplest first.
+
+        None where that takes more than `most` unknowns.
+        """
+        if len(parts) * comb(len(scalars.formulas) + size, size) > most:
+            return []
         zero = tuple(0 for _ in next(iter(self.weights.values())))
         made = plan(parts, scalars.weights, size, zero)
         sample = self.stage.sample(points_for(made), _SEED + 1, common=False)

@@ -13,17 +13,18 @@ from itertools import combinations_with_replacement
 from typing import Any
 
 import sympy as sp
-from sympy.matrices.expressions import MatAdd
+from sympy.matrices.expressions import MatAdd, MatMul
 
 from ...vectors import Diagonal, Symmetric, Vector, dot, explicit
 from .ansatz import Ansatz
-from .grading import Weight, total
+from .grading import Weight, total, weight_of
 from .lifting import Part
 from .stage import Stage
 
 __all__ = ["Scalars", "Vocabulary", "component_scalars"]
 
 _MOMENTA = ("M", "omega")
+_GROUPS = 4
 
 
 @dataclass(frozen=True)
@@ -122,6 +123,8 @@ class Vocabulary:
             symbols = set(vector.symbols)
             if symbols <= chosen:
                 found.append(vector)
+            elif vector.name == "r" and symbols <= set(steps):
+                found.append(vector)
             elif isinstance(written.get(vector), MatAdd) and not symbols <= self._fixed:
                 values = [steps[s] for s in vector.symbols]
                 reached = set().union(*(v.free_symbols for v in values))
@@ -156,15 +159,30 @@ class Vocabulary:
         return self.table[vector.symbols[0]]
 
     def _pairings(self, u: Vector, v: Vector) -> Iterator[tuple[sp.Expr, Weight, int]]:
-        """(u, v), (u, Jv), (u, Av), (Ju, Jv), (Au, Av)."""
+        """(u, v), (u, Jv), (u, Av), (Ju, Jv), (Au, Av), as far as others do not express them."""
         base = total(self._weight(u), self._weight(v))
         yield dot(u, v), base, 1
+        if {u, v} & self._derived:
+            return
         for pair in self.tensors:
             for number, tensor in enumerate(t for t in pair if t is not None):
                 by = self._weight(tensor)
                 once = total(base, by)
                 yield dot(u, tensor * v), once, 2 + number
-                yield dot(tensor * u, tensor * v), total(once, by), 3 + number
+                if not {u, v} & self._images:
+                    yield dot(tensor * u, tensor * v), total(once, by), 3 + number
+
+    @cached_property
+    def _derived(self) -> set[Vector]:
+        """Vectors that are sums of others, such as r = c − Rγ."""
+        chosen = set(self.ansatz.coordinates)
+        return {v for v in self.coordinates if not set(v.symbols) <= chosen}
+
+    @cached_property
+    def _images(self) -> set[Vector]:
+        """Momenta that are tensors applied to another one: M beside ω."""
+        others = {v for v in self.momenta if v.name != "omega"}
+        return others if len(others) < len(self.momenta) else set()
 
     @cached_property
     def _atoms(self) -> tuple[_Atom, ...]:
@@ -199,6 +217,10 @@ class Vocabulary:
             for s in (*_parameters(self.stage, self.table), *_numbers(self.stage))
             if s not in parts and s in self.table
         ]
+        for group in self._groups({s for s, _ in found}):
+            product = sp.Mul(*(base**exponent for base, exponent in group.items()))
+            weight = weight_of(tuple(group), tuple(group.values()), self.table)
+            found.append((product, weight))
         for tensor, _ in self.tensors:
             weight = self._weight(tensor)
             entries = explicit(tensor)
@@ -207,6 +229,23 @@ class Vocabulary:
         for u, v in combinations_with_replacement(self.constants, 2):
             found += [(formula, weight) for formula, weight, _ in self._pairings(u, v)]
         return Scalars(tuple(f for f, _ in found), tuple(w for _, w in found))
+
+    def _groups(self, scalars: set[sp.Expr]) -> list[dict[sp.Symbol, int]]:
+        """Products of parameters in which they enter the equations together, such as m R²."""
+        system = self.stage.system
+        found: list[dict[sp.Symbol, int]] = []
+        for _, formula in (*system.field, *system.definitions):
+            for node in sp.preorder_traversal(formula):
+                if isinstance(node, (sp.Mul, MatMul)):
+                    factor = sp.Mul(*(a for a in node.args if not getattr(a, "is_Matrix", False)))
+                    group = {
+                        base: int(exponent)
+                        for base, exponent in factor.as_powers_dict().items()
+                        if base in scalars and exponent.is_Integer
+                    }
+                    if sum(map(abs, group.values())) > 1 and group not in found:
+                        found.append(group)
+        return found[:_GROUPS]
 
     def parts(self, degree: int, gamma_degree: int) -> tuple[Part, ...]:
         """Products of scalar products up to the given degrees in momenta and coordinates."""
