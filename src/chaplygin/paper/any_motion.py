@@ -6,18 +6,29 @@ every value of both; no equation has to be solved for that.
 
 from __future__ import annotations
 
+from sympy import Expr
 from sympy.matrices.expressions import MatrixExpr
 
 from ..system import Parameter, System
 from ..systems.rates import rate
-from ..vectors import Diagonal, cross, dot, gradient, normed, scalar, vectors
+from ..vectors import (
+    Diagonal,
+    Symmetric,
+    constant,
+    cross,
+    dot,
+    gradient,
+    normed,
+    scalar,
+    vectors,
+)
 from . import unspecified
 from .free_body import POTENTIAL
 
-__all__ = ["TORQUE", "any_motion", "newton_euler", "reaction", "reduced", "tensor"]
+__all__ = ["TORQUE", "any_motion", "driven", "newton_euler", "reaction", "reduced", "tensor"]
 
-omega, gamma, r, omegadot, rdot, gammadot = vectors("omega gamma r omegadot rdot gammadot")
-I = Diagonal("I")
+omega, gamma, r, X, omegadot, rdot, gammadot = vectors("omega gamma r X omegadot rdot gammadot")
+I, K = Diagonal("I"), Symmetric("K")
 m, lambda_0 = scalar("m"), scalar("lambda_0")
 
 #: γ×∂U/∂γ.
@@ -65,3 +76,33 @@ def reduced() -> MatrixExpr:
     """The first equation (1.18), left less right side."""
     gyroscopic = cross(tensor(omega), omega) - m * cross(r, cross(omega, rate(r)))
     return tensor(rate(omega)) - gyroscopic - TORQUE - lambda_0 * gamma
+
+
+def driven(normal_rate: MatrixExpr, correction: Expr) -> System:
+    """ω̇ = Ĩ⁻¹(X + λ₀γ) for any symmetric tensor Ĩ = K and any bracket X.
+
+    Parameters
+    ----------
+    normal_rate : vector
+        γ̇, which may use the arbitrary vector ``gammadot``.
+    correction : sympy.Expr
+        What is added to (Ĩ⁻¹γ, X) in the numerator of (1.19).
+    """
+    adjugate = constant(K.entries.adjugate())
+    determinant = K.entries.det()
+    numerator = dot(adjugate * gamma, X) / determinant + correction
+    given = (
+        *((s, "bracket of (1.19)", 0.4 - i / 3) for i, s in enumerate(X)),
+        *((s, "rate of the normal", 0.2 + i / 3) for i, s in enumerate(gammadot)),
+        *((s, "tensor", 2.0 if name[-1] == name[-2] else 0.1) for s, name in _NAMED),
+    )
+    return unspecified.system(
+        "any-torque",
+        "A body under any torque",
+        {omega: adjugate * (X + lambda_0 * gamma) / determinant, gamma: normal_rate},
+        parameters=tuple(Parameter(s, meaning, value) for s, meaning, value in given),
+        definitions={lambda_0: -numerator * determinant / dot(gamma, adjugate * gamma)},
+    )
+
+
+_NAMED = tuple((s, str(s)) for s in K.symbols)

@@ -26,7 +26,7 @@ from ..vectors import (
     vectors,
 )
 from . import unspecified
-from .any_motion import any_motion, newton_euler, reaction, reduced, tensor
+from .any_motion import any_motion, driven, newton_euler, reaction, reduced, tensor
 from .claim import Case, Claim, Remark
 from .free_body import POTENTIAL, constrained, derivative, shift, turn
 
@@ -131,28 +131,9 @@ def contact_tensor() -> Case:
 
 
 def spin_torque() -> Case:
-    """With (1.19), (1.18) keeps (ω, γ), whatever symmetric tensor and bracket X it contains."""
-    inverse = constant(K.entries.adjugate())
-    return _solved(-dot(inverse * gamma, X) / dot(gamma, inverse * gamma))
-
-
-def _solved(torque: sp.Expr) -> Case:
-    """ω̇ = Ĩ⁻¹(X + λ₀γ) with any X and any Ĩ = K."""
-    inverse = constant(K.entries.adjugate() / K.entries.det())
-    made = unspecified.system(
-        "any-torque",
-        "A body under any torque",
-        {omega: inverse * (X + lambda_0 * gamma), gamma: cross(gamma, omega)},
-        parameters=(
-            *(Parameter(s, "bracket of (1.19)", 0.4 - i / 3) for i, s in enumerate(X)),
-            *(Parameter(s, "tensor", 2.0 if s in _DIAGONAL else 0.1) for s in K.symbols),
-        ),
-        definitions={lambda_0: torque},
-    )
+    """With (1.19), (1.18) keeps (ω, γ), whatever symmetric tensor and bracket it contains."""
+    made = driven(cross(gamma, omega), sp.S.Zero)
     return made, Identity("spin", Rate(dot(omega, gamma)))
-
-
-_DIAGONAL = (K.symbols[0], K.symbols[3], K.symbols[5])
 
 
 # --- angles and quadratures ----------------------------------------------------------------
