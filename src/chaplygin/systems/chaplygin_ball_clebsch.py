@@ -31,8 +31,8 @@ AREA = (dot(M, gamma),)
 #: The diagonals of B = IJ⁻¹ and of its root.
 WIDTHS = tuple(i * a for i, a in zip(I.symbols, A.symbols, strict=True))
 ROOTS = tuple(sp.sqrt(b) for b in WIDTHS)
-#: (γ, Bγ) = 1 − D(γ, J⁻¹γ).
-SPREAD = dot(gamma, constant([b * g for b, g in zip(WIDTHS, gamma, strict=True)]))
+#: (γ, Bγ) = (Iγ, J⁻¹γ) = 1 − D(γ, J⁻¹γ).
+SPREAD = dot(I * gamma, A * gamma)
 
 TITLE = "Chaplygin ball in Fedorov's variables"
 SUMMARY = (
