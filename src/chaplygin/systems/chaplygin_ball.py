@@ -86,6 +86,8 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
         found.append(Integral("momentum", square, meaning, source=source, unit=MOMENTUM_UNIT))
     if body.principal:
         found += _forms(system, total)
+    if body.principal and potential == 0:
+        found.append(_onto_bracket(potential, zero if total == M else k))
     if body.principal and potential == 0 and total == M:
         found += [onto_clebsch(), onto_fedorov()]
     return tuple(found)
@@ -121,20 +123,25 @@ def _forms(system: System, total: sp.MatrixExpr) -> tuple[Law, ...]:
     )
 
 
+def _onto_bracket(potential: sp.Expr, rotors: sp.MatrixExpr) -> Isomorphism:
+    """The Hamiltonian form in L = ρ(M + k)."""
+    return Isomorphism(
+        "hamiltonian_form",
+        hamiltonian_form(potential, rotors),
+        {L: DENSITY * (M + rotors), gamma: gamma},
+        DENSITY,
+        meaning="Hamiltonian system on a nonlinear bracket",
+        source="(7.5)–(7.7)" if rotors == zero else "§7.4",
+    )
+
+
 def _general(rolling: Rolling, rotors: sp.MatrixExpr, name: str) -> System:
     """The ball in an unspecified potential, with its Hamiltonian form."""
     potential = sp.Function("U")(*gamma.symbols)
-    total = M + rotors
     made = Rolling(rolling.body, field=Field(potential=potential)).system(name)
-    form = Isomorphism(
-        "hamiltonian_form",
-        hamiltonian_form(potential, rotors),
-        {L: DENSITY * total, gamma: gamma},
-        DENSITY,
-        meaning="Hamiltonian system on the bracket (7.6)",
-        source="(7.5)–(7.7)" if rotors == zero else "§7.4",
-    )
-    return made.with_laws(*laws(rolling, made)[:1], *_forms(made, total), form)
+    area, *_ = laws(rolling, made)
+    forms = _forms(made, M + rotors)
+    return made.with_laws(area, *forms, _onto_bracket(potential, rotors))
 
 
 def unspecified() -> System:
