@@ -149,7 +149,7 @@ CLAIMS = (
         "so that the derivative along u of an integral is an integral",
     ),
     Claim(
-        "Theorem 1",
+        "Theorem 1, (3.3)",
         r"If $\hat L(\mathbf{q}, \mathbf{w})$ and the constraints are independent of time and the "
         r"constraints are homogeneous functions of $w_i$, the system (1.9) preserves the energy "
         r"$\mathcal{E} = \sum w_i\,\partial\hat L/\partial w_i - \hat L$ (3.3)",

@@ -231,7 +231,7 @@ CLAIMS = (
         note="with it ḟ = {f, H} along (3.5)",
     ),
     Claim(
-        "§3.3, Hamiltonian function",
+        "(3.5)",
         r"The Hamiltonian system (3.5) has $H(\mathbf{x})$ as an integral of motion",
         energy,
     ),
@@ -278,7 +278,7 @@ CLAIMS = (
         conformal_energy,
     ),
     Claim(
-        "§3.3, change of time",
+        "(3.7)",
         r"Upon the change of time $\mathcal{N}(\mathbf{x})\,dt = d\tau$ the system (3.7) is "
         "reduced to a Hamiltonian form",
         change_of_time,
@@ -286,11 +286,6 @@ CLAIMS = (
 )
 
 REMARKS = (
-    Remark(
-        "(3.5)",
-        "The most general form of a Hamiltonian system is ẋ = J(x)∇H",
-        "a definition; its parts are claims of their own",
-    ),
     Remark(
         "§3.3, zeros of the multiplier",
         "Where N vanishes, the change of time gives a Hamiltonian system with, on occasion, "

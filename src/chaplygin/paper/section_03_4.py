@@ -73,6 +73,12 @@ def darboux() -> Case:
     return _darboux(sp.eye(2), 0)
 
 
+def local_casimirs() -> Case:
+    """Rank two in dimension five, and three Casimir functions, near a regular point of (3.8)."""
+    made = CATALOGUE["suslov-bracket"].system()
+    return (made, named(made, "bracket")), (made, named(made, "third_casimir"))
+
+
 def canonical_form() -> Case:
     """q̇ = N ∂H/∂p, ṗ = −N ∂H/∂q with the canonical bracket, two degrees of freedom."""
     state = DARBOUX[:4]
@@ -148,6 +154,13 @@ CLAIMS = (
         darboux,
         r"$\{z_\alpha, q_i\} = \{z_\alpha, p_i\} = \{z_\alpha, z_\beta\} = 0$",
         "the brackets of the z with each other are left out",
+    ),
+    Claim(
+        "Remark 9",
+        r"The number of local Casimir functions near $\mathbf{x}_0$ is the dimension of the kernel "
+        r"of $\mathbf{J}(\mathbf{x}_0)$",
+        local_casimirs,
+        note="where the rank is constant, as in Theorem 2; for (3.8): three",
     ),
     Claim(
         "§3.4, canonical form",

@@ -23,12 +23,6 @@ def _five() -> System:
     return CATALOGUE["suslov-bracket"].system()
 
 
-def local_casimirs() -> Case:
-    """Rank two in dimension five, and three Casimir functions, near a regular point of (3.8)."""
-    made = _five()
-    return (made, named(made, "bracket")), (made, named(made, "third_casimir"))
-
-
 def _kernel() -> int:
     return int(5 - suslov_bracket.bracket().matrix.rank())
 
@@ -196,13 +190,6 @@ def third_casimir() -> Case:
 
 
 CLAIMS = (
-    Claim(
-        "Remark 9",
-        r"The number of local Casimir functions near $\mathbf{x}_0$ is the dimension of the kernel "
-        r"of $\mathbf{J}(\mathbf{x}_0)$",
-        local_casimirs,
-        note="where the rank is constant, as in Theorem 2; for (3.8): three",
-    ),
     Claim(
         "§3.4, second situation",
         r"The number of globally defined Casimir functions is less than the number of locally "

@@ -267,7 +267,7 @@ CLAIMS = (
         "the hypothesis ω₁ ≠ 0 is missing; the change divides by ω₁",
     ),
     Claim(
-        "Theorem 4, change of variables",
+        "Theorem 4, change of variables from (4.1) to (4.2)",
         r"$\tilde\theta_i = \theta_i - \frac{1}{\omega_1(\mathbf{F})}\sum_{m \ne 0}"
         r"\frac{\zeta_i^{(m)}(\mathbf{F})}{im}e^{im\theta_1}$",
         fourier,

@@ -134,7 +134,8 @@ CLAIMS = (
         r"multiplication of both and of $\Phi$ by a function of $\mathbf{F}$, are independent, "
         "that is, where the rotation number has a differential that is not zero; and for $n = 3$ "
         "when the rotation number is constant",
-        "the hypotheses are missing: for n = 3 with a varying rotation number (4.3) is not N J ∇H",
+        "the hypotheses are missing: for n = 3 with a varying rotation number (4.3) is not N J ∇H; "
+        "the correction is proved for n = 3 and n = 4",
     ),
     Claim(
         "§4.2, resonant tori",

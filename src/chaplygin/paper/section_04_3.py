@@ -137,7 +137,7 @@ def new_time() -> Case:
 
 CLAIMS = (
     Claim(
-        "§4.3, ordinary Chaplygin systems",
+        "(4.4)",
         r"If the function $S$ is specially chosen, (4.4) gives an ordinary Chaplygin system and "
         r"$b(\mathbf{q}) = 0$",
         ordinary,

@@ -151,8 +151,8 @@ def angles(p: Numbers) -> System:
     across = (p_psi - p_phi * c) / s
     H = p_theta**2 / (2 * I_1) + across**2 / (2 * I_1) + p_phi**2 / (2 * I_3) + P * c
     structure = canonical()
-    gradient = [sp.diff(H, x) for x in STATE]
-    rates = (*gradient[3:], *(-slope for slope in gradient[:3]))
+    turning = (p_phi / I_3 - across * c / (I_1 * s), across / (I_1 * s))
+    rates = (p_theta / I_1, *turning, -sp.diff(H, theta), sp.S.Zero, sp.S.Zero)
     sine, cosine = sp.sin(phi), sp.cos(phi)
     momentum = (p_theta * cosine + across * sine, across * cosine - p_theta * sine, p_phi)
     vertical = (s * sine, s * cosine, c)

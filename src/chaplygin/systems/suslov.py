@@ -128,7 +128,22 @@ SOURCE = "§3.2"
 def field_free(p: Numbers) -> System:
     """No field; the axis without rotation need not be a principal axis."""
     _check(p)
-    return in_field("suslov", TITLE, sp.S.Zero, _parameters(p), source=SOURCE, summary=SUMMARY)
+    along = I_13 * omega.symbols[0] + I_23 * omega.symbols[1]
+    singular = Measure(
+        "singular",
+        {along: -sp.S.One},
+        "measure, singular at the permanent rotations",
+        source=SOURCE,
+    )
+    return in_field(
+        "suslov",
+        TITLE,
+        sp.S.Zero,
+        _parameters(p),
+        laws=(singular,),
+        source=SOURCE,
+        summary=SUMMARY,
+    )
 
 
 def general() -> System:
