@@ -384,8 +384,9 @@ class Fractions:
         if content < 0:
             raise OutOfReachError("a root of a quantity that is negative at the sample point")
         bases: list[tuple[Poly, int]] = [*parts]
-        for prime, power in sp.factorint(sp.Rational(int(content.p), int(content.q))).items():
-            bases.append((self.ring.constant(int(prime)), int(power)))
+        for prime, power in sp.factorrat(sp.Rational(int(content.p), int(content.q))).items():
+            if prime != 1:
+                bases.append((self.ring.constant(int(prime)), int(power)))
         result = self.one
         for theta, number in exponents:
             for base, power in bases:

@@ -27,6 +27,7 @@ from ..system import System
 from .algebra import Budget, Fractions
 from .errors import SpareNeededError
 from .ground import Ground
+from .numbers import precise
 from .prove import everything, prove, tried
 from .verdict import Verdict
 
@@ -129,7 +130,8 @@ def _text(value: Any) -> Any:
 
 
 def _identities(ground: Ground, law: Law, seconds: float) -> dict[str, Any]:
-    field, _ = tried(law, ground, random.Random(1))
+    with precise():
+        field, _ = tried(law, ground, random.Random(1))
     sample = {name: float(value) for name, value in field.values.items()}
     spare = 8
     while True:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import AbstractContextManager
 from typing import Any
 
 import sympy as sp
@@ -15,10 +16,16 @@ from flint import arb, ctx, fmpq
 
 from .errors import NotExactError
 
-__all__ = ["Balls", "Rationals", "exact_root"]
+__all__ = ["Balls", "Rationals", "exact_root", "precise"]
 
 #: Digits (binary) carried by balls.
 PRECISION = 320
+
+
+def precise() -> AbstractContextManager[None]:
+    """The precision with which balls are computed, as a context."""
+    made: AbstractContextManager[None] = ctx.workprec(PRECISION)
+    return made
 
 
 def _invented(seed: str) -> fmpq:
@@ -102,12 +109,14 @@ KNOWN = {"log", "acos", "asin", "atan", "atan2"}
 
 
 class Balls:
-    """Real balls (midpoint and radius); what holds for them holds for every number inside."""
+    """Real balls (midpoint and radius); what holds for them holds for every number inside.
+
+    To be used inside :func:`precise`.
+    """
 
     exact = False
 
     def __init__(self, values: Mapping[str, Any]) -> None:
-        ctx.prec = PRECISION
         self.values = {name: arb(value) for name, value in values.items()}
         self.one, self.zero = arb(1), arb(0)
         self._seen: list[tuple[str, tuple[Any, ...], Any]] = []

@@ -21,7 +21,7 @@ from .algebra import Budget, Fractions
 from .errors import NotExactError, OutOfReachError, SpareNeededError
 from .ground import Ground
 from .memory import fingerprint, recall, remember
-from .numbers import Balls, Rationals
+from .numbers import Balls, Rationals, precise
 from .rank import shortfall
 from .residuals import preserved, residuals
 from .verdict import Verdict
@@ -68,7 +68,8 @@ def prove(
     started = time.monotonic()
     budget = Budget(deadline=started + seconds)
     try:
-        verdict = _decided(system, law, budget)
+        with precise():
+            verdict = _decided(system, law, budget)
     except OutOfReachError as reason:
         verdict = Verdict(law.name, "undecided", reason=str(reason))
     verdict = replace(verdict, terms=budget.largest, seconds=time.monotonic() - started)

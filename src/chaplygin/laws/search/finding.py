@@ -37,8 +37,9 @@ class Question:
     also : tuple of Ansatz
         Further polynomials of which an integral may be made, such as those in ω besides M.
     divisors : tuple of sympy.Expr
-        Polynomials that an integral may be divided by (one at a time, up to `powers`), or of
-        whose powers the density of a measure is made.
+        What an integral may be divided by (one at a time, up to `powers`).
+    bases : tuple of sympy.Expr
+        Of whose powers the density of a measure is made.
     powers : int
         Largest power of a divisor.
     parameter_degree : int
@@ -51,6 +52,7 @@ class Question:
     ansatz: Ansatz
     also: tuple[Ansatz, ...] = ()
     divisors: tuple[sp.Expr, ...] = ()
+    bases: tuple[sp.Expr, ...] = ()
     powers: int = 1
     parameter_degree: int = 3
     seconds: float = 60.0

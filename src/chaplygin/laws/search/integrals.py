@@ -49,21 +49,17 @@ def integrals(question: Question, progress: Progress = silent) -> Iterator[Findi
     for family in families:
         family.check()
     search = _Search(question)
-    steps = [
-        step
-        for degree in range(question.ansatz.degree + 1)
-        for step in (
-            degree,
-            *(
-                _Shell(family, degree, divisor, exponent)
-                for divisor, exponent in _divisions(question)
-                for family in families
-            ),
-        )
-    ]
-    for number, step in enumerate(steps):
-        progress(number / len(steps), "vector formulas" if isinstance(step, int) else "polynomials")
-        yield from search.simple(step) if isinstance(step, int) else search.findings(step)
+    steps: list[tuple[str, Iterator[Finding]]] = []
+    for degree in range(question.ansatz.degree + 1):
+        steps.append(("vector formulas", search.simple(degree)))
+        steps += [
+            ("polynomials", search.findings(_Shell(family, degree, divisor, exponent)))
+            for divisor, exponent in _divisions(question)
+            for family in families
+        ]
+    for number, (words, found) in enumerate(steps):
+        progress(number / len(steps), words)
+        yield from found
     progress(1.0, "")
 
 

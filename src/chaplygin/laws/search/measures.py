@@ -26,14 +26,14 @@ __all__ = ["measures"]
 
 _POINTS = 40
 _SETS = 6
-_MOST_BASES = 3
+_MOST_BASES = 4
 _SEED = 20080830
 
 Exponents = tuple[int, ...]
 
 
 def measures(question: Question, progress: Progress = silent) -> Iterator[Finding]:
-    """Invariant measures with a density made of powers of the divisors of the question.
+    """Invariant measures with a density made of powers of the bases of the question.
 
     The simplest are tried first; the search ends with the first number of factors for which
     there is one.
@@ -54,11 +54,11 @@ def measures(question: Question, progress: Progress = silent) -> Iterator[Findin
     if not any(target.any() for target in targets):
         yield _finding(question, ())
         return
-    rates = [[_logarithmic(sample, base) for base in question.divisors] for sample in samples]
+    rates = [[_logarithmic(sample, base) for base in question.bases] for sample in samples]
     choices = [
         chosen
         for size in range(1, _MOST_BASES + 1)
-        for chosen in combinations(range(len(question.divisors)), size)
+        for chosen in combinations(range(len(question.bases)), size)
     ]
     found_size = _MOST_BASES + 1
     for number, chosen in enumerate(choices):
@@ -73,7 +73,7 @@ def measures(question: Question, progress: Progress = silent) -> Iterator[Findin
         if len(solved) < len(residues):
             continue
         exponents = [_exponent(stage, samples, [r[i] for r in solved]) for i in range(len(chosen))]
-        bases = [question.divisors[i] for i in chosen]
+        bases = [question.bases[i] for i in chosen]
         found_size = len(chosen)
         if any(e is None for e in exponents):
             yield _unwritten(bases)

@@ -12,7 +12,7 @@ from .ansatz import Ansatz, default_momenta
 from .finding import Question
 from .formulas import condition, formula, quantities
 from .grading import weights
-from .natural import natural
+from .natural import natural_bases, natural_divisors
 from .stage import stage
 from .vocabulary import Vocabulary
 
@@ -32,6 +32,7 @@ def ask(
     at: Sequence[str] = (),
     on: Sequence[str] = (),
     divisors: Sequence[str] | None = None,
+    bases: Sequence[str] | None = None,
     powers: int = 1,
     parameter_degree: int = 3,
     seconds: float = 60.0,
@@ -51,8 +52,10 @@ def ask(
     on : sequence of str
         Formulas that vanish on the level in question, such as ``"M·γ"``.
     divisors : sequence of str, optional
-        Formulas by whose powers an integral may be divided, or of whose powers a density is
-        made; by default those that suggest themselves.
+        Formulas by whose powers an integral may be divided; by default those that suggest
+        themselves.
+    bases : sequence of str, optional
+        Formulas of whose powers a density is made; by default those that suggest themselves.
     powers : int
         Largest power of a divisor.
     parameter_degree : int
@@ -98,11 +101,21 @@ def ask(
         [condition(text, system, "at") for text in at],
         [formula(text, system, "on") for text in on],
     )
-    if divisors is None:
-        found = natural(Vocabulary(made, ansatz, weights(made)))
-    else:
-        found = tuple(formula(text, system, "denominator") for text in divisors)
-    return Question(made, ansatz, tuple(also), found, powers, parameter_degree, seconds)
+    vocabulary = Vocabulary(made, ansatz, weights(made))
+    return Question(
+        stage=made,
+        ansatz=ansatz,
+        also=tuple(also),
+        divisors=natural_divisors(vocabulary)
+        if divisors is None
+        else tuple(formula(text, system, "denominator") for text in divisors),
+        bases=natural_bases(vocabulary)
+        if bases is None
+        else tuple(formula(text, system, "base") for text in bases),
+        powers=powers,
+        parameter_degree=parameter_degree,
+        seconds=seconds,
+    )
 
 
 def _rest(system: System, momenta: tuple[sp.Symbol, ...]) -> tuple[sp.Symbol, ...]:

@@ -121,9 +121,7 @@ class Vocabulary:
         found = []
         for vector in self._vectors():
             symbols = set(vector.symbols)
-            if symbols <= chosen:
-                found.append(vector)
-            elif vector.name == "r" and symbols <= set(steps):
+            if symbols <= chosen or (vector.name == "r" and symbols <= set(steps)):
                 found.append(vector)
             elif isinstance(written.get(vector), MatAdd) and not symbols <= self._fixed:
                 values = [steps[s] for s in vector.symbols]
