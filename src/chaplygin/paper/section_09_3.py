@@ -14,7 +14,7 @@ from ..systems import rubber_ball_sphero_conical as conical
 from ..systems.rubber_ball_ratio import DET_J, RHO_SQUARED, J, k
 from ..systems.rubber_ball_separated import PLAIN, roots
 from ..systems.rubber_ball_sphero_conical import cubic, eta, p_eta, p_xi, xi
-from ..vectors import dot, normed, scalar, vectors
+from ..vectors import cross, dot, explicit, normed, scalar, vectors
 from .claim import Case, Claim, Remark
 
 omega, n, gamma = vectors("omega n gamma")
@@ -119,7 +119,7 @@ def casimirs() -> Case:
     return ratio.rolling(), Identity("casimirs", values, "γ² and (M, γ)")
 
 
-def _on_coordinates() -> tuple[sp.Matrix, sp.Matrix]:
+def _on_coordinates() -> tuple[list[sp.Expr], list[sp.Expr]]:
     """M and γ of (9.11) in ξ, η, p_ξ, p_η, written out."""
     energy = conical.hamiltonian()
     rho_squared = xi * eta / DET_J
@@ -128,14 +128,12 @@ def _on_coordinates() -> tuple[sp.Matrix, sp.Matrix]:
         conical.MULTIPLIER * sp.diff(energy, p_eta),
     )
     place = dict(zip(n.symbols, conical.normal(), strict=True))
-    spin = conical.velocity(*rates).xreplace(place)
+    spin = explicit(cross(conical.turning(*rates), n) / k).xreplace(place)
     n_tilde = sp.sqrt(DET_J) / k * rho_squared ** (1 / (2 * k))
-    half_J = [sp.sqrt(j) for j in J.symbols]
-    momentum = [n_tilde * s * w for s, w in zip(half_J, spin, strict=True)]
-    direction = [
-        x / s / sp.sqrt(rho_squared) for x, s in zip(conical.normal(), half_J, strict=True)
-    ]
-    return sp.Matrix(momentum), sp.Matrix(direction)
+    halves = [sp.sqrt(j) for j in J.symbols]
+    momentum = [n_tilde * s * w for s, w in zip(halves, spin, strict=True)]
+    shrunk = [x / s for x, s in zip(conical.normal(), halves, strict=True)]
+    return momentum, [x / sp.sqrt(rho_squared) for x in shrunk]
 
 
 def _bracket(first: sp.Expr, second: sp.Expr) -> sp.Expr:
@@ -179,8 +177,9 @@ def energy_on_e3() -> Case:
 
 def energy_in_coordinates() -> Case:
     """(9.14), the last expression against ½(ω, Jω)."""
-    excess = conical.hamiltonian() - dot(omega, J * omega) / 2
-    return conical.canonical_form(), Identity("energy", excess, "kinetic energy in ξ, η")
+    energy = conical.hamiltonian()
+    values = (energy - dot(omega, J * omega) / 2, energy - conical.H)
+    return conical.canonical_form(), Identity("energy", values, "kinetic energy in ξ, η")
 
 
 def equations_on_e3() -> Case:

@@ -149,7 +149,7 @@ def radius() -> Case:
 def kinetic() -> Case:
     """T in u and v, with u̇ = N u′."""
     share = Rate(u) ** 2 / cubic(u) - Rate(v) ** 2 / cubic(v)
-    printed = DET_J * SPREAD**2 * (u - v) / 8 * separated.MULTIPLIER**2 * share
+    printed = DET_J * SPREAD**2 * (u - v) / 8 * share / rho**6
     excess = dot(omega, J * omega) / 2 - printed
     return separated.canonical_form(), Identity("kinetic", excess, "kinetic energy")
 
@@ -163,9 +163,13 @@ def multiplier(exponent: sp.Rational) -> Case:
 def momenta() -> Case:
     """p = N ∂T/∂q̇ for the canonical equations of H."""
     made = separated.canonical_form()
-    factor = LEVER * separated.MULTIPLIER**2
+    factor = LEVER / rho**6
     p_u, p_v = separated.p_u, separated.p_v
-    values = (p_u - factor * Rate(u) / cubic(u), p_v + factor * Rate(v) / cubic(v))
+    values = (
+        p_u - factor * Rate(u) / cubic(u),
+        p_v + factor * Rate(v) / cubic(v),
+        separated.H - separated.HAMILTONIAN,
+    )
     return made, Identity("momenta", values, "momenta of u and v")
 
 
@@ -180,7 +184,6 @@ def separable() -> Case:
     return (
         (made, separated.separated()),
         (made, separated.CONSTANT),
-        (made, separated.time_of_separation()),
         (ratio.rolling(), separated.separation()),
     )
 

@@ -13,17 +13,20 @@ import sympy as sp
 
 from ..errors import InputError
 from ..mechanics.body import check_inertia
-from ..statements import ConformallyHamiltonian, Integral, Isomorphism, Rate, Reduction, Separation
+from ..statements import ConformallyHamiltonian, Integral, Isomorphism, Law, Rate, Separation
 from ..system import Guard, System
-from ..vectors import constant, cross, dot, explicit, normed, scalar, vectors
+from ..vectors import constant, cross, dot, normed, scalar, vectors
 from . import rubber_ball_ratio as ratio
 from .entry import Entry, Numbers, Start
 from .rubber_ball_ratio import DET_J, RHO_SQUARED, A, J, k
 from .rubber_ball_sphero_conical import CANONICAL, cubic
 
-omega, n, e = vectors("omega n e")
+omega, n, e, edot = vectors("omega n e edot")
 u, v, p_u, p_v = (scalar(name) for name in ("u", "v", "p_u", "p_v"))
+udot, vdot = scalar("udot"), scalar("vdot")
 Delta, rho, h, F = (scalar(name) for name in ("Delta", "rho", "h", "F"))
+#: A(u), A(v), their derivatives, and what 𝓗 is divided by.
+A_u, A_v, B_u, B_v, Q, H = (scalar(name) for name in ("A_u", "A_v", "B_u", "B_v", "Q", "H"))
 
 NAME, TITLE = "rubber-ball-separated", "Hollow rubber ball around a sphere, separated"
 SUMMARY = (
@@ -36,8 +39,7 @@ DEFAULTS = {"J_1": 0.5, "J_2": 0.9, "J_3": 1.35}
 TRACE = sp.Add(*J.symbols)
 #: ρ² in u and v.
 SPREAD = 1 / (TRACE - u - v)
-#: N in u and v.
-MULTIPLIER = SPREAD ** sp.Rational(-3, 2)
+#: 𝓗 as printed.
 HAMILTONIAN = 2 * (cubic(u) * p_u**2 - cubic(v) * p_v**2) * SPREAD / (DET_J * (u - v))
 #: Twice the kinetic energy is LEVER (u̇²/A(u) − v̇²/A(v)).
 LEVER = DET_J * SPREAD**2 * (u - v) / 4
@@ -93,19 +95,18 @@ def separation() -> Separation:
 def canonical_form() -> System:
     """State u, v, p_u, p_v; the time is τ.  ω and n are definitions, k = −1."""
     field = {
-        u: sp.diff(HAMILTONIAN, p_u),
-        v: sp.diff(HAMILTONIAN, p_v),
-        p_u: -sp.diff(HAMILTONIAN, u),
-        p_v: -sp.diff(HAMILTONIAN, v),
+        u: 2 * A_u * p_u / Q,
+        v: -2 * A_v * p_v / Q,
+        p_u: (H * DET_J * (TRACE - 2 * u) / 2 - B_u * p_u**2) / Q,
+        p_v: (B_v * p_v**2 - H * DET_J * (TRACE - 2 * v) / 2) / Q,
     }
     direction = []
     for own in J.symbols:
         others = sp.Mul(*(own - j for j in J.symbols if j != own))
         direction.append(sp.sqrt(own * (own - u) * (own - v) / others))
-    rates = [MULTIPLIER * field[u], MULTIPLIER * field[v]]
     turning = constant(
         [
-            -s / 2 * (rates[0] / (j - u) + rates[1] / (j - v))
+            -s / 2 * (udot / (j - u) + vdot / (j - v))
             for s, j in zip(e.symbols, J.symbols, strict=True)
         ]
     )
@@ -116,9 +117,19 @@ def canonical_form() -> System:
         source=SOURCE,
         parameters=ratio.parameters({**DEFAULTS, "k": -1.0})[:3],
         definitions={
+            A_u: cubic(u),
+            A_v: cubic(v),
+            B_u: sp.diff(cubic(u), u),
+            B_v: sp.diff(cubic(v), v),
+            Q: DET_J / 2 * (TRACE - u - v) * (u - v),
+            H: (A_u * p_u**2 - A_v * p_v**2) / Q,
+            rho: sp.sqrt(SPREAD),
+            udot: field[u] / rho**3,
+            vdot: field[v] / rho**3,
             e: constant(direction),
-            n: sp.sqrt(SPREAD) * e,
-            omega: -SPREAD * explicit(cross(turning, e)),
+            edot: turning,
+            n: rho * e,
+            omega: rho**2 * cross(e, edot),
         },
         field=field,
     )
@@ -130,7 +141,7 @@ def to_ball() -> Isomorphism:
         "ball",
         ratio.rolling(),
         {omega: omega, n: n},
-        time=1 / MULTIPLIER,
+        time=rho**3,
         constants={k: sp.S.NegativeOne},
         meaning="from separating coordinates to the angular velocity and the normal",
         source="§9.5",
@@ -140,7 +151,7 @@ def to_ball() -> Isomorphism:
 #: ½F det J by the separated equations: A(z) p_z² = ½ det J (H z(tr J − z) − C).
 CONSTANT = Integral(
     "separation",
-    HAMILTONIAN * u * (TRACE - u) - 2 * cubic(u) * p_u**2 / DET_J,
+    H * u * (TRACE - u) - 2 * A_u * p_u**2 / DET_J,
     "constant of the separation",
     source="§9.5",
     unit="kg m^2/s^2",
@@ -148,49 +159,31 @@ CONSTANT = Integral(
 
 
 def separated() -> Separation:
-    """A(z) p_z² = ½ det J (H z(tr J − z) − C) for z = u, v."""
+    """A(z) p_z² = ½ det J (H z(tr J − z) − C) and z′ = ±2 A(z) p_z / Q for z = u, v."""
     constant_C = scalar("C")
+    energies = tuple(
+        cubic(z) * p**2 - DET_J / 2 * (H * z * (TRACE - z) - constant_C)
+        for z, p in ((u, p_u), (v, p_v))
+    )
+    velocities = (Q * Rate(u) - 2 * A_u * p_u, Q * Rate(v) + 2 * A_v * p_v)
     return Separation(
         "separated",
-        {h: HAMILTONIAN, constant_C: CONSTANT.value},
-        tuple(
-            cubic(z) * p**2 - DET_J / 2 * (h * z * (TRACE - z) - constant_C)
-            for z, p in ((u, p_u), (v, p_v))
-        ),
+        {constant_C: CONSTANT.value},
+        (*energies, *velocities),
         meaning="separated equations",
         source="§9.5",
     )
 
 
-def time_of_separation() -> Reduction:
-    """The motion of u and v in τ, by their own momenta up to a common factor."""
-    factor = 4 * SPREAD / (DET_J * (u - v))
-    return Reduction(
-        "quadratures",
-        {},
-        (Rate(u) - factor * cubic(u) * p_u, Rate(v) + factor * cubic(v) * p_v),
-        meaning="velocities of the separated coordinates",
-        source="§9.5",
-    )
-
-
-def laws() -> tuple[
-    Integral,
-    ConformallyHamiltonian,
-    Integral,
-    Separation,
-    Reduction,
-    Isomorphism,
-]:
+def laws() -> tuple[Law, ...]:
     """All laws of the canonical form."""
     return (
-        Integral("energy", HAMILTONIAN, "energy", source="§9.5", unit="J"),
-        ConformallyHamiltonian(
-            "hamiltonian", sp.S.One, CANONICAL, HAMILTONIAN, "canonical form", source="§9.5"
-        ),
+        Integral("energy", H, "energy", source="§9.5", unit="J"),
         CONSTANT,
+        ConformallyHamiltonian(
+            "hamiltonian", sp.S.One, CANONICAL, H, "canonical form", source="§9.5"
+        ),
         separated(),
-        time_of_separation(),
         to_ball(),
     )
 

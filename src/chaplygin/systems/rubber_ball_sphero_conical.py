@@ -21,17 +21,20 @@ from ..statements import (
     PoissonStructure,
 )
 from ..system import Guard, System
-from ..vectors import Components, constant, cross, explicit, scalar, vectors
+from ..vectors import Components, constant, cross, scalar, vectors
 from . import rubber_ball_ratio as ratio
 from .entry import Entry, Numbers, Start
 from .rubber_ball_ratio import DET_J, J, k
 
-omega, n = vectors("omega n")
+omega, n, ndot = vectors("omega n ndot")
 xi, eta = scalar("xi"), scalar("eta")
 #: Velocities ξ̇, η̇; momenta ∂T/∂ξ̇, ∂T/∂η̇; canonical momenta N ∂T/∂ξ̇, N ∂T/∂η̇.
 xidot, etadot = scalar("xidot"), scalar("etadot")
 P_xi, P_eta = scalar("P_xi"), scalar("P_eta")
 p_xi, p_eta = scalar("p_xi"), scalar("p_eta")
+#: A(ξ), A(η), their derivatives, and what (9.14) is divided by.
+A_xi, A_eta, B_xi, B_eta, Q = (scalar(name) for name in ("A_xi", "A_eta", "B_xi", "B_eta", "Q"))
+H, N = scalar("H"), scalar("N")
 
 NAME, TITLE = "rubber-ball-sphero-conical", "Rubber ball on a sphere, sphero-conical coordinates"
 SUMMARY = (
@@ -77,20 +80,21 @@ def square(i: int, first: sp.Expr, second: sp.Expr) -> sp.Expr:
     return (own - first) * (own - second) / sp.Mul(*(own - j for j in others))
 
 
-def velocity(rate_xi: sp.Expr, rate_eta: sp.Expr) -> Components:
-    """ω = k⁻¹ ṅ×n for given ξ̇, η̇, with n taken from the definitions."""
-    rate = constant(
+def turning(rate_xi: sp.Expr, rate_eta: sp.Expr) -> Components:
+    """ṅ for given ξ̇, η̇, with n taken from the definitions."""
+    return constant(
         [
             -s / 2 * (rate_xi / (j - xi) + rate_eta / (j - eta))
             for s, j in zip(n.symbols, J.symbols, strict=True)
         ]
     )
-    made: Components = explicit(cross(rate, n) / k)
-    return made
 
 
 def _system(
-    name: str, field: Mapping[sp.Symbol, sp.Expr], rates: tuple[sp.Expr, sp.Expr]
+    name: str,
+    field: Mapping[sp.Symbol, sp.Expr],
+    rates: tuple[sp.Expr, sp.Expr],
+    before: Mapping[sp.Symbol, sp.Expr] | None = None,
 ) -> System:
     return System(
         name=name,
@@ -98,7 +102,12 @@ def _system(
         summary=SUMMARY,
         source=SOURCE,
         parameters=ratio.parameters(DEFAULTS),
-        definitions={n: normal(), omega: velocity(*rates)},
+        definitions={
+            **(before or {}),
+            n: normal(),
+            ndot: turning(*rates),
+            omega: cross(ndot, n) / k,
+        },
         field=field,
     )
 
@@ -162,19 +171,31 @@ CANONICAL = PoissonStructure(
 
 def canonical_form() -> System:
     """(9.10) with the Hamiltonian (9.14); the time is τ, dτ = N dt."""
-    energy = hamiltonian()
+    share = (2 * k - 1) / k
     field = {
-        xi: sp.diff(energy, p_xi),
-        eta: sp.diff(energy, p_eta),
-        p_xi: -sp.diff(energy, xi),
-        p_eta: -sp.diff(energy, eta),
+        xi: 2 * A_xi * p_xi / (eta * Q),
+        eta: -2 * A_eta * p_eta / (xi * Q),
+        p_xi: H * (1 / (xi - eta) - share / xi)
+        - (B_xi * p_xi**2 / eta + A_eta * p_eta**2 / xi**2) / Q,
+        p_eta: (A_xi * p_xi**2 / eta**2 + B_eta * p_eta**2 / xi) / Q
+        - H * (1 / (xi - eta) + share / eta),
     }
-    rates = (MULTIPLIER * field[xi], MULTIPLIER * field[eta])
-    return _system(NAME, field, rates).with_laws(
-        Integral("energy", energy, "energy", source="(9.14)", unit="J"),
+    definitions = {
+        A_xi: cubic(xi),
+        A_eta: cubic(eta),
+        B_xi: sp.diff(cubic(xi), xi),
+        B_eta: sp.diff(cubic(eta), eta),
+        Q: (xi - eta) / (2 * k**2) * (xi * eta / DET_J) ** -share,
+        H: (A_xi * p_xi**2 / eta - A_eta * p_eta**2 / xi) / Q,
+        N: MULTIPLIER,
+        xidot: N * field[xi],
+        etadot: N * field[eta],
+    }
+    return _system(NAME, field, (xidot, etadot), definitions).with_laws(
+        Integral("energy", H, "energy", source="(9.14)", unit="J"),
         CANONICAL,
         ConformallyHamiltonian(
-            "hamiltonian", sp.S.One, CANONICAL, energy, "canonical form", source="(9.10)"
+            "hamiltonian", sp.S.One, CANONICAL, H, "canonical form", source="(9.10)"
         ),
     )
 
@@ -211,7 +232,7 @@ def build(p: Numbers) -> System:
         raise InputError("J_1, J_2, J_3: sphero-conical coordinates need J_1 < J_2 < J_3")
     if p["k"] == 0:
         raise InputError("k 0.0: the ratio of the radii must not be zero")
-    made = canonical_form().with_laws(to_ball(1 / MULTIPLIER))
+    made = canonical_form().with_laws(to_ball(1 / N))
     guard = Guard(
         "octant",
         -cubic(xi) * cubic(eta),
