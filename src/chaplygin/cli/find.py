@@ -45,10 +45,17 @@ def command(
         list[str] | None,
         typer.Option(
             "--denominator",
+            metavar="FORMULA",
+            help="May divide an integral, e.g. '(γ, A γ)'; by default what suggests itself; 1 for "
+            "none.",
+        ),
+    ] = None,
+    bases: Annotated[
+        list[str] | None,
+        typer.Option(
             "--base",
             metavar="FORMULA",
-            help="Divides an integral, or is a factor of a density, e.g. '(γ, A γ)'; by default "
-            "those that suggest themselves; 1 for none.",
+            help="A factor of a density, up to a power; by default what suggests itself.",
         ),
     ] = None,
     power: Annotated[int, typer.Option(help="Largest power of a denominator.")] = 1,
@@ -76,6 +83,7 @@ def command(
         at=at or (),
         on=on or (),
         divisors=None if divisors is None else [d for d in divisors if d.strip() != "1"],
+        bases=bases,
         powers=power,
         parameter_degree=parameter_degree,
         seconds=seconds,
@@ -152,15 +160,21 @@ def _shown(finding: Finding) -> list[str]:
     return [f"  {label} = {formula}", f"      {status}{known}"]
 
 
+def _factors(kind: str, question: Question) -> tuple[Any, ...]:
+    """What may divide an integral, or what a density is made of."""
+    return {"integrals": question.divisors, "measure": question.bases}.get(kind, ())
+
+
 def _as_text(kind: str, question: Question, found: list[Finding], complete: bool) -> str:
     from ..notation import text
 
     lines = [f"{_TITLES[kind]} of {question.stage.system.title}"]
     if kind != "measure":
         lines.append(f"    {_setting(question)}")
-    if question.divisors and kind != "symmetries":
-        words = "divided by" if kind == "integrals" else "made of powers of"
-        lines.append(f"    {words} {', '.join(text(d) for d in question.divisors)}")
+    factors = _factors(kind, question)
+    if factors:
+        words = "perhaps divided by" if kind == "integrals" else "made of powers of"
+        lines.append(f"    {words} {', '.join(text(f) for f in factors)}")
     lines.append("")
     for finding in found:
         lines += _shown(finding)
@@ -184,7 +198,7 @@ def _as_json(
         "coordinates": [str(s) for s in ansatz.coordinates],
         "degree": ansatz.degree,
         "gamma_degree": ansatz.gamma_degree,
-        "divisors": [text(d) for d in question.divisors],
+        "factors": [text(f) for f in _factors(kind, question)],
         "on": [_equation(f) for f in question.stage.on],
         "complete": complete,
         "seconds": round(elapsed, 3),
