@@ -6,7 +6,6 @@ vectors α, β, γ can be decided: they are the rows of the rotation matrix.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 
 import sympy as sp
@@ -15,19 +14,17 @@ from ..mechanics.attitude import attitude, quaternion_rate, rotation, unit_lengt
 from ..system import Parameter, System
 from ..vectors import Diagonal, constant, cross, explicit, gradient, scalar, vectors
 from . import unspecified
+from .growth import Field, commutator
 
 __all__ = [
     "COORDINATES",
     "POTENTIAL",
-    "Field",
     "bracket",
     "constrained",
     "moving",
     "shift",
     "turn",
 ]
-
-Field = Mapping[sp.Symbol, sp.Expr]
 
 alpha, beta, gamma, R, omega, v, r = vectors("alpha beta gamma R omega v r")
 lambda_ = vectors("lambda")[0]
@@ -56,17 +53,9 @@ def shift(axis: int) -> Field:
     return {R.symbols[i]: direction.symbols[axis] for i, direction in enumerate(directions)}
 
 
-def derivative(field: Field, function: sp.Expr) -> sp.Expr:
-    """A field applied to a function of the coordinates."""
-    return sp.Add(*(value * sp.diff(function, symbol) for symbol, value in field.items()))
-
-
 def bracket(first: Field, second: Field) -> Field:
-    """The commutator [u, w] = uw − wu."""
-    return {
-        s: derivative(first, second.get(s, sp.S.Zero)) - derivative(second, first.get(s, sp.S.Zero))
-        for s in COORDINATES
-    }
+    """The commutator of two fields on α, β, γ and R."""
+    return commutator(first, second, COORDINATES)
 
 
 def moving() -> System:

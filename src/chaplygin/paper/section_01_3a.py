@@ -29,7 +29,8 @@ from ..vectors import (
     vectors,
 )
 from .claim import Case, Claim, Remark
-from .free_body import COORDINATES, Field, bracket, derivative, moving, shift, turn
+from .free_body import COORDINATES, bracket, moving, shift, turn
+from .growth import Field, along
 
 alpha, beta, gamma, R, omega, v, r, c = vectors("alpha beta gamma R omega v r c")
 I, B = Diagonal("I"), Diagonal("B")
@@ -103,7 +104,7 @@ def rational_rotation() -> sp.ImmutableDenseMatrix:
 def turning() -> Case:
     """The rate of any function of the attitude is Σ ω_k ξ_k of it."""
     function = sp.Function("h_f")(*COORDINATES[:9])
-    total = sp.Add(*(w * derivative(turn(k), function) for k, w in enumerate(omega)))
+    total = sp.Add(*(w * along(turn(k), function) for k, w in enumerate(omega)))
     return body(), Identity("turning", Rate(function) - total)
 
 

@@ -28,7 +28,8 @@ from ..vectors import (
 from . import unspecified
 from .any_motion import any_motion, driven, newton_euler, reaction, reduced, tensor
 from .claim import Case, Claim, Remark
-from .free_body import POTENTIAL, constrained, derivative, shift, turn
+from .free_body import POTENTIAL, constrained, shift, turn
+from .growth import along
 
 alpha, beta, gamma, R, omega, v, r = vectors("alpha beta gamma R omega v r")
 lambda_, X = vectors("lambda X")
@@ -84,10 +85,10 @@ def suslov() -> Case:
     residuals = []
     for i in THREE:
         turned = _turned(i, ((omega, angular), (v, linear)))
-        force = derivative(turn(i), lagrangian) + sp.diff(work, omega.symbols[i])
+        force = along(turn(i), lagrangian) + sp.diff(work, omega.symbols[i])
         residuals.append(Rate(angular[i]) - turned - force)
         turned = _turned(i, ((omega, linear),))
-        force = derivative(shift(i), lagrangian) + sp.diff(work, v.symbols[i])
+        force = along(shift(i), lagrangian) + sp.diff(work, v.symbols[i])
         residuals.append(Rate(linear[i]) - turned - force)
     return pushed(), Identity("suslov", tuple(residuals))
 
