@@ -48,7 +48,7 @@ def body_of_revolution() -> Case:
     I_1, I_2, I_3 = I.symbols
     b_1, b_2, b_3 = sp.symbols("b_1:4", real=True)
     m = scalar("m")
-    numbers = (m - 1, I_1 - 1, I_2 - 1, 2 * I_3 - 3, b_1 - 1, b_2 - 1, b_3 - 2)
+    numbers = (m - 1, I_2 - I_1, b_1 - 1, b_2 - 1, b_3 - 2)
     density = I_1 * I_3 + m * dot(r, I * r)
     return made, Measure("measure", {density: -sp.Rational(1, 2)}, on=numbers)
 
@@ -89,7 +89,8 @@ CLAIMS = (
         "§3.2, body of revolution",
         "There are systems with an invariant measure: a body of revolution on a plane",
         body_of_revolution,
-        note="for one spheroid in any potential U(γ₃)",
+        note="for spheroids of one shape, with any moments of inertia I₁ = I₂ and I₃, in any "
+        "potential U(γ₃)",
     ),
     Claim(
         "§3.2, Celtic stones",
