@@ -82,6 +82,11 @@ def flat() -> Guard:
     return Guard("flat", 1 - gamma_3**2, "the disk lies flat")
 
 
+def lift_off(force: sp.Expr) -> Guard:
+    """The contact, which ends when the normal force changes sign."""
+    return Guard("contact", force, "the normal force changes sign", lift_off=True)
+
+
 def in_space(velocity: MatrixExpr) -> Motion:
     """Attitude, centre and contact point of a disk whose centre has a velocity (body axes)."""
     turn = rotation()
@@ -204,10 +209,7 @@ def build(p: Numbers) -> System:
             Observable("normal_force", dot(N, gamma), "normal force", "N"),
             Observable("edge_force", dot(N, cross(xi, gamma)), "force across the edge", "N"),
         ),
-        guards=(
-            flat(),
-            Guard("contact", dot(N, gamma), "the normal force changes sign", lift_off=True),
-        ),
+        guards=(flat(), lift_off(dot(N, gamma))),
         motion=in_space(v),
     )
 
