@@ -37,7 +37,6 @@ K = scalar("K")
 BRUNS = explicit(K / 2 * dot(gamma, Diagonal("I") * gamma))
 #: ρ = (det I_Q)^(−1/2) of (7.3), in the symbols of a rolling ball.
 DENSITY = 1 / sp.sqrt(DET_IQ)
-ROTORS = (0.3, -0.2, 0.5)
 MOMENTUM_UNIT = "kg^2 m^4/s^2"
 
 

@@ -11,7 +11,6 @@ from dataclasses import replace
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ..mechanics.body import check_inertia, check_mass
 from ..statements import ConformallyHamiltonian, Identity, Integral, Isomorphism, PoissonStructure
 from ..system import Guard, Observable, Parameter, System
 from ..vectors import Components, constant, cross, dot, explicit, scalar, vectors, zero
@@ -30,6 +29,7 @@ from .chaplygin_bracket import (
     energy,
     gamma,
     k,
+    with_numbers,
 )
 from .entry import Entry, Numbers, Start
 
@@ -277,23 +277,14 @@ def reduction(rotors: MatrixExpr = zero) -> Isomorphism:
 # --- the catalogue -------------------------------------------------------------------------
 
 
-def _with_numbers(made: System, p: Numbers) -> System:
-    check_mass(p["m"])
-    check_inertia((p["I_1"], p["I_2"], p["I_3"]))
-    return replace(
-        made,
-        parameters=tuple(replace(item, default=p[str(item.symbol)]) for item in made.parameters),
-    )
-
-
 def build(p: Numbers) -> System:
     """The ball in angles."""
-    return _with_numbers(ball_in_angles().with_laws(reduction()), p)
+    return with_numbers(ball_in_angles().with_laws(reduction()), p)
 
 
 def build_reduced(p: Numbers) -> System:
     """Its Hamiltonian form."""
-    return _with_numbers(reduced(zero, gyroscopic(zero)), p)
+    return with_numbers(reduced(zero, gyroscopic(zero)), p)
 
 
 def general_with_rotors() -> System:

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import sympy as sp
 
-from ..mechanics.body import check_inertia, check_mass
 from ..statements import Integral, Measure
 from ..system import System
 from ..vectors import cross, dot, gradient, normed, vectors, zero
-from .chaplygin_bracket import DET_IQ, PARAMETERS, TENSORS, A, D
+from .chaplygin_bracket import DET_IQ, PARAMETERS, TENSORS, A, D, with_numbers
 from .entry import Entry, Numbers, Start
 
 M, alpha, beta, gamma, omega = vectors("M alpha beta gamma omega")
@@ -70,13 +67,7 @@ def orientation(potential: sp.Expr) -> System:
 
 def build(p: Numbers) -> System:
     """The ball without a field."""
-    check_mass(p["m"])
-    check_inertia((p["I_1"], p["I_2"], p["I_3"]))
-    made = orientation(sp.S.Zero)
-    return replace(
-        made,
-        parameters=tuple(replace(item, default=p[str(item.symbol)]) for item in made.parameters),
-    )
+    return with_numbers(orientation(sp.S.Zero), p)
 
 
 def unspecified() -> System:

@@ -157,26 +157,31 @@ def hamiltonian_form(potential: sp.Expr, rotors: MatrixExpr = zero) -> System:
     )
 
 
-def _with_numbers(made: System, square: sp.Expr, p: Numbers) -> System:
+def with_numbers(made: System, p: Numbers) -> System:
+    """The system with the given values as defaults, refused unless a ball can have them."""
     check_mass(p["m"])
     check_inertia((p["I_1"], p["I_2"], p["I_3"]))
-    made = made.with_laws(
-        Integral("momentum", square, "square of the momentum", source="(7.4)", unit="kg^2 m^4/s^2")
-    )
     return replace(
         made,
         parameters=tuple(replace(item, default=p[str(item.symbol)]) for item in made.parameters),
     )
 
 
+def _without_field(rotors: MatrixExpr, p: Numbers) -> System:
+    square = normed(L) * DET_IQ
+    return with_numbers(hamiltonian_form(sp.S.Zero, rotors), p).with_laws(
+        Integral("momentum", square, "square of the momentum", source="(7.4)", unit="kg^2 m^4/s^2")
+    )
+
+
 def build(p: Numbers) -> System:
     """The ball without a potential."""
-    return _with_numbers(hamiltonian_form(sp.S.Zero), normed(L) * DET_IQ, p)
+    return _without_field(zero, p)
 
 
 def build_with_rotors(p: Numbers) -> System:
     """The ball with rotors, without a potential."""
-    return _with_numbers(hamiltonian_form(sp.S.Zero, k), normed(L) * DET_IQ, p)
+    return _without_field(k, p)
 
 
 def unspecified() -> System:
