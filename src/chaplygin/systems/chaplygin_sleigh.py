@@ -35,6 +35,13 @@ m, I, a, b, J = sp.symbols("m I a b J", real=True)
 SOURCE = "§4.3"
 HALF = sp.Rational(1, 2)
 ALONG = "velocity of the centre of mass along the blade"
+#: For the place and the velocities, and for the velocities alone.
+SINGULAR = Measure(
+    "measure",
+    {Omega: -sp.S.One},
+    "measure, singular where the sleigh goes straight on",
+    source=SOURCE,
+)
 
 
 def _parameters(p: Numbers) -> tuple[Parameter, ...]:
@@ -86,12 +93,7 @@ def sleigh(p: Numbers) -> System:
                 source="Theorem 1",
                 unit="J",
             ),
-            Measure(
-                "measure",
-                {Omega: -sp.S.One},
-                "measure, singular where the sleigh goes straight on",
-                source=SOURCE,
-            ),
+            SINGULAR,
             Measure(
                 "volume",
                 {sp.S.One: sp.S.One},
@@ -147,12 +149,7 @@ def reduced(p: Numbers) -> System:
         field={u: a * Omega**2, Omega: -m * a * u * Omega / J},
         laws=(
             Integral("energy", energy, "kinetic energy", source="Theorem 1", unit="J"),
-            Measure(
-                "measure",
-                {Omega: -sp.S.One},
-                "measure, singular where the sleigh goes straight on",
-                source=SOURCE,
-            ),
+            SINGULAR,
             structure,
             ConformallyHamiltonian(
                 "form",
