@@ -120,18 +120,19 @@ def casimirs() -> Case:
 
 
 def _on_coordinates() -> tuple[list[sp.Expr], list[sp.Expr]]:
-    """M and γ of (9.11) in ξ, η, p_ξ, p_η, written out."""
-    energy = conical.hamiltonian()
+    """M and γ of (9.11) in ξ, η, p_ξ, p_η, written out.
+
+    In M = Ñ J^(1/2) ω, with ω from q̇ = N ∂H/∂p, the powers of ξη combine: N⁻² is the power in the
+    Hamiltonian, and Ñ/N is √det J ρ²/k.
+    """
     rho_squared = xi * eta / DET_J
-    rates = (
-        conical.MULTIPLIER * sp.diff(energy, p_xi),
-        conical.MULTIPLIER * sp.diff(energy, p_eta),
-    )
+    free = conical.hamiltonian() / rho_squared ** ((2 * k - 1) / k)
     place = dict(zip(n.symbols, conical.normal(), strict=True))
-    spin = explicit(cross(conical.turning(*rates), n) / k).xreplace(place)
-    n_tilde = sp.sqrt(DET_J) / k * rho_squared ** (1 / (2 * k))
+    turning = conical.turning(sp.diff(free, p_xi), sp.diff(free, p_eta))
+    spin = [sp.factor(w).xreplace(place) for w in explicit(cross(turning, n) / k)]
     halves = [sp.sqrt(j) for j in J.symbols]
-    momentum = [n_tilde * s * w for s, w in zip(halves, spin, strict=True)]
+    factor = sp.sqrt(DET_J) * rho_squared / k
+    momentum = [factor * s * w for s, w in zip(halves, spin, strict=True)]
     shrunk = [x / s for x, s in zip(conical.normal(), halves, strict=True)]
     return momentum, [x / sp.sqrt(rho_squared) for x in shrunk]
 
