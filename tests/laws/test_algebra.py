@@ -10,8 +10,9 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from chaplygin.laws.algebra import Budget, Fractions
+from chaplygin.laws.budget import Budget
 from chaplygin.laws.errors import OutOfReachError, SpareNeededError
+from chaplygin.laws.functions import Fractions
 
 
 def plain(names="xyz", **options):

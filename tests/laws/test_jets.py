@@ -6,8 +6,8 @@ import pytest
 import sympy as sp
 from flint import arb
 
-from chaplygin.laws.algebra import Fractions
 from chaplygin.laws.errors import OutOfReachError
+from chaplygin.laws.functions import Fractions
 from chaplygin.laws.jets import Evaluator, Jet
 from chaplygin.laws.numbers import Balls, precise
 

@@ -24,8 +24,9 @@ from sympy.polys.rings import PolyRing
 from ..errors import InputError
 from ..statements import Law
 from ..system import System
-from .algebra import Budget, Fractions
+from .budget import Budget
 from .errors import SpareNeededError
+from .functions import Fractions
 from .ground import Ground
 from .numbers import precise
 from .prove import everything, prove, tried

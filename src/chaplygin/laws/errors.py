@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-__all__ = ["NotExactError", "OutOfReachError", "SpareNeededError"]
+__all__ = ["EmptyLevelError", "NotExactError", "OutOfReachError", "SpareNeededError"]
 
 
 class OutOfReachError(Exception):
@@ -15,3 +15,7 @@ class NotExactError(Exception):
 
 class SpareNeededError(Exception):
     """More auxiliary symbols are needed than were provided."""
+
+
+class EmptyLevelError(Exception):
+    """The conditions of a level contradict each other."""

@@ -5,27 +5,27 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cached_property
 from typing import Any, TypeVar
 
 import sympy as sp
-from flint import arb, fmpq, fmpq_poly
+from flint import fmpq
 from sympy.core.function import AppliedUndef
 
 from ..errors import InputError
 from ..system import System
 from ..vectors import explicit
-from .algebra import Budget, Element, Fractions
-from .errors import NotExactError, OutOfReachError
+from .budget import Budget
+from .errors import EmptyLevelError, NotExactError, OutOfReachError
+from .functions import Fractions
 from .jets import Evaluator, Exchange, Jet
-from .numbers import Balls, Rationals, exact_root
+from .numbers import Balls, Rationals
+from .points import near, on_sphere, shown, solved
+from .triangular import Triangle, numerator, triangle
 
 __all__ = ["Ground"]
 
-Poly = Any
 Kind = TypeVar("Kind", bound=Fractions)
-Terms = dict[tuple[int, ...], Any]
 
 
 @dataclass(frozen=True)
@@ -152,62 +152,23 @@ class Ground:
     # --- the triangular set ----------------------------------------------------------------
 
     @cached_property
-    def _triangle(
-        self,
-    ) -> tuple[tuple[str, ...], tuple[tuple[str, dict[tuple[Any, ...], Any]], ...]]:
-        """Names in order, highest first, and the relations from the lowest to the highest.
-
-        A relation is kept as a mapping of named exponents to coefficients, since the ring in
-        which it is used orders the variables otherwise.
-        """
-        names = [str(s) for s in self.generators]
-        draft = Fractions(names)
+    def _triangle(self) -> Triangle:
+        draft = Fractions([str(s) for s in self.generators])
         evaluate = self.evaluator(draft)
-        waiting = []
-        for condition in self._settlement[1]:
-            if isinstance(condition, AppliedUndef):
-                continue
-            waiting.append(_numerator(evaluate.value(condition), condition))
-        chain: list[tuple[str, Poly]] = []
+        conditions = [
+            numerator(draft, evaluate.value(condition), condition)
+            for condition in self._settlement[1]
+            if not isinstance(condition, AppliedUndef)
+        ]
+        names = [str(s) for s in self.generators]
         moving = {str(s) for s in self.system.symbols}
-        while waiting:
-            for main, relation in reversed(chain):
-                waiting = [draft.pseudo_remainder(g, relation, main) for g in waiting]
-            waiting = [g for g in waiting if g]
-            for g in waiting:
-                if g.is_constant():
-                    raise InputError(
-                        f"{self.system.name}: the level {_listed(self.on)} is empty; its "
-                        "conditions contradict each other or the phase space"
-                    )
-            best = min(
-                (
-                    (_merit(draft, g, v, moving), i, v)
-                    for i, g in enumerate(waiting)
-                    for v in names
-                    if _possible(draft, g, v, chain)
-                ),
-                default=None,
-            )
-            if waiting and best is None:
-                raise OutOfReachError("the conditions of the level cannot be made triangular")
-            if best is not None:
-                _, index, main = best
-                chain.append((main, waiting.pop(index)))
-        ordered = _sorted(draft, chain)
-        mains = [main for main, _ in ordered]
-        order = (*reversed(mains), *(n for n in names if n not in mains))
-        kept = tuple(
-            (
-                main,
-                {
-                    tuple(zip(draft.names, map(int, e), strict=True)): c
-                    for e, c in poly.to_dict().items()
-                },
-            )
-            for main, poly in ordered
-        )
-        return order, kept
+        try:
+            return triangle(draft, names, conditions, moving)
+        except EmptyLevelError:
+            raise InputError(
+                f"{self.system.name}: the level {_listed(self.on)} is empty; its conditions "
+                "contradict each other or the phase space"
+            ) from None
 
     def _known(self, condition: Any) -> None:
         unknown = condition.free_symbols - set(self.symbols) - set(self._definitions)
@@ -226,9 +187,8 @@ class Ground:
         budget: Budget,
     ) -> Kind:
         """The field of fractions modulo the conditions, of the class given."""
-        names, chain = self._triangle
-        field = kind(names, spare, sample, budget)
-        for main, terms in chain:
+        field = kind(self._triangle.order, spare, sample, budget)
+        for main, terms in self._triangle.relations:
             made = {}
             for named, number in terms.items():
                 powers = dict(named)
@@ -256,11 +216,11 @@ class Ground:
         raise OutOfReachError(f"no real point was found on the level {_listed(self.on)}")
 
     def _try_point(self, generator: random.Random) -> tuple[dict[str, Any], bool]:
-        names, chain = self._triangle
+        names, chain = self._triangle.order, self._triangle.relations
         mains = {main for main, _ in chain}
         values: dict[str, Any] = {}
         for main, terms in chain:
-            values |= _sphere(main, terms, mains - {main}, generator) or {}
+            values |= on_sphere(main, terms, mains - {main}, generator) or {}
         defaults = {str(p.symbol): p.default for p in self.system.parameters}
         exchanged = {str(e.name) for e in self.exchanged}
         involved = {n for _, terms in chain for named in terms for n, power in named if power}
@@ -268,13 +228,13 @@ class Ground:
             if name in mains or name in values:
                 continue
             if name not in exchanged:
-                values[name] = _chosen(defaults.get(name), generator)
+                values[name] = near(defaults.get(name), generator)
             elif name in involved:
                 values[name] = fmpq(generator.randint(20, 40), 20)
         exact = True
         for main, terms in chain:
             if main not in values:
-                values[main] = _solved(main, terms, values, generator)
+                values[main] = solved(main, terms, values, generator)
                 exact = exact and isinstance(values[main], fmpq)
         return self._with_exchanged(values, generator, exact)
 
@@ -287,7 +247,7 @@ class Ground:
         given = {known[name]: value for name, value in values.items()}
         for change in self.exchanged:
             if change.name not in given:
-                given[change.parameter] = _chosen(defaults[str(change.parameter)], generator)
+                given[change.parameter] = near(defaults[str(change.parameter)], generator)
         names = [e.name for e in self.exchanged if e.name not in given]
         for rational in (True, False) if exact else (False,):
             numbers = {str(s): v for s, v in given.items()}
@@ -304,7 +264,7 @@ class Ground:
     def point_shown(self, field: Any) -> dict[str, str]:
         """State and parameters at a point, for a reader."""
         evaluate = self.evaluator(field)
-        return {str(s): _shown(evaluate.value(s)) for s in self.symbols}
+        return {str(s): shown(evaluate.value(s)) for s in self.symbols}
 
     def numbers(self, values: Mapping[str, Any], exact: bool) -> Rationals | Balls:
         """The field of numbers at a point."""
@@ -361,146 +321,3 @@ def _linear_in(formula: sp.Expr) -> tuple[sp.Symbol, sp.Expr] | None:
 
 def _listed(on: tuple[Any, ...]) -> str:
     return ", ".join(f"{c} = 0" for c in on) or "given by the relations"
-
-
-def _numerator(element: Element, condition: Any) -> Poly:
-    """The polynomial whose vanishing a condition states."""
-    poly = element.poly
-    for number, power in element.powers.items():
-        for _ in range(max(power, 0)):
-            poly = poly * element.home.factors[number]
-    highest = poly.degrees()[: element.home.spare] if poly else ()
-    if any(highest):
-        raise OutOfReachError(
-            f"the condition {condition} = 0 contains a root or a function; state it as a polynomial"
-        )
-    return poly
-
-
-def _variables(draft: Fractions, poly: Poly) -> set[str]:
-    return {n for n, d in zip(draft.names, poly.degrees(), strict=True) if d}
-
-
-def _merit(draft: Fractions, poly: Poly, name: str, moving: set[str]) -> tuple[int, int, int]:
-    """How well a variable serves as the main one of a relation; smaller is better."""
-    position = draft.names.index(name)
-    degree = int(poly.degrees()[position])
-    lead = draft.coefficient(poly, position, degree)
-    if lead.is_constant():
-        kind = 0 if degree == 1 else degree - 1
-    else:
-        # a coefficient of parameters alone vanishes for special bodies, one of the state anywhere
-        kind = 10 * degree + (len(lead) > 1) + 4 * bool(_variables(draft, lead) & moving)
-    return kind, len(lead), -position
-
-
-def _possible(draft: Fractions, poly: Poly, name: str, chain: list[tuple[str, Poly]]) -> bool:
-    """Whether the variable can be the main one: in the relation, free, and without a circle."""
-    if name in {main for main, _ in chain} or name not in _variables(draft, poly):
-        return False
-    try:
-        _sorted(draft, [*chain, (name, poly)])
-    except OutOfReachError:
-        return False
-    return True
-
-
-def _sorted(draft: Fractions, chain: list[tuple[str, Poly]]) -> list[tuple[str, Poly]]:
-    """The relations from the lowest main variable to the highest."""
-    mains = {main for main, _ in chain}
-    needs = {main: (_variables(draft, poly) & mains) - {main} for main, poly in chain}
-    done: list[str] = []
-    while len(done) < len(chain):
-        ready = [m for m in needs if m not in done and needs[m] <= set(done)]
-        if not ready:
-            raise OutOfReachError("the conditions of the level cannot be made triangular")
-        done.extend(ready)
-    polys = dict(chain)
-    return [(main, polys[main]) for main in done]
-
-
-def _chosen(default: float | None, generator: random.Random) -> fmpq:
-    """A random rational number, near the default of a parameter."""
-    if default is None or default == 0:
-        reach = generator.choice([17, 17, 60])
-        return fmpq(
-            generator.choice([-1, 1]) * generator.randint(3, reach), generator.randint(11, 19)
-        )
-    near = Fraction(repr(float(default))) * Fraction(generator.randint(90, 115), 100)
-    return fmpq(near.numerator, near.denominator)
-
-
-def _sphere(
-    main: str, terms: Mapping[Any, Any], taken: set[str], generator: random.Random
-) -> dict[str, Any] | None:
-    """A rational point of x² + y² + … = c, if the relation is one and c is a square."""
-    members, constant, scale = [], fmpq(0), None
-    for named, number in terms.items():
-        present = [(n, p) for n, p in named if p]
-        if not present:
-            constant = number
-        elif len(present) == 1 and present[0][1] == 2 and scale in (None, number):
-            members.append(present[0][0])
-            scale = number
-        else:
-            return None
-    if scale is None or len(members) < 2 or taken & set(members):
-        return None
-    try:
-        radius = exact_root(-constant / scale, 2)
-    except NotExactError:
-        return None
-    shares = [fmpq(generator.randint(-9, 9), generator.randint(7, 13)) for _ in members[1:]]
-    square = sum((s * s for s in shares), fmpq(0))
-    point = [2 * s / (1 + square) for s in shares] + [(square - 1) / (1 + square)]
-    if any(x == 0 for x in point):
-        raise ZeroDivisionError
-    return {n: radius * x for n, x in zip(sorted(members), point, strict=True)}
-
-
-def _solved(
-    main: str, terms: Mapping[Any, Any], values: Mapping[str, Any], generator: random.Random
-) -> Any:
-    """A real value of the main variable, the others being given."""
-    coefficients: dict[int, Any] = {}
-    for named, number in terms.items():
-        total: Any = number
-        degree = 0
-        for name, power in named:
-            if name == main:
-                degree = power
-            elif power:
-                total = values[name] ** power * total
-        coefficients[degree] = coefficients.get(degree, fmpq(0)) + total
-    top = max(coefficients)
-    c = [coefficients.get(i, fmpq(0)) for i in range(top + 1)]
-    if top == 1:
-        return _divided(-c[0], c[1])
-    if top == 2:
-        square = c[1] * c[1] - 4 * c[0] * c[2]
-        if not square > 0:
-            raise ZeroDivisionError
-        sign = generator.choice([-1, 1])
-        try:
-            if not isinstance(square, fmpq):
-                raise NotExactError
-            root: Any = exact_root(square, 2)
-        except NotExactError:
-            root = arb(square).sqrt()
-        return _divided(sign * root - c[1], 2 * c[2])
-    if all(isinstance(x, fmpq) for x in c):
-        roots: Any = fmpq_poly(c).complex_roots()
-        real = [z.real for z, _ in roots if z.imag == 0]
-        if real:
-            return generator.choice(real)
-    raise ZeroDivisionError
-
-
-def _shown(value: Any) -> str:
-    return str(value) if isinstance(value, fmpq) else str(value.str(20))
-
-
-def _divided(above: Any, below: Any) -> Any:
-    if below == 0 or (not isinstance(below, fmpq) and 0 in below):
-        raise ZeroDivisionError
-    return above / below

@@ -1,6 +1,6 @@
 """Fields of numbers in which laws are tried at a point: exact rationals, and balls.
 
-Both offer what :class:`chaplygin.laws.algebra.Fractions` offers, so that one evaluation of a law
+Both offer what :class:`chaplygin.laws.functions.Fractions` offers, so that one evaluation of a law
 serves its proof and its refutation.
 """
 

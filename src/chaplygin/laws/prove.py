@@ -17,8 +17,9 @@ from typing import Any, overload
 from ..errors import InputError
 from ..statements import Identity, Isomorphism, Law, PoissonStructure
 from ..system import System
-from .algebra import Budget, Fractions
+from .budget import Budget
 from .errors import NotExactError, OutOfReachError, SpareNeededError
+from .functions import Fractions
 from .ground import Ground
 from .memory import fingerprint, recall, remember
 from .numbers import Balls, Rationals, precise
@@ -103,7 +104,6 @@ def _decided(system: System, law: Law, budget: Budget) -> Verdict:
                     "residual": str(residual),
                 },
             )
-        budget.watch()
     spare = 8
     while True:
         try:

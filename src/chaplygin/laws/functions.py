@@ -1,0 +1,235 @@
+"""The field in which laws are proved: fractions with roots, powers and functions.
+
+Every root and every symbolic power is an auxiliary symbol, roots with the relation they satisfy;
+sines and cosines come in pairs with s² + c² = 1; an unspecified function is a symbol for each of
+its derivatives.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
+
+import sympy as sp
+from flint import fmpq
+
+from .algebra import Element, Quotients
+from .budget import Budget
+from .errors import OutOfReachError, SpareNeededError
+
+__all__ = ["Fractions"]
+
+Poly = Any
+
+#: Denominator of the exponents that symbolic powers may have: base^(θ/4) is the generator.
+FINENESS = 4
+
+
+class Fractions(Quotients):
+    """Fractions in named generators and in auxiliary symbols, modulo relations.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Generators, highest first; a relation's main variable must be its highest.
+    spare : int
+        Room for auxiliary symbols, which come before all others.
+    sample : mapping of str to float
+        A point of the phase space, which settles signs of roots.
+    budget : Budget
+    """
+
+    def __init__(
+        self,
+        names: Sequence[str],
+        spare: int = 12,
+        sample: Mapping[str, float] | None = None,
+        budget: Budget | None = None,
+    ) -> None:
+        super().__init__((*(f"aux{i}" for i in reversed(range(spare))), *names), budget)
+        self.spare = spare
+        self.sample: dict[str, float] | None = None if sample is None else dict(sample)
+        self.meanings: dict[str, str] = {}
+        self._root_of: dict[int, tuple[fmpq, int, int]] = {}
+        self._roots: dict[str, tuple[Poly, int]] = {}
+        self._auxiliary: dict[Any, Any] = {}
+        self._circles: set[str] = set()
+        self._zeros: set[str] = set()
+        self._arguments: list[tuple[Element, str]] = []
+
+    def _new(self, key: Any, meaning: str, value: Callable[[], float]) -> Poly:
+        """The auxiliary generator that stands for `key`, made when first asked for."""
+        if key not in self._auxiliary:
+            taken = len(self._auxiliary)
+            if taken == self.spare:
+                raise SpareNeededError(self.spare)
+            name = f"aux{taken}"
+            self._auxiliary[key] = self.generators[name]
+            self.meanings[name] = meaning
+            if self.sample is not None:
+                self.sample[name] = value()
+        return self._auxiliary[key]
+
+    def tidied(self, element: Element) -> Element:
+        """Powers of a root written as powers of what it is a root of, where they are."""
+        if not any(n in self._root_of for n in element.powers):
+            return element
+        poly, powers = element.poly, dict(element.powers)
+        for number in [n for n in powers if n in self._root_of]:
+            lead, base, degree = self._root_of[number]
+            whole = int(powers[number] / degree)
+            for n, change in ((number, -whole * degree), (base, whole)):
+                powers[n] = powers.get(n, 0) + change
+            poly = poly * lead**whole
+        return Element(self, poly, {n: p for n, p in powers.items() if p})
+
+    def at_sample(self, poly: Poly) -> float:
+        """Value of a polynomial at the sample point, which settles signs."""
+        if self.sample is None:
+            return 1.0
+        values = [self.sample.get(name, 1.0) for name in self.names]
+        total = 0.0
+        for exponents, number in poly.to_dict().items():
+            term = float(number.p) / float(number.q)
+            for value, exponent in zip(values, exponents, strict=True):
+                if exponent:
+                    term *= value ** int(exponent)
+            total += term
+        return total
+
+    def _positive_parts(self, element: Element) -> tuple[fmpq, list[tuple[Poly, int]]]:
+        """Content and factors with powers, every factor positive at the sample point."""
+        content, parts = self.factorised(self.reduce(element.poly))
+        total: dict[int, int] = dict(element.powers)
+        for number, power in parts:
+            total[number] = total.get(number, 0) + power
+        signed = []
+        for number, power in total.items():
+            poly = self.factors[number]
+            if self.at_sample(poly) < 0:
+                poly = -poly
+                content = -content if power % 2 else content
+            if power:
+                signed.append((poly, power))
+        return content, signed
+
+    def root(self, element: Element, degree: int) -> Element:
+        """The root that is positive at the sample point."""
+        if degree == 1:
+            return element
+        return self.power(element, ((sp.S.One, sp.Rational(1, degree)),), None)
+
+    def power(
+        self, element: Element, exponents: Iterable[tuple[Any, Any]], value: Element | None
+    ) -> Element:
+        """The product of element^(number · θ) over pairs (θ, number); θ = 1 or symbolic."""
+        if self.vanishes(element):
+            raise ZeroDivisionError
+        content, parts = self._positive_parts(element)
+        if content < 0:
+            raise OutOfReachError("a root of a quantity that is negative at the sample point")
+        bases: list[tuple[Poly, int]] = [*parts]
+        for prime, power in sp.factorrat(sp.Rational(int(content.p), int(content.q))).items():
+            if prime != 1:
+                bases.append((self.ring.constant(int(prime)), int(power)))
+        result = self.one
+        for theta, number in exponents:
+            for base, power in bases:
+                result = result * self._one_power(base, theta, sp.Rational(number) * power)
+        return result
+
+    def as_rational(self, element: Element) -> sp.Rational | None:
+        """The number that an element is, if it is one."""
+        poly = self.reduce(element.poly)
+        if element.powers or not poly.is_constant():
+            return None
+        value = poly.leading_coefficient() if poly else fmpq(0)
+        return sp.Rational(int(value.p), int(value.q))
+
+    def _one_power(self, base: Poly, theta: Any, exponent: Any) -> Element:
+        if str(base) in self._roots:
+            inner, degree = self._roots[str(base)]
+            return self._one_power(inner, theta, exponent / degree)
+        if theta == 1:
+            whole = exponent.p // exponent.q
+            result = self.integer_power(Element(self, base, {}), int(whole))
+            part = exponent - whole
+            return result * self._root(base, int(part.q)) ** int(part.p) if part else result
+        fine = exponent * FINENESS
+        if fine.q != 1:
+            raise OutOfReachError(
+                f"the exponent {exponent}·{theta} is not a multiple of 1/{FINENESS}"
+            )
+        value = self.at_sample(base)
+        made = self._new(
+            ("power", str(base), theta),
+            f"({base})^({theta}/{FINENESS})",
+            lambda: abs(value) ** 0.37,
+        )
+        return self.integer_power(Element(self, made, {}), int(fine.p))
+
+    def _root(self, base: Poly, degree: int) -> Element:
+        if base.is_one():
+            return self.one
+        for known in sorted(k[2] for k in self._auxiliary if k[:2] == ("root", str(base))):
+            if known % degree == 0:
+                made = Element(self, self._auxiliary["root", str(base), known], {})
+                return self.integer_power(made, known // degree)
+        value = self.at_sample(base)
+        key = ("root", str(base), degree)
+        made = self._new(key, f"({base})^(1/{degree})", lambda: float(value ** (1 / degree)))
+        self.impose(str(made), made**degree - base)
+        self._roots[str(made)] = (base, degree)
+        if not base.is_constant():
+            lead = base.leading_coefficient()
+            self._root_of[self.named(made)] = (lead, self.named(base / lead), degree)
+        return Element(self, made, {})
+
+    def exponential(self, element: Element) -> Element:
+        """The exponential; that of the opposite is its reciprocal."""
+        opposite = ("exp", self._key(-element))
+        if opposite in self._auxiliary:
+            return self.invert(Element(self, self._auxiliary[opposite], {}))
+        return self.opaque("exp", [element])
+
+    def circle(self, angle: Element) -> tuple[Element, Element]:
+        """Sine and cosine."""
+        key = self._key(angle)
+        sine = self._new(("sin", key), f"sin({key})", lambda: 0.6)
+        cosine = self._new(("cos", key), f"cos({key})", lambda: 0.8)
+        if key not in self._circles:
+            self._circles.add(key)
+            upper, lower = sorted((sine, cosine), key=lambda p: self.names.index(str(p)))
+            self.impose(str(upper), upper**2 + lower**2 - 1)
+        return Element(self, sine, {}), Element(self, cosine, {})
+
+    def nothing(self, name: str) -> None:
+        """State that an unspecified function takes the value zero."""
+        self._zeros.add(name)
+
+    def opaque(self, name: str, arguments: Sequence[Element], value: float = 0.7) -> Element:
+        """A symbol for a function value about which nothing is known but its arguments."""
+        if name in self._zeros:
+            return self.zero
+        key = (name, *map(self._key, arguments))
+        return Element(self, self._new(key, f"{name}({', '.join(key[1:])})", lambda: value), {})
+
+    def _key(self, element: Element) -> str:
+        """A name that equal elements share."""
+        poly, powers = self.reduce(element.poly), dict(element.powers)
+        for number in sorted(powers):
+            while powers[number] > 0:
+                poly = self.product(poly, self.factors[number])
+                powers[number] -= 1
+            while powers[number] < 0:
+                quotient, rest = divmod(poly, self.factors[number])
+                if rest:
+                    break
+                poly, powers[number] = quotient, powers[number] + 1
+        below = "".join(f"/({self.factors[n]})^{-p}" for n, p in sorted(powers.items()) if p)
+        name = f"{poly}{below}"
+        for known, shared in self._arguments:
+            if shared == name or self.vanishes(known - element):
+                return shared
+        self._arguments.append((element, name))
+        return name

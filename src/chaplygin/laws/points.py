@@ -1,0 +1,102 @@
+"""Points of a phase space: rational where possible, else balls around real numbers."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+from flint import arb, fmpq, fmpq_poly
+
+from .errors import NotExactError
+from .numbers import exact_root
+from .triangular import Terms
+
+__all__ = ["near", "on_sphere", "shown", "solved"]
+
+
+def near(default: float | None, generator: random.Random) -> fmpq:
+    """A random rational number, near the default of a parameter."""
+    if default is None or default == 0:
+        reach = generator.choice([17, 17, 60])
+        return fmpq(
+            generator.choice([-1, 1]) * generator.randint(3, reach), generator.randint(11, 19)
+        )
+    near = Fraction(repr(float(default))) * Fraction(generator.randint(90, 115), 100)
+    return fmpq(near.numerator, near.denominator)
+
+
+def on_sphere(
+    main: str, terms: Terms, taken: set[str], generator: random.Random
+) -> dict[str, Any] | None:
+    """A rational point of x² + y² + … = c, if the relation is one and c is a square."""
+    members, constant, scale = [], fmpq(0), None
+    for named, number in terms.items():
+        present = [(n, p) for n, p in named if p]
+        if not present:
+            constant = number
+        elif len(present) == 1 and present[0][1] == 2 and scale in (None, number):
+            members.append(present[0][0])
+            scale = number
+        else:
+            return None
+    if scale is None or len(members) < 2 or taken & set(members):
+        return None
+    try:
+        radius = exact_root(-constant / scale, 2)
+    except NotExactError:
+        return None
+    shares = [fmpq(generator.randint(-9, 9), generator.randint(7, 13)) for _ in members[1:]]
+    square = sum((s * s for s in shares), fmpq(0))
+    point = [2 * s / (1 + square) for s in shares] + [(square - 1) / (1 + square)]
+    if any(x == 0 for x in point):
+        raise ZeroDivisionError
+    return {n: radius * x for n, x in zip(sorted(members), point, strict=True)}
+
+
+def solved(main: str, terms: Terms, values: Mapping[str, Any], generator: random.Random) -> Any:
+    """A real value of the main variable, the others being given."""
+    coefficients: dict[int, Any] = {}
+    for named, number in terms.items():
+        total: Any = number
+        degree = 0
+        for name, power in named:
+            if name == main:
+                degree = power
+            elif power:
+                total = values[name] ** power * total
+        coefficients[degree] = coefficients.get(degree, fmpq(0)) + total
+    top = max(coefficients)
+    c = [coefficients.get(i, fmpq(0)) for i in range(top + 1)]
+    if top == 1:
+        return _divided(-c[0], c[1])
+    if top == 2:
+        square = c[1] * c[1] - 4 * c[0] * c[2]
+        if not square > 0:
+            raise ZeroDivisionError
+        sign = generator.choice([-1, 1])
+        try:
+            if not isinstance(square, fmpq):
+                raise NotExactError
+            root: Any = exact_root(square, 2)
+        except NotExactError:
+            root = arb(square).sqrt()
+        return _divided(sign * root - c[1], 2 * c[2])
+    if all(isinstance(x, fmpq) for x in c):
+        roots: Any = fmpq_poly(c).complex_roots()
+        real = [z.real for z, _ in roots if z.imag == 0]
+        if real:
+            return generator.choice(real)
+    raise ZeroDivisionError
+
+
+def shown(value: Any) -> str:
+    """A number for a reader."""
+    return str(value) if isinstance(value, fmpq) else str(value.str(20))
+
+
+def _divided(above: Any, below: Any) -> Any:
+    if below == 0 or (not isinstance(below, fmpq) and 0 in below):
+        raise ZeroDivisionError
+    return above / below
