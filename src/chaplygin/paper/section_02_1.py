@@ -206,7 +206,7 @@ CLAIMS = (
         least_printed,
         least,
         r"$F_1(\mathbf q)=0,\dots,F_m(\mathbf q)=0$ with $m=n-k$",
-        "k is the dimension of the distribution, and there are m = n − k constraints, each equal to "
+        "k is the dimension of the distribution; there are m = n − k constraints, each equal to "
         "a constant; refuted by ż = yẋ + xẏ, that is, z − xy = const",
     ),
     Claim(
