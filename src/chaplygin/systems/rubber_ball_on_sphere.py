@@ -10,10 +10,10 @@ from ..mechanics.body import Body
 from ..mechanics.rolling import Field, Rolling
 from ..mechanics.shapes import Ball
 from ..mechanics.surfaces import Sphere
-from ..statements import Integral, Law, Measure
+from ..statements import Integral, Isomorphism, Law, Measure
 from ..system import System
 from ..vectors import Diagonal, Symmetric, dot, normed, scalar, vectors
-from . import ball_on_sphere
+from . import ball_on_sphere, rubber_ball_ratio
 from .entry import Entry, Numbers, Start
 
 omega, gamma = vectors("omega gamma")
@@ -46,13 +46,26 @@ def measure(rolling: Rolling, system: System) -> tuple[Measure, ...]:
     return (Measure("measure", density, "invariant measure", source="(9.3)"),)
 
 
+def as_family() -> Isomorphism:
+    """(9.2): the ball of a free motion depends on its radii and masses through J and k alone."""
+    return Isomorphism(
+        "ratio",
+        rubber_ball_ratio.rolling(),
+        {omega: omega, rubber_ball_ratio.n: gamma},
+        constants={**dict(zip(J.symbols, J.symbols, strict=True)), k: k},
+        meaning="the family in J and k",
+        source="(9.2)",
+    )
+
+
 def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
-    """The measure (9.3), and (9.4) for k = −1."""
+    """The measure (9.3); for a free ball the family (9.2), and (9.4) for k = −1."""
     found: tuple[Law, ...] = measure(rolling, system)
     value = ball_on_sphere.ratio(rolling)
     body = rolling.body
     if value is None or rolling.contact != "rubber" or any(body.gyrostat) or not body.principal:
         return found
+    found = (*found, as_family())
     if abs(value + 1) > 1e-12:
         return found
     J_1, J_2, J_3 = J.symbols

@@ -12,12 +12,14 @@ and the time dτ = ρ^(1/k − 2) dt it is the system of :mod:`.rubber_ball_on_e
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from ..errors import InputError
 from ..mechanics.body import check_inertia
-from ..statements import Identity, Integral, Isomorphism, Law, Measure
+from ..statements import Identity, Integral, Isomorphism, Law, Measure, Rate
 from ..system import Observable, Parameter, System
 from ..vectors import (
     Components,
@@ -30,7 +32,7 @@ from ..vectors import (
     vectors,
     zero,
 )
-from . import rubber_ball_on_e3
+from . import power_potential_on_sphere, rubber_ball_on_e3
 from .entry import Entry, Numbers, Start
 
 omega, n, X, torque = vectors("omega n X Q")
@@ -169,17 +171,20 @@ def to_e3() -> Isomorphism:
 
 def to_sphere() -> Isomorphism:
     """(9.16), (9.17): onto a point on a sphere in a potential, on a level of the energy."""
-    from . import power_potential_on_sphere as point
-
-    swing = REDUCING * k**2 / DET_J / RHO_SQUARED ** (1 / k)
-    return Isomorphism(
+    energy = dot(J * omega, omega) / 2
+    law = Isomorphism(
         "sphere",
-        point.moving(),
+        power_potential_on_sphere.moving(),
         {rubber_ball_on_e3.M: MOMENTUM, rubber_ball_on_e3.gamma: DIRECTION},
-        time=swing,
-        constants={point.h: DET_J / k**2 * dot(J * omega, omega) / 2},
+        time=REDUCING * k**2 / DET_J / RHO_SQUARED ** (1 / k),
+        constants={power_potential_on_sphere.h: DET_J / k**2 * energy},
         meaning="trajectories of a point on a sphere in the potential −h (γ, Jγ)^(−1/k)",
         source="(9.16), (9.17)",
+    )
+    return replace(
+        law,
+        as_printed=replace(law, constants={power_potential_on_sphere.h: energy}),
+        misprint="the factor det J / k² of h is lost",
     )
 
 
@@ -191,8 +196,6 @@ def laws_for(ratio: float) -> tuple[Law, ...]:
 
 def build(p: Numbers) -> System:
     """The family at given J and k."""
-    from dataclasses import replace
-
     check_inertia((p["J_1"], p["J_2"], p["J_3"]))
     if p["k"] == 0:
         raise InputError("k 0.0: the ratio of the radii must not be zero")
@@ -206,8 +209,6 @@ def general() -> System:
 
 def velocity_from_normal() -> Identity:
     """ω = k⁻¹ ṅ×n."""
-    from ..statements import Rate
-
     rate = constant([Rate(s) for s in n.symbols])
     return Identity(
         "velocity", omega - cross(rate, n) / k, "ω from the motion of the normal", source="§9.3"
