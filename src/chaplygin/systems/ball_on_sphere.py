@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 
 from ..mechanics.body import Body
 from ..mechanics.rolling import Rolling
 from ..mechanics.shapes import Ball
 from ..mechanics.surfaces import Sphere
-from ..statements import Integral
+from ..statements import Integral, Law, Measure
 from ..system import System
 from ..vectors import Diagonal, constant, dot, normed, scalar, vectors, zero
 from .entry import Entry, Numbers, Start
 
 M, gamma, k_rotors = vectors("M gamma k")
-I = Diagonal("I")
+I, A = Diagonal("I"), Diagonal("A")
 k, m, R = scalar("k"), scalar("m"), scalar("R")
 
 
@@ -41,32 +43,47 @@ def ratio(rolling: Rolling) -> float | None:
     return surface.radius / (surface.radius + signed)
 
 
-def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
-    """M² for every k, and a linear integral for k = −1."""
+def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
+    """M² and an invariant measure for every k, and a linear integral for k = −1."""
     value = ratio(rolling)
     if value is None or rolling.contact != "marble":
         return ()
     rotors = any(rolling.body.gyrostat)
     total = M + k_rotors if rotors else M + zero
-    found = [
+    found: list[Law] = [
         Integral(
             "momentum", normed(total), "square of the momentum", source="(8.2)", unit="kg^2 m^4/s^2"
-        )
+        ),
+        Measure(
+            "measure",
+            {1 - m * R**2 * dot(gamma, A * gamma): -sp.S.Half},
+            "invariant measure in M, γ",
+            source="§8.1, after (8.2)",
+        ),
     ]
     if abs(value + 1) < 1e-12 and rolling.body.principal and not rotors:
-        half = (sp.Add(*I.symbols) + m * R**2) / 2
-        tensor = constant(sp.diag(*(half - moment for moment in I.symbols)))
         found.append(
-            Integral(
-                "linear",
-                dot(tensor * M, gamma),
-                "linear integral of the case k = −1",
-                on=(k + 1,),
-                source="(8.3)",
-                unit="kg^2 m^4/s",
+            replace(
+                _linear(m * R**2),
+                as_printed=_linear(sp.S.Zero),
+                misprint="A is made of I instead of J = I + mR²",
             )
         )
     return tuple(found)
+
+
+def _linear(shift: sp.Expr) -> Integral:
+    """(AM, γ) with A_i = ½(ΣI + shift) − I_i."""
+    half = (sp.Add(*I.symbols) + shift) / 2
+    tensor = constant(sp.diag(*(half - moment for moment in I.symbols)))
+    return Integral(
+        "linear",
+        dot(tensor * M, gamma),
+        "linear integral of the case k = −1",
+        on=(k + 1,),
+        source="(8.3)",
+        unit="kg^2 m^4/s",
+    )
 
 
 _INERTIA = {"m": 1.0, "I_1": 1.0, "I_2": 1.5, "I_3": 2.1}
