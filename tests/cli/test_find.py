@@ -1,0 +1,137 @@
+"""``chaplygin find`` as a user meets it."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from chaplygin.cli import main
+from chaplygin.laws import search
+from chaplygin.laws.search import Finding, Question
+
+Answer = tuple[int, str, str]
+Ask = Callable[..., Answer]
+
+
+@pytest.fixture
+def find(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> Ask:
+    """Run the command in an empty folder; exit code, standard output, standard error."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(*arguments: str) -> Answer:
+        monkeypatch.setattr(sys, "argv", ["chaplygin", "find", *arguments])
+        with pytest.raises(SystemExit) as end:
+            main()
+        output = capsys.readouterr()
+        return int(end.value.code or 0), output.out, output.err
+
+    return run
+
+
+def test_integrals_are_printed_as_on_paper(find: Ask) -> None:
+    code, out, _ = find("integrals", "chaplygin-ball")
+    assert code == 0
+    assert "F₁ = (M, γ)\n      proven; repeats area, (7.2)" in out
+    assert "F₂ = M²\n      proven; repeats momentum, (7.4)" in out
+    assert "F₃ = (M, ω)\n      proven; repeats energy" in out
+
+
+def test_a_condition_on_the_parameters(find: Ask) -> None:
+    code, out, _ = find(
+        "integrals", "ball-around-sphere", "--at", "k=-1", "--degree", "1", "--gamma-degree", "1"
+    )
+    assert code == 0
+    assert "where k = −1" in out
+    assert "proven; repeats linear, (8.3)" in out
+    code, out, _ = find("integrals", "ball-around-sphere", "--degree", "1")
+    assert code == 1
+    assert "none" in out
+
+
+def test_a_measure_with_an_exponent_in_the_parameters(find: Ask) -> None:
+    code, out, _ = find("measure", "rubber-ball-on-sphere")
+    assert code == 0
+    assert "ρ = (γ, A γ)^(1 / (2 k))\n      proven" in out
+
+
+def test_symmetries(find: Ask) -> None:
+    code, out, _ = find(
+        "symmetries", "veselova", "--at", "I_1 = I_2", "--degree", "1", "--gamma-degree", "1"
+    )
+    assert code == 0
+    assert "ω ↦ " in out
+    assert "γ ↦ (−γ₂, γ₁, 0)" in out or "γ ↦ (γ₂, −γ₁, 0)" in out
+    assert "proven" in out
+
+
+@pytest.mark.parametrize("kind", ["integrals", "measure", "symmetries"])
+def test_json(find: Ask, kind: str) -> None:
+    code, out, _ = find(kind, "lagrange-top", "--json", "--degree", "1", "--gamma-degree", "1")
+    made = json.loads(out)
+    assert code == 0
+    assert (made["kind"], made["system"], made["complete"]) == (kind, "lagrange-top", True)
+    assert made["found"]
+    assert {law["verdict"] for law in made["found"]} == {"proven"}
+
+
+def test_a_file_of_the_user(find: Ask, tmp_path: Path) -> None:
+    (tmp_path / "body.toml").write_text(
+        "[body]\nmass = 1.0\ninertia = [1.0, 1.5, 2.1]\n"
+        '[body.shape]\nkind = "ball"\nradius = 1.0\n'
+        '[surface]\nkind = "plane"\n[contact]\nmodel = "rubber"\n'
+        "[start]\ngamma = [0.0, 0.0, 1.0]\nomega = [0.3, 0.2, 0.0]\n[run]\nuntil = 1.0\n"
+    )
+    code, out, _ = find("integrals", "body.toml", "--denominator", "1")
+    assert code == 0
+    assert out.count("proven") == 2
+    assert "divided" not in out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("laws", "veselova"), "must be one of integrals, measure, symmetries"),
+        (("integrals", "veselova", "--degree", "60"), "GB"),
+        (("integrals", "veselova", "--at", "J=1"), "unknown name 'J'"),
+        (("integrals", "veselova", "--on", "(M, γ)"), "no vector or tensor 'M'"),
+        (("integrals", "veselova", "--on", "γ² = 3"), "is empty"),
+        (("measure", "veselova", "--base", "(γ, B γ)"), "no vector or tensor 'B'"),
+        (("integrals", "veselovo"), "veselova"),
+    ],
+)
+def test_mistakes_end_with_2(find: Ask, arguments: tuple[str, ...], words: str) -> None:
+    code, out, err = find(*arguments)
+    assert code == 2
+    assert words in err
+    assert "Traceback" not in err
+    assert not out
+
+
+def test_ctrl_c_keeps_what_is_found(find: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
+    original = search.integrals
+
+    def interrupted(question: Question, progress: Any) -> Iterator[Finding]:
+        yield next(original(question, progress))
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(search, "integrals", interrupted)
+    code, out, err = find("integrals", "chaplygin-ball")
+    assert code == 0
+    assert "F₁ = (M, γ)" in out
+    assert "F₂" not in out
+    assert "interrupted" in err
+    code, out, _ = find("integrals", "chaplygin-ball", "--json")
+    assert json.loads(out)["complete"] is False
+
+
+def test_a_proof_out_of_time_is_said_so(find: Ask) -> None:
+    code, out, _ = find("integrals", "rubber-chaplygin-ball", "--seconds", "1e-9")
+    assert code == 0
+    assert "observed only, undecided" in out
