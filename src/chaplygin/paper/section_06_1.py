@@ -104,6 +104,11 @@ def bruns() -> Case:
     return made, catalogue.momentum_in_bruns_field()
 
 
+def separated() -> Case:
+    """uv (u − v)² ż² = 4z A(z)(2hz − F) for z = u, v."""
+    return free_body(), catalogue.separation()
+
+
 def generalised() -> Case:
     """Three integrals and a measure for any (ω, γ) = d."""
     made = catalogue.spinning(catalogue.NUMBERS)
@@ -166,6 +171,13 @@ CLAIMS = (
         r"$U = \frac{K}{2}(\gamma, I\gamma)$ it is $F - K\det I\,(\gamma, I^{-1}\gamma)$",
     ),
     Claim(
+        "Remark 16",
+        "For U = 0 an explicit integration in sphero-conical coordinates is possible.",
+        separated,
+        note="the roots z = u, v of Σ γᵢ²/(Iᵢ − z) obey uv(u − v)²ż² = 4z(I₁ − z)(I₂ − z)(I₃ − z)"
+        "(2hz − F)",
+    ),
+    Claim(
         "Remark 18",
         r"The Veselova system with $(\omega, \gamma) = d \neq 0$ and $U = 0$ is integrable.",
         generalised,
@@ -185,8 +197,8 @@ REMARKS = (
     ),
     Remark(
         "Remark 16",
-        "The system was rediscovered in [56], and integrated in sphero-conical coordinates in "
-        "[57].",
+        "The system was rediscovered in [56]; its integration in sphero-conical coordinates is "
+        "in [57].",
         "literature",
     ),
     Remark(

@@ -10,15 +10,13 @@ from ..system import Parameter, System
 from ..vectors import dot, normed, scalar
 from .e3 import Gamma, I, M, e3_system, inertia_parameters
 from .entry import Entry, Numbers, Start
-from .neumann import STRENGTH, c
+from .neumann import SECOND, STRENGTH, c
 
 alpha, beta = scalar("alpha"), scalar("beta")
-I_1, I_2, I_3 = I.symbols
 HALF = sp.Rational(1, 2)
 
-#: The two quadratic integrals, in involution on the whole of e(3).
+#: With `SECOND` the two quadratic integrals, in involution on the whole of e(3).
 FIRST = HALF * (normed(M) + c * dot(Gamma, I * Gamma))
-SECOND = HALF * (dot(M, I * M) - c * I_1 * I_2 * I_3 * dot(Gamma, I**-1 * Gamma))
 
 TITLE = "Clebsch case"
 SUMMARY = (

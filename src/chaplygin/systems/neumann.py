@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 from ..mechanics.body import check_inertia
-from ..statements import Integral
+from ..statements import Integral, Rate, Separation
 from ..system import Parameter, System
 from ..vectors import dot, normed, scalar
-from .e3 import Gamma, I, M, e3_system, inertia_parameters
+from .e3 import Gamma, H, I, M, e3_system, inertia_parameters
 from .entry import Entry, Numbers, Start
+from .sphero_conical import coordinates, cubic, u, v
 
 c = scalar("c")
+#: The values of the two integrals.
+h, f = scalar("h"), scalar("f")
+I_1, I_2, I_3 = I.symbols
+SECOND = (dot(M, I * M) - c * I_1 * I_2 * I_3 * dot(Gamma, I**-1 * Gamma)) / 2
 
 TITLE = "Neumann system"
 SUMMARY = (
@@ -24,7 +29,6 @@ def build(p: Numbers) -> System:
     """H = ½M² + ½c(Γ, IΓ) at (M, Γ) = 0; Γ is the place of the point, Γ×M its velocity."""
     moments = (p["I_1"], p["I_2"], p["I_3"])
     check_inertia(moments)
-    I_1, I_2, I_3 = I.symbols
     return e3_system(
         "neumann",
         TITLE,
@@ -34,14 +38,31 @@ def build(p: Numbers) -> System:
         laws=(
             Integral(
                 "second",
-                (dot(M, I * M) - c * I_1 * I_2 * I_3 * dot(Gamma, I**-1 * Gamma)) / 2,
+                SECOND,
                 "second quadratic integral, of the Clebsch case",
                 source="(6.14)",
             ),
+            separation(),
         ),
         source=SOURCE,
         summary=SUMMARY,
         unit="",
+    )
+
+
+def separation() -> Separation:
+    """(u − v)² ż² = 8A(z)((h − ½c tr I) z + ½c z² − f) for z = u, v."""
+    trace = I_1 + I_2 + I_3
+    return Separation(
+        "separation",
+        {**coordinates(Gamma), h: H, f: SECOND},
+        tuple(
+            (u - v) ** 2 * Rate(z) ** 2
+            - 8 * cubic(z) * ((h - c * trace / 2) * z + c * z**2 / 2 - f)
+            for z in (u, v)
+        ),
+        "separated equations in sphero-conical coordinates",
+        source="Remark 16",
     )
 
 

@@ -13,6 +13,8 @@ from ..statements import (
     Law,
     Measure,
     PoissonStructure,
+    Rate,
+    Separation,
 )
 from ..system import Motion, Observable, Parameter, System
 from ..vectors import (
@@ -30,12 +32,15 @@ from ..vectors import (
 )
 from . import e3, neumann
 from .entry import Entry, Numbers, Start
+from .sphero_conical import coordinates, cubic, u, v
 from .veselova_geodesic import in_potential
 
 omega, gamma, omegadot, X = vectors("omega gamma omegadot X")
 I, A = Diagonal("I"), Diagonal("A")
 I_1, I_2, I_3 = I.symbols
 lambda_0, U, K = scalar("lambda_0"), scalar("U"), scalar("K")
+#: The values of energy and momentum integral.
+h, F = scalar("h"), scalar("F")
 
 HALF = sp.Rational(1, 2)
 DET_I = I_1 * I_2 * I_3
@@ -183,6 +188,19 @@ def onto_neumann(p: Numbers) -> Isomorphism:
     )
 
 
+def separation() -> Separation:
+    """uv (u − v)² ż² = 4z A(z)(2hz − F) for z = u, v, without a field."""
+    return Separation(
+        "separation",
+        {**coordinates(gamma), h: KINETIC, F: normed(cross(I * omega, gamma))},
+        tuple(
+            u * v * (u - v) ** 2 * Rate(z) ** 2 - 4 * z * cubic(z) * (2 * h * z - F) for z in (u, v)
+        ),
+        "separated equations in sphero-conical coordinates",
+        source="Remark 16",
+    )
+
+
 def energy(potential: sp.Expr) -> Integral:
     """(6.2)."""
     value = KINETIC + U if potential != 0 else KINETIC
@@ -258,6 +276,7 @@ def build(p: Numbers) -> System:
             *conformally_hamiltonian(FREE),
             onto_e3(FREE, numbers),
             onto_neumann(p),
+            separation(),
         ),
     )
 
