@@ -148,6 +148,12 @@ def reducing_multiplier() -> Case:
     return catalogue.general(), form
 
 
+def algebraic_bracket() -> Case:
+    """The bracket in ω and γ, with the Casimir functions γ² and (ω, γ)."""
+    structure, _ = catalogue.conformally_hamiltonian(catalogue.ANY)
+    return catalogue.general(), structure
+
+
 def euler_lagrange(new_time: sp.Expr) -> Case:
     """(6.9) with d/dτ = 𝒩⁻¹ d/dt."""
     value = tuple(
@@ -235,6 +241,14 @@ CLAIMS = (
         r"Upon the time substitution $\mathcal{N}dt = d\tau$ with $\mathcal{N} = \rho_\omega^{-1}$ "
         "it can be written in the Hamiltonian form.",
         reducing_multiplier,
+    ),
+    Claim(
+        "§6.2, bracket",
+        "The canonical Poisson structure of the cotangent bundle of the sphere gives an algebraic "
+        r"Poisson bracket of the redundant variables $\omega, \gamma$.",
+        algebraic_bracket,
+        note="{ω, ω} and {ω, γ} are ρ_ω⁻¹ (det I)⁻¹ times the matrices of "
+        "Iω + ω×(γ×Iγ) and γ̂ I (E − γ⊗γ); {γ, γ} = 0",
     ),
     Claim(
         "(6.5)",
