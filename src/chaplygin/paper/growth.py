@@ -24,7 +24,7 @@ def commutator(first: Field, second: Field, coordinates: Sequence[sp.Symbol]) ->
     """[u, w] = uw − wu; components that are not named are zero."""
     none = sp.S.Zero
     return {
-        s: along(first, second.get(s, none)) - along(second, first.get(s, none))
+        s: sp.expand(along(first, second.get(s, none)) - along(second, first.get(s, none)))
         for s in coordinates
     }
 

@@ -64,17 +64,21 @@ def directions() -> System:
 
 
 def admissible_fields() -> tuple[Field, ...]:
-    """η₁ and η₂ on the redundant coordinates α, β, γ, R."""
-    return tuple(_field(coefficients) for coefficients in ADMISSIBLE)
+    """γ₃η₁ and γ₃η₂."""
+    return tuple(field_of(coefficients) for coefficients in ADMISSIBLE)
 
 
-def _field(coefficients: Coefficients) -> Field:
+def field_of(coefficients: Coefficients) -> Field:
+    """γ₃ Σ (ω_k ξ_k + v_k ζ_k) on the redundant coordinates α, β, γ, R.
+
+    The factor γ₃ makes the components polynomials; it does not change the span.
+    """
     total: dict[sp.Symbol, sp.Expr] = {}
     for numbers, basis in zip(coefficients, (turn, shift), strict=True):
         for axis, number in enumerate(numbers):
             for symbol, value in basis(axis).items():
-                total[symbol] = total.get(symbol, sp.S.Zero) + number * value
-    return total
+                total[symbol] = total.get(symbol, sp.S.Zero) + g_3 * number * value
+    return {symbol: sp.expand(value) for symbol, value in total.items()}
 
 
 @cache

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from functools import cache
 
-from ..statements import Identity, Integral, Rate
+from ..statements import Identity, Integral, Law, Rate
 from ..system import System
 from ..systems import marble_ball
 from ..systems.rates import rate
 from ..systems.rubber_ball_on_surface import any_graph, general
-from ..vectors import constant, cross, dot, normed, scalar, unit, vectors, zero
+from ..vectors import cross, dot, normed, scalar, unit, vectors, zero
 from .claim import Case, Claim, Remark
 
 R, omega, v, r, N, F, n, df = vectors("R omega v r N F n df")
@@ -32,7 +32,7 @@ def rubber() -> System:
     return general()
 
 
-def _law(made: System, name: str) -> Case:
+def _named(made: System, name: str) -> tuple[System, Law]:
     """A law that the catalogue states."""
     (law,) = (law for law in made.laws if law.name == name)
     return made, law
@@ -103,14 +103,13 @@ def constraints() -> Case:
 
 def particle_printed() -> Case:
     """λ is a vector as printed, and λn the vector of products of components."""
-    number = -dot(F, n) - HEAVIER * dot(v, rate(n))
-    doubled = constant([number * s * s for s in n])
-    return rubber(), Identity("particle", HEAVIER * rate(v) - F - doubled)
+    made, law = _named(rubber(), "particle")
+    return made, law.as_printed or law
 
 
 def particle() -> Case:
     """(2.9) with the number λ = −(F, n) − m̃(v, ṅ)."""
-    return _law(rubber(), "particle")
+    return _named(rubber(), "particle")
 
 
 def on_surface() -> Case:

@@ -122,6 +122,11 @@ def laws(surface: sp.Expr) -> tuple[Law, ...]:
             heavier * rate(v) - F - push * n,
             "the centre moves on its surface as a particle of mass m + μ/b²",
             source="(2.9), Proposition 3",
+            as_printed=Identity(
+                "particle", heavier * rate(v) - F - push * constant([s**2 for s in n])
+            ),
+            misprint="λ is a number; printed is a vector λ with a further factor n, here multiplied "
+            "by n component by component",
         ),
     )
 
