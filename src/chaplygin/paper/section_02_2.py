@@ -7,13 +7,14 @@ from __future__ import annotations
 
 from functools import cache
 
-from ..statements import Identity, Integral, Law, Rate
+from ..statements import Identity, Integral, Rate
 from ..system import System
 from ..systems import marble_ball
 from ..systems.rates import rate
 from ..systems.rubber_ball_on_surface import any_graph, general
 from ..vectors import cross, dot, normed, scalar, unit, vectors, zero
 from .claim import Case, Claim, Remark
+from .printed import law_named, printed_form
 
 R, omega, v, r, N, F, n, df = vectors("R omega v r N F n df")
 m, mu, b, N_0 = (scalar(name) for name in ("m", "mu", "b", "N_0"))
@@ -30,12 +31,6 @@ def marble() -> System:
 def rubber() -> System:
     """A rubber ball on an unspecified surface under an unspecified force."""
     return general()
-
-
-def _named(made: System, name: str) -> tuple[System, Law]:
-    """A law that the catalogue states."""
-    (law,) = (law for law in made.laws if law.name == name)
-    return made, law
 
 
 # --- §2.2 ----------------------------------------------------------------------------------
@@ -103,13 +98,12 @@ def constraints() -> Case:
 
 def particle_printed() -> Case:
     """λ is a vector as printed, and λn the vector of products of components."""
-    made, law = _named(rubber(), "particle")
-    return made, law.as_printed or law
+    return rubber(), printed_form(law_named(rubber(), "particle"))
 
 
 def particle() -> Case:
     """(2.9) with the number λ = −(F, n) − m̃(v, ṅ)."""
-    return _named(rubber(), "particle")
+    return rubber(), law_named(rubber(), "particle")
 
 
 def on_surface() -> Case:

@@ -14,6 +14,7 @@ from ..systems.rubber_chaplygin_ball_field import unspecified
 from ..vectors import Diagonal, cross, dot, identity, normed, scalar, vectors
 from .any_motion import TORQUE, newton_euler
 from .claim import Case, Claim, Remark
+from .printed import law_named
 from .section_01_4 import bound
 from .section_02_1 import between
 
@@ -62,9 +63,7 @@ def equations() -> Case:
 
 def equivalent() -> Case:
     """The map ω, γ ↦ ω, γ onto the Veselova system with J in place of I."""
-    made = ball()
-    (law,) = (law for law in made.laws if law.name == "veselova")
-    return made, law
+    return ball(), law_named(ball(), "veselova")
 
 
 def suslov_balance() -> Case:
