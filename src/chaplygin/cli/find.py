@@ -19,6 +19,10 @@ _TITLES = {
     "measure": "Invariant measures",
     "symmetries": "Symmetry fields",
 }
+_NOTHING_ELSE = {
+    "integrals": "Everything else of this form is a function of these and of the parameters.",
+    "symmetries": "Everything else of this form follows from these, the field and integrals.",
+}
 
 
 def command(
@@ -182,6 +186,8 @@ def _as_text(kind: str, question: Question, found: list[Finding], complete: bool
         lines.append("  interrupted: what else there is has not been looked at")
     elif not found:
         lines.append("  none")
+    elif kind != "measure" and all(finding.law is not None for finding in found):
+        lines.append(f"  {_NOTHING_ELSE[kind]}")
     return "\n".join(lines)
 
 

@@ -78,10 +78,13 @@ def weights(made: Stage) -> dict[sp.Symbol, Weight]:
     and conditions on the parameters is a combination of the scalings returned.
     """
     system = made.system
-    bases: list[Any] = [*made.free, *system.symbols, _TIME]
+    steps = (*made.substitutions, *system.needed([*system.rates, *made.relations]))
+    # what is zero has every weight
+    empty = [symbol for symbol, formula in steps if formula == 0]
+    bases: list[Any] = [*made.free, *system.symbols, *empty, _TIME]
     walk = _Walk({symbol: {symbol: Fraction(1)} for symbol in bases})
-    symbols = [*made.free, *system.symbols]
-    for symbol, formula in (*made.substitutions, *system.needed([*system.rates, *made.relations])):
+    symbols = [*made.free, *system.symbols, *empty]
+    for symbol, formula in ((s, f) for s, f in steps if f != 0):
         walk.forms[symbol] = walk(formula) or {}
         symbols.append(symbol)
     for symbol, rate in zip(system.symbols, system.rates, strict=True):

@@ -113,6 +113,7 @@ class _Search:
         self.points = max(a.size for a in (question.ansatz, *question.also)) + _SPARE
         self.sample = self.stage.sample(self.points, _SEED, common=True)
         self.tables: dict[Ansatz, Table] = {}
+        self.kept: dict[tuple[Ansatz, int], list[int]] = {}
         self.known = _Known()
         self.formulas: list[sp.Expr] = []
         self.weights: dict[sp.Symbol, Weight] = weights(self.stage)
@@ -123,10 +124,8 @@ class _Search:
     def simple(self, degree: int) -> Iterator[Finding]:
         """Integrals that are simple vector formulas, whether or not they are polynomials."""
         plain = _Shell(self.question.ansatz, degree, sp.S.One, 0)
-        parts = self.vocabulary.parts(degree, self.question.ansatz.gamma_degree)
         for size in range(min(_SIMPLE, self.question.parameter_degree) + 1):
-            laws = self._lifted(parts, self.vocabulary.scalars, size, plain, _FEW)
-            for law in self._accepted(laws, degree):
+            for law in self._accepted(self._vectorial(plain, size, _FEW), degree):
                 yield self._finding(law, degree)
 
     def findings(self, shell: _Shell) -> Iterator[Finding]:
@@ -142,13 +141,14 @@ class _Search:
         fresh = self._fresh(found, shell.degree)
         for law in self._componentwise(shell, [kernel[i] for i in fresh], exponents, found):
             yield self._finding(law, shell.degree)
-        left = len(self._fresh(found, shell.degree))
+        left = self._fresh(found, shell.degree)
         if left:
+            self.known.values += [(shell.degree, found[i]) for i in left]
             yield Finding(
                 "integral",
                 None,
                 None,
-                remark=f"{left} of degree {shell.degree} in the momenta, whose coefficients "
+                remark=f"{len(left)} of degree {shell.degree} in the momenta, whose coefficients "
                 f"have a degree above {self.question.parameter_degree} in the parameters",
             )
 
@@ -157,10 +157,13 @@ class _Search:
         made = self.tables.get(shell.ansatz)
         if made is None:
             made = self.tables[shell.ansatz] = table(shell.ansatz, self.sample)
-        momenta = len(shell.ansatz.momenta)
-        low = [i for i, e in enumerate(made.exponents) if sum(e[:momenta]) <= shell.degree]
-        chosen = [low[i] for i in independent_columns(made.value[low].T)]
-        return [made.exponents[i] for i in chosen], made.value[chosen], made.rate[chosen]
+        kept = self.kept.get((shell.ansatz, shell.degree))
+        if kept is None:
+            momenta = len(shell.ansatz.momenta)
+            low = [i for i, e in enumerate(made.exponents) if sum(e[:momenta]) <= shell.degree]
+            kept = [low[i] for i in independent_columns(made.value[low].T)]
+            self.kept[shell.ansatz, shell.degree] = kept
+        return [made.exponents[i] for i in kept], made.value[kept], made.rate[kept]
 
     def _products(self, degree: int) -> Integers:
         return self.known.products(degree, self.question.ansatz.gamma_degree, self.points)
@@ -176,14 +179,22 @@ class _Search:
 
     def _covariant(self, shell: _Shell, found: Integers) -> Iterator[sp.Expr]:
         """Vector formulas, of increasing degree in the parameters, while something is missing."""
-        parts = self.vocabulary.parts(shell.degree, shell.ansatz.gamma_degree)
         plain = replace(shell, divisor=sp.S.One, exponent=0)
         for size in range(self.question.parameter_degree + 1):
             for way in dict.fromkeys((plain, shell)):
-                laws = self._lifted(parts, self.vocabulary.scalars, size, way)
-                yield from self._accepted(laws, shell.degree)
+                yield from self._accepted(self._vectorial(way, size, _MANY), shell.degree)
                 if not self._fresh(found, shell.degree):
                     return
+
+    def _vectorial(self, shell: _Shell, size: int, most: int) -> list[sp.Expr]:
+        """Vector formulas of one degree in the parameters, with at most so many unknowns."""
+        scalars = self.vocabulary.scalars
+        parts = self.vocabulary.parts(
+            shell.degree,
+            shell.ansatz.gamma_degree,
+            most // comb(len(scalars.formulas) + size, size),
+        )
+        return self._lifted(parts, scalars, size, shell)
 
     def _componentwise(
         self,
@@ -204,24 +215,18 @@ class _Search:
                     parts.append(Part(formula, weight, sum(powers)))
             for size in range(self.question.parameter_degree + 1):
                 before = len(self._fresh(found, shell.degree))
+                if len(parts) * comb(len(scalars.formulas) + size, size) > _MANY:
+                    break
                 laws = self._lifted(parts, scalars, size, shell)
                 yield from self._accepted(laws, shell.degree)
                 if len(self._fresh(found, shell.degree)) < before:
                     break
 
     def _lifted(
-        self,
-        parts: Sequence[Part],
-        scalars: Scalars,
-        size: int,
-        shell: _Shell,
-        most: int = _MANY,
+        self, parts: Sequence[Part], scalars: Scalars, size: int, shell: _Shell
     ) -> list[sp.Expr]:
-        """Integrals with coefficients of one degree in the parameters, the simplest first.
-
-        None where that takes more than `most` unknowns.
-        """
-        if len(parts) * comb(len(scalars.formulas) + size, size) > most:
+        """Integrals with coefficients of one degree in the parameters, the simplest first."""
+        if not parts:
             return []
         zero = tuple(0 for _ in next(iter(self.weights.values())))
         made = plan(parts, scalars.weights, size, zero)

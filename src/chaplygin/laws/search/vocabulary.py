@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import combinations_with_replacement
+from itertools import combinations_with_replacement, islice
 from typing import Any
 
 import sympy as sp
@@ -245,10 +245,18 @@ class Vocabulary:
                         found.append(group)
         return found[:_GROUPS]
 
-    def parts(self, degree: int, gamma_degree: int) -> tuple[Part, ...]:
-        """Products of scalar products up to the given degrees in momenta and coordinates."""
+    def parts(self, degree: int, gamma_degree: int, most: int) -> tuple[Part, ...]:
+        """Products of scalar products up to the given degrees in momenta and coordinates.
+
+        The degree in the coordinates is lowered until there are no more than `most`.
+        """
         zero = tuple(0 for _ in next(iter(self.table.values())))
-        return tuple(self._products(Part(sp.S.One, zero, 0), self._atoms, degree, gamma_degree))
+        one = Part(sp.S.One, zero, 0)
+        for places in range(gamma_degree, -1, -1):
+            found = tuple(islice(self._products(one, self._atoms, degree, places), most + 1))
+            if len(found) <= most:
+                return found
+        return ()
 
     def _products(
         self, below: Part, atoms: Sequence[_Atom], degree: int, gamma_degree: int
