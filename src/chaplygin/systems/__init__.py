@@ -6,6 +6,7 @@ A file offers its systems as ``ENTRIES``; :data:`CATALOGUE` collects them by nam
 from __future__ import annotations
 
 import pkgutil
+import re
 from importlib import import_module
 
 from ..mechanics.rolling import Rolling
@@ -15,12 +16,25 @@ from .entry import Entry, Start, known_laws, lookup
 
 __all__ = ["CATALOGUE", "Entry", "Start", "entry", "from_catalogue", "known_laws_of"]
 
-CATALOGUE: dict[str, Entry] = {
-    item.name: item
-    for module in sorted(m.name for m in pkgutil.iter_modules(__path__) if m.name != "entry")
-    for item in getattr(import_module(f".{module}", __name__), "ENTRIES", ())
-}
-"""Every system of the catalogue by its name."""
+
+def _place(item: Entry) -> tuple[int, ...]:
+    """Where the paper speaks of a system first: section and subsection."""
+    found = re.search(r"§(\d+)(?:\.(\d+))?", item.source)
+    return tuple(int(number or 0) for number in found.groups()) if found else (99,)
+
+
+def _entries() -> list[Entry]:
+    modules = sorted(m.name for m in pkgutil.iter_modules(__path__) if m.name != "entry")
+    found = [
+        item
+        for module in modules
+        for item in getattr(import_module(f".{module}", __name__), "ENTRIES", ())
+    ]
+    return sorted(found, key=_place)
+
+
+CATALOGUE: dict[str, Entry] = {item.name: item for item in _entries()}
+"""Every system of the catalogue by its name, in the order of the paper."""
 
 
 def entry(name: str) -> Entry:

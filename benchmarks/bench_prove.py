@@ -1,0 +1,134 @@
+"""Proving an integral: this package beside SymPy, the same law of the same system.
+
+SymPy brings dF/dt to a common denominator and reduces its numerator modulo the relations, as one
+does by hand; each run is a process of its own, which is given a limited time.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+import sympy as sp
+
+TURNS = 5
+LAWS = (
+    ("veselova", "momentum"),
+    ("chaplygin-ball", "momentum"),
+    ("chaplygin-ball", "energy"),
+    ("rubber-ball-around-sphere", "quadratic"),
+    ("unbalanced-ball", "quadratic"),
+    ("unbalanced-rubber-ball", "quadratic"),
+    ("rattleback", "energy"),
+)
+
+
+def by_sympy(name: str, law_name: str) -> bool:
+    """dF/dt over a common denominator, its numerator reduced modulo the relations."""
+    from chaplygin.laws.ground import Ground
+    from chaplygin.systems import from_catalogue
+    from chaplygin.vectors import explicit
+
+    system = from_catalogue(name)
+    law = next(law for law in system.integrals if law.name == law_name)
+    ground = Ground(system, law.on)
+    value = ground.expanded(explicit(law.value))
+    rate = sp.Add(
+        *(
+            sp.diff(value, s) * ground.expanded(v)
+            for s, v in zip(system.symbols, system.rates, strict=True)
+        )
+    )
+    numerator, _ = sp.fraction(sp.together(rate))
+    relations = [sp.fraction(sp.together(ground.expanded(c)))[0] for c in ground.conditions]
+    moving = system.symbols
+    _, rest = sp.reduced(sp.expand(numerator), relations, *moving, order="lex")
+    return bool(sp.expand(rest) == 0)
+
+
+def by_prover(name: str, law_name: str) -> bool:
+    """The prover of this package, without verdicts of earlier runs."""
+    from chaplygin.laws.prove import prove
+    from chaplygin.systems import from_catalogue
+
+    system = from_catalogue(name)
+    law = next(law for law in system.integrals if law.name == law_name)
+    return prove(system, law).decision == "proven"
+
+
+ROADS = {"prover": by_prover, "sympy": by_sympy}
+
+
+def timed(road: str, name: str, law: str, limit: float) -> float | None:
+    """Seconds in a fresh process with an empty cache; None when it failed or took too long."""
+    with tempfile.TemporaryDirectory() as empty:
+        try:
+            done = subprocess.run(
+                [sys.executable, __file__, "--one", road, name, law],
+                capture_output=True,
+                text=True,
+                timeout=limit,
+                check=False,
+                env={**os.environ, "CHAPLYGIN_CACHE": empty},
+            )
+        except subprocess.TimeoutExpired:
+            return None
+    found = json.loads(done.stdout) if done.returncode == 0 else {"proven": False}
+    return found["seconds"] if found["proven"] else None
+
+
+def one(road: str, name: str, law: str) -> None:
+    """One run, printed for the parent process; building the system is not counted."""
+    import chaplygin.laws.prove  # noqa: F401  (imports are not counted)
+    from chaplygin.systems import from_catalogue
+
+    from_catalogue(name)
+    began = time.perf_counter()
+    proven = ROADS[road](name, law)
+    print(json.dumps({"proven": proven, "seconds": time.perf_counter() - began}))
+
+
+def main() -> None:
+    """Measure all laws, both roads in turn."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--json", action="store_true")
+    parser.add_argument("--limit", type=float, default=60.0, help="seconds for one run")
+    parser.add_argument("--one", nargs=3, metavar=("ROAD", "NAME", "LAW"))
+    options = parser.parse_args()
+    if options.one:
+        one(*options.one)
+        return
+    rows = []
+    for name, law in LAWS:
+        times: dict[str, list[float]] = {road: [] for road in ROADS}
+        out_of_time = set()
+        for _ in range(TURNS):
+            for road, found in times.items():
+                if road in out_of_time:
+                    continue
+                seconds = timed(road, name, law, options.limit)
+                if seconds is None:
+                    out_of_time.add(road)
+                else:
+                    found.append(seconds)
+        medians = {
+            r: statistics.median(f) if f and r not in out_of_time else None
+            for r, f in times.items()
+        }
+        rows.append({"system": name, "law": law, **medians})
+        own, peer = medians["prover"], medians["sympy"]
+        shown = f"{peer:8.2f} s   {peer / own:6.0f} ×" if own and peer else f"> {options.limit:g} s"
+        if not options.json:
+            print(f"{name:28} {law:10} {own:8.3f} s   {shown}", flush=True)
+    if options.json:
+        print(json.dumps(rows, indent=2))
+
+
+if __name__ == "__main__":
+    main()
