@@ -18,6 +18,7 @@ from ..statements import Identity, Integral, Law, Measure, Rate
 from ..system import Motion, Observable, Parameter, System
 from ..vectors import Diagonal, constant, cross, dot, gradient, normed, scalar, vectors
 from .entry import Entry, Numbers, Start
+from .rates import rate
 
 omega, gamma, e, X, p, q = vectors("omega gamma e X p q")
 I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")
@@ -87,65 +88,78 @@ def equations(numbers: Numbers, potential: Any = sp.S.Zero) -> System:
     )
 
 
-def laws(potential: Any = sp.S.Zero) -> tuple[Law, ...]:
-    """Energy, and the invariant volume when the axis is a principal axis of inertia."""
+def _always(potential: Any = sp.S.Zero) -> tuple[Law, ...]:
+    """What holds for every axis."""
     half = sp.Rational(1, 2)
     kinetic = half * dot(J * omega, omega) - half * D * s**2
     return (
         Identity("spin_rate", Rate(s) - sdot, "rate of the spin about the vertical", source=SOURCE),
         Integral("energy", kinetic + potential, "energy", source="§2.5, (3.3)", unit="J"),
+    )
+
+
+def _volume() -> Measure:
+    return Measure(
+        "volume",
+        {sp.S.One: 1},
+        "the volume itself, when the axis is the principal axis 3",
+        on=PRINCIPAL,
+        source=SOURCE,
+    )
+
+
+def _swerving() -> tuple[Law, ...]:
+    """Without forces Jω̇ − mR²ṡγ is (Ie, ω) e×ω up to a multiple of e."""
+    swerve = dot(I * e, omega)
+    turned = J * rate(omega) - D * sdot * gamma - (swerve / normed(e)) * cross(e, omega)
+    return (
+        Identity("swerve", cross(e, turned), "equations without the multiplier", source=SOURCE),
         Measure(
-            "principal",
-            {sp.S.One: 1},
-            "the volume itself, for a principal axis",
-            on=PRINCIPAL,
+            "singular",
+            {swerve: -1},
+            "measure that is singular at the permanent rotations",
             source=SOURCE,
         ),
     )
 
 
-def _free_laws() -> tuple[Law, ...]:
-    """A ball without forces turns uniformly when its axis is a principal axis of inertia."""
+def _uniform() -> tuple[Law, ...]:
+    """A free ball whose axis e is a principal axis of inertia turns uniformly."""
     omega_1, omega_2, _ = omega.symbols
-    return (
+    kept = {
+        "omega_1": (omega_1, "body axis 1"),
+        "omega_2": (omega_2, "body axis 2"),
+        "spin": (s, "the vertical"),
+    }
+    return tuple(
         Integral(
-            "omega_1",
-            omega_1,
-            "angular velocity about body axis 1, for the principal axis 3",
+            name,
+            value,
+            f"angular velocity about {where}, when the axis is the principal axis 3",
             on=PRINCIPAL,
             source=SOURCE,
             unit="rad/s",
-        ),
-        Integral(
-            "omega_2",
-            omega_2,
-            "angular velocity about body axis 2, for the principal axis 3",
-            on=PRINCIPAL,
-            source=SOURCE,
-            unit="rad/s",
-        ),
-        Integral(
-            "spin",
-            s,
-            "angular velocity about the vertical, for the principal axis 3",
-            on=PRINCIPAL,
-            source=SOURCE,
-            unit="rad/s",
-        ),
+        )
+        for name, (value, where) in kept.items()
     )
 
 
 def build(numbers: Numbers) -> System:
-    """Without forces."""
-    system = equations(numbers)
-    axis = (numbers["e_1"], numbers["e_2"], numbers["e_3"])
-    found = (*laws(), *_free_laws())
-    return system.with_laws(*(law for law in found if axis == (0, 0, 1) or not law.on))
+    """Without forces.
+
+    Which laws are claimed depends on whether the axis is a principal axis of inertia.
+    """
+    made = equations(numbers).with_laws(*_always())
+    axis = [numbers[f"e_{i}"] for i in (1, 2, 3)]
+    if axis == [0, 0, 1]:
+        return made.with_laws(_volume(), *_uniform())
+    moments = {numbers[f"I_{i}"] for i, x in enumerate(axis, 1) if x != 0}
+    return made if len(moments) == 1 else made.with_laws(*_swerving())
 
 
 def general() -> System:
     """In any potential U(γ), with any axis."""
-    return equations(_DEFAULTS, POTENTIAL).with_laws(*laws(POTENTIAL))
+    return equations(_DEFAULTS, POTENTIAL).with_laws(*_always(POTENTIAL), _volume())
 
 
 _DEFAULTS = {

@@ -125,8 +125,8 @@ def laws(surface: sp.Expr) -> tuple[Law, ...]:
             as_printed=Identity(
                 "particle", heavier * rate(v) - F - push * constant([s**2 for s in n])
             ),
-            misprint="λ is a number; printed is a vector with a further factor n, here multiplied by "
-            "n component by component",
+            misprint="λ is a number; printed is a vector, with a further factor n (it is "
+            "multiplied by n component by component here)",
         ),
     )
 
