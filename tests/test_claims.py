@@ -151,6 +151,8 @@ def test_variables_and_constants_of_another_system_are_primed_where_they_clash()
         ((k + 1,), "for k = −1"),
         ((1 - k,), "for k = 1"),
         ((dot(M, gamma),), "on (M, γ) = 0"),
+        ((A.symbols[0] - A.symbols[1],), "for A₁ = A₂"),
+        ((k * k - k - 1,), "for k² − k = 1"),
         ((dot(M, gamma) - 2, k), "for k = 0 on (M, γ) = 2"),
     ],
 )

@@ -68,7 +68,11 @@ def heading(law: Law) -> str:
 
 
 def equation(vanishing: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Both sides of ``vanishing = 0`` with the number on the right: γ² = 1."""
+    """Both sides of ``vanishing = 0`` with the number on the right: γ² = 1; a − b as a = b."""
+    if isinstance(vanishing, sp.Add) and len(vanishing.args) == 2:
+        minus = [term for term in vanishing.args if term.could_extract_minus_sign()]
+        if len(minus) == 1 and not any(term.is_number for term in vanishing.args):
+            return vanishing - minus[0], -minus[0]
     number, rest = vanishing.as_coeff_Add()
     if number != 0 and rest.could_extract_minus_sign():
         number, rest = -number, -rest

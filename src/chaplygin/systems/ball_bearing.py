@@ -72,7 +72,7 @@ def laws(p: Numbers) -> tuple[Law, ...]:
         Integral("energy", HALF * dot(M, omega), "energy", source=SOURCE, unit="J"),
         *(
             Integral(
-                f"along_{axis}",
+                place,
                 dot(M, axis),
                 f"momentum about the direction of the {place} ball",
                 source=SOURCE,
@@ -141,7 +141,15 @@ ENTRIES = (
         source=SOURCE,
         defaults=DEFAULTS,
         build=build,
-        start=Start(state={"M": (1.2, -0.7, 1.9), "attitude": (0.8, 0.4, -0.2, 0.4)}, until=60.0),
+        start=Start(
+            state={
+                "M": (1.2, -0.7, 1.9),
+                "alpha": (6 / 7, 2 / 7, -3 / 7),
+                "beta": (3 / 7, -6 / 7, 2 / 7),
+                "gamma": (0.0, 0.6, -0.8),
+            },
+            until=60.0,
+        ),
         variables={
             "M": ("momentum of the ball and its supports", MOMENTUM),
             **{

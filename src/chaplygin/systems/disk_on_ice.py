@@ -219,7 +219,7 @@ ENTRIES = (
         name="disk-on-ice",
         title=TITLE,
         summary=SUMMARY,
-        source="§11.3; Kozlov and Kolesnikov (1978)",
+        source=SOURCE,
         # a uniform thin disk
         defaults={"m": 1.0, "I_1": 0.25, "I_3": 0.5, "R": 1.0, "g": 9.81},
         build=build,

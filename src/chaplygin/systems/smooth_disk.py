@@ -88,7 +88,9 @@ def _hamiltonian_laws() -> tuple[Law, ...]:
         Integral("area", AREA, "vertical momentum", source=SOURCE, unit=MOMENTUM),
         Measure("volume", {sp.S.One: sp.S.One}, "volume of M, γ", source=SOURCE),
         structure,
-        ConformallyHamiltonian("hamiltonian", sp.S.One, structure, energy, source=SOURCE),
+        ConformallyHamiltonian(
+            "hamiltonian", sp.S.One, structure, energy, "Hamiltonian form on e(3)", source=SOURCE
+        ),
     )
 
 
