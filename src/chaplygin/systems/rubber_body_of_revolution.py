@@ -60,7 +60,7 @@ def _symmetric(body: Body) -> bool:
 
 
 def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
-    """(5.1), for every profile and every potential U(γ₃); for a ball and a disk (5.2) too."""
+    """(5.1) and (5.2), for every profile and every potential U(γ₃); symmetry and measure."""
     body = rolling.body
     depends = rolling.field.potential.free_symbols & {g_1, g_2}
     if (
@@ -80,9 +80,13 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     if isinstance(body.shape, Ball):
         reach = body.shape.offset - R * gamma
         height = dot(body.shape.offset, gamma) - R
-    found: tuple[Law, ...] = (spin(height, level),)
+    found: tuple[Law, ...] = (
+        spin(height, level),
+        quadratures(system, reach, height, level),
+    )
     if isinstance(body.shape, (Ball, Disk)):
-        found += (quadratures(system, reach, height, level),)
+        # for other shapes these are proven once for all, in `general`: one by one it takes minutes
+        found += (rotation(level), measure(reach, height, level))
     return found
 
 
@@ -138,22 +142,24 @@ def quadratures(
     )
 
 
-def rotation() -> Symmetry:
+def rotation(level: tuple[sp.Expr, ...] = ()) -> Symmetry:
     """The rotation of ω and γ about the axis."""
     return Symmetry(
         "rotation",
         {w_1: -w_2, w_2: w_1, g_1: -g_2, g_2: g_1},
         "rotation about the axis of symmetry",
+        on=level,
         source="§5, before (5.1)",
     )
 
 
-def measure() -> Measure:
-    """ρ = BA."""
+def measure(reach: MatrixExpr, height: sp.Expr, level: tuple[sp.Expr, ...] = ()) -> Measure:
+    """ρ = BA, for the contact vector `reach` and (r, γ) = `height`."""
     return Measure(
         "measure",
-        {I_1 + m * normed(r): sp.S.One, _square(dot(r, gamma)): HALF},
+        {I_1 + m * normed(reach): sp.S.One, _square(height): HALF},
         "invariant measure ρ d³ω d³γ, ρ = BA",
+        on=level,
         source="§5, after (5.2)",
     )
 
@@ -168,12 +174,12 @@ def unspecified(potential: sp.Expr = POTENTIAL) -> System:
 
 def _with_all_laws(chi: tuple[sp.Expr, sp.Expr], potential: sp.Expr = POTENTIAL) -> System:
     made = profile_system(chi, potential)
-    height = dot(r, gamma)
+    reach, height = r + 0 * gamma, dot(r, gamma)
     return made.with_laws(
         spin(height, ()),
         rotation(),
-        measure(),
-        quadratures(made, r + 0 * gamma, height, ()),
+        measure(reach, height),
+        quadratures(made, reach, height, ()),
     )
 
 
