@@ -14,7 +14,8 @@ from chaplygin.mechanics.shapes import Ellipsoid
 from chaplygin.mechanics.surfaces import Plane, Sphere
 from chaplygin.paper import section_01_1
 from chaplygin.system import Parameter, System
-from chaplygin.systems.rubber_body import POTENTIAL, SUPPORT, a, any_rubber_body
+from chaplygin.systems.any_shape import POTENTIAL, SUPPORT
+from chaplygin.systems.rubber_body import a, any_rubber_body
 from chaplygin.vectors import Vector, explicit
 from evaluation import numeric
 

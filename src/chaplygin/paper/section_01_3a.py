@@ -15,8 +15,9 @@ from ..mechanics.rolling import roll
 from ..mechanics.shapes import Ellipsoid
 from ..statements import Identity, Rate
 from ..system import System
+from ..systems.any_shape import SUPPORT
 from ..systems.rates import rate
-from ..systems.rubber_body import SUPPORT, any_rubber_body
+from ..systems.rubber_body import any_rubber_body
 from ..vectors import (
     Diagonal,
     constant,
