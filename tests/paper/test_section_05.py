@@ -6,11 +6,14 @@ import itertools
 
 import numpy as np
 import pytest
+import sympy as sp
 from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq
 
+from chaplygin.paper.lens import curvatures, height, lens, linear_integral, slope
 from chaplygin.systems import CATALOGUE
 from chaplygin.systems.angles import in_angles
+from chaplygin.vectors import explicit
 
 MASS, GRAVITY, RADIUS, SHIFT = 1.3, 9.81, 0.9, 0.25
 ACROSS, ALONG = 0.6, 0.9
@@ -109,3 +112,47 @@ def test_volumes_with_the_density_ba_are_kept(name):
     kept = volume * density(end(start)) / density(start)
     assert kept == pytest.approx(1.0, abs=1e-5)
     assert abs(volume - 1) > 1e-2
+
+
+def profile(u, start, until):
+    """p, p′ and both radii of curvature of a lens with I₃ = 0.2, m = 1, from γ₃ = u on."""
+    symbols = (sp.Symbol("gamma_3", real=True), height, slope)
+    numbers = {sp.Symbol("m", real=True): 1, sp.Symbol("I_3", real=True): sp.Rational(1, 5)}
+    radii = sp.lambdify(symbols, [formula.xreplace(numbers) for formula in curvatures()])
+
+    def rate(x, state):
+        along, across = radii(x, *state)
+        return [state[1], (along - across) / (1 - x**2)]
+
+    found = solve_ivp(rate, (u, until), start, rtol=1e-11, atol=1e-12, dense_output=True)
+    return found.sol, radii
+
+
+def test_a_lens_is_convex_from_its_pole_outwards():
+    sol, radii = profile(0.9999, (1.0, 0.0), 0.93)
+    places = np.linspace(0.9999, 0.93, 100)
+    along, across = np.array([radii(u, *sol(u)) for u in places]).T
+    assert min(along.min(), across.min()) > 0
+    assert along[0] == pytest.approx(across[0], rel=0.01)
+    # far from a sphere at the rim
+    assert along[-1] > 10 * across[-1]
+
+
+def test_a_lens_keeps_its_linear_integral_along_a_motion():
+    system = lens(sp.S.Zero)
+    gamma = np.array([0.168, 0.224, 0.96])
+    sol, _ = profile(0.9999, (1.0, 0.0), 0.93)
+    start = np.concatenate([[0.3, -0.2, 0.5], gamma, sol(gamma[2])])
+    found = solve_ivp(system.lambdify(), (0.0, 0.2), start, rtol=1e-11, atol=1e-12)
+    assert 0.93 < found.y[5].min() < found.y[5].max() < 0.9999
+    symbols = (*system.symbols, *(p.symbol for p in system.parameters))
+    value = explicit(linear_integral().value)
+    for symbol, formula in reversed(system.steps):
+        value = value.xreplace({symbol: formula})
+    numbers = [p.default for p in system.parameters]
+    along = sp.lambdify(symbols, value)(*found.y, *numbers)
+    assert np.ptp(along) < 1e-9 * abs(along[0])
+    # the third momentum itself, the profile and the axis do change
+    assert np.ptp(found.y[2]) > 1e-2
+    # p and p′ stay those of one and the same body
+    assert pytest.approx(np.array([sol(u) for u in found.y[5]]), abs=1e-7) == found.y[6:].T

@@ -11,6 +11,8 @@ from functools import cache
 
 import sympy as sp
 
+from ..laws.prove import prove
+from ..laws.verdict import Verdict
 from ..statements import Identity, Integral, Rate, Reduction, Symmetry
 from ..system import System
 from ..systems import CATALOGUE
@@ -19,8 +21,9 @@ from ..systems.angles import in_angles, phi, theta
 from ..systems.rubber_profile import HEIGHT, POTENTIAL, A, B, chi_1, chi_2, from_support, n
 from ..systems.veselova import spinning_general
 from ..vectors import Diagonal, constant, cross, dot, normed, scalar, unit, vectors
-from .claim import Case, Claim, Remark
+from .claim import Case, Claim
 from .independence import independent, rational_point
+from .lens import curvatures, height, lens, linear_integral, slope
 
 M, omega, gamma, r = vectors("M omega gamma r")
 I = Diagonal("I")
@@ -108,6 +111,28 @@ def energy_printed() -> Case:
 def energy() -> Case:
     """½(ω, Ĩω) + U, Ĩω = M."""
     return body(), Integral("energy", HALF * dot(omega, M) + POTENTIAL)
+
+
+def only_spheres() -> Verdict:
+    """A convex body that is no sphere and has an elementary integral though it may spin."""
+    verdict = prove(lens(), linear_integral())
+    along, across = curvatures()
+    place = {g_3: (4, 5), height: (1, 1), slope: (0, 1), m: (1, 1), I.symbols[2]: (1, 5)}
+    at = {symbol: sp.Rational(*value) for symbol, value in place.items()}
+    radii = [formula.xreplace(at) for formula in (along, across)]
+    contradicts = bool(verdict) and min(radii) > 0 and radii[0] != radii[1]
+    return Verdict(
+        "only spheres",
+        "refuted" if contradicts else "undecided",
+        shown=f"a body with the radii of curvature {radii[0]}, {radii[1]} has such an integral",
+        reason="" if contradicts else verdict.reason or "the radii tried do not decide it",
+        witness={str(symbol): str(value) for symbol, value in at.items()},
+    )
+
+
+def other_bodies() -> Case:
+    """M₃/√(I₃ + m(r₁² + r₂²)) for a lens."""
+    return lens(), linear_integral()
 
 
 def lie() -> Case:
@@ -241,6 +266,18 @@ CLAIMS = (
         spin,
     ),
     Claim(
+        "§5, after (5.1)",
+        "When spinning is allowed, the linear integral can be expressed in elementary functions "
+        "only when the surface of the body is a sphere.",
+        only_spheres,
+        other_bodies,
+        "There are other bodies: if, with the height p of the centre of mass and the radii of "
+        "curvature ρ₁ along and ρ₂ across the meridian, "
+        r"$I_3\gamma_3 r_3\rho_1 + (I_3 + m(r_1^2 + r_2^2))p\rho_2 = 0$, then "
+        r"$M_3/\sqrt{I_3 + m(r_1^2 + r_2^2)}$ is an integral.",
+        "too strong; read, as for (5.1), as elementary functions of ω and γ once r(γ) is given",
+    ),
+    Claim(
         "§5, Lie's theorem",
         "There are enough first integrals and symmetry fields for Lie's theorem: four integrals "
         "and one symmetry field, tangent to their common level, in dimension six.",
@@ -286,15 +323,5 @@ CLAIMS = (
         r"$\dot{\varphi} = \omega_3 - "
         r"\frac{\gamma_3(\omega_1\gamma_1 + \omega_2\gamma_2)}{\gamma_1^2 + \gamma_2^2}$",
         kinematics,
-    ),
-)
-
-REMARKS = (
-    Remark(
-        "§5, after (5.1)",
-        "When spinning is allowed, the integral linear in ω is expressed in elementary functions "
-        "only for a sphere.",
-        "a statement about all bodies and all elementary functions; none of the means here decide "
-        "it",
     ),
 )
