@@ -15,18 +15,19 @@ from chaplygin.mechanics.surfaces import Plane, Sphere
 from chaplygin.paper import section_01_1
 from chaplygin.system import Parameter, System
 from chaplygin.systems.any_shape import POTENTIAL, SUPPORT
+from chaplygin.systems.marble_body import any_marble_body
 from chaplygin.systems.rubber_body import a, any_rubber_body
 from chaplygin.vectors import Vector, explicit
 from evaluation import numeric
 
 GAMMA = Vector("gamma").symbols
 AXES, CENTRE = (1.0, 0.9, 0.8), (0.125, 0.25, -0.1)
-MASS, INERTIA, RADIUS = 1.3, (1.2, 1.5, 2.1), 2.5
+MASS, INERTIA = 1.3, (1.2, 1.5, 2.1)
 FIELD = GAMMA[0] * GAMMA[1] / 2 + GAMMA[2] ** 3 / 4
 ELLIPSOID = sp.sqrt(sum(sp.Rational(str(x)) ** 2 * s**2 for x, s in zip(AXES, GAMMA, strict=True)))
 
 
-def chosen(system: System, functions: dict[sp.Expr, sp.Expr], **numbers: float) -> System:
+def chosen(system: System, functions: dict[sp.Expr, sp.Expr], **numbers: float | None) -> System:
     """The system with its unspecified functions and parameters chosen."""
     table = {type(f): sp.Lambda(f.args, value) for f, value in functions.items()}
 
@@ -48,7 +49,7 @@ def chosen(system: System, functions: dict[sp.Expr, sp.Expr], **numbers: float) 
 
 
 def states(count: int) -> np.ndarray:
-    """Random ω and γ with (ω, γ) = 0, as columns."""
+    """Random γ and, orthogonal to it, ω (or a momentum M), as columns."""
     rng = np.random.default_rng(1)
     gamma = rng.normal(size=(3, count))
     gamma /= np.linalg.norm(gamma, axis=0)
@@ -57,17 +58,20 @@ def states(count: int) -> np.ndarray:
     return np.concatenate([omega, gamma])
 
 
-@pytest.mark.parametrize("support", ["plane", "outside", "inside"])
-def test_a_body_of_any_shape_is_the_ellipsoid_for_its_support_function(support):
-    radius = {"plane": None, "outside": RADIUS, "inside": -4.5}[support]
+GENERAL = {"marble": any_marble_body, "rubber": any_rubber_body}
+
+
+@pytest.mark.parametrize("contact", GENERAL)
+@pytest.mark.parametrize("radius", [None, 2.5, -4.5])
+def test_a_body_of_any_shape_is_the_ellipsoid_for_its_support_function(radius, contact):
     body = Body(MASS, INERTIA, Ellipsoid(AXES, centre=CENTRE))
     surface = Plane() if radius is None else Sphere(radius)
-    rolled = roll(body, surface, "rubber", Field(potential=FIELD))
-    numbers = {"m": MASS} | {"a": radius} if radius is not None else {"m": MASS}
+    rolled = roll(body, surface, contact, Field(potential=FIELD))
+    numbers = {"m": MASS, "a": radius}
     numbers |= {f"I_{i}": x for i, x in enumerate(INERTIA, 1)}
     numbers |= {f"c_{i}": x for i, x in enumerate(CENTRE, 1)}
-    general = any_rubber_body() if radius is None else any_rubber_body(1 / a)
-    made = chosen(general, {SUPPORT: ELLIPSOID, POTENTIAL: FIELD}, **numbers)
+    curvature = sp.S.Zero if radius is None else 1 / a
+    made = chosen(GENERAL[contact](curvature), {SUPPORT: ELLIPSOID, POTENTIAL: FIELD}, **numbers)
     where = states(7)
     ours, theirs = numeric(made, made.rates)(where), numeric(rolled, rolled.rates)(where)
     assert np.abs(theirs).max() > 1
