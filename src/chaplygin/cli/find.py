@@ -124,11 +124,16 @@ def _names(symbols: Any) -> list[str]:
 
 
 def _equation(vanishing: Any) -> str:
-    """A vanishing formula as an equation, its number on the right."""
+    """A vanishing formula as an equation without minus signs, its number on the right."""
+    from sympy import Add
+
     from ..notation import text
 
     number, rest = vanishing.as_coeff_Add()
-    return f"{text(rest)} = {text(-number)}"
+    terms = rest.as_ordered_terms()
+    negative = [term for term in terms if term.could_extract_minus_sign()]
+    left = Add(*(term for term in terms if term not in negative))
+    return f"{text(left)} = {text(Add(-number, *(-term for term in negative)))}"
 
 
 def _setting(question: Question) -> str:

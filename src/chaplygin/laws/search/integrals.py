@@ -15,17 +15,17 @@ from ..prove import prove
 from .ansatz import Ansatz, Exponents, Table, table
 from .finding import Finding, Progress, Question, silent
 from .grading import Weight, weight_of, weights
-from .lifting import Part, Solution, plan, points_for, solutions
+from .lifting import Part, Scalars, Solution, plan, points_for, solutions
 from .linear import combination, independent_columns, nullspace, product, rank
 from .modular import PRIME, Integers, inverse, power
 from .stage import Sample
-from .vocabulary import Scalars, Vocabulary, component_scalars
+from .vocabulary import Vocabulary, component_scalars
 
 __all__ = ["integrals"]
 
 _SPARE = 24
 _SIMPLE = 1
-_FEW, _MANY = 15_000, 60_000
+_FEW, _MANY = 10_000, 60_000
 _SEED = 20080830
 
 
@@ -132,7 +132,8 @@ class _Search:
         """Integrals of one shell that do not follow from those found before."""
         exponents, value, rate = self._monomials(shell)
         over, change = _divided(self.sample, shell)
-        kernel = nullspace((rate - value * change).T % PRIME)
+        few = len(value) + _SPARE
+        kernel = nullspace((rate - value * change)[:, :few].T % PRIME)
         found = product(kernel, value) * over % PRIME
         if not self._fresh(found, shell.degree):
             return
@@ -161,7 +162,8 @@ class _Search:
         if kept is None:
             momenta = len(shell.ansatz.momenta)
             low = [i for i, e in enumerate(made.exponents) if sum(e[:momenta]) <= shell.degree]
-            kept = [low[i] for i in independent_columns(made.value[low].T)]
+            few = len(low) + _SPARE
+            kept = [low[i] for i in independent_columns(made.value[low, :few].T)]
             self.kept[shell.ansatz, shell.degree] = kept
         return [made.exponents[i] for i in kept], made.value[kept], made.rate[kept]
 
@@ -171,9 +173,9 @@ class _Search:
     def _fresh(self, found: Integers, degree: int) -> list[int]:
         """Which functions do not depend linearly on products of known integrals."""
         products = self._products(degree)
-        stacked = np.concatenate([products, found]).T
-        first = len(products)
-        return [i - first for i in independent_columns(stacked) if i >= first]
+        stacked = np.concatenate([products, found])
+        first, few = len(products), len(stacked) + _SPARE
+        return [i - first for i in independent_columns(stacked[:, :few].T) if i >= first]
 
     # --- formulas --------------------------------------------------------------------------
 
@@ -229,7 +231,7 @@ class _Search:
         if not parts:
             return []
         zero = tuple(0 for _ in next(iter(self.weights.values())))
-        made = plan(parts, scalars.weights, size, zero)
+        made = plan(parts, scalars, size, zero)
         sample = self.stage.sample(points_for(made), _SEED + 1, common=False)
         jets = [sample(part.formula) for part in parts]
         value = np.array([jet.value for jet in jets])[:, None]
@@ -237,7 +239,7 @@ class _Search:
         _, change = _divided(sample, shell)
         numbers = np.array([sample(s).value for s in scalars.formulas])
         numbers = numbers.reshape(len(scalars.formulas), value.shape[-1])
-        found = solutions(made, parts, value, (rate - value * change) % PRIME, numbers)
+        found = solutions(made, parts, scalars, value, (rate - value * change) % PRIME, numbers)
         ordered = sorted(found, key=lambda solution: solution.effort)
         return [_formula(s, parts, scalars) / shell.divisor**shell.exponent for s in ordered]
 
@@ -292,7 +294,9 @@ def _divided(sample: Sample, shell: _Shell) -> tuple[Integers, Integers]:
 def _formula(solution: Solution, parts: Sequence[Part], scalars: Scalars) -> sp.Expr:
     """A solution written with coprime integers, its simplest term positive."""
     numbers = [number for number, _, _ in solution.terms]
-    simplest = min(solution.terms, key=lambda term: (len(term[1]), parts[term[2]].effort))[0]
+    simplest = min(
+        solution.terms, key=lambda term: (scalars.effort(term[1]), parts[term[2]].effort)
+    )[0]
     scale = Fraction(lcm(*(n.denominator for n in numbers)), gcd(*(n.numerator for n in numbers)))
     scale = scale if simplest > 0 else -scale
     return sp.Add(

@@ -12,6 +12,7 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from itertools import combinations_with_replacement
 
 import numpy as np
@@ -21,7 +22,7 @@ from .grading import Weight, total
 from .linear import independent_columns, nullspace, rational
 from .modular import PRIME, Integers
 
-__all__ = ["LARGEST", "Part", "Plan", "Solution", "plan", "points_for", "solutions"]
+__all__ = ["LARGEST", "Part", "Plan", "Scalars", "Solution", "plan", "points_for", "solutions"]
 
 LARGEST = 1000
 """The largest number of unknowns of one linear system."""
@@ -47,6 +48,23 @@ class Part:
 
 
 @dataclass(frozen=True)
+class Scalars:
+    """Quantities made of parameters alone, with their weights."""
+
+    formulas: tuple[sp.Expr, ...]
+    weights: tuple[Weight, ...]
+
+    @cached_property
+    def efforts(self) -> tuple[int, ...]:
+        """How complicated each looks."""
+        return tuple(1 + int(sp.count_ops(formula)) for formula in self.formulas)
+
+    def effort(self, chosen: Sequence[int]) -> int:
+        """How complicated a product of some of them looks."""
+        return sum(1 + self.efforts[i] for i in chosen)
+
+
+@dataclass(frozen=True)
 class Plan:
     """The linear systems to be solved: lists of (index of part, indices of scalars)."""
 
@@ -66,19 +84,19 @@ class Solution:
     effort: int
 
 
-def plan(parts: Sequence[Part], scalars: Sequence[Weight], degree: int, zero: Weight) -> Plan:
+def plan(parts: Sequence[Part], scalars: Scalars, degree: int, zero: Weight) -> Plan:
     """Sort products of a part and at most `degree` scalars by their weight."""
     products = [
-        (chosen, total(zero, *(scalars[i] for i in chosen)))
+        (chosen, total(zero, *(scalars.weights[i] for i in chosen)))
         for size in range(degree + 1)
-        for chosen in combinations_with_replacement(range(len(scalars)), size)
+        for chosen in combinations_with_replacement(range(len(scalars.formulas)), size)
     ]
     blocks: dict[Weight, list[tuple[int, tuple[int, ...]]]] = defaultdict(list)
     for index, part in enumerate(parts):
         for chosen, weight in products:
             blocks[total(weight, part.weight)].append((index, chosen))
     ordered = (
-        tuple(sorted(block, key=lambda item: parts[item[0]].effort + 2 * len(item[1])))
+        tuple(sorted(block, key=lambda item: parts[item[0]].effort + scalars.effort(item[1])))
         for block in blocks.values()
     )
     return Plan(tuple(block for block in ordered if len(block) <= LARGEST))
@@ -90,7 +108,12 @@ def points_for(made: Plan) -> int:
 
 
 def solutions(
-    made: Plan, parts: Sequence[Part], value: Integers, condition: Integers, scalars: Integers
+    made: Plan,
+    parts: Sequence[Part],
+    scalars: Scalars,
+    value: Integers,
+    condition: Integers,
+    numbers: Integers,
 ) -> Iterator[Solution]:
     """Laws among the sums of products, each block by itself.
 
@@ -98,27 +121,32 @@ def solutions(
     ----------
     made : Plan
     parts : sequence of Part
+    scalars : Scalars
     value, condition : arrays of int64, shape (parts, rows, points)
         The parts themselves and what must vanish, linear in the coefficients.
-    scalars : array of int64, shape (scalars, points)
+    numbers : array of int64, shape (scalars, points)
     """
     for block in made.blocks:
+        few = len(block) + _SPARE
         columns, rows = [], []
         for index, chosen in block:
-            factor = np.ones(scalars.shape[1:], dtype=np.int64)
+            factor = np.ones_like(value[0, 0, :few])
             for scalar in chosen:
-                factor = factor * scalars[scalar] % PRIME
-            columns.append((value[index] * factor % PRIME).ravel())
-            rows.append((condition[index] * factor % PRIME).ravel())
+                factor = factor * numbers[scalar, :few] % PRIME
+            columns.append((value[index, :, :few] * factor % PRIME).ravel())
+            rows.append((condition[index, :, :few] * factor % PRIME).ravel())
         kept = independent_columns(np.array(columns).T)
         for vector in nullspace(np.array(rows)[kept].T):
-            found = _solution(vector, [block[i] for i in kept], parts)
+            found = _solution(vector, [block[i] for i in kept], parts, scalars)
             if found is not None:
                 yield found
 
 
 def _solution(
-    vector: Integers, block: Sequence[tuple[int, tuple[int, ...]]], parts: Sequence[Part]
+    vector: Integers,
+    block: Sequence[tuple[int, tuple[int, ...]]],
+    parts: Sequence[Part],
+    scalars: Scalars,
 ) -> Solution | None:
     terms = []
     effort = 0
@@ -128,5 +156,5 @@ def _solution(
             if number is None:
                 return None
             terms.append((number, chosen, index))
-            effort += 3 + parts[index].effort + 2 * len(chosen)
+            effort += 3 + parts[index].effort + scalars.effort(chosen)
     return Solution(tuple(terms), effort)

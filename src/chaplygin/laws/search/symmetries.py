@@ -14,11 +14,11 @@ from .ansatz import Exponents, Table, table
 from .finding import Finding, Progress, Question, silent
 from .grading import Weight, weight_of, weights
 from .integrals import integrals
-from .lifting import Part, Solution, plan, points_for, solutions
+from .lifting import Part, Scalars, Solution, plan, points_for, solutions
 from .linear import independent_columns, nullspace, product
 from .modular import PRIME, Integers
 from .stage import Sample
-from .vocabulary import Scalars, component_scalars
+from .vocabulary import component_scalars
 
 __all__ = ["symmetries"]
 
@@ -122,7 +122,7 @@ class _Search:
 
     def _solutions(self, parts: Sequence[Part], scalars: Scalars, size: int) -> Solution | None:
         zero = tuple(0 for _ in next(iter(self.weights.values())))
-        made = plan(parts, scalars.weights, size, zero)
+        made = plan(parts, scalars, size, zero)
         sample = self.stage.sample(points_for(made), _SEED + 1, common=False)
         names = [str(s) for s in self.symbols]
         jets = []
@@ -135,7 +135,9 @@ class _Search:
         chosen = [index * len(parts) + i for i, (index, _) in enumerate(jets)]
         numbers = np.array([sample(s).value for s in scalars.formulas])
         numbers = numbers.reshape(len(scalars.formulas), value.shape[-1])
-        found = solutions(made, parts, everything[0][chosen], everything[1][chosen], numbers)
+        found = solutions(
+            made, parts, scalars, everything[0][chosen], everything[1][chosen], numbers
+        )
         return min(found, key=lambda solution: solution.effort, default=None)
 
     def _finding(self, found: Solution, parts: Sequence[Part], scalars: Scalars) -> Finding:

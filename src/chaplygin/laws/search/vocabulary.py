@@ -18,21 +18,13 @@ from sympy.matrices.expressions import MatAdd, MatMul
 from ...vectors import Diagonal, Symmetric, Vector, dot, explicit
 from .ansatz import Ansatz
 from .grading import Weight, total, weight_of
-from .lifting import Part
+from .lifting import Part, Scalars
 from .stage import Stage
 
-__all__ = ["Scalars", "Vocabulary", "component_scalars"]
+__all__ = ["Vocabulary", "component_scalars"]
 
 _MOMENTA = ("M", "omega")
 _GROUPS = 4
-
-
-@dataclass(frozen=True)
-class Scalars:
-    """Quantities made of parameters alone, with their weights."""
-
-    formulas: tuple[sp.Expr, ...]
-    weights: tuple[Weight, ...]
 
 
 def _parameters(made: Stage, table: dict[sp.Symbol, Weight]) -> list[sp.Symbol]:
