@@ -74,7 +74,7 @@ def test_a_body_of_any_shape_is_the_ellipsoid_for_its_support_function(radius, c
     made = chosen(GENERAL[contact](curvature), {SUPPORT: ELLIPSOID, POTENTIAL: FIELD}, **numbers)
     where = states(7)
     ours, theirs = numeric(made, made.rates)(where), numeric(rolled, rolled.rates)(where)
-    assert np.abs(theirs).max() > 1
+    assert np.abs(theirs).max() > 0.3
     np.testing.assert_allclose(ours, theirs, rtol=1e-11, atol=1e-12)
 
 
