@@ -22,6 +22,7 @@ from chaplygin.study.drawing import (
     outline_from_contact,
     rotation_matrices,
 )
+from chaplygin.study.figures.variables import readable
 
 # Contact vectors r(gamma).
 
@@ -505,3 +506,23 @@ def test_unknown_format_is_refused(data, tmp_path, name):
 def test_place_that_cannot_be_written_is_named(data, tmp_path, suffix):
     with pytest.raises(InputError, match=r"nowhere.* cannot be written: No such file"):
         figures.save(figures.drift(data), tmp_path / "nowhere" / f"figure.{suffix}")
+
+
+def test_raised_and_lowered_characters_are_set_as_exponents_and_indices(data):
+    """The typeface has none of its own; a missing one would be a warning."""
+    assert readable("M² along γ₁₂, s⁻¹") == "M$^{2}$ along γ$_{12}$, s$^{-1}$"
+    own = data.copy()
+    own["law_energy"] = own["energy"].assign_attrs(long_name="J₁ M₂² + γ₃⁴")
+    assert figures.svg_text(figures.drift(own)).startswith("<svg")
+
+
+def test_the_state_has_one_panel_for_each_variable(data):
+    figure = figures.state(data, ["omega", "energy"])
+    first, second = figure.axes
+    assert len(first.lines) == 3
+    assert len(second.lines) == 1
+    assert second.get_xlabel().startswith("time")
+    with pytest.raises(InputError, match="speed cannot be shown"):
+        figures.state(data, ["omega", "speed"])
+    with pytest.raises(InputError, match="none cannot be shown"):
+        figures.state(data, [])

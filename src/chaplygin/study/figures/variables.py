@@ -59,13 +59,27 @@ def time_shares(times: FloatArray, since: float | None = None) -> FloatArray:
     return (times - start) / span if span != 0.0 else np.ones_like(times)
 
 
+#: Raised and lowered characters that the typeface of the figures lacks.
+_RAISED = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-", strict=True))
+_LOWERED = dict(zip("₀₁₂₃₄₅₆₇₈₉", "0123456789", strict=True))
+
+
 def readable(text: str) -> str:
-    """The text itself if its formulas can be typeset, else the text with plain dollar signs."""
+    """The text itself if its formulas can be typeset, else the text with plain dollar signs.
+
+    Raised and lowered characters are set as exponents and indices.
+    """
+    text = re.sub(f"[{''.join(_RAISED)}]+", lambda match: _shifted(match[0], "^", _RAISED), text)
+    text = re.sub(f"[{''.join(_LOWERED)}]+", lambda match: _shifted(match[0], "_", _LOWERED), text)
     try:
         MathTextParser("path").parse(text)
     except ValueError:
         return text.replace("$", r"\$")
     return text
+
+
+def _shifted(characters: str, mark: str, table: dict[str, str]) -> str:
+    return f"${mark}{{{''.join(table[c] for c in characters)}}}$"
 
 
 def unit_of(dataset: xr.Dataset, name: str) -> str:
