@@ -7,6 +7,7 @@ its derivatives.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
@@ -54,7 +55,6 @@ class Fractions(Quotients):
         self._roots: dict[str, tuple[Poly, int]] = {}
         self._auxiliary: dict[Any, Any] = {}
         self._circles: set[str] = set()
-        self._zeros: set[str] = set()
         self._arguments: list[tuple[Element, str]] = []
 
     def _new(self, key: Any, meaning: str, value: Callable[[], float]) -> Poly:
@@ -96,6 +96,13 @@ class Fractions(Quotients):
                     term *= value ** int(exponent)
             total += term
         return total
+
+    def value_at_sample(self, element: Element) -> float:
+        """Value of an element at the sample point."""
+        value = self.at_sample(element.poly)
+        for number, power in element.powers.items():
+            value *= self.at_sample(self.factors[number]) ** power
+        return value
 
     def _positive_parts(self, element: Element) -> tuple[fmpq, list[tuple[Poly, int]]]:
         """Content and factors with powers, every factor positive at the sample point."""
@@ -195,24 +202,26 @@ class Fractions(Quotients):
     def circle(self, angle: Element) -> tuple[Element, Element]:
         """Sine and cosine."""
         key = self._key(angle)
-        sine = self._new(("sin", key), f"sin({key})", lambda: 0.6)
-        cosine = self._new(("cos", key), f"cos({key})", lambda: 0.8)
+        value = self.value_at_sample(angle)
+        sine = self._new(("sin", key), f"sin({key})", lambda: math.sin(value))
+        cosine = self._new(("cos", key), f"cos({key})", lambda: math.cos(value))
         if key not in self._circles:
             self._circles.add(key)
             upper, lower = sorted((sine, cosine), key=lambda p: self.names.index(str(p)))
             self.impose(str(upper), upper**2 + lower**2 - 1)
         return Element(self, sine, {}), Element(self, cosine, {})
 
-    def nothing(self, name: str) -> None:
-        """State that an unspecified function takes the value zero."""
-        self._zeros.add(name)
-
-    def opaque(self, name: str, arguments: Sequence[Element], value: float = 0.7) -> Element:
+    def opaque(self, name: str, arguments: Sequence[Element]) -> Element:
         """A symbol for a function value about which nothing is known but its arguments."""
-        if name in self._zeros:
-            return self.zero
         key = (name, *map(self._key, arguments))
-        return Element(self, self._new(key, f"{name}({', '.join(key[1:])})", lambda: value), {})
+        known = getattr(math, name, None)
+
+        def value() -> float:
+            if known is None:
+                return 0.7
+            return float(known(*map(self.value_at_sample, arguments)))
+
+        return Element(self, self._new(key, f"{name}({', '.join(key[1:])})", value), {})
 
     def _key(self, element: Element) -> str:
         """A name that equal elements share."""

@@ -139,9 +139,9 @@ class Ground:
         return tuple(c for c in expanded if c.free_symbols & state)
 
     @cached_property
-    def forced(self) -> tuple[str, ...]:
-        """Unspecified functions whose value the conditions say is zero."""
-        return tuple(type(c).__name__ for c in self.conditions if isinstance(c, AppliedUndef))
+    def zeros(self) -> tuple[sp.Expr, ...]:
+        """Values of unspecified functions that the conditions say are zero."""
+        return tuple(c for c in self.conditions if isinstance(c, AppliedUndef))
 
     def expanded(self, formula: sp.Expr) -> sp.Expr:
         """A formula in which the definitions are written out."""
@@ -158,7 +158,7 @@ class Ground:
         conditions = [
             numerator(draft, evaluate.value(condition), condition)
             for condition in self._settlement[1]
-            if not isinstance(condition, AppliedUndef)
+            if condition not in self.zeros
         ]
         names = [str(s) for s in self.generators]
         moving = {str(s) for s in self.system.symbols}
@@ -194,8 +194,6 @@ class Ground:
                 powers = dict(named)
                 made[tuple(powers.get(n, 0) for n in field.names)] = number
             field.impose(main, field.ring.from_dict(made))
-        for name in self.forced:
-            field.nothing(name)
         return field
 
     # --- points ----------------------------------------------------------------------------
@@ -268,9 +266,7 @@ class Ground:
 
     def numbers(self, values: Mapping[str, Any], exact: bool) -> Rationals | Balls:
         """The field of numbers at a point."""
-        made = Rationals(values) if exact else Balls(values)
-        made.forced = self.forced
-        return made
+        return Rationals(values) if exact else Balls(values)
 
     # --- evaluation ------------------------------------------------------------------------
 
@@ -281,7 +277,7 @@ class Ground:
         def seed(symbol: sp.Symbol) -> Jet | None:
             return Jet(field.generator(str(symbol)), {}) if symbol in own else None
 
-        return Evaluator(field, seed, self.steps, self.exchanged)
+        return Evaluator(field, seed, self.steps, self.exchanged, self.zeros)
 
     def along(self, field: Any) -> Evaluator:
         """Values with their time derivatives along the field of the system."""
@@ -294,7 +290,7 @@ class Ground:
                 return known
             return Jet(known.value, {-1: plain.value(rates[symbol])})
 
-        return Evaluator(field, seed, self.steps, self.exchanged)
+        return Evaluator(field, seed, self.steps, self.exchanged, self.zeros)
 
     def partial(self, field: Any) -> Evaluator:
         """Values with their partial derivatives by the state variables, numbered."""
@@ -307,7 +303,7 @@ class Ground:
                 return known
             return Jet(known.value, {number[symbol]: field.one})
 
-        return Evaluator(field, seed, self.steps, self.exchanged)
+        return Evaluator(field, seed, self.steps, self.exchanged, self.zeros)
 
 
 def _linear_in(formula: sp.Expr) -> tuple[sp.Symbol, sp.Expr] | None:

@@ -6,7 +6,7 @@ partial derivatives, seeding it with the field gives time derivatives.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -74,6 +74,8 @@ class Evaluator:
         Definitions, evaluated when first needed.
     exchanged : mapping of Symbol to Exchange
         Definitions that are generators in place of a parameter.
+    zeros : collection of formulas
+        Values of unspecified functions that the conditions say are zero.
     """
 
     def __init__(
@@ -82,10 +84,12 @@ class Evaluator:
         seed: Callable[[sp.Symbol], Jet | None],
         steps: Mapping[sp.Symbol, sp.Expr],
         exchanged: Sequence[Exchange] = (),
+        zeros: Collection[sp.Expr] = (),
     ) -> None:
         self.field = field
         self.steps = dict(steps)
         self.exchanged = tuple(exchanged)
+        self.zeros = frozenset(zeros)
         self._by_name = {e.name: e for e in exchanged}
         self._by_parameter = {e.parameter: e for e in exchanged}
         self.seed = seed
@@ -93,7 +97,7 @@ class Evaluator:
 
     def with_steps(self, steps: Mapping[sp.Symbol, sp.Expr]) -> Evaluator:
         """The same evaluation with further definitions."""
-        return Evaluator(self.field, self.seed, {**self.steps, **steps}, self.exchanged)
+        return Evaluator(self.field, self.seed, {**self.steps, **steps}, self.exchanged, self.zeros)
 
     def value(self, formula: Any) -> Any:
         """Value alone."""
@@ -208,7 +212,7 @@ class Evaluator:
                 for i, slope in jet.slopes.items():
                     part = partial * slope
                     slopes[i] = slopes[i] + part if i in slopes else part
-        return Jet(named(orders), slopes)
+        return Jet(self.field.zero if formula in self.zeros else named(orders), slopes)
 
     def _function(self, formula: Any) -> Jet:
         field = self.field

@@ -59,7 +59,6 @@ class Rationals:
 
     def __init__(self, values: Mapping[str, Any]) -> None:
         self.values = dict(values)
-        self.forced: tuple[str, ...] = ()
 
     def rational(self, value: Any) -> fmpq:
         """A rational number."""
@@ -96,12 +95,10 @@ class Rationals:
         """The exponential."""
         raise NotExactError
 
-    def opaque(self, name: str, arguments: Sequence[Any], value: float = 0.7) -> Any:
+    def opaque(self, name: str, arguments: Sequence[Any]) -> Any:
         """A value of an unspecified function; of a known one there is none."""
         if name in KNOWN:
             raise NotExactError
-        if name in self.forced:
-            return self.zero
         return _invented(f"{name}{arguments}")
 
 
@@ -120,7 +117,6 @@ class Balls:
         self.values = {name: arb(value) for name, value in values.items()}
         self.one, self.zero = arb(1), arb(0)
         self._seen: list[tuple[str, tuple[Any, ...], Any]] = []
-        self.forced: tuple[str, ...] = ()
 
     def rational(self, value: Any) -> Any:
         """A rational number."""
@@ -161,14 +157,12 @@ class Balls:
         """The exponential."""
         return element.exp()
 
-    def opaque(self, name: str, arguments: Sequence[Any], value: float = 0.7) -> Any:
+    def opaque(self, name: str, arguments: Sequence[Any]) -> Any:
         """A function value: computed for a known function, invented for an unspecified one."""
         if name in KNOWN:
             first, *rest = arguments
             method = getattr(arb, name)
             return method(first, *rest)
-        if name in self.forced:
-            return self.zero
         for other, places, known in self._seen:
             if other == name and all(a.overlaps(b) for a, b in zip(places, arguments, strict=True)):
                 return known

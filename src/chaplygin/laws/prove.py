@@ -97,7 +97,7 @@ def _decided(system: System, law: Law, budget: Budget) -> Verdict:
             return Verdict(
                 law.name,
                 "refuted",
-                shown=f"{what} is not zero at a point",
+                shown=f"{what} fails at a point",
                 witness={
                     "point": ground.point_shown(field),
                     "what": what,

@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from ..statements import ConformallyHamiltonian, Isomorphism, Law, PoissonStructure
+from .errors import OutOfReachError
 from .ground import Ground
 from .residuals import components
 
@@ -46,7 +47,7 @@ def _(law: PoissonStructure, ground: Ground, field: Any) -> tuple[str, Any] | No
     size = len(ground.system.symbols)
     matrix = [[plain.value(law.matrix[i, j]) for j in range(size)] for i in range(size)]
     found = rank(field, matrix)
-    return None if found >= law.rank else ("rank", found)
+    return _lacking("the rank of the bracket", found, law.rank, field)
 
 
 @shortfall.register
@@ -67,4 +68,12 @@ def _(law: Isomorphism, ground: Ground, field: Any) -> tuple[str, Any] | None:
     conditions = [row(c) for c in ground.moving]
     images = [row(f) for f in components((*law.map, *law.constants)).values()]
     total = rank(field, [*conditions, *images])
-    return None if total == size else ("rank of the map, with the conditions,", total)
+    return _lacking("the rank of the map with the conditions", total, size, field)
+
+
+def _lacking(what: str, found: int, wanted: int, field: Any) -> tuple[str, Any] | None:
+    if found >= wanted:
+        return None
+    if not field.exact:
+        raise OutOfReachError(f"{what} is at least {found}, but {wanted} is not certain with balls")
+    return what, f"{found} instead of {wanted}"
