@@ -3,7 +3,7 @@
 With J = I + mR²E, s = (ω, γ) and the unit vector e fixed in the ball, M = Jω − mR²sγ obeys
 Ṁ = M×ω + γ×∂U/∂γ + λ₀e.  Since γ̇ = γ×ω, this is
 
-    J ω̇ = Jω×ω + mR²ṡγ + γ×∂U/∂γ + λ₀e,      (ω̇, e) = 0,      ṡ = (ω̇, γ).
+    J ω̇ = Jω×ω + mR²σγ + γ×∂U/∂γ + λ₀e,      (ω̇, e) = 0,      σ = ṡ = (ω̇, γ).
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from .rates import rate
 
 omega, gamma, e, X, p, q = vectors("omega gamma e X p q")
 I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")
-m, R, D, s, sdot, lambda_0 = (scalar(n) for n in ("m", "R", "D", "s", "sdot", "lambda_0"))
+m, R, D, s, sigma, lambda_0 = (scalar(n) for n in ("m", "R", "D", "s", "sigma", "lambda_0"))
 
 POTENTIAL = sp.Function("U")(*gamma.symbols)
 #: The axis e is the principal axis 3.
@@ -69,11 +69,11 @@ def equations(numbers: Numbers, potential: Any = sp.S.Zero) -> System:
             q: A * gamma,
             s: dot(omega, gamma),
             X: cross(J * omega, omega) + cross(gamma, gradient(potential, gamma)),
-            sdot: (dot(q, X) - dot(p, X) * dot(gamma, p) / dot(e, p)) / lever,
-            lambda_0: -(dot(p, X) + D * sdot * dot(gamma, p)) / dot(e, p),
+            sigma: (dot(q, X) - dot(p, X) * dot(gamma, p) / dot(e, p)) / lever,
+            lambda_0: -(dot(p, X) + D * sigma * dot(gamma, p)) / dot(e, p),
         },
         field={
-            omega: A * (X + D * sdot * gamma + lambda_0 * e),
+            omega: A * (X + D * sigma * gamma + lambda_0 * e),
             gamma: cross(gamma, omega),
         },
         relations=(normed(gamma) - 1, dot(omega, e)),
@@ -93,7 +93,9 @@ def _always(potential: Any = sp.S.Zero) -> tuple[Law, ...]:
     half = sp.Rational(1, 2)
     kinetic = half * dot(J * omega, omega) - half * D * s**2
     return (
-        Identity("spin_rate", Rate(s) - sdot, "rate of the spin about the vertical", source=SOURCE),
+        Identity(
+            "spin_rate", Rate(s) - sigma, "rate of the spin about the vertical", source=SOURCE
+        ),
         Integral("energy", kinetic + potential, "energy", source="§2.5, (3.3)", unit="J"),
     )
 
@@ -109,9 +111,9 @@ def _volume() -> Measure:
 
 
 def _swerving() -> tuple[Law, ...]:
-    """Without forces Jω̇ − mR²ṡγ is (Ie, ω) e×ω up to a multiple of e."""
+    """Without forces Jω̇ − mR²σγ is (Ie, ω) e×ω up to a multiple of e."""
     swerve = dot(I * e, omega)
-    turned = J * rate(omega) - D * sdot * gamma - (swerve / normed(e)) * cross(e, omega)
+    turned = J * rate(omega) - D * sigma * gamma - (swerve / normed(e)) * cross(e, omega)
     return (
         Identity("swerve", cross(e, turned), "equations without the multiplier", source=SOURCE),
         Measure(

@@ -108,12 +108,12 @@ def ball(numbers: Numbers, surface: sp.Expr, force: Any, *further: Parameter) ->
 def laws(surface: sp.Expr) -> tuple[Law, ...]:
     """What holds on every surface and under every force."""
     heavier = m + mu / b**2
-    push = -dot(F, n) - heavier * dot(v, ndot)
+    push = -dot(F, n) - heavier * dot(v, rate(n))
     return (
         Integral("surface", surface, "the centre stays on its surface", source="(2.7)"),
         Identity(
             "balance",
-            (m * rate(v) - N - F, mu * rate(omega) - cross(r, N) - N_0 * r, ndot - rate(n)),
+            (m * rate(v) - N - F, mu * rate(omega) - cross(r, N) - N_0 * r),
             "Newton's and Euler's equations with the reactions of both constraints",
             source="(2.10)",
         ),
