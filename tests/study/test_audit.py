@@ -1,0 +1,107 @@
+"""The audit: cases joined, verdicts kept, interruptions survived, the page."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+import sympy as sp
+
+from chaplygin.laws.verdict import Verdict
+from chaplygin.paper import claims, remarks
+from chaplygin.statements import Integral
+from chaplygin.study import audit as module
+from chaplygin.study.audit import TITLES, audit, counts, page
+from chaplygin.systems import from_catalogue
+from chaplygin.vectors import normed, vectors
+
+M, gamma = vectors("M gamma")
+SECTION = 6
+
+
+@pytest.fixture(scope="module")
+def judged():
+    return audit(SECTION)[0]
+
+
+def test_every_claim_is_judged_in_reading_order(judged):
+    assert [j.claim.source for j in judged] == [c.source for _, c in claims(SECTION)]
+    assert all(j.section == SECTION for j in judged)
+
+
+def test_a_second_audit_computes_nothing(judged, monkeypatch):
+    def refused(*_, **__):
+        raise AssertionError("computed again")
+
+    monkeypatch.setattr(module, "ProcessPoolExecutor", refused)
+    again, left = audit(SECTION)
+    assert left == 0
+    assert [j.printed for j in again] == [j.printed for j in judged]
+
+
+def test_an_interrupted_audit_keeps_what_is_done(monkeypatch, tmp_path):
+    monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path))
+    original = module.wait
+    rounds = []
+
+    def interrupted(tasks, **options):
+        if rounds:
+            raise KeyboardInterrupt
+        ended, rest = original(tasks, **{**options, "timeout": 60})
+        rounds.append(len(ended))
+        return ended, rest
+
+    monkeypatch.setattr(module, "wait", interrupted)
+    done, left = audit(SECTION, workers=1)
+    assert len(done) == rounds[0] > 0
+    assert left == len(claims(SECTION)) - len(done) > 0
+    assert all(j.printed.decision in ("proven", "refuted", "undecided") for j in done)
+
+
+def test_a_case_of_several_laws_holds_when_all_hold():
+    ball = from_catalogue("chaplygin-ball")
+    right = Integral("square", normed(M))
+    wrong = Integral("component", M.symbols[0])
+    hard = Integral("absolute", sp.Abs(M.symbols[0]))
+    joined = module._joined
+    assert joined(((ball, right), (ball, right))).decision == "proven"
+    assert joined(((ball, right), (ball, wrong))).decision == "refuted"
+    assert joined(((ball, hard), (ball, right))).decision == "undecided"
+    assert joined(((ball, hard), (ball, wrong))).decision == "refuted"
+    assert joined((ball, wrong)).decision == "refuted"
+    given = Verdict("direct", "undecided", reason="tried")
+    assert joined(given) is given
+
+
+def test_counts_add_up(judged):
+    table = counts(judged)
+    assert sum(table["printed"].values()) == len(judged)
+    assert sum(table["corrected"].values()) == sum(j.corrected is not None for j in judged)
+
+
+def test_the_page_shows_every_claim_typeset(judged):
+    text = page(judged, SECTION)
+    body = text.split("</style>")[1]
+    assert body.count('<article class="claim') == len(judged)
+    assert body.count(" misprint") == counts(judged)["printed"]["refuted"]
+    assert "$" not in body
+    assert "<merror" not in body
+    assert TITLES[SECTION] in body
+    assert not re.search(r'(src|href)="http', text)
+
+
+def test_the_page_of_the_whole_paper_has_all_sections_with_claims(judged):
+    assert {number for number, _ in claims()} <= set(TITLES)
+    assert 'id="section-6"' in page(judged)
+
+
+def test_what_was_not_computed_is_listed_with_its_reason():
+    assert remarks()
+    assert all(r.source and r.statement and r.reason for r in remarks())
+
+
+def test_records_have_the_agreed_fields(judged):
+    for judgement in judged:
+        record = judgement.record()
+        assert {"source", "statement", "printed", "seconds"} <= set(record)
+        assert ("corrected" in record) == (judgement.corrected is not None)
