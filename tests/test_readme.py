@@ -37,7 +37,8 @@ def test_the_shell_lines_run(
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     lines = [line for line in block("sh", "chaplygin list").splitlines() if line]
     assert len(lines) == 10
-    for line in lines:
+    proofs = [line for line in block("sh", "chaplygin prove").splitlines() if line]
+    for line in [*lines, *proofs]:
         command = shlex.split(line.split("#")[0].split(">")[0])
         monkeypatch.setattr(sys, "argv", command)
         with pytest.raises(SystemExit) as end:

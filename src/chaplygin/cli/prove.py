@@ -99,14 +99,14 @@ def _verdict(system: System, law: Law, seconds: float, certificate: Path | None)
 
 
 def _record(system: System, law: Law, verdict: Verdict) -> dict[str, Any]:
-    from ..claims import heading, level
+    from ..claims import level
     from ..laws.prove import prove
     from ..typeset import latex, law_latex
 
     printed = law.as_printed
     record = {
         "source": law.source,
-        "statement": f"{heading(law)}: {getattr(law, 'meaning', '') or law.name}",
+        "statement": _words(law),
         "printed": (prove(system, printed) if printed is not None else verdict).decision,
         "corrected": law_latex(law, system),
         "verdict": verdict.decision,
@@ -124,6 +124,16 @@ def _record(system: System, law: Law, verdict: Verdict) -> dict[str, Any]:
     return record
 
 
+def _words(law: Law) -> str:
+    """Kind and meaning of a law, without saying the same twice."""
+    from ..claims import heading
+
+    kind, meaning = heading(law), str(getattr(law, "meaning", ""))
+    if kind.lower() in meaning.lower():
+        return meaning[0].upper() + meaning[1:]
+    return f"{kind}: {meaning}" if meaning else kind
+
+
 def styled(decision: str) -> str:
     """A verdict in its colour, for the terminal."""
     return f"[{COLOURS[decision]}]{decision}[/]"
@@ -135,7 +145,7 @@ def _print(done: list[tuple[System, Law, Verdict]]) -> None:
     from rich.markup import escape
     from rich.table import Table
 
-    from ..claims import heading, level
+    from ..claims import level
     from ..laws.prove import prove
     from ..typeset import text
 
@@ -153,11 +163,10 @@ def _print(done: list[tuple[System, Law, Verdict]]) -> None:
             table.add_section()
             table.add_row("", f"[italic]{escape(system.title)}[/]")
         previous = system.title
-        words = f"{heading(law)}: {getattr(law, 'meaning', '')}".rstrip(": ")
         where = level(law, system, text)
         table.add_row(
             escape(law.name),
-            escape(f"{words} {where}".strip()),
+            escape(f"{_words(law)} {where}".strip()),
             escape(law.source),
             styled(verdict.decision),
             f"{verdict.terms:,}" if verdict.terms else "",
