@@ -13,7 +13,7 @@ from chaplygin.mechanics.body import Body
 from chaplygin.mechanics.rolling import roll
 from chaplygin.mechanics.shapes import Ball
 from chaplygin.notation import LATEX, UNICODE, rate, width
-from chaplygin.statements import Integral
+from chaplygin.statements import Integral, Rate
 from chaplygin.system import Parameter, System
 from chaplygin.systems import CATALOGUE
 from chaplygin.typeset import (
@@ -47,6 +47,7 @@ M, omega, gamma, r, rdot = vectors("M omega gamma r rdot")
 A, I = Diagonal("A"), Diagonal("I")
 a, b, m, g, R, s, x, y = (scalar(name) for name in ("a", "b", "m", "g", "R", "s", "x", "y"))
 half = sp.Rational(1, 2)
+U = sp.Function("U", real=True)
 
 GOLDEN = [
     # names
@@ -65,6 +66,27 @@ GOLDEN = [
     (Vector("gammadot"), "γ̇", r"\dot{\boldsymbol{\gamma}}"),
     (Vector("Itilde"), "Ĩ", r"\tilde{\mathbf{I}}"),
     (scalar("attitude_w"), "attitude_w", r"\text{attitude}_{w}"),
+    # rates and functions left open
+    (Rate(x), "ẋ", r"\dot{x}"),
+    (Rate(Rate(x)) / a, "ẍ / a", r"\frac{\ddot{x}}{a}"),
+    (Rate(scalar("gamma_3")) ** 2, "γ̇₃²", r"\dot{\gamma}_{3}^{2}"),
+    (Rate(a * x), "d (a x)/dt", r"\frac{d \left(a x\right)}{dt}"),
+    (Rate(Rate(a * x)), "d² (a x)/dt²", None),
+    (U(*gamma.symbols), "U(γ)", r"U\left(\boldsymbol{\gamma}\right)"),
+    (U(x, *gamma.symbols) ** 2, "U(x, γ)²", None),
+    (sp.diff(U(x), x), "U′(x)", r"U^{\prime}\left(x\right)"),
+    (sp.diff(U(x), x, 2), "U″(x)", r"U^{\prime\prime}\left(x\right)"),
+    (
+        a * sp.diff(U(*gamma.symbols), gamma.symbols[0]),
+        "a ∂U/∂γ₁",
+        r"a \frac{\partial U}{\partial \gamma_{1}}",
+    ),
+    (
+        sp.diff(U(x, y), x, y, y),
+        "∂³U/(∂x ∂y²)",
+        r"\frac{\partial^{3} U}{\partial x \partial y^{2}}",
+    ),
+    (sp.cot(x), "cot(x)", r"\cot\left(x\right)"),
     # numbers
     (sp.Rational(-3, 7), "−3 / 7", r"-\frac{3}{7}"),
     (half * x, "½ x", r"\frac{1}{2} x"),

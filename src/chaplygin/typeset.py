@@ -10,15 +10,12 @@ import html
 import re
 import textwrap
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-import sympy as sp
-
-from .claims import caption, equation, formulas, heading, sides
+from .claims import caption, equation, heading, sides
 from .mathml import mathml
 from .notation import LATEX, UNICODE, Notation, latex, rate, signed_terms, text, width
-from .vectors import Diagonal, Gradient, Symmetric, Vector, explicit
+from .page import Page, Pairs, page_of
 
 if TYPE_CHECKING:
     from .statements import Integral, Law
@@ -43,86 +40,6 @@ LINE = 84
 
 _INDENT = "    "
 
-Pairs = tuple[tuple[Any, Any], ...]
-
-
-# --- what belongs on the page --------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class _Page:
-    """The formulas of a system as a reader needs them.
-
-    Attributes
-    ----------
-    field : pairs
-        State and rates; a rate that is only a name (γ̇) is replaced by its definition.
-    where : pairs
-        Tensors and vectors of parameters by components, then the definitions that the field
-        needs, in order.
-    further : pairs
-        The same for what laws and relations need besides.
-    """
-
-    field: Pairs
-    where: Pairs
-    further: Pairs
-
-
-def _page(system: System) -> _Page:
-    definitions = dict(system.definitions)
-    field = []
-    spelt_out = set()
-    for name, formula in system.field:
-        trivial = isinstance(formula, Vector) and formula.name == f"{name}dot"
-        field.append((name, definitions[formula] if trivial else formula))
-        if trivial:
-            spelt_out.add(formula)
-    needed = _needed(system, [formula for _, formula in system.field])
-    where = tuple(pair for pair in needed if pair[0] not in spelt_out)
-    claims = [formula for law in system.laws for formula in formulas(law)]
-    claims += system.relations
-    extra = tuple(pair for pair in _needed(system, claims) if pair not in needed)
-    given = _given(system, [formula for _, formula in (*field, *where)])
-    given_too = _given(system, [*claims, *(formula for _, formula in extra)])
-    return _Page(
-        field=tuple(field),
-        where=given + where,
-        further=tuple(pair for pair in given_too if pair not in given) + extra,
-    )
-
-
-def _scalars(name: Any) -> set[sp.Symbol]:
-    return {name} if isinstance(name, sp.Symbol) else set(name.symbols)
-
-
-def _mentioned(formula: Any) -> set[sp.Symbol]:
-    """Symbols on which a formula depends or whose name it shows, as ∂U/∂γ shows U."""
-    shown: set[sp.Symbol] = {gradient.args[2] for gradient in formula.atoms(Gradient)}
-    return shown.union(explicit(formula).free_symbols)
-
-
-def _needed(system: System, formulas: Iterable[Any]) -> Pairs:
-    """The definitions on which formulas depend, in order."""
-    wanted = set().union(*map(_mentioned, formulas))
-    chosen = []
-    for name, formula in reversed(system.definitions):
-        if wanted & _scalars(name):
-            chosen.append((name, formula))
-            wanted |= _mentioned(formula)
-    return tuple(reversed(chosen))
-
-
-def _given(system: System, formulas: Iterable[Any]) -> Pairs:
-    """Tensors and vectors made of parameters, by their components."""
-    known = {name for name, _ in system.field} | {name for name, _ in system.definitions}
-    atoms = set().union(*(formula.atoms(Vector, Diagonal, Symmetric) for formula in formulas))
-    found = []
-    for name in sorted(atoms - known, key=str):
-        entries = explicit(name) if isinstance(name, Vector) else name.entries
-        found.append((name, entries))
-    return tuple(found)
-
 
 def _number(value: float) -> str:
     return f"{value:.10g}".replace("-", "−")
@@ -145,7 +62,7 @@ def system_text(system: System) -> str:
         Title and summary, equations of motion, what their letters stand for, phase space,
         parameters, laws and source.
     """
-    page = _page(system)
+    page = page_of(system)
     blocks = [[system.title, *_paragraph(system.summary)]]
     blocks.append(["Equations of motion", *_field_lines(page)])
     if page.where:
@@ -172,10 +89,10 @@ def system_text(system: System) -> str:
 
 def field_text(system: System) -> list[str]:
     """The equations of motion alone, as indented lines at most 100 columns wide."""
-    return _field_lines(_page(system))
+    return _field_lines(page_of(system))
 
 
-def _field_lines(page: _Page) -> list[str]:
+def _field_lines(page: Page) -> list[str]:
     return _equations((rate(name, UNICODE), text(formula)) for name, formula in page.field)
 
 
@@ -276,7 +193,7 @@ def system_latex(system: System) -> str:
     str
         LaTeX for math mode; long sums are broken into several lines.
     """
-    page = _page(system)
+    page = page_of(system)
     rows = _aligned_rows((rate(name, LATEX), formula) for name, formula in page.field)
     if page.where:
         rows.append(r"\text{where} \quad &")
@@ -334,7 +251,7 @@ def system_html(system: System) -> str:
         One ``<section class="chaplygin-system">`` with title, equations, what their letters
         stand for, phase space, parameters, laws and source.
     """
-    page = _page(system)
+    page = page_of(system)
     parts = [_STYLE, f"<h3>{html.escape(system.title)}</h3>"]
     if system.summary:
         parts.append(f"<p>{html.escape(system.summary)}</p>")
@@ -370,7 +287,7 @@ def law_html(law: Law, system: System) -> str:
 def claims_html(system: System) -> str:
     """All laws of a system, integrals too, and what their letters stand for; empty without any."""
     parts = [law_html(law, system) for law in system.laws]
-    further = _page(system).further
+    further = page_of(system).further
     if parts and further:
         parts += ["<h4>In the laws</h4>", _display(_defining_rows(further))]
     return "\n".join(parts)

@@ -1,0 +1,68 @@
+"""Names as spelt in code, taken apart into letters, accents and indices."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from dataclasses import dataclass
+
+__all__ = ["GREEK", "Letter", "letter_of"]
+
+GREEK = {
+    **{
+        unicodedata.name(chr(code)).rsplit(" ", 1)[-1].lower(): chr(code)
+        for code in range(ord("α"), ord("ω") + 1)
+        if code != ord("ς")
+    },
+    "lambda": "λ",
+    "Gamma": "Γ",
+    "Delta": "Δ",
+    "Theta": "Θ",
+    "Lambda": "Λ",
+    "Xi": "Ξ",
+    "Pi": "Π",
+    "Sigma": "Σ",
+    "Upsilon": "Υ",
+    "Phi": "Φ",
+    "Psi": "Ψ",
+    "Omega": "Ω",
+    "ell": "ℓ",
+}
+GREEK.pop("lamda", None)
+
+_NAME = re.compile(
+    r"(?P<base>[^\W\d_]+?)(?P<accent>ddot|dot|tilde|hat|bar|prime(?P<primes>\d?))?"
+    r"(?P<number>\d*)(?:_(?P<sub>\w+))?"
+)
+
+
+@dataclass(frozen=True)
+class Letter:
+    """A name as spelt in code, taken apart: ``rdot_1`` is r with a dot and subscript 1."""
+
+    base: str
+    accents: tuple[str, ...] = ()
+    primes: int = 0
+    subscript: str = ""
+
+    def dotted(self) -> Letter:
+        """The same name for the rate of what it names."""
+        accents = (*self.accents, "dot")
+        if accents[-2:] == ("dot", "dot"):
+            accents = (*accents[:-2], "ddot")
+        return Letter(self.base, accents, self.primes, self.subscript)
+
+
+def letter_of(name: str) -> Letter:
+    """The letter that a name in code spells."""
+    match = _NAME.fullmatch(name)
+    if match is None:
+        return Letter(name)
+    base, accent, primes, number, sub = match.group("base", "accent", "primes", "number", "sub")
+    parts = [part for part in (number, *(sub or "").split("_")) if part]
+    subscript = ",".join(parts)
+    if accent is None:
+        return Letter(base, subscript=subscript)
+    if accent.startswith("prime"):
+        return Letter(base, primes=int(primes or 1), subscript=subscript)
+    return Letter(base, (accent,), subscript=subscript)

@@ -1,0 +1,95 @@
+"""What of a system belongs on its page: the equations, what their letters stand for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from .claims import formulas
+from .vectors import Diagonal, Gradient, Symmetric, Vector, explicit
+
+if TYPE_CHECKING:
+    from .system import System
+
+__all__ = ["Page", "Pairs", "page_of"]
+
+Pairs = tuple[tuple[Any, Any], ...]
+
+
+@dataclass(frozen=True)
+class Page:
+    """The formulas of a system as a reader needs them.
+
+    Attributes
+    ----------
+    field : pairs
+        State and rates; a rate that is only a name (γ̇) is replaced by its definition.
+    where : pairs
+        Tensors and vectors of parameters by components, then the definitions that the field
+        needs, in order.
+    further : pairs
+        The same for what laws and relations need besides.
+    """
+
+    field: Pairs
+    where: Pairs
+    further: Pairs
+
+
+def page_of(system: System) -> Page:
+    """The formulas of a system, each once, in the order in which a reader needs them."""
+    definitions = dict(system.definitions)
+    field = []
+    spelt_out = set()
+    for name, formula in system.field:
+        trivial = isinstance(formula, Vector) and formula.name == f"{name}dot"
+        field.append((name, definitions[formula] if trivial else formula))
+        if trivial:
+            spelt_out.add(formula)
+    needed = _needed(system, [formula for _, formula in system.field])
+    where = tuple(pair for pair in needed if pair[0] not in spelt_out)
+    claims = [formula for law in system.laws for formula in formulas(law)]
+    claims += system.relations
+    extra = tuple(pair for pair in _needed(system, claims) if pair not in needed)
+    given = _given(system, [formula for _, formula in (*field, *where)])
+    given_too = _given(system, [*claims, *(formula for _, formula in extra)])
+    return Page(
+        field=tuple(field),
+        where=given + where,
+        further=tuple(pair for pair in given_too if pair not in given) + extra,
+    )
+
+
+def _scalars(name: Any) -> set[sp.Symbol]:
+    return {name} if isinstance(name, sp.Symbol) else set(name.symbols)
+
+
+def _mentioned(formula: Any) -> set[sp.Symbol]:
+    """Symbols on which a formula depends or whose name it shows, as ∂U/∂γ shows U."""
+    shown: set[sp.Symbol] = {gradient.args[2] for gradient in formula.atoms(Gradient)}
+    return shown.union(explicit(formula).free_symbols)
+
+
+def _needed(system: System, formulas: Iterable[Any]) -> Pairs:
+    """The definitions on which formulas depend, in order."""
+    wanted = set().union(*map(_mentioned, formulas))
+    chosen = []
+    for name, formula in reversed(system.definitions):
+        if wanted & _scalars(name):
+            chosen.append((name, formula))
+            wanted |= _mentioned(formula)
+    return tuple(reversed(chosen))
+
+
+def _given(system: System, formulas: Iterable[Any]) -> Pairs:
+    """Tensors and vectors made of parameters, by their components."""
+    known = {name for name, _ in system.field} | {name for name, _ in system.definitions}
+    atoms = set().union(*(formula.atoms(Vector, Diagonal, Symmetric) for formula in formulas))
+    found = []
+    for name in sorted(atoms - known, key=str):
+        entries = explicit(name) if isinstance(name, Vector) else name.entries
+        found.append((name, entries))
+    return tuple(found)
