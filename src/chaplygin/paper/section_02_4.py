@@ -10,7 +10,7 @@ from ..statements import Identity, Rate
 from ..system import System
 from ..systems import chaplygin_suslov_ball
 from ..systems.rates import rate
-from ..systems.rubber_chaplygin_ball_field import unspecified
+from ..systems.rubber_chaplygin_ball import unspecified
 from ..vectors import Diagonal, cross, dot, identity, normed, scalar, vectors
 from .any_motion import TORQUE, newton_euler
 from .claim import Case, Claim, Remark
