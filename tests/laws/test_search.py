@@ -166,6 +166,47 @@ def test_energy_over_a_denominator() -> None:
     assert expresses(system, [], found, dot(M, omega))
 
 
+def test_the_square_of_an_integral_with_a_root() -> None:
+    """K² of (5.1), K = ω₃ √(I₁γ₃² + I₃(1 − γ₃²) + m(r, γ)²), for a heavy rubber disk."""
+    system = bare("rubber-disk")
+    (found,) = found_in(
+        system,
+        at=["I_1 = I_2", "c_1 = 0", "c_2 = 0"],
+        momenta="omega",
+        coordinates="gamma_3, s",
+        divisors=[],
+    )
+    r = vectors("r")[0]
+    I_1, _, I_3 = I.symbols
+    z = gamma.symbols[2]
+    square = omega.symbols[2] ** 2 * (I_1 * z**2 + I_3 * (1 - z**2) + m * dot(r, gamma) ** 2)
+    conditions = [I_1 - I.symbols[1], c.symbols[0], c.symbols[1]]
+    table = values(system, conditions, [found.formula, square])
+    assert len({sp.simplify(a / b) for a, b in table.tolist()}) == 1
+
+
+def test_numbers_too_large_for_one_prime() -> None:
+    """Two frequencies whose squares are ratios of large numbers."""
+    x, y, p, q = (scalar(n) for n in ("x", "y", "p", "q"))
+    square, other = sp.Rational(104_729, 7_919), sp.Rational(611_953, 99_991)
+    system = System(
+        name="oscillator",
+        title="Oscillator",
+        field={x: p, y: q, p: -square * x - y, q: -other * y - x},
+    )
+    found = found_in(system, momenta="p,q", coordinates="x,y")
+    energy = p**2 + q**2 + square * x**2 + other * y**2 + 2 * x * y
+    assert len(found) == 2
+    scales = {sp.cancel(sp.Poly(f.formula, p, q, x, y).coeff_monomial(p * q)) for f in found}
+    assert 0 in scales
+    simple = [sp.Poly(f.formula, p, q, x, y) for f in found]
+    rows = [
+        [poly.coeff_monomial(m) for m in (p**2, q**2, p * q, x**2, y**2, x * y)]
+        for poly in (*simple, sp.Poly(energy, p, q, x, y))
+    ]
+    assert sp.Matrix(rows).rank() == 2
+
+
 def test_components_where_there_are_no_vectors() -> None:
     """A planar oscillator: two energies, and one more for two frequencies in ratio."""
     x, y, p, q, stiffness, mass = (scalar(n) for n in ("x", "y", "p", "q", "stiffness", "mass"))
@@ -202,6 +243,16 @@ def test_measures_of_the_paper_from_the_field_alone(source: str) -> None:
     ((found_base, found_exponent),) = found.law.density
     assert sp.expand(found_exponent - exponent) == 0
     assert sp.expand(explicit(found_base - base)) == 0
+
+
+def test_measures_that_are_singular_or_have_several_factors() -> None:
+    (sleigh,) = measures(ask(bare("chaplygin-sleigh")))
+    assert sleigh.proven
+    assert sleigh.formula == 1 / scalar("Omega")
+    symmetric = ["I_1 = I_2", "c_1 = 0", "c_2 = 0"]
+    found = list(measures(ask(bare("rubber-routh-sphere"), at=symmetric)))
+    assert found
+    assert all(finding.proven for finding in found)
 
 
 def test_a_given_base_and_none_that_fits() -> None:

@@ -12,7 +12,7 @@ import sympy as sp
 from ...errors import InputError
 from ...system import System
 from ...vectors import Vector
-from .modular import PRIME, Integers
+from .modular import Integers, prime
 from .stage import Sample
 
 __all__ = [
@@ -128,8 +128,8 @@ def rates_of_products(
     """Values and rates of all products of two families, each with leading axes of its own."""
     (value, rate), (other, change) = left, right
     return (
-        value * other % PRIME,
-        (value * change % PRIME + rate * other) % PRIME,
+        value * other % prime(),
+        (value * change % prime() + rate * other) % prime(),
     )
 
 

@@ -15,9 +15,9 @@ from ..prove import prove
 from .ansatz import Ansatz, Exponents, Table, table
 from .finding import Finding, Progress, Question, silent
 from .grading import Weight, weight_of, weights
-from .lifting import Part, Scalars, Solution, plan, points_for, solutions
+from .lifting import Draw, Part, Scalars, Solution, lifted
 from .linear import combination, independent_columns, nullspace, product, rank
-from .modular import PRIME, Integers, inverse, power
+from .modular import Integers, inverse, power, prime
 from .stage import Sample
 from .vocabulary import Vocabulary, component_scalars
 
@@ -96,7 +96,7 @@ class _Known:
             row = list(found)
             while row:
                 row = [
-                    (total + own, places + (own == 0), product * value % PRIME)
+                    (total + own, places + (own == 0), product * value % prime())
                     for total, places, product in row
                     if total + own <= degree and places + (own == 0) <= gamma_degree
                 ]
@@ -133,8 +133,8 @@ class _Search:
         exponents, value, rate = self._monomials(shell)
         over, change = _divided(self.sample, shell)
         few = len(value) + _SPARE
-        kernel = nullspace((rate - value * change)[:, :few].T % PRIME)
-        found = product(kernel, value) * over % PRIME
+        kernel = nullspace((rate - value * change)[:, :few].T % prime())
+        found = product(kernel, value) * over % prime()
         if not self._fresh(found, shell.degree):
             return
         for law in self._covariant(shell, found):
@@ -230,18 +230,18 @@ class _Search:
         """Integrals with coefficients of one degree in the parameters, the simplest first."""
         if not parts:
             return []
-        zero = tuple(0 for _ in next(iter(self.weights.values())))
-        made = plan(parts, scalars, size, zero)
-        sample = self.stage.sample(points_for(made), _SEED + 1, common=False)
-        jets = [sample(part.formula) for part in parts]
-        value = np.array([jet.value for jet in jets])[:, None]
-        rate = np.array([sample.along(jet) for jet in jets])[:, None]
-        _, change = _divided(sample, shell)
-        numbers = np.array([sample(s).value for s in scalars.formulas])
-        numbers = numbers.reshape(len(scalars.formulas), value.shape[-1])
-        found = solutions(made, parts, scalars, value, (rate - value * change) % PRIME, numbers)
-        ordered = sorted(found, key=lambda solution: solution.effort)
-        return [_formula(s, parts, scalars) / shell.divisor**shell.exponent for s in ordered]
+
+        def draw(points: int) -> Draw:
+            sample = self.stage.sample(points, _SEED + 1, common=False)
+            jets = [sample(part.formula) for part in parts]
+            value = np.array([jet.value for jet in jets])[:, None]
+            rate = np.array([sample.along(jet) for jet in jets])[:, None]
+            _, change = _divided(sample, shell)
+            return Draw(value, (rate - value * change) % prime(), sample.table(scalars.formulas))
+
+        divisor = shell.divisor**shell.exponent
+        found = lifted(parts, scalars, size, draw)
+        return [_formula(solution, parts, scalars) / divisor for solution in found]
 
     def _accepted(self, laws: Sequence[sp.Expr], degree: int) -> Iterator[sp.Expr]:
         """Those that are new, and take note of them."""
@@ -287,7 +287,7 @@ def _divided(sample: Sample, shell: _Shell) -> tuple[Integers, Integers]:
     """Q⁻ˢ and the logarithmic rate of Qˢ at the points of a sample."""
     jet = sample(shell.divisor)
     below = inverse(jet.value)
-    rate = sample.along(jet) * below % PRIME * shell.exponent % PRIME
+    rate = sample.along(jet) * below % prime() * shell.exponent % prime()
     return power(below, shell.exponent), rate
 
 

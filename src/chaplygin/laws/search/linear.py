@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from math import isqrt
 
 import numpy as np
 from flint import nmod_mat
 
-from .modular import PRIME, Integers
+from .modular import Integers, prime
 
 __all__ = ["combination", "independent_columns", "nullspace", "product", "rank", "rational"]
+
+_MARGIN = 12
 
 
 def _matrix(values: Integers) -> nmod_mat:
     rows, columns = values.shape
-    return nmod_mat(rows, columns, values.ravel().tolist(), PRIME)
+    return nmod_mat(rows, columns, values.ravel().tolist(), prime())
 
 
 def _pivots(reduced: nmod_mat, rank_: int) -> list[int]:
@@ -63,7 +66,7 @@ def nullspace(values: Integers) -> Integers:
         for row, pivot in enumerate(pivots):
             if pivot > column:
                 break
-            basis[index, pivot] = -int(reduced[row, column]) % PRIME
+            basis[index, pivot] = -int(reduced[row, column]) % prime()
     return basis
 
 
@@ -71,7 +74,7 @@ def product(left: Integers, right: Integers) -> Integers:
     """The matrix product modulo the prime."""
     total = np.zeros((left.shape[0], right.shape[1]), dtype=np.int64)
     for index in range(left.shape[1]):
-        total = (total + left[:, index, None] * right[index]) % PRIME
+        total = (total + left[:, index, None] * right[index]) % prime()
     return total
 
 
@@ -82,13 +85,17 @@ def combination(columns: Integers, target: Integers) -> list[int] | None:
     hits = [vector for vector in kernel if vector[-1]]
     if not hits:
         return None
-    scale = pow(-int(hits[-1][-1]), -1, PRIME)
-    return [int(entry) * scale % PRIME for entry in hits[-1][:-1]]
+    scale = pow(-int(hits[-1][-1]), -1, prime())
+    return [int(entry) * scale % prime() for entry in hits[-1][:-1]]
 
 
-def rational(residue: int, modulus: int = PRIME) -> Fraction | None:
-    """The fraction p/q with |p|, q < √(modulus/2) and this residue; None where there is none."""
-    bound = int((modulus // 2) ** 0.5)
+def rational(residue: int, modulus: int) -> Fraction | None:
+    """The fraction with this residue whose numerator and denominator are small for the modulus.
+
+    Both are at most √(modulus/4096), so that a residue taken at random rarely has one; None
+    where there is none.
+    """
+    bound = isqrt(modulus >> _MARGIN)
     r_0, r_1, t_0, t_1 = modulus, residue % modulus, 0, 1
     while r_1 > bound:
         quotient = r_0 // r_1

@@ -19,7 +19,7 @@ from ...vectors import explicit
 from ..prove import prove
 from .finding import Finding, Progress, Question, silent
 from .linear import combination, rational
-from .modular import PRIME, Integers, inverse
+from .modular import Integers, inverse, prime
 from .stage import Sample, Stage
 
 __all__ = ["measures"]
@@ -50,7 +50,7 @@ def measures(question: Question, progress: Progress = silent) -> Iterator[Findin
     """
     stage = question.stage
     samples = [stage.sample(_POINTS, _SEED + i, common=True) for i in range(_SETS)]
-    targets = [-_divergence(stage, sample) % PRIME for sample in samples]
+    targets = [-_divergence(stage, sample) % prime() for sample in samples]
     if not any(target.any() for target in targets):
         yield _finding(question, ())
         return
@@ -108,7 +108,7 @@ def _recognised(stage: Stage, law: Measure) -> str:
             total = target
             for base, exponent in other.density:
                 rate = _logarithmic(sample, base)
-                total = (total + rate * sample(sp.sympify(exponent)).value) % PRIME
+                total = (total + rate * sample(sp.sympify(exponent)).value) % prime()
             if not total.any():
                 return f"{other.name}, {other.source}" if other.source else other.name
     return ""
@@ -116,7 +116,7 @@ def _recognised(stage: Stage, law: Measure) -> str:
 
 def _logarithmic(sample: Sample, base: sp.Expr) -> Integers:
     jet = sample(base)
-    return sample.along(jet) * inverse(jet.value) % PRIME
+    return sample.along(jet) * inverse(jet.value) % prime()
 
 
 def _divergence(stage: Stage, sample: Sample) -> Integers:
@@ -126,7 +126,7 @@ def _divergence(stage: Stage, sample: Sample) -> Integers:
     """
     total = np.zeros_like(sample.field[0])
     for index, rate in enumerate(sample.rates):
-        total = (total + rate.slope[index]) % PRIME
+        total = (total + rate.slope[index]) % prime()
     relations = [relation for relation, _ in stage.order]
     rates = [sample(_rate(stage, relation)).slope for relation in relations]
     if not any(rate.any() for rate in rates):
@@ -137,9 +137,9 @@ def _divergence(stage: Stage, sample: Sample) -> Integers:
     for point in range(len(total)):
         h = [[int(rate[c, point]) for c in columns] for rate in rates]
         g = [[int(slope[c, point]) for c in columns] for slope in slopes]
-        c_matrix = nmod_mat(h, PRIME) * nmod_mat(g, PRIME).inv()
+        c_matrix = nmod_mat(h, prime()) * nmod_mat(g, prime()).inv()
         trace = sum(int(c_matrix[i, i]) for i in range(len(columns)))
-        total[point] = (total[point] - trace) % PRIME
+        total[point] = (total[point] - trace) % prime()
     return total
 
 
@@ -162,8 +162,8 @@ def _exponent(stage: Stage, samples: Sequence[Sample], residues: Sequence[int]) 
 
     Tried are q, and q₀ + q₁ f for f one of s, 1/s and s/t with parameters or constants s, t.
     """
-    first = rational(residues[0])
-    if first is not None and all(rational(r) == first for r in residues):
+    first = rational(residues[0], prime())
+    if first is not None and all(rational(r, prime()) == first for r in residues):
         return sp.Rational(first.numerator, first.denominator)
     numbers = [s for s in (*stage.constants, *stage.free) if s not in stage.system.symbols]
     candidates = [s / t for s, t in product((sp.S.One, *numbers), (sp.S.One, *numbers)) if s != t]
@@ -180,12 +180,12 @@ def _exponent(stage: Stage, samples: Sequence[Sample], residues: Sequence[int]) 
 
 def _line(at: Sequence[int], residues: Sequence[int]) -> tuple[Fraction, Fraction] | None:
     """Rational q₀, q₁ with q₀ + q₁ f = e at all samples."""
-    steps = (at[1] - at[0]) % PRIME
+    steps = (at[1] - at[0]) % prime()
     if not steps:
         return None
-    slope = (residues[1] - residues[0]) * pow(steps, -1, PRIME) % PRIME
-    offset = (residues[0] - slope * at[0]) % PRIME
-    if any((offset + slope * f - e) % PRIME for f, e in zip(at, residues, strict=True)):
+    slope = (residues[1] - residues[0]) * pow(steps, -1, prime()) % prime()
+    offset = (residues[0] - slope * at[0]) % prime()
+    if any((offset + slope * f - e) % prime() for f, e in zip(at, residues, strict=True)):
         return None
-    q_0, q_1 = rational(offset), rational(slope)
+    q_0, q_1 = rational(offset, prime()), rational(slope, prime())
     return None if q_0 is None or q_1 is None else (q_0, q_1)

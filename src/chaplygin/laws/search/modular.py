@@ -1,13 +1,16 @@
 """Formulas evaluated at many points at once in the integers modulo a large prime.
 
 A `Jet` holds the values of a formula at N points and its derivatives there.  Arithmetic modulo
-2³¹ − 1 is exact and fits 64-bit integers, so that NumPy does all points in one stroke; what
-holds at random points of a field so large holds identically, but for a chance of one in millions.
+a prime below 2³¹ is exact and fits 64-bit integers, so that NumPy does all points in one stroke;
+what holds at random points of a field so large holds identically, but for a chance of one in
+millions.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -18,15 +21,41 @@ import sympy as sp
 from ...errors import InputError
 from ...vectors import Dot, explicit
 
-__all__ = ["PRIME", "Evaluator", "Integers", "Jet", "inverse", "power", "square_root"]
+__all__ = [
+    "PRIMES",
+    "Evaluator",
+    "Integers",
+    "Jet",
+    "inverse",
+    "modulo",
+    "power",
+    "prime",
+    "square_root",
+]
 
-PRIME = 2**31 - 1
-"""The modulus; it leaves the remainder 3 on division by 4, which makes square roots easy."""
+PRIMES = (2_147_483_647, 2_147_483_587, 2_147_483_579, 2_147_483_563)
+"""Moduli; they leave the remainder 3 on division by 4, which makes square roots easy."""
 
+_MODULUS = ContextVar("modulus", default=PRIMES[0])
 _WILD = 1_234_567  # prime to the order of the multiplicative group
 
 Integers: TypeAlias = npt.NDArray[np.int64]
 Truths: TypeAlias = npt.NDArray[np.bool_]
+
+
+def prime() -> int:
+    """The modulus of all arithmetic here."""
+    return _MODULUS.get()
+
+
+@contextmanager
+def modulo(number: int) -> Iterator[None]:
+    """Compute modulo another of the primes for a while."""
+    token = _MODULUS.set(number)
+    try:
+        yield
+    finally:
+        _MODULUS.reset(token)
 
 
 def power(base: Integers, exponent: int) -> Integers:
@@ -34,21 +63,21 @@ def power(base: Integers, exponent: int) -> Integers:
     result = np.ones_like(base)
     while exponent:
         if exponent & 1:
-            result = result * base % PRIME
-        base = base * base % PRIME
+            result = result * base % prime()
+        base = base * base % prime()
         exponent >>= 1
     return result
 
 
 def inverse(values: Integers) -> Integers:
     """The reciprocals modulo the prime; 0 is carried to 0."""
-    return power(values, PRIME - 2)
+    return power(values, prime() - 2)
 
 
 def square_root(values: Integers) -> tuple[Integers, Truths]:
     """A square root modulo the prime, and where there is one."""
-    root = power(values, (PRIME + 1) // 4)
-    return root, root * root % PRIME == values
+    root = power(values, (prime() + 1) // 4)
+    return root, root * root % prime() == values
 
 
 @dataclass(frozen=True)
@@ -65,24 +94,24 @@ class Jet:
     slope: Integers
 
     def __add__(self, other: Jet) -> Jet:
-        return Jet((self.value + other.value) % PRIME, (self.slope + other.slope) % PRIME)
+        return Jet((self.value + other.value) % prime(), (self.slope + other.slope) % prime())
 
     def __sub__(self, other: Jet) -> Jet:
-        return Jet((self.value - other.value) % PRIME, (self.slope - other.slope) % PRIME)
+        return Jet((self.value - other.value) % prime(), (self.slope - other.slope) % prime())
 
     def __mul__(self, other: Jet) -> Jet:
-        slope = (self.slope * other.value % PRIME + other.slope * self.value) % PRIME
-        return Jet(self.value * other.value % PRIME, slope)
+        slope = (self.slope * other.value % prime() + other.slope * self.value) % prime()
+        return Jet(self.value * other.value % prime(), slope)
 
     def chained(self, value: Integers, derivative: Integers) -> Jet:
         """f(self), given f and f′ at the values."""
-        return Jet(value, self.slope * derivative % PRIME)
+        return Jet(value, self.slope * derivative % prime())
 
     def along(self, direction: Iterable[Integers]) -> Integers:
         """The derivative in a direction with the given components, shape (N,)."""
         total = np.zeros_like(self.value)
         for part, component in zip(self.slope, direction, strict=True):
-            total = (total + part * component) % PRIME
+            total = (total + part * component) % prime()
         return total
 
 
@@ -119,7 +148,7 @@ class Evaluator:
     def constant(self, number: int) -> Jet:
         """The jet of an integer."""
         return Jet(
-            np.full(self._points, number % PRIME, dtype=np.int64),
+            np.full(self._points, number % prime(), dtype=np.int64),
             np.zeros((self._directions, self._points), dtype=np.int64),
         )
 
@@ -143,7 +172,7 @@ class Evaluator:
             case Dot():
                 return self(explicit(formula))
             case sp.Rational():
-                return self.constant(int(formula.p) * pow(int(formula.q), -1, PRIME))
+                return self.constant(int(formula.p) * pow(int(formula.q), -1, prime()))
             case sp.Float():
                 return self(sp.Rational(str(formula)))
             case sp.Add():
@@ -184,13 +213,13 @@ class Evaluator:
             return self(expanded)
         angle = self(formula.args[0])
         half = power(angle.value, _WILD)
-        square = half * half % PRIME
-        self.good &= square != PRIME - 1
-        below = inverse((1 + square) % PRIME)
-        sine, cosine = 2 * half * below % PRIME, (1 - square) * below % PRIME
+        square = half * half % prime()
+        self.good &= square != prime() - 1
+        below = inverse((1 + square) % prime())
+        sine, cosine = 2 * half * below % prime(), (1 - square) * below % prime()
         if isinstance(formula, sp.sin):
             return angle.chained(sine, cosine)
-        return angle.chained(cosine, -sine % PRIME)
+        return angle.chained(cosine, -sine % prime())
 
     def _symbolic_power(self, base: sp.Expr, exponent: sp.Expr) -> Jet:
         """Powers with exponents such as 2 − 1/k: wild functions of base and exponent."""
@@ -201,8 +230,8 @@ class Evaluator:
                 product = product * self(base**number)
                 continue
             inner, theta = self(base), self(letters / number.q)
-            wild = power((inner.value + theta.value) % PRIME, _WILD)
-            slope = theta.value * wild % PRIME * inverse(inner.value) % PRIME
+            wild = power((inner.value + theta.value) % prime(), _WILD)
+            slope = theta.value * wild % prime() * inverse(inner.value) % prime()
             product = product * self._raised(inner.chained(wild, slope), int(number.p))
         return product
 
@@ -210,14 +239,14 @@ class Evaluator:
         if exponent < 0:
             return self._raised(self._reciprocal(base), -exponent)
         below = power(base.value, max(exponent - 1, 0))
-        return base.chained(below * base.value % PRIME, below * exponent % PRIME)
+        return base.chained(below * base.value % prime(), below * exponent % prime())
 
     def _reciprocal(self, jet: Jet) -> Jet:
         self.good &= jet.value != 0
         value = inverse(jet.value)
-        return jet.chained(value, (PRIME - value) * value % PRIME)
+        return jet.chained(value, (prime() - value) * value % prime())
 
     def _root(self, jet: Jet) -> Jet:
         root, exists = square_root(jet.value)
         self.good &= exists & (root != 0)
-        return jet.chained(root, inverse(2 * root % PRIME))
+        return jet.chained(root, inverse(2 * root % prime()))

@@ -10,7 +10,7 @@ import sympy as sp
 from sympy.matrices.expressions import Inverse, MatPow
 
 from ...vectors import Diagonal, Symmetric, dot, explicit
-from .modular import PRIME, Integers, inverse
+from .modular import Integers, inverse, prime
 from .vocabulary import Vocabulary
 
 __all__ = ["natural_bases", "natural_divisors"]
@@ -60,7 +60,7 @@ def _distinct(
 
 
 def _proportional(left: Integers, right: Integers) -> bool:
-    ratio = left * inverse(right) % PRIME
+    ratio = left * inverse(right) % prime()
     return bool((ratio == ratio[0]).all())
 
 

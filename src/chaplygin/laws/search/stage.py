@@ -18,12 +18,11 @@ from ...errors import InputError
 from ...notation import text
 from ...system import System
 from ...vectors import explicit
-from .modular import PRIME, Evaluator, Integers, Jet, inverse, square_root
+from .modular import Evaluator, Integers, Jet, inverse, prime, square_root
 from .real import has_real_points
 
 __all__ = ["Sample", "Stage", "stage"]
 
-_HALF = pow(2, -1, PRIME)
 _PROBE = 64
 _PATIENCE = 3
 _NEXT = 1_000_003
@@ -54,6 +53,13 @@ class Sample:
     def __call__(self, formula: Any) -> Jet:
         """The jet of a scalar formula, written with or without vectors."""
         return self.evaluate(formula)
+
+    def table(self, formulas: Sequence[sp.Expr]) -> Integers:
+        """Values of several formulas, shape (formulas, N)."""
+        found = np.empty((len(formulas), len(self.field[0])), dtype=np.int64)
+        for row, formula in zip(found, formulas, strict=True):
+            row[:] = self(formula).value
+        return found
 
 
 @dataclass(frozen=True)
@@ -138,15 +144,15 @@ class Stage:
         rng = np.random.default_rng(seed)
         values: dict[sp.Symbol, Integers] = {}
         fruitless = 0
-        shared = {s: int(rng.integers(1, PRIME)) for s in self.free}
+        shared = {s: int(rng.integers(1, prime())) for s in self.free}
         have = 0
         while have < points:
             batch = 3 * (points - have) + _PROBE
             drawn = {
-                s: np.full(batch, shared[s]) if common else rng.integers(1, PRIME, batch)
+                s: np.full(batch, shared[s]) if common else rng.integers(1, prime(), batch)
                 for s in self.free
             }
-            drawn |= {s: rng.integers(1, PRIME, batch) for s in self.system.symbols}
+            drawn |= {s: rng.integers(1, prime(), batch) for s in self.system.symbols}
             solved = self._regular(self._solved(drawn, self.order))
             values = {
                 s: np.concatenate([values[s], new]) if values else new for s, new in solved.items()
@@ -224,17 +230,17 @@ class Stage:
             value, fine = self._value(relation, moved)
             at.append(value)
             good = good & fine
-        square = (at[2] - 2 * at[1] + at[0]) % PRIME * _HALF % PRIME
-        linear = (at[1] - at[0] - square) % PRIME
-        suits = bool(np.all((9 * square + 3 * linear + at[0] - at[3]) % PRIME == 0))
+        square = (at[2] - 2 * at[1] + at[0]) % prime() * pow(2, -1, prime()) % prime()
+        linear = (at[1] - at[0] - square) % prime()
+        suits = bool(np.all((9 * square + 3 * linear + at[0] - at[3]) % prime() == 0))
         if not np.any(square):
             return (
-                -at[0] * inverse(linear) % PRIME,
+                -at[0] * inverse(linear) % prime(),
                 good & (linear != 0),
                 suits and bool(linear.any()),
             )
-        root, exists = square_root((linear * linear - 4 * (square * at[0] % PRIME)) % PRIME)
-        solution = (root - linear) % PRIME * inverse(2 * square % PRIME) % PRIME
+        root, exists = square_root((linear * linear - 4 * (square * at[0] % prime())) % prime())
+        solution = (root - linear) % prime() * inverse(2 * square % prime()) % prime()
         return solution, good & exists & (square != 0), suits
 
     def _order(
@@ -246,7 +252,7 @@ class Stage:
             return done
         rng = np.random.default_rng(len(done))
         symbols = (*self.free, *self.system.symbols)
-        drawn = {s: rng.integers(1, PRIME, _PROBE) for s in symbols}
+        drawn = {s: rng.integers(1, prime(), _PROBE) for s in symbols}
         values = self._solved(drawn, done)
         settled = {s for relation, variable in done for s in self._depends(relation)}
         for relation in rest:

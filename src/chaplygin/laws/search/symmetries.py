@@ -14,9 +14,9 @@ from .ansatz import Exponents, Table, table
 from .finding import Finding, Progress, Question, silent
 from .grading import Weight, weight_of, weights
 from .integrals import integrals
-from .lifting import Part, Scalars, Solution, plan, points_for, solutions
+from .lifting import Draw, Part, Scalars, Solution, lifted
 from .linear import independent_columns, nullspace, product
-from .modular import PRIME, Integers
+from .modular import Integers, prime
 from .stage import Sample
 from .vocabulary import component_scalars
 
@@ -62,7 +62,7 @@ class _Search:
         self.sample = self.stage.sample(question.ansatz.size + _SPARE, _SEED, common=True)
         factors = [np.ones_like(self.sample.field[0])]
         factors += [self.sample(f).value for f in formulas]
-        factors += [a * b % PRIME for i, a in enumerate(factors[1:]) for b in factors[i + 1 :]]
+        factors += [a * b % prime() for i, a in enumerate(factors[1:]) for b in factors[i + 1 :]]
         self.factors = factors
         self.spanned: list[Integers] = []
         self._span(np.array(self.sample.field))
@@ -70,7 +70,7 @@ class _Search:
 
     def _span(self, field: Integers) -> None:
         """Take note of a symmetry, by its components at the points, shape (n, N)."""
-        self.spanned += [(field * factor % PRIME).ravel() for factor in self.factors]
+        self.spanned += [(field * factor % prime()).ravel() for factor in self.factors]
 
     def findings(self, progress: Progress) -> Iterator[Finding]:
         """All symmetries of the ansatz, the simplest first."""
@@ -109,7 +109,7 @@ class _Search:
             parts.append(Part(((str(self.symbols[component]), formula),), weight, sum(powers)))
         scalars = component_scalars(self.stage, self.weights)
         for size in range(self.question.parameter_degree + 1):
-            found = self._solutions(parts, scalars, size)
+            found = self._simplest(parts, scalars, size)
             if found is not None:
                 return self._finding(found, parts, scalars)
         return Finding(
@@ -120,25 +120,27 @@ class _Search:
             f"{self.question.parameter_degree} in the parameters",
         )
 
-    def _solutions(self, parts: Sequence[Part], scalars: Scalars, size: int) -> Solution | None:
-        zero = tuple(0 for _ in next(iter(self.weights.values())))
-        made = plan(parts, scalars, size, zero)
-        sample = self.stage.sample(points_for(made), _SEED + 1, common=False)
+    def _simplest(self, parts: Sequence[Part], scalars: Scalars, size: int) -> Solution | None:
+        """A symmetry with coefficients up to a degree in the parameters."""
         names = [str(s) for s in self.symbols]
-        jets = []
+        places = []
+        formulas = []
         for part in parts:
             ((name, formula),) = part.formula
-            jets.append((names.index(name), sample(formula)))
-        value = np.array([jet.value for _, jet in jets])
-        rate = np.array([sample.along(jet) for _, jet in jets])
-        everything = _fields(self.stage.relations, sample, value, rate)
-        chosen = [index * len(parts) + i for i, (index, _) in enumerate(jets)]
-        numbers = np.array([sample(s).value for s in scalars.formulas])
-        numbers = numbers.reshape(len(scalars.formulas), value.shape[-1])
-        found = solutions(
-            made, parts, scalars, everything[0][chosen], everything[1][chosen], numbers
-        )
-        return min(found, key=lambda solution: solution.effort, default=None)
+            places.append(names.index(name))
+            formulas.append(formula)
+
+        def draw(points: int) -> Draw:
+            sample = self.stage.sample(points, _SEED + 1, common=False)
+            jets = [sample(formula) for formula in formulas]
+            value = np.array([jet.value for jet in jets])
+            rate = np.array([sample.along(jet) for jet in jets])
+            values, conditions = _fields(self.stage.relations, sample, value, rate)
+            chosen = [place * len(parts) + i for i, place in enumerate(places)]
+            return Draw(values[chosen], conditions[chosen], sample.table(scalars.formulas))
+
+        found = lifted(parts, scalars, size, draw)
+        return found[0] if found else None
 
     def _finding(self, found: Solution, parts: Sequence[Part], scalars: Scalars) -> Finding:
         components = {s: sp.S.Zero for s in self.symbols}
@@ -180,7 +182,7 @@ def _fields(
     for component in range(n):
         values[component, :, component] = value
         for row, slope in enumerate(slopes):
-            conditions[component, :, row] = value * slope[component] % PRIME
+            conditions[component, :, row] = value * slope[component] % prime()
         conditions[component, :, component] -= rate
     shape = (n * many, -1, points)
-    return values.reshape(shape), conditions.reshape(shape) % PRIME
+    return values.reshape(shape), conditions.reshape(shape) % prime()
