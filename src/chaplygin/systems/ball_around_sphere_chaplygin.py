@@ -15,12 +15,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..statements import (
-    Identity,
-    Integral,
-    Law,
-    Measure,
-)
+from ..statements import Identity, Integral, Law, Measure
 from ..system import Parameter, System
 from ..vectors import Diagonal, scalar
 
@@ -198,6 +193,7 @@ def sums(top: sp.Expr) -> Identity:
     leaned = sp.Add(*(s * j * a**2 for s, j, a in triples)) - d * mean**2
     inverse = sp.Add(*(s / j for s, j, _ in triples))
     return Identity(
+        "multiplier",
         (
             sp.Add(*(s for s, _, _ in triples)) - 1,
             form() - 4 * leaned,
