@@ -65,19 +65,69 @@ def rates_of_change(
     `known` gives the state and the parameters, as Fractions (everything is then exact) or as
     numbers of mpmath.
     """
+    speeds = [dual.value for dual in slopes(system, system.rates, known, {})]
+    return slopes(system, formulas, known, dict(zip(system.symbols, speeds, strict=True)))
+
+
+def slopes(
+    system: System,
+    formulas: Sequence[Any],
+    known: Mapping[sp.Symbol, Any],
+    direction: Mapping[sp.Symbol, Any],
+) -> list[Dual]:
+    """Values of scalar formulas and their derivatives in a direction of the state space."""
     number = type(next(iter(known.values())))
-    still = {symbol: Dual(value, number(0)) for symbol, value in known.items()}
-    here = _Evaluation(number, dict(still))
-    for symbol, step in system.steps:
-        here.seen[symbol] = here(step)
-    speeds = [here(rate).value for rate in system.rates]
-    moving = dict(still)
-    for symbol, speed in zip(system.symbols, speeds, strict=True):
-        moving[symbol] = Dual(known[symbol], speed)
-    along = _Evaluation(number, moving)
-    for symbol, step in system.steps:
-        along.seen[symbol] = along(step)
-    return [along(explicit(formula)) for formula in formulas]
+    zero = number(0)
+    scalars = [explicit(formula) for formula in formulas]
+    evaluate = _Evaluation(
+        number, {s: Dual(value, direction.get(s, zero)) for s, value in known.items()}
+    )
+    for symbol, step in system.needed(scalars, known):
+        evaluate.seen[symbol] = evaluate(step)
+    return [evaluate(scalar) for scalar in scalars]
+
+
+def parameter_values(system: System, number: type) -> dict[sp.Symbol, Any]:
+    """Default values of the parameters, as written."""
+    exact = {symbol: as_fraction(value) for symbol, value in system.defaults.items()}
+    return {symbol: number(x.numerator) / x.denominator for symbol, x in exact.items()}
+
+
+def on_conditions(
+    system: System,
+    conditions: Sequence[Any],
+    known: Mapping[sp.Symbol, Any],
+    free: Sequence[sp.Symbol],
+) -> dict[sp.Symbol, Any]:
+    """A point of mpmath numbers moved in the variables `free` to where all conditions vanish.
+
+    The inverse is rounded to doubles, so that every step gains some fifteen digits.
+    """
+    point = dict(known)
+    one = mpmath.mpf(1)
+    for _ in range(40):
+        defects = [dual.value for dual in slopes(system, conditions, point, {})]
+        if max(map(abs, defects), default=0) < mpmath.mpf(10) ** (5 - mpmath.mp.dps):
+            return point
+        columns = [
+            [float(dual.rate) for dual in slopes(system, conditions, point, {s: one})] for s in free
+        ]
+        # redundant conditions make the rows dependent
+        inverse = np.linalg.pinv(np.array(columns).T, rcond=1e-9)
+        for symbol, row in zip(free, inverse, strict=True):
+            point[symbol] -= sum(float(a) * x for a, x in zip(row, defects, strict=True))
+    raise ArithmeticError(f"{system.name}: no point of {conditions} was found near {known}")
+
+
+_FUNCTIONS: dict[type, tuple[Callable[[Any], Any], Callable[[Any], Any]]] = {
+    sp.sin: (mpmath.sin, mpmath.cos),
+    sp.cos: (mpmath.cos, lambda x: -mpmath.sin(x)),
+    sp.tan: (mpmath.tan, lambda x: 1 + mpmath.tan(x) ** 2),
+    sp.cot: (mpmath.cot, lambda x: -1 - mpmath.cot(x) ** 2),
+    sp.exp: (mpmath.exp, mpmath.exp),
+    sp.log: (mpmath.log, lambda x: 1 / x),
+}
+"""Functions of one variable with their derivatives."""
 
 
 @dataclass(frozen=True)
@@ -105,14 +155,14 @@ class _Evaluation:
                 )
             return product
         if node.is_Pow:
-            p, q = int(node.exp.p), int(node.exp.q)
-            return parts[0].power(p if q == 1 else self.number(p) / q)
+            if node.exp.is_Integer:
+                return parts[0].power(int(node.exp))
+            if parts[1].rate:
+                raise TypeError(node)
+            return parts[0].power(parts[1].value)
+        value, slope = _FUNCTIONS[node.func]
         (inside,) = parts
-        if node.func is sp.cos:
-            return Dual(mpmath.cos(inside.value), -mpmath.sin(inside.value) * inside.rate)
-        if node.func is sp.sin:
-            return Dual(mpmath.sin(inside.value), mpmath.cos(inside.value) * inside.rate)
-        raise TypeError(node)
+        return Dual(value(inside.value), slope(inside.value) * inside.rate)
 
 
 def is_rational(system: System, formulas: Iterable[Any]) -> bool:

@@ -2,14 +2,22 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+import mpmath
 import numpy as np
 
-from chaplygin.mechanics.start import starting_state
+from chaplygin.study.experiment import StateExperiment, SystemExperiment
+from chaplygin.study.prepare import Study, catalogue_experiment, prepare
 from chaplygin.system import System
 from chaplygin.systems import Entry
+from chaplygin.vectors import explicit, vectors
+from evaluation import on_conditions, parameter_values
 
 #: A hollow ball of twice the radius of its sphere: the case k = −1 is kept.
-TWICE = ("ball-around-sphere", "rubber-ball-around-sphere")
+TWICE = ("ball-around-sphere", "ball-around-sphere-bruns", "rubber-ball-around-sphere")
+
+omega, gamma = vectors("omega gamma")
 
 
 def random_parameters(entry: Entry, rng: np.random.Generator) -> dict[str, float]:
@@ -33,11 +41,49 @@ def _random_inertia(entry: Entry, rng: np.random.Generator) -> dict[str, float]:
     return {name: moments[name] for name in names}
 
 
-def random_start(system: System, entry: Entry, rng: np.random.Generator) -> tuple[object, ...]:
-    """A state not far from the start of the catalogue."""
-    gamma = np.array(entry.start.gamma) + rng.uniform(-0.2, 0.2, 3)
-    gamma /= np.linalg.norm(gamma)
-    omega = np.array(entry.start.omega) + rng.uniform(-0.3, 0.3, 3)
-    if "rubber" in entry.name or entry.name == "veselova":
-        omega -= (omega @ gamma) * gamma
-    return starting_state(system, tuple(omega), tuple(gamma))
+def random_study(
+    entry: Entry, rng: np.random.Generator, parameters: dict[str, float] | None = None
+) -> Study:
+    """The system with a start not far from that of the catalogue."""
+    table = {"name": entry.name, "parameters": parameters or {}}
+    system = entry.system(parameters)
+    if entry.start.state is None:
+        start = _random_velocity(system, entry, rng)
+        return prepare(SystemExperiment.model_validate({"system": table, "start": start}))
+    start = _random_state(system, entry, rng)
+    return prepare(StateExperiment.model_validate({"system": table, "start": start}))
+
+
+def _random_velocity(
+    system: System, entry: Entry, rng: np.random.Generator
+) -> dict[str, list[float]]:
+    """ω and γ, with the constraint that the relations put on ω."""
+    given = (*entry.start.omega, *entry.start.gamma)
+    reach = np.repeat([0.3, 0.2], 3)
+    names = (*omega.symbols, *gamma.symbols)
+    known = dict(zip(names, given + reach * rng.uniform(-1, 1, 6), strict=True))
+    constraints = [r for r in system.relations if explicit(r).free_symbols & set(names)]
+    found = _projected(system, constraints, known)
+    return {str(vector): [float(found[s]) for s in vector.symbols] for vector in (omega, gamma)}
+
+
+def _random_state(system: System, entry: Entry, rng: np.random.Generator) -> dict[str, Any]:
+    """The variables of the state, on the phase space."""
+    example = prepare(catalogue_experiment(entry.name)).start[: len(system.symbols)]
+    size = max(map(abs, map(float, example)))
+    known = {
+        symbol: float(x) + 0.05 * size * rng.uniform(-1, 1)
+        for symbol, x in zip(system.symbols, example, strict=True)
+    }
+    found = _projected(system, system.relations, known)
+    return {
+        str(name): float(found[name]) if name in found else [float(found[s]) for s in name.symbols]
+        for name in system.state
+    }
+
+
+def _projected(system: System, conditions: Any, known: dict[Any, float]) -> dict[Any, Any]:
+    with mpmath.workdps(30):
+        state = {symbol: mpmath.mpf(x) for symbol, x in known.items()}
+        point = state | parameter_values(system, mpmath.mpf)
+        return on_conditions(system, [explicit(c) for c in conditions], point, tuple(state))

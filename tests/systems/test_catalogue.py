@@ -39,9 +39,11 @@ def test_an_entry_describes_itself(name):
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_names_are_unique(name):
     system = whole(CATALOGUE[name].system())
-    for group in (system.laws, system.observables, system.guards):
+    for group in (system.laws, system.observables):
         names = [item.name for item in group]
         assert len(set(names)) == len(names)
+    # guards of one name are the parts of one condition
+    assert len({g.name for g in system.guards}) == len({g.happening for g in system.guards})
     assert len(set(system.symbols)) == len(system.symbols)
 
 

@@ -1,4 +1,4 @@
-"""Along numerical motions every law of every system of the catalogue is flat, and no other."""
+"""Along numerical motions the integrals of every system of the catalogue are flat."""
 
 from __future__ import annotations
 
@@ -9,67 +9,94 @@ import pytest
 import sympy as sp
 
 from chaplygin.flow.trajectory import Trajectory, integrate
-from chaplygin.mechanics.start import starting_state
+from chaplygin.study.prepare import Study, catalogue_experiment, prepare
 from chaplygin.study.summary import drift
+from chaplygin.system import System
 from chaplygin.systems import CATALOGUE
 from chaplygin.vectors import explicit
 from evaluation import numeric
-from systems.admissible import random_parameters, random_start
+from planted import moving_symbols
+from systems.admissible import random_parameters, random_study
 
 NAMES = tuple(CATALOGUE)
+#: Bodies on a surface, which may be followed for as long as one likes.
+ROLLING = tuple(name for name in NAMES if CATALOGUE[name].rolling())
+#: Charts that a motion leaves in the end.
+CHARTS = tuple(
+    name for name in NAMES if {g.name for g in CATALOGUE[name].system().guards} & {"octant"}
+)
+#: Integrals whose terms are much larger than their sum.
+CANCELLING = {
+    "power-potential-on-sphere": 1e-11,
+    "rubber-ball-separated": 1e-12,
+    "rubber-chaplygin-ball-bruns": 1e-12,
+}
 
 
 def drifts(motion: Trajectory) -> dict[str, float]:
-    return {law.name: drift(motion.recorded[f"law_{law.name}"]) for law in motion.system.laws}
+    return {law.name: drift(motion.recorded[f"law_{law.name}"]) for law in motion.system.integrals}
 
 
-def follow(name: str, until: float) -> Trajectory:
-    entry = CATALOGUE[name]
-    system = entry.system()
-    start = starting_state(system, entry.start.omega, entry.start.gamma)
-    return integrate(system, start, np.linspace(0.0, until, 201))
+def example(name: str) -> Study:
+    """The example of the catalogue; all of its integrals hold at its start."""
+    made = prepare(catalogue_experiment(name))
+    assert made.watched.integrals == made.system.integrals
+    return made
+
+
+def follow(made: Study, until: float, samples: int = 201) -> Trajectory:
+    motion = integrate(
+        made.watched, made.start, np.linspace(0.0, until, samples), on_liftoff="warn"
+    )
+    assert motion.times[-1] == until
+    return motion
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_every_law_is_flat_along_the_example(name):
-    motion = follow(name, 100.0)
-    assert motion.times[-1] == 100.0
+def test_every_integral_is_flat_along_the_example(name):
+    motion = follow(example(name), CATALOGUE[name].start.until if name in CHARTS else 100.0)
     assert drifts(motion)
-    assert max(drifts(motion).values()) < 2e-14
+    assert max(drifts(motion).values()) < CANCELLING.get(name, 1e-13)
 
 
 @pytest.mark.parametrize(
-    "name", [pytest.param(n, marks=pytest.mark.slow) if n == "rattleback" else n for n in NAMES]
+    "name", [pytest.param(n, marks=pytest.mark.slow) if n == "rattleback" else n for n in ROLLING]
 )
-def test_every_law_is_flat_for_long(name):
-    motion = follow(name, 1000.0)
-    assert motion.times[-1] == 1000.0
-    assert max(drifts(motion).values()) < 1e-13
+def test_every_integral_is_flat_for_long(name):
+    assert max(drifts(follow(example(name), 1000.0)).values()) < 1e-13
 
 
 def test_chaplygin_ball_at_a_hundred_thousand():
-    motion = follow("chaplygin-ball", 1e5)
-    assert motion.times[-1] == 1e5
-    assert max(drifts(motion).values()) < 1e-12
+    assert max(drifts(follow(example("chaplygin-ball"), 1e5)).values()) < 1e-12
 
 
 @pytest.mark.parametrize("seed", range(3))
-@pytest.mark.parametrize("name", NAMES)
-def test_every_law_is_flat_for_random_bodies(name, seed):
+@pytest.mark.parametrize("name", ROLLING)
+def test_every_integral_is_flat_for_random_bodies(name, seed):
     entry, rng = CATALOGUE[name], np.random.default_rng((seed, NAMES.index(name)))
-    system = entry.system(random_parameters(entry, rng))
-    start = random_start(system, entry, rng)
-    motion = integrate(system, start, np.linspace(0.0, 20.0, 41), on_liftoff="warn")
-    assert motion.times[-1] == 20.0
-    assert max(drifts(motion).values()) < 1e-13
-    assert [law.name for law in system.laws] == [law.name for law in entry.system().laws]
+    made = random_study(entry, rng, random_parameters(entry, rng))
+    assert max(drifts(follow(made, 20.0, 41)).values()) < CANCELLING.get(name, 1e-13)
+    named = [law.name for law in entry.system().integrals]
+    assert [law.name for law in made.watched.integrals] == named
 
 
-def wrong_forms(formula: sp.Expr) -> Iterator[tuple[str, sp.Expr]]:
+@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("name", [name for name in NAMES if name not in ROLLING])
+def test_every_integral_is_flat_from_random_starts(name, seed):
+    entry, rng = CATALOGUE[name], np.random.default_rng((seed, NAMES.index(name)))
+    made = random_study(entry, rng)
+    assert made.watched.integrals == made.system.integrals
+    until = entry.start.until / 5 if name in CHARTS else 20.0
+    assert max(drifts(follow(made, until, 41)).values()) < CANCELLING.get(name, 1e-13)
+
+
+def wrong_forms(formula: sp.Expr, system: System) -> Iterator[tuple[str, sp.Expr]]:
     """The formula with one sign, one factor or one exponent changed, in every possible place."""
+    moving = moving_symbols(system)
     for node in set(sp.preorder_traversal(formula)):
-        if node.is_Add:
-            term = sorted(node.args, key=sp.default_sort_key)[0]
+        terms = [x for x in node.args if node.is_Add and x.free_symbols & moving]
+        if terms:
+            term = sorted(terms, key=sp.default_sort_key)[0]
             yield f"sign of {term} in {node}", formula.xreplace({node: node - 2 * term})
             yield f"factor of {term} in {node}", formula.xreplace({node: node + term})
         if node.is_Pow:
@@ -77,16 +104,15 @@ def wrong_forms(formula: sp.Expr) -> Iterator[tuple[str, sp.Expr]]:
             yield f"exponent of {node}", formula.xreplace({node: raised})
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", ROLLING)
 def test_a_planted_error_shows(name):
     entry, rng = CATALOGUE[name], np.random.default_rng(NAMES.index(name))
-    system = entry.system(random_parameters(entry, rng))
-    start = random_start(system, entry, rng)
-    motion = integrate(system, start, np.linspace(0.0, 20.0, 201), on_liftoff="warn")
-    wrong = [form for law in system.laws for form in wrong_forms(explicit(law.value))]
+    motion = follow(random_study(entry, rng, random_parameters(entry, rng)), 20.0)
+    system = motion.system
+    wrong = [form for law in system.integrals for form in wrong_forms(explicit(law.value), system)]
     assert wrong
     # complex, since a wrong sign may make a root imaginary
     states = motion.states.T.astype(complex)
-    found = numeric(motion.system, [formula for _, formula in wrong])(states)
+    found = numeric(system, [formula for _, formula in wrong])(states)
     for (what, _), values in zip(wrong, found, strict=True):
         assert np.abs(values - values[0]).max() > 1e-4 * np.abs(values[0]), what
