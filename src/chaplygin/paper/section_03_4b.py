@@ -120,9 +120,10 @@ def only_two() -> Verdict:
     )
     return Verdict(
         "casimirs",
-        "proven" if holds else "refuted",
+        "proven" if holds else "undecided",
         shown="{z, γ₃} = iwz with w = 1, −1, d, −d; for irrational d only powers of |z₁|² and "
         "|z₂|² have weight zero",
+        reason="" if holds else "the weights are not as expected",
     )
 
 
@@ -134,10 +135,12 @@ def no_leaf() -> Verdict:
     still = all(entry == 0 for s in (p_1, gamma_1) for entry in there.row(order.index(s)))
     rank = there.subs({p_2: sp.Rational(3, 5), gamma_2: sp.Rational(4, 5)}).rank()
     level = 3 - sp.Matrix([sp.diff(p_2**2 + gamma_2**2, s) for s in (p_2, gamma_2, gamma_3)]).rank()
+    refuted = still and rank == level
     return Verdict(
         "leaves",
-        "refuted" if still and rank == level else "proven",
+        "refuted" if refuted else "undecided",
         shown="the leaf of p₁ = γ₁ = 0, p₂² + γ₂² = 1 is the level surface Φ₁ = 0, Φ₂ = 1",
+        reason="" if refuted else "the leaf tried is no level surface",
         witness={"rank of the bracket": rank, "dimension of the level surface": level},
     )
 
@@ -229,7 +232,12 @@ CLAIMS = (
         hamiltonian_form,
         note="with the corrected bracket: the equations of Suslov's problem",
     ),
-    Claim("§3.4, rank of (3.8)", "The rank of the bracket (3.8) is two", rank_two),
+    Claim(
+        "§3.4, rank of (3.8)",
+        "The rank of the bracket (3.8) is two",
+        rank_two,
+        note="with the corrected bracket",
+    ),
     Claim(
         "§3.4, Casimir functions of (3.8)",
         r"$\Phi_1 = p_1^2 + \gamma_1^2$, $\Phi_2 = p_2^2 + \gamma_2^2$",

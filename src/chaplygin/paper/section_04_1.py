@@ -36,11 +36,6 @@ def _triangular() -> System:
     return system("triangular", "triangular form", dict(zip((*y, F), rates, strict=True)))
 
 
-def triangular_divergence() -> Case:
-    """The divergence in the coordinates F, y."""
-    return _triangular(), Measure("volume", {sp.S.One: sp.S.One})
-
-
 def triangular_measure() -> Case:
     """The density 1/v₁, where v₁ is not zero."""
     made = _triangular()
@@ -225,15 +220,6 @@ CLAIMS = (
         "preserve no smooth measure, nor do those of Suslov's problem, which §3.2 names",
     ),
     Claim(
-        "§4.1, divergence of the triangular form",
-        r"For the proof it is sufficient to find the divergence of the vector field in the "
-        r"coordinates $F_1, \dots, F_k, y_1, \dots, y_{n-k}$",
-        triangular_divergence,
-        triangular_measure,
-        r"The divergence is $\tilde v_1'(y_1)$; it vanishes after division by $\tilde v_1(y_1)$",
-        "read as: the divergence is zero",
-    ),
-    Claim(
         "§4.1, precession of the Lagrange top",
         r"$\dot\psi = \frac{p_\psi - p_\varphi\cos\theta}{\sin^2\theta}$",
         precession_printed,
@@ -315,6 +301,12 @@ REMARKS = (
         "k first integrals and n − k − 1 symmetry fields that form a solvable Lie algebra give "
         "quadratures, in triangular coordinates",
         "a quoted theorem; the fields must be independent of each other and of v",
+    ),
+    Remark(
+        "§4.1, divergence of the triangular form",
+        "For the proof it is sufficient to find the divergence of the vector field in the "
+        "coordinates of the integrals and y",
+        "a hint; the divergence is ṽ₁′(y₁), which leads to the density 1/ṽ₁ of the claim above",
     ),
     Remark(
         "§4.1, body of revolution",

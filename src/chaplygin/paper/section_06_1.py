@@ -6,18 +6,23 @@ from functools import cache
 
 import sympy as sp
 
-from ..statements import Identity, Integral, Measure
+from ..statements import Identity, Integral, Measure, Rate
 from ..system import System
 from ..systems import veselova as catalogue
+from ..systems.angles import theta
 from ..systems.rates import rate
 from ..vectors import Diagonal, cross, dot, gradient, normed, scalar, vectors
 from .claim import Case, Claim, Remark
 from .independence import independent, rational_point
+from .veselova_in_angles import ANGLES, RATES, T_0, constrained, psi, psidot, slope_of_potential
+from .veselova_in_angles import body as in_angles
 
 omega, gamma = vectors("omega gamma")
 I = Diagonal("I")
 lambda_0 = scalar("lambda_0")
 HALF = sp.Rational(1, 2)
+#: The Euler angles θ, φ, ψ and their rates.
+COORDINATES, SPEEDS = (*ANGLES, psi), (*RATES, psidot)
 U = catalogue.ANY
 TORQUE = cross(I * omega, omega) + cross(gamma, gradient(U, gamma))
 #: The formula printed for λ₀ in (6.1).
@@ -37,12 +42,32 @@ def free_body() -> System:
 
 
 def equations() -> Case:
-    """Euler's equations with a torque along γ, which does no work, and a fixed vertical."""
+    """Euler's equations with a torque along γ, and Lagrange's in three Euler angles.
+
+    With (6.6) as constraint, the multiplier Λ enters the equations for θ, φ, ψ with the factors
+    0, cos θ, 1.
+    """
     reaction = I * rate(omega) - TORQUE
-    return body(), Identity(
-        "equations",
-        (reaction - dot(gamma, reaction) * gamma, rate(gamma) - cross(gamma, omega)),
+    nutation, rotation, precession = (
+        _lagrange(q, s) for q, s in zip(COORDINATES, SPEEDS, strict=True)
     )
+    return (
+        (
+            body(),
+            Identity(
+                "equations",
+                (reaction - dot(gamma, reaction) * gamma, rate(gamma) - cross(gamma, omega)),
+            ),
+        ),
+        (in_angles(), Identity("lagrange", (nutation, rotation - sp.cos(theta) * precession))),
+        (in_angles(), in_angles().laws[0]),
+    )
+
+
+def _lagrange(coordinate: sp.Symbol, speed: sp.Symbol) -> sp.Expr:
+    """d/dt ∂T₀/∂q̇ − ∂T₀/∂q + ∂U/∂q along the motion."""
+    left = Rate(constrained(sp.diff(T_0, speed))) - constrained(sp.diff(T_0, coordinate))
+    return left if coordinate == psi else left + slope_of_potential(coordinate)
 
 
 def multiplier(sign: int) -> Case:
@@ -126,7 +151,8 @@ CLAIMS = (
         r"$I\dot{\omega} = I\omega \times \omega + \lambda_0\gamma + \gamma \times "
         r"\frac{\partial U}{\partial\gamma}$, $\dot{\gamma} = \gamma \times \omega$",
         equations,
-        note="with the multiplier λ₀ that keeps (ω, γ) = 0",
+        note="with the multiplier λ₀ that keeps (ω, γ) = 0; judged by Lagrange's equations with "
+        "a multiplier in Euler angles",
     ),
     Claim(
         "(6.1), λ₀",

@@ -130,9 +130,10 @@ CLAIMS = (
     ),
     Claim(
         "(9.2), second equation",
-        r"$\dot{\mathbf n} = k\,\mathbf n\times\boldsymbol\omega$, with $k = a/(a+b)$ of (8.1).",
+        r"$\dot{\mathbf n} = k\,\mathbf n\times\boldsymbol\omega$.",
         kinematics,
-        note="b is the radius of the ball and a that of the surface; §8.1 has them exchanged",
+        note="k = a/(a + b) with the radius b of the ball and a of the surface, as J and b = −2a "
+        "of §9 need it; the words of §8.1 have a and b exchanged, which is judged there",
     ),
     Claim(
         "(9.2), third equation",

@@ -196,7 +196,8 @@ CLAIMS = (
         r"2Rm(\boldsymbol\gamma,\mathbf a)(\tilde{\mathbf I}\boldsymbol\omega,\boldsymbol\omega)$ "
         r"is an integral.",
         quadratic,
-        note="with the a of r = −Rγ − a, from the geometric centre to the centre of mass",
+        note="with the a of r = −Rγ − a, from the geometric centre to the centre of mass; with a "
+        "as the words of §10.1 have it the last term needs the sign +",
     ),
     Claim(
         "§10.2, analogue of (10.3)",
