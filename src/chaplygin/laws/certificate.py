@@ -148,6 +148,9 @@ def _identities(ground: Ground, law: Law, seconds: float) -> dict[str, Any]:
             "exchanged": {
                 str(e.name): f"{e.factor}*{e.parameter} + {e.rest}" for e in ground.exchanged
             },
+            "inverted": {
+                str(a): str(j) for i in ground.inverted for a, j in zip(i.name, i.of, strict=True)
+            },
             "settled": {str(p): str(v) for p, v in ground.settled.items()},
             "auxiliary": ring.meanings,
             "conditions": [_terms(relation) for _, relation, _ in ring.relations],

@@ -14,11 +14,11 @@ from sympy.core.function import AppliedUndef
 
 from ..errors import InputError
 from ..system import System
-from ..vectors import explicit
+from ..vectors import Symmetric, explicit
 from .budget import Budget
 from .errors import EmptyLevelError, NotExactError, OutOfReachError
 from .functions import Fractions
-from .jets import Evaluator, Exchange, Jet
+from .jets import Evaluator, Exchange, Inversion, Jet
 from .numbers import Balls, Rationals
 from .points import near, on_sphere, shown, solved
 from .triangular import Triangle, numerator, triangle
@@ -116,9 +116,22 @@ class Ground:
         return found
 
     @cached_property
+    def inverted(self) -> tuple[Inversion, ...]:
+        """Inverses of full symmetric tensors whose entries are exchanged."""
+        names = {e.name for e in self.exchanged}
+        found = []
+        for name, formula in self.system.definitions:
+            if isinstance(name, Symmetric):
+                inverse = [t for t in formula.atoms(Symmetric) if formula == t**-1]
+                if inverse and set(inverse[0].symbols) <= names:
+                    found.append(Inversion(tuple(name.symbols), tuple(inverse[0].symbols)))
+        return tuple(found)
+
+    @cached_property
     def generators(self) -> tuple[sp.Symbol, ...]:
         """Independent symbols: state and parameters, some of them exchanged."""
-        instead = {e.parameter: e.name for e in self.exchanged}
+        inverse = {j: a for i in self.inverted for a, j in zip(i.name, i.of, strict=True)}
+        instead = {e.parameter: inverse.get(e.name, e.name) for e in self.exchanged}
         return tuple(instead.get(s, s) for s in self.symbols if s not in self.settled)
 
     @cached_property
@@ -220,7 +233,7 @@ class Ground:
         for main, terms in chain:
             values |= on_sphere(main, terms, mains - {main}, generator) or {}
         defaults = {str(p.symbol): p.default for p in self.system.parameters}
-        exchanged = {str(e.name) for e in self.exchanged}
+        exchanged = {str(s) for s in self.generators if s in self._definitions}
         involved = {n for _, terms in chain for named in terms for n, power in named if power}
         for name in names:
             if name in mains or name in values:
@@ -246,7 +259,8 @@ class Ground:
         for change in self.exchanged:
             if change.name not in given:
                 given[change.parameter] = near(defaults[str(change.parameter)], generator)
-        names = [e.name for e in self.exchanged if e.name not in given]
+        own = [s for s in self.generators if s in self._definitions]
+        names = [s for s in own if s not in given]
         for rational in (True, False) if exact else (False,):
             numbers = {str(s): v for s, v in given.items()}
             field = self.numbers(numbers, rational)
@@ -277,7 +291,7 @@ class Ground:
         def seed(symbol: sp.Symbol) -> Jet | None:
             return Jet(field.generator(str(symbol)), {}) if symbol in own else None
 
-        return Evaluator(field, seed, self.steps, self.exchanged, self.zeros)
+        return Evaluator(field, seed, self.steps, self.exchanged, self.zeros, self.inverted)
 
     def along(self, field: Any) -> Evaluator:
         """Values with their time derivatives along the field of the system."""
@@ -290,7 +304,7 @@ class Ground:
                 return known
             return Jet(known.value, {-1: plain.value(rates[symbol])})
 
-        return Evaluator(field, seed, self.steps, self.exchanged, self.zeros)
+        return Evaluator(field, seed, self.steps, self.exchanged, self.zeros, self.inverted)
 
     def partial(self, field: Any) -> Evaluator:
         """Values with their partial derivatives by the state variables, numbered."""
@@ -303,7 +317,7 @@ class Ground:
                 return known
             return Jet(known.value, {number[symbol]: field.one})
 
-        return Evaluator(field, seed, self.steps, self.exchanged, self.zeros)
+        return Evaluator(field, seed, self.steps, self.exchanged, self.zeros, self.inverted)
 
 
 def _linear_in(formula: sp.Expr) -> tuple[sp.Symbol, sp.Expr] | None:

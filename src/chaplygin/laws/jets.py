@@ -16,7 +16,7 @@ from sympy.core.function import AppliedUndef
 from ..statements import Rate
 from .errors import OutOfReachError
 
-__all__ = ["Evaluator", "Exchange", "Jet"]
+__all__ = ["Evaluator", "Exchange", "Inversion", "Jet"]
 
 #: Along the field of the system.
 ALONG = -1
@@ -61,6 +61,21 @@ class Exchange:
     rest: sp.Expr
 
 
+@dataclass(frozen=True)
+class Inversion:
+    """A symmetric tensor A = J⁻¹ read as J = A⁻¹, where J is exchanged: A is the generator.
+
+    Both as six symbols 11, 12, 13, 22, 23, 33.
+    """
+
+    name: tuple[sp.Symbol, ...]
+    of: tuple[sp.Symbol, ...]
+
+
+#: Where the entries of a symmetric matrix stand in its list of six.
+_SIX = ((0, 1, 2), (1, 3, 4), (2, 4, 5))
+
+
 class Evaluator:
     """Evaluates formulas of one system in one field.
 
@@ -85,11 +100,15 @@ class Evaluator:
         steps: Mapping[sp.Symbol, sp.Expr],
         exchanged: Sequence[Exchange] = (),
         zeros: Collection[sp.Expr] = (),
+        inverted: Sequence[Inversion] = (),
     ) -> None:
         self.field = field
         self.steps = dict(steps)
         self.exchanged = tuple(exchanged)
         self.zeros = frozenset(zeros)
+        self.inverted = tuple(inverted)
+        self._inverse = {s: (i, n) for i in inverted for n, s in enumerate(i.name)}
+        self._inverted = {s: (i, n) for i in inverted for n, s in enumerate(i.of)}
         self._by_name = {e.name: e for e in exchanged}
         self._by_parameter = {e.parameter: e for e in exchanged}
         self.seed = seed
@@ -97,7 +116,14 @@ class Evaluator:
 
     def with_steps(self, steps: Mapping[sp.Symbol, sp.Expr]) -> Evaluator:
         """The same evaluation with further definitions."""
-        return Evaluator(self.field, self.seed, {**self.steps, **steps}, self.exchanged, self.zeros)
+        return Evaluator(
+            self.field,
+            self.seed,
+            {**self.steps, **steps},
+            self.exchanged,
+            self.zeros,
+            self.inverted,
+        )
 
     def value(self, formula: Any) -> Any:
         """Value alone."""
@@ -121,6 +147,10 @@ class Evaluator:
 
     def _evaluate(self, formula: Any) -> Jet:
         if formula.is_Symbol:
+            if formula in self._inverse:
+                return self._of_inverse(*self._inverse[formula])
+            if formula in self._inverted:
+                return self._of_inverted(*self._inverted[formula])
             if formula in self._by_name:
                 rest = self(self._by_name[formula].rest)
                 return Jet(self.field.generator(str(formula)), rest.slopes)
@@ -152,6 +182,37 @@ class Evaluator:
         if isinstance(formula, AppliedUndef | sp.Derivative | sp.Subs):
             return self._unspecified(formula)
         return self._function(formula)
+
+    def _of_inverse(self, inversion: Inversion, number: int) -> Jet:
+        """An entry of A: a generator, with the slopes −A J̇ A."""
+        A = [self.field.generator(str(s)) for s in inversion.name]
+        rests = [self(self._by_name[s].rest) for s in inversion.of]
+        row, column = next((i, j) for i in range(3) for j in range(3) if _SIX[i][j] == number)
+        slopes = {}
+        for direction in {d for rest in rests for d in rest.slopes}:
+            total = self.field.zero
+            for i in range(3):
+                for j in range(3):
+                    slope = rests[_SIX[i][j]].slopes.get(direction)
+                    if slope is not None:
+                        total = total - A[_SIX[row][i]] * slope * A[_SIX[j][column]]
+            slopes[direction] = total
+        return Jet(A[number], slopes)
+
+    def _of_inverted(self, inversion: Inversion, number: int) -> Jet:
+        """An entry of J = A⁻¹."""
+        a, b, c, d, e, f = (self.field.generator(str(s)) for s in inversion.name)
+        minors = (
+            d * f - e * e,
+            c * e - b * f,
+            b * e - c * d,
+            a * f - c * c,
+            b * c - a * e,
+            a * d - b * b,
+        )
+        determinant = a * minors[0] + b * minors[1] + c * minors[2]
+        slopes = self(self._by_name[inversion.of[number]].rest).slopes
+        return Jet(minors[number] / determinant, slopes)
 
     def _fold(self, parts: Any, combine: Callable[[Jet, Jet], Jet]) -> Jet:
         result = self(parts[0])

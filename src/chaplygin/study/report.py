@@ -11,8 +11,11 @@ from markupsafe import Markup
 from matplotlib.figure import Figure
 
 from .._version import __version__
-from ..errors import RunError
+from ..claims import heading
+from ..errors import InputError, RunError
 from ..flow.trajectory import Trajectory
+from ..laws.prove import prove
+from ..laws.verdict import Verdict
 from ..mechanics.surfaces import Plane
 from ..statements import Law
 from ..typeset import claims_html, latex, mathml, system_html
@@ -21,6 +24,9 @@ from .prepare import Study, shape_name
 from .summary import drift, legend
 
 __all__ = ["render"]
+
+#: Seconds that the proof of one law may take.
+PATIENCE = 20.0
 
 #: Figures in the order in which the page shows them, with heading and caption.
 PLATES = {
@@ -79,6 +85,7 @@ def render(
         undefined=jinja2.StrictUndefined,
     )
     system = trajectory.system
+    verdicts = _verdicts(study)
     drawn = {name: Markup(figures.svg_text(figure)) for name, figure in pictures.items()}
     return environment.get_template("report.html").render(
         title=study.system.title,
@@ -102,12 +109,15 @@ def render(
                 "meaning": law.meaning,
                 "formula": Markup(mathml(latex(law.value))),
                 "source": law.source,
+                "verdict": verdicts[law.name].decision,
                 "value": f"{float(trajectory.recorded[f'law_{law.name}'][0]):.12g}",
                 "drift": f"{drift(trajectory.recorded[f'law_{law.name}']):.1e}",
             }
             for law in system.integrals
         ],
         claims=Markup(claims_html(replace(study.system, laws=_unobserved(study)))),
+        proofs=[(_named(law), law.source, verdicts[law.name]) for law in _unobserved(study)],
+        undecided=[(name, verdict.reason) for name, verdict in verdicts.items() if verdict.reason],
         happenings=[str(happening) for happening in trajectory.happenings],
         remarks=study.remarks,
         failure=str(failure) if failure else None,
@@ -116,6 +126,23 @@ def render(
         versions=dataset.attrs["versions"],
         version=__version__,
     )
+
+
+def _verdicts(study: Study) -> dict[str, Verdict]:
+    """What can be proven of each law in a reasonable time."""
+    found = {}
+    for law in study.system.laws:
+        try:
+            found[law.name] = prove(study.system, law, seconds=PATIENCE)
+        except InputError as problem:
+            found[law.name] = Verdict(law.name, "undecided", reason=str(problem))
+    return found
+
+
+def _named(law: Law) -> str:
+    """Kind and meaning of a law."""
+    meaning = str(getattr(law, "meaning", ""))
+    return f"{heading(law)}: {meaning}" if meaning else heading(law)
 
 
 def _unobserved(study: Study) -> tuple[Law, ...]:
