@@ -298,6 +298,7 @@ CLAIMS = (
         "(5.2), θ",
         r"$\frac{1}{2}B(\gamma_3)\dot{\theta}^2 + \frac{k^2}{2\sin^2\theta} + U(\gamma_3) = h$",
         nutation,
+        note="h is the value of the energy as corrected",
     ),
     Claim("(5.2), ω₃", r"$\omega_3 = \frac{k}{A(\gamma_3)}$", spin),
     Claim("(5.2), φ", r"$\dot{\varphi} = \frac{\omega_3}{\sin^2\theta}$", own_rotation),
