@@ -55,6 +55,12 @@ def straight_line() -> Case:
     )
 
 
+def four_dimensions() -> Case:
+    """Measures in four dimensions."""
+    systems = tuple(from_catalogue(name) for name in ("chaplygin-ball-4d", "veselova-4d"))
+    return tuple((system, law_named(system, "measure")) for system in systems)
+
+
 CLAIMS = (
     Claim(
         "§12, problem 1",
@@ -92,6 +98,12 @@ CLAIMS = (
         note="equations derived here; two momenta and the energy are constant and a measure is "
         "invariant for a motion in five dimensions",
     ),
+    Claim(
+        "§12, problem 3",
+        "Invariant measures for the multidimensional Chaplygin and Veselova systems are found.",
+        four_dimensions,
+        note="decided in four dimensions, for arbitrary moments $I_{ij}$; equations derived here",
+    ),
 )
 
 REMARKS = (
@@ -120,8 +132,9 @@ REMARKS = (
     ),
     Remark(
         "§12, problem 3",
-        "Multidimensional Chaplygin and Veselova systems have invariant measures.",
-        "literature [112–114]; neither equations nor densities are printed",
+        "Existence of a Poisson structure and integrability of the four-dimensional Chaplygin ball "
+        "cannot be stated with assurance.",
+        "a statement about what is not known",
     ),
     Remark(
         "§12, problem 4",
