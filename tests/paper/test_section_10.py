@@ -7,9 +7,11 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
 
-from chaplygin.paper.measure_at_rest import curl_of_divergence, divergence_of_spin
-from chaplygin.paper.section_10_2 import only_regular_motions
+from chaplygin.laws.verdict import Verdict
+from chaplygin.paper.limit_cycle import ABOVE, BELOW, CASE, displacement, limit_cycle
+from chaplygin.paper.measure_at_rest import divergence_of_spin
 from chaplygin.systems import CATALOGUE, from_catalogue
 
 MASS, RADIUS = 1.3, 0.75
@@ -105,26 +107,93 @@ def test_the_rubber_integral_does_not_hold_on_a_sphere():
     assert spread(dot(across, across) - MASS * dot(r, r) * dot(M, omega)) > 1e-3
 
 
-def test_obstructions_vanish_for_balanced_balls():
-    """There the measures (7.3) and (9.3) are smooth at rest."""
-    marble = CATALOGUE["chaplygin-ball"].rolling().system()
-    rubber = CATALOGUE["rubber-chaplygin-ball"].rolling().system()
-    assert divergence_of_spin(marble, PLACE) == 0
-    assert curl_of_divergence(rubber, PLACE) == 0
-
-
-def test_obstructions_of_unbalanced_balls():
+def test_the_obstruction_vanishes_for_a_balanced_ball():
+    """There the measure (7.3) is smooth at rest."""
+    balanced = CATALOGUE["chaplygin-ball"].rolling().system()
+    assert divergence_of_spin(balanced, PLACE) == 0
     assert divergence_of_spin(from_catalogue("unbalanced-ball"), PLACE) != 0
-    assert curl_of_divergence(from_catalogue("unbalanced-rubber-ball"), PLACE) != 0
 
 
-def test_no_measure_obstruction_on_an_axis_of_symmetry():
-    """A ball of revolution has a smooth measure: the obstruction is zero."""
-    made = from_catalogue("unbalanced-rubber-ball", I_2=1.0, I_3=1.6, c_1=0.0, c_2=0.0, c_3=0.2)
-    assert curl_of_divergence(made, PLACE) == 0
+# --- the limit cycle -----------------------------------------------------------------------
+
+TENSOR = np.array([float(x) for x in CASE[0]])
+KAPPA = np.array([float(x) for x in CASE[1]])
+LEVEL = float(CASE[2])
 
 
-def test_a_flow_on_a_torus_with_a_limit_cycle():
-    verdict = only_regular_motions()
-    assert verdict.decision == "refuted"
-    assert verdict.witness["divergence on the cycle"] == "-1"
+def test_the_ball_with_limit_cycles_exists():
+    """Its centre is inside, and its tensor about the centre of mass is that of a body."""
+    mass, radius = 1.0, 0.5
+    centre = KAPPA / (2 * mass * radius)
+    about_centre = mass * (centre @ centre * np.eye(3) - np.outer(centre, centre))
+    tensor = np.diag(TENSOR) - mass * radius**2 * np.eye(3) - about_centre
+    assert np.linalg.norm(centre) < radius
+    assert np.linalg.eigvalsh(np.trace(tensor) / 2 * np.eye(3) - tensor)[0] > 0
+
+
+def spin_rate(omega, gamma):
+    """ω̇ from K ω̇ = Jω×ω + ½(κ, γ×ω)ω + λγ."""
+    K = TENSOR - KAPPA @ gamma
+    free = np.cross(TENSOR * omega, omega) + KAPPA @ np.cross(gamma, omega) * omega / 2
+    along = -(gamma / K) @ free / ((gamma / K) @ gamma)
+    return (free + along * gamma) / K
+
+
+def with_volume(_, state):
+    """(10.4) with the divergence of its field; ω̇ is quadratic, so differences are exact."""
+    omega, gamma = state[:3], state[3:6]
+    divergence = sum(
+        (spin_rate(omega + e, gamma)[i] - spin_rate(omega - e, gamma)[i]) / 2
+        for i, e in enumerate(np.eye(3))
+    )
+    return np.concatenate([spin_rate(omega, gamma), np.cross(gamma, omega), [divergence]])
+
+
+def on_the_level(angle):
+    """ω, γ with 2H = 1 and F/2H = λ, at a place of the normal given by an angle."""
+    gamma = np.array([0.2, np.cos(angle), np.sin(angle)])
+    gamma /= np.linalg.norm(gamma)
+    first = np.cross(gamma, [1.0, 0.0, 0.0])
+    first /= np.linalg.norm(first)
+    second = np.cross(gamma, first)
+    s = KAPPA @ gamma
+
+    def both(turn):
+        omega = np.cos(turn) * first + np.sin(turn) * second
+        M = (TENSOR - s) * omega
+        across = np.cross(M, gamma)
+        return (across @ across + s * (M @ omega)) / (M @ omega) - LEVEL, M @ omega, omega
+
+    turns = np.linspace(0, np.pi, 200)
+    values = [both(turn)[0] for turn in turns]
+    i = next(i for i in range(199) if values[i] * values[i + 1] < 0)
+    turn = brentq(lambda x: both(x)[0], turns[i], turns[i + 1], xtol=1e-14)
+    _, square, omega = both(turn)
+    return np.concatenate([omega / np.sqrt(square), gamma, [0.0]])
+
+
+@pytest.mark.parametrize("angle", [0.4, 2.5])
+def test_volume_shrinks_along_motions_of_the_torus(angle):
+    """Along every quasi-periodic motion with an invariant density it would stay bounded."""
+    start = on_the_level(angle)
+    found = solve_ivp(with_volume, (0, 120), start, "DOP853", (60, 120), rtol=1e-8, atol=1e-10)
+    assert found.y[6, 1] < found.y[6, 0] - 0.5
+
+
+def test_bounds_of_the_map_enclose_each_other():
+    for start in (BELOW, ABOVE):
+        lower, upper = displacement(start, False), displacement(start, True)
+        closer = displacement(start, False, steps=6000), displacement(start, True, steps=6000)
+        assert lower < closer[0] < closer[1] < upper
+
+
+def test_the_limit_cycle_is_not_claimed_without_its_reduction():
+    assert limit_cycle().decision == "proven"
+    assert limit_cycle([Verdict("reduction", "undecided")]).decision == "undecided"
+
+
+def test_a_balanced_ball_is_not_said_to_have_limit_cycles():
+    """For κ = 0 the map keeps a density: no two displacements have different signs."""
+    balanced = (CASE[0], ("0", "0", "0"), CASE[2])
+    assert displacement(BELOW, upwards=True, case=balanced) < 0
+    assert displacement(ABOVE, upwards=True, case=balanced) < 0

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from ..laws.prove import prove
 from ..laws.verdict import Verdict
-from ..statements import Identity, Integral, Isomorphism, Law, Rate
+from ..statements import Identity, Integral, Isomorphism, Law
 from ..system import System
 from ..systems import from_catalogue, veselova
-from ..vectors import Diagonal, Vector, cross, dot, normed, scalar, zero
+from ..systems import unbalanced_rubber_ball_centred as centred
+from ..vectors import Diagonal, Vector, cross, dot, normed, zero
 from .claim import Case, Claim, Remark
 from .independence import independent, rational_point
-from .measure_at_rest import curl_of_divergence
+from .limit_cycle import CASE, limit_cycle
 from .unbalanced import (
     GAMMA_RATE,
     NORMAL,
@@ -27,7 +30,6 @@ from .unbalanced import (
     c,
     gamma,
     m,
-    obstructed,
     omega,
     r,
 )
@@ -123,48 +125,26 @@ def rank_of_rubber() -> Verdict:
     return independent(made, functions, rational_point(made, state | NORMAL))
 
 
-def measure_of_rubber() -> Verdict:
-    """Undecided; no density smooth at ω = 0."""
-    found, shown, seconds = obstructed(
-        rubber(), curl_of_divergence, "the curl of the divergence of the field"
+def with_limit_cycle() -> Verdict:
+    """Limit cycles on a torus of a particular ball, with all that this rests on."""
+    made = centred.centred()
+    cases: tuple[tuple[System, Law], ...] = (
+        centred.balance(),
+        (made, centred.ENERGY),
+        (made, centred.QUADRATIC),
+        centred.quadratic_forms(),
+        centred.on_torus(),
     )
-    reason = (
-        f"no invariant density is positive and smooth at ω = 0 ({shown}); densities that are "
-        "singular there are not excluded"
-    )
-    return Verdict("measure", "undecided", reason=reason if found else shown, seconds=seconds)
+    return limit_cycle([prove(system, law) for system, law in cases])
 
 
-# --- flows on a torus ----------------------------------------------------------------------
-
-theta, phi = scalar("theta"), scalar("phi")
-
-
-def torus() -> System:
-    """θ̇ = sin θ, φ̇ = 1 on a torus; on the cycle θ = π the field has the divergence −1."""
-    return System(
-        name="torus", title="Flow on a torus", field={theta: sp.sin(theta), phi: sp.S.One}
-    )
-
-
-def approach() -> tuple[System, Identity]:
-    """cot(θ/2) falls like e^(−t), so that θ → π while φ runs on."""
-    ratio = sp.sin(theta) / (1 - sp.cos(theta))
-    return torus(), Identity("approach", Rate(ratio) + ratio, "approach to the cycle θ = π")
-
-
-def only_regular_motions() -> Verdict:
-    """Refuted by the flow above, which has no smooth measure but asymptotic motions."""
-    made = torus()
-    on_cycle = sp.diff(dict(made.field)[theta], theta).subs(theta, sp.pi)
-    asymptotic = prove(*approach())
-    refuted = bool(asymptotic) and on_cycle != 0
-    return Verdict(
-        "motions on a torus",
-        "refuted" if refuted else "undecided",
-        shown="θ̇ = sin θ, φ̇ = 1 has motions asymptotic to the limit cycle θ = π; a smooth density "
-        "would change by the factor e^(2π) along it",
-        witness={"field": "(sin θ, 1)", "divergence on the cycle": str(on_cycle)},
+def refuted_by_limit_cycle() -> Verdict:
+    """What limit cycles exclude."""
+    found = with_limit_cycle()
+    return replace(
+        found,
+        decision="refuted" if found else "undecided",
+        witness={"parameters": "J = {}, κ = {}, λ = {}".format(*CASE), "limit cycle": found.shown},
     )
 
 
@@ -232,22 +212,26 @@ CLAIMS = (
     Claim(
         "§10.2, motions on a torus",
         r"If an integral invariant does not exist, only periodic or quasi-periodic trajectories "
-        r"are possible.",
-        only_regular_motions,
-        approach,
+        r"are possible; at the same time, on such a torus asymptotic trajectories and limit cycles "
+        r"may occur.",
+        refuted_by_limit_cycle,
+        with_limit_cycle,
         r"If an integral invariant does not exist, asymptotic trajectories and limit cycles may "
-        r"occur on such a torus; only if it exists all trajectories are periodic or "
-        r"quasi-periodic",
-        "“does not exist” for “exists”; the second half, that an invariant leaves only periodic "
-        "and quasi-periodic motions, is Kolmogorov's theorem; shown is the first, on "
-        "θ̇ = sin θ, φ̇ = 1",
+        r"occur on such a torus",
+        "“does not exist” for “exists” in the first half, which then is Kolmogorov's theorem; shown "
+        "is the second half, with a limit cycle of this very system",
     ),
     Claim(
         "§10.2, existence of a measure",
         r"Preliminary numerical experiments indicate the possibility of existence of invariant "
         r"measure although it is not yet found in the analytical form.",
-        measure_of_rubber,
-        note="a smooth one does not exist near rest",
+        refuted_by_limit_cycle,
+        with_limit_cycle,
+        r"In general there is no invariant measure with a continuous positive density: on tori of "
+        r"an open set the motions approach limit cycles",
+        "shown by rigorous bounds for the ball with J = diag(0.5, 2.75, 2.8), 2mR c = (0.05, −0.1, "
+        "0.15) on F₂/2H = 0.95, and so for all nearby ones; most tori have quasi-periodic motions "
+        "alone, which is what experiments show",
     ),
 )
 
