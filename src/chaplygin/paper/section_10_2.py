@@ -218,8 +218,8 @@ CLAIMS = (
         with_limit_cycle,
         r"If an integral invariant does not exist, asymptotic trajectories and limit cycles may "
         r"occur on such a torus",
-        "“does not exist” for “exists” in the first half, which then is Kolmogorov's theorem; shown "
-        "is the second half, with a limit cycle of this very system",
+        "“does not exist” for “exists” in the first half, which then is Kolmogorov's theorem; "
+        "shown is the second half, with a limit cycle of this very system",
     ),
     Claim(
         "§10.2, existence of a measure",
