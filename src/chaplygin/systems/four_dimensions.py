@@ -29,8 +29,8 @@ from ..vectors import scalar
 from .entry import Entry, Numbers, Start
 
 PAIRS = tuple(combinations(range(4), 2))
-gamma, u, p = (
-    sp.Matrix([scalar(f"{name}_{i}") for i in range(1, 5)]) for name in ["gamma", "u", "p"]
+gamma, u, p, f = (
+    sp.Matrix([scalar(f"{name}_{i}") for i in range(1, 5)]) for name in ["gamma", "u", "p", "f"]
 )
 m, R, Delta = (scalar(name) for name in ("m", "R", "Delta"))
 HALF = sp.Rational(1, 2)
@@ -76,9 +76,16 @@ def _inertia(numbers: Numbers) -> tuple[Parameter, ...]:
 
 
 def _solved(matrix: sp.Matrix, right: sp.Matrix) -> dict[sp.Symbol, sp.Expr]:
-    """The determinant, and u from matrix · u = right."""
-    found = matrix.adjugate() * right / Delta
-    return {Delta: matrix.det(method="berkowitz"), **dict(zip(u, found, strict=True))}
+    """B and its determinant, f, and u with B u = f, as definitions."""
+    entries = {(i, j): matrix[i, j] for i in range(4) for j in range(i, 4)}
+    names = {(i, j): scalar(f"B_{i + 1}{j + 1}") for i, j in entries}
+    named = sp.Matrix(4, 4, lambda i, j: names[min(i, j), max(i, j)])
+    return {
+        **{names[place]: value for place, value in entries.items()},
+        Delta: sp.expand(named.det(method="berkowitz")),
+        **dict(zip(f, right, strict=True)),
+        **dict(zip(u, named.adjugate() * f / Delta, strict=True)),
+    }
 
 
 # --- the ball ------------------------------------------------------------------------------
