@@ -277,7 +277,9 @@ CLAIMS = (
         r"$\{\tilde\theta_i, \omega_j\} = \delta_{ij} g_i'(\omega_i)^{-1}\omega_i$, "
         r"$H = \sum g_i(\omega_i)$ for any $g_i$",
         "the hypotheses are missing: θ̇₁ = 1, θ̇₂ = F, Ḟ = 0 has no Poisson structure; the "
-        "correction is proved for two angles, g = ω²/2 and g = ω",
+        "correction is proved for two angles, g = ω²/2 and g = ω. Weaker: an integral F₁ on which "
+        "the ratios of the frequencies do not depend is enough, with {θ̃_i, F₁} = ω_i and H = F₁, "
+        "as Proposition 5 shows for two angles",
     ),
     Claim(
         "Remark 11",
