@@ -41,6 +41,8 @@ TRACE = sp.Add(*J.symbols)
 SPREAD = 1 / (TRACE - u - v)
 #: 𝓗 as printed.
 HAMILTONIAN = 2 * (cubic(u) * p_u**2 - cubic(v) * p_v**2) * SPREAD / (DET_J * (u - v))
+#: The same in the named quantities.
+ENERGY = (A_u * p_u**2 - A_v * p_v**2) / Q
 #: Twice the kinetic energy is LEVER (u̇²/A(u) − v̇²/A(v)).
 LEVER = DET_J * SPREAD**2 * (u - v) / 4
 
@@ -122,7 +124,7 @@ def canonical_form() -> System:
             B_u: sp.diff(cubic(u), u),
             B_v: sp.diff(cubic(v), v),
             Q: DET_J / 2 * (TRACE - u - v) * (u - v),
-            H: (A_u * p_u**2 - A_v * p_v**2) / Q,
+            H: ENERGY,
             rho: sp.sqrt(SPREAD),
             udot: field[u] / rho**3,
             vdot: field[v] / rho**3,
@@ -178,7 +180,7 @@ def separated() -> Separation:
 def laws() -> tuple[Law, ...]:
     """All laws of the canonical form."""
     return (
-        Integral("energy", H, "energy", source="§9.5", unit="J"),
+        Integral("energy", ENERGY, "energy", source="§9.5", unit="J"),
         CONSTANT,
         ConformallyHamiltonian(
             "hamiltonian", sp.S.One, CANONICAL, H, "canonical form", source="§9.5"

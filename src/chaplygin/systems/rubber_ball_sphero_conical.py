@@ -68,6 +68,10 @@ def hamiltonian() -> sp.Expr:
     return 2 * k**2 / (xi - eta) * (xi * eta / DET_J) ** ((2 * k - 1) / k) * share
 
 
+#: The same in the named quantities.
+ENERGY = (A_xi * p_xi**2 / eta - A_eta * p_eta**2 / xi) / Q
+
+
 def normal() -> Components:
     """n by (9.6), in the octant n₁, n₂, n₃ > 0."""
     return constant([sp.sqrt(square(i, xi, eta)) for i in range(3)])
@@ -186,13 +190,13 @@ def canonical_form() -> System:
         B_xi: sp.diff(cubic(xi), xi),
         B_eta: sp.diff(cubic(eta), eta),
         Q: (xi - eta) / (2 * k**2) * (xi * eta / DET_J) ** -share,
-        H: (A_xi * p_xi**2 / eta - A_eta * p_eta**2 / xi) / Q,
+        H: ENERGY,
         N: MULTIPLIER,
         xidot: N * field[xi],
         etadot: N * field[eta],
     }
     return _system(NAME, field, (xidot, etadot), definitions).with_laws(
-        Integral("energy", H, "energy", source="(9.14)", unit="J"),
+        Integral("energy", ENERGY, "energy", source="(9.14)", unit="J"),
         CANONICAL,
         ConformallyHamiltonian(
             "hamiltonian", sp.S.One, CANONICAL, H, "canonical form", source="(9.10)"
