@@ -33,6 +33,7 @@ __all__ = [
     "numerator",
     "rates",
     "reduced",
+    "square",
     "sums",
     "u",
     "v",
@@ -117,7 +118,7 @@ def chaplygin_system(force_u: sp.Expr, force_v: sp.Expr, *laws: Law) -> System:
     )
 
 
-def _square(i: int) -> sp.Expr:
+def square(i: int) -> sp.Expr:
     """n_i²."""
     moment = J.symbols[i]
     others = [moment - J.symbols[k] for k in range(3) if k != i]
@@ -153,7 +154,7 @@ def ball() -> Identity:
     Together with both integrals this gives Ṁ = M×ω: what is left of it, R = Ṁ − M×ω, obeys
     (An, R) = 0 by F₂ = 0, (ω, R) = 0 by the energy, (M, R) = 0 by M².
     """
-    moments, squares = J.symbols, [_square(i) for i in range(3)]
+    moments, squares = J.symbols, [square(i) for i in range(3)]
     half = TRACE / 2
     spread = (J_1 - J_2) * (J_2 - J_3) * (J_3 - J_1)
     # (L, An) = n₁n₂n₃ tilt
@@ -176,10 +177,10 @@ def ball() -> Identity:
     ]
     kinematics = [stretch[i] - squares[k] * spins[j] + squares[j] * spins[k] for i, j, k in _CYCLE]
     doubled = [squares[j] * squares[k] * momenta[i] * spins[i] for i, j, k in _CYCLE]
-    square = [squares[j] * squares[k] * momenta[i] ** 2 for i, j, k in _CYCLE]
+    length = [squares[j] * squares[k] * momenta[i] ** 2 for i, j, k in _CYCLE]
     return Identity(
         "ball",
-        (*kinematics, sp.Add(*doubled) / 2 - energy(), sp.Add(*square) - momentum()),
+        (*kinematics, sp.Add(*doubled) / 2 - energy(), sp.Add(*length) - momentum()),
         "the ball's motion, energy and momentum",
         source="(8.6)",
     )
@@ -187,7 +188,7 @@ def ball() -> Identity:
 
 def sums(top: sp.Expr) -> Identity:
     """The parts of 𝒩 as sums over the axes: −2 (n, Bn), 4 (An, Bn), det I_Q; and n² = 1."""
-    triples = [(_square(i), j, TRACE / 2 - j) for i, j in enumerate(J.symbols)]
+    triples = [(square(i), j, TRACE / 2 - j) for i, j in enumerate(J.symbols)]
     mean = sp.Add(*(s * a for s, _, a in triples))
     drawn = sp.Add(*(s * j * a for s, j, a in triples)) - d * mean
     leaned = sp.Add(*(s * j * a**2 for s, j, a in triples)) - d * mean**2
