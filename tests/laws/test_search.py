@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 from dataclasses import replace
 from typing import Any
 
@@ -141,6 +142,24 @@ def test_no_linear_integral_for_other_ratios(name: str) -> None:
 def test_no_further_integral_of_the_chaplygin_ball() -> None:
     found = found_in(bare("chaplygin-ball"), degree=4, gamma_degree=3, divisors=[])
     assert len(found) == 3
+
+
+def resting(count: int) -> System:
+    """Variables that do not change: all are integrals, and so are their products."""
+    names = [scalar(f"x_{i}") for i in range(count)]
+    still = {name: sp.S.Zero for name in names}
+    return System(name="resting", title="Rest", field=still)
+
+
+def test_many_integrals_and_all_their_products() -> None:
+    assert len(found_in(resting(5), degree=3)) == 5
+
+
+def test_more_products_than_points_are_owned_up_to(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys.modules[integrals.__module__], "_RESERVE", 8)
+    found = list(integrals(ask(resting(4), degree=3)))
+    assert found[-1].law is None
+    assert "too many to tell" in found[-1].remark
 
 
 def test_what_is_known_is_named() -> None:

@@ -24,8 +24,9 @@ from .vocabulary import Vocabulary, component_scalars
 __all__ = ["integrals"]
 
 _SPARE = 24
+_RESERVE = 1500  # points for products of known integrals
 _SIMPLE = 1
-_FEW, _MANY = 10_000, 60_000
+_FEW, _MANY = 15_000, 60_000
 _SEED = 20080830
 
 
@@ -60,6 +61,14 @@ def integrals(question: Question, progress: Progress = silent) -> Iterator[Findi
     for number, (words, found) in enumerate(steps):
         progress(number / len(steps), words)
         yield from found
+        if search.full:
+            yield Finding(
+                "integral",
+                None,
+                None,
+                remark="more, perhaps; the products of those found are too many to tell",
+            )
+            return
     progress(1.0, "")
 
 
@@ -110,7 +119,8 @@ class _Search:
     def __init__(self, question: Question) -> None:
         self.question = question
         self.stage = question.stage
-        self.points = max(a.size for a in (question.ansatz, *question.also)) + _SPARE
+        self.points = max(a.size for a in (question.ansatz, *question.also)) + _RESERVE
+        self.full = False
         self.sample = self.stage.sample(self.points, _SEED, common=True)
         self.tables: dict[Ansatz, Table] = {}
         self.kept: dict[tuple[Ansatz, int], list[int]] = {}
@@ -173,6 +183,9 @@ class _Search:
     def _fresh(self, found: Integers, degree: int) -> list[int]:
         """Which functions do not depend linearly on products of known integrals."""
         products = self._products(degree)
+        self.full = self.full or len(products) + len(found) + _SPARE > self.points
+        if self.full or not len(found):
+            return []
         stacked = np.concatenate([products, found])
         first, few = len(products), len(stacked) + _SPARE
         return [i - first for i in independent_columns(stacked[:, :few].T) if i >= first]
@@ -245,14 +258,15 @@ class _Search:
 
     def _accepted(self, laws: Sequence[sp.Expr], degree: int) -> Iterator[sp.Expr]:
         """Those that are new, and take note of them."""
-        for law in laws:
-            value = self.sample(law).value
-            if not self._fresh(value[None], degree):
-                continue
+        waiting = [(law, self.sample(law).value) for law in laws]
+        while fresh := self._fresh(np.array([value for _, value in waiting]), degree):
+            (law, value), *waiting = (waiting[i] for i in fresh)
             self.known.values.append((degree, value))
             if self._independent(law):
                 self.formulas.append(law)
                 yield law
+            if not waiting:
+                return
 
     def _independent(self, law: sp.Expr) -> bool:
         """Whether the gradient of a law does not depend on those of earlier ones."""

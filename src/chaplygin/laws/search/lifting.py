@@ -26,7 +26,7 @@ from .modular import PRIMES, Integers, modulo, prime
 __all__ = ["LARGEST", "Draw", "Part", "Plan", "Scalars", "Solution", "lifted", "plan"]
 
 LARGEST = 1000
-"""The largest number of unknowns of one linear system."""
+"""The largest number of unknowns of one linear system; of more, the simplest are taken."""
 _SPARE = 24
 
 Product: TypeAlias = tuple[int, ...]
@@ -124,11 +124,9 @@ def plan(parts: Sequence[Part], scalars: Scalars, degree: int) -> Plan:
     for index, part in enumerate(parts):
         for chosen, weight in products:
             blocks[total(weight, part.weight)].append((index, chosen))
-    ordered = (
-        tuple(sorted(b, key=lambda item: parts[item[0]].effort + scalars.effort(item[1])))
-        for b in blocks.values()
-    )
-    return Plan(tuple(block for block in ordered if len(block) <= LARGEST))
+    for block in blocks.values():
+        block.sort(key=lambda item: parts[item[0]].effort + scalars.effort(item[1]))
+    return Plan(tuple(tuple(block[:LARGEST]) for block in blocks.values()))
 
 
 def lifted(

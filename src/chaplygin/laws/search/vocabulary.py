@@ -205,7 +205,7 @@ class Vocabulary:
         found: list[tuple[sp.Expr, Weight]] = [
             (s, self.table[s])
             for s in (*_parameters(self.stage, self.table), *_numbers(self.stage))
-            if s not in parts and s in self.table
+            if s not in parts and s in self.table and s in self._mentioned
         ]
         for group in self._groups({s for s, _ in found}):
             product = sp.Mul(*(base**exponent for base, exponent in group.items()))
@@ -219,6 +219,17 @@ class Vocabulary:
         for u, v in combinations_with_replacement(self.constants, 2):
             found += [(formula, weight) for formula, weight, _ in self._pairings(u, v)]
         return Scalars(tuple(f for f, _ in found), tuple(w for _, w in found))
+
+    @cached_property
+    def _mentioned(self) -> set[sp.Symbol]:
+        """Scalars that enter the equations outside the constant tensors."""
+        system = self.stage.system
+        solved = dict(self.stage.substitutions)
+        found: set[sp.Symbol] = set()
+        for name, formula in (*system.field, *system.definitions):
+            if isinstance(name, (sp.Symbol, Vector)) or not set(name.symbols) <= self._fixed:
+                found |= {s for s in formula.free_symbols if isinstance(s, sp.Symbol)}
+        return found | {s for symbol in found & set(solved) for s in solved[symbol].free_symbols}
 
     def _groups(self, scalars: set[sp.Expr]) -> list[dict[sp.Symbol, int]]:
         """Products of parameters in which they enter the equations together, such as m R²."""
