@@ -8,7 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from ..statements import Identity, Integral, Isomorphism, Rate, Reduction
-from ..system import Parameter, System
+from ..system import System
 from ..systems import power_potential_on_sphere as point
 from ..systems import rubber_ball_on_e3 as e3
 from ..systems import rubber_ball_ratio as ratio
@@ -20,9 +20,10 @@ from ..systems.rubber_ball_sphero_conical import cubic
 from ..vectors import constant, cross, dot, gradient, normed, scalar, vectors, zero
 from .claim import Case, Claim, Remark
 from .quadratic_integrals import no_quadratic_integral
+from .section_09_3 import with_point, z
 
 omega, n, M, gamma = vectors("omega n M gamma")
-h, z = scalar("h"), scalar("z")
+h = scalar("h")
 
 M_RATE, GAMMA_RATE, N_RATE = (
     constant([Rate(s) for s in vector.symbols]) for vector in (M, gamma, n)
@@ -110,13 +111,6 @@ def geodesic_part() -> Case:
 # --- §9.5 ----------------------------------------------------------------------------------
 
 COORDINATES = {rho: sp.sqrt(RHO_SQUARED), **roots(u, v, *SCALED)}
-
-
-def with_point() -> System:
-    """(9.2) with a further number z."""
-    made = ratio.rolling()
-    extra = Parameter(z, "argument of g", 0.7, "kg m^2")
-    return replace(made, parameters=(*made.parameters, extra))
 
 
 def in_coordinates(name: str, equations: Sequence[sp.Expr], *levels: sp.Expr) -> Case:

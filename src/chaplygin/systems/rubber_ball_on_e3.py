@@ -42,8 +42,9 @@ DEFAULTS = {"J_1": 2.0, "J_2": 2.5, "J_3": 3.1, "k": -1.0}
 
 def parameters(p: Mapping[str, float]) -> tuple[Parameter, ...]:
     """J and k, with the values given."""
+    what = "moment of inertia about a tangent at the contact, axis"
     moments = tuple(
-        Parameter(s, f"moment of inertia {i}, I_{i} + mb²", p[str(s)], "kg m^2", (s > 0,))
+        Parameter(s, f"{what} {i}", p[str(s)], "kg m^2", (s > 0,))
         for i, s in enumerate(J.symbols, 1)
     )
     return (*moments, Parameter(k, "ratio a/(a + b) of the radii", p["k"], "1", (sp.Ne(k, 0),)))

@@ -20,7 +20,7 @@ from sympy.matrices.expressions import MatrixExpr
 from ..errors import InputError
 from ..mechanics.body import check_inertia
 from ..statements import Identity, Integral, Isomorphism, Law, Measure, Rate
-from ..system import Observable, Parameter, System
+from ..system import Observable, System
 from ..vectors import (
     Components,
     Diagonal,
@@ -34,6 +34,7 @@ from ..vectors import (
 )
 from . import power_potential_on_sphere, rubber_ball_on_e3
 from .entry import Entry, Numbers, Start
+from .rubber_ball_on_e3 import DEFAULTS, parameters
 
 omega, n, X, torque = vectors("omega n X Q")
 J, A = Diagonal("J"), Diagonal("A")
@@ -50,23 +51,6 @@ SUMMARY = (
     "the family of its equations in k = a/(a + b) and J = I + mb²."
 )
 SOURCE = "§9, (9.2)–(9.4), (9.11)–(9.14)"
-
-DEFAULTS = {"J_1": 2.0, "J_2": 2.5, "J_3": 3.1, "k": -1.0}
-
-
-def parameters(p: Numbers) -> tuple[Parameter, ...]:
-    """J and k, with the values given."""
-    moments = tuple(
-        Parameter(
-            s,
-            f"moment of inertia about a tangent at the contact, {i}",
-            p[str(s)],
-            "kg m^2",
-            (s > 0,),
-        )
-        for i, s in enumerate(J.symbols, 1)
-    )
-    return (*moments, Parameter(k, "ratio a/(a + b) of the radii", p["k"], "1", (sp.Ne(k, 0),)))
 
 
 def multiplier(couple: MatrixExpr = zero) -> sp.Expr:

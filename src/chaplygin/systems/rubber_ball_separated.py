@@ -16,6 +16,7 @@ from ..mechanics.body import check_inertia
 from ..statements import ConformallyHamiltonian, Integral, Isomorphism, Law, Rate, Separation
 from ..system import Guard, System
 from ..vectors import constant, cross, dot, normed, scalar, vectors
+from . import rubber_ball_on_e3
 from . import rubber_ball_ratio as ratio
 from .entry import Entry, Numbers, Start
 from .rubber_ball_ratio import DET_J, RHO_SQUARED, A, J, k
@@ -117,7 +118,7 @@ def canonical_form() -> System:
         title=TITLE,
         summary=SUMMARY,
         source=SOURCE,
-        parameters=ratio.parameters({**DEFAULTS, "k": -1.0})[:3],
+        parameters=rubber_ball_on_e3.parameters({**DEFAULTS, "k": -1.0})[:3],
         definitions={
             A_u: cubic(u),
             A_v: cubic(v),
@@ -201,7 +202,7 @@ def build(p: Numbers) -> System:
         -cubic(u) * cubic(v),
         "the normal reaches a plane of symmetry, where the coordinates end",
     )
-    parameters = ratio.parameters({**p, "k": -1.0})[:3]
+    parameters = rubber_ball_on_e3.parameters({**p, "k": -1.0})[:3]
     return replace(canonical_form(), parameters=parameters, guards=(guard,)).with_laws(*laws())
 
 

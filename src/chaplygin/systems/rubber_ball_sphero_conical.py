@@ -22,6 +22,7 @@ from ..statements import (
 )
 from ..system import Guard, System
 from ..vectors import Components, constant, cross, scalar, vectors
+from . import rubber_ball_on_e3
 from . import rubber_ball_ratio as ratio
 from .entry import Entry, Numbers, Start
 from .rubber_ball_ratio import DET_J, J, k
@@ -105,7 +106,7 @@ def _system(
         title=TITLE,
         summary=SUMMARY,
         source=SOURCE,
-        parameters=ratio.parameters(DEFAULTS),
+        parameters=rubber_ball_on_e3.parameters(DEFAULTS),
         definitions={
             **(before or {}),
             n: normal(),
@@ -197,7 +198,6 @@ def canonical_form() -> System:
     }
     return _system(NAME, field, (xidot, etadot), definitions).with_laws(
         Integral("energy", ENERGY, "energy", source="(9.14)", unit="J"),
-        CANONICAL,
         ConformallyHamiltonian(
             "hamiltonian", sp.S.One, CANONICAL, H, "canonical form", source="(9.10)"
         ),
@@ -242,7 +242,7 @@ def build(p: Numbers) -> System:
         -cubic(xi) * cubic(eta),
         "the normal reaches a plane of symmetry, where the coordinates end",
     )
-    return replace(made, parameters=ratio.parameters(p), guards=(guard,))
+    return replace(made, parameters=rubber_ball_on_e3.parameters(p), guards=(guard,))
 
 
 ENTRIES = (
