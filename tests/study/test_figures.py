@@ -522,7 +522,22 @@ def test_the_state_has_one_panel_for_each_variable(data):
     assert len(first.lines) == 3
     assert len(second.lines) == 1
     assert second.get_xlabel().startswith("time")
-    with pytest.raises(InputError, match="speed cannot be shown"):
+    with pytest.raises(InputError, match="the figure state needs speed, which"):
         figures.state(data, ["omega", "speed"])
-    with pytest.raises(InputError, match="none cannot be shown"):
+    with pytest.raises(InputError, match="at least one variable"):
         figures.state(data, [])
+
+
+def test_scalars_of_one_letter_share_a_panel(data):
+    own = data.copy()
+    for name, unit in (("k_12", "m"), ("k_13", "m"), ("k_s", "s"), ("kappa", "m")):
+        own[name] = own["energy"].assign_attrs(units=unit)
+    panels = figures.state(own, ["k_12", "k_13", "k_s", "kappa", "attitude"]).axes
+    assert [len(axes.lines) for axes in panels] == [2, 1, 1, 4]
+    assert [axes.get_ylabel() for axes in panels[:3]] == [
+        "$k$  (m)",
+        "$k_{s}$  (s)",
+        r"$\kappa$  (m)",
+    ]
+    labels = [line.get_label() for line in panels[3].lines]
+    assert labels == [rf"$\text{{attitude}}_{{{index}}}$" for index in "wxyz"]

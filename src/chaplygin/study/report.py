@@ -26,7 +26,7 @@ from .summary import drift, legend
 __all__ = ["render"]
 
 #: Seconds that the proof of one law may take.
-PATIENCE = 20.0
+PATIENCE = 10.0
 
 #: Figures in the order in which the page shows them, with heading and caption.
 PLATES = {

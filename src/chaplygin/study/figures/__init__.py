@@ -13,10 +13,11 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from ..drawing import Ground, Outline
-from .charts import angular_velocity, conserved, drift, normal_force, relative_drift, state
+from .charts import angular_velocity, conserved, drift, normal_force, relative_drift
 from .curves import contact_path, normal_on_sphere
 from .files import FORMATS, save, svg_text
 from .scenes import scene
+from .states import state
 from .style import STYLE
 from .variables import NEEDED
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import matplotlib as mpl
 import numpy as np
 import xarray as xr
@@ -11,8 +9,6 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ...errors import InputError
-from ...notation import latex
-from ...vectors import Vector, scalar
 from ..drawing import FloatArray
 from .style import ALARM, COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 from .variables import NOTHING, readable, require, times_of, title_of, unit_of, values_of, with_unit
@@ -48,7 +44,7 @@ def angular_velocity(dataset: xr.Dataset) -> Figure:
                 times,
                 omega[:, axis],
                 color=colour,
-                marker=_marker(times),
+                marker=marker(times),
                 label=rf"$\omega_{axis + 1}$",
             )
         axes.plot(
@@ -57,74 +53,14 @@ def angular_velocity(dataset: xr.Dataset) -> Figure:
             color=INK,
             linewidth=0.8,
             linestyle=(0, (4, 2)),
-            marker=_marker(times),
+            marker=marker(times),
             label=r"$|\omega|$",
         )
         axes.axhline(0.0, color=QUIET, linewidth=0.6, zorder=1)
         axes.set_ylabel(with_unit("angular velocity", unit_of(dataset, "omega")))
-        _widen(axes, np.concatenate([omega.ravel(), length]))
+        widen(axes, np.concatenate([omega.ravel(), length]))
         _legend_above(axes, 4)
     return figure
-
-
-def state(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
-    """Variables of the state against time, one panel for each, vectors by their components.
-
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-    names : sequence of str
-        The variables, from top to bottom.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-
-    Raises
-    ------
-    InputError
-        If there are no variables, or the dataset lacks one.
-    """
-    missing = [name for name in names if name not in dataset]
-    if missing or not names:
-        raise InputError(
-            f"the figure state needs variables of the trajectory of {title_of(dataset)}, and "
-            f"{', '.join(missing) or 'none'} cannot be shown"
-        )
-    times = times_of(dataset)
-    with mpl.rc_context(STYLE):
-        figure = Figure(figsize=(WIDTH, 0.5 + 1.35 * len(names)), layout="constrained")
-        figure.set_label(f"The state against time: {title_of(dataset)}")
-        panels = figure.subplots(len(names), sharex=True, squeeze=False)[:, 0]
-        for axes, name in zip(panels, names, strict=True):
-            _panel(axes, dataset, name)
-        panels[-1].set_xlabel(_time_label(dataset))
-        if times[-1] > times[0]:
-            panels[-1].set_xlim(times[0], times[-1])
-        figure.align_ylabels(list(panels))
-    return figure
-
-
-def _panel(axes: Axes, dataset: xr.Dataset, name: str) -> None:
-    """One variable against time."""
-    times, values = times_of(dataset), values_of(dataset, name)
-    symbol = latex(Vector(name) if values.ndim > 1 else scalar(name))
-    columns = values.reshape(len(values), -1).T
-    for number, column in enumerate(columns):
-        label = latex(scalar(f"{name}_{number + 1}")) if values.ndim > 1 else symbol
-        axes.plot(
-            times,
-            column,
-            color=SERIES[number % len(SERIES)] if len(columns) > 3 else COMPONENTS[number],
-            marker=_marker(times),
-            label=f"${label}$",
-        )
-    axes.grid(axis="y", color=FAINT, linewidth=0.4)
-    axes.set_axisbelow(True)
-    axes.set_ylabel(with_unit(f"${symbol}$", unit_of(dataset, name)))
-    _widen(axes, columns.ravel())
-    if values.ndim > 1:
-        axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=len(columns))
 
 
 def normal_force(dataset: xr.Dataset, weight: float | None = None) -> Figure:
@@ -157,7 +93,7 @@ def normal_force(dataset: xr.Dataset, weight: float | None = None) -> Figure:
             times,
             force,
             color=COMPONENTS[0],
-            marker=_marker(times),
+            marker=marker(times),
             label="normal force  $N$",
             zorder=3,
         )
@@ -173,7 +109,7 @@ def normal_force(dataset: xr.Dataset, weight: float | None = None) -> Figure:
             )
             reference.append(weight)
         axes.axhline(0.0, color=INK, linewidth=0.8, zorder=2)
-        _widen(axes, np.concatenate([force, reference]))
+        widen(axes, np.concatenate([force, reference]))
         low, high = axes.get_ylim()
         if np.nanmin(force, initial=0.0) < 0.0:
             axes.axhspan(low, 0.0, facecolor=ALARM, alpha=0.08, linewidth=0.0, zorder=0)
@@ -254,7 +190,7 @@ def drift(dataset: xr.Dataset) -> Figure:
                 label=labels[name],
                 linewidth=1.3,
                 linestyle="-" if number < len(SERIES) else (0, (4, 1.5)),
-                marker=_marker(times),
+                marker=marker(times),
                 zorder=3,
             )
         largest = float(positive.max()) if len(positive) else floor
@@ -330,7 +266,8 @@ def _mark_floor(axes: Axes, floor: float) -> None:
     axes.set_yticks([], minor=True)
 
 
-def _time_label(dataset: xr.Dataset) -> str:
+def time_label(dataset: xr.Dataset) -> str:
+    """The label of an axis of time."""
     return with_unit("time  $t$", unit_of(dataset, "time"))
 
 
@@ -339,7 +276,7 @@ def _chart(dataset: xr.Dataset, height: float, description: str) -> tuple[Figure
     figure = Figure(figsize=(WIDTH, height), layout="constrained")
     figure.set_label(f"{description}: {title_of(dataset)}")
     axes = figure.add_subplot()
-    axes.set_xlabel(_time_label(dataset))
+    axes.set_xlabel(time_label(dataset))
     times = times_of(dataset)
     if times[-1] > times[0]:
         axes.set_xlim(times[0], times[-1])
@@ -348,7 +285,7 @@ def _chart(dataset: xr.Dataset, height: float, description: str) -> tuple[Figure
     return figure, axes
 
 
-def _widen(axes: Axes, values: FloatArray) -> None:
+def widen(axes: Axes, values: FloatArray) -> None:
     """Limits with room around the values, also around values that are alike but for rounding."""
     finite = values[np.isfinite(values)]
     if not len(finite):
@@ -361,7 +298,7 @@ def _widen(axes: Axes, values: FloatArray) -> None:
     axes.set_ylim(low - room, high + room)
 
 
-def _marker(times: FloatArray) -> str:
+def marker(times: FloatArray) -> str:
     """A single sample is no line: it is marked."""
     return "o" if len(times) == 1 else ""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 import numpy as np
 import xarray as xr
@@ -29,7 +30,12 @@ CURVE_POINTS = 1200
 
 def require(dataset: xr.Dataset, figure: str) -> None:
     """Raise InputError unless the dataset has what the figure needs."""
-    missing = [name for name in NEEDED[figure] if name not in dataset]
+    require_all(dataset, figure, NEEDED[figure])
+
+
+def require_all(dataset: xr.Dataset, figure: str, names: Iterable[str]) -> None:
+    """Raise InputError unless the dataset has all variables of these names."""
+    missing = [name for name in names if name not in dataset]
     if missing:
         raise InputError(
             f"the figure {figure} needs {', '.join(missing)}, which the trajectory of "
