@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
-__all__ = ["EmptyLevelError", "NotExactError", "OutOfReachError", "SpareNeededError"]
+__all__ = [
+    "EmptyLevelError",
+    "NotExactError",
+    "OutOfReachError",
+    "SpareNeededError",
+    "UnknownSymbolError",
+]
 
 
 class OutOfReachError(Exception):
@@ -19,3 +25,7 @@ class SpareNeededError(Exception):
 
 class EmptyLevelError(Exception):
     """The conditions of a level contradict each other."""
+
+
+class UnknownSymbolError(Exception):
+    """A formula uses a symbol that the system does not have."""

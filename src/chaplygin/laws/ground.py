@@ -330,4 +330,6 @@ def _linear_in(formula: sp.Expr) -> tuple[sp.Symbol, sp.Expr] | None:
 
 
 def _listed(on: tuple[Any, ...]) -> str:
-    return ", ".join(f"{c} = 0" for c in on) or "given by the relations"
+    from ..notation import text
+
+    return ", ".join(f"{text(c)} = 0" for c in on) or "given by the relations"

@@ -14,7 +14,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from ..statements import Rate
-from .errors import OutOfReachError
+from .errors import OutOfReachError, UnknownSymbolError
 
 __all__ = ["Evaluator", "Exchange", "Inversion", "Jet"]
 
@@ -163,7 +163,7 @@ class Evaluator:
             seeded = self.seed(formula)
             if seeded is not None:
                 return seeded
-            raise OutOfReachError(f"the symbol {formula} is unknown")
+            raise UnknownSymbolError(str(formula))
         if formula.is_Rational:
             return self._constant(formula)
         if formula.is_Float:

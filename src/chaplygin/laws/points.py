@@ -17,12 +17,12 @@ __all__ = ["near", "on_sphere", "shown", "solved"]
 
 
 def near(default: float | None, generator: random.Random) -> fmpq:
-    """A random rational number, near the default of a parameter."""
+    """A random rational number, near the default of a parameter; not 1, whose powers are alike."""
     if default is None or default == 0:
         reach = generator.choice([17, 17, 60])
-        return fmpq(
-            generator.choice([-1, 1]) * generator.randint(3, reach), generator.randint(11, 19)
-        )
+        sign, above = generator.choice([-1, 1]), generator.randint(3, reach)
+        below = generator.randint(11, 19)
+        return fmpq(sign * above, below + (above == below))
     near = Fraction(repr(float(default))) * Fraction(generator.randint(90, 115), 100)
     return fmpq(near.numerator, near.denominator)
 

@@ -18,7 +18,7 @@ from ..errors import InputError
 from ..statements import Identity, Isomorphism, Law, PoissonStructure
 from ..system import System
 from .budget import Budget
-from .errors import NotExactError, OutOfReachError, SpareNeededError
+from .errors import NotExactError, OutOfReachError, SpareNeededError, UnknownSymbolError
 from .functions import Fractions
 from .ground import Ground
 from .memory import fingerprint, recall, remember
@@ -37,17 +37,17 @@ SEED = 20080830
 @overload
 def prove(system: System, law: None = None, *, seconds: float = ...) -> tuple[Verdict, ...]: ...
 @overload
-def prove(system: System, law: Law, *, seconds: float = ...) -> Verdict: ...
+def prove(system: System, law: Law | str, *, seconds: float = ...) -> Verdict: ...
 def prove(
-    system: System, law: Law | None = None, *, seconds: float = 120.0
+    system: System, law: Law | str | None = None, *, seconds: float = 120.0
 ) -> Verdict | tuple[Verdict, ...]:
     """Prove or refute a law of a system, or all of its laws.
 
     Parameters
     ----------
     system : System
-    law : Law, optional
-        One law; by default all laws of the system.
+    law : Law or str, optional
+        One law, or the name of one of the system's; by default all of them.
     seconds : float
         Time after which a law is left undecided.
 
@@ -60,8 +60,12 @@ def prove(
     InputError
         If a law uses an unknown symbol, or its level is empty or annuls a denominator.
     """
+    if not seconds > 0:
+        raise InputError(f"seconds = {seconds:g}: it must be positive")
     if law is None:
         return tuple(prove(system, each, seconds=seconds) for each in system.laws)
+    if isinstance(law, str):
+        law = _by_name(system, law)
     name = fingerprint(system, law)
     kept = recall(name)
     if kept is not None:
@@ -71,12 +75,25 @@ def prove(
     try:
         with precise():
             verdict = _decided(system, law, budget)
+    except UnknownSymbolError as symbol:
+        raise InputError(
+            f"{system.name}: the law {law.name!r} uses {symbol}, which is neither a state variable "
+            "nor a definition nor a parameter of the system"
+        ) from None
     except OutOfReachError as reason:
         verdict = Verdict(law.name, "undecided", reason=str(reason))
     verdict = replace(verdict, terms=budget.largest, seconds=time.monotonic() - started)
     if verdict.decision != "undecided":
         remember(name, verdict)
     return verdict
+
+
+def _by_name(system: System, name: str) -> Law:
+    for law in system.laws:
+        if law.name == name:
+            return law
+    names = ", ".join(law.name for law in system.laws) or "none"
+    raise InputError(f"{system.name} has no law {name!r}; its laws are {names}")
 
 
 def everything(law: Law, ground: Ground, field: Any) -> Iterator[tuple[str, Any]]:

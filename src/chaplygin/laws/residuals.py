@@ -13,6 +13,7 @@ from typing import Any, TypeAlias
 import sympy as sp
 
 from ..errors import InputError
+from ..notation import text
 from ..statements import (
     ConformallyHamiltonian,
     Identity,
@@ -44,14 +45,14 @@ def preserved(ground: Ground, field: Any) -> Residuals:
     """Rates of the conditions: they vanish when the phase space and the level are invariant."""
     along = ground.along(field)
     for condition in ground.moving:
-        yield f"rate of {condition}", along.slope(condition)
+        yield f"invariance of {text(condition)} = 0", along.slope(condition)
 
 
 def _scalars(value: Any) -> list[sp.Expr]:
     """The scalar formulas of a scalar, vector, matrix or tuple of these."""
     if isinstance(value, (tuple, list)):
         return [scalar for part in value for scalar in _scalars(part)]
-    made = explicit(value)
+    made = explicit(sp.sympify(value))
     return list(made) if isinstance(made, sp.MatrixBase) else [made]
 
 
@@ -215,6 +216,11 @@ def _(law: Symmetry, ground: Ground, field: Any) -> Residuals:
     given = components(law.field)
     symbols = ground.system.symbols
     rates = [partial(rate) for rate in ground.system.rates]
+    if strange := set(given) - set(symbols):
+        raise InputError(
+            f"the law {law.name!r} gives a component along {', '.join(sorted(map(str, strange)))}, "
+            f"which is no state variable of {ground.system.name}"
+        )
     push = [partial(given.get(s, sp.S.Zero)) for s in symbols]
     for condition in ground.moving:
         yield f"u({condition})", _along(field, partial(condition), push)
