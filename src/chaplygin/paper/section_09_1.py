@@ -200,8 +200,7 @@ CLAIMS = (
         r"$k=-1$ ($b=-2a$): a hollow sphere rolls over a fixed ball that touches it from the "
         r"inside.",
         radii,
-        note="b is negative for a hollow ball; §8.1 has b/a = 1/2 in its own letters, in which a "
-        "is the body",
+        note="for a hollow ball b is minus its inner radius, which is twice that of the fixed ball",
     ),
     Claim(
         "(9.4)",

@@ -36,7 +36,7 @@ POTENTIAL = -h * STRETCH ** (-1 / k)
 HAMILTONIAN = normed(M) / 2 + POTENTIAL
 
 BRADEN = Integral(
-    "quadratic",
+    "braden",
     (
         sp.Add(*(s**2 / j for s, j in zip(M.symbols, J.symbols, strict=True))) / 2
         - h * (sp.Add(*(1 / j for j in J.symbols)) - SQUEEZE) / STRETCH
@@ -47,7 +47,7 @@ BRADEN = Integral(
     unit="kg m^2/s^2",
 )
 NEUMANN = Integral(
-    "quadratic",
+    "neumann",
     dot(M, J * M) / 2 + h * DET_J * SQUEEZE,
     "quadratic integral of Neumann's system, k = −1",
     on=(k + 1,),
@@ -88,6 +88,11 @@ def build(p: Numbers) -> System:
     return moving(p).with_laws(*special)
 
 
+def integrable() -> System:
+    """The point for any k, with the integrals of the two integrable exponents."""
+    return moving().with_laws(BRADEN, NEUMANN)
+
+
 ENTRIES = (
     Entry(
         name=NAME,
@@ -97,7 +102,7 @@ ENTRIES = (
         defaults=DEFAULTS,
         build=build,
         start=Start(state={"M": (0.9, -0.5, -0.55), "gamma": (2 / 7, -3 / 7, 6 / 7)}, until=20.0),
-        general=moving,
+        general=integrable,
         variables={
             "M": ("angular momentum of the point", "kg m^2/s"),
             "gamma": ("place of the point on the unit sphere", "1"),
