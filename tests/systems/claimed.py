@@ -1,0 +1,38 @@
+"""Every law of the catalogue with its system: the concrete ones, and those for all choices."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from chaplygin.statements import Law
+from chaplygin.system import System
+from chaplygin.systems import CATALOGUE
+
+
+@dataclass(frozen=True)
+class Claimed:
+    """A law of a system, called ``system law`` or ``system (general) law``."""
+
+    system: System
+    law: Law
+    label: str
+
+    def __str__(self) -> str:
+        return self.label
+
+
+def _claimed() -> tuple[Claimed, ...]:
+    found = []
+    for name, entry in CATALOGUE.items():
+        systems = {name: entry.system()}
+        if entry.general is not None:
+            systems[f"{name} (general)"] = entry.general()
+        found += [
+            Claimed(system, law, f"{label} {law.name}")
+            for label, system in systems.items()
+            for law in system.laws
+        ]
+    return tuple(found)
+
+
+CLAIMED = _claimed()
