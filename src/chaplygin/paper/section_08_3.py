@@ -131,11 +131,20 @@ def value(which: int) -> sp.Expr:
 
 
 def roots() -> Case:
-    """s₁ and s₂ solve (8.10) for the coefficients of (8.11)."""
-    (a, c), (A, C) = coefficients()
-    # b = B = 0 in these variables; the equation is invariant under changes of variables
-    left = [-(A - a * s) * (C - c * s) for s in (s_1, s_2)]
-    return liouville_system(), Identity("roots", tuple(left), "roots of (8.10)")
+    """s₁ and s₂ solve (8.10) in any linear momenta: P = G p with an arbitrary matrix G."""
+    G = [sp.Function(f"G_{i}")(s_1, s_2) for i in range(4)]
+
+    def spread(squares: tuple[sp.Expr, sp.Expr]) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+        first, second = squares
+        return (
+            first * G[0] ** 2 + second * G[2] ** 2,
+            first * G[0] * G[1] + second * G[2] * G[3],
+            first * G[1] ** 2 + second * G[3] ** 2,
+        )
+
+    (a, b, c), (A, B, C) = (spread(form) for form in coefficients())
+    left = tuple((B - b * s) ** 2 - (A - a * s) * (C - c * s) for s in (s_1, s_2))
+    return liouville_system(), Identity("roots", left, "roots of (8.10)")
 
 
 def liouville_form() -> Case:
@@ -271,7 +280,7 @@ CLAIMS = (
         "To get separable variables it is sufficient to solve the equation $(B - bs)^2 = (A - "
         "as)(C - cs)$.",
         roots,
-        note="s₁, s₂ of Liouville's form are its roots, for arbitrary S₁ and S₂",
+        note="s₁, s₂ of Liouville's form are its roots, for arbitrary S₁, S₂ and momenta P = Gp",
     ),
     Claim(
         "(8.11)",

@@ -16,6 +16,7 @@ import sympy as sp
 from ..statements import Integral, Isomorphism
 from ..system import Parameter, System
 from ..vectors import Diagonal, dot, explicit, identity, normed, scalar, zero
+from . import ball_around_sphere_chaplygin as chaplygin
 from . import ball_on_sphere_equations as ball
 from .e3 import Gamma, M, e3_system
 from .entry import Entry, Numbers, Start
@@ -186,6 +187,7 @@ ENTRIES = (
         defaults=_DEFAULTS,
         build=build,
         start=Start(state={"M": (0.9, -0.5, -0.55), "Gamma": (2 / 7, -3 / 7, 6 / 7)}, until=20.0),
+        general=chaplygin.reduced,
         variables={
             "M": ("angular momentum of the point on the sphere, with sign −", "1"),
             "Gamma": ("normal of the sphere at the contact, body axes", "1"),

@@ -13,6 +13,8 @@ from ..mechanics.surfaces import Sphere
 from ..statements import Integral, Law, Measure
 from ..system import System
 from ..vectors import Diagonal, constant, dot, normed, scalar, vectors, zero
+from .ball_around_sphere_coordinates import coordinates
+from .ball_on_sphere_equations import equations
 from .entry import Entry, Numbers, Start
 
 M, gamma, k_rotors = vectors("M gamma k")
@@ -99,6 +101,7 @@ ENTRIES = (
         build=build,
         start=Start(omega=(0.7, 0.4, 1.1), gamma=(0.2, -0.3, 0.93), until=60.0),
         laws=laws,
+        general=equations,
     ),
     Entry(
         name="ball-around-sphere",
@@ -111,5 +114,6 @@ ENTRIES = (
         build=build_around,
         start=Start(omega=(0.7, 0.4, 1.1), gamma=(0.2, -0.3, 0.93), until=60.0),
         laws=laws,
+        general=coordinates,
     ),
 )

@@ -12,6 +12,7 @@ from typing import Any
 
 import sympy as sp
 
+from ..statements import Integral, Measure
 from ..system import Parameter, System
 from ..vectors import Diagonal, cross, dot, identity, normed, scalar, vectors
 
@@ -37,7 +38,7 @@ d, k, rho_2 = scalar("d"), scalar("k"), scalar("rho_2")
 
 _MOMENTS = (1.0, 1.5, 2.1)
 _d = Parameter(d, "mass times the square of the ball's radius", 1.0, "kg m^2", (d >= 0,))
-_k = Parameter(k, "ratio of the curvatures", -1.0)
+_k = Parameter(k, "ratio a/(a + R) of the radii", -1.0, "1")
 _inertia = tuple(
     Parameter(s, f"moment of inertia about body axis {i}", value, "kg m^2", (s > 0,))
     for i, (s, value) in enumerate(zip(I.symbols, _MOMENTS, strict=True), 1)
@@ -70,6 +71,30 @@ def equations() -> System:
         definitions=(*_TENSORS, (omega, _solved(M))),
         field={M: cross(M, omega), n: k * cross(n, omega)},
         relations=(normed(n) - 1,),
+        laws=(
+            Integral("energy", sp.S.Half * dot(M, omega), "energy", source="(8.2)", unit="J"),
+            Integral(
+                "momentum",
+                normed(M),
+                "square of the momentum",
+                source="(8.2)",
+                unit="kg^2 m^4/s^2",
+            ),
+            Integral(
+                "linear",
+                dot((sp.Add(*J.symbols) / 2 * identity - J) * M, n),
+                "linear integral of the case k = −1",
+                on=(k + 1,),
+                source="(8.3)",
+                unit="kg^2 m^4/s",
+            ),
+            Measure(
+                "measure",
+                {rho_2: -sp.S.Half},
+                "invariant measure in M, n",
+                source="§8.1, after (8.2)",
+            ),
+        ),
     )
 
 
