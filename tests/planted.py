@@ -80,13 +80,13 @@ def _in_one_term(
 
 def stray_term(formula: sp.Expr, system: System) -> sp.Expr | None:
     """A variable of the state added."""
-    return formula + _driven(system)
+    return formula + _driven(system)[0]
 
 
-def _driven(system: System) -> sp.Symbol:
-    """The first variable of the state whose rate is not zero."""
+def _driven(system: System) -> list[sp.Symbol]:
+    """The variables of the state whose rate is not zero."""
     speeds = zip(system.symbols, system.rates, strict=True)
-    return next(symbol for symbol, rate in speeds if rate != 0)
+    return [symbol for symbol, rate in speeds if rate != 0]
 
 
 def wrong_factor(formula: sp.Expr, system: System) -> sp.Expr | None:
@@ -202,7 +202,7 @@ def _of_a_measure(law: Measure, system: System) -> Iterator[Part]:
     pairs = [(explicit(sp.sympify(base)), sp.sympify(exponent)) for base, exponent in law.density]
     moved = [(b, e) for b, e in pairs if b.free_symbols & moving]
     if not moved:
-        pairs = moved = [(_driven(system), sp.S.Zero)]
+        pairs = moved = [(sp.Add(*_driven(system)), sp.S.Zero)]
     rest = tuple(pair for pair in pairs if pair not in moved)
     bases, exponents = (list(part) for part in zip(*moved, strict=True))
 

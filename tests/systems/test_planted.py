@@ -16,8 +16,6 @@ HARMLESS = {
     # the body does not turn about its third axis: ω₃ = 0
     "suslov energy": {"value sign"},
     "suslov-quadratic energy": {"value sign"},
-    # without a torque ω is constant
-    "suslov volume": {"density power"},
     # M₃ is constant
     "lagrange-top energy": {"value sign"},
     # the energy is made of two integrals, one of which changes its sign
