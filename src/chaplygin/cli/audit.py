@@ -19,7 +19,7 @@ __all__ = ["command"]
 
 def command(
     section: Annotated[
-        int | None, typer.Option(help="Only this section of the paper, 1 to 10.")
+        int | None, typer.Option(help="Only this section of the paper, 1 to 12.")
     ] = None,
     output: Annotated[
         Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write a page (HTML).")

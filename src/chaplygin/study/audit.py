@@ -243,5 +243,7 @@ TITLES = {
     8: "The Chaplygin ball on a sphere",
     9: "Rubber ball on a sphere",
     10: "Dynamically non-symmetric, unbalanced ball on a plane",
+    11: "Discussion",
+    12: "Open problems",
 }
 """Sections of the paper, with the headings they have there."""
