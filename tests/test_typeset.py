@@ -136,6 +136,9 @@ GOLDEN = [
     # vectors
     (zero, "0", "0"),
     (unit(3), "e₃", r"\mathbf{e}_{3}"),
+    (gamma - x * unit(3), "γ − x e₃", r"\boldsymbol{\gamma} - x \mathbf{e}_{3}"),
+    (x * unit(2), "x e₂", r"x \mathbf{e}_{2}"),
+    ((x + y) * unit(1), "(x + y) e₁", None),
     (constant([x, -y, 0]), "(x, −y, 0)", r"\left(x,\, -y,\, 0\right)"),
     (cross(M, omega), "M × ω", r"\mathbf{M} \times \boldsymbol{\omega}"),
     (

@@ -31,6 +31,7 @@ from .pieces import LATEX, UNICODE, Level, Notation, Piece
 from .statements import Rate
 from .terms import (
     Factors,
+    along_axis,
     common_fraction,
     factors_of,
     is_negative,
@@ -117,8 +118,8 @@ class _Writer:
             rest = sp.Add(*(term / share for term in formula.args))
             return [self._product(factors_of(sp.Mul(share, rest, evaluate=False)))]
         if isinstance(formula, (sp.Add, MatAdd)):
-            return [self._term(term) for term in ordered(formula.args)]
-        return [self._term(formula)]
+            return [self._term(term) for term in ordered(map(along_axis, formula.args))]
+        return [self._term(along_axis(formula))]
 
     def _term(self, formula: Any) -> tuple[bool, Piece]:
         if isinstance(formula, (sp.Add, MatAdd)):

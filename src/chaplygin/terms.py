@@ -14,6 +14,7 @@ from .vectors import Diagonal, Dot, Gradient, Symmetric, Vector
 
 __all__ = [
     "Factors",
+    "along_axis",
     "common_fraction",
     "factors_of",
     "is_negative",
@@ -71,6 +72,16 @@ def negated(tensor: Any) -> Any:
     if isinstance(tensor, MatAdd):
         return MatAdd(*(-1 * term for term in tensor.args))
     return -1 * tensor
+
+
+def along_axis(formula: Any) -> Any:
+    """A column with a single entry c other than 0 and 1 as c e_i; anything else as it is."""
+    if isinstance(formula, sp.MatrixBase) and formula.shape[1] == 1:
+        present = [i for i, entry in enumerate(formula) if entry != 0]
+        if len(present) == 1 and formula[present[0]] != 1:
+            axis = [int(i == present[0]) for i in range(formula.shape[0])]
+            return MatMul(formula[present[0]], sp.ImmutableDenseMatrix(axis))
+    return formula
 
 
 def ordered(terms: Iterable[Any]) -> list[Any]:
