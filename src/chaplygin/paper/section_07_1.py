@@ -35,6 +35,7 @@ HALF = sp.Rational(1, 2)
 U = sp.Function("U")(*gamma.symbols)
 TORQUE = cross(gamma, gradient(U, gamma))
 MOVED = "(6.1) is the Veselova system; (7.1) is meant"
+BOTH = "true of (6.1), with J for I, and of (7.1), which is meant"
 
 
 @cache
@@ -97,13 +98,15 @@ def tensor() -> Case:
 
 
 def energy() -> Case:
-    """The energy of (7.2)."""
-    return ball(), Integral("energy", HALF * dot(M, omega) + U)
+    """The energy of (7.2), of the ball that may spin and of the one that does not."""
+    law = Integral("energy", HALF * dot(M, omega) + U)
+    return (ball(), law), (rubber_ball(), law)
 
 
 def geometric() -> Case:
     """γ² of (7.2)."""
-    return ball(), Integral("geometric", normed(gamma))
+    law = Integral("geometric", normed(gamma))
+    return (ball(), law), (rubber_ball(), law)
 
 
 def area() -> Case:
@@ -186,10 +189,16 @@ CLAIMS = (
     ),
     Claim(
         "(7.2), energy",
-        r"(7.1) admits the integral $H = \frac{1}{2}(M, \omega) + U(\gamma)$.",
+        r"Equations (6.1) admit the integral $H = \frac{1}{2}(M, \omega) + U(\gamma)$.",
         energy,
+        note=BOTH,
     ),
-    Claim("(7.2), geometric integral", r"$(\gamma, \gamma) = 1$ is preserved.", geometric),
+    Claim(
+        "(7.2), geometric integral",
+        r"Equations (6.1) preserve $(\gamma, \gamma) = 1$.",
+        geometric,
+        note=BOTH,
+    ),
     Claim(
         "(7.2), area integral",
         r"Equations (6.1) admit the integral of areas $(M, \gamma) = c = $ const.",
@@ -200,8 +209,9 @@ CLAIMS = (
     ),
     Claim(
         "(7.3), measure",
-        r"(7.1) preserves $\rho_\mu d^3M d^3\gamma$ with $\rho_\mu = (\det I_Q)^{-1/2}$.",
+        r"They preserve $\rho_\mu d^3M d^3\gamma$ with $\rho_\mu = (\det I_Q)^{-1/2}$.",
         measure,
+        note="of the equations (7.1), for which (6.1) stands",
     ),
     Claim(
         "(7.3), determinant",

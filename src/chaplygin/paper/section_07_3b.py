@@ -279,7 +279,7 @@ CLAIMS = (
         r"$p_\varphi = \partial \bar{\mathcal{R}} / \partial \varphi'$, "
         r"$H = \theta' p_\theta + \varphi' p_\varphi - \bar{\mathcal{R}}$ is the Hamiltonian.",
         legendre,
-        note="it is the energy of (7.2)",
+        note="it is the energy of (7.2); θ̇′ under the derivative read as θ′",
     ),
     *_terms(),
     *_components(),
