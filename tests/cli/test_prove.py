@@ -52,7 +52,7 @@ def test_one_law_by_its_name(ask):
         (("prove", "veselova", "--law", "spin"), "its laws are"),
         (("prove", "veselow"), "did you mean 'veselova'"),
         (("prove", "veselova", "--seconds", "0"), "must be positive"),
-        (("audit", "--section", "11"), "sections 1 to 10"),
+        (("audit", "--section", "13"), "sections 1 to 12"),
         (("audit", "--workers", "0"), "at least one process"),
         (("audit", "-o", "missing/audit.html"), "no folder missing"),
     ],
