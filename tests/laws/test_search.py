@@ -244,6 +244,8 @@ def test_components_where_there_are_no_vectors() -> None:
     third = x * p * q - y * p**2 + stiffness * mass * x**2 * y
     assert {sp.expand(third), sp.expand(-third)} & formulas
     assert len(found) == 3
+    # a fourth polynomial is a function of these three
+    assert len(found_in(system, momenta="p,q", coordinates="x,y", degree=3, gamma_degree=3)) == 3
 
 
 MEASURES = {
@@ -312,6 +314,38 @@ def test_rotations_of_a_symmetric_body() -> None:
     assert field[omega] == sign * turn * sp.Matrix(omega.symbols)
     assert field[gamma] == sign * turn * sp.Matrix(gamma.symbols)
     assert list(symmetries(ask(bare("veselova"), degree=1, gamma_degree=1))) == []
+
+
+def test_neither_the_field_nor_its_multiples_count_as_symmetries() -> None:
+    x, y = scalar("x"), scalar("y")
+    circle = System(name="circle", title="Circle", field={x: y, y: -x})
+    for degree in (1, 3):
+        (found,) = symmetries(ask(circle, degree=degree))
+        assert found.proven
+        assert isinstance(found.law, Symmetry)
+        assert found.law.field in (((x, x), (y, y)), ((x, -x), (y, -y)))
+
+
+def test_divisors_depend_on_coordinates_alone() -> None:
+    x, p = scalar("x"), scalar("p")
+    system = System(
+        name="line", title="Line", field={x: p / (1 + p**2) / (2 + x**2), p: x / (3 + x)}
+    )
+    question = ask(system, momenta="p", coordinates="x")
+    assert set(question.divisors) == {2 + x**2, 3 + x}
+    assert {1 + p**2, x, p} <= set(question.bases)
+
+
+def test_the_energy_of_a_rattleback() -> None:
+    """Its shape is a tensor with entries that are zero, its contact point no polynomial."""
+    system = bare("rattleback")
+    (found,) = found_in(system, divisors=[])
+    (r,) = vectors("r")
+    energy = dot(M, omega) / 2 - m * scalar("g") * dot(r, gamma)
+    made = stage(system).sample(20, 3, common=True)
+    assert not made.along(made(energy)).any()
+    ratio = made(found.formula / energy)
+    assert len(set(ratio.value.tolist())) == 1
 
 
 @pytest.mark.parametrize(

@@ -32,7 +32,7 @@ def command(
     degree: Annotated[int, typer.Option(help="Largest degree in the momenta.")] = 2,
     gamma_degree: Annotated[int, typer.Option(help="Largest degree in the coordinates.")] = 2,
     momenta: Annotated[
-        str, typer.Option(metavar="NAMES", help="Momenta, e.g. M; by default ω where it is known.")
+        str, typer.Option(metavar="NAMES", help="Momenta, e.g. M; by default M, and ω.")
     ] = "",
     coordinates: Annotated[
         str, typer.Option(metavar="NAMES", help="Coordinates, e.g. gamma; by default the others.")
