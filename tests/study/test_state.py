@@ -12,6 +12,7 @@ import pytest
 from chaplygin.errors import InputError
 from chaplygin.mechanics.attitude import attitude, quaternion_rate, tie, unit_length
 from chaplygin.study.experiment import StateExperiment, loads
+from chaplygin.study.figures.variables import unit_of
 from chaplygin.study.folder import write_study
 from chaplygin.study.prepare import Study, catalogue_experiment, dataset_of, prepare
 from chaplygin.study.state import given_state
@@ -160,6 +161,8 @@ def test_datasets_tell_what_is_known_of_each_variable() -> None:
     assert data["u"].attrs["long_name"] == "velocity along the blade"
     assert data["u"].attrs["units"] == "m/s"
     assert data["theta"].attrs["long_name"] == "theta"
+    assert data["theta"].attrs["units"] == "unknown"
+    assert unit_of(data, "theta") == ""
     assert "source" in data["theta"].attrs
     made = study("trial-top")
     data = dataset_of(made, made.trajectory())

@@ -44,6 +44,9 @@ _TOUCHING = {
     "M": ("angular momentum about the contact point", "kg m^2/s", "(7.1)"),
 }
 
+#: The unit of a variable of which nothing is told.
+UNKNOWN = "unknown"
+
 #: Horizontal place of a centre of mass in the lift to space, which is recorded whole.
 _PLACE = "place"
 
@@ -137,7 +140,7 @@ def _add_state(
         return
     touching = any(item.name == "contact" for item in trajectory.system.observables)
     known = (_TOUCHING if touching else _BODY) if values.shape[1:] == (3,) else {}
-    meaning, units, source = (*told, "") if told else known.get(name, (name, "", ""))
+    meaning, units, source = (*told, "") if told else known.get(name, (name, UNKNOWN, ""))
     if values.ndim == 1 or name in known:
         _add(variables, name, values, "body" if name in known else "", meaning, units, source)
     else:

@@ -89,9 +89,9 @@ def _shifted(characters: str, mark: str, table: dict[str, str]) -> str:
 
 
 def unit_of(dataset: xr.Dataset, name: str) -> str:
-    """Unit of a variable, exponents raised; empty for a pure number."""
+    """Unit of a variable, exponents raised; empty for a pure number or where none is known."""
     units = str(dataset[name].attrs.get("units", "")).strip()
-    if units in ("", "1"):
+    if units in ("", "1", "unknown"):
         return ""
     return re.sub(r"(?:\*\*|\^)\{?(-?\d+)\}?", r"$^{\1}$", units).replace("*", r"$\,$")
 
