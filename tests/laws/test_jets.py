@@ -10,6 +10,7 @@ from chaplygin.laws.errors import OutOfReachError, UnknownSymbolError
 from chaplygin.laws.functions import Fractions
 from chaplygin.laws.jets import Evaluator, Jet
 from chaplygin.laws.numbers import Balls, precise
+from chaplygin.statements import Rate
 
 x, y, k = sp.symbols("x y k", real=True)
 f = sp.Function("f")
@@ -85,3 +86,8 @@ def test_what_cannot_be_evaluated_is_said():
         evaluate((1 + x**2) ** y)
     with pytest.raises(OutOfReachError, match="kind"):
         evaluate(sp.besselj(1, x))
+
+
+def test_rates_need_an_evaluation_along_the_field():
+    with precise(), pytest.raises(OutOfReachError, match="rate"):
+        seeded(balls())(Rate(x))

@@ -304,7 +304,7 @@ class Ground:
                 return known
             return Jet(known.value, {-1: plain.value(rates[symbol])})
 
-        return Evaluator(field, seed, self.steps, self.exchanged, self.zeros, self.inverted)
+        return Evaluator(field, seed, self.steps, self.exchanged, self.zeros, self.inverted, True)
 
     def partial(self, field: Any) -> Evaluator:
         """Values with their partial derivatives by the state variables, numbered."""

@@ -91,6 +91,10 @@ class Evaluator:
         Definitions that are generators in place of a parameter.
     zeros : collection of formulas
         Values of unspecified functions that the conditions say are zero.
+    inverted : sequence of Inversion
+        Inverses of tensors that are generators in place of the tensors.
+    moving : bool
+        Whether the seeds carry time derivatives, so that `Rate` can be evaluated.
     """
 
     def __init__(
@@ -101,12 +105,14 @@ class Evaluator:
         exchanged: Sequence[Exchange] = (),
         zeros: Collection[sp.Expr] = (),
         inverted: Sequence[Inversion] = (),
+        moving: bool = False,
     ) -> None:
         self.field = field
         self.steps = dict(steps)
         self.exchanged = tuple(exchanged)
         self.zeros = frozenset(zeros)
         self.inverted = tuple(inverted)
+        self.moving = moving
         self._inverse = {s: (i, n) for i in inverted for n, s in enumerate(i.name)}
         self._inverted = {s: (i, n) for i in inverted for n, s in enumerate(i.of)}
         self._by_name = {e.name: e for e in exchanged}
@@ -123,6 +129,7 @@ class Evaluator:
             self.exchanged,
             self.zeros,
             self.inverted,
+            self.moving,
         )
 
     def value(self, formula: Any) -> Any:
@@ -177,6 +184,8 @@ class Evaluator:
         if isinstance(formula, sp.exp):
             return self._exponential(formula)
         if isinstance(formula, Rate):
+            if not self.moving:
+                raise OutOfReachError(f"the rate {formula} in a place where only values are known")
             inner = self(formula.args[0])
             return Jet(inner.slopes.get(ALONG, self.field.zero), {})
         if isinstance(formula, AppliedUndef | sp.Derivative | sp.Subs):

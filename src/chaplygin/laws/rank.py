@@ -66,7 +66,7 @@ def _(law: Isomorphism, ground: Ground, field: Any) -> tuple[str, Any] | None:
         return [slopes.get(i, field.zero) for i in range(size)]
 
     conditions = [row(c) for c in ground.moving]
-    images = [row(f) for f in components((*law.map, *law.constants)).values()]
+    images = [row(f) for f in components((*law.map, *law.constants), ground).values()]
     total = rank(field, [*conditions, *images])
     return _lacking("the rank of the map with the conditions", total, size, field)
 

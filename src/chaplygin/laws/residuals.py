@@ -29,6 +29,7 @@ from ..statements import (
 from ..vectors import explicit
 from .ground import Ground
 from .jets import Evaluator, Jet
+from .rates import without_rates, without_second_rates
 
 __all__ = ["components", "preserved", "residuals"]
 
@@ -56,12 +57,13 @@ def _scalars(value: Any) -> list[sp.Expr]:
     return list(made) if isinstance(made, sp.MatrixBase) else [made]
 
 
-def components(pairs: Sequence[tuple[Any, Any]]) -> dict[sp.Symbol, sp.Expr]:
-    """Pairs (name, formula) as scalar symbols with scalar formulas."""
+def components(pairs: Sequence[tuple[Any, Any]], ground: Ground) -> dict[sp.Symbol, sp.Expr]:
+    """Pairs (name, formula) as scalar symbols with scalar formulas, rates written out."""
     found: dict[sp.Symbol, sp.Expr] = {}
     for name, formula in pairs:
         symbols = (name,) if isinstance(name, sp.Symbol) else name.symbols
-        found.update(zip(symbols, _scalars(formula), strict=True))
+        scalars = (without_rates(scalar, ground) for scalar in _scalars(formula))
+        found.update(zip(symbols, scalars, strict=True))
     return found
 
 
@@ -70,12 +72,12 @@ def components(pairs: Sequence[tuple[Any, Any]]) -> dict[sp.Symbol, sp.Expr]:
 
 @residuals.register
 def _(law: Integral, ground: Ground, field: Any) -> Residuals:
-    yield "v(F)", ground.along(field).slope(explicit(law.value))
+    yield "v(F)", ground.along(field).slope(without_rates(explicit(law.value), ground))
 
 
 @residuals.register
 def _(law: Identity, ground: Ground, field: Any) -> Residuals:
-    formulas = [_without_second_rates(f, ground) for f in _scalars(law.value)]
+    formulas = [without_second_rates(f, ground) for f in _scalars(law.value)]
     rated = any(f.has(Rate) for f in formulas)
     evaluate = ground.along(field) if rated else ground.evaluator(field)
     for i, formula in enumerate(formulas, 1):
@@ -84,44 +86,11 @@ def _(law: Identity, ground: Ground, field: Any) -> Residuals:
 
 @residuals.register
 def _(law: Reduction, ground: Ground, field: Any) -> Residuals:
-    quantities = components(law.quantities)
+    quantities = components(law.quantities, ground)
     evaluate = ground.along(field).with_steps(quantities)
     for i, equation in enumerate(law.equations, 1):
-        formula = _without_second_rates(explicit(equation), ground, quantities)
+        formula = without_second_rates(explicit(equation), ground, quantities)
         yield f"equation {i}", evaluate.value(formula)
-
-
-def _without_second_rates(
-    formula: sp.Expr, ground: Ground, quantities: dict[sp.Symbol, sp.Expr] | None = None
-) -> sp.Expr:
-    """Rates of rates, written out: the inner one becomes a formula in the state."""
-
-    def inner(formula: sp.Expr) -> sp.Expr:
-        replaced = {
-            rate: written(rate.args[0])
-            for rate in formula.atoms(Rate)
-            if not _nested(rate, formula)
-        }
-        return formula.xreplace(replaced)
-
-    def written(formula: sp.Expr) -> sp.Expr:
-        formula = inner(formula)
-        while formula.free_symbols & set(quantities or {}):
-            formula = formula.xreplace(quantities or {})
-        formula = ground.expanded(formula)
-        rates = zip(ground.system.symbols, ground.system.rates, strict=True)
-        return sp.Add(*(sp.diff(formula, s) * rate for s, rate in rates))
-
-    deep = {
-        rate: Rate(inner(rate.args[0])) for rate in formula.atoms(Rate) if rate.args[0].has(Rate)
-    }
-    outermost = {r: v for r, v in deep.items() if not _nested(r, formula)}
-    return formula.xreplace(outermost)
-
-
-def _nested(rate: sp.Expr, formula: sp.Expr) -> bool:
-    """Whether a rate occurs only inside another rate of the formula."""
-    return any(rate in other.args[0].atoms(Rate) for other in formula.atoms(Rate) if other != rate)
 
 
 # --- invariant measure ---------------------------------------------------------------------
@@ -135,7 +104,7 @@ def _(law: Measure, ground: Ground, field: Any) -> Residuals:
     for i, rate in enumerate(rates):
         total = total + _slope(field, rate, i)
     for base, exponent in law.density:
-        inner, power = partial(explicit(base)), partial(sp.sympify(exponent))
+        inner, power = partial(without_rates(explicit(base), ground)), partial(sp.sympify(exponent))
         if power.slopes:
             raise InputError(
                 f"the law {law.name!r}: the exponent {exponent} of a density must not depend on "
@@ -213,7 +182,7 @@ def _solution(field: Any, matrix: Sequence[Sequence[Any]], right: Sequence[Any])
 @residuals.register
 def _(law: Symmetry, ground: Ground, field: Any) -> Residuals:
     partial = ground.partial(field)
-    given = components(law.field)
+    given = components(law.field, ground)
     symbols = ground.system.symbols
     rates = [partial(rate) for rate in ground.system.rates]
     if strange := set(given) - set(symbols):
@@ -240,7 +209,9 @@ def _(law: PoissonStructure, ground: Ground, field: Any) -> Residuals:
             f"the law {law.name!r}: its matrix is {law.matrix.shape[0]}×{law.matrix.shape[1]}, "
             f"but the state has {size} variables"
         )
-    entries = [[partial(law.matrix[i, j]) for j in range(size)] for i in range(size)]
+    entries = [
+        [partial(without_rates(law.matrix[i, j], ground)) for j in range(size)] for i in range(size)
+    ]
     values = [[entry.value for entry in row] for row in entries]
     for i in range(size):
         for j in range(i, size):
@@ -254,7 +225,9 @@ def _(law: PoissonStructure, ground: Ground, field: Any) -> Residuals:
                 total = total + values[a][number] * slope
         yield f"Jacobi identity {i + 1}, {j + 1}, {k + 1}", total
     for casimir in law.casimirs:
-        yield from _casimir(field, f"{{·, {casimir}}}", partial(explicit(casimir)), values)
+        yield from _casimir(
+            field, f"{{·, {casimir}}}", partial(without_rates(explicit(casimir), ground)), values
+        )
     if law.rank is not None:
         for rows in combinations(range(size), law.rank + 2):
             yield f"Pfaffian of {rows}", _pfaffian(field, values, rows)
@@ -286,7 +259,7 @@ def _(law: ConformallyHamiltonian, ground: Ground, field: Any) -> Residuals:
     yield from residuals(law.structure, ground, field)
     partial = ground.partial(field)
     size = len(ground.system.symbols)
-    gradient = partial(explicit(law.hamiltonian)).slopes
+    gradient = partial(without_rates(explicit(law.hamiltonian), ground)).slopes
     multiplier = partial.value(explicit(law.multiplier))
     for i, rate in enumerate(ground.system.rates):
         total = field.zero
@@ -304,14 +277,14 @@ def _(law: ConformallyHamiltonian, ground: Ground, field: Any) -> Residuals:
 def _(law: Isomorphism, ground: Ground, field: Any) -> Residuals:
     along = ground.along(field)
     target = law.target
-    images = {s: along(f) for s, f in components(law.map).items()}
+    images = {s: along(f) for s, f in components(law.map, ground).items()}
     missing = set(target.symbols) - set(images)
     if missing:
         raise InputError(
             f"the law {law.name!r} does not say what {', '.join(sorted(map(str, missing)))} of "
             f"{target.name} is"
         )
-    constants = {s: along(f) for s, f in components(law.constants).items()}
+    constants = {s: along(f) for s, f in components(law.constants, ground).items()}
     for symbol, constant in constants.items():
         yield f"rate of {symbol}", _slope(field, constant, -1)
     own = {str(s) for s in ground.symbols}
