@@ -30,6 +30,8 @@ from .verdict import Verdict
 __all__ = ["everything", "prove", "tried"]
 
 POINTS = 2
+MORE_POINTS = 12
+"""Tried where a remainder is left, before a law is called undecided."""
 ATTEMPTS = 400
 SEED = 20080830
 
@@ -110,23 +112,36 @@ def _decided(system: System, law: Law, budget: Budget) -> Verdict:
         field, witness = tried(law, ground, generator)
         sample = sample or {name: float(value) for name, value in field.values.items()}
         if witness is not None:
-            what, residual = witness
-            return Verdict(
-                law.name,
-                "refuted",
-                shown=f"{what} fails at a point",
-                witness={
-                    "point": ground.point_shown(field),
-                    "what": what,
-                    "residual": str(residual),
-                },
-            )
+            return _refuted(law, ground, field, witness)
+    verdict = _symbolic(law, ground, sample, budget)
+    if verdict.decision == "undecided":
+        for _ in range(MORE_POINTS):
+            field, witness = tried(law, ground, generator)
+            if witness is not None:
+                return _refuted(law, ground, field, witness)
+    return verdict
+
+
+def _symbolic(law: Law, ground: Ground, sample: dict[str, float], budget: Budget) -> Verdict:
+    """The residuals over fractions, with as many auxiliary symbols as they need."""
     spare = 8
     while True:
         try:
             return _computed(law, ground, ground.fractions(Fractions, spare, sample, budget))
         except SpareNeededError:
             spare *= 2
+
+
+def _refuted(
+    law: Law, ground: Ground, field: Rationals | Balls, witness: tuple[str, Any]
+) -> Verdict:
+    what, residual = witness
+    return Verdict(
+        law.name,
+        "refuted",
+        shown=f"{what} fails at a point",
+        witness={"point": ground.point_shown(field), "what": what, "residual": str(residual)},
+    )
 
 
 def tried(
