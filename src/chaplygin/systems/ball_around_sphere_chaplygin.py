@@ -13,6 +13,8 @@ follows from the reducing multiplier 𝒩.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 
 from ..statements import Identity, Integral, Law, Measure
@@ -45,6 +47,7 @@ u, v, P_u, P_v, d = (scalar(name) for name in ("u", "v", "P_u", "P_v", "d"))
 TRACE, SQUARES, DET = J_1 + J_2 + J_3, J_1**2 + J_2**2 + J_3**2, J_1 * J_2 * J_3
 _CYCLE = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
 _HALF = sp.S.Half
+MISPRINT = "the sign of ΣJ in the numerator of 𝒩"
 
 
 def _cubic(z: sp.Expr) -> sp.Expr:
@@ -228,7 +231,7 @@ def reduced() -> System:
         Integral(
             "second", momentum(), "square of the momentum", source="(8.2)", unit="kg^2 m^4/s^2"
         ),
-        density(top),
-        sums(top),
+        replace(density(top), as_printed=density(numerator(1)), misprint=MISPRINT),
+        replace(sums(top), as_printed=sums(numerator(1)), misprint=MISPRINT),
         ball(),
     )
