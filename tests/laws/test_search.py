@@ -316,6 +316,14 @@ def test_rotations_of_a_symmetric_body() -> None:
     assert list(symmetries(ask(bare("veselova"), degree=1, gamma_degree=1))) == []
 
 
+def test_powers_of_an_integral_of_the_coordinates_are_not_repeated() -> None:
+    x, y, p = (scalar(n) for n in ("x", "y", "p"))
+    system = System(name="wheel", title="Wheel", field={x: y * p, y: -x * p, p: sp.S.Zero})
+    found = found_in(system, momenta="p", coordinates="x,y", degree=2, gamma_degree=4)
+    assert p in [finding.formula for finding in found]
+    assert len(found) == 2
+
+
 def test_neither_the_field_nor_its_multiples_count_as_symmetries() -> None:
     x, y = scalar("x"), scalar("y")
     circle = System(name="circle", title="Circle", field={x: y, y: -x})

@@ -129,6 +129,14 @@ def test_weights_are_mass_length_and_time() -> None:
     assert not any(known[gamma.symbols[1]])
 
 
+def test_entries_that_are_zero_tie_no_weights() -> None:
+    """The tensor of a rattleback's shape has zeros; its semi-axes are lengths all the same."""
+    known = weights(stage(from_catalogue("rattleback")))
+    length, square = known[scalar("b_3")], known[scalar("B_33")]
+    assert any(length)
+    assert square == tuple(2 * w for w in length)
+
+
 def test_points_lie_on_level_and_phase_space() -> None:
     system = from_catalogue("ball-around-sphere")
     made = stage(system, [scalar("k") + 1], [])

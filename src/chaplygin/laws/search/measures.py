@@ -69,7 +69,7 @@ def measures(question: Question, progress: Progress = silent) -> Iterator[Findin
             combination(np.array([rate[i] for i in chosen]).T, target)
             for rate, target in zip(rates, targets, strict=True)
         ]
-        solved = [r for r in residues if r is not None and all(r)]
+        solved = [r for r in residues if r is not None]
         if len(solved) < len(residues):
             continue
         exponents = [_exponent(stage, samples, [r[i] for r in solved]) for i in range(len(chosen))]
