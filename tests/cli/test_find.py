@@ -26,11 +26,11 @@ def find(
     monkeypatch.chdir(tmp_path)
 
     def run(*arguments: str) -> Answer:
-        monkeypatch.setattr(sys, "argv", ["chaplygin", "find", *arguments])
-        with pytest.raises(SystemExit) as end:
+        with monkeypatch.context() as patched, pytest.raises(SystemExit) as end:
+            patched.setattr(sys, "argv", ["chaplygin", "find", *arguments])
             main()
-        output = capsys.readouterr()
-        return int(end.value.code or 0), output.out, output.err
+        out, err = capsys.readouterr()
+        return int(end.value.code or 0), out, err
 
     return run
 
