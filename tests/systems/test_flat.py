@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from zlib import crc32
 
 import numpy as np
 import pytest
@@ -73,7 +74,7 @@ def test_chaplygin_ball_at_a_hundred_thousand():
 @pytest.mark.parametrize("seed", range(3))
 @pytest.mark.parametrize("name", ROLLING)
 def test_every_integral_is_flat_for_random_bodies(name, seed):
-    entry, rng = CATALOGUE[name], np.random.default_rng((seed, NAMES.index(name)))
+    entry, rng = CATALOGUE[name], np.random.default_rng((seed, crc32(name.encode())))
     made = random_study(entry, rng, random_parameters(entry, rng))
     assert max(drifts(follow(made, 20.0, 41)).values()) < CANCELLING.get(name, 1e-13)
     named = [law.name for law in entry.system().integrals]
@@ -83,7 +84,7 @@ def test_every_integral_is_flat_for_random_bodies(name, seed):
 @pytest.mark.parametrize("seed", range(2))
 @pytest.mark.parametrize("name", [name for name in NAMES if name not in ROLLING])
 def test_every_integral_is_flat_from_random_starts(name, seed):
-    entry, rng = CATALOGUE[name], np.random.default_rng((seed, NAMES.index(name)))
+    entry, rng = CATALOGUE[name], np.random.default_rng((seed, crc32(name.encode())))
     made = random_study(entry, rng)
     assert made.watched.integrals == made.system.integrals
     until = entry.start.until / 5 if name in CHARTS else 20.0
@@ -106,7 +107,7 @@ def wrong_forms(formula: sp.Expr, system: System) -> Iterator[tuple[str, sp.Expr
 
 @pytest.mark.parametrize("name", ROLLING)
 def test_a_planted_error_shows(name):
-    entry, rng = CATALOGUE[name], np.random.default_rng(NAMES.index(name))
+    entry, rng = CATALOGUE[name], np.random.default_rng(crc32(name.encode()))
     motion = follow(random_study(entry, rng, random_parameters(entry, rng)), 20.0)
     system = motion.system
     wrong = [form for law in system.integrals for form in wrong_forms(explicit(law.value), system)]
