@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import sympy as sp
 
 from ..mechanics.body import Body
@@ -98,19 +96,19 @@ def linear(shift: sp.Expr) -> Case:
 
 def without_spin() -> Case:
     """The rubber ball with k = −1 has a further integral."""
-    return rubber.rolling(), replace(rubber.AROUND, as_printed=None)
+    return rubber.rolling(), rubber.AROUND
 
 
 CLAIMS = (
     Claim(
-        "(8.1)",
+        "(8.1), M",
         r"The momentum about the point of contact obeys $\dot{\mathbf{M}} = \mathbf{M} \times "
         r"\boldsymbol{\omega}$.",
         dynamics,
         note="judged for a ball outside the sphere and for a hollow ball around it",
     ),
     Claim(
-        "(8.1)",
+        "(8.1), n",
         r"$\dot{\mathbf{n}} = k\mathbf{n} \times \boldsymbol{\omega}$, $k = \frac{a}{a+b}$, where "
         "$a$ is the radius of the body and $b$ is the radius of the surface.",
         lambda: kinematics(R / (R + a)),
@@ -120,17 +118,17 @@ CLAIMS = (
         "the two radii are exchanged in the text",
     ),
     Claim(
-        "§8.1, after (8.1)",
+        "§8.1, M",
         r"$\mathbf{M} = \mathbf{I}\boldsymbol{\omega} + d\mathbf{n} \times (\mathbf{n} \times "
         r"\boldsymbol{\omega})$.",
         lambda: momentum(1, m * R**2),
         lambda: momentum(-1, m * R**2),
         r"$\mathbf{M} = \mathbf{I}\boldsymbol{\omega} + d\mathbf{n} \times (\boldsymbol{\omega} "
         r"\times \mathbf{n})$",
-        "the sign of the second term, as in (7.1); the first × is not legible in the source",
+        "the sign of the second term, as in (7.1); as printed, d n(n×ω), it lacks the first ×",
     ),
     Claim(
-        "§8.1, after (8.1)",
+        "§8.1, d",
         "$d = mb^2$, where $b$ is the radius of the surface.",
         lambda: momentum(-1, m * a**2),
         lambda: momentum(-1, m * R**2),
@@ -138,7 +136,7 @@ CLAIMS = (
         "the radii are exchanged in the text; read with the right sign of the momentum",
     ),
     Claim(
-        "§8.1, after (8.1)",
+        "§8.1, k = 1",
         r"The case $k = 1$ corresponds to $a \rightarrow \infty$, i.e. a ball is rolling over a "
         "plane.",
         on_plane,
@@ -181,7 +179,7 @@ CLAIMS = (
         r"With the additional constraint $(\boldsymbol{\omega}, \mathbf{n}) = 0$ the system is "
         "also integrable for $k = -1$.",
         without_spin,
-        note="what is proved is the further integral, the right form of (9.4); with the measure "
+        note="what is proved is the further integral (9.4); with the measure "
         "(9.3) it makes the system integrable by the Euler–Jacobi theorem",
     ),
 )

@@ -21,17 +21,17 @@ u, v = chart.u, chart.v
 NUMBERS = e3.ENTRIES[0].defaults
 
 
-def velocity(shift: sp.Expr) -> Case:
-    """(8.4) with A_i = ½ (ΣI + shift) − I_i, on the level F₂ = 0 of this A."""
-    tensor = (sp.Add(*ball.I.symbols) + shift) / 2 * identity - ball.I
-    drawn = ball.drawn(tensor * n)
-    law = Identity(
-        "velocity",
-        dot(n, drawn) * ball.omega - cross(drawn, rate(n)),
-        "angular velocity from n and its rate",
-        on=(k + 1, dot(tensor * M, n)),
-    )
-    return ball.equations(), law
+def velocity() -> Case:
+    """(8.4) with the A printed in (8.3) and with the right one, for every (AM, n)."""
+    made = ball.equations()
+    found = []
+    for shift in (sp.S.Zero, d):
+        tensor = (sp.Add(*ball.I.symbols) + shift) / 2 * identity - ball.I
+        drawn = ball.drawn(tensor * n)
+        excess = dot(n, drawn) * ball.omega - cross(drawn, rate(n)) - dot(tensor * M, n) * n
+        meaning = "angular velocity from n and its rate"
+        found.append((made, Identity("velocity", excess, meaning, on=(k + 1,))))
+    return tuple(found)
 
 
 def coordinates() -> Case:
@@ -69,6 +69,16 @@ def equations() -> Case:
 def measure() -> Case:
     """The right 𝒩 as a density."""
     return chart.reduced(), chart.density(chart.numerator())
+
+
+def lagrangian() -> Case:
+    """S̄ of (4.5) for the motion of the ball in u, v and the right 𝒩."""
+    top = chart.numerator()
+    density = top / chart.form() / sp.sqrt(chart.area())
+    bent = sp.diff(density, v) * chart.P_u - sp.diff(density, u) * chart.P_v
+    made = chart.reduced()
+    law = Identity("S", density * chart.force(top) + bent, "gyroscopic term in the time τ")
+    return (made, law), *((made, law) for law in made.laws if law.name in ("energy", "ball"))
 
 
 def multiplier(sign: int) -> Case:
@@ -135,11 +145,9 @@ CLAIMS = (
         r"Using $F_2 = 0$: $\boldsymbol{\omega} = \frac{\mathbf{B}\mathbf{n} \times "
         r"\dot{\mathbf{n}}}{(\mathbf{n}, \mathbf{B}\mathbf{n})}$, $\mathbf{B} = (\mathbf{I} + d - "
         r"d\mathbf{n} \otimes \mathbf{n})\mathbf{A}$, with $\mathbf{A}$ of (8.3).",
-        lambda: velocity(sp.S.Zero),
-        lambda: velocity(d),
-        r"the same with $\mathbf{A} = \frac{1}{2}\mathrm{tr}\,\mathbf{J} - \mathbf{J}$, "
-        r"$\mathbf{J} = \mathbf{I} + d$",
-        "(8.4) itself is right; the level F₂ = 0 is invariant only with the right A of (8.3)",
+        velocity,
+        note="with the A printed in (8.3) as well as with the right one: for every diagonal A "
+        "(n, Bn)ω = Bn×ṅ + (AM, n)n",
     ),
     Claim(
         "(8.5)",
@@ -163,7 +171,15 @@ CLAIMS = (
         "the right form, with Φ from the reducing multiplier, is the ball's motion",
     ),
     Claim(
-        "§8.2, after (8.6)",
+        "§8.2, Lagrangian form",
+        r"After the change of time $\mathcal{N}(u, v)dt = d\tau$: $\frac{d}{d\tau} "
+        r"\frac{\partial T}{\partial u'} - \frac{\partial T}{\partial u} = 0$, $\frac{d}{d\tau} "
+        r"\frac{\partial T}{\partial v'} - \frac{\partial T}{\partial v} = 0$.",
+        lagrangian,
+        note="S̄ of (4.5) vanishes with the right 𝒩; (4.5) is proved for every T",
+    ),
+    Claim(
+        "§8.2, 𝒩 as a density",
         r"$\mathcal{N}$ is equal to the density of the invariant measure $\mathcal{N} du dv dP_u "
         r"dP_v$, $P_u = \frac{\partial T}{\partial \dot{u}}$, $P_v = \frac{\partial T}{\partial "
         r"\dot{v}}$.",
@@ -171,7 +187,7 @@ CLAIMS = (
         note="with the right 𝒩, see the next claim",
     ),
     Claim(
-        "§8.2, after (8.6)",
+        "§8.2, 𝒩",
         r"$\mathcal{N} = \frac{2uv + (u + v)(2d + \alpha_1) + \alpha_2 - d\alpha_1}{\sqrt{"
         r"\det(\mathbf{I} + d - d\mathbf{n} \otimes \mathbf{n})}} (4\alpha_3 + 2\alpha_1\alpha_2 - "
         r"\alpha_1^3 - d\alpha_1^2 + (\alpha_1^2 - 2\alpha_2 + 4d\alpha_1)(u + v) - "
@@ -193,7 +209,7 @@ CLAIMS = (
         "momenta, is a Lagrangian one on the sphere",
     ),
     Claim(
-        "(8.7)",
+        "(8.7), δ",
         r"$\delta = (\gamma, \mathbf{J}\bar{\mathbf{A}}\gamma) - d(\gamma, "
         r"\bar{\mathbf{A}}\gamma)^2$, $\bar{\mathbf{A}} = 2\mathbf{A}$.",
         lambda: hamiltonian(1),
@@ -203,7 +219,7 @@ CLAIMS = (
         "the first Ā lacks its square; judged by H = ½ (M, ω), with the right A",
     ),
     Claim(
-        "(8.7)",
+        "(8.7), H",
         r"$H = \frac{\delta \det \mathbf{J}}{8(\gamma, \mathbf{B}\gamma)^2} \sum_{i=1}^3 c_i "
         r"m_i^2$, $c_i = \frac{\rho^2 \delta}{J_i} - 4 \prod_{k \neq i} (J_i - J_k) \gamma_i^2 "
         r"\left(\rho^2 - \frac{d\delta}{4J_i \det \mathbf{J}} \right)$.",
@@ -211,7 +227,7 @@ CLAIMS = (
         note="read with the right δ and A",
     ),
     Claim(
-        "(8.7)",
+        "(8.7), F₂",
         r"$F_2 = \frac{\rho^2}{4(\gamma, \mathbf{B}\gamma)^2} (\delta^2 \mathbf{m}^2 - 4 "
         r"\sum_{i=1}^3 d_i m_i^2)$, $d_i = \prod_{k \neq i} (J_i - J_k) \gamma_i^2 (\delta(J_i + "
         r"d) - (\gamma, \mathbf{J}(\mathbf{J} + d)\bar{\mathbf{A}}^2\gamma) + 2d(\gamma, "

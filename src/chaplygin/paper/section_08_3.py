@@ -255,7 +255,7 @@ def euler() -> Case:
 
 CLAIMS = (
     Claim(
-        "(8.8)",
+        "(8.8), orbit",
         r"$m_1 = p_1(x^2 - 1) + p_2(y^2 - 1)$, $m_2 = ip_1(x^2 + 1) + ip_2(y^2 + 1)$, $m_3 = 2p_1x "
         r"+ 2p_2y$, $\gamma_1 = \frac{xy - 1}{x - y}$, $\gamma_2 = i\frac{xy - 1}{x - y}$, "
         r"$\gamma_3 = \frac{x + y}{x - y}$ parametrize the orbit $\gamma^2 = 1$, $(\mathbf{m}, "
@@ -266,7 +266,7 @@ CLAIMS = (
         "the sign in the numerator of γ₂",
     ),
     Claim(
-        "(8.8)",
+        "(8.8), brackets",
         "The coordinates are canonical (Darboux coordinates) for the algebra $e(3)$.",
         lambda: algebra(0, sp.S.One),
         lambda: algebra(-1, sp.S.Half),
@@ -316,14 +316,14 @@ CLAIMS = (
         "F = ½ M² the function is −γ/8 times as large",
     ),
     Claim(
-        "§8.3, after (8.12)",
+        "§8.3, S for d = 0",
         r"If $d = 0$, $S(x) = 16 \frac{(x - J_1)(x - J_2)(x - J_3)}{J_1J_2J_3(2x - J_1 - J_2 - "
         r"J_3)^2} (x(J_1^2 + J_2^2 + J_3^2 - 2J_1J_2 - 2J_2J_3 - 2J_3J_1) + 4J_1J_2J_3)^2$.",
         without_mass,
         note="with the normalisation of (8.12)",
     ),
     Claim(
-        "§8.3, after (8.12)",
+        "§8.3, d = 0",
         "The case of $d = 0$ corresponds to the classical Euler–Poinsot problem.",
         euler,
     ),
