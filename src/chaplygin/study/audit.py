@@ -12,6 +12,7 @@ import re
 import time
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass, replace
 from multiprocessing import get_context
 from typing import Any
@@ -161,7 +162,8 @@ def _judged_by_processes(
             ended, open_tasks = wait(open_tasks, timeout=0.5, return_when=FIRST_COMPLETED)
             found.update((tasks[task], task.result()) for task in ended)
             report(len(found) / total)
-    except KeyboardInterrupt:
+    except (KeyboardInterrupt, BrokenProcessPool):
+        # a process that dies (out of memory) leaves what is done, as an interruption does
         pool.shutdown(wait=False, cancel_futures=True)
         return total - len(found)
     pool.shutdown()
