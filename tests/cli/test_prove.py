@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from importlib import import_module
 
 import pytest
 
@@ -98,3 +99,23 @@ def test_audit_as_json(ask):
     assert wrong
     assert all(row["verdict"] == "proven" and row["corrected"] for row in wrong)
     assert any("(6.1)" in row["source"] for row in wrong)
+
+
+def test_an_interrupted_proof_prints_what_is_done(ask, monkeypatch):
+    proofs = import_module("chaplygin.laws.prove")
+    original = proofs.prove
+    seen = []
+
+    def interrupted(system, law, **options):
+        seen.append(law.name)
+        if len(seen) == 3:
+            raise KeyboardInterrupt
+        return original(system, law, **options)
+
+    monkeypatch.setattr(proofs, "prove", interrupted)
+    code, out, err = ask("prove", "veselova")
+    assert code == 1
+    assert "energy" in out
+    assert "proven" in out
+    assert "interrupted" in err
+    assert "were not tried" in err
