@@ -51,6 +51,8 @@ class Fractions(Quotients):
         self.spare = spare
         self.sample: dict[str, float] | None = None if sample is None else dict(sample)
         self.meanings: dict[str, str] = {}
+        #: Factors, with powers, of what stands under roots; each is positive at the sample point.
+        self.radicands: list[tuple[tuple[Poly, int], ...]] = []
         self._root_of: dict[int, tuple[fmpq, int, int]] = {}
         self._roots: dict[str, tuple[Poly, int]] = {}
         self._auxiliary: dict[Any, Any] = {}
@@ -139,6 +141,7 @@ class Fractions(Quotients):
         for prime, power in sp.factorrat(sp.Rational(int(content.p), int(content.q))).items():
             if prime != 1:
                 bases.append((self.ring.constant(int(prime)), int(power)))
+        self.radicands.append(tuple(parts))
         result = self.one
         for theta, number in exponents:
             for base, power in bases:

@@ -273,6 +273,23 @@ class Ground:
             return {**values, **found}, rational
         raise ZeroDivisionError
 
+    def inside(self, values: Mapping[str, Any], exact: bool) -> bool:
+        """Whether a point lies in the domain of the system, as far as its guards tell."""
+        for rational in (True, False) if exact else (False,):
+            field = self.numbers(values, rational)
+            evaluate = self.evaluator(field)
+            try:
+                return all(
+                    evaluate.value(explicit(guard.value)) > 0
+                    for guard in self.system.guards
+                    if not guard.lift_off
+                )
+            except NotExactError:
+                continue
+            except (ZeroDivisionError, OutOfReachError):
+                return False
+        return False
+
     def point_shown(self, field: Any) -> dict[str, str]:
         """State and parameters at a point, for a reader."""
         evaluate = self.evaluator(field)

@@ -55,6 +55,7 @@ def fingerprint(system: System, law: Law) -> str:
         system.definitions,
         system.relations,
         tuple((p.symbol, p.default) for p in system.parameters),
+        tuple(guard.value for guard in system.guards),
     )
     return digest(_written(shape), _written(law), source_text("laws"))
 

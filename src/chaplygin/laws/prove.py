@@ -32,7 +32,8 @@ __all__ = ["everything", "prove", "tried"]
 POINTS = 2
 MORE_POINTS = 12
 """Tried where a remainder is left, before a law is called undecided."""
-ATTEMPTS = 400
+ATTEMPTS = 2000
+"""Points tried; the first half of them must lie in the domain that the guards tell."""
 SEED = 20080830
 
 
@@ -148,8 +149,10 @@ def tried(
     law: Law, ground: Ground, generator: random.Random
 ) -> tuple[Rationals | Balls, tuple[str, Any] | None]:
     """A point of the level, and the first residual that is not zero there."""
-    for _ in range(ATTEMPTS):
+    for attempt in range(ATTEMPTS):
         values, exact = ground.point(generator)
+        if attempt < ATTEMPTS // 2 and not ground.inside(values, exact):
+            continue
         for rational in (True, False) if exact else (False,):
             field = ground.numbers(values, rational)
             try:
@@ -177,7 +180,33 @@ def _computed(law: Law, ground: Ground, field: Fractions) -> Verdict:
         if verdict.decision != "proven":
             return replace(verdict, law=law.name)
         remember(name, verdict)
-    return _vanishing(law, residuals(law, ground, field), field)
+    verdict = _vanishing(law, residuals(law, ground, field), field)
+    domain = _domain(ground, field)
+    if verdict.decision == "proven" and domain:
+        return replace(verdict, shown=f"{verdict.shown}, where {domain}")
+    return verdict
+
+
+def _domain(ground: Ground, field: Fractions) -> str:
+    """Where roots have the sign they have at the points: what they were split into stays positive.
+
+    A single moving factor to the first power is positive wherever the root is real.
+    """
+    state = {str(s) for s in ground.system.symbols}
+    kept: dict[str, None] = {}
+    for factors in field.radicands:
+        moving = [
+            (poly, power)
+            for poly, power in factors
+            if state & {n for n, d in zip(field.names, poly.degrees(), strict=True) if d}
+        ]
+        if len(moving) > 1 or any(abs(power) > 1 for _, power in moving):
+            kept.update({str(poly): None for poly, _ in moving})
+    if not kept:
+        return ""
+    if max(map(len, kept)) > 60 or len(kept) > 4:
+        return f"what stands under roots keeps the signs of its {len(kept)} factors"
+    return ", ".join(f"{text} > 0" for text in kept)
 
 
 def _vanishing(law: Law, pairs: Iterator[tuple[str, Any]], field: Fractions) -> Verdict:
