@@ -1,0 +1,197 @@
+"""Generic points of a configuration space, and formulas evaluated there with many digits.
+
+What is decided at such points (ranks, whether a coefficient is a constant) only chooses the form
+in which equations are written; that they are right is for a proof to say.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import count
+from typing import Any
+
+import mpmath
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from ..errors import InputError
+from .quasivelocity import TIME, Frame, Mechanism
+
+__all__ = ["Sample", "negligible", "rank", "samples"]
+
+DIGITS = 50
+SEED = 20080830
+POINTS = 3
+ATTEMPTS = 40
+NEWTON_STEPS = 60
+#: Below this a number of moderate size counts as zero.
+ZERO = mpmath.mpf(10) ** (-DIGITS // 2)
+
+Point = Mapping[sp.Symbol, Any]
+
+
+class Sample:
+    """A point, at which formulas are evaluated through definitions."""
+
+    def __init__(self, point: Point, steps: Sequence[tuple[sp.Symbol, sp.Expr]] = ()) -> None:
+        self.point = dict(point)
+        self._values = dict(point)
+        for symbol, value in steps:
+            self._values[symbol] = evaluated(value, self._values)
+
+    def value(self, formula: sp.Expr) -> Any:
+        """A formula as a number.
+
+        Raises
+        ------
+        ZeroDivisionError, ValueError
+            Where the formula is not defined, or not real.
+        """
+        return evaluated(formula, self._values)
+
+    def further(self, steps: Sequence[tuple[sp.Symbol, sp.Expr]]) -> Sample:
+        """The same point with further definitions."""
+        made = Sample(self.point)
+        made._values = dict(self._values)
+        for symbol, value in steps:
+            if symbol not in made._values:
+                made._values[symbol] = evaluated(value, made._values)
+        return made
+
+
+def evaluated(formula: sp.Expr, values: Mapping[sp.Symbol, Any]) -> Any:
+    """A formula at numbers, unspecified functions being replaced by generic ones."""
+    formula = _specified(formula)
+    symbols = sorted(formula.free_symbols, key=str)
+    with mpmath.workdps(DIGITS):
+        found = sp.lambdify(symbols, formula, "mpmath")(*(values[s] for s in symbols))
+        number = mpmath.mpmathify(found)
+        if isinstance(number, mpmath.mpc):
+            if abs(number.imag) > ZERO:
+                raise ValueError(f"{formula} is not real here")
+            number = number.real
+        if not mpmath.isfinite(number):
+            raise ZeroDivisionError
+        return number
+
+
+def _specified(formula: sp.Expr) -> sp.Expr:
+    """Unspecified functions as generic polynomials of their arguments."""
+    if not formula.has(AppliedUndef):
+        return formula
+
+    def generic(name: str, arguments: Sequence[sp.Expr]) -> sp.Expr:
+        dice = random.Random(name)
+        pairs = [x * y for i, x in enumerate(arguments) for y in arguments[i:]]
+        terms = [*arguments, *pairs, *(x**3 for x in arguments), sp.S.One]
+        return sp.Add(*(sp.Rational(dice.randint(1, 99), 100) * term for term in terms))
+
+    kinds = {f.func for f in formula.atoms(AppliedUndef)}
+    for kind in kinds:
+        formula = formula.subs(kind, lambda *a, n=str(kind): generic(n, a))
+    return formula.doit()
+
+
+def samples(
+    owner: str,
+    frame: Frame,
+    mechanism: Mechanism | None = None,
+    many: int = POINTS,
+) -> tuple[Sample, ...]:
+    """Generic points on the relations and position constraints, with velocities at random.
+
+    Raises
+    ------
+    InputError
+        If no point is found at which the relations hold and every formula has a value.
+    """
+    dice = random.Random(SEED)
+    relations = [*frame.relations, *(mechanism.F if mechanism else ())]
+    steps = mechanism.steps if mechanism else ()
+    parameters = mechanism.parameters if mechanism else ()
+    constants = {p.symbol: mpmath.mpf(repr(float(p.default))) for p in parameters}
+    named = {*frame.coordinates, *frame.w, *constants, *(s for s, _ in steps), TIME}
+    loose = sorted(
+        {s for formula in (*frame.qdot, *relations) for s in formula.free_symbols} - named, key=str
+    )
+    constants |= {s: _number(dice) for s in loose}
+    found: list[Sample] = []
+    for attempt in count():
+        if attempt == ATTEMPTS:
+            raise InputError(
+                f"{owner}: no configuration was found where the relations and position "
+                "constraints hold and every formula has a real value"
+            )
+        try:
+            point = _on_relations(dice, frame.coordinates, relations, steps, constants)
+            velocities = {s: _number(dice) for s in frame.w}
+            found.append(Sample({**point, **velocities}, steps))
+        except (ZeroDivisionError, ValueError):
+            continue
+        if len(found) == many:
+            return tuple(found)
+
+
+def _number(dice: random.Random) -> Any:
+    return mpmath.mpf(dice.randint(-999, 999)) / 1000 + mpmath.mpf(1) / 7001
+
+
+def _on_relations(
+    dice: random.Random,
+    coordinates: Sequence[sp.Symbol],
+    relations: Sequence[sp.Expr],
+    steps: Sequence[tuple[sp.Symbol, sp.Expr]],
+    constants: Point,
+) -> dict[sp.Symbol, Any]:
+    """A random point moved onto the relations by Newton's method (along the shortest way)."""
+    point = {**constants, TIME: _number(dice), **{q: _number(dice) for q in coordinates}}
+    written = [_written(relation, steps) for relation in relations]
+    slopes = [[sp.diff(f, q) for q in coordinates] for f in written]
+    for _ in range(NEWTON_STEPS if relations else 0):
+        with mpmath.workdps(DIGITS):
+            values = mpmath.matrix([evaluated(f, point) for f in written])
+            if mpmath.norm(values) < ZERO**2 * 1e10:
+                return point
+            jacobian = mpmath.matrix([[evaluated(s, point) for s in row] for row in slopes])
+            # redundant relations make the rows dependent: a shift keeps the equations solvable
+            gram = jacobian * jacobian.T
+            for i in range(gram.rows):
+                gram[i, i] += mpmath.norm(values) ** 2 + ZERO**2
+            move = jacobian.T * mpmath.lu_solve(gram, values)
+            for q, change in zip(coordinates, move, strict=True):
+                point[q] -= change
+    if relations:
+        raise ValueError
+    return point
+
+
+def _written(formula: sp.Expr, steps: Sequence[tuple[sp.Symbol, sp.Expr]]) -> sp.Expr:
+    for symbol, value in reversed(steps):
+        formula = formula.xreplace({symbol: value})
+    return formula
+
+
+def negligible(formula: sp.Expr, points: Iterable[Sample]) -> bool:
+    """Whether a formula vanishes at all points, to the digits carried."""
+    if formula == 0:
+        return True
+    return all(abs(point.value(formula)) < ZERO for point in points)
+
+
+def rank(rows: Sequence[Sequence[Any]]) -> tuple[list[int], list[int]]:
+    """Rows and columns of a largest regular part of a matrix of numbers, the first rows first."""
+    left = [list(row) for row in rows]
+    chosen: list[int] = []
+    columns: list[int] = []
+    for index, row in enumerate(left):
+        column = max(range(len(row)), key=lambda j: abs(row[j]), default=None)
+        if column is None or abs(row[column]) < ZERO:
+            continue
+        chosen.append(index)
+        columns.append(column)
+        for other in left[index + 1 :]:
+            factor = other[column] / row[column]
+            for j, value in enumerate(row):
+                other[j] -= factor * value
+    return chosen, columns

@@ -1,0 +1,158 @@
+"""Derivatives through named definitions: every intermediate result gets a name, none is expanded.
+
+A formula of mechanics is a short expression in named quantities, which are short expressions in
+others.  A derivation (∂/∂w_i, a vector field, the rate of change along a motion) acts on it by the
+chain rule, and what it makes of a named quantity gets a name of its own, once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from graphlib import TopologicalSorter
+
+import sympy as sp
+
+from ..vectors import scalar
+
+__all__ = ["Derivation", "Tape", "tidied"]
+
+SHORT = 2
+"""Operations up to which a value is written out instead of being named."""
+SMALL = 40
+"""Operations up to which a formula is written out and shortened as a whole."""
+
+Step = tuple[sp.Symbol, sp.Expr]
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """A first-order differential operator, by its action on the symbols that it moves.
+
+    Symbols that it does not name are constant if they have no definition, and follow from their
+    definition otherwise.
+    """
+
+    rates: tuple[Step, ...]
+
+    @cached_property
+    def table(self) -> Mapping[sp.Symbol, sp.Expr]:
+        """The rates by symbol."""
+        return dict(self.rates)
+
+
+class Tape:
+    """Definitions to which derivatives and other intermediate results are added.
+
+    Parameters
+    ----------
+    steps : iterable of (Symbol, Expr)
+        The definitions to begin with.
+    taken : iterable of Symbol
+        Names that are not to be given again.
+    """
+
+    def __init__(self, steps: Iterable[Step], taken: Iterable[sp.Symbol]) -> None:
+        self._values = dict(steps)
+        self._given = frozenset(self._values)
+        self._names = {value: symbol for symbol, value in self._values.items()}
+        self._taken = {str(s) for s in taken} | {str(s) for s in self._values}
+        self._memo: dict[tuple[Derivation, sp.Symbol], sp.Expr] = {}
+
+    def define(self, symbol: sp.Symbol, value: sp.Expr) -> None:
+        """Add a definition under a name of the caller's."""
+        self._values[symbol] = value
+        self._taken.add(str(symbol))
+
+    def name(self, value: sp.Expr, label: str = "z") -> sp.Expr:
+        """A name for a value, or the value itself where it is short.
+
+        `label` is the name if it is free and ends in a digit, or the stem of ``label_1``, ….
+        """
+        if sp.count_ops(value) <= SHORT:
+            return value
+        if value not in self._names:
+            symbol = scalar(self._free(label))
+            self._names[value] = symbol
+            self.define(symbol, value)
+        return self._names[value]
+
+    def _free(self, label: str) -> str:
+        if label[-1].isdigit() and label not in self._taken:
+            return label
+        stem = label.rstrip("0123456789_")
+        number = 1
+        while f"{stem}_{number}" in self._taken:
+            number += 1
+        return f"{stem}_{number}"
+
+    def along(self, derivation: Derivation, value: sp.Expr) -> sp.Expr:
+        """A derivation applied to a formula."""
+        terms = []
+        for symbol in sorted(value.free_symbols, key=str):
+            rate = self._rate(derivation, symbol)
+            if rate != 0:
+                terms.append(sp.diff(value, symbol) * rate)
+        return sp.Add(*terms)
+
+    def _rate(self, derivation: Derivation, symbol: sp.Symbol) -> sp.Expr:
+        if symbol in derivation.table:
+            return derivation.table[symbol]
+        if symbol not in self._values:
+            return sp.S.Zero
+        key = (derivation, symbol)
+        if key not in self._memo:
+            self._memo[key] = self.name(self.short(self.along(derivation, self._values[symbol])))
+        return self._memo[key]
+
+    def short(self, value: sp.Expr) -> sp.Expr:
+        """A formula with the names of this tape written out and shortened, where that is small."""
+        if value.is_Atom:
+            return value
+        written = value
+        while True:
+            inner = {
+                s: self._values[s]
+                for s in written.free_symbols
+                if s in self._values and s not in self._given
+            }
+            if not inner:
+                break
+            written = written.xreplace(inner)
+            if sp.count_ops(written) > 2 * SMALL:
+                return value
+        found = tidied(written)
+        return found if sp.count_ops(found) <= max(SMALL // 2, sp.count_ops(value)) else value
+
+    def steps(self, wanted: Iterable[sp.Expr]) -> tuple[Step, ...]:
+        """The definitions on which formulas depend, in an order in which each can be computed."""
+        graph: dict[sp.Symbol, set[sp.Symbol]] = {}
+        waiting = [s for value in wanted for s in value.free_symbols]
+        while waiting:
+            symbol = waiting.pop()
+            if symbol in graph or symbol not in self._values:
+                continue
+            needs = self._values[symbol].free_symbols & self._values.keys()
+            graph[symbol] = needs
+            waiting += needs
+        # names in the order of their making, so that the same input gives the same output
+        position = {symbol: index for index, symbol in enumerate(self._values)}
+        ordered = {
+            symbol: sorted(graph[symbol], key=position.__getitem__)
+            for symbol in sorted(graph, key=position.__getitem__)
+        }
+        return tuple((s, self._values[s]) for s in TopologicalSorter(ordered).static_order())
+
+
+def tidied(value: sp.Expr) -> sp.Expr:
+    """A small formula as short as cancelling and sin² + cos² = 1 make it; a large one unchanged."""
+    before = sp.count_ops(value)
+    if before > 2 * SMALL or value.is_Atom:
+        return value
+    candidates = [value]
+    if value.has(sp.sin, sp.cos):
+        candidates.append(sp.trigsimp(value))
+    if not value.has(sp.Derivative, sp.Subs):
+        candidates.extend(sp.factor_terms(sp.cancel(c)) for c in tuple(candidates))
+    return min(candidates, key=sp.count_ops)
