@@ -26,6 +26,11 @@ class Factored:
     tape : Tape
         Where intermediate results get their names.
     matrix : sequence of rows
+
+    Raises
+    ------
+    ZeroDivisionError
+        If a pivot is zero.
     """
 
     def __init__(self, tape: Tape, matrix: Sequence[Sequence[sp.Expr]]) -> None:
@@ -37,6 +42,8 @@ class Factored:
         self._lower = [[sp.S.Zero] * size for _ in range(size)]
         for k in range(size):
             pivot = tape.name(tape.short(rest[k][k]), "D")
+            if pivot == 0:
+                raise ZeroDivisionError
             self.pivots.append(pivot)
             for i in range(k + 1, size):
                 if rest[i][k] != 0:

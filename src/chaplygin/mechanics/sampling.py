@@ -18,7 +18,7 @@ from sympy.core.function import AppliedUndef
 from ..errors import InputError
 from .quasivelocity import TIME, Frame, Mechanism
 
-__all__ = ["Sample", "negligible", "rank", "samples"]
+__all__ = ["ZERO", "Sample", "negligible", "precisely", "rank", "samples"]
 
 DIGITS = 50
 SEED = 20080830
@@ -27,6 +27,8 @@ ATTEMPTS = 40
 NEWTON_STEPS = 60
 #: Below this a number of moderate size counts as zero.
 ZERO = mpmath.mpf(10) ** (-DIGITS // 2)
+#: Decorates functions that compute with the numbers of samples.
+precisely = mpmath.workdps(DIGITS)
 
 Point = Mapping[sp.Symbol, Any]
 
@@ -60,20 +62,21 @@ class Sample:
         return made
 
 
+@precisely
 def evaluated(formula: sp.Expr, values: Mapping[sp.Symbol, Any]) -> Any:
     """A formula at numbers, unspecified functions being replaced by generic ones."""
     formula = _specified(formula)
     symbols = sorted(formula.free_symbols, key=str)
-    with mpmath.workdps(DIGITS):
-        found = sp.lambdify(symbols, formula, "mpmath")(*(values[s] for s in symbols))
-        number = mpmath.mpmathify(found)
-        if isinstance(number, mpmath.mpc):
-            if abs(number.imag) > ZERO:
-                raise ValueError(f"{formula} is not real here")
-            number = number.real
-        if not mpmath.isfinite(number):
-            raise ZeroDivisionError
-        return number
+    number = mpmath.mpmathify(
+        sp.lambdify(symbols, formula, "mpmath")(*(values[s] for s in symbols))
+    )
+    if isinstance(number, mpmath.mpc):
+        if abs(number.imag) > ZERO:
+            raise ValueError(f"{formula} is not real here")
+        number = number.real
+    if not mpmath.isfinite(number):
+        raise ZeroDivisionError
+    return number
 
 
 def _specified(formula: sp.Expr) -> sp.Expr:
@@ -93,6 +96,7 @@ def _specified(formula: sp.Expr) -> sp.Expr:
     return formula.doit()
 
 
+@precisely
 def samples(
     owner: str,
     frame: Frame,
@@ -149,18 +153,18 @@ def _on_relations(
     written = [_written(relation, steps) for relation in relations]
     slopes = [[sp.diff(f, q) for q in coordinates] for f in written]
     for _ in range(NEWTON_STEPS if relations else 0):
-        with mpmath.workdps(DIGITS):
-            values = mpmath.matrix([evaluated(f, point) for f in written])
-            if mpmath.norm(values) < ZERO**2 * 1e10:
-                return point
-            jacobian = mpmath.matrix([[evaluated(s, point) for s in row] for row in slopes])
-            # redundant relations make the rows dependent: a shift keeps the equations solvable
-            gram = jacobian * jacobian.T
-            for i in range(gram.rows):
-                gram[i, i] += mpmath.norm(values) ** 2 + ZERO**2
-            move = jacobian.T * mpmath.lu_solve(gram, values)
-            for q, change in zip(coordinates, move, strict=True):
-                point[q] -= change
+        values = mpmath.matrix([evaluated(f, point) for f in written])
+        defect = mpmath.norm(values)
+        if defect < ZERO**1.5:
+            return point
+        jacobian = mpmath.matrix([[evaluated(s, point) for s in row] for row in slopes])
+        # redundant relations make the rows dependent: a shift keeps the equations solvable
+        gram = jacobian * jacobian.T
+        for i in range(gram.rows):
+            gram[i, i] += defect**2 + ZERO**1.5
+        move = jacobian.T * mpmath.lu_solve(gram, values)
+        for q, change in zip(coordinates, move, strict=True):
+            point[q] -= change
     if relations:
         raise ValueError
     return point
@@ -172,6 +176,7 @@ def _written(formula: sp.Expr, steps: Sequence[tuple[sp.Symbol, sp.Expr]]) -> sp
     return formula
 
 
+@precisely
 def negligible(formula: sp.Expr, points: Iterable[Sample]) -> bool:
     """Whether a formula vanishes at all points, to the digits carried."""
     if formula == 0:
@@ -179,6 +184,7 @@ def negligible(formula: sp.Expr, points: Iterable[Sample]) -> bool:
     return all(abs(point.value(formula)) < ZERO for point in points)
 
 
+@precisely
 def rank(rows: Sequence[Sequence[Any]]) -> tuple[list[int], list[int]]:
     """Rows and columns of a largest regular part of a matrix of numbers, the first rows first."""
     left = [list(row) for row in rows]

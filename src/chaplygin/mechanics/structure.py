@@ -10,7 +10,7 @@ import sympy as sp
 
 from ..errors import InputError
 from .quasivelocity import Frame
-from .sampling import ZERO, Sample, negligible, rank, samples
+from .sampling import ZERO, Sample, negligible, precisely, rank, samples
 from .tape import tidied
 
 __all__ = ["Coefficients", "commutator", "structure"]
@@ -37,6 +37,7 @@ def _along(field: Field, function: sp.Expr) -> sp.Expr:
     return sp.Add(*(rate * sp.diff(function, q) for q, rate in field.items()))
 
 
+@precisely
 def structure(frame: Frame, owner: str = "frame") -> Coefficients:
     """The structure functions of a frame.
 
@@ -131,8 +132,7 @@ def _constant(
     for point in points:
         matrix = mpmath.matrix([[point.value(e) for e in frame.matrix.row(i)] for i in rows])
         right = mpmath.matrix([point.value(column[i]) for i in rows])
-        with mpmath.workdps(mpmath.mp.dps):
-            solution = mpmath.lu_solve(matrix, right)
+        solution = mpmath.lu_solve(matrix, right)
         fractions = [_fraction(x) for x in solution]
         if found is None:
             if None in fractions:

@@ -65,15 +65,18 @@ class Tape:
         self._values[symbol] = value
         self._taken.add(str(symbol))
 
-    def name(self, value: sp.Expr, label: str = "z") -> sp.Expr:
-        """A name for a value, or the value itself where it is short.
+    def fresh(self, label: str) -> sp.Symbol:
+        """A name that nothing bears yet: `label` if it is free and ends in a digit."""
+        symbol = scalar(self._free(label))
+        self._taken.add(str(symbol))
+        return symbol
 
-        `label` is the name if it is free and ends in a digit, or the stem of ``label_1``, ….
-        """
+    def name(self, value: sp.Expr, label: str = "z") -> sp.Expr:
+        """A name for a value, made from `label`, or the value itself where it is short."""
         if sp.count_ops(value) <= SHORT:
             return value
         if value not in self._names:
-            symbol = scalar(self._free(label))
+            symbol = self.fresh(label)
             self._names[value] = symbol
             self.define(symbol, value)
         return self._names[value]

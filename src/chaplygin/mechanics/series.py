@@ -1,0 +1,306 @@
+"""Truncated Taylor series in several variables, over the rationals or modulo a prime.
+
+A series is kept by its homogeneous parts.  Euler's operator multiplies a part by its degree, so
+that quotients, roots and the elementary functions follow from recurrences between the parts.
+
+Modulo a prime one computes at a generic point even where roots are irrational at all rational
+points: a minor that is not zero there is not zero identically.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+from fractions import Fraction
+from math import isqrt
+from typing import Any
+
+from flint import (
+    Ordering,
+    fmpq,
+    fmpq_mat,
+    fmpq_mpoly_ctx,
+    nmod,
+    nmod_mat,
+    nmod_mpoly_ctx,
+)
+
+__all__ = ["PRIMES", "IrrationalError", "Modular", "Numbers", "Rational", "Series"]
+
+#: Primes p with (p − 1)/2 prime: every number has roots of odd degree, every second one a square
+#: root; 2 and 3 have square roots.
+PRIMES = (4611686018427377339, 4611686018427376319, 4611686018427364343)
+#: Numbers drawn for coordinates: numerators up to, denominators up to.
+HEIGHT = 12
+
+
+class IrrationalError(ArithmeticError):
+    """A root that the numbers in use do not contain."""
+
+
+class Rational:
+    """The rational numbers."""
+
+    exact = True
+
+    def number(self, value: Any) -> Any:
+        """An integer or fraction as a number of this kind."""
+        made = Fraction(value) if not hasattr(value, "p") else Fraction(int(value.p), int(value.q))
+        return fmpq(made.numerator, made.denominator)
+
+    def drawn(self, dice: random.Random) -> Any:
+        """A small number at random, not zero."""
+        return fmpq(dice.choice((-1, 1)) * dice.randint(1, HEIGHT), dice.randint(1, HEIGHT))
+
+    def root(self, value: Any, degree: int) -> Any:
+        """The positive root.
+
+        Raises
+        ------
+        IrrationalError
+            If it is not rational.
+        """
+        top, bottom = (_whole_root(int(part), degree) for part in (value.p, value.q))
+        return fmpq(top, bottom)
+
+    def ring(self, names: Sequence[str]) -> Any:
+        """Polynomials in the variables given."""
+        return fmpq_mpoly_ctx.get(list(names), Ordering.lex)
+
+    def matrix(self, rows: Sequence[Sequence[Any]], width: int) -> Any:
+        """A matrix with exact elimination."""
+        return fmpq_mat(len(rows), width, [entry for row in rows for entry in row])
+
+
+class Modular:
+    """The integers modulo a prime."""
+
+    exact = False
+
+    def __init__(self, prime: int = PRIMES[0]) -> None:
+        self.prime = prime
+
+    def number(self, value: Any) -> Any:
+        """An integer or fraction as a number of this kind."""
+        made = Fraction(value) if not hasattr(value, "p") else Fraction(int(value.p), int(value.q))
+        return nmod(made.numerator % self.prime, self.prime) / nmod(made.denominator, self.prime)
+
+    def drawn(self, dice: random.Random) -> Any:
+        """A number at random, not zero."""
+        return nmod(dice.randrange(1, self.prime), self.prime)
+
+    def root(self, value: Any, degree: int) -> Any:
+        """A root; of a fraction that has a rational one, the positive one.
+
+        Raises
+        ------
+        IrrationalError
+            If there is none modulo this prime.
+        """
+        fraction = self.fraction(value)
+        if fraction is not None and fraction > 0:
+            try:
+                return self.number(
+                    Fraction(
+                        _whole_root(fraction.numerator, degree),
+                        _whole_root(fraction.denominator, degree),
+                    )
+                )
+            except IrrationalError:
+                pass
+        whole = int(value)
+        while degree % 2 == 0:
+            half = pow(whole, (self.prime + 1) // 4, self.prime)
+            if half * half % self.prime != whole:
+                raise IrrationalError
+            whole, degree = half, degree // 2
+        return nmod(pow(whole, pow(degree, -1, self.prime - 1), self.prime), self.prime)
+
+    def fraction(self, value: Any) -> Fraction | None:
+        """The fraction of small numerator and denominator that a number stands for, if any."""
+        bound = isqrt(self.prime // 2)
+        before, last = (self.prime, 0), (int(value), 1)
+        while last[0] > bound:
+            step = before[0] // last[0]
+            before, last = last, (before[0] - step * last[0], before[1] - step * last[1])
+        if last[1] == 0 or abs(last[1]) > bound:
+            return None
+        return Fraction(last[0], last[1])
+
+    def ring(self, names: Sequence[str]) -> Any:
+        """Polynomials in the variables given."""
+        return nmod_mpoly_ctx.get(list(names), Ordering.lex, self.prime)
+
+    def matrix(self, rows: Sequence[Sequence[Any]], width: int) -> Any:
+        """A matrix with exact elimination."""
+        return nmod_mat(len(rows), width, [int(e) for row in rows for e in row], self.prime)
+
+
+Numbers = Rational | Modular
+
+
+def _whole_root(value: int, degree: int) -> int:
+    if value < 0:
+        raise IrrationalError
+    guess = isqrt(value) if degree == 2 else round(value ** (1.0 / degree))
+    for near in (guess - 1, guess, guess + 1):
+        if near**degree == value:
+            return near
+    raise IrrationalError
+
+
+class Series:
+    """A power series about the origin, known up to an order.
+
+    Parameters
+    ----------
+    numbers : Numbers
+    ring
+        Polynomials in the variables, as from ``numbers.ring``.
+    parts : list of polynomial
+        The homogeneous parts of degree 0, 1, …; their number says what is known.
+    """
+
+    __slots__ = ("numbers", "parts", "ring")
+
+    def __init__(self, numbers: Numbers, ring: Any, parts: list[Any]) -> None:
+        self.numbers, self.ring, self.parts = numbers, ring, parts
+
+    @classmethod
+    def constant(cls, numbers: Numbers, ring: Any, value: Any, order: int) -> Series:
+        """A number."""
+        none = ring.constant(0)
+        whole = int(value) if isinstance(value, nmod) else value
+        return cls(numbers, ring, [ring.constant(whole), *[none] * order])
+
+    @property
+    def order(self) -> int:
+        """The degree up to which it is known."""
+        return len(self.parts) - 1
+
+    @property
+    def value(self) -> Any:
+        """The number at the origin."""
+        first = self.parts[0]
+        if first.is_zero():
+            return self.numbers.number(0)
+        coefficient = first.coeffs()[0]
+        return coefficient if self.numbers.exact else self.numbers.number(coefficient)
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether everything known of it is zero."""
+        return all(part.is_zero() for part in self.parts)
+
+    @property
+    def is_constant(self) -> bool:
+        """Whether nothing but its value is known to be other than zero."""
+        return all(part.is_zero() for part in self.parts[1:])
+
+    def _made(self, parts: list[Any]) -> Series:
+        return Series(self.numbers, self.ring, parts)
+
+    def _like(self, value: Any) -> Series:
+        return Series.constant(self.numbers, self.ring, value, self.order)
+
+    def __add__(self, other: Series) -> Series:
+        return self._made([a + b for a, b in zip(self.parts, other.parts, strict=False)])
+
+    def __sub__(self, other: Series) -> Series:
+        return self._made([a - b for a, b in zip(self.parts, other.parts, strict=False)])
+
+    def __neg__(self) -> Series:
+        return self._made([-a for a in self.parts])
+
+    def __mul__(self, other: Series) -> Series:
+        order = min(self.order, other.order)
+        left = [(i, a) for i, a in enumerate(self.parts[: order + 1]) if not a.is_zero()]
+        right = [(i, b) for i, b in enumerate(other.parts[: order + 1]) if not b.is_zero()]
+        parts = [self.ring.constant(0)] * (order + 1)
+        for i, a in left:
+            for j, b in right:
+                if i + j > order:
+                    break
+                parts[i + j] = parts[i + j] + a * b
+        return self._made(parts)
+
+    def __truediv__(self, other: Series) -> Series:
+        return self * other.power(-1, 1)
+
+    def scaled(self, factor: Any) -> Series:
+        """A multiple by a number."""
+        whole = factor if self.numbers.exact else int(factor)
+        return self._made([part * whole for part in self.parts])
+
+    def cut(self, order: int) -> Series:
+        """The same, known up to a lower order."""
+        return self._made(self.parts[: order + 1])
+
+    def derivative(self, variable: int) -> Series:
+        """The partial derivative, known up to one order less."""
+        return self._made([part.derivative(variable) for part in self.parts[1:]])
+
+    def power(self, top: int, bottom: int) -> Series:
+        """The power with exponent top/bottom.
+
+        Raises
+        ------
+        ZeroDivisionError
+            If the value is zero and the exponent is not a natural number.
+        IrrationalError
+            If there is no such root of the value.
+        """
+        if bottom == 1 and top >= 0:
+            found, base = self._like(1), self
+            while top:
+                if top & 1:
+                    found = found * base
+                base, top = base * base, top >> 1
+            return found
+        value = self.value
+        if value == 0:
+            raise ZeroDivisionError
+        root = value if bottom == 1 else self.numbers.root(value, bottom)
+        parts = [self._like(root**top).parts[0]]
+        for k in range(1, self.order + 1):
+            total = self.ring.constant(0)
+            for i in range(1, k + 1):
+                factor = top * i - bottom * (k - i)
+                if factor and not self.parts[i].is_zero():
+                    total = total + self.parts[i] * parts[k - i] * factor
+            parts.append(self._divided(total, value * bottom * k))
+        return self._made(parts)
+
+    def _divided(self, part: Any, number: Any) -> Any:
+        inverse = 1 / number
+        return part * (inverse if self.numbers.exact else int(inverse))
+
+    def primitive(self, value: Any, slope: Series) -> Series:
+        """A function of this series, by its value at the origin and its derivative along it."""
+        parts = [self._like(value).parts[0]]
+        for k in range(1, self.order + 1):
+            total = self.ring.constant(0)
+            for i in range(1, k + 1):
+                total = total + self.parts[i] * slope.parts[k - i] * i
+            parts.append(self._divided(total, self.numbers.number(k)))
+        return self._made(parts)
+
+    def exponential(self, value: Any) -> Series:
+        """The exponential, by its value at the origin."""
+        found = self._like(value).cut(0)
+        for k in range(1, self.order + 1):
+            found = self.cut(k).primitive(value, self._made([*found.parts, self.ring.constant(0)]))
+        return found
+
+    def circle(self, sine: Any, cosine: Any) -> tuple[Series, Series]:
+        """Sine and cosine, by their values at the origin."""
+        zero = self.ring.constant(0)
+        s, c = self._like(sine).cut(0), self._like(cosine).cut(0)
+        for k in range(1, self.order + 1):
+            here = self.cut(k)
+            turned = -self._made([*s.parts, zero])
+            s, c = (
+                here.primitive(sine, self._made([*c.parts, zero])),
+                here.primitive(cosine, turned),
+            )
+        return s, c

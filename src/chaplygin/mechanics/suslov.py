@@ -1,0 +1,270 @@
+"""Poincaré–Suslov equations (1.9), closed: a Mechanism becomes a System.
+
+With p_i = ∂L/∂w_i and the constraints f_μ = 0, the equations
+
+    ṗ_i − c_ji^k p_k w_j − E_i(L) = Q_i + λ_μ ∂f_μ/∂w_i,      q̇ = G w
+
+(Chetaev's rule where a constraint is not linear) are linear in ẇ and λ.  Velocities that a
+constraint gives in terms of the others, with a number as coefficient, become definitions; the
+equations of the others follow by virtual displacements that keep to these constraints.  What is
+left of the multipliers follows from the rates of the remaining constraints.  In the frame of the
+coordinates themselves these are the equations of Ferrers, (1.3)–(1.5).
+
+Coordinates on which nothing depends are cyclic: the System does without them, and its motion
+reconstructs them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from graphlib import CycleError, TopologicalSorter
+from typing import Any
+
+import sympy as sp
+
+from ..statements import Integral, Law
+from ..system import Motion, Observable, System
+from ..vectors import constant, explicit
+from .accelerations import Solution, solve
+from .balance import Balance, balance
+from .energy import EnergyTheorem, energy_theorem
+from .quasivelocity import TIME, Mechanism, Name, Pairs, flat
+
+__all__ = ["Derived", "derive", "equations"]
+
+
+@dataclass(frozen=True)
+class Derived:
+    """The equations of motion of a mechanism before they are put into a System.
+
+    Attributes
+    ----------
+    parts : Balance
+    solution : Solution
+    energy : EnergyTheorem
+    """
+
+    parts: Balance
+    solution: Solution
+    energy: EnergyTheorem
+
+
+def derive(mechanism: Mechanism) -> Derived:
+    """Accelerations, multipliers and the energy theorem of a mechanism.
+
+    Raises
+    ------
+    InputError
+        If the frame does not span, constraints are dependent or contradictory, or the mass matrix
+        is singular on the velocities that the constraints allow.
+    """
+    parts = balance(mechanism)
+    solution = solve(parts)
+    for symbol, value in solution.multipliers:
+        parts.tape.define(symbol, value)
+    return Derived(parts, solution, energy_theorem(parts))
+
+
+def equations(mechanism: Mechanism) -> System:
+    """The closed equations of motion of a mechanism.
+
+    Returns
+    -------
+    System
+        State: the coordinates that matter and the velocities that no constraint gives, and the
+        time where it enters.  Relations: those of the frame, position constraints, and the
+        constraints that are not solved for a velocity.  The multipliers are observables, named
+        ``lambda_1``, … in the order of the constraints.  It claims the energy integral where
+        the hypotheses of Theorem 1 hold and the momenta of cyclic velocities, and records
+        ``energy`` and ``power`` where they do not.
+
+    Raises
+    ------
+    InputError
+        As :func:`derive`.
+    """
+    found = derive(mechanism)
+    parts = found.parts
+    timed = _depends(parts, _driving(found), (TIME,))
+    kept = _kept(found)
+    laws = (*_energy_law(found), *_momenta(parts, found), *mechanism.laws)
+    observables = (*_recorded(found), *mechanism.observables)
+    here = tuple(o for o in observables if not _depends(parts, [o.value], _lost(parts, kept)))
+    field = (*_coordinate_field(mechanism, kept), *_velocity_field(mechanism, found.solution))
+    formulas = [
+        *(f for _, f in field),
+        *(o.value for o in observables),
+        *(g.value for g in mechanism.guards),
+        *(law.value for law in laws if isinstance(law, Integral)),
+        *parts.constraints,
+    ]
+    relations = (*mechanism.frame.relations, *mechanism.F)
+    unsolved = [f for i, f in enumerate(parts.constraints) if i not in parts.solved.values()]
+    inside = [f for f in relations if not _depends(parts, [f], _lost(parts, kept))]
+    return System(
+        name=mechanism.name,
+        title=mechanism.title,
+        field=field + (((TIME, sp.S.One),) if timed else ()),
+        parameters=mechanism.parameters,
+        definitions=_definitions(parts, formulas),
+        relations=(*inside, *unsolved),
+        laws=laws,
+        observables=here,
+        guards=mechanism.guards,
+        motion=_reconstruction(parts, kept, relations, [o for o in observables if o not in here]),
+        source=mechanism.source or "(1.9)",
+        summary=mechanism.summary,
+    )
+
+
+# --- what matters --------------------------------------------------------------------------
+
+
+def _driving(found: Derived) -> list[sp.Expr]:
+    """Formulas that decide what belongs to the state."""
+    parts = found.parts
+    mechanism = parts.mechanism
+    values: list[Any] = [
+        *found.solution.rates.values(),
+        *(value for _, value in found.solution.multipliers),
+        found.energy.energy,
+        *parts.constraints,
+        *parts.solved,
+        *(explicit(g.value) for g in mechanism.guards),
+        *(explicit(law.value) for law in mechanism.laws if isinstance(law, Integral)),
+    ]
+    return values
+
+
+def _uses(parts: Balance, formulas: Iterable[Any]) -> set[sp.Symbol]:
+    values = [explicit(f) for f in formulas]
+    symbols = {s for value in values for s in value.free_symbols}
+    for symbol, value in parts.tape.steps(values):
+        symbols |= {symbol} | value.free_symbols
+    return symbols
+
+
+def _depends(parts: Balance, formulas: Iterable[Any], symbols: Iterable[sp.Symbol]) -> bool:
+    return bool(_uses(parts, formulas) & set(symbols))
+
+
+def _kept(found: Derived) -> set[Name]:
+    """Coordinates (whole vectors) on which the motion depends."""
+    parts = found.parts
+    frame = parts.mechanism.frame
+    used = _uses(parts, _driving(found))
+    kept: set[Name] = set()
+    while True:
+        more = {n for n, _ in frame.rates if n not in kept and set(flat((n,))) & used}
+        if not more:
+            return kept
+        kept |= more
+        used |= _uses(parts, [rate for name, rate in frame.rates if name in more])
+
+
+def _lost(parts: Balance, kept: set[Name]) -> tuple[sp.Symbol, ...]:
+    return flat(name for name, _ in parts.mechanism.frame.rates if name not in kept)
+
+
+# --- laws and observables ------------------------------------------------------------------
+
+
+def _energy_law(found: Derived) -> tuple[Law, ...]:
+    if found.energy.broken:
+        return ()
+    return (Integral("energy", found.energy.energy, "energy", source="(3.3), Theorem 1", unit="J"),)
+
+
+def _momenta(parts: Balance, found: Derived) -> tuple[Law, ...]:
+    """Momenta of velocities on which no force, reaction or turning of the frame acts."""
+    laws = []
+    for i, s in enumerate(parts.mechanism.frame.w):
+        idle = parts.push[i] == 0 and all(row[i] == 0 for row in parts.slopes)
+        if idle and parts.momenta[i] != 0:
+            meaning = f"momentum of {s}"
+            laws.append(Integral(f"momentum_{s}", parts.momenta[i], meaning, source="(1.9)"))
+    return tuple(laws)
+
+
+def _recorded(found: Derived) -> tuple[Observable, ...]:
+    mechanism = found.parts.mechanism
+    constraints = (*mechanism.f, *mechanism.F)
+    shown = tuple(
+        Observable(str(symbol), symbol, f"multiplier of {f} = 0", source="(1.9)")
+        for (symbol, _), f in zip(found.solution.multipliers, constraints, strict=True)
+    )
+    if not found.energy.broken:
+        return shown
+    symbols = [symbol for symbol, _ in found.solution.multipliers]
+    reactions = sp.Add(*(x * y for x, y in zip(symbols, found.energy.work, strict=True)))
+    forces = sp.Add(*(force * s for s, force in mechanism.Q.items()))
+    power = reactions + forces - sp.diff(mechanism.L, TIME)
+    return (
+        *shown,
+        Observable("energy", found.energy.energy, "energy, not conserved", "J", source="(3.3)"),
+        Observable("power", power, "rate of the energy", "W", source="(3.3)"),
+    )
+
+
+# --- the System ----------------------------------------------------------------------------
+
+
+def _coordinate_field(mechanism: Mechanism, kept: set[Name]) -> Pairs:
+    return tuple((name, rate) for name, rate in mechanism.frame.rates if name in kept)
+
+
+def _velocity_field(mechanism: Mechanism, solution: Solution) -> Pairs:
+    """Rates of the free velocities; a vector stays one where all of it is free."""
+    pairs: list[tuple[Any, Any]] = []
+    for name in mechanism.frame.velocities:
+        parts = [s for s in flat((name,)) if s in solution.rates]
+        if not isinstance(name, sp.Symbol) and len(parts) == len(name.symbols):
+            pairs.append((name, constant([solution.rates[s] for s in parts])))
+        else:
+            pairs.extend((s, solution.rates[s]) for s in parts)
+    return tuple(pairs)
+
+
+def _definitions(parts: Balance, formulas: Sequence[Any]) -> Pairs:
+    """All definitions that are needed, in order; vectors as they were written where possible."""
+    steps = parts.tape.steps([explicit(f) for f in formulas])
+    mechanism = parts.mechanism
+    groups: dict[Name, Any] = {
+        name: formula
+        for name, formula in mechanism.definitions
+        if not isinstance(name, sp.Symbol)
+    }
+    values = dict(steps)
+    for name in mechanism.frame.velocities:
+        if not isinstance(name, sp.Symbol) and all(s in values for s in name.symbols):
+            groups[name] = constant([values[s] for s in name.symbols])
+    home: dict[sp.Symbol, Name] = {s: name for name in groups for s in flat((name,))}
+    graph: dict[Any, list[Any]] = {}
+    for symbol, value in steps:
+        needs = {home.get(s, s) for s in value.free_symbols if s in values}
+        node = home.get(symbol, symbol)
+        known = graph.setdefault(node, [])
+        known.extend(n for n in sorted(needs - {node}, key=str) if n not in known)
+    try:
+        order = list(TopologicalSorter(graph).static_order())
+    except CycleError:
+        return steps
+    return tuple((node, groups.get(node, values.get(node))) for node in order)
+
+
+def _reconstruction(
+    parts: Balance,
+    kept: set[Name],
+    relations: Sequence[sp.Expr],
+    observables: Sequence[Observable],
+) -> Motion | None:
+    frame = parts.mechanism.frame
+    lost = _lost(parts, kept)
+    if not lost:
+        return None
+    return Motion(
+        field=tuple((name, rate) for name, rate in frame.rates if name not in kept),
+        relations=tuple(f for f in relations if _depends(parts, [f], lost)),
+        observables=tuple(observables),
+    )
