@@ -1,0 +1,61 @@
+"""Linear algebra of small matrices with many digits: complements, bases, shortest solutions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import mpmath
+
+__all__ = ["complement", "shortest", "without"]
+
+
+def shortest(matrix: Any, right: Any) -> Any:
+    """The shortest of the least-squares solutions of a x = b, whatever the rank."""
+    left, sizes, other = mpmath.svd_r(matrix)
+    floor = sizes[0] * mpmath.mpf(10) ** (-mpmath.mp.dps // 4)
+    share = left.T * right
+    for i, size in enumerate(sizes):
+        share[i] = share[i] / size if size > floor else mpmath.mpf(0)
+    return other.T * share
+
+
+def complement(rows: Any, size: int) -> Any:
+    """An orthonormal basis, in columns, of the vectors that all rows annul."""
+    span = _orthonormal([rows[i, :].T for i in range(rows.rows)])
+    units = [mpmath.matrix([int(i == j) for j in range(size)]) for i in range(size)]
+    return _columns(_orthonormal(units, span), size)
+
+
+def without(basis: Any, family: Sequence[Any]) -> Any:
+    """A basis of the part of a space that is orthogonal to given vectors."""
+    span = _orthonormal(family)
+    columns = [basis[:, j] for j in range(basis.cols)]
+    return _columns(_orthonormal(columns, span), basis.rows) if span else basis
+
+
+def _columns(vectors: Sequence[Any], size: int) -> Any:
+    made = mpmath.matrix(size, len(vectors))
+    for j, v in enumerate(vectors):
+        for i in range(size):
+            made[i, j] = v[i]
+    return made
+
+
+def _orthonormal(vectors: Sequence[Any], beside: Sequence[Any] = ()) -> list[Any]:
+    """Gram and Schmidt, twice over; the longest remainder goes next, dependent ones drop out."""
+    found: list[Any] = []
+    left = [+v for v in vectors]
+    scale = max((mpmath.norm(v) for v in left), default=mpmath.mpf(1))
+    floor = scale * mpmath.mpf(10) ** (-mpmath.mp.dps // 4)
+    while left:
+        for v in left:
+            for _ in range(2):
+                for e in (*beside, *found):
+                    v -= (e.T * v)[0] * e  # noqa: PLW2901  (in place, as the name says)
+        longest = max(range(len(left)), key=lambda i: mpmath.norm(left[i]))
+        best = left.pop(longest)
+        if mpmath.norm(best) <= floor:
+            break
+        found.append(best / mpmath.norm(best))
+    return found
