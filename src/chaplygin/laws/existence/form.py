@@ -1,0 +1,128 @@
+"""The 1-form of a rolling body that must be exact for an invariant measure to exist.
+
+A density e^σ over the momenta of the admissible velocities and the normal γ gives an invariant
+measure if and only if dσ = θ.  For a rubber body θ = (Θ, dγ) with
+
+    Θ = (tr K − 1) · −(E + W/a) q,      q = Ĩ⁻¹γ/(γ, Ĩ⁻¹γ)   across γ,      tr K = 2 on a plane,
+
+and for a marble body, with A = Ĩ⁻¹, V = WK and τ = Σ (A e_i, V(γ×e_i)),
+
+    Θ = −m { W(Ar − r tr A) − (E + W/a)(γ×A(γ×V r) + τ γ×r) },
+
+provided that spinning about the normal, which moves no γ, does not change the volume either:
+
+    (γ×V r, Aγ) + (γ, r) τ = 0.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
+
+from ...mechanics.rolling import Rolling
+from ...statements import Identity, Law, Measure
+from ...system import Parameter, System
+from ...vectors import Diagonal, Symmetric, Vector, cross, dot, identity, normed, scalar, unit
+from .geometry import Geometry, geometry
+
+__all__ = ["OneForm", "one_form"]
+
+Pairs = tuple[tuple[Any, Any], ...]
+
+gamma, r, q, theta = (Vector(name) for name in ("gamma", "r", "q", "Theta"))
+m = scalar("m")
+
+
+@dataclass(frozen=True)
+class OneForm:
+    """The 1-form θ = (Θ, dγ), and what has to vanish for an invariant measure to exist.
+
+    Attributes
+    ----------
+    system : System
+        An auxiliary one, of the normals alone: its field has no divergence exactly where θ is
+        closed.
+    form : Vector
+        Θ, a definition of `system`.
+    spin : Identity, optional
+        What a marble body's spin must fulfil.
+    closed : Measure
+        That dθ = 0.
+    """
+
+    system: System
+    form: Vector
+    spin: Identity | None
+    closed: Measure
+
+    @property
+    def conditions(self) -> tuple[Law, ...]:
+        """The laws that are to be proved."""
+        return (self.closed,) if self.spin is None else (self.spin, self.closed)
+
+
+def one_form(rolling: Rolling) -> OneForm:
+    """The 1-form of a body that rolls on a plane or a sphere, marble or rubber."""
+    body = rolling.body
+    here = geometry(body.shape, rolling.surface)
+    inertia = Diagonal("I") if body.principal else Symmetric("I")
+    J, A = type(inertia)("J"), type(inertia)("A")
+    lever, share = Vector("l"), scalar("s_r")
+    parameters = (
+        Parameter(m, "mass", body.mass, "kg", (m > 0,)),
+        *(
+            Parameter(s, "entry of the inertia tensor", float(value), "kg m^2")
+            for s, value in zip(inertia.symbols, inertia.independent(body.tensor), strict=True)
+        ),
+        *here.parameters,
+    )
+    definitions: Pairs = (
+        *here.definitions,
+        (J, inertia + m * normed(r) * identity),
+        (A, J**-1),
+        (lever, A * r),
+        (share, m / (1 - m * dot(r, lever))),
+    )
+
+    def inverse(vector: MatrixExpr) -> MatrixExpr:
+        """Ĩ⁻¹ by Sherman and Morrison."""
+        return A * vector + share * dot(lever, vector) * lever
+
+    spin = None
+    if rolling.contact == "rubber":
+        definitions += ((q, inverse(gamma)),)
+        form = (1 - here.trace) / dot(gamma, q) * here.stretch(q)
+    else:
+        trace = sp.Add(*(A.entries[i, i] for i in range(3))) + share * normed(lever)
+        tau, wander = scalar("tau_A"), Vector("V_r")
+        definitions += (
+            (wander, here.spread(here.contract(r))),
+            (tau, _twist(here, inverse)),
+        )
+        turned = cross(gamma, inverse(cross(gamma, wander))) + tau * cross(gamma, r)
+        form = -m * (here.spread(inverse(r) - trace * r) - here.stretch(turned))
+        value = dot(cross(gamma, wander), inverse(gamma)) + dot(gamma, r) * tau
+        spin = Identity("spin", value, "spinning about the normal keeps the volume")
+    definitions += ((theta, form),)
+    system = System(
+        name="one-form",
+        title="The 1-form of the invariant measure",
+        field={here.state: here.flow(theta)},
+        definitions=definitions,
+        parameters=parameters,
+        relations=here.relations,
+    )
+    return OneForm(system, theta, spin, Measure("closed", (), meaning="the 1-form is closed"))
+
+
+def _twist(here: Geometry, inverse: Any) -> sp.Expr:
+    """τ = Σ (A e_i, V(γ×e_i)), the trace of AVγ×."""
+    return sp.Add(
+        *(
+            dot(inverse(unit(i)), here.spread(here.contract(cross(gamma, unit(i)))))
+            for i in (1, 2, 3)
+        )
+    )
