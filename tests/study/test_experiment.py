@@ -380,7 +380,8 @@ def test_all_mistakes_are_listed_in_the_order_of_the_file() -> None:
 
 def test_a_body_or_a_system() -> None:
     assert refused("[contact]\nmodel = 1\n").split("\n")[1] == (
-        "body.toml, body: missing; it must be a table [body], or [system] instead of it"
+        "body.toml, body: missing; it must be a table [body], or [system], [lagrangian] or "
+        "[equations] instead of it"
     )
     said = refused(ROLLING, "system.name=veselova")
     for name in ("body", "surface", "contact", "field"):

@@ -1,10 +1,12 @@
 """The experiment file: what the command line, the web page and Python share.
 
-A TOML file describes either a body that rolls on a surface (`RollingExperiment`) or a system of
-the catalogue, a start, and how the motion is computed. What moves in the catalogue's system is
-mostly a body whose start is given by ω and γ (`SystemExperiment`); of any other system the start
-gives the state by the names of its variables (`StateExperiment`). The keys, their meaning, units
-and frames are those of `chaplygin.study.tables`.
+A TOML file describes a body that rolls on a surface (`RollingExperiment`), a system of the
+catalogue, or a system of the user's own, by its Lagrangian (`MechanismExperiment`) or by its
+equations (`EquationsExperiment`); further a start, and how the motion is computed. What moves in
+the catalogue's system is mostly a body whose start is given by ω and γ (`SystemExperiment`); of any
+other system the start gives the state by the names of its variables (`StateExperiment`). The keys,
+their meaning, units and frames are those of `chaplygin.study.tables` and
+`chaplygin.study.mechanism_tables`.
 """
 
 from __future__ import annotations
@@ -18,6 +20,18 @@ from pydantic import Field, PrivateAttr, ValidationError, ValidationInfo, field_
 
 from ..errors import InputError
 from ..systems import CATALOGUE
+from .mechanism_tables import (
+    ConstraintsTable,
+    EquationsTable,
+    FormulaValue,
+    FrameTable,
+    GuardTable,
+    LagrangianTable,
+    LawsTable,
+    MeaningTable,
+    NumberTable,
+    ObservableTable,
+)
 from .mistakes import mistakes
 from .source import Source
 from .tables import (
@@ -43,7 +57,10 @@ from .tables import (
 from .toml_text import Key, dumps
 
 __all__ = [
+    "EquationsExperiment",
     "Experiment",
+    "MechanismExperiment",
+    "OwnExperiment",
     "RollingExperiment",
     "StateExperiment",
     "SystemExperiment",
@@ -88,6 +105,10 @@ class _Experiment(Table):
         return hash(self.toml())
 
 
+#: What a file without any description is asked for.
+BODY = "a table [body], or [system], [lagrangian] or [equations] instead of it"
+
+
 class RollingExperiment(_Experiment):
     """A body rolls on a surface.
 
@@ -97,7 +118,7 @@ class RollingExperiment(_Experiment):
         (A ValueError.) If it is made in Python of parts that do not fit; `load` raises InputError.
     """
 
-    body: BodyTable = Field(description="a table [body], or [system] instead of it")
+    body: BodyTable = Field(description=BODY)
     surface: SurfaceTable = Field(
         default=PlaneTable(), discriminator="kind", description="a table", validate_default=True
     )
@@ -167,7 +188,65 @@ class StateExperiment(_Experiment):
     run: SystemRunTable = Field(default=SystemRunTable(), description="a table")
 
 
-Experiment = RollingExperiment | SystemExperiment | StateExperiment
+class OwnExperiment(_Experiment):
+    """What all systems of the user's own have; the start is given by the names of the state."""
+
+    summary: str = Field(default="", description="a text in quotes")
+    """One or two sentences on what moves, for reports."""
+    parameters: dict[str, NumberTable] = Field(default={}, description="a table of numbers")
+    definitions: dict[str, FormulaValue] = Field(default={}, description="a table of formulas")
+    """Named quantities in order, each in terms of those before it."""
+    laws: LawsTable = Field(default=LawsTable(), description="a table")
+    observables: dict[str, ObservableTable] = Field(default={}, description="a table of formulas")
+    guards: dict[str, GuardTable] = Field(default={}, description="a table of tables")
+    variables: dict[str, MeaningTable] = Field(default={}, description="a table of tables")
+    """Meaning and unit of coordinates and velocities."""
+    start: StateTable = Field(default={}, description="a table of named values")
+    run: RunTable = Field(default=RunTable(), description="a table")
+
+    def toml(self) -> str:
+        """A complete TOML text, defaults included, that reads back to an equal experiment."""
+        tables = self.model_dump(exclude_none=True)
+        for name in ("definitions", "laws", "observables", "guards", "variables", "start", "run"):
+            tables[name] = tables.pop(name)
+        return dumps(tables)
+
+
+class MechanismExperiment(OwnExperiment):
+    """A Lagrangian in a frame, with forces and constraints.
+
+    Raises
+    ------
+    pydantic.ValidationError
+        (A ValueError.) If it is made in Python of wrong parts; `load` raises InputError.
+    """
+
+    frame: FrameTable = Field(description="a table [frame] with coordinates or velocities")
+    lagrangian: LagrangianTable = Field(description="a table [lagrangian] with kinetic or L")
+    forces: dict[str, FormulaValue] = Field(default={}, description="a table of formulas")
+    """Generalised forces by velocity."""
+    constraints: ConstraintsTable = Field(default=ConstraintsTable(), description="a table")
+
+
+class EquationsExperiment(OwnExperiment):
+    """Equations of motion as they stand.
+
+    Raises
+    ------
+    pydantic.ValidationError
+        (A ValueError.) If it is made in Python of wrong parts; `load` raises InputError.
+    """
+
+    equations: EquationsTable = Field(description="a table [equations] with state and rates")
+
+
+Experiment = (
+    RollingExperiment
+    | SystemExperiment
+    | StateExperiment
+    | MechanismExperiment
+    | EquationsExperiment
+)
 """Any kind of experiment; ``isinstance`` tells which."""
 
 
@@ -184,7 +263,8 @@ def load(source: str | Path, overrides: Iterable[str] = ()) -> Experiment:
 
     Returns
     -------
-    RollingExperiment, SystemExperiment or StateExperiment
+    Experiment
+        Of the kind that its tables mean.
 
     Raises
     ------
@@ -225,7 +305,8 @@ def loads(text: str, name: str = "<text>", overrides: Iterable[str] = ()) -> Exp
 
     Returns
     -------
-    RollingExperiment, SystemExperiment or StateExperiment
+    Experiment
+        Of the kind that its tables mean.
 
     Raises
     ------
@@ -235,7 +316,7 @@ def loads(text: str, name: str = "<text>", overrides: Iterable[str] = ()) -> Exp
     source = Source(name, text, tuple(overrides))
     tables = source.tables()
     model = _model(tables)
-    wrong = {} if model is RollingExperiment else _decided_by_system(tables)
+    wrong = _decided_by_system(tables) if "system" in tables else {}
     rest = {key: table for key, table in tables.items() if (key,) not in wrong}
     try:
         experiment = model.model_validate(rest)
@@ -251,11 +332,20 @@ def loads(text: str, name: str = "<text>", overrides: Iterable[str] = ()) -> Exp
 def _model(tables: dict[str, Any]) -> type[Experiment]:
     """The kind of experiment that these tables mean to be."""
     if "system" not in tables:
-        return RollingExperiment
+        return _own_model(tables)
     table = tables["system"]
     name = table.get("name") if isinstance(table, dict) else None
     item = CATALOGUE.get(name) if isinstance(name, str) else None
     return StateExperiment if item and item.start.state is not None else SystemExperiment
+
+
+def _own_model(tables: dict[str, Any]) -> type[Experiment]:
+    """What is described without the catalogue."""
+    if "body" not in tables and "equations" in tables:
+        return EquationsExperiment
+    if "body" not in tables and tables.keys() & {"frame", "lagrangian", "constraints"}:
+        return MechanismExperiment
+    return RollingExperiment
 
 
 def _decided_by_system(tables: dict[str, Any]) -> dict[Key, str]:

@@ -42,7 +42,7 @@ def mistakes(error: ValidationError, model: type[BaseModel], data: object) -> di
     for details in error.errors(include_url=False):
         place = _locate(model, details["loc"])
         key, sentence = _sentence(details, place, _value(data, place.key))
-        told.setdefault(key, sentence)
+        told.setdefault(_as_written(data, key), sentence)
     return told
 
 
@@ -95,7 +95,7 @@ def _locate(model: type[BaseModel], steps: tuple[int | str, ...]) -> _Place:
             place = _Place((*place.key, step), table, table.model_fields.get(step))
             table = place.field.annotation if place.field else None
         elif get_origin(table) is dict:
-            return _Place((*place.key, step))
+            place, table = _Place((*place.key, step)), get_args(table)[1]
         else:
             break
     return place
@@ -117,6 +117,13 @@ def _value(data: Any, key: Key) -> object:
             return None
         data = data[part]
     return data
+
+
+def _as_written(data: Any, key: Key) -> Key:
+    """The key without what a value that stands for a whole table does not have."""
+    while len(key) > 1 and not isinstance(_value(data, key[:-1]), Mapping | None):
+        key = key[:-1]
+    return key
 
 
 def _sentence(details: ErrorDetails, place: _Place, value: object) -> tuple[Key, str]:

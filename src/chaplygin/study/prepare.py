@@ -16,6 +16,7 @@ from ..errors import InputError
 from ..expressions import parse
 from ..flow.trajectory import Trajectory, integrate
 from ..mechanics.body import Body
+from ..mechanics.quasivelocity import Mechanism
 from ..mechanics.rolling import Field, Rolling
 from ..mechanics.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Shape, Torus
 from ..mechanics.start import starting_state
@@ -23,7 +24,16 @@ from ..mechanics.surfaces import Plane, Sphere
 from ..system import System
 from ..systems import entry, known_laws_of
 from .dataset import to_dataset
-from .experiment import Experiment, RollingExperiment, StateExperiment, SystemExperiment
+from .experiment import (
+    EquationsExperiment,
+    Experiment,
+    MechanismExperiment,
+    OwnExperiment,
+    RollingExperiment,
+    StateExperiment,
+    SystemExperiment,
+)
+from .own import described
 from .state import given_state, normalised, on_level, unit_vectors
 from .tables import (
     BallTable,
@@ -57,6 +67,8 @@ class Study:
         Duration.
     variables : mapping of str to (str, str)
         Meaning and unit of variables of the state, where the start is given by it.
+    mechanism : Mechanism, optional
+        The Lagrangian, frame and constraints from which the system was derived.
     """
 
     experiment: Experiment
@@ -65,6 +77,7 @@ class Study:
     given: Mapping[str, Any]
     until: float
     variables: Mapping[str, tuple[str, str]] = field(default_factory=dict)
+    mechanism: Mechanism | None = None
 
     @property
     def own(self) -> bool:
@@ -74,7 +87,7 @@ class Study:
     @property
     def by_state(self) -> bool:
         """Whether the start is given by the state, not by ω and γ."""
-        return isinstance(self.experiment, StateExperiment)
+        return isinstance(self.experiment, StateExperiment | OwnExperiment)
 
     @property
     def remarks(self) -> tuple[str, ...]:
@@ -129,7 +142,7 @@ class Study:
         tables = self.experiment.model_dump()
         tables["start"] |= self.given
         tables["run"] |= {"until": self.until}
-        if not isinstance(self.experiment, RollingExperiment):
+        if isinstance(self.experiment, SystemExperiment | StateExperiment):
             table = self.experiment.system
             tables["system"]["parameters"] = entry(table.name).numbers(table.parameters)
         return type(self.experiment).model_validate(tables).toml()
@@ -216,6 +229,8 @@ def prepare(experiment: Experiment) -> Study:
     InputError
         If its parts do not fit together; the message names the place in the file.
     """
+    if isinstance(experiment, MechanismExperiment | EquationsExperiment):
+        return _of_the_user(experiment)
     if not isinstance(experiment, RollingExperiment):
         return _from_catalogue(experiment)
     rolling = _rolling(experiment)
@@ -246,6 +261,14 @@ def _from_catalogue(experiment: SystemExperiment | StateExperiment) -> Study:
     given = suggested.values | {name: value for name, value in told.items() if value is not None}
     until = experiment.run.until or suggested.until
     return Study(experiment, system, rolling, given, until, item.variables)
+
+
+def _of_the_user(experiment: MechanismExperiment | EquationsExperiment) -> Study:
+    mechanism, system = described(experiment)
+    given = {**experiment.start}
+    variables = {name: (told.meaning, told.unit) for name, told in experiment.variables.items()}
+    until = experiment.run.until
+    return Study(experiment, system, None, given, until, variables, mechanism)
 
 
 def _rolling(experiment: RollingExperiment) -> Rolling:

@@ -99,7 +99,7 @@ def dumps(tables: Mapping[str, Any]) -> str:
     Parameters
     ----------
     tables
-        What is to be written. Arrays (lists or tuples, also nested) hold numbers alone; they
+        What is to be written. Arrays (lists or tuples, also nested) hold numbers or texts; they
         stand on one line, as a vector or a matrix is best read. Empty tables are left out.
 
     Returns
@@ -133,5 +133,14 @@ def _assignment(key: str, value: Any) -> str:
 
 
 def _array(values: list[Any] | tuple[Any, ...]) -> str:
-    inner = (_array(v) if isinstance(v, list | tuple) else repr(v) for v in values)
-    return f"[{', '.join(inner)}]"
+    return f"[{', '.join(map(_element, values))}]"
+
+
+def _element(value: Any) -> str:
+    if isinstance(value, list | tuple):
+        return _array(value)
+    return _text(value) if isinstance(value, str) else repr(value)
+
+
+def _text(value: str) -> str:
+    return tomli_w.dumps({"_": value}).removeprefix("_ = ").rstrip("\n")

@@ -1,0 +1,79 @@
+"""A system of the user's own: derived from what its file says, mistakes told by their place."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from ..errors import InputError
+from ..expressions import nearest
+from ..mechanics.quasivelocity import Mechanism
+from ..mechanics.suslov import equations
+from ..system import System
+from .experiment import EquationsExperiment, MechanismExperiment, OwnExperiment
+from .mechanism_file import NAME, claimed, mechanism_of, system_of
+from .toml_text import Key
+
+__all__ = ["described"]
+
+#: What a refusal speaks of, and where that stands in the file.
+_PLACES: tuple[tuple[str, Key], ...] = (
+    (r"(the )?(constraint|velocity constraint)\b", ("constraints", "velocity")),
+    (r"(the )?position constraint\b", ("constraints", "position")),
+    (
+        r"the frame|a commutator|the field of|the structure|the relation|no configuration",
+        ("frame",),
+    ),
+    (r"the force\b", ("forces",)),
+    (r"the (mass matrix|Lagrangian)", ("lagrangian",)),
+)
+
+
+def described(
+    experiment: MechanismExperiment | EquationsExperiment,
+) -> tuple[Mechanism | None, System]:
+    """The system that a file describes, and the mechanism it was derived from if it was.
+
+    Raises
+    ------
+    InputError
+        For what is wrong in the file, or with the mechanics: dependent or contradictory
+        constraints, a singular mass matrix, a frame that does not span.
+    """
+    mechanism: Mechanism | None = None
+    with _placed(experiment):
+        if isinstance(experiment, MechanismExperiment):
+            mechanism = mechanism_of(experiment)
+            system = claimed(experiment, equations(mechanism))
+        else:
+            system = system_of(experiment)
+    _check_variables(experiment, mechanism, system)
+    return mechanism, system
+
+
+@contextmanager
+def _placed(experiment: OwnExperiment) -> Iterator[None]:
+    """Say where in the file a mistake stands that only mechanics could see."""
+    try:
+        yield
+    except InputError as error:
+        if error.where:
+            raise
+        sentence = error.message.removeprefix(f"{NAME}: ")
+        key = next((key for words, key in _PLACES if re.match(words, sentence)), ())
+        raise InputError(sentence, experiment.where(*key)) from None
+
+
+def _check_variables(
+    experiment: OwnExperiment, mechanism: Mechanism | None, system: System
+) -> None:
+    """Refuse meanings of what is no variable."""
+    lifted = system.lifted() if system.motion else system
+    known = [str(name) for name in lifted.state]
+    if mechanism is not None:
+        known += [*map(str, mechanism.frame.velocities), *map(str, mechanism.symbols)]
+    for name in experiment.variables:
+        if name not in known:
+            where = experiment.where("variables", name)
+            raise InputError(f"unknown variable{nearest(name, dict.fromkeys(known))}", where)
