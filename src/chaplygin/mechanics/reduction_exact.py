@@ -1,0 +1,255 @@
+"""Exact values at rational points, for formulas rational in coordinates, sines and cosines.
+
+Every coordinate x has a rational value of its own, and sin x and cos x are a rational point of the
+circle: what vanishes at generic such points vanishes as a function of x, sin x, cos x.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import sympy as sp
+from flint import Ordering, fmpq, fmpq_mat, fmpq_mpoly_ctx
+from sympy.core.function import AppliedUndef
+
+from ..errors import InputError
+from ..vectors import scalar
+
+__all__ = [
+    "Formulas",
+    "Quotient",
+    "Value",
+    "as_formula",
+    "circle",
+    "inverse",
+    "kernel",
+    "number",
+    "on_circles",
+    "point",
+    "product",
+    "quotients",
+]
+
+#: A rational number, or a fraction of polynomials in some parameters.
+Value = Any
+Point = Mapping[sp.Symbol, Value]
+
+
+def circle(angle: sp.Symbol) -> tuple[sp.Symbol, sp.Symbol]:
+    """The names of sin x and cos x."""
+    return scalar(f"sin_{angle}"), scalar(f"cos_{angle}")
+
+
+def on_circles(formula: sp.Expr, owner: str = "") -> sp.Expr:
+    """A formula with named sines and cosines, unspecified functions being symbols of their own.
+
+    Raises
+    ------
+    InputError
+        If it is not rational in coordinates, their sines and cosines.
+    """
+    formula = formula.doit()
+    unknown = [*formula.atoms(sp.Derivative), *formula.atoms(sp.Subs)]
+    unknown += sorted(formula.atoms(AppliedUndef), key=str)
+    formula = formula.xreplace({f: scalar(f"[{f}]") for f in unknown})
+    formula = formula.rewrite([sp.tan, sp.cot, sp.sec, sp.csc], sp.cos).rewrite(sp.tan, sp.cos)
+    if formula.has(sp.Function):
+        formula = sp.expand_trig(formula)
+    names = {}
+    for f in formula.atoms(sp.Function):
+        if not (isinstance(f, sp.sin | sp.cos) and isinstance(f.args[0], sp.Symbol)):
+            raise InputError(
+                f"{owner}: {f} stands where the search for a multiplier needs coefficients that "
+                "are rational in the coordinates, their sines and cosines"
+            )
+        names[f] = circle(f.args[0])[isinstance(f, sp.cos)]
+    formula = formula.xreplace(names)
+    if any(not p.exp.is_Integer for p in formula.atoms(sp.Pow)):
+        raise InputError(
+            f"{owner}: a root or power stands where the search for a multiplier needs "
+            "coefficients that are rational in the coordinates, their sines and cosines"
+        )
+    return formula
+
+
+class Formulas:
+    """Formulas made ready for evaluation in any field.
+
+    Parameters
+    ----------
+    formulas : sequence of Expr
+    owner : str
+        Named where a formula is refused.
+    """
+
+    def __init__(self, formulas: Iterable[sp.Expr], owner: str = "") -> None:
+        made = [on_circles(sp.sympify(f), owner) for f in formulas]
+        below = {r for f in made for r in f.atoms(sp.Rational) if r.q != 1}
+        # quotients of integers would become floating-point numbers
+        self._parts = {r: scalar(f"part_{r.p}_{r.q}") for r in below}
+        made = [f.xreplace(self._parts) for f in made]
+        self.symbols = tuple(
+            sorted({s for f in made for s in f.free_symbols} - {*self._parts.values()}, key=str)
+        )
+        arguments = [*self.symbols, *self._parts.values()]
+        self._function = sp.lambdify(arguments, made, modules=[], cse=True)
+
+    def at(self, point: Point, like: Value) -> list[Value]:
+        """The values; `like` is the number one of the field."""
+        parts = [like * r.p / r.q for r in self._parts]
+        values = self._function(*(point[s] for s in self.symbols), *parts)
+        return [like * v for v in values]
+
+
+def number(dice: random.Random) -> fmpq:
+    """A random rational number."""
+    sign = dice.choice((-1, 1))
+    return fmpq(sign * dice.randint(2, 40), dice.randint(11, 30))
+
+
+def point(
+    symbols: Iterable[sp.Symbol], dice: random.Random, given: Point | None = None
+) -> dict[sp.Symbol, Value]:
+    """Values of coordinates with their sines and cosines, or of whatever else is named."""
+    found: dict[sp.Symbol, Value] = dict(given or {})
+    for s in symbols:
+        if s in found:
+            continue
+        found[s] = number(dice)
+        half = number(dice)
+        square = 1 + half * half
+        sine, cosine = circle(s)
+        found[sine], found[cosine] = 2 * half / square, (1 - half * half) / square
+    return found
+
+
+def product(rows: Sequence[Sequence[Value]], column: Sequence[Value]) -> list[Value]:
+    """A matrix times a column."""
+    return [sum((a * b for a, b in zip(row, column, strict=True)), 0 * column[0]) for row in rows]
+
+
+def inverse(rows: Sequence[Sequence[Value]], like: Value) -> list[list[Value]]:
+    """The inverse of a small matrix.
+
+    Raises
+    ------
+    ZeroDivisionError
+        If it is singular.
+    """
+    size = len(rows)
+    left = [[*row, *(like * int(i == j) for j in range(size))] for i, row in enumerate(rows)]
+    for k in range(size):
+        pivot = next((i for i in range(k, size) if left[i][k] != 0), None)
+        if pivot is None:
+            raise ZeroDivisionError
+        left[k], left[pivot] = left[pivot], left[k]
+        left[k] = [x / left[k][k] for x in left[k]]
+        for i in range(size):
+            if i != k and left[i][k] != 0:
+                factor = left[i][k]
+                left[i] = [x - factor * y for x, y in zip(left[i], left[k], strict=True)]
+    return [row[size:] for row in left]
+
+
+def kernel(rows: Sequence[Sequence[fmpq]]) -> list[list[fmpq]]:
+    """A basis of the solutions of a homogeneous system, in reduced form, last unknowns free."""
+    if not rows:
+        return []
+    reduced, rank = fmpq_mat([list(row) for row in rows]).rref()
+    size = len(rows[0])
+    pivots = []
+    for i in range(rank):
+        pivots.append(next(j for j in range(size) if reduced[i, j] != 0))
+    found = []
+    for free in (j for j in range(size) if j not in pivots):
+        solution = [fmpq(0)] * size
+        solution[free] = fmpq(1)
+        for i, pivot in enumerate(pivots):
+            solution[pivot] = -reduced[i, free]
+        found.append(solution)
+    return found
+
+
+class Quotient:
+    """A fraction of polynomials over the rationals without common factors; immutable."""
+
+    __slots__ = ("above", "below")
+
+    def __init__(self, above: Any, below: Any) -> None:
+        if below == 0:
+            raise ZeroDivisionError
+        shared = above.gcd(below)
+        if not shared.is_constant():
+            above, below = divmod(above, shared)[0], divmod(below, shared)[0]
+        lead = below.leading_coefficient()
+        self.above, self.below = above / lead, below / lead
+
+    def _lifted(self, other: Any) -> Quotient:
+        if isinstance(other, Quotient):
+            return other
+        home = self.above.context()
+        return Quotient(home.constant(other), home.constant(1))
+
+    def __add__(self, other: Any) -> Quotient:
+        o = self._lifted(other)
+        if self.below == o.below:
+            return Quotient(self.above + o.above, self.below)
+        return Quotient(self.above * o.below + o.above * self.below, self.below * o.below)
+
+    def __mul__(self, other: Any) -> Quotient:
+        o = self._lifted(other)
+        return Quotient(self.above * o.above, self.below * o.below)
+
+    def __truediv__(self, other: Any) -> Quotient:
+        o = self._lifted(other)
+        return Quotient(self.above * o.below, self.below * o.above)
+
+    def __neg__(self) -> Quotient:
+        return self * -1
+
+    def __sub__(self, other: Any) -> Quotient:
+        return self + -self._lifted(other)
+
+    def __rsub__(self, other: Any) -> Quotient:
+        return -self + other
+
+    def __rtruediv__(self, other: Any) -> Quotient:
+        return self._lifted(other) / self
+
+    def __pow__(self, exponent: int) -> Quotient:
+        if exponent < 0:
+            return Quotient(self.below**-exponent, self.above**-exponent)
+        return Quotient(self.above**exponent, self.below**exponent)
+
+    def __eq__(self, other: object) -> bool:
+        return bool((self - other).above == 0)
+
+    def __hash__(self) -> int:
+        return hash((str(self.above), str(self.below)))
+
+    __radd__ = __add__
+    __rmul__ = __mul__
+
+    def formula(self) -> sp.Expr:
+        """The same as a SymPy formula in real symbols."""
+        return as_formula(self.above) / as_formula(self.below)
+
+
+def quotients(names: Sequence[sp.Symbol]) -> tuple[Quotient, dict[sp.Symbol, Quotient]]:
+    """The number one of the field of fractions in `names`, and the names as its elements."""
+    ring = fmpq_mpoly_ctx.get([str(s) for s in names], Ordering.lex)
+    one = ring.constant(1)
+    gens = {s: Quotient(g, one) for s, g in zip(names, ring.gens(), strict=True)}
+    return Quotient(one, one), gens
+
+
+def as_formula(poly: Any) -> sp.Expr:
+    """A polynomial as a SymPy formula in real symbols."""
+    names = [scalar(n) for n in poly.context().names()]
+    terms = []
+    for exponents, c in poly.to_dict().items():
+        power = sp.Mul(*(s ** int(e) for s, e in zip(names, exponents, strict=True)))
+        terms.append(sp.Rational(int(c.p), int(c.q)) * power)
+    return sp.Add(*terms)

@@ -1,0 +1,158 @@
+"""Integrals linear and quadratic in the momenta, found by exact linear algebra.
+
+With m = ∂L/∂u and ṁ = f the condition that F(q, m) be constant is linear in the coefficients of F.
+It is solved at rational points first, which tells the terms that occur, and then for these terms
+with the parameters as symbols.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+from itertools import combinations_with_replacement
+from typing import Any
+
+import sympy as sp
+from flint import fmpq
+from sympy.polys.matrices import DomainMatrix
+
+from ..vectors import scalar
+from .quasivelocity import Mechanism
+from .reduction_base import Base
+from .reduction_exact import Formulas, Value, kernel, point
+from .reduction_motion import Motion
+
+__all__ = ["linear_integrals", "primitive", "quadratic_integrals", "solutions"]
+
+SEED = 1911
+DEGREE = 2
+"""In the coordinates, of the coefficients of an integral linear in the momenta."""
+
+
+def linear_integrals(mechanism: Mechanism, motion: Motion, base: Base) -> list[sp.Expr]:
+    """Independent integrals Σ a_s(q) m_s + a_0(q) of lowest degree, in q and u.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+    motion : Motion
+        In the coordinates of the mechanism, without a constraint C u = 0.
+    base : Base
+    """
+    functions = _functions(motion, base)
+    for degree in range(DEGREE + 1):
+        monomials = _monomials(functions, degree)
+        terms = [f * m for m in motion.momenta for f in monomials]
+        terms += [f for f in monomials if f != 1]
+        found = _constants(mechanism, motion, base, terms)
+        if found:
+            return found
+    return []
+
+
+def quadratic_integrals(mechanism: Mechanism, motion: Motion, base: Base) -> list[sp.Expr]:
+    """Integrals quadratic in the momenta with constant coefficients, in q and u."""
+    momenta = list(motion.momenta)
+    terms = [a * b for a, b in combinations_with_replacement(momenta, 2)]
+    return _constants(mechanism, motion, base, terms)
+
+
+def _functions(motion: Motion, base: Base) -> list[sp.Expr]:
+    if base.normal is not None:
+        return list(base.normal.symbols)
+    found: list[sp.Expr] = []
+    for q in base.coordinates:
+        has_angle = any(e.has(sp.sin(q)) or e.has(sp.cos(q)) for e in motion.force)
+        found += [sp.sin(q), sp.cos(q)] if has_angle else [q]
+    return found
+
+
+def _monomials(functions: Sequence[sp.Expr], degree: int) -> list[sp.Expr]:
+    found = [
+        sp.Mul(*chosen)
+        for height in range(degree + 1)
+        for chosen in combinations_with_replacement(functions, height)
+    ]
+    # the square of the last one follows from the others on the sphere or circle
+    square = functions[-1] ** 2 if functions else sp.S.Zero
+    return [f for f in found if sp.rem(f, square, *functions) != 0] if degree > 1 else found
+
+
+def _constants(
+    mechanism: Mechanism, motion: Motion, base: Base, terms: Sequence[sp.Expr]
+) -> list[sp.Expr]:
+    """The combinations of terms with constant coefficients that are integrals."""
+    rates = [_derivative(motion, term).xreplace(dict(base.place)) for term in terms]
+    formulas = Formulas(rates, mechanism.name)
+    return [
+        sp.Add(*(c * terms[i] for i, c in chosen.items()))
+        for chosen in solutions(mechanism, base, formulas, len(terms))
+    ]
+
+
+def _derivative(motion: Motion, value: sp.Expr) -> sp.Expr:
+    """d/dt of a polynomial in m with coefficients in q; no acceleration is needed."""
+    names = [scalar(f"m_{i}_") for i in range(len(motion.velocities))]
+    momenta = list(motion.momenta)
+    # terms are products of momenta and functions of q: replace exactly these sums
+    named = value.xreplace(dict(zip(momenta, names, strict=True)))
+    by_name = sp.Add(*(sp.diff(named, n) * f for n, f in zip(names, motion.force, strict=True)))
+    total = by_name + motion.rate(named)
+    return total.xreplace(dict(zip(names, momenta, strict=True)))
+
+
+def solutions(
+    mechanism: Mechanism, base: Base, formulas: Formulas, count: int
+) -> list[dict[int, sp.Expr]]:
+    """Coefficients x_i, free of the coordinates, with Σ x_i formula_i = 0.
+
+    The number of equations in `formulas` is a multiple of `count`: each row of `count` must vanish.
+    """
+    dice = random.Random(SEED)
+    names = [s for s in formulas.symbols if not str(s).startswith(("sin_", "cos_"))]
+    parameters = [p.symbol for p in mechanism.parameters]
+    one = fmpq(1)
+    fixed = point(parameters, dice)
+    rows: list[list[Value]] = []
+    while len(rows) < count + 4:
+        try:
+            values = formulas.at(point([*names, *base.coordinates], dice, fixed), one)
+        except ZeroDivisionError:
+            continue
+        rows += [values[i : i + count] for i in range(0, len(values), count)]
+    found = []
+    for solution in kernel(rows):
+        chosen = [i for i, x in enumerate(solution) if x != 0]
+        found.append(_with_parameters(mechanism, base, formulas, count, chosen))
+    return found
+
+
+def _with_parameters(
+    mechanism: Mechanism, base: Base, formulas: Formulas, count: int, chosen: Sequence[int]
+) -> dict[int, sp.Expr]:
+    """The same combination with the parameters as symbols."""
+    parameters = [p.symbol for p in mechanism.parameters if p.symbol in formulas.symbols]
+    if len(chosen) == 1:
+        return {chosen[0]: sp.S.One}
+    domain = sp.QQ.frac_field(*parameters) if parameters else sp.QQ
+    dice = random.Random(SEED + 1)
+    names = [s for s in formulas.symbols if not str(s).startswith(("sin_", "cos_"))]
+    given = dict(zip(parameters, domain.gens, strict=True)) if parameters else {}
+    rows: list[list[Any]] = []
+    while len(rows) < len(chosen) + 2:
+        place = point([n for n in names if n not in given] + list(base.coordinates), dice)
+        lifted = {s: domain(sp.Rational(int(v.p), int(v.q))) for s, v in place.items()}
+        values = formulas.at({**lifted, **given}, domain.one)
+        rows += [[values[i + j] for j in chosen] for i in range(0, len(values), count)]
+    basis = DomainMatrix(rows, (len(rows), len(chosen)), domain).nullspace()
+    row = basis.to_Matrix().row(0)
+    return dict(zip(chosen, primitive([x / row[0] for x in row]), strict=True))
+
+
+def primitive(values: Sequence[sp.Expr]) -> list[sp.Expr]:
+    """Fractions of polynomials brought to polynomials without a common factor."""
+    parts = [sp.fraction(sp.cancel(x)) for x in values]
+    below = sp.lcm_list([b for _, b in parts])
+    whole = [sp.cancel(below / b) * a for a, b in parts]
+    shared = sp.gcd_list(whole)
+    return [sp.factor(sp.cancel(x / shared)) for x in whole]
