@@ -50,21 +50,30 @@ def solve(parts: Balance) -> Solution:
         tape.name(tape.short(push - tape.along(parts.time, p)))
         for push, p in zip(parts.push, parts.momenta, strict=True)
     ]
-    AZ = [[product(parts.mass[i], [row[s] for row in Z]) for s in range(len(parts.free))]
-          for i in range(size)]
+    AZ = [
+        [product(parts.mass[i], [row[s] for row in Z]) for s in range(len(parts.free))]
+        for i in range(size)
+    ]
     AZ = [[tape.name(tape.short(e)) for e in row] for row in AZ]
 
     def projected(column: Sequence[sp.Expr], s: int) -> sp.Expr:
         return tape.name(tape.short(product([row[s] for row in Z], column)))
 
     count = range(len(parts.free))
-    mass = [[projected([row[s] for row in AZ], r) if r <= s else sp.S.Zero for s in count]
-            for r in count]
+    mass = [
+        [projected([row[s] for row in AZ], r) if r <= s else sp.S.Zero for s in count]
+        for r in count
+    ]
     mass = [[mass[min(r, s)][max(r, s)] for s in count] for r in count]
     force = [projected(h, r) for r in count]
     left = [i for i in range(len(parts.constraints)) if i not in parts.solved.values()]
-    C = [[tape.name(tape.short(tape.along(parts.by_velocity(s), parts.constraints[i])))
-          for s in parts.free] for i in left]
+    C = [
+        [
+            tape.name(tape.short(tape.along(parts.by_velocity(s), parts.constraints[i])))
+            for s in parts.free
+        ]
+        for i in left
+    ]
     b = [tape.name(tape.short(-tape.along(parts.time, parts.constraints[i]))) for i in left]
     rates, lambdas = _with_multipliers(parts, mass, force, C, b)
     return _numbered(parts, rates, dict(zip(left, lambdas, strict=True)), AZ, h)
@@ -84,12 +93,15 @@ def _with_multipliers(
         # velocities that the constraints allow, and the multipliers stay what they are
         count = range(len(force))
         mass = [
-            [tape.name(tape.short(mass[r][s] + sp.Add(*(row[r] * row[s] for row in C))))
-             for s in count]
+            [
+                tape.name(tape.short(mass[r][s] + sp.Add(*(row[r] * row[s] for row in C))))
+                for s in count
+            ]
             for r in count
         ]
-        force = [force[r] + sp.Add(*(row[r] * v for row, v in zip(C, b, strict=True)))
-                 for r in count]
+        force = [
+            force[r] + sp.Add(*(row[r] * v for row, v in zip(C, b, strict=True))) for r in count
+        ]
         _refuse_singular(parts, mass)
     try:
         solver = Factored(tape, mass)
@@ -104,7 +116,7 @@ def _with_multipliers(
     columns = [solver.solve(row) for row in C]
     gram = [[tape.name(tape.short(product(row, x))) for x in columns] for row in C]
     defect = [tape.name(tape.short(v - product(row, bare))) for v, row in zip(b, C, strict=True)]
-    lambdas = [tape.name(x, "z") for x in Factored(tape, gram).solve(defect)]
+    lambdas = [tape.name(x) for x in Factored(tape, gram).solve(defect)]
     total = [
         tape.short(x + product(lambdas, [column[r] for column in columns]))
         for r, x in enumerate(bare)
@@ -141,7 +153,7 @@ def _numbered(
 ) -> Solution:
     """The multipliers of all constraints; those of solved velocities follow from their equations."""
     tape, w = parts.tape, parts.mechanism.frame.w
-    symbols = {i: tape.fresh(f"lambda_{i + 1}") for i in range(len(parts.constraints))}
+    symbols = parts.multipliers
     values = dict(known)
     place = {index: w.index(s) for s, index in parts.solved.items()}
     # the equation of a solved velocity holds the multipliers of all constraints in which it stands

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import sympy as sp
 
@@ -56,6 +57,11 @@ class Balance:
     slopes: tuple[tuple[sp.Expr, ...], ...]
     push: tuple[sp.Expr, ...]
 
+    @cached_property
+    def multipliers(self) -> tuple[sp.Symbol, ...]:
+        """λ_μ, one for each constraint."""
+        return tuple(self.tape.fresh(f"lambda_{i + 1}") for i in range(len(self.constraints)))
+
     @property
     def time(self) -> Derivation:
         """The rate of change along the motion, with the free velocities held."""
@@ -65,6 +71,12 @@ class Balance:
     def by_velocity(self, index: int) -> Derivation:
         """∂/∂u for a free velocity, the solved ones following."""
         return Derivation(((self.mechanism.frame.w[index], sp.S.One),))
+
+    def moves(self, formula: sp.Expr) -> bool:
+        """Whether a formula depends on velocities, solved or free."""
+        w = set(self.mechanism.frame.w)
+        values = (formula, *(v for _, v in self.tape.steps([formula])))
+        return any(value.free_symbols & w for value in values)
 
     def at(self, formulas: Sequence[sp.Expr]) -> tuple[Sample, ...]:
         """The generic points, the solved velocities as the constraints give them."""
@@ -101,7 +113,10 @@ def balance(mechanism: Mechanism) -> Balance:
         tuple(tape.name(tape.short(tape.along(d, f))) for d in along_w) for f in constraints
     )
     check_constraints(mechanism, tape, points, constraints, slopes)
-    momenta = tuple(tape.name(tape.short(tape.along(d, mechanism.L)), "p") for d in along_w)
+    momenta = tuple(
+        tape.name(tape.short(tape.along(d, mechanism.L)), f"p_{i}")
+        for i, d in enumerate(along_w, 1)
+    )
     mass = _symmetric(tape, [[tape.along(d, p) for d in along_w] for p in momenta])
     push = tuple(
         sp.Add(

@@ -41,13 +41,13 @@ class Factored:
         self.pivots: list[sp.Expr] = []
         self._lower = [[sp.S.Zero] * size for _ in range(size)]
         for k in range(size):
-            pivot = tape.name(tape.short(rest[k][k]), "D")
+            pivot = tape.name(tape.short(rest[k][k]))
             if pivot == 0:
                 raise ZeroDivisionError
             self.pivots.append(pivot)
             for i in range(k + 1, size):
                 if rest[i][k] != 0:
-                    self._lower[i][k] = tape.name(tape.short(rest[i][k] / pivot), "L")
+                    self._lower[i][k] = tape.name(tape.short(rest[i][k] / pivot))
             for i in range(k + 1, size):
                 for j in range(k + 1, i + 1):
                     if self._lower[i][k] != 0 and rest[j][k] != 0:
@@ -67,8 +67,6 @@ class Factored:
             found[i] = tape.name(tape.short(found[i] - product(above, found[i + 1 :])))
         back = dict(zip(self._order, found, strict=True))
         return [back[i] for i in range(size)]
-
-
 
 
 def _sparse_first(matrix: Sequence[Sequence[sp.Expr]]) -> list[int]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import mpmath
 import sympy as sp
 
+from ..vectors import explicit
 from .balance import Balance
 from .elimination import product
 from .quasivelocity import TIME
@@ -39,10 +40,10 @@ def energy_theorem(parts: Balance) -> EnergyTheorem:
     """Check the hypotheses of Theorem 1: no time, homogeneous constraints, no working forces."""
     mechanism, tape = parts.mechanism, parts.tape
     w = mechanism.frame.w
-    energy = tape.short(product(w, parts.momenta) - mechanism.L)
+    energy = _energy(parts)
     work = tuple(tape.short(product(row, w)) for row in parts.slopes)
     broken = []
-    timed = [energy, *parts.constraints, *mechanism.F, *mechanism.Q.values()]
+    timed = [explicit(energy), *parts.constraints, *mechanism.F, *mechanism.Q.values()]
     steps = tape.steps(timed)
     if any(TIME in value.free_symbols for value in (*timed, *(v for _, v in steps))):
         broken.append("time enters the Lagrangian, a force or a constraint")
@@ -55,6 +56,20 @@ def energy_theorem(parts: Balance) -> EnergyTheorem:
     return EnergyTheorem(energy, work, tuple(broken))
 
 
+def _energy(parts: Balance) -> sp.Expr:
+    """E as T + U where the Lagrangian is T − U with T quadratic, else w_i p_i − L."""
+    mechanism, tape = parts.mechanism, parts.tape
+    virial = product(mechanism.frame.w, parts.momenta)
+    terms = sp.Add.make_args(sp.sympify(mechanism.lagrangian))
+    kinetic = sp.Add(*(term for term in terms if parts.moves(explicit(term))))
+    defect = virial - 2 * explicit(kinetic)
+    idle = {s for s in parts.solved if tape.value(s) == 0}
+    if negligible(defect, parts.at_any([defect])):
+        energy = 2 * kinetic - sp.sympify(mechanism.lagrangian)
+        return energy.xreplace(dict.fromkeys(idle, sp.S.Zero))
+    return tape.short(virial - mechanism.L, hold={*parts.solved} - idle)
+
+
 def _homogeneous(parts: Balance, f: sp.Expr, euler: sp.Expr) -> bool:
     """Whether w ∂f/∂w = κ f with one number κ, at all generic points."""
     raw = parts.at_any([f, euler])
@@ -62,6 +77,6 @@ def _homogeneous(parts: Balance, f: sp.Expr, euler: sp.Expr) -> bool:
     for point in raw:
         value, slope = point.value(f), point.value(euler)
         if abs(value) < ZERO:
-            return abs(slope) < ZERO
+            return bool(abs(slope) < ZERO)
         ratios.append(slope / value)
     return all(abs(ratio - ratios[0]) < mpmath.sqrt(ZERO) for ratio in ratios)

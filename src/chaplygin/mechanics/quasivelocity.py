@@ -13,7 +13,7 @@ of no account.  The fields on the coordinates are then dependent, and the struct
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, TypeAlias
@@ -22,7 +22,7 @@ import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from ..errors import InputError
-from ..statements import Integral, Law
+from ..statements import Law
 from ..system import Guard, Observable, Parameter
 from ..vectors import Vector, cross, explicit, scalar, unit
 
@@ -122,7 +122,9 @@ class Frame:
     def matrix(self) -> sp.ImmutableDenseMatrix:
         """G of q̇ = G w; its columns are the fields E_i."""
         rows = [[sp.diff(rate, s) for s in self.w] for rate in self.qdot]
-        return sp.ImmutableDenseMatrix(len(self.qdot), len(self.w), [e for row in rows for e in row])
+        return sp.ImmutableDenseMatrix(
+            len(self.qdot), len(self.w), [e for row in rows for e in row]
+        )
 
     def field(self, index: int) -> dict[sp.Symbol, sp.Expr]:
         """E_i as a mapping from coordinate to component, without the zero ones."""
@@ -231,7 +233,7 @@ class Mechanism:
         self._check()
 
     @cached_property
-    def L(self) -> sp.Expr:  # noqa: N802  (the symbol of the paper)
+    def L(self) -> sp.Expr:
         """The Lagrangian as a scalar formula."""
         return explicit(sp.sympify(self.lagrangian))
 
@@ -241,12 +243,12 @@ class Mechanism:
         return scalars(self.constraints)
 
     @cached_property
-    def F(self) -> tuple[sp.Expr, ...]:  # noqa: N802
+    def F(self) -> tuple[sp.Expr, ...]:
         """The position constraints as scalars."""
         return scalars(self.positions)
 
     @cached_property
-    def Q(self) -> dict[sp.Symbol, sp.Expr]:  # noqa: N802
+    def Q(self) -> dict[sp.Symbol, sp.Expr]:
         """The generalised forces by velocity."""
         return dict(flat_pairs(self.forces))
 

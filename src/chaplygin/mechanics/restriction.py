@@ -118,9 +118,7 @@ def restricted(mechanism: Mechanism) -> Restriction:
         )
         for r in count
     )
-    brackets = {
-        (r, s): _bracket(parts, basis, fields, r, s) for r in count for s in count if r < s
-    }
+    brackets = {(r, s): _bracket(parts, basis, fields, r, s) for r in count for s in count if r < s}
     solver = Factored(tape, kinetic)
     structure = {
         pair: tuple(solver.solve([product([row[t] for row in AZ], value) for t in count]))
@@ -154,24 +152,17 @@ def _check(parts: Balance) -> None:
         raise InputError(f"{mechanism.name}: time enters; the system must be autonomous")
     for index, (f, row) in enumerate(zip(parts.constraints, parts.slopes, strict=True)):
         defect = product(row, w) - f
-        moving = [e for e in row if _moves(parts, e)]
+        moving = [e for e in row if parts.moves(e)]
         if moving or not negligible(defect, parts.at_any([defect])):
             raise InputError(
                 f"{mechanism.name}: the constraint {index + 1}, {f} = 0, is not linear and "
                 "homogeneous in the velocities"
             )
-    if any(_moves(parts, e) for row in parts.mass for e in row):
+    if any(parts.moves(e) for row in parts.mass for e in row):
         raise InputError(
             f"{mechanism.name}: the Lagrangian is not quadratic in the velocities; this needs a "
             "kinetic energy whose matrix depends on the coordinates alone"
         )
-
-
-def _moves(parts: Balance, formula: sp.Expr) -> bool:
-    """Whether a formula depends on velocities."""
-    w = set(parts.mechanism.frame.w)
-    steps = parts.tape.steps([formula])
-    return any(v.free_symbols & w for v in (formula, *(v for _, v in steps)))
 
 
 def _pivot(parts: Balance, row: Mapping[int, sp.Expr]) -> int:
@@ -202,9 +193,7 @@ def _bracket(
 ) -> tuple[sp.Expr, ...]:
     """[η_r, η_s] = (η_r(Z_ks) − η_s(Z_kr) + Z_ir Z_js c_ij^k) E_k."""
     tape = parts.tape
-    total = [
-        tape.along(fields[r], row[s]) - tape.along(fields[s], row[r]) for row in basis
-    ]
+    total = [tape.along(fields[r], row[s]) - tape.along(fields[s], row[r]) for row in basis]
     for (i, j, k), c in parts.coefficients.items():
         total[k] += c * (basis[i][r] * basis[j][s] - basis[j][r] * basis[i][s])
     return tuple(tape.name(tape.short(e)) for e in total)

@@ -7,9 +7,9 @@ in which equations are written; that they are right is for a proof to say.
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Mapping, Sequence
-from itertools import count
-from typing import Any
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import wraps
+from typing import Any, ParamSpec, TypeVar
 
 import mpmath
 import sympy as sp
@@ -27,8 +27,20 @@ ATTEMPTS = 40
 NEWTON_STEPS = 60
 #: Below this a number of moderate size counts as zero.
 ZERO = mpmath.mpf(10) ** (-DIGITS // 2)
-#: Decorates functions that compute with the numbers of samples.
-precisely = mpmath.workdps(DIGITS)
+P = ParamSpec("P")
+T = TypeVar("T")
+
+
+def precisely(function: Callable[P, T]) -> Callable[P, T]:
+    """Decorate a function that computes with the numbers of samples: with all their digits."""
+
+    @wraps(function)
+    def wrapped(*args: P.args, **kwargs: P.kwargs) -> T:
+        with mpmath.workdps(DIGITS):
+            return function(*args, **kwargs)
+
+    return wrapped
+
 
 Point = Mapping[sp.Symbol, Any]
 
@@ -121,12 +133,7 @@ def samples(
     )
     constants |= {s: _number(dice) for s in loose}
     found: list[Sample] = []
-    for attempt in count():
-        if attempt == ATTEMPTS:
-            raise InputError(
-                f"{owner}: no configuration was found where the relations and position "
-                "constraints hold and every formula has a real value"
-            )
+    for _ in range(ATTEMPTS):
         try:
             point = _on_relations(dice, frame.coordinates, relations, steps, constants)
             velocities = {s: _number(dice) for s in frame.w}
@@ -135,6 +142,10 @@ def samples(
             continue
         if len(found) == many:
             return tuple(found)
+    raise InputError(
+        f"{owner}: no configuration was found where the relations and position constraints hold "
+        "and every formula has a real value"
+    )
 
 
 def _number(dice: random.Random) -> Any:

@@ -57,7 +57,7 @@ def structure(frame: Frame, owner: str = "frame") -> Coefficients:
             raise InputError(f"{owner}: the frame does not span: its fields are dependent")
         return {}
     points = samples(owner, frame)
-    rows, columns = _spanning(frame, points[0], owner)
+    rows = _spanning(frame, points[0], owner)
     _tangent(frame, points, owner)
     fields = [frame.field(i) for i in range(len(frame.w))]
     found: dict[tuple[int, int, int], sp.Expr] = {}
@@ -94,10 +94,10 @@ def _given(frame: Frame, owner: str) -> Coefficients:
     return found
 
 
-def _spanning(frame: Frame, point: Sample, owner: str) -> tuple[list[int], list[int]]:
+def _spanning(frame: Frame, point: Sample, owner: str) -> list[int]:
     """Rows of G that are regular together; refused when the fields do not form a frame."""
     numbers = [[point.value(e) for e in frame.matrix.row(i)] for i in range(len(frame.qdot))]
-    rows, columns = rank(numbers)
+    rows, _ = rank(numbers)
     slopes = [[point.value(sp.diff(f, q)) for q in frame.coordinates] for f in frame.relations]
     dimension = len(frame.coordinates) - len(rank(slopes)[0])
     if len(rows) < len(frame.w):
@@ -111,7 +111,7 @@ def _spanning(frame: Frame, point: Sample, owner: str) -> tuple[list[int], list[
             f"{owner}: the frame does not span: {len(frame.w)} velocities for a configuration "
             f"space of dimension {dimension}; every direction needs one"
         )
-    return rows, columns
+    return rows
 
 
 def _tangent(frame: Frame, points: Sequence[Sample], owner: str) -> None:

@@ -17,8 +17,7 @@ reconstructs them.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
-from graphlib import CycleError, TopologicalSorter
+from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy as sp
@@ -29,6 +28,7 @@ from ..vectors import constant, explicit
 from .accelerations import Solution, solve
 from .balance import Balance, balance
 from .energy import EnergyTheorem, energy_theorem
+from .naming import named
 from .quasivelocity import TIME, Mechanism, Name, Pairs, flat
 
 __all__ = ["Derived", "derive", "equations"]
@@ -86,35 +86,51 @@ def equations(mechanism: Mechanism) -> System:
     """
     found = derive(mechanism)
     parts = found.parts
-    timed = _depends(parts, _driving(found), (TIME,))
     kept = _kept(found)
-    laws = (*_energy_law(found), *_momenta(parts, found), *mechanism.laws)
+    lost = _lost(parts, kept)
+    laws = (*_energy_law(found), *_momenta(parts), *mechanism.laws)
     observables = (*_recorded(found), *mechanism.observables)
-    here = tuple(o for o in observables if not _depends(parts, [o.value], _lost(parts, kept)))
-    field = (*_coordinate_field(mechanism, kept), *_velocity_field(mechanism, found.solution))
-    formulas = [
-        *(f for _, f in field),
-        *(o.value for o in observables),
-        *(g.value for g in mechanism.guards),
-        *(law.value for law in laws if isinstance(law, Integral)),
-        *parts.constraints,
-    ]
     relations = (*mechanism.frame.relations, *mechanism.F)
     unsolved = [f for i, f in enumerate(parts.constraints) if i not in parts.solved.values()]
-    inside = [f for f in relations if not _depends(parts, [f], _lost(parts, kept))]
+    rates = _velocity_rates(mechanism, found.solution)
+    names = named(
+        parts,
+        [
+            *(f for _, f in rates),
+            *(rate for _, rate in mechanism.frame.rates),
+            *(o.value for o in observables),
+            *(g.value for g in mechanism.guards),
+            *(law.value for law in laws if isinstance(law, Integral)),
+            *unsolved,
+            *relations,
+        ],
+    )
+    observables = tuple(replace(o, value=names(o.value)) for o in observables)
+    here = tuple(o for o in observables if not _depends(parts, [o.value], lost))
+    timed = _depends(parts, _driving(found), (TIME,))
     return System(
         name=mechanism.name,
         title=mechanism.title,
-        field=field + (((TIME, sp.S.One),) if timed else ()),
+        field=(
+            *((name, rate) for name, rate in mechanism.frame.rates if name in kept),
+            *((name, names(rate)) for name, rate in rates),
+            *(((TIME, sp.S.One),) if timed else ()),
+        ),
         parameters=mechanism.parameters,
-        definitions=_definitions(parts, formulas),
-        relations=(*inside, *unsolved),
-        laws=laws,
+        definitions=names.definitions,
+        relations=(
+            *(f for f in relations if not _depends(parts, [f], lost)),
+            *(names(f) for f in unsolved),
+        ),
+        laws=tuple(
+            replace(law, value=names(law.value)) if isinstance(law, Integral) else law
+            for law in laws
+        ),
         observables=here,
         guards=mechanism.guards,
         motion=_reconstruction(parts, kept, relations, [o for o in observables if o not in here]),
         source=mechanism.source or "(1.9)",
-        summary=mechanism.summary,
+        summary=" ".join(filter(None, (mechanism.summary, *_warned(found.energy)))),
     )
 
 
@@ -128,7 +144,7 @@ def _driving(found: Derived) -> list[sp.Expr]:
     values: list[Any] = [
         *found.solution.rates.values(),
         *(value for _, value in found.solution.multipliers),
-        found.energy.energy,
+        explicit(found.energy.energy),
         *parts.constraints,
         *parts.solved,
         *(explicit(g.value) for g in mechanism.guards),
@@ -176,7 +192,14 @@ def _energy_law(found: Derived) -> tuple[Law, ...]:
     return (Integral("energy", found.energy.energy, "energy", source="(3.3), Theorem 1", unit="J"),)
 
 
-def _momenta(parts: Balance, found: Derived) -> tuple[Law, ...]:
+def _warned(energy: EnergyTheorem) -> tuple[str, ...]:
+    """What the reader has to know of the energy."""
+    if not energy.broken:
+        return ()
+    return (f"Theorem 1 does not give an energy integral: {'; '.join(energy.broken)}.",)
+
+
+def _momenta(parts: Balance) -> tuple[Law, ...]:
     """Momenta of velocities on which no force, reaction or turning of the frame acts."""
     laws = []
     for i, s in enumerate(parts.mechanism.frame.w):
@@ -210,11 +233,7 @@ def _recorded(found: Derived) -> tuple[Observable, ...]:
 # --- the System ----------------------------------------------------------------------------
 
 
-def _coordinate_field(mechanism: Mechanism, kept: set[Name]) -> Pairs:
-    return tuple((name, rate) for name, rate in mechanism.frame.rates if name in kept)
-
-
-def _velocity_field(mechanism: Mechanism, solution: Solution) -> Pairs:
+def _velocity_rates(mechanism: Mechanism, solution: Solution) -> Pairs:
     """Rates of the free velocities; a vector stays one where all of it is free."""
     pairs: list[tuple[Any, Any]] = []
     for name in mechanism.frame.velocities:
@@ -224,33 +243,6 @@ def _velocity_field(mechanism: Mechanism, solution: Solution) -> Pairs:
         else:
             pairs.extend((s, solution.rates[s]) for s in parts)
     return tuple(pairs)
-
-
-def _definitions(parts: Balance, formulas: Sequence[Any]) -> Pairs:
-    """All definitions that are needed, in order; vectors as they were written where possible."""
-    steps = parts.tape.steps([explicit(f) for f in formulas])
-    mechanism = parts.mechanism
-    groups: dict[Name, Any] = {
-        name: formula
-        for name, formula in mechanism.definitions
-        if not isinstance(name, sp.Symbol)
-    }
-    values = dict(steps)
-    for name in mechanism.frame.velocities:
-        if not isinstance(name, sp.Symbol) and all(s in values for s in name.symbols):
-            groups[name] = constant([values[s] for s in name.symbols])
-    home: dict[sp.Symbol, Name] = {s: name for name in groups for s in flat((name,))}
-    graph: dict[Any, list[Any]] = {}
-    for symbol, value in steps:
-        needs = {home.get(s, s) for s in value.free_symbols if s in values}
-        node = home.get(symbol, symbol)
-        known = graph.setdefault(node, [])
-        known.extend(n for n in sorted(needs - {node}, key=str) if n not in known)
-    try:
-        order = list(TopologicalSorter(graph).static_order())
-    except CycleError:
-        return steps
-    return tuple((node, groups.get(node, values.get(node))) for node in order)
 
 
 def _reconstruction(

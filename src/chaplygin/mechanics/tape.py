@@ -7,10 +7,11 @@ chain rule, and what it makes of a named quantity gets a name of its own, once.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from graphlib import TopologicalSorter
+from itertools import count
 
 import sympy as sp
 
@@ -65,6 +66,10 @@ class Tape:
         self._values[symbol] = value
         self._taken.add(str(symbol))
 
+    def value(self, symbol: sp.Symbol) -> sp.Expr:
+        """What a name stands for."""
+        return self._values[symbol]
+
     def fresh(self, label: str) -> sp.Symbol:
         """A name that nothing bears yet: `label` if it is free and ends in a digit."""
         symbol = scalar(self._free(label))
@@ -78,17 +83,14 @@ class Tape:
         if value not in self._names:
             symbol = self.fresh(label)
             self._names[value] = symbol
-            self.define(symbol, value)
+            self._values[symbol] = value
         return self._names[value]
 
     def _free(self, label: str) -> str:
         if label[-1].isdigit() and label not in self._taken:
             return label
         stem = label.rstrip("0123456789_")
-        number = 1
-        while f"{stem}_{number}" in self._taken:
-            number += 1
-        return f"{stem}_{number}"
+        return next(f"{stem}_{n}" for n in count(1) if f"{stem}_{n}" not in self._taken)
 
     def along(self, derivation: Derivation, value: sp.Expr) -> sp.Expr:
         """A derivation applied to a formula."""
@@ -109,8 +111,11 @@ class Tape:
             self._memo[key] = self.name(self.short(self.along(derivation, self._values[symbol])))
         return self._memo[key]
 
-    def short(self, value: sp.Expr) -> sp.Expr:
-        """A formula with the names of this tape written out and shortened, where that is small."""
+    def short(self, value: sp.Expr, hold: Collection[sp.Symbol] = ()) -> sp.Expr:
+        """A formula with names written out and shortened, where that is small.
+
+        The definitions that the tape began with and the names to `hold` stay in it.
+        """
         if value.is_Atom:
             return value
         written = value
@@ -118,7 +123,7 @@ class Tape:
             inner = {
                 s: self._values[s]
                 for s in written.free_symbols
-                if s in self._values and s not in self._given
+                if s in self._values and s not in self._given and s not in hold
             }
             if not inner:
                 break
