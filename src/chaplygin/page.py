@@ -26,7 +26,8 @@ class Page:
     Attributes
     ----------
     field : pairs
-        State and rates; a rate that is only a name (γ̇) is replaced by its definition.
+        State and rates; a rate that is only a name (γ̇) is replaced by its definition, and left
+        out where it belongs to the state itself, as its name says all.
     where : pairs
         Tensors and vectors of parameters by components, then the definitions that the field
         needs, in order.
@@ -45,7 +46,10 @@ def page_of(system: System) -> Page:
     field = []
     spelt_out = set()
     for name, formula in system.field:
-        trivial = isinstance(formula, Vector) and formula.name == f"{name}dot"
+        named = str(formula) == f"{name}dot"
+        if named and formula in system.state:
+            continue
+        trivial = named and formula in definitions
         field.append((name, definitions[formula] if trivial else formula))
         if trivial:
             spelt_out.add(formula)
