@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any, TypeGuard
 
 import mpmath
@@ -72,13 +72,15 @@ class Linearisation:
         with mpmath.workdps(_working(self.digits)):
             values, vectors = mpmath.eig(self.reduced)
             modes = [(value, self.basis * vectors[:, i]) for i, value in enumerate(values)]
-            return sorted(modes, key=lambda mode: (-mode[0].real, mode[0].imag))
+            # real parts of a conjugate pair differ by rounding alone
+            grain = mpmath.mpf(10) ** (4 - self.digits) * (1 + mpmath.mnorm(self.reduced, 1))
+            return sorted(modes, key=lambda m: (-mpmath.nint(m[0].real / grain), -m[0].imag))
 
     @property
     def eigenvalues(self) -> tuple[Any, ...]:
         """The growth rates (1/s), the largest real part first; complex numbers of mpmath."""
         with mpmath.workdps(self.digits):
-            floor = mpmath.mpf(10) ** (5 - self.digits) * (1 + mpmath.mnorm(self.reduced, 1))
+            floor = mpmath.mpf(10) ** (-self.digits) * (1 + mpmath.mnorm(self.reduced, 1))
             return tuple(+_clean(value, floor) for value, _ in self._modes)
 
     @property
@@ -116,8 +118,8 @@ def linearise(
         Tangents to a family of steady motions through this one (such as faster and slower ones):
         A annuls them, and their zero eigenvalues are divided out.
     digits : int
-        Digits of the eigenvalues; twice as many are carried, so that double eigenvalues have
-        them too.
+        Digits of the eigenvalues; four times as many are carried, so that double and fourfold
+        eigenvalues have them too, however defective.
 
     Raises
     ------
@@ -176,7 +178,7 @@ def steady(
         If the iteration does not come to rest.
     """
     with mpmath.workdps(_working(digits)):
-        slopes = Slopes(system)
+        slopes = _slopes(system)
         variables = _taking_part(system)
         point = _state(system, guess, variables)
         constants = _constants(system, parameters)
@@ -213,7 +215,7 @@ class _Frozen:
         self.values = {**self.point, **_constants(system, parameters)}
         # a state given as a float is exact to some 16 digits
         self.tolerance = mpmath.mpf(10) ** (-min(digits, 12))
-        self._slopes = Slopes(system)
+        self._slopes = _slopes(system)
         self._require_on_phase_space()
 
     def _field(self, formulas: Sequence[sp.Expr]) -> tuple[Any, Any]:
@@ -269,8 +271,14 @@ class _Frozen:
         return mpmath.matrix([named.get(s, mpmath.mpf(0)) for s in self.variables])
 
 
+@lru_cache(maxsize=8)
+def _slopes(system: System) -> Slopes:
+    """What has been compiled of a system serves all of its states."""
+    return Slopes(system)
+
+
 def _working(digits: int) -> int:
-    return 2 * digits + 20
+    return 4 * digits + 20
 
 
 def _clean(value: Any, floor: Any) -> Any:
@@ -314,9 +322,12 @@ def _taking_part(system: System) -> tuple[sp.Symbol, ...]:
         used |= {s for _, value in system.needed(formulas) for s in value.free_symbols}
         idle = [s for s in rates if s not in used]
         if not idle:
-            return tuple(rates)
+            break
         for symbol in idle:
             del rates[symbol]
+    if not rates:
+        raise InputError(f"{system.name}: no rate depends on the state; nothing can be linearised")
+    return tuple(rates)
 
 
 def _symbol(system: System, name: Any, where: str) -> sp.Symbol:

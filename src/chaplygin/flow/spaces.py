@@ -49,13 +49,18 @@ def _orthonormal(vectors: Sequence[Any], beside: Sequence[Any] = ()) -> list[Any
     scale = max((mpmath.norm(v) for v in left), default=mpmath.mpf(1))
     floor = scale * mpmath.mpf(10) ** (-mpmath.mp.dps // 4)
     while left:
-        for v in left:
-            for _ in range(2):
-                for e in (*beside, *found):
-                    v -= (e.T * v)[0] * e  # noqa: PLW2901  (in place, as the name says)
+        left = [_remainder(v, (*beside, *found)) for v in left]
         longest = max(range(len(left)), key=lambda i: mpmath.norm(left[i]))
         best = left.pop(longest)
         if mpmath.norm(best) <= floor:
             break
         found.append(best / mpmath.norm(best))
     return found
+
+
+def _remainder(vector: Any, span: Sequence[Any]) -> Any:
+    """What is left of a vector without its part in an orthonormal span."""
+    for _ in range(2):
+        for e in span:
+            vector = vector - (e.T * vector)[0] * e
+    return vector
