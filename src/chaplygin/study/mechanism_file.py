@@ -19,11 +19,9 @@ from .experiment import EquationsExperiment, MechanismExperiment, OwnExperiment
 from .mechanism_tables import NumberTable
 from .names import Names, components
 
-__all__ = ["claimed", "mechanism_of", "system_of"]
+__all__ = ["claimed", "identifier", "mechanism_of", "system_of"]
 
-NAME = "experiment"
-"""By which errors and datasets call a system that has only a title."""
-
+UNTITLED = "Untitled system"
 _GROUP = re.compile(r"\s*(\w+)\s*\(\s*(\w+)\s*(?:,\s*(\w+)\s*)?\)\s*")
 
 
@@ -48,7 +46,7 @@ def mechanism_of(experiment: MechanismExperiment) -> Mechanism:
         lagrangian -= names.scalar(table.potential or "0", "lagrangian", "potential")
     constraints = experiment.constraints
     return Mechanism(
-        name=NAME,
+        name=identifier(experiment),
         frame=frame,
         lagrangian=lagrangian,
         constraints=names.formulas(constraints.velocity, "constraints", "velocity"),
@@ -59,7 +57,7 @@ def mechanism_of(experiment: MechanismExperiment) -> Mechanism:
         observables=_observables(names),
         guards=_guards(names),
         laws=_integrals(names),
-        title=experiment.title or "Mechanism",
+        title=experiment.title or UNTITLED,
         summary=experiment.summary,
     )
 
@@ -88,8 +86,8 @@ def system_of(experiment: EquationsExperiment) -> System:
         *(item.value for item in laws),
     )
     made = System(
-        name=NAME,
-        title=experiment.title or "Equations",
+        name=identifier(experiment),
+        title=experiment.title or UNTITLED,
         field=field + (((TIME, sp.S.One),) if timed else ()),
         parameters=parameters,
         definitions=definitions,
@@ -127,6 +125,12 @@ def claimed(experiment: OwnExperiment, system: System) -> System:
             field[named] = names.like(named, text, *key, variable)
         laws.append(Symmetry(name, field))
     return system.with_laws(*laws)
+
+
+def identifier(experiment: OwnExperiment) -> str:
+    """The title as the name of a system, ``chaplygin-sleigh``."""
+    words: list[str] = re.findall(r"\w+", (experiment.title or UNTITLED).lower())
+    return "-".join(words) or "untitled-system"
 
 
 # --- names and numbers ---------------------------------------------------------------------

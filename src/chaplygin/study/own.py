@@ -12,7 +12,7 @@ from ..mechanics.quasivelocity import Mechanism
 from ..mechanics.suslov import equations
 from ..system import System
 from .experiment import EquationsExperiment, MechanismExperiment, OwnExperiment
-from .mechanism_file import NAME, claimed, mechanism_of, system_of
+from .mechanism_file import claimed, identifier, mechanism_of, system_of
 from .toml_text import Key
 
 __all__ = ["described"]
@@ -60,7 +60,7 @@ def _placed(experiment: OwnExperiment) -> Iterator[None]:
     except InputError as error:
         if error.where:
             raise
-        sentence = error.message.removeprefix(f"{NAME}: ")
+        sentence = error.message.removeprefix(f"{identifier(experiment)}: ")
         key = next((key for words, key in _PLACES if re.match(words, sentence)), ())
         raise InputError(sentence, experiment.where(*key)) from None
 

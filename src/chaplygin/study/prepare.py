@@ -16,7 +16,7 @@ from ..errors import InputError
 from ..expressions import parse
 from ..flow.trajectory import Trajectory, integrate
 from ..mechanics.body import Body
-from ..mechanics.quasivelocity import Mechanism
+from ..mechanics.quasivelocity import TIME, Mechanism
 from ..mechanics.rolling import Field, Rolling
 from ..mechanics.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Shape, Torus
 from ..mechanics.start import starting_state
@@ -265,7 +265,7 @@ def _from_catalogue(experiment: SystemExperiment | StateExperiment) -> Study:
 
 def _of_the_user(experiment: MechanismExperiment | EquationsExperiment) -> Study:
     mechanism, system = described(experiment)
-    given = {**experiment.start}
+    given = ({str(TIME): 0.0} if TIME in system.symbols else {}) | experiment.start
     variables = {name: (told.meaning, told.unit) for name, told in experiment.variables.items()}
     until = experiment.run.until
     return Study(experiment, system, None, given, until, variables, mechanism)

@@ -24,6 +24,10 @@ from .mistakes import shown
 
 __all__ = ["given_state", "normalised", "on_level", "unit_vectors"]
 
+#: Components that a vector may have.
+SIZES = (2, 3, 4)
+QUATERNION = 4
+
 #: Steps of Newton's method by which a start is put on the phase space, at most.
 _STEPS = 40
 
@@ -43,7 +47,7 @@ def given_state(system: System, values: Values) -> tuple[Any, ...]:
     system : System
     values : mapping of str to number or numbers
         Every variable of the state; those of the lift may be left out.  A vector that the
-        relations make a unit vector is normalised.
+        relations make a unit vector is normalised.  Definitions may be given besides, as a check.
 
     Returns
     -------
@@ -55,23 +59,28 @@ def given_state(system: System, values: Values) -> tuple[Any, ...]:
     ------
     InputError
         If a name is unknown or missing, a value has the wrong shape, or the state misses the
-        relations; the message then names the nearest state that does not.
+        relations; the message then names the nearest state that does not.  Also if a definition
+        has another value at this state.
     """
+    lifted = system.lifted() if system.motion else system
+    values, claims = _sorted(lifted, values)
     with mpmath.workdps(DIGITS):
         known = _read(system, values)
-        lifted = system.lifted() if system.motion else system
         _complete(lifted, known)
         state = [x for name in lifted.state for x in known[str(name)]]
-        return tuple(_on_relations(lifted, state))
+        found = _on_relations(lifted, state)
+        _check_claims(lifted, found, claims)
+        return tuple(found)
 
 
 def normalised(values: Values, names: Collection[str]) -> dict[str, tuple[float, list[float]]]:
     """The vectors of these names that had not the length one: their length and their direction."""
     found = {}
     for name in names & values.keys():
-        given = [float(x) for x in _numbers(name, values[name], 3)]
+        told = values[name]
+        given = list(map(float, told)) if isinstance(told, Sequence) else []
         length = math.hypot(*given)
-        if abs(length - 1) > ROUNDING:
+        if length and abs(length - 1) > ROUNDING:
             found[name] = length, [x / length for x in given]
     return found
 
@@ -82,6 +91,45 @@ def on_level(system: System, level: Sequence[sp.Expr], state: Sequence[Any]) -> 
         size = 1 + max((abs(x) for x in state), default=0)
         found = _function(system, [explicit(e) for e in level])(state)
         return all(abs(x) <= SLACK * size**2 for x in found)
+
+
+def _sorted(lifted: System, values: Values) -> tuple[Values, dict[sp.Symbol, float]]:
+    """Values of the state by its names, and of definitions by their symbols."""
+    state = set(map(str, lifted.state))
+    defined = {str(s): s for s, _ in lifted.steps}
+    told: dict[str, float | Sequence[float]] = {}
+    claims: dict[sp.Symbol, float] = {}
+    for name, given in values.items():
+        for part, value in _parts(name, given, state, {*map(str, lifted.symbols), *defined}):
+            if part in defined and not isinstance(value, Sequence):
+                claims[defined[part]] = value
+            else:
+                told[part] = value
+    return told, claims
+
+
+def _parts(
+    name: str, given: float | Sequence[float], state: Collection[str], scalars: Collection[str]
+) -> list[tuple[str, float | Sequence[float]]]:
+    """A vector that is no whole one in the system, by its components."""
+    if name in state or not isinstance(given, Sequence) or len(given) not in SIZES:
+        return [(name, given)]
+    symbols = list(map(str, Vector(name, len(given)).symbols))
+    if not all(symbol in scalars for symbol in symbols):
+        return [(name, given)]
+    return list(zip(symbols, given, strict=True))
+
+
+def _check_claims(lifted: System, state: list[Any], claims: Mapping[sp.Symbol, float]) -> None:
+    """Refuse values of definitions that the state does not give them."""
+    found = _function(lifted, list(claims))(state) if claims else []
+    for symbol, value in zip(claims, found, strict=True):
+        given = claims[symbol]
+        if abs(value - given) > SLACK * (1 + abs(given)):
+            raise InputError(
+                f"{symbol}: follows from the others and is {float(value):.15g}, not {given:.15g}; "
+                "it may be left out"
+            )
 
 
 def _read(system: System, values: Values) -> dict[str, list[Any]]:
@@ -132,8 +180,12 @@ def unit_vectors(system: System) -> set[str]:
 
 def _complete(lifted: System, known: dict[str, list[Any]]) -> None:
     """What is not given of the lift to space."""
-    zero = mpmath.mpf(0)
+    zero, one = mpmath.mpf(0), mpmath.mpf(1)
     for name in lifted.state:
+        if str(name) in unit_vectors(lifted) - {str(attitude)}:
+            # the last axis, or the quaternion that turns nothing
+            rest = [zero] * (_size(name) - 1)
+            known.setdefault(str(name), [one, *rest] if _size(name) == QUATERNION else [*rest, one])
         known.setdefault(str(name), [zero] * max(_size(name), 1))
     if attitude in lifted.state and not any(known[str(attitude)]):
         known[str(attitude)] = _upright(known.get("gamma", [zero, zero, mpmath.mpf(1)]))
