@@ -24,6 +24,7 @@ from sympy.polys.rings import PolyRing
 from ..errors import InputError
 from ..statements import Law
 from ..system import System
+from .angles import without_angles
 from .budget import Budget
 from .errors import SpareNeededError
 from .functions import Fractions
@@ -95,6 +96,8 @@ def certified(system: System, law: Law, seconds: float = 300.0) -> Verdict:
         As for :func:`chaplygin.laws.prove.prove`.
     """
     verdict = prove(system, law, seconds=seconds)
+    if verdict.decision != "undecided":
+        system, law = without_angles(system, law)
     content: dict[str, Any] = {"verdict": verdict.decision, **_statement(system, law)}
     if verdict.decision == "refuted":
         content["witness"] = verdict.witness

@@ -17,6 +17,7 @@ from typing import Any, overload
 from ..errors import InputError
 from ..statements import Identity, Isomorphism, Law, PoissonStructure
 from ..system import System
+from .angles import without_angles
 from .budget import Budget
 from .errors import NotExactError, OutOfReachError, SpareNeededError, UnknownSymbolError
 from .functions import Fractions
@@ -106,6 +107,7 @@ def everything(law: Law, ground: Ground, field: Any) -> Iterator[tuple[str, Any]
 
 
 def _decided(system: System, law: Law, budget: Budget) -> Verdict:
+    system, law = without_angles(system, law)
     ground = Ground(system, law.on)
     generator = random.Random(SEED)
     sample: dict[str, float] = {}
