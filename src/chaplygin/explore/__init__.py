@@ -1,0 +1,1 @@
+"""What a system can do: its place in the hierarchy of dynamics."""

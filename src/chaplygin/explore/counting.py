@@ -1,0 +1,97 @@
+"""Counting what is proven: integrals, measures, Hamiltonian forms, symmetry fields, levels."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+from ..claims import heading, level
+from ..laws.verdict import Verdict
+from ..notation import text
+from ..statements import Integral, Isomorphism, Law, Measure, Reduction
+from ..system import System
+from .elsewhere import There, followed
+from .forms import Forms, density, hamiltonian
+from .hierarchy import Place
+from .kinds import Found, classified
+from .lie import fields, lie
+from .proofs import Fact, Patience, fact_of
+from .sorting import sorted_laws
+from .sources import sources
+from .standing import Standing
+
+__all__ = ["counted"]
+
+
+def counted(system: System, verdicts: Mapping[str, Verdict], patience: Patience) -> Place:
+    """The place of a system; see :func:`chaplygin.explore.hierarchy.place`."""
+    whole = Standing(system)
+    laws = sorted_laws(whole, verdicts)
+    found = []
+    for on, special in laws.levels.items():
+        kept = [law for law in laws.general if _holds(system, law, on, patience)]
+        made = _placed(Standing(system, on), (*special, *kept), patience)
+        words = level(replace(special[0], on=on), system, text)
+        found.append(replace(made, level=words))
+    main = _placed(whole, laws.general, patience)
+    return replace(main, uncounted=laws.uncounted, levels=tuple(found))
+
+
+def _holds(system: System, law: Law, on: tuple[Any, ...], patience: Patience) -> bool:
+    """Whether what holds everywhere holds for a level by itself: functions do, the rest is proven."""
+    if isinstance(law, Integral | Reduction | Isomorphism):
+        return True
+    return bool(patience.verdict(system, replace(law, on=(*law.on, *on))))
+
+
+# --- one phase space -----------------------------------------------------------------------
+
+
+def _placed(standing: Standing, laws: Sequence[Law], patience: Patience) -> Place:
+    system = standing.system
+    variables = len(system.symbols)
+    forms = hamiltonian(standing, laws, patience)
+    there = There()
+    if not forms.liouville:
+        there = followed(standing, laws, patience)
+        forms = Forms(forms.brackets + there.brackets, forms.liouville or there.liouville)
+    own = sources(laws)
+    every = [*own, *there.sources]
+    kept, count = standing.independent([source.rows for source in every])
+    chosen = [every[i] for i in kept]
+    named = {law.name for law in laws if isinstance(law, Integral)}
+    spare = [s.fact for i, s in enumerate(own) if i not in kept and s.fact.law in named]
+    measures = tuple(density(standing, law) for law in laws if isinstance(law, Measure))
+    symmetries = fields(standing, laws, patience)
+    found = Found(
+        dimension=standing.dimension,
+        count=count,
+        integrals=tuple(source.fact for source in chosen),
+        measures=measures or there.measures,
+        brackets=forms.brackets,
+        symmetries=tuple(fact_of(law) for law in symmetries),
+        lie=lie(standing, standing.dimension - count - 1, chosen, symmetries, patience),
+        liouville=forms.liouville,
+    )
+    kinds, dynamics = classified(found)
+    return Place(
+        system=system.title,
+        level="",
+        variables=variables,
+        conditions=variables - standing.dimension,
+        integrals=found.integrals,
+        count=count,
+        dependent=tuple(spare),
+        measures=found.measures,
+        brackets=found.brackets,
+        symmetries=found.symmetries,
+        reductions=tuple(_told(law) for law in laws if isinstance(law, Reduction | Isomorphism)),
+        kinds=kinds,
+        dynamics=dynamics,
+    )
+
+
+def _told(law: Law) -> Fact:
+    meaning = str(getattr(law, "meaning", ""))
+    return Fact(law.name, f"{heading(law)}: {meaning}" if meaning else heading(law), law.source)

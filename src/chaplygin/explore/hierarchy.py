@@ -1,0 +1,189 @@
+"""The place of a system in the hierarchy of dynamics (§3, §4): what is proven of it, and so what
+its motions can be.
+
+A place is built on verdicts alone.  What is undecided or refuted does not count, and is named; what
+holds on a level counts on that level; what holds for special parameters counts where the present
+ones satisfy the condition exactly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from ..laws.verdict import Verdict
+from ..system import System
+from .proofs import Fact, Patience
+
+__all__ = ["Bracket", "Density", "Kind", "Place", "Statement", "Uncounted", "place"]
+
+#: Seconds for a proof that is needed besides the verdicts given, and for all of them.
+PATIENCE = 1.0
+ALTOGETHER = 10.0
+
+
+@dataclass(frozen=True)
+class Statement:
+    """A sentence with the facts on which it rests."""
+
+    text: str
+    by: tuple[Fact, ...] = ()
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A class of systems to which this one belongs.
+
+    Attributes
+    ----------
+    name : str
+        ``"curves"``, ``"lie"``, ``"euler-jacobi"``, ``"liouville"``, ``"hamiltonian"``,
+        ``"conformally hamiltonian"`` or ``"none known"``.
+    text : str
+        What that means here.
+    by : tuple of Fact
+    """
+
+    name: str
+    text: str
+    by: tuple[Fact, ...] = ()
+
+
+@dataclass(frozen=True)
+class Density:
+    """An invariant measure: its law, and whether its density stays positive and finite.
+
+    `sign` is ``"kept"`` where that is shown everywhere, ``"changes"`` where the density vanishes
+    or is infinite somewhere, ``"unknown"`` where neither is decided.
+    """
+
+    law: Fact
+    sign: str
+
+
+@dataclass(frozen=True)
+class Bracket:
+    """A (conformally) Hamiltonian form.
+
+    Attributes
+    ----------
+    law : Fact
+    rank : int
+        Of the Poisson structure, at a generic point of the level.
+    casimirs : tuple of str
+        Casimir functions that are proven, besides the relations of the phase space.
+    conformal : bool
+        Whether the form needs a reducing multiplier, a change of time.
+    sign : str
+        As for `Density`, of the multiplier.
+    """
+
+    law: Fact
+    rank: int
+    casimirs: tuple[str, ...]
+    conformal: bool
+    sign: str
+
+
+@dataclass(frozen=True)
+class Uncounted:
+    """A law that does not count, and why."""
+
+    law: str
+    why: str
+
+
+@dataclass(frozen=True)
+class Place:
+    """The place of a system, or of one of its levels, in the hierarchy of dynamics.
+
+    Attributes
+    ----------
+    system : str
+        Its title.
+    level : str
+        In words, empty for the whole phase space.
+    variables, conditions : int
+        Number of state variables, and rank of the conditions between them.
+    integrals : tuple of Fact
+        Independent first integrals.
+    count : int
+        How many functions these are: a reduction to linear equations gives several.
+    dependent : tuple of Fact
+        Further integrals, functions of the others as far as the rank tells.
+    measures : tuple of Density
+    brackets : tuple of Bracket
+    symmetries : tuple of Fact
+        Fields that commute with the motion and are independent of it and of one another.
+    reductions : tuple of Fact
+        Further proven reductions, separations, isomorphisms.
+    kinds : tuple of Kind
+    dynamics : tuple of Statement
+        What its motions can be.
+    uncounted : tuple of Uncounted
+    levels : tuple of Place
+        Levels on which more is proven.
+    """
+
+    system: str
+    level: str
+    variables: int
+    conditions: int
+    integrals: tuple[Fact, ...] = ()
+    count: int = 0
+    dependent: tuple[Fact, ...] = ()
+    measures: tuple[Density, ...] = ()
+    brackets: tuple[Bracket, ...] = ()
+    symmetries: tuple[Fact, ...] = ()
+    reductions: tuple[Fact, ...] = ()
+    kinds: tuple[Kind, ...] = ()
+    dynamics: tuple[Statement, ...] = ()
+    uncounted: tuple[Uncounted, ...] = ()
+    levels: tuple[Place, ...] = ()
+
+    @property
+    def dimension(self) -> int:
+        """Of the phase space, or of the level."""
+        return self.variables - self.conditions
+
+    @property
+    def remaining(self) -> int:
+        """Dimension of a common level of the integrals."""
+        return self.dimension - self.count
+
+    @property
+    def record(self) -> dict[str, Any]:
+        """Everything, ready for JSON."""
+        from .telling import record
+
+        return record(self)
+
+    def __str__(self) -> str:
+        from .telling import told
+
+        return told(self)
+
+
+def place(
+    system: System, verdicts: Mapping[str, Verdict], patience: Patience | None = None
+) -> Place:
+    """The place of a system in the hierarchy of dynamics.
+
+    Parameters
+    ----------
+    system : System
+        Its parameters count with their present values (their defaults), taken as exact decimals.
+    verdicts : mapping of str to Verdict
+        On its laws, by name; a law without a verdict does not count.
+    patience : Patience, optional
+        For the proofs needed besides: that symmetries leave the integrals alone, that integrals
+        are in involution, laws of the targets of isomorphisms, laws restricted to a level.
+
+    Returns
+    -------
+    Place
+    """
+    from .counting import counted
+
+    return counted(system, verdicts, patience or Patience(PATIENCE, ALTOGETHER))

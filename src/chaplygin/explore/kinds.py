@@ -1,0 +1,278 @@
+"""From what is proven to the class of a system and to what its motions can be (§3.3, §4).
+
+The theorems are used as they stand: Lie (Theorem 3), Euler and Jacobi (Theorem 5), Liouville and
+Arnold, Poincaré and Bendixson; nothing is said that does not follow from the facts counted.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .hierarchy import Bracket, Density, Kind, Statement
+from .proofs import Fact
+
+__all__ = ["Found", "classified"]
+
+
+@dataclass(frozen=True)
+class Found:
+    """What is proven of a phase space.
+
+    Attributes
+    ----------
+    dimension : int
+    count : int
+        Independent first integrals.
+    integrals : tuple of Fact
+        What gives them.
+    measures : tuple of Density
+    brackets : tuple of Bracket
+    symmetries : tuple of Fact
+        Independent of the motion and of one another.
+    lie : tuple of Fact
+        Symmetry fields that fulfil Theorem 3, if they do.
+    liouville : tuple of Fact
+        A Hamiltonian form and integrals in involution, if they are enough.
+    """
+
+    dimension: int
+    count: int
+    integrals: tuple[Fact, ...]
+    measures: tuple[Density, ...]
+    brackets: tuple[Bracket, ...]
+    symmetries: tuple[Fact, ...]
+    lie: tuple[Fact, ...]
+    liouville: tuple[Fact, ...]
+
+    @property
+    def remaining(self) -> int:
+        """Dimension of a common level of the integrals."""
+        return self.dimension - self.count
+
+    @property
+    def volumes(self) -> tuple[Density, ...]:
+        """Invariant measures, those of Hamiltonian forms among them (§3.3)."""
+        forms = tuple(Density(b.law, b.sign) for b in self.brackets)
+        return tuple(sorted(self.measures + forms, key=lambda m: _ORDER[m.sign]))
+
+    @property
+    def volume(self) -> Density | None:
+        """The best of them."""
+        return self.volumes[0] if self.volumes else None
+
+    @property
+    def lasting(self) -> bool:
+        """Whether a measure is invariant whose density is positive and finite everywhere."""
+        return any(m.sign == "kept" for m in self.volumes)
+
+    @property
+    def euler_jacobi(self) -> bool:
+        """Whether Theorem 5 applies."""
+        return self.remaining == 2 and bool(self.volumes)
+
+
+_ORDER = {"kept": 0, "unknown": 1, "changes": 2}
+
+
+def classified(found: Found) -> tuple[tuple[Kind, ...], tuple[Statement, ...]]:
+    """The classes of a system, and what its motions can be."""
+    return _kinds(found), (*_motions(found), *_attraction(found))
+
+
+# --- classes -------------------------------------------------------------------------------
+
+
+def _kinds(found: Found) -> tuple[Kind, ...]:
+    kinds: list[Kind] = []
+    if found.remaining <= 1:
+        kinds.append(
+            Kind(
+                "curves",
+                "integrable by its integrals alone: a common level is a curve, and the motion on "
+                "it a quadrature",
+                found.integrals,
+            )
+        )
+    if found.lie:
+        kinds.append(
+            Kind(
+                "lie",
+                f"integrable by Lie's theorem: {_number(found.count, 'integral')} and "
+                f"{_number(len(found.lie), 'symmetry field')} that leave them alone and span a "
+                "solvable algebra",
+                (*found.integrals, *found.lie),
+            )
+        )
+    if found.euler_jacobi and found.volume is not None:
+        kinds.append(
+            Kind(
+                "euler-jacobi",
+                f"integrable by Euler and Jacobi: {_number(found.count, 'integral')} in "
+                f"{found.dimension} dimensions and an invariant measure, whose density is the last "
+                "multiplier",
+                (*found.integrals, found.volume.law),
+            )
+        )
+    kinds += _hamiltonian(found)
+    return tuple(kinds) or (Kind("none known", _lacking(found)),)
+
+
+def _hamiltonian(found: Found) -> list[Kind]:
+    if not found.brackets:
+        return []
+    best = min(found.brackets, key=lambda b: (b.conformal, _ORDER[b.sign]))
+    rank = f"the Poisson structure has rank {best.rank}"
+    kinds = []
+    if best.conformal:
+        where = {
+            "kept": "",
+            "unknown": ", wherever the multiplier does not vanish",
+            "changes": ", except where the multiplier vanishes or is infinite",
+        }[best.sign]
+        kinds.append(
+            Kind(
+                "conformally hamiltonian",
+                f"conformally Hamiltonian: Hamiltonian in a new time{where}; {rank}",
+                (best.law,),
+            )
+        )
+    else:
+        kinds.append(Kind("hamiltonian", f"Hamiltonian; {rank}", (best.law,)))
+    if found.liouville:
+        kinds.append(
+            Kind(
+                "liouville",
+                "integrable after Liouville"
+                + (", in the new time" if best.conformal else "")
+                + ": as many integrals in involution as half the rank",
+                found.liouville,
+            )
+        )
+    return kinds
+
+
+def _lacking(found: Found) -> str:
+    """What the theorem of Euler and Jacobi lacks."""
+    missing = []
+    if found.remaining > 2:
+        missing.append(f"{_number(found.remaining - 2, 'further integral')}")
+    if found.volume is None:
+        missing.append("an invariant measure")
+    wanted = " and ".join(missing)
+    return f"none known: no theorem of integrability applies; Euler and Jacobi's lacks {wanted}"
+
+
+def _number(count: int, what: str) -> str:
+    words = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight")
+    word = words[count] if count < len(words) else str(count)
+    plural = what[:-1] + "ies" if what.endswith("y") else what + "s"
+    return f"{word} {what if count == 1 else plural}"
+
+
+# --- motions -------------------------------------------------------------------------------
+
+
+def _motions(found: Found) -> list[Statement]:
+    uniform = [b for b in found.brackets if not b.conformal]
+    if found.remaining <= 1:
+        return [
+            Statement(
+                "Every motion runs along a curve: periodic where the curve is closed and free of "
+                "rest points, towards a rest point or away where it is not. No chaos.",
+                found.integrals,
+            )
+        ]
+    if found.liouville and found.brackets:
+        time = "time" if uniform else "new time"
+        half = max(b.rank for b in found.brackets) // 2
+        told = [
+            f"On compact common levels without rest points: straight, uniform windings of "
+            f"{half}-dimensional tori in the {time}, quasi-periodic or periodic. No chaos."
+        ]
+        if not uniform and found.euler_jacobi:
+            told.append(
+                "In the time itself the windings are not uniform: on a resonant torus the periods "
+                "may differ from one trajectory to the next."
+            )
+        return [Statement(" ".join(told), found.liouville)]
+    if found.euler_jacobi and found.volume is not None:
+        return [
+            Statement(
+                "On compact common levels on which the measure is regular and nothing rests: tori, "
+                "wound by straight lines after a change of time (θ̇ = λ/Φ), not uniformly in the "
+                "time itself; on a resonant torus the periods may differ. No chaos.",
+                (*found.integrals, found.volume.law),
+            )
+        ]
+    if found.lie:
+        return [
+            Statement(
+                "Every motion is given by quadratures. No chaos.", (*found.integrals, *found.lie)
+            )
+        ]
+    if found.remaining == 2:
+        return [
+            Statement(
+                "Motions on surfaces: rest points, closed orbits, limit cycles and windings, but no "
+                "chaos.",
+                found.integrals,
+            )
+        ]
+    levels = f"{found.remaining}-dimensional levels" if found.count else "the whole phase space"
+    if found.volume is not None:
+        best = found.volume
+        manner = "Hamiltonian" if found.brackets else "volume-preserving"
+        return [
+            Statement(
+                f"Chaos is not excluded: {manner} motion on {levels}, in general with islands of "
+                "regular motion in a chaotic sea.",
+                (*found.integrals, best.law),
+            )
+        ]
+    return [
+        Statement(
+            f"Nothing proven bounds the complexity of the motion on {levels}: chaos is not "
+            "excluded.",
+            found.integrals,
+        )
+    ]
+
+
+def _attraction(found: Found) -> list[Statement]:
+    best = found.volume
+    if best is None:
+        if found.remaining <= 1:
+            return []
+        kind = "limit cycles and attracting tori"
+        strange = ", and strange attractors" if found.remaining > 2 and not found.lie else ""
+        return [
+            Statement(
+                f"No invariant measure is proven: attracting rest points, {kind}{strange} are not "
+                "excluded."
+                if found.remaining > 2
+                else "No invariant measure is proven: attracting rest points and limit cycles are "
+                "not excluded."
+            )
+        ]
+    if found.lasting:
+        return [
+            Statement(
+                "No attracting sets: a measure with positive, finite density is invariant.",
+                (best.law,),
+            )
+        ]
+    if best.sign == "changes":
+        return [
+            Statement(
+                "The density vanishes or is infinite somewhere: motions may tend to that set, and "
+                "attracting sets lie in it or nowhere.",
+                (best.law,),
+            )
+        ]
+    return [
+        Statement(
+            "No attracting sets, wherever the density of the measure is positive and finite (not "
+            "shown for every point).",
+            (best.law,),
+        )
+    ]

@@ -1,0 +1,113 @@
+"""Whether a formula keeps its sign on a phase space: shown by ball arithmetic, or refuted.
+
+An invariant measure excludes attracting sets only where its density is positive and finite; a
+reducing multiplier gives a new time only where it does not vanish.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Literal
+
+import sympy as sp
+from flint import arb
+
+from ..laws.errors import NotExactError, OutOfReachError
+from ..laws.numbers import precise
+from ..vectors import explicit
+from .standing import Standing
+
+__all__ = ["Sign", "sign"]
+
+Sign = Literal["kept", "changes", "unknown"]
+
+#: Boxes that may be looked at before the sign is left unknown.
+BOXES = 3000
+
+
+def sign(standing: Standing, formulas: Sequence[Any]) -> Sign:
+    """Whether none of some formulas vanishes or becomes infinite on a phase space.
+
+    Parameters
+    ----------
+    standing : Standing
+    formulas : sequence of sympy.Expr
+        In state, definitions and parameters.
+
+    Returns
+    -------
+    ``"kept"``, ``"changes"`` or ``"unknown"``
+        Kept: shown for every point, by ball arithmetic on a cover of the unit vectors on which
+        the formulas depend; changes: one of them has both signs, at points that were found.
+    """
+    found = [_of_one(standing, formula) for formula in formulas]
+    if "changes" in found:
+        return "changes"
+    return "unknown" if "unknown" in found else "kept"
+
+
+def _of_one(standing: Standing, formula: Any) -> Sign:
+    formula = explicit(sp.sympify(formula))
+    expanded = standing.expanded(formula)
+    if expanded.is_positive or expanded.is_negative:
+        return "kept"
+    try:
+        if len(standing.signs(formula)) == 2:
+            return "changes"
+        return "kept" if _covered(standing, formula, expanded) else "unknown"
+    except OutOfReachError:
+        return "unknown"
+
+
+def _spheres(standing: Standing, names: set[sp.Symbol]) -> list[set[sp.Symbol]]:
+    """Groups of state variables whose squares add up to one."""
+    found = []
+    for condition in standing.ground.moving:
+        group = condition.free_symbols
+        squares = sp.Add(*(s**2 for s in group)) - 1
+        if group & names and sp.expand(condition - squares) == 0:
+            found.append(group)
+    return found
+
+
+def _covered(standing: Standing, formula: Any, expanded: sp.Expr) -> bool:
+    """Whether no box of a cover of the unit vectors lets the formula vanish."""
+    names = expanded.free_symbols & set(standing.system.symbols)
+    spheres = _spheres(standing, names)
+    if not names <= set().union(*spheres):
+        return False
+    order = sorted(set().union(*spheres), key=str)
+    waiting = [tuple((arb(0), arb(1)) for _ in order)]
+    with precise():
+        for _ in range(BOXES):
+            if not waiting:
+                return True
+            box = waiting.pop()
+            values = {str(s): arb(m, r) for s, (m, r) in zip(order, box, strict=True)}
+            if not _meets(values, spheres) or _clear(standing, formula, values):
+                continue
+            waiting += _halves(box)
+    return False
+
+
+def _meets(values: dict[str, Any], spheres: list[set[sp.Symbol]]) -> bool:
+    """Whether a box may hold unit vectors."""
+    return all(1 in sum((values[str(s)] ** 2 for s in group), arb(0)) for group in spheres)
+
+
+def _clear(standing: Standing, formula: Any, values: dict[str, Any]) -> bool:
+    """Whether a formula is certainly not zero, and finite, on a box."""
+    field = standing.ground.numbers(values, False)
+    try:
+        value = standing.ground.evaluator(field).value(formula)
+    except (ZeroDivisionError, NotExactError):
+        return False
+    return bool(value.is_finite()) and 0 not in value
+
+
+def _halves(box: tuple[tuple[Any, Any], ...]) -> list[tuple[tuple[Any, Any], ...]]:
+    """A box cut in two across its longest side."""
+    index = max(range(len(box)), key=lambda i: float(box[i][1]))
+    middle, radius = box[index]
+    half = radius / 2
+    return [(*box[:index], (middle + s * half, half), *box[index + 1 :]) for s in (-1, 1)]
