@@ -29,9 +29,9 @@ __all__ = ["PRIMES", "IrrationalError", "Modular", "Numbers", "Rational", "Serie
 
 #: Primes p with (p − 1)/2 prime: every number has roots of odd degree, every second one a square
 #: root; 2 and 3 have square roots.
-PRIMES = (4611686018427377339, 4611686018427376319, 4611686018427364343)
+PRIMES = (4611686018427376319, 4611686018427375743, 4611686018427369527)
 #: Numbers drawn for coordinates: numerators up to, denominators up to.
-HEIGHT = 12
+HEIGHT = 5
 
 
 class IrrationalError(ArithmeticError):
@@ -129,7 +129,7 @@ class Modular:
 
     def ring(self, names: Sequence[str]) -> Any:
         """Polynomials in the variables given."""
-        return nmod_mpoly_ctx.get(list(names), Ordering.lex, self.prime)
+        return nmod_mpoly_ctx.get(list(names), modulus=self.prime, ordering=Ordering.lex)
 
     def matrix(self, rows: Sequence[Sequence[Any]], width: int) -> Any:
         """A matrix with exact elimination."""

@@ -1,0 +1,290 @@
+"""The motions that constraints admit: a distribution on the configuration space (§2.1).
+
+Constraints Σ a_μi(q) w_i = 0, (2.1), leave at each point a linear space of velocities, spanned
+by the fields η_s = Σ w_i^(s) E_i of (2.2).  Affine constraints and those that depend on the time
+are read in the space of (t, q), with one more velocity, that of t.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import sympy as sp
+
+from ..errors import InputError
+from ..system import assignments
+from ..vectors import Vector, constant, cross, dot, explicit, scalar
+from .germs import expanded
+from .places import Space
+from .quasivelocity import TIME, Frame, Mechanism, euclidean, rotations
+from .structure import commutator, structure
+
+__all__ = ["Distribution", "Field", "along", "commutator", "distribution", "spanned"]
+
+Field = Mapping[sp.Symbol, sp.Expr]
+#: c_ij^k by (i, j, k), i < j.
+Coefficients = Mapping[tuple[int, int, int], sp.Expr]
+
+alpha, beta, gamma, place = (Vector(name) for name in ("alpha", "beta", "gamma", "R"))
+
+
+def along(field: Field, function: sp.Expr) -> sp.Expr:
+    """A field applied to a function."""
+    return sp.Add(*(value * sp.diff(function, symbol) for symbol, value in field.items()))
+
+
+@dataclass(frozen=True)
+class Distribution:
+    """A linear space of velocities at each point of a configuration space.
+
+    Attributes
+    ----------
+    name : str
+    coordinates : tuple of Symbol
+        They may be redundant.
+    relations : tuple of formula
+        Vanish on the configuration space, the given position constraints among them.
+    velocities : tuple of Symbol
+    frame : tuple of mapping from Symbol to formula
+        E_i of (1.7) by coordinate, one for each velocity.
+    forms : tuple of tuple of formula
+        a_μi of (2.1), a row for each constraint; none where `frame` is all that is admitted.
+    structure : mapping, optional
+        c_ij^k of (1.8) where the frame acts on fewer coordinates than it has fields; None if
+        the coordinates describe the whole configuration.
+    steps : pairs (Symbol, formula)
+        Definitions used by the formulas.
+    constants : pairs (Symbol, number)
+        Parameters with their values.
+    """
+
+    name: str
+    coordinates: tuple[sp.Symbol, ...]
+    relations: tuple[sp.Expr, ...]
+    velocities: tuple[sp.Symbol, ...]
+    frame: tuple[Field, ...]
+    forms: tuple[tuple[sp.Expr, ...], ...] = ()
+    structure: Coefficients | None = None
+    steps: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
+    constants: tuple[tuple[sp.Symbol, Any], ...] = ()
+
+    @cached_property
+    def formulas(self) -> tuple[sp.Expr, ...]:
+        """Everything that says what the distribution is."""
+        return (
+            *(value for field in self.frame for value in field.values()),
+            *(entry for row in self.forms for entry in row),
+            *(self.structure or {}).values(),
+        )
+
+    def space(self, free: Sequence[sp.Symbol] = (), known: Sequence[sp.Expr] = ()) -> Space:
+        """What its points have to satisfy; `free` parameters have no value."""
+        return Space(
+            self.coordinates,
+            self.relations,
+            self.steps,
+            (*self.formulas, *known),
+            tuple((s, v) for s, v in self.constants if s not in free),
+            tuple(free),
+        )
+
+    @cached_property
+    def fixed(self) -> Distribution:
+        """The same with the values of the parameters put in."""
+        table = {s: sp.Rational(repr(v)) if isinstance(v, float) else v for s, v in self.constants}
+        return replace(
+            self,
+            relations=tuple(f.xreplace(table) for f in self.relations),
+            frame=tuple({s: v.xreplace(table) for s, v in field.items()} for field in self.frame),
+            forms=tuple(tuple(entry.xreplace(table) for entry in row) for row in self.forms),
+            structure=self.structure
+            and {ijk: sp.sympify(v).xreplace(table) for ijk, v in self.structure.items()},
+            steps=tuple((s, v.xreplace(table)) for s, v in self.steps),
+            constants=(),
+        )
+
+    @cached_property
+    def fields(self) -> tuple[Field, ...]:
+        """η_s of (2.2) by coordinate, with the definitions as symbols.
+
+        Each has one free velocity equal to 1; it is singular where the others cannot be solved
+        for.
+        """
+        found = []
+        for combination in _admissible(self.forms, len(self.velocities)):
+            total: dict[sp.Symbol, sp.Expr] = {}
+            for number, field in zip(combination, self.frame, strict=True):
+                for symbol, value in field.items():
+                    total[symbol] = total.get(symbol, sp.S.Zero) + number * value
+            found.append({s: value for s, value in total.items() if value != 0})
+        return tuple(found)
+
+
+def _admissible(forms: Sequence[Sequence[sp.Expr]], width: int) -> list[list[sp.Expr]]:
+    """A basis of the solutions of the constraints, columns that are numbers as pivots first."""
+    rows = [list(row) for row in forms]
+    pivots: list[tuple[int, list[sp.Expr]]] = []
+    while rows:
+        row, column = min(
+            ((r, c) for r in range(len(rows)) for c in range(width) if rows[r][c] != 0),
+            key=lambda rc: (not rows[rc[0]][rc[1]].is_Number, sp.count_ops(rows[rc[0]][rc[1]])),
+            default=(-1, -1),
+        )
+        if column < 0:
+            break
+        lead = rows[row][column]
+        chosen = [sp.cancel(entry / lead) for entry in rows.pop(row)]
+        pivots = [(c, _less(other, chosen, column)) for c, other in pivots]
+        rows = [_less(other, chosen, column) for other in rows]
+        pivots.append((column, chosen))
+    taken = {c for c, _ in pivots}
+    found = []
+    for free in (c for c in range(width) if c not in taken):
+        solution = [sp.S.One if c == free else sp.S.Zero for c in range(width)]
+        for c, pivot in pivots:
+            solution[c] = -pivot[free]
+        found.append(solution)
+    return found
+
+
+def _less(row: list[sp.Expr], pivot: list[sp.Expr], column: int) -> list[sp.Expr]:
+    factor = row[column]
+    if factor == 0:
+        return row
+    return [sp.cancel(a - factor * b) for a, b in zip(row, pivot, strict=True)]
+
+
+def spanned(
+    name: str,
+    fields: Sequence[Field],
+    coordinates: Sequence[sp.Symbol],
+    relations: Sequence[sp.Expr] = (),
+    constants: Mapping[sp.Symbol, Any] | None = None,
+) -> Distribution:
+    """The distribution spanned by fields that are given outright."""
+    return Distribution(
+        name,
+        tuple(coordinates),
+        tuple(relations),
+        tuple(scalar(f"u_{i}") for i, _ in enumerate(fields, 1)),
+        tuple(fields),
+        constants=tuple((constants or {}).items()),
+    )
+
+
+def distribution(mechanism: Mechanism) -> Distribution:
+    """The motions that the constraints of a mechanism admit.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        A frame reduced by rotations or by motions of space is completed by direction cosines α,
+        β, γ and the place R, so that integrals of the constraints can be written down.
+
+    Raises
+    ------
+    InputError
+        If a constraint is not linear in the velocities, or the frame does not span.
+    """
+    steps = {s: v for s, v in mechanism.steps}
+    moving = _moving(mechanism)
+    kept = tuple((s, v) for s, v in steps.items() if s not in moving)
+    frame = mechanism.frame
+    w = frame.w
+    rows: list[list[sp.Expr]] = []
+    rest: list[sp.Expr] = []
+    for f in mechanism.f:
+        formula = expanded(f, {s: steps[s] for s in moving})
+        row = [sp.diff(formula, s) for s in w]
+        if any(entry.free_symbols & set(w) for entry in row):
+            raise InputError(
+                f"{mechanism.name}: the constraint {f} = 0 is not linear in the velocities; "
+                "whether constraints are holonomic can be told only of linear ones"
+            )
+        rows.append(row)
+        rest.append(formula.xreplace(dict.fromkeys(w, sp.S.Zero)))
+    coordinates, relations, fields, given = _completed(frame)
+    positions = [expanded(F, dict(kept)) for F in mechanism.F]
+    rows += [[along(field, F) for field in fields] for F in positions]
+    rest += [sp.diff(F, TIME) for F in positions]
+    if any(entry != 0 for entry in rest) or _timed(rows, kept):
+        coordinates, fields = (*coordinates, TIME), (*fields, {TIME: sp.S.One})
+        w = (*w, scalar("tdot"))
+        rows = [[*row, entry] for row, entry in zip(rows, rest, strict=True)]
+    return Distribution(
+        mechanism.name,
+        coordinates,
+        (*relations, *positions),
+        w,
+        fields,
+        tuple(tuple(row) for row in rows),
+        given,
+        kept,
+        tuple((p.symbol, p.default) for p in mechanism.parameters),
+    )
+
+
+def _moving(mechanism: Mechanism) -> set[sp.Symbol]:
+    """Definitions that depend on the velocities."""
+    found = set(mechanism.frame.w)
+    for symbol, value in mechanism.steps:
+        if value.free_symbols & found:
+            found.add(symbol)
+    return found - set(mechanism.frame.w)
+
+
+def _timed(rows: Sequence[Sequence[sp.Expr]], steps: Sequence[tuple[sp.Symbol, sp.Expr]]) -> bool:
+    table = dict(steps)
+    return any(expanded(entry, table).has(TIME) for row in rows for entry in row)
+
+
+Completed = tuple[
+    tuple[sp.Symbol, ...], tuple[sp.Expr, ...], tuple[Field, ...], Coefficients | None
+]
+
+
+def _completed(frame: Frame) -> Completed:
+    """Coordinates, relations, fields and structure; reduced frames completed where known."""
+    fields = tuple(frame.field(i) for i in range(len(frame.w)))
+    if frame.structure is None:
+        return frame.coordinates, frame.relations, fields, None
+    given = structure(frame)
+    missing = _missing(frame, given)
+    if missing is None:
+        return frame.coordinates, frame.relations, fields, given
+    rates, relations = missing
+    whole = Frame({**dict(frame.rates), **rates}, frame.velocities, (*frame.relations, *relations))
+    fields = tuple(whole.field(i) for i in range(len(whole.w)))
+    return whole.coordinates, whole.relations, fields, given
+
+
+def _missing(frame: Frame, given: Coefficients) -> tuple[dict[Vector, Any], list[sp.Expr]] | None:
+    """Rates of the direction cosines and of the place, that the frame leaves out."""
+    names = [name for name in frame.velocities if isinstance(name, Vector)]
+    rates = dict(assignments(frame.rates))
+    for spin in names:
+        turned = explicit(cross(gamma, spin))
+        if dict(zip(gamma.symbols, turned, strict=True)).items() <= rates.items():
+            break
+    else:
+        return None
+    if frame.w == spin.symbols:
+        expected, added = rotations(spin), {}
+    else:
+        others = [name for name in names if name != spin]
+        if len(others) != 1 or len(frame.w) != 6:
+            return None
+        expected = euclidean(spin, others[0])
+        added = {place: constant([dot(a, others[0]) for a in (alpha, beta, gamma)])}
+    if structure(Frame(frame.rates, frame.velocities, structure=expected)) != given:
+        return None
+    cosines = {direction: cross(direction, spin) for direction in (alpha, beta)}
+    taken = {str(s) for s in (*frame.coordinates, *frame.w)}
+    if taken & {str(s) for name in (*cosines, *added) for s in name.symbols}:
+        return None
+    relations = [dot(a, a) - 1 for a in cosines]
+    relations += [dot(alpha, beta), dot(alpha, gamma), dot(beta, gamma)]
+    return {**cosines, **added}, relations

@@ -1,0 +1,197 @@
+"""Formulas as Taylor series about a point, exactly.
+
+Angles enter by sine and cosine, for which rational numbers are taken; e^x by a number of its own.
+At an angle that is a rational number, not zero, its sine is transcendental, and no polynomial
+relation with rational coefficients holds there that does not hold everywhere (Lindemann and
+Weierstrass): any point of the circle stands for it.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterable, Mapping, Sequence
+from math import lcm
+from typing import Any
+
+import sympy as sp
+
+from ..errors import InputError
+from .series import Numbers, Series
+
+__all__ = ["Germs", "angles"]
+
+Steps = Mapping[sp.Symbol, sp.Expr]
+#: Angles α of which sines and cosines are taken, with n where those of α/n are needed.
+Angles = Mapping[sp.Expr, int]
+
+_CIRCULAR = (sp.sin, sp.cos, sp.tan)
+#: Derivatives of functions whose value at a point is a number of its own.
+_SLOPES = {
+    sp.log: lambda x: 1 / x,
+    sp.atan: lambda x: 1 / (1 + x**2),
+    sp.asin: lambda x: 1 / sp.sqrt(1 - x**2),
+    sp.acos: lambda x: -1 / sp.sqrt(1 - x**2),
+}
+
+
+def expanded(formula: sp.Expr, steps: Steps) -> sp.Expr:
+    """A formula in which the definitions are written out."""
+    while formula.free_symbols & set(steps):
+        formula = formula.xreplace(dict(steps))
+    return formula
+
+
+def _combination(argument: sp.Expr, steps: Steps) -> dict[sp.Expr, sp.Rational]:
+    """An argument as a sum of rational multiples of angles; sp.pi stands for a half turn."""
+    found = sp.expand(expanded(argument, steps)).as_coefficients_dict()
+    return {core: sp.Rational(factor) for core, factor in found.items()}
+
+
+def angles(formulas: Iterable[sp.Expr], steps: Steps, kinds: Sequence[Any] = _CIRCULAR) -> Angles:
+    """The angles in formulas; with ``kinds=(sp.exp,)`` the exponents."""
+    found: dict[sp.Expr, int] = {}
+    for formula in (*formulas, *steps.values()):
+        for node in formula.atoms(*kinds):
+            for core, factor in _combination(node.args[0], steps).items():
+                found[core] = lcm(found.get(core, 1), int(factor.q))
+    return found
+
+
+class Germs:
+    """Taylor series of formulas about one point.
+
+    Parameters
+    ----------
+    numbers : Numbers
+    variables : sequence of Symbol
+        In which the series are taken.
+    values : mapping of Symbol to number
+        Of the variables and of everything else that is constant.
+    circles : mapping of formula to (number, number)
+        Sine and cosine of every angle divided by its n of `angles`.
+    units : Angles
+        The n.
+    steps : mapping of Symbol to formula
+        Definitions.
+    order : int
+        Up to which the series are known.
+    """
+
+    def __init__(
+        self,
+        numbers: Numbers,
+        variables: Sequence[sp.Symbol],
+        values: Mapping[sp.Symbol, Any],
+        circles: Mapping[sp.Expr, tuple[Any, Any]],
+        units: Angles,
+        steps: Steps,
+        order: int,
+    ) -> None:
+        self.numbers, self.order, self.steps = numbers, order, dict(steps)
+        self.values, self.circles, self.units = dict(values), dict(circles), dict(units)
+        self.variables = tuple(variables)
+        self.ring = numbers.ring([f"x{i}" for i, _ in enumerate(self.variables)])
+        self._known: dict[sp.Expr, Series] = {}
+        self._formal: dict[sp.Expr, Any] = {}
+        self._dice = random.Random(str(sorted(map(str, self.values.values()))))
+
+    def constant(self, value: Any) -> Series:
+        """A number."""
+        return Series.constant(self.numbers, self.ring, value, self.order)
+
+    def series(self, formula: sp.Expr) -> Series:
+        """A formula.
+
+        Raises
+        ------
+        ZeroDivisionError
+            If it is singular at the point.
+        IrrationalError
+            If the numbers in use do not contain a root that occurs.
+        InputError
+            If a function occurs that is not known here.
+        """
+        found = self._known.get(formula)
+        if found is None:
+            found = self._known[formula] = self._computed(formula)
+        return found
+
+    def _computed(self, formula: sp.Expr) -> Series:
+        if formula.is_Rational:
+            return self.constant(self.numbers.number(formula))
+        if formula.is_Float:
+            return self.constant(self.numbers.number(sp.Rational(str(formula))))
+        if formula.is_Symbol:
+            return self._symbol(formula)
+        if formula.is_Add or formula.is_Mul:
+            first, *rest = (self.series(arg) for arg in formula.args)
+            for other in rest:
+                first = first + other if formula.is_Add else first * other
+            return first
+        if formula.is_Pow and formula.exp.is_Rational:
+            return self.series(formula.base).power(int(formula.exp.p), int(formula.exp.q))
+        if isinstance(formula, _CIRCULAR):
+            return self._circular(formula)
+        if isinstance(formula, sp.exp):
+            return self._exponential(formula)
+        if formula.func in _SLOPES or formula is sp.pi:
+            return self._opaque(formula)
+        raise InputError(
+            f"{formula}: its derivatives at a point cannot be computed exactly; known are sums, "
+            "products, powers with rational exponents, sin, cos, tan, exp, log, asin, acos, atan"
+        )
+
+    def _symbol(self, symbol: sp.Symbol) -> Series:
+        if symbol in self.steps:
+            return self.series(self.steps[symbol])
+        if symbol not in self.values:
+            raise InputError(f"no value is given for {symbol}")
+        found = self.constant(self.values[symbol])
+        if symbol in self.variables and self.order:
+            found.parts[1] = self.ring.gens()[self.variables.index(symbol)]
+        return found
+
+    def _circular(self, formula: sp.Expr) -> Series:
+        one, zero = self.numbers.number(1), self.numbers.number(0)
+        total = (zero, one)
+        for core, factor in _combination(formula.args[0], self.steps).items():
+            unit = self.circles[core]
+            total = _turned(total, unit, int(factor * self.units[core]), (zero, one))
+        s, c = self.series(formula.args[0]).circle(*total)
+        return s if isinstance(formula, sp.sin) else c if isinstance(formula, sp.cos) else s / c
+
+    def _exponential(self, formula: sp.Expr) -> Series:
+        units = angles([formula], self.steps, (sp.exp,))
+        value = self.numbers.number(1)
+        for core, factor in _combination(formula.args[0], self.steps).items():
+            # one number for e^(core/60), so that e^(x/2), e^(x/3), … of one point agree
+            multiple = factor * 60 * units[core]
+            whole = int(factor * 60) if multiple.is_Integer and 60 % units[core] == 0 else None
+            if whole is None:
+                raise InputError(f"{formula}: exponents may have denominators 1 to 6 only")
+            value = value * self._formal_value(sp.exp(core / 60)) ** whole
+        return self.series(formula.args[0]).exponential(value)
+
+    def _formal_value(self, formula: sp.Expr) -> Any:
+        """A number of its own for a transcendental value."""
+        if formula not in self._formal:
+            self._formal[formula] = self.numbers.drawn(self._dice)
+        return self._formal[formula]
+
+    def _opaque(self, formula: sp.Expr) -> Series:
+        value = self._formal_value(formula)
+        if formula is sp.pi:
+            return self.constant(value)
+        argument = formula.args[0]
+        return self.series(argument).primitive(value, self.series(_SLOPES[formula.func](argument)))
+
+
+def _turned(
+    start: tuple[Any, Any], unit: tuple[Any, Any], times: int, none: tuple[Any, Any]
+) -> tuple[Any, Any]:
+    """Sine and cosine of an angle increased by a multiple of the unit."""
+    s, c = unit if times >= 0 else (none[0] - unit[0], unit[1])
+    found = start
+    for _ in range(abs(times)):
+        found = (found[0] * c + found[1] * s, found[1] * c - found[0] * s)
+    return found

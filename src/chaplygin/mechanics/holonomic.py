@@ -1,0 +1,242 @@
+"""Functions that are constant along all admissible motions: the holonomic part of constraints.
+
+Such a function F(q) is sought as a combination of monomials in the coordinates, the definitions,
+sines and cosines, and, if that is not enough, inverses and logarithms.  η_s(F) = 0 at sufficiently
+many points modulo a prime is a linear system for the coefficients.  What is found is verified
+identically, as a formula.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import combinations_with_replacement
+from typing import Any
+
+import sympy as sp
+
+from .distribution import Distribution, along
+from .germs import angles
+from .growth import SEED
+from .places import NoPointError, drawn
+from .sections import SingularError, Values, values_at
+from .series import PRIMES, IrrationalError, Modular
+from .vanishing import vanishes
+
+__all__ = ["Constancy", "constant_along", "constants"]
+
+#: Degrees of the monomials tried, with or without inverses and logarithms.
+STAGES = ((1, False), (2, False), (2, True), (3, False))
+MONOMIALS = 1200
+"""No stage with more monomials than this is tried."""
+SPARE = 8
+"""Equations more than unknowns."""
+
+
+@dataclass(frozen=True)
+class Constancy:
+    """A function that is constant along all admissible motions.
+
+    Attributes
+    ----------
+    formula : formula
+        F of F(q) = const.
+    proven : bool
+        Whether η_s(F) = 0 was verified as an identity; otherwise at many points modulo a prime.
+    """
+
+    formula: sp.Expr
+    proven: bool
+
+
+def constant_along(given: Distribution, function: sp.Expr) -> bool:
+    """Whether a function is constant along the admissible motions, decided as an identity."""
+    return all(vanishes(rate, given.relations, given.steps) for rate in _rates(given, function))
+
+
+def _rates(given: Distribution, function: sp.Expr) -> Iterator[sp.Expr]:
+    """η_s(F), the definitions being differentiated as what they stand for."""
+    for field in given.fields:
+        total = along(field, function)
+        known: dict[sp.Symbol, sp.Expr] = {}
+        for symbol, value in given.steps:
+            rate = along(field, value) + sum(
+                (sp.diff(value, s) * r for s, r in known.items()), sp.S.Zero
+            )
+            if rate != 0:
+                known[symbol] = rate
+                total += sp.diff(function, symbol) * rate
+        yield total
+
+
+def constants(
+    given: Distribution, many: int, free: Sequence[sp.Symbol] = ()
+) -> tuple[Constancy, ...]:
+    """Independent functions that are constant along all admissible motions.
+
+    Parameters
+    ----------
+    given : Distribution
+    many : int
+        How many there are, as from the growth; fewer may be found.
+    free : sequence of Symbol
+        Parameters that the functions may contain, and for all values of which they are constant.
+    """
+    chosen: tuple[Constancy, ...] = ()
+    for degree, wide in STAGES:
+        if len(chosen) == many:
+            break
+        search = _Search(given, free, wide)
+        if search.count(degree) <= MONOMIALS:
+            chosen = search.found(degree, many, chosen)
+    return chosen
+
+
+class _Search:
+    """Monomials in some letters, and points at which they are evaluated."""
+
+    def __init__(self, given: Distribution, free: Sequence[sp.Symbol], wide: bool) -> None:
+        self.given, self.free = given, tuple(free)
+        letters: list[sp.Expr] = [*given.coordinates, *free]
+        letters += [s for s, v in given.steps if v.free_symbols - {s for s, _ in given.constants}]
+        for core in angles(given.formulas, dict(given.steps)):
+            if core.free_symbols & set(given.coordinates):
+                letters += [sp.sin(core), sp.cos(core)]
+        letters += sorted({n for f in given.formulas for n in f.atoms(sp.exp)}, key=str)
+        if wide:
+            plain = [s for s in letters if s.free_symbols & set(given.coordinates)]
+            letters += [f for s in plain for f in (1 / s, sp.log(s))]
+        self.letters = tuple(letters)
+        self.numbers = Modular(PRIMES[1])
+        self.space = given.space(self.free, self.letters)
+        self.dice = random.Random(SEED)
+
+    def count(self, degree: int) -> int:
+        """How many monomials there are."""
+        return len(self._monomials(degree))
+
+    def _monomials(self, degree: int) -> list[tuple[int, ...]]:
+        """Monomials as letters by number, from the most complex to the simplest; not 1."""
+        found = []
+        for d in range(degree, 0, -1):
+            level = combinations_with_replacement(range(len(self.letters)), d)
+            found += [m for m in reversed(list(level)) if self._sensible(m)]
+        return found
+
+    def _sensible(self, monomial: tuple[int, ...]) -> bool:
+        names = {self.letters[i] for i in monomial}
+        logs = sum(isinstance(self.letters[i], sp.log) for i in monomial)
+        return logs <= 1 and not any(1 / name in names for name in names)
+
+    def points(self, many: int) -> list[Values]:
+        """Values and rates of the letters at generic points."""
+        found: list[Values] = []
+        failures = 0
+        while len(found) < many:
+            try:
+                place = drawn(self.space, self.numbers, self.dice)
+                found.append(values_at(self.given, place, self.space, self.letters))
+            except (NoPointError, IrrationalError, SingularError, ZeroDivisionError):
+                failures += 1
+                if failures > 4 * many:
+                    return []
+        return found
+
+    def found(self, degree: int, many: int, chosen: tuple[Constancy, ...]) -> tuple[Constancy, ...]:
+        """The functions chosen already, and more of them."""
+        monomials = self._monomials(degree)
+        width = max(1, len(self.given.fields))
+        points = self.points((len(monomials) + SPARE) // width + 2)
+        if not points:
+            return chosen
+        rows = [
+            [_rate(monomial, point.letters, rates) for monomial in monomials]
+            for point in points
+            for rates in point.along
+        ]
+        kernel = _kernel(self.numbers, rows, len(monomials))
+        test = points[-1]
+        positions = [list(row) for row in test.slopes]
+        known = [_differential(f.formula, self, test) for f in chosen]
+        span = positions + known
+        rank = int(self.numbers.matrix(span, len(test.frame)).rank()) if span else 0
+        for vector in reversed(kernel):
+            if len(chosen) == many:
+                break
+            row = [
+                sum(
+                    (c * _rate(monomials[i], test.letters, rates) for i, c in vector.items()),
+                    self.numbers.number(0),
+                )
+                for rates in test.frame
+            ]
+            grown = int(self.numbers.matrix([*span, row], len(row)).rank())
+            formula = self._formula(vector, monomials)
+            if grown > rank and formula is not None:
+                span, rank = [*span, row], grown
+                chosen += (Constancy(formula, constant_along(self.given, formula)),)
+        return chosen
+
+    def _formula(
+        self, vector: Mapping[int, Any], monomials: Sequence[tuple[int, ...]]
+    ) -> sp.Expr | None:
+        fractions: list[tuple[int, Fraction]] = []
+        for i, value in vector.items():
+            fraction = self.numbers.fraction(value)
+            if fraction is None:
+                return None
+            fractions.append((i, fraction))
+        products = [sp.Mul(*(self.letters[n] for n in monomials[i])) for i, _ in fractions]
+        terms = [
+            sp.Rational(c.numerator, c.denominator) * product
+            for (_, c), product in zip(fractions, products, strict=True)
+        ]
+        # without a common numerical factor, the simplest term being positive
+        content = sp.Add(*terms).as_content_primitive()[0]
+        sign = -1 if fractions[-1][1] < 0 else 1
+        return sp.Add(*(sign * term / content for term in terms))
+
+
+def _rate(monomial: Sequence[int], letters: Sequence[Any], rates: Sequence[Any]) -> Any:
+    """The derivative of a monomial by the values and rates of its letters."""
+    total = letters[0] * 0
+    for i, own in enumerate(monomial):
+        product = rates[own]
+        if product == 0:
+            continue
+        for j, other in enumerate(monomial):
+            if j != i:
+                product = product * letters[other]
+        total = total + product
+    return total
+
+
+def _differential(function: sp.Expr, search: _Search, point: Values) -> list[Any]:
+    """Rates of a function along the fields of the frame."""
+    series = point.germs.series(function)
+    slopes = [series.derivative(q).value for q, _ in enumerate(search.given.coordinates)]
+    zero = search.numbers.number(0)
+    return [sum((value * slopes[q] for q, value in moved.items()), zero) for moved in point.anchor]
+
+
+def _kernel(numbers: Modular, rows: Sequence[Sequence[Any]], width: int) -> list[dict[int, Any]]:
+    """A basis of the solutions, each with its own first unknown, the simplest last."""
+    reduced, rank = numbers.matrix(rows, width).rref()
+    pivots: list[int] = []
+    table = [[numbers.number(int(reduced[r, c])) for c in range(width)] for r in range(rank)]
+    for row in table:
+        pivots.append(next(c for c in range(width) if row[c] != 0))
+    basis = []
+    for free in (c for c in range(width) if c not in pivots):
+        vector = {free: numbers.number(1)}
+        vector |= {p: -table[r][free] for r, p in enumerate(pivots) if table[r][free] != 0}
+        basis.append([vector.get(c, numbers.number(0)) for c in range(width)])
+    if not basis:
+        return []
+    echelon, _ = numbers.matrix(basis, width).rref()
+    return [
+        {c: numbers.number(int(echelon[r, c])) for c in range(width) if echelon[r, c] != 0}
+        for r in range(len(basis))
+    ]

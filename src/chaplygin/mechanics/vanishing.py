@@ -1,0 +1,105 @@
+"""Whether a formula vanishes identically on a configuration space."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from .germs import expanded
+
+__all__ = ["vanishes"]
+
+Steps = Sequence[tuple[sp.Symbol, sp.Expr]]
+
+
+def vanishes(formula: sp.Expr, relations: Sequence[sp.Expr], steps: Steps = ()) -> bool:
+    """Whether a formula is zero wherever the relations hold; False if that is not shown.
+
+    Roots, sines and cosines become symbols with a relation of their own; the numerator is
+    divided by a Gröbner basis of the relations that share symbols with it.
+    """
+    table = dict(steps)
+    kernels = _Kernels()
+    total = kernels.plain(expanded(formula, table))
+    numerator = sp.numer(sp.together(total))
+    numerator = sp.expand(numerator)
+    if numerator == 0:
+        return True
+    conditions = [kernels.plain(expanded(r, table)) for r in relations]
+    ideal = _touching(numerator, [*conditions, *kernels.relations])
+    if not ideal:
+        return False
+    symbols = sorted(
+        numerator.free_symbols.union(*(r.free_symbols for r in ideal)),
+        key=lambda s: (s not in kernels.symbols, str(s)),
+    )
+    basis = sp.groebner([sp.numer(sp.together(r)) for r in ideal], *symbols, order="grevlex")
+    return bool(basis.contains(numerator))
+
+
+def _touching(formula: sp.Expr, relations: Sequence[sp.Expr]) -> list[sp.Expr]:
+    """The relations that a formula can be reduced by."""
+    found: list[sp.Expr] = []
+    reached = set(formula.free_symbols)
+    waiting = [r for r in relations if r != 0]
+    while True:
+        near = [r for r in waiting if r.free_symbols <= reached or _is_root(r, reached)]
+        if not near:
+            return found
+        found += near
+        reached = reached.union(*(r.free_symbols for r in near))
+        waiting = [r for r in waiting if r not in near]
+
+
+def _is_root(relation: sp.Expr, reached: set[sp.Symbol]) -> bool:
+    """Whether a relation is about a kernel that occurs."""
+    return any(isinstance(s, sp.Dummy) and s in reached for s in relation.free_symbols)
+
+
+class _Kernels:
+    """Symbols in place of roots, sines, cosines and other functions."""
+
+    def __init__(self) -> None:
+        self.table: dict[sp.Expr, sp.Symbol] = {}
+        self.relations: list[sp.Expr] = []
+
+    @property
+    def symbols(self) -> set[sp.Symbol]:
+        """The symbols introduced."""
+        return set(self.table.values())
+
+    def plain(self, formula: sp.Expr) -> sp.Expr:
+        """A formula with all kernels replaced."""
+        formula = formula.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x))
+        if formula.has(sp.sin, sp.cos):
+            for function in (sp.sin, sp.cos):
+                formula = formula.replace(function, lambda x, f=function: f(sp.expand(x)))
+            formula = sp.expand_trig(formula)
+        return self._replaced(formula)
+
+    def _replaced(self, formula: sp.Expr) -> sp.Expr:
+        if formula.is_Atom:
+            return formula
+        if formula.is_Pow and formula.exp.is_Rational and not formula.exp.is_Integer:
+            return self._root(formula.base, int(formula.exp.q)) ** int(formula.exp.p)
+        if isinstance(formula, (sp.sin, sp.cos)):
+            return self._circular(formula)
+        if formula.is_Add or formula.is_Mul or formula.is_Pow:
+            return formula.func(*(self._replaced(arg) for arg in formula.args))
+        return self.table.setdefault(formula, sp.Dummy("f", real=True))
+
+    def _root(self, base: sp.Expr, degree: int) -> sp.Symbol:
+        key = sp.Pow(base, sp.Rational(1, degree))
+        if key not in self.table:
+            self.table[key] = sp.Dummy("s", real=True)
+            self.relations.append(self.table[key] ** degree - self._replaced(base))
+        return self.table[key]
+
+    def _circular(self, formula: sp.Expr) -> sp.Symbol:
+        pair = (sp.sin(formula.args[0]), sp.cos(formula.args[0]))
+        if formula not in self.table:
+            for each in pair:
+                self.table[each] = sp.Dummy("c", real=True)
+            self.relations.append(self.table[pair[0]] ** 2 + self.table[pair[1]] ** 2 - 1)
+        return self.table[formula]
