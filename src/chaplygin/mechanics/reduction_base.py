@@ -19,7 +19,7 @@ from flint import fmpq, fmpq_mat
 from ..errors import InputError
 from ..vectors import Vector, explicit, normed, scalar
 from .quasivelocity import Mechanism
-from .reduction_exact import Formulas, point
+from .reduction_exact import Formulas, bare, point
 from .reduction_motion import Motion
 
 __all__ = ["Base", "base", "on_base"]
@@ -120,18 +120,13 @@ def _needed(mechanism: Mechanism, motion: Motion) -> list[sp.Symbol]:
     found = []
     for q in named:
         for _ in range(TRIES):
-            first = point([*_bare(formulas), *motion.coordinates], dice)
+            first = point([*bare(formulas.symbols), *motion.coordinates], dice)
             kept = {s: v for s, v in first.items() if s not in point([q], dice)}
             second = point([q], dice, kept)
             if formulas.at(first, fmpq(1)) != formulas.at(second, fmpq(1)):
                 found.append(q)
                 break
     return found
-
-
-def _bare(formulas: Formulas) -> list[sp.Symbol]:
-    """Symbols that are no sines and cosines."""
-    return [s for s in formulas.symbols if not str(s).startswith(("sin_", "cos_"))]
 
 
 def _free_names(mechanism: Mechanism) -> tuple[sp.Symbol, sp.Symbol]:
@@ -181,7 +176,7 @@ def _pair(mechanism: Mechanism, motion: Motion, needed: list[sp.Symbol]) -> Base
 
 def _spans(mechanism: Mechanism, rows: sp.Matrix) -> bool:
     formulas = Formulas(list(rows), mechanism.name)
-    values = formulas.at(point(_bare(formulas), random.Random(SEED), _angles(rows)), fmpq(1))
+    values = formulas.at(point(bare(formulas.symbols), random.Random(SEED), _angles(rows)), fmpq(1))
     return fmpq_mat(rows.rows, rows.cols, values).rank() == rows.rows
 
 

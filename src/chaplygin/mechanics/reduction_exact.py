@@ -8,20 +8,23 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from typing import Any, Protocol
 
 import sympy as sp
-from flint import Ordering, fmpq, fmpq_mat, fmpq_mpoly_ctx
+from flint import Ordering, fmpq, fmpq_mpoly_ctx
 from sympy.core.function import AppliedUndef
 
 from ..errors import InputError
 from ..vectors import scalar
 
 __all__ = [
+    "Evaluable",
     "Formulas",
     "Quotient",
     "Value",
+    "as_expression",
     "as_formula",
+    "bare",
     "circle",
     "inverse",
     "kernel",
@@ -30,6 +33,7 @@ __all__ = [
     "point",
     "product",
     "quotients",
+    "reduced",
 ]
 
 #: A rational number, or a fraction of polynomials in some parameters.
@@ -74,6 +78,17 @@ def on_circles(formula: sp.Expr, owner: str = "") -> sp.Expr:
     return formula
 
 
+class Evaluable(Protocol):
+    """Formulas with values at points."""
+
+    @property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """What needs a value."""
+
+    def at(self, point: Point, like: Value) -> list[Value]:
+        """The values; `like` is the number one of the field."""
+
+
 class Formulas:
     """Formulas made ready for evaluation in any field.
 
@@ -101,6 +116,11 @@ class Formulas:
         parts = [like * r.p / r.q for r in self._parts]
         values = self._function(*(point[s] for s in self.symbols), *parts)
         return [like * v for v in values]
+
+
+def bare(symbols: Iterable[sp.Symbol]) -> list[sp.Symbol]:
+    """The symbols that are no sines and cosines."""
+    return [s for s in symbols if not str(s).startswith(("sin_", "cos_"))]
 
 
 def number(dice: random.Random) -> fmpq:
@@ -139,35 +159,42 @@ def inverse(rows: Sequence[Sequence[Value]], like: Value) -> list[list[Value]]:
         If it is singular.
     """
     size = len(rows)
-    left = [[*row, *(like * int(i == j) for j in range(size))] for i, row in enumerate(rows)]
-    for k in range(size):
-        pivot = next((i for i in range(k, size) if left[i][k] != 0), None)
-        if pivot is None:
-            raise ZeroDivisionError
-        left[k], left[pivot] = left[pivot], left[k]
-        left[k] = [x / left[k][k] for x in left[k]]
-        for i in range(size):
-            if i != k and left[i][k] != 0:
-                factor = left[i][k]
-                left[i] = [x - factor * y for x, y in zip(left[i], left[k], strict=True)]
+    wide = [[*row, *(like * int(i == j) for j in range(size))] for i, row in enumerate(rows)]
+    left, pivots = reduced(wide)
+    if pivots != list(range(size)):
+        raise ZeroDivisionError
     return [row[size:] for row in left]
 
 
-def kernel(rows: Sequence[Sequence[fmpq]]) -> list[list[fmpq]]:
-    """A basis of the solutions of a homogeneous system, in reduced form, last unknowns free."""
-    if not rows:
-        return []
-    reduced, rank = fmpq_mat([list(row) for row in rows]).rref()
+def reduced(rows: Sequence[Sequence[Value]]) -> tuple[list[list[Value]], list[int]]:
+    """The reduced echelon form without zero rows, and the columns of its pivots."""
+    left = [list(row) for row in rows]
+    pivots: list[int] = []
+    for k in range(len(left[0])):
+        top = len(pivots)
+        pivot = next((i for i in range(top, len(left)) if left[i][k] != 0), None)
+        if pivot is None:
+            continue
+        left[top], left[pivot] = left[pivot], left[top]
+        left[top] = [x / left[top][k] for x in left[top]]
+        for i, row in enumerate(left):
+            if i != top and row[k] != 0:
+                factor = row[k]
+                left[i] = [x - factor * y for x, y in zip(row, left[top], strict=True)]
+        pivots.append(k)
+    return left[: len(pivots)], pivots
+
+
+def kernel(rows: Sequence[Sequence[Value]], like: Value) -> list[list[Value]]:
+    """A basis of the solutions of a homogeneous system, one for each free unknown."""
+    left, pivots = reduced(rows)
     size = len(rows[0])
-    pivots = []
-    for i in range(rank):
-        pivots.append(next(j for j in range(size) if reduced[i, j] != 0))
     found = []
     for free in (j for j in range(size) if j not in pivots):
-        solution = [fmpq(0)] * size
-        solution[free] = fmpq(1)
-        for i, pivot in enumerate(pivots):
-            solution[pivot] = -reduced[i, free]
+        solution = [like * 0] * size
+        solution[free] = like
+        for row, pivot in zip(left, pivots, strict=True):
+            solution[pivot] = -row[free]
         found.append(solution)
     return found
 
@@ -253,3 +280,10 @@ def as_formula(poly: Any) -> sp.Expr:
         power = sp.Mul(*(s ** int(e) for s, e in zip(names, exponents, strict=True)))
         terms.append(sp.Rational(int(c.p), int(c.q)) * power)
     return sp.Add(*terms)
+
+
+def as_expression(value: Value) -> sp.Expr:
+    """A number or a fraction as a SymPy formula."""
+    return (
+        value.formula() if isinstance(value, Quotient) else sp.Rational(int(value.p), int(value.q))
+    )

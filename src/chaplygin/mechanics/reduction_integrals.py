@@ -10,16 +10,23 @@ from __future__ import annotations
 import random
 from collections.abc import Sequence
 from itertools import combinations_with_replacement
-from typing import Any
 
 import sympy as sp
 from flint import fmpq
-from sympy.polys.matrices import DomainMatrix
 
 from ..vectors import scalar
 from .quasivelocity import Mechanism
 from .reduction_base import Base
-from .reduction_exact import Formulas, Value, kernel, point
+from .reduction_exact import (
+    Evaluable,
+    Formulas,
+    Value,
+    as_expression,
+    bare,
+    kernel,
+    point,
+    quotients,
+)
 from .reduction_motion import Motion
 
 __all__ = ["linear_integrals", "primitive", "quadratic_integrals", "solutions"]
@@ -46,15 +53,24 @@ def linear_integrals(mechanism: Mechanism, motion: Motion, base: Base) -> list[s
         terms += [f for f in monomials if f != 1]
         found = _constants(mechanism, motion, base, terms)
         if found:
-            return found
+            return [sp.Add(*(c * terms[i] for i, c in each.items())) for each in found]
     return []
 
 
-def quadratic_integrals(mechanism: Mechanism, motion: Motion, base: Base) -> list[sp.Expr]:
-    """Integrals quadratic in the momenta with constant coefficients, in q and u."""
-    momenta = list(motion.momenta)
-    terms = [a * b for a, b in combinations_with_replacement(momenta, 2)]
-    return _constants(mechanism, motion, base, terms)
+def quadratic_integrals(mechanism: Mechanism, motion: Motion, base: Base) -> list[sp.Matrix]:
+    """Symmetric matrices B, free of the coordinates, for which ½(m, Bm) is an integral."""
+    size = len(motion.velocities)
+    pairs = list(combinations_with_replacement(range(size), 2))
+    m = motion.momenta
+    forms = []
+    for chosen in _constants(mechanism, motion, base, [m[a] * m[b] for a, b in pairs]):
+        form = sp.zeros(size)
+        for i, factor in chosen.items():
+            a, b = pairs[i]
+            form[a, b] += factor
+            form[b, a] += factor
+        forms.append(form)
+    return forms
 
 
 def _functions(motion: Motion, base: Base) -> list[sp.Expr]:
@@ -80,14 +96,10 @@ def _monomials(functions: Sequence[sp.Expr], degree: int) -> list[sp.Expr]:
 
 def _constants(
     mechanism: Mechanism, motion: Motion, base: Base, terms: Sequence[sp.Expr]
-) -> list[sp.Expr]:
-    """The combinations of terms with constant coefficients that are integrals."""
+) -> list[dict[int, sp.Expr]]:
+    """The combinations of terms with constant coefficients that are integrals, as coefficients."""
     rates = [_derivative(motion, term).xreplace(dict(base.place)) for term in terms]
-    formulas = Formulas(rates, mechanism.name)
-    return [
-        sp.Add(*(c * terms[i] for i, c in chosen.items()))
-        for chosen in solutions(mechanism, base, formulas, len(terms))
-    ]
+    return solutions(mechanism, base, Formulas(rates, mechanism.name), len(terms))
 
 
 def _derivative(motion: Motion, value: sp.Expr) -> sp.Expr:
@@ -102,14 +114,14 @@ def _derivative(motion: Motion, value: sp.Expr) -> sp.Expr:
 
 
 def solutions(
-    mechanism: Mechanism, base: Base, formulas: Formulas, count: int
+    mechanism: Mechanism, base: Base, formulas: Evaluable, count: int
 ) -> list[dict[int, sp.Expr]]:
     """Coefficients x_i, free of the coordinates, with Σ x_i formula_i = 0.
 
     The number of equations in `formulas` is a multiple of `count`: each row of `count` must vanish.
     """
     dice = random.Random(SEED)
-    names = [s for s in formulas.symbols if not str(s).startswith(("sin_", "cos_"))]
+    names = bare(formulas.symbols)
     parameters = [p.symbol for p in mechanism.parameters]
     one = fmpq(1)
     fixed = point(parameters, dice)
@@ -121,32 +133,29 @@ def solutions(
             continue
         rows += [values[i : i + count] for i in range(0, len(values), count)]
     found = []
-    for solution in kernel(rows):
+    for solution in kernel(rows, one):
         chosen = [i for i, x in enumerate(solution) if x != 0]
         found.append(_with_parameters(mechanism, base, formulas, count, chosen))
     return found
 
 
 def _with_parameters(
-    mechanism: Mechanism, base: Base, formulas: Formulas, count: int, chosen: Sequence[int]
+    mechanism: Mechanism, base: Base, formulas: Evaluable, count: int, chosen: Sequence[int]
 ) -> dict[int, sp.Expr]:
     """The same combination with the parameters as symbols."""
     parameters = [p.symbol for p in mechanism.parameters if p.symbol in formulas.symbols]
     if len(chosen) == 1:
         return {chosen[0]: sp.S.One}
-    domain = sp.QQ.frac_field(*parameters) if parameters else sp.QQ
+    one, given = quotients(parameters) if parameters else (fmpq(1), {})
     dice = random.Random(SEED + 1)
-    names = [s for s in formulas.symbols if not str(s).startswith(("sin_", "cos_"))]
-    given = dict(zip(parameters, domain.gens, strict=True)) if parameters else {}
-    rows: list[list[Any]] = []
+    names = bare(formulas.symbols)
+    rows: list[list[Value]] = []
     while len(rows) < len(chosen) + 2:
         place = point([n for n in names if n not in given] + list(base.coordinates), dice)
-        lifted = {s: domain(sp.Rational(int(v.p), int(v.q))) for s, v in place.items()}
-        values = formulas.at({**lifted, **given}, domain.one)
+        values = formulas.at({**{s: one * v for s, v in place.items()}, **given}, one)
         rows += [[values[i + j] for j in chosen] for i in range(0, len(values), count)]
-    basis = DomainMatrix(rows, (len(rows), len(chosen)), domain).nullspace()
-    row = basis.to_Matrix().row(0)
-    return dict(zip(chosen, primitive([x / row[0] for x in row]), strict=True))
+    (row,) = kernel(rows, one)
+    return dict(zip(chosen, primitive([as_expression(x) for x in row]), strict=True))
 
 
 def primitive(values: Sequence[sp.Expr]) -> list[sp.Expr]:

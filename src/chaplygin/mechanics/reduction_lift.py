@@ -25,7 +25,7 @@ from .reduction_base import Base
 from .reduction_exact import Formulas, Value, inverse, product
 from .reduction_motion import Motion
 
-__all__ = ["Chaplygin", "Lift", "Quadratic", "energy", "in_momenta", "lift"]
+__all__ = ["Chaplygin", "Lift", "Local", "Point", "Quadratic", "energy", "in_momenta", "lift"]
 
 Point = Any
 
@@ -118,7 +118,9 @@ def lift(base: Base, integrals: Sequence[sp.Expr]) -> Lift:
     rest = [f.xreplace(dict.fromkeys(u, sp.S.Zero)) for f in placed]
     rows = [[sp.diff(f, s) for s in u] for f in placed]
     matrix = sp.Matrix.vstack(
-        base.rates, sp.Matrix(len(rows), len(u), sum(rows, [])), base.motion.constraints
+        base.rates,
+        sp.Matrix(len(rows), len(u), [x for row in rows for x in row]),
+        base.motion.constraints,
     )
     level = [c - f for c, f in zip(constants, rest, strict=True)]
     known = sp.Matrix([0, 0, *level, *([0] * base.motion.constraints.rows)])
@@ -165,9 +167,10 @@ class Local:
         rest = dict.fromkeys(u, sp.S.Zero)
         form = self.integral.slope.jacobian(u)
         parts: list[sp.Expr] = []
-        for matrix in (self.lift.matrix, self.lift.known, form):
+        for matrix in (self.lift.matrix, form):
             parts += [*matrix, *matrix.diff(q[0]), *matrix.diff(q[1])]
-        return Formulas([*parts, *self.integral.slope.xreplace(rest)], self.owner)
+        parts += [*self.lift.known, *self.integral.slope.xreplace(rest)]
+        return Formulas(parts, self.owner)
 
     @cached_property
     def _moving(self) -> Formulas:
@@ -192,13 +195,12 @@ class Local:
         size = len(u)
         values = iter(self._place.at(point, like))
 
-        def matrix(columns: int) -> list[list[Value]]:
-            return [[next(values) for _ in range(columns)] for _ in range(size)]
+        def matrix() -> list[list[Value]]:
+            return [[next(values) for _ in range(size)] for _ in range(size)]
 
-        K, *dK = (matrix(size) for _ in range(3))
-        e, *de = ([row[0] for row in matrix(1)] for _ in range(3))
-        Q, *dQ = (matrix(size) for _ in range(3))
-        h = [next(values) for _ in range(size)]
+        K, *dK = (matrix() for _ in range(3))
+        Q, *dQ = (matrix() for _ in range(3))
+        e, h = ([next(values) for _ in range(size)] for _ in range(2))
         solve = inverse(K, like)
         Y = [[row[i] for row in solve] for i in (0, 1)]
         y = product(solve, e)

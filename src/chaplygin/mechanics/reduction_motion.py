@@ -65,7 +65,9 @@ class Motion:
     def rate(self, value: sp.Expr) -> sp.Expr:
         """d/dt of a function of the coordinates, linear in u."""
         rates = self.anchor * sp.Matrix(self.velocities)
-        return sp.Add(*(sp.diff(value, q) * r for q, r in zip(self.coordinates, rates)))
+        return sp.Add(
+            *(sp.diff(value, q) * r for q, r in zip(self.coordinates, rates, strict=True))
+        )
 
 
 def gradient_by(value: sp.Expr, names: tuple[sp.Symbol, ...]) -> sp.Matrix:
@@ -167,8 +169,8 @@ def _eliminated(
     """Velocities given with a number as coefficient, by the free ones; what else is required."""
     given: dict[sp.Symbol, sp.Expr] = {}
     left = []
-    for f in constraints:
-        f = f.xreplace(given)
+    for constraint in constraints:
+        f = constraint.xreplace(given)
         # the last velocities first: translations follow from rotations
         for s in reversed(w):
             slope = sp.diff(f, s)
