@@ -9,10 +9,10 @@ from typing import Any
 from ..claims import heading, level
 from ..laws.verdict import Verdict
 from ..notation import text
-from ..statements import Integral, Isomorphism, Law, Measure, Reduction
+from ..statements import Integral, Isomorphism, Law, Reduction
 from ..system import System
 from .elsewhere import There, followed
-from .forms import Forms, density, hamiltonian
+from .forms import Forms, hamiltonian, measures
 from .hierarchy import Place
 from .kinds import Found, classified
 from .lie import fields, lie
@@ -39,7 +39,7 @@ def counted(system: System, verdicts: Mapping[str, Verdict], patience: Patience)
 
 
 def _holds(system: System, law: Law, on: tuple[Any, ...], patience: Patience) -> bool:
-    """Whether what holds everywhere holds for a level by itself: functions do, the rest is proven."""
+    """Whether a law holds for a level by itself: functions do, the rest is proven."""
     if isinstance(law, Integral | Reduction | Isomorphism):
         return True
     return bool(patience.verdict(system, replace(law, on=(*law.on, *on))))
@@ -53,26 +53,27 @@ def _placed(standing: Standing, laws: Sequence[Law], patience: Patience) -> Plac
     variables = len(system.symbols)
     forms = hamiltonian(standing, laws, patience)
     there = There()
-    if not forms.liouville:
+    if not forms.brackets:
         there = followed(standing, laws, patience)
-        forms = Forms(forms.brackets + there.brackets, forms.liouville or there.liouville)
+        forms = Forms(there.brackets, there.liouville)
     own = sources(laws)
     every = [*own, *there.sources]
     kept, count = standing.independent([source.rows for source in every])
     chosen = [every[i] for i in kept]
     named = {law.name for law in laws if isinstance(law, Integral)}
     spare = [s.fact for i, s in enumerate(own) if i not in kept and s.fact.law in named]
-    measures = tuple(density(standing, law) for law in laws if isinstance(law, Measure))
+    volumes = measures(standing, laws, patience)
     symmetries = fields(standing, laws, patience)
     found = Found(
         dimension=standing.dimension,
         count=count,
         integrals=tuple(source.fact for source in chosen),
-        measures=measures or there.measures,
+        measures=volumes or there.measures,
         brackets=forms.brackets,
         symmetries=tuple(fact_of(law) for law in symmetries),
         lie=lie(standing, standing.dimension - count - 1, chosen, symmetries, patience),
         liouville=forms.liouville,
+        reductions=tuple(_told(law) for law in laws if isinstance(law, Reduction)),
     )
     kinds, dynamics = classified(found)
     return Place(

@@ -1,7 +1,7 @@
 """What is proven of the systems onto which proven isomorphisms carry a system.
 
-Functions that are constant there are constant here.  A Hamiltonian form there is one here, up to the
-change of time, where the map is a local diffeomorphism and the parameters of the target are numbers.
+Functions that are constant there are constant here.  A Hamiltonian form there is one here, up to
+the change of time, where the map is a local diffeomorphism.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from .proofs import Fact, Patience
 from .sign import sign
 from .sorting import sorted_laws
 from .sources import Source, carried, sources
-from .standing import Standing, View
+from .standing import Standing, View, present
 
 __all__ = ["There", "followed"]
 
@@ -68,24 +68,24 @@ def followed(
 
 
 def _through(standing: Standing, law: Isomorphism, patience: Patience, depth: int) -> There:
-    target = law.target
-    values = _constants(standing, law)
-    if values is None:
-        plain = [each for each in target.laws if not each.on and patience.verdict(target, each)]
-        return There(tuple(carried(law, source) for source in sources(plain)))
-    there = Standing(target, values=values)
-    laws = sorted_laws(there, patience.verdicts(target)).general
-    beyond = followed(there, laws, patience, depth - 1)
+    values, moving = _constants(standing, law)
+    there = Standing(law.target, values=values)
+    laws = sorted_laws(there, patience.verdicts(law.target)).general
+    if moving:
+        # what holds at one value of a parameter need not hold along all of them
+        laws = tuple(each for each in laws if not each.on)
+    beyond = There() if moving else followed(there, laws, patience, depth - 1)
     constant = tuple(carried(law, s) for s in (*sources(laws), *beyond.sources))
-    if not _diffeomorphic(standing, there, law):
+    if not _diffeomorphic(standing, there, law, moving):
         return There(constant)
     forms = hamiltonian(there, laws, patience)
-    measures = tuple(density(there, each) for each in laws if isinstance(each, Measure))
+    volumes = tuple(density(there, each) for each in laws if isinstance(each, Measure))
+    brackets = forms.brackets + beyond.brackets
     return There(
         constant,
-        tuple(_bracket(standing, law, b) for b in forms.brackets + beyond.brackets),
+        tuple(_bracket(standing, law, b) for b in brackets[:1]),
         tuple(_fact(law, fact) for fact in forms.liouville or beyond.liouville),
-        tuple(Density(_fact(law, m.law), "unknown") for m in measures or beyond.measures),
+        tuple(Density(_fact(law, m.law), "unknown") for m in volumes or beyond.measures),
     )
 
 
@@ -101,39 +101,47 @@ def _bracket(standing: Standing, law: Isomorphism, bracket: Bracket) -> Bracket:
     return replace(
         bracket,
         law=_fact(law, bracket.law),
-        casimirs=(),
         conformal=bracket.conformal or timed,
         sign=both,
     )
 
 
-def _constants(standing: Standing, law: Isomorphism) -> dict[sp.Symbol, sp.Rational] | None:
-    """The parameters of the target as rational numbers; None where they depend on the state."""
+def _constants(
+    standing: Standing, law: Isomorphism
+) -> tuple[dict[sp.Symbol, Any], list[sp.Symbol]]:
+    """Values of the parameters of the target, and those of them that depend on the state.
+
+    For the latter the value is an example.
+    """
     named = dict(components(law.constants, standing.ground))
-    formulas = {p.symbol: named.get(p.symbol, p.symbol) for p in law.target.parameters}
     state = set(standing.system.symbols)
-    if any(standing.expanded(f).free_symbols & state for f in formulas.values()):
-        return None
-
-    def numbers(view: View) -> dict[sp.Symbol, Any]:
-        values = {s: view.jet(f).value for s, f in formulas.items()}
-        return values if view.field.exact else {}
-
-    found = standing.at_points(numbers)[0]
-    if len(found) != len(formulas):
-        return None
-    return {s: sp.Rational(int(x.p), int(x.q)) for s, x in found.items()}
+    values = present(law.target)
+    moving = []
+    for parameter in values:
+        formula = standing.expanded(named.get(parameter, parameter))
+        if formula.free_symbols & state:
+            moving.append(parameter)
+        else:
+            values[parameter] = formula
+    return values, moving
 
 
-def _diffeomorphic(standing: Standing, there: Standing, law: Isomorphism) -> bool:
-    """Whether the map has an inverse near almost every point."""
+def _diffeomorphic(
+    standing: Standing, there: Standing, law: Isomorphism, moving: Sequence[sp.Symbol]
+) -> bool:
+    """Whether the map, with the constants that it gives, has an inverse near almost every point.
+
+    The constants are Casimir functions of what is carried over.
+    """
+    named = dict(components(law.constants, standing.ground))
+    images = list(components(law.map, standing.ground).values())
+    constants = [named[s] for s in moving]
+
+    def rows(view: View) -> list[list[Any]]:
+        return [*standing.bounds(view), *map(view.differential, (*images, *constants))]
+
     try:
-        if standing.dimension != there.dimension:
-            return False
-        images = list(components(law.map, standing.ground).values())
-        size = len(standing.system.symbols)
-        return standing.full(
-            size, lambda view: [*standing.bounds(view), *map(view.differential, images)]
-        )
+        same = standing.dimension == there.dimension + len(moving)
+        return same and standing.full(len(standing.system.symbols), rows)
     except OutOfReachError:
         return False

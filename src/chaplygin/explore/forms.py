@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import sympy as sp
@@ -13,26 +14,41 @@ from ..notation import text
 from ..statements import ConformallyHamiltonian, Integral, Law, Measure
 from ..vectors import explicit
 from .hierarchy import Bracket, Density
-from .proofs import Fact, Patience, fact_of
+from .proofs import HERE, Fact, Patience, fact_of
 from .sign import sign
 from .sources import casimirs
-from .standing import Standing, View
+from .standing import Standing, View, settled
 
-__all__ = ["Forms", "density", "hamiltonian"]
+__all__ = ["Forms", "density", "hamiltonian", "measures"]
 
 
 @dataclass(frozen=True)
 class Forms:
-    """The Hamiltonian forms of a system, and the facts that make one of them integrable."""
+    """The Hamiltonian forms of a system.
+
+    `liouville` holds the facts that make one of rank above four integrable; up to rank four it is
+    enough to count integrals, as all of them are in involution with H.
+    """
 
     brackets: tuple[Bracket, ...] = ()
     liouville: tuple[Fact, ...] = ()
 
 
 def density(standing: Standing, law: Measure) -> Density:
-    """A measure with what is known of the sign of its density."""
+    """An invariant measure with what is known of the sign of its density."""
     bases = [base for base, exponent in law.density if exponent != 0 and base != 1]
     return Density(fact_of(law), sign(standing, bases))
+
+
+def measures(standing: Standing, laws: Sequence[Law], patience: Patience) -> tuple[Density, ...]:
+    """The proven measures; where none is stated, whether the volume is invariant is tried."""
+    found = tuple(density(standing, law) for law in laws if isinstance(law, Measure))
+    if found:
+        return found
+    on = (*settled(standing, laws), *standing.on)
+    volume = Measure("volume", {sp.S.One: 1}, "volume of the state", on=on, source=HERE)
+    proven = patience.verdict(standing.system, volume)
+    return (density(standing, volume),) if proven else ()
 
 
 def hamiltonian(standing: Standing, laws: Sequence[Law], patience: Patience) -> Forms:
@@ -53,7 +69,9 @@ def hamiltonian(standing: Standing, laws: Sequence[Law], patience: Patience) -> 
         if isinstance(law, ConformallyHamiltonian):
             bracket = _bracket(standing, law)
             brackets.append(bracket)
-            chosen = _involution(standing, law, integrals, bracket.rank // 2, patience)
+            chosen = None
+            if bracket.closed and bracket.rank > 4:
+                chosen = _involution(standing, law, integrals, bracket.rank // 2, patience)
             if chosen is not None and not complete:
                 complete = (fact_of(law), *map(fact_of, chosen))
     return Forms(tuple(brackets), complete)
@@ -61,12 +79,14 @@ def hamiltonian(standing: Standing, laws: Sequence[Law], patience: Patience) -> 
 
 def _bracket(standing: Standing, law: ConformallyHamiltonian) -> Bracket:
     values = casimirs(law)
-    kept, _ = standing.independent([lambda view, c=c: [view.differential(c)] for c in values])
+    kept, _ = standing.independent([partial(_differential, c) for c in values])
     conformal = law.multiplier != 1
+    size = max(standing.at_points(lambda view: rank(view.field, _entries(view, law))))
     return Bracket(
         fact_of(law),
-        max(standing.at_points(lambda view: rank(view.field, _entries(view, law)))),
+        size,
         tuple(text(values[i]) for i in kept),
+        len(kept) == standing.dimension - size,
         conformal,
         sign(standing, [law.multiplier]) if conformal else "kept",
     )
@@ -91,19 +111,21 @@ def _involution(
     An integral is in involution with H, as it is constant along the field of H.
     """
     chosen: tuple[Integral, ...] = ()
-    if not standing.full(wanted and 1, lambda view: _fields(view, law, [law.hamiltonian])):
-        return None
     for candidate in integrals:
         if len(chosen) + 1 == wanted:
             break
         values = [law.hamiltonian, *(i.value for i in chosen), candidate.value]
-        spans = standing.full(len(values), lambda view, v=values: _fields(view, law, v))
+        spans = standing.full(len(values), partial(_fields, law, values))
         if spans and all(_commute(standing, law, candidate, i, patience) for i in chosen):
             chosen = (*chosen, candidate)
     return chosen if len(chosen) + 1 == wanted else None
 
 
-def _fields(view: View, law: ConformallyHamiltonian, values: Sequence[Any]) -> list[list[Any]]:
+def _differential(formula: Any, view: View) -> list[list[Any]]:
+    return [view.differential(formula)]
+
+
+def _fields(law: ConformallyHamiltonian, values: Sequence[Any], view: View) -> list[list[Any]]:
     """The vectors J dF of some functions, at a point."""
     matrix = _entries(view, law)
     found = []

@@ -1,5 +1,6 @@
-"""The place of a system in the hierarchy of dynamics (§3, §4): what is proven of it, and so what
-its motions can be.
+"""The place of a system in the hierarchy of dynamics (§3, §4).
+
+What is proven of a system tells what its motions can be.
 
 A place is built on verdicts alone.  What is undecided or refuted does not count, and is named; what
 holds on a level counts on that level; what holds for special parameters counts where the present
@@ -73,6 +74,8 @@ class Bracket:
         Of the Poisson structure, at a generic point of the level.
     casimirs : tuple of str
         Casimir functions that are proven, besides the relations of the phase space.
+    closed : bool
+        Whether these are all, so that the symplectic leaves are their common levels (§3.4).
     conformal : bool
         Whether the form needs a reducing multiplier, a change of time.
     sign : str
@@ -82,6 +85,7 @@ class Bracket:
     law: Fact
     rank: int
     casimirs: tuple[str, ...]
+    closed: bool
     conformal: bool
     sign: str
 

@@ -33,6 +33,8 @@ class Found:
         Symmetry fields that fulfil Theorem 3, if they do.
     liouville : tuple of Fact
         A Hamiltonian form and integrals in involution, if they are enough.
+    reductions : tuple of Fact
+        Proven reductions and separations of variables.
     """
 
     dimension: int
@@ -43,6 +45,7 @@ class Found:
     symmetries: tuple[Fact, ...]
     lie: tuple[Fact, ...]
     liouville: tuple[Fact, ...]
+    reductions: tuple[Fact, ...]
 
     @property
     def remaining(self) -> int:
@@ -50,25 +53,33 @@ class Found:
         return self.dimension - self.count
 
     @property
-    def volumes(self) -> tuple[Density, ...]:
-        """Invariant measures, those of Hamiltonian forms among them (§3.3)."""
-        forms = tuple(Density(b.law, b.sign) for b in self.brackets)
-        return tuple(sorted(self.measures + forms, key=lambda m: _ORDER[m.sign]))
-
-    @property
     def volume(self) -> Density | None:
-        """The best of them."""
-        return self.volumes[0] if self.volumes else None
+        """The best of the measures, or that of a Hamiltonian form (§3.3)."""
+        forms = tuple(Density(b.law, b.sign) for b in self.brackets)
+        known = self.measures or forms
+        return min(known, key=lambda m: _ORDER[m.sign]) if known else None
 
     @property
-    def lasting(self) -> bool:
-        """Whether a measure is invariant whose density is positive and finite everywhere."""
-        return any(m.sign == "kept" for m in self.volumes)
+    def form(self) -> Bracket | None:
+        """The best of the Hamiltonian forms."""
+        known = self.brackets
+        return min(known, key=lambda b: (b.conformal, _ORDER[b.sign])) if known else None
 
     @property
     def euler_jacobi(self) -> bool:
         """Whether Theorem 5 applies."""
-        return self.remaining == 2 and bool(self.volumes)
+        return self.remaining == 2 and self.volume is not None
+
+    @property
+    def complete(self) -> tuple[Fact, ...]:
+        """A Hamiltonian form with enough integrals in involution for Liouville's theorem.
+
+        Up to rank four, counting is enough: every integral is in involution with H.
+        """
+        best = self.form
+        if best is not None and best.closed and best.rank <= 4 and 2 * self.remaining == best.rank:
+            return (best.law, *self.integrals)
+        return self.liouville
 
 
 _ORDER = {"kept": 0, "unknown": 1, "changes": 2}
@@ -114,14 +125,16 @@ def _kinds(found: Found) -> tuple[Kind, ...]:
             )
         )
     kinds += _hamiltonian(found)
-    return tuple(kinds) or (Kind("none known", _lacking(found)),)
+    return tuple(kinds) or (Kind("none known", _lacking(found), found.reductions),)
 
 
 def _hamiltonian(found: Found) -> list[Kind]:
-    if not found.brackets:
+    best = found.form
+    if best is None:
         return []
-    best = min(found.brackets, key=lambda b: (b.conformal, _ORDER[b.sign]))
     rank = f"the Poisson structure has rank {best.rank}"
+    if not best.closed:
+        rank += ", its leaves are no levels of single-valued functions"
     kinds = []
     if best.conformal:
         where = {
@@ -138,14 +151,14 @@ def _hamiltonian(found: Found) -> list[Kind]:
         )
     else:
         kinds.append(Kind("hamiltonian", f"Hamiltonian; {rank}", (best.law,)))
-    if found.liouville:
+    if found.complete:
         kinds.append(
             Kind(
                 "liouville",
                 "integrable after Liouville"
                 + (", in the new time" if best.conformal else "")
                 + ": as many integrals in involution as half the rank",
-                found.liouville,
+                found.complete,
             )
         )
     return kinds
@@ -158,8 +171,13 @@ def _lacking(found: Found) -> str:
         missing.append(f"{_number(found.remaining - 2, 'further integral')}")
     if found.volume is None:
         missing.append("an invariant measure")
-    wanted = " and ".join(missing)
-    return f"none known: no theorem of integrability applies; Euler and Jacobi's lacks {wanted}"
+    told = (
+        "none known: the laws proven here fulfil no theorem of integrability; that of Euler and "
+        f"Jacobi lacks {' and '.join(missing)}"
+    )
+    if found.reductions:
+        told += "; proven reductions may lead further"
+    return told
 
 
 def _number(count: int, what: str) -> str:
@@ -173,7 +191,6 @@ def _number(count: int, what: str) -> str:
 
 
 def _motions(found: Found) -> list[Statement]:
-    uniform = [b for b in found.brackets if not b.conformal]
     if found.remaining <= 1:
         return [
             Statement(
@@ -182,19 +199,20 @@ def _motions(found: Found) -> list[Statement]:
                 found.integrals,
             )
         ]
-    if found.liouville and found.brackets:
-        time = "time" if uniform else "new time"
-        half = max(b.rank for b in found.brackets) // 2
+    if found.complete and found.form is not None:
+        form = found.form
+        time = "new time" if form.conformal else "time"
+        half = form.rank // 2
         told = [
             f"On compact common levels without rest points: straight, uniform windings of "
             f"{half}-dimensional tori in the {time}, quasi-periodic or periodic. No chaos."
         ]
-        if not uniform and found.euler_jacobi:
+        if form.conformal and found.euler_jacobi:
             told.append(
                 "In the time itself the windings are not uniform: on a resonant torus the periods "
                 "may differ from one trajectory to the next."
             )
-        return [Statement(" ".join(told), found.liouville)]
+        return [Statement(" ".join(told), found.complete)]
     if found.euler_jacobi and found.volume is not None:
         return [
             Statement(
@@ -213,13 +231,13 @@ def _motions(found: Found) -> list[Statement]:
     if found.remaining == 2:
         return [
             Statement(
-                "Motions on surfaces: rest points, closed orbits, limit cycles and windings, but no "
-                "chaos.",
+                "Motions on surfaces: rest points, closed orbits, limit cycles and windings, but "
+                "no chaos.",
                 found.integrals,
             )
         ]
     levels = f"{found.remaining}-dimensional levels" if found.count else "the whole phase space"
-    if found.volume is not None:
+    if found.volume is not None and found.volume.sign != "changes":
         best = found.volume
         manner = "Hamiltonian" if found.brackets else "volume-preserving"
         return [
@@ -243,21 +261,18 @@ def _attraction(found: Found) -> list[Statement]:
     if best is None:
         if found.remaining <= 1:
             return []
-        kind = "limit cycles and attracting tori"
-        strange = ", and strange attractors" if found.remaining > 2 and not found.lie else ""
+        kinds = "attracting rest points and limit cycles"
+        if found.remaining > 2:
+            kinds = "attracting rest points, limit cycles, attracting tori"
+            kinds += "" if found.lie else " and strange attractors"
+        return [Statement(f"No invariant measure is proven: {kinds} are not excluded.")]
+    if best.sign == "kept":
         return [
             Statement(
-                f"No invariant measure is proven: attracting rest points, {kind}{strange} are not "
-                "excluded."
-                if found.remaining > 2
-                else "No invariant measure is proven: attracting rest points and limit cycles are "
-                "not excluded."
-            )
-        ]
-    if found.lasting:
-        return [
-            Statement(
-                "No attracting sets: a measure with positive, finite density is invariant.",
+                "No attracting sets: a measure with positive, finite density is invariant."
+                if found.measures
+                else "No attracting sets: on symplectic leaves of full rank the measure of the "
+                "Hamiltonian form is invariant.",
                 (best.law,),
             )
         ]

@@ -12,9 +12,9 @@ from ..laws.rank import rank
 from ..laws.residuals import components
 from ..statements import Integral, Law, Symmetry
 from ..vectors import Vector, explicit
-from .proofs import Fact, Patience, fact_of
+from .proofs import HERE, Fact, Patience, fact_of
 from .sources import Source
-from .standing import Standing, View
+from .standing import Standing, View, settled
 
 __all__ = ["fields", "lie"]
 
@@ -28,8 +28,8 @@ def fields(standing: Standing, laws: Sequence[Law], patience: Patience) -> list[
     """
     stated = [law for law in laws if isinstance(law, Symmetry)]
     if not stated and not standing.on:
-        system = standing.ground.system
-        stated = [law for law in _rotations(standing) if patience.verdict(system, law)]
+        tried = _rotations(standing, settled(standing, laws))
+        stated = [law for law in tried if patience.verdict(standing.system, law)]
     return _independent(standing, stated)
 
 
@@ -63,7 +63,7 @@ def lie(
     return tuple(fact_of(law) for law in fitting)
 
 
-def _rotations(standing: Standing) -> list[Symmetry]:
+def _rotations(standing: Standing, on: tuple[Any, ...]) -> list[Symmetry]:
     """Rotations about the three body axes, as candidates; none where the state has scalars."""
     state = standing.system.state
     names = [name for name in state if isinstance(name, Vector) and len(name.symbols) == 3]
@@ -73,7 +73,8 @@ def _rotations(standing: Standing) -> list[Symmetry]:
     for i in range(3):
         axis = sp.Matrix([int(i == j) for j in range(3)])
         field = {name: axis.cross(sp.Matrix(explicit(name))) for name in names}
-        made = Symmetry(f"rotation_{i + 1}", field, f"rotation about body axis {i + 1}")
+        words = f"rotation about body axis {i + 1}"
+        made = Symmetry(f"rotation_{i + 1}", field, words, on=on, source=HERE)
         found.append(made)
     return found
 

@@ -13,7 +13,10 @@ from ..laws.verdict import Verdict
 from ..statements import Law
 from ..system import System
 
-__all__ = ["Fact", "Patience", "fact_of"]
+__all__ = ["HERE", "Fact", "Patience", "fact_of"]
+
+HERE = "found here"
+"""Source of a law that is not claimed of a system but was tried and proven."""
 
 
 @dataclass(frozen=True)

@@ -21,8 +21,8 @@ from .standing import View
 
 __all__ = ["Source", "casimirs", "many_valued", "sources"]
 
-#: Functions that have many values, so that levels of theirs need not be closed.
-_MANY_VALUED = (sp.log, sp.atan, sp.atan2, sp.acos, sp.asin)
+#: Angles have many values, so that levels of functions of theirs need not be closed.
+_MANY_VALUED = (sp.atan, sp.atan2)
 
 
 @dataclass(frozen=True)

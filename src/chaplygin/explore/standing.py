@@ -18,11 +18,11 @@ from ..laws.numbers import precise
 from ..laws.rank import rank
 from ..laws.rates import without_rates
 from ..laws.residuals import components
-from ..statements import Isomorphism
+from ..statements import Isomorphism, Law
 from ..system import System
 from ..vectors import explicit
 
-__all__ = ["Standing", "View", "at_present", "present"]
+__all__ = ["Standing", "View", "at_present", "present", "settled"]
 
 T = TypeVar("T")
 
@@ -198,7 +198,7 @@ class Standing:
         return max(self.at_points(chosen), key=lambda pair: pair[1])
 
     def full(self, wanted: int, rows: Callable[[View], list[list[Any]]]) -> bool:
-        """Whether some vectors span as many dimensions as wanted, at a point and so at almost all."""
+        """Whether vectors span as many dimensions as wanted, at a point and so at almost all."""
         return max(self.at_points(lambda view: rank(view.field, rows(view)))) >= wanted
 
     def vanishes(self, condition: Any) -> bool:
@@ -217,6 +217,14 @@ class Standing:
                 values, exact = self.ground.point(generator)
                 found.update(self._computed(lambda view: _sign(view, formula), values, exact))
         return found - {0}
+
+
+def settled(standing: Standing, laws: Sequence[Law]) -> tuple[Any, ...]:
+    """Conditions on parameters under which some laws hold."""
+    state = set(standing.system.symbols)
+    conditions = (explicit(c) for law in laws for c in law.on)
+    fixed = (c for c in conditions if not standing.expanded(c).free_symbols & state)
+    return tuple(dict.fromkeys(fixed))
 
 
 def _zero(view: View, formula: Any) -> bool:

@@ -58,7 +58,8 @@ def rows(place: Place) -> list[tuple[str, list[str]]]:
         ),
         (
             "measure",
-            [f"{d.law}: {words_of_density(d)}" for d in place.measures] or ["none proven"],
+            [f"{d.law}: {words_of_density(d)}" for d in place.measures]
+            or ["that of the Hamiltonian form (§3.3)" if place.brackets else "none proven"],
         ),
     ]
     if place.dependent:
