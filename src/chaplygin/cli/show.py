@@ -22,8 +22,9 @@ def command(
     ] = "text",
     json: Json = False,
 ) -> None:
-    """Print equations of motion, parameters, laws and source of a system."""
+    """Print equations, parameters, laws and source of a system, and its place among all."""
     from ..errors import InputError
+    from ..explore.hierarchy import standing_of
     from ..study.summary import legend
 
     if form not in FORMS:
@@ -64,6 +65,7 @@ def command(
                     }
                     for law in system.laws
                 ],
+                "place": standing_of(system).record,
             }
         )
         return
@@ -77,3 +79,5 @@ def command(
     typer.echo(texts[form]().rstrip())
     if form == "text" and (words := legend(study)):
         typer.echo("\n" + textwrap.fill(words, 100))
+    if form == "text":
+        typer.echo(f"\n{standing_of(system)}")

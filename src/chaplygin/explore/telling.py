@@ -7,12 +7,13 @@ from collections.abc import Iterable
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+from .hierarchy import Bracket, Statement
 from .proofs import Fact
 
 if TYPE_CHECKING:
-    from .hierarchy import Density, Place
+    from .hierarchy import Place
 
-__all__ = ["listed", "record", "rows", "told", "words_of_density"]
+__all__ = ["listed", "record", "rows", "told"]
 
 WIDTH = 100
 COLUMN = 16
@@ -29,56 +30,70 @@ _MULTIPLIERS = {
 }
 
 
-def words_of_density(density: Density) -> str:
-    """What is known of the sign of a density."""
-    return _DENSITIES[density.sign]
-
-
 def listed(facts: Iterable[Fact]) -> str:
     """Facts by name and source, each once."""
     return "; ".join(dict.fromkeys(map(str, facts)))
 
 
-def rows(place: Place) -> list[tuple[str, list[str]]]:
-    """What is counted, as headings with entries."""
-    relations = "condition" if place.conditions == 1 else "conditions"
-    space = f"{place.dimension}-dimensional: {place.variables} variables"
-    if place.conditions:
-        space += f", {place.conditions} independent {relations}"
-    count = f"{place.count} independent" if place.count else "none proven"
-    found: list[tuple[str, list[str]]] = [
-        ("phase space", [space]),
-        (
-            "integrals",
-            [
-                f"{count}: {listed(place.integrals)} — common levels of dimension {place.remaining}"
-                if place.count
-                else count
-            ],
-        ),
-        (
-            "measure",
-            [f"{d.law}: {words_of_density(d)}" for d in place.measures]
-            or ["that of the Hamiltonian form (§3.3)" if place.brackets else "none proven"],
-        ),
+def rows(place: Place) -> list[tuple[str, list[Statement]]]:
+    """What is counted: headings with statements."""
+    return [
+        ("phase space", [Statement(_space(place))]),
+        ("integrals", _integrals(place)),
+        ("measure", _measures(place)),
+        ("Poisson", [_bracket(b) for b in place.brackets] or [_NO_FORM]),
+        ("symmetry", [_symmetry(place)]),
+        ("equivalent", [Statement(f.words, (f,)) for f in place.reductions]),
+        ("class", [Statement(kind.text, kind.by) for kind in place.kinds]),
+        ("motions", list(place.dynamics)),
     ]
+
+
+_NO_FORM = Statement("no Hamiltonian form proven")
+
+
+def _space(place: Place) -> str:
+    told = f"{place.dimension}-dimensional: {place.variables} variables"
+    if place.conditions:
+        what = "condition" if place.conditions == 1 else "conditions"
+        told += f", {place.conditions} independent {what}"
+    return told
+
+
+def _integrals(place: Place) -> list[Statement]:
+    if not place.count:
+        return [Statement("none proven")]
+    told = f"{place.count} independent, common levels of dimension {place.remaining}"
+    found = [Statement(told, place.integrals)]
     if place.dependent:
-        found[1][1].append(f"functions of these: {listed(place.dependent)}")
-    found.append(
-        ("Poisson", [_bracket(b) for b in place.brackets] or ["no Hamiltonian form proven"])
-    )
-    found.append(("symmetry", [listed(place.symmetries) or "no field proven"]))
-    if place.reductions:
-        found.append(("equivalent", [f"{f}: {f.words}" for f in place.reductions]))
+        found.append(Statement("not independent of these where it was tried", place.dependent))
     return found
 
 
-def _bracket(bracket: Any) -> str:
+def _measures(place: Place) -> list[Statement]:
+    if place.measures:
+        return [Statement(_DENSITIES[d.sign], (d.law,)) for d in place.measures]
+    if place.brackets:
+        return [Statement("that of the Hamiltonian form, on its symplectic leaves (§3.3)")]
+    return [Statement("none proven")]
+
+
+def _bracket(bracket: Bracket) -> Statement:
     form = "conformally Hamiltonian" if bracket.conformal else "Hamiltonian"
-    told = f"{bracket.law}: {form}, rank {bracket.rank}"
+    told = f"{form}, rank {bracket.rank}"
     if bracket.casimirs:
         told += f", Casimir functions {', '.join(bracket.casimirs)}"
-    return f"{told}; {_MULTIPLIERS[bracket.sign]}" if bracket.conformal else told
+    return Statement(
+        f"{told}; {_MULTIPLIERS[bracket.sign]}" if bracket.conformal else told, (bracket.law,)
+    )
+
+
+def _symmetry(place: Place) -> Statement:
+    count = len(place.symmetries)
+    if not count:
+        return Statement("no field proven")
+    told = "one field" if count == 1 else f"{count} independent fields"
+    return Statement(f"{told} besides the motion itself", place.symmetries)
 
 
 def told(place: Place) -> str:
@@ -97,15 +112,18 @@ def told(place: Place) -> str:
 def _lines(place: Place) -> list[str]:
     lines: list[str] = []
     for name, entries in rows(place):
-        lines += _entry(name, entries)
-    lines += _entry("class", [_with(kind.text, kind.by) for kind in place.kinds])
-    lines += _entry("motions", [_with(s.text, s.by) for s in place.dynamics])
+        write = _named if name in ("class", "motions") else _sourced
+        lines += _entry(name, map(write, entries))
     return lines
 
 
-def _with(text: str, by: tuple[Fact, ...]) -> str:
-    names = ", ".join(dict.fromkeys(fact.law for fact in by))
-    return f"{text} [{names}]" if names else text
+def _sourced(statement: Statement) -> str:
+    return f"{statement.text} [{listed(statement.by)}]" if statement.by else statement.text
+
+
+def _named(statement: Statement) -> str:
+    names = ", ".join(dict.fromkeys(fact.law for fact in statement.by))
+    return f"{statement.text} [{names}]" if names else statement.text
 
 
 def _entry(name: str, entries: Iterable[str]) -> list[str]:

@@ -12,10 +12,11 @@ from matplotlib.figure import Figure
 
 from .._version import __version__
 from ..claims import heading
-from ..errors import InputError, RunError
+from ..errors import RunError
+from ..explore.hierarchy import Place, place
+from ..explore.proofs import Patience
+from ..explore.telling import rows
 from ..flow.trajectory import Trajectory
-from ..laws.prove import prove
-from ..laws.verdict import Verdict
 from ..mechanics.surfaces import Plane
 from ..statements import Law
 from ..typeset import claims_html, latex, mathml, system_html
@@ -25,8 +26,9 @@ from .summary import drift, legend
 
 __all__ = ["render"]
 
-#: Seconds that the proof of one law may take.
+#: Seconds that the proof of one law may take, and all proofs together.
 PATIENCE = 10.0
+ALTOGETHER = 120.0
 
 #: Figures in the order in which the page shows them, with heading and caption.
 PLATES = {
@@ -85,7 +87,9 @@ def render(
         undefined=jinja2.StrictUndefined,
     )
     system = trajectory.system
-    verdicts = _verdicts(study)
+    patience = Patience(PATIENCE, ALTOGETHER)
+    verdicts = patience.verdicts(study.system)
+    stands = place(study.system, verdicts, patience)
     drawn = {name: Markup(figures.svg_text(figure)) for name, figure in pictures.items()}
     return environment.get_template("report.html").render(
         title=study.system.title,
@@ -106,6 +110,7 @@ def render(
         legend=legend(study),
         laws=[
             {
+                "name": law.name,
                 "meaning": law.meaning,
                 "formula": Markup(mathml(latex(law.value))),
                 "source": law.source,
@@ -116,7 +121,12 @@ def render(
             for law in system.integrals
         ],
         claims=Markup(claims_html(replace(study.system, laws=_unobserved(study)))),
-        proofs=[(_named(law), law.source, verdicts[law.name]) for law in _unobserved(study)],
+        proofs=[
+            (law.name, _named(law), law.source, verdicts[law.name]) for law in _unobserved(study)
+        ],
+        places=[_section(part) for part in (stands, *stands.levels)],
+        uncounted=stands.uncounted,
+        linked={law.name for law in study.system.laws},
         undecided=[(name, verdict.reason) for name, verdict in verdicts.items() if verdict.reason],
         happenings=[str(happening) for happening in trajectory.happenings],
         remarks=study.remarks,
@@ -128,15 +138,9 @@ def render(
     )
 
 
-def _verdicts(study: Study) -> dict[str, Verdict]:
-    """What can be proven of each law in a reasonable time."""
-    found = {}
-    for law in study.system.laws:
-        try:
-            found[law.name] = prove(study.system, law, seconds=PATIENCE)
-        except InputError as problem:
-            found[law.name] = Verdict(law.name, "undecided", reason=str(problem))
-    return found
+def _section(part: Place) -> dict[str, object]:
+    """A place in the hierarchy, as the page shows it."""
+    return {"level": part.level, "rows": [row for row in rows(part) if row[1]]}
 
 
 def _named(law: Law) -> str:
