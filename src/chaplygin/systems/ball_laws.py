@@ -200,12 +200,16 @@ def _paraboloid_of_revolution(ball: RollingBall) -> tuple[Law, ...]:
             f"{meaning} linear integral of the paraboloid of revolution",
             on=(p - q,),
             source=ROLLING,
+            unit="rad/s",
         )
         for name, meaning, e in (("linear_first", "first", 1), ("linear_second", "second", -1))
     ]
     product = (turn - sign * sigma) ** 2 - share * sigma**2
     meaning = "product of the linear integrals of the paraboloid of revolution"
-    return (*linear, Integral("linear_product", product, meaning, on=(p - q,), source=ROLLING))
+    both = Integral(
+        "linear_product", product, meaning, on=(p - q,), source=ROLLING, unit="rad^2/s^2"
+    )
+    return (*linear, both)
 
 
 def quadratic(ball: RollingBall, stiffness: sp.Expr = sp.S.Zero) -> Integral:
@@ -221,16 +225,19 @@ def quadratic(ball: RollingBall, stiffness: sp.Expr = sp.S.Zero) -> Integral:
     speeds = ball.surface.turned(v.symbols)
     if isinstance(ball.surface, Paraboloid):
         x, y, _ = speeds
+        units = "m/s^2"
         # gravity along the axis takes the place of the elastic force
         form = x**2 / p + y**2 / q - F.symbols[_third(ball)] / mtilde
     else:
         parts = zip(speeds, semi_axes, strict=True)
+        units = "1/(m^2 s^2)"
         form = sp.Add(*(s**2 / axis**2 for s, axis in parts)) - stiffness / mtilde
     return Integral(
         "quadratic",
         ell**2 * form,
         "Joachimsthal's integral",
         source=ROLLING if ball.contact == "marble" else "Joachimsthal 1843",
+        unit=units,
     )
 
 

@@ -11,6 +11,7 @@ import sympy as sp
 
 from ..errors import InputError
 from ..mechanics.rolling import Rolling
+from ..mechanics.rolling_ball import RollingBall
 from ..statements import Law
 from ..system import System
 
@@ -83,6 +84,8 @@ class Entry:
         laws that hold for every choice: for proofs alone, it cannot be run.
     variables : mapping of str to (str, str)
         Meaning and SI unit of state variables by name, where the start is given by a state.
+    ball : callable, optional
+        Numbers by symbol name ↦ the homogeneous ball on a surface whose System `build` gives.
     """
 
     name: str
@@ -95,6 +98,7 @@ class Entry:
     laws: Callable[[Rolling, System], tuple[Law, ...]] = _no_laws
     general: Callable[[], System] | None = None
     variables: Mapping[str, tuple[str, str]] = field(default_factory=dict)
+    ball: Callable[[Numbers], RollingBall] | None = None
 
     def numbers(self, parameters: Numbers | None = None) -> dict[str, float]:
         """All parameters, the given ones replacing the defaults.
@@ -117,6 +121,10 @@ class Entry:
         """What rolls on what; None for a body about a fixed point."""
         made = self.build(self.numbers(parameters))
         return made if isinstance(made, Rolling) else None
+
+    def rolling_ball(self, parameters: Numbers | None = None) -> RollingBall | None:
+        """The homogeneous ball and its surface; None where there is none."""
+        return None if self.ball is None else self.ball(self.numbers(parameters))
 
     def system(self, parameters: Numbers | None = None) -> System:
         """The System, with the laws that the paper names."""

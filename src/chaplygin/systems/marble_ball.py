@@ -12,7 +12,7 @@ from typing import Any
 import sympy as sp
 
 from ..mechanics.body import check_inertia, check_mass
-from ..statements import Identity, Integral, Law
+from ..statements import Identity, Integral, Isomorphism, Law
 from ..system import Observable, Parameter, System
 from ..vectors import constant, cross, dot, normed, scalar, unit, vectors
 from .entry import Entry, Numbers, Start
@@ -21,7 +21,7 @@ from .rates import rate
 __all__ = ["ENTRIES", "ball"]
 
 R, omega, v, r, N, F = vectors("R omega v r N F")
-m, mu, b, kappa = (scalar(name) for name in ("m", "mu", "b", "kappa"))
+m, mu, b, kappa, mtilde = (scalar(name) for name in ("m", "mu", "b", "kappa", "mtilde"))
 
 NAME = "marble-ball"
 TITLE = "Homogeneous marble ball"
@@ -93,6 +93,18 @@ def laws() -> tuple[Law, ...]:
     )
 
 
+def _particle(stiffness: Parameter) -> System:
+    """A particle on a spring in a plane."""
+    (x_1, x_2, _), (v_1, v_2, _) = R.symbols, v.symbols
+    return System(
+        name="particle-on-a-spring",
+        title="Particle on a spring in a plane",
+        field={x_1: v_1, x_2: v_2, v_1: -kappa * x_1 / mtilde, v_2: -kappa * x_2 / mtilde},
+        parameters=(Parameter(mtilde, "mass", 1.4, "kg", (mtilde > 0,)), stiffness),
+        source="Proposition 2",
+    )
+
+
 def build(numbers: Numbers) -> System:
     """The ball on a spring."""
     stiffness = Parameter(kappa, "stiffness of the spring", numbers["kappa"], "N/m", (kappa > 0,))
@@ -106,6 +118,14 @@ def build(numbers: Numbers) -> System:
             "area", x_1 * v_2 - x_2 * v_1, "areal velocity", source="Proposition 2", unit="m^2/s"
         ),
         *laws(),
+        Isomorphism(
+            "particle_in_plane",
+            _particle(stiffness),
+            {s: s for s in (x_1, x_2, v_1, v_2)},
+            constants={mtilde: m + mu / b**2},
+            meaning="the centre is a particle of mass m + μ/b² in a plane",
+            source="Proposition 2",
+        ),
     )
 
 
