@@ -94,12 +94,19 @@ def laws() -> tuple[Law, ...]:
 
 
 def _particle(stiffness: Parameter) -> System:
-    """A particle on a spring in a plane."""
-    (x_1, x_2, _), (v_1, v_2, _) = R.symbols, v.symbols
+    """A particle on a spring in a plane, beside a height and a spin that never change."""
+    (x_1, x_2, x_3), (v_1, v_2, _), spin = R.symbols, v.symbols, omega.symbols[2]
     return System(
         name="particle-on-a-spring",
         title="Particle on a spring in a plane",
-        field={x_1: v_1, x_2: v_2, v_1: -kappa * x_1 / mtilde, v_2: -kappa * x_2 / mtilde},
+        field={
+            x_1: v_1,
+            x_2: v_2,
+            x_3: sp.S.Zero,
+            v_1: -kappa * x_1 / mtilde,
+            v_2: -kappa * x_2 / mtilde,
+            spin: sp.S.Zero,
+        },
         parameters=(Parameter(mtilde, "mass", 1.4, "kg", (mtilde > 0,)), stiffness),
         source="Proposition 2",
     )
@@ -121,7 +128,7 @@ def build(numbers: Numbers) -> System:
         Isomorphism(
             "particle_in_plane",
             _particle(stiffness),
-            {s: s for s in (x_1, x_2, v_1, v_2)},
+            {s: s for s in (*R.symbols, v_1, v_2, omega.symbols[2])},
             constants={mtilde: m + mu / b**2},
             meaning="the centre is a particle of mass m + μ/b² in a plane",
             source="Proposition 2",
