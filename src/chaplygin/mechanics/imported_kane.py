@@ -33,6 +33,14 @@ from .tape import Derivation, Tape
 __all__ = ["Kane", "kane"]
 
 
+class _Plain(Tape):
+    """A tape that takes formulas as they come: those of SymPy are long, their parts are named."""
+
+    def short(self, value: sp.Expr) -> sp.Expr:
+        """The formula itself."""
+        return value
+
+
 @dataclass(frozen=True)
 class Kane:
     """A Kane model in plain symbols.
@@ -173,7 +181,7 @@ class Kane:
         taken = {*self.coordinates, *self.speeds, TIME, *(p.symbol for p in self.words.parameters)}
         names = (s for s in sp.numbered_symbols("x_", real=True, start=1) if s not in taken)
         steps, short = sp.cse([e for group in groups for e in group], names, list=True)
-        tape = Tape(steps, taken)
+        tape = _Plain(steps, taken)
         left = iter(short)
         rows = [tuple(next(left) for _ in group) for group in groups]
         size = len(self.speeds)
