@@ -6,6 +6,7 @@ unique factors.  A factor F of degree d in t is back in the angle as F/(1 + t²)
 
 from __future__ import annotations
 
+import random
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations_with_replacement
@@ -15,11 +16,21 @@ import sympy as sp
 from flint import fmpq, fmpq_mat
 
 from ..vectors import Vector, scalar
-from .reduction_exact import Formulas, Quotient, Value, as_formula, circle, product, quotients
+from .reduction_exact import (
+    Formulas,
+    Quotient,
+    Value,
+    as_formula,
+    circle,
+    number,
+    product,
+    quotients,
+)
 from .reduction_lift import Lift
 
 __all__ = ["Chart", "determinant", "in_angles", "natural_factors", "on_sphere"]
 
+SEED = 1930
 HIGHEST = 6
 """Degree in the unit vector up to which a factor is recognised."""
 
@@ -128,7 +139,7 @@ def natural_factors(
 
 
 def in_angles(poly: Any, chart: Chart) -> sp.Expr:
-    """A polynomial of even degrees as F/(1 + t²)^(d/2) in sines and cosines."""
+    """A polynomial as F/(1 + t²)^⌈d/2⌉ in sines and cosines."""
     degrees = [int(d) for d in poly.degrees()[:2]]
     names = [scalar(n) for n in poly.context().names()]
     total = sp.S.Zero
@@ -137,55 +148,72 @@ def in_angles(poly: Any, chart: Chart) -> sp.Expr:
         for i, exponent in enumerate(exponents):
             power = int(exponent)
             if i < 2 and chart.angles[i]:
-                odd, half, whole = power % 2, power // 2, degrees[i] // 2
+                odd, half, whole = power % 2, power // 2, (degrees[i] + 1) // 2
                 x = chart.coordinates[i]
                 term *= ((1 - sp.cos(x)) / 2) ** half * (sp.sin(x) / 2) ** odd
                 term *= ((1 + sp.cos(x)) / 2) ** (whole - half - odd)
             else:
                 term *= names[i] ** power
         total += term
-    # up to a number; every sine occurs to the first power at most
-    return sp.primitive(sp.expand(total))[1]
+    return sp.expand(total)
 
 
 def on_sphere(poly: Any, chart: Chart, vector: Vector) -> sp.Expr | None:
-    """A polynomial of even degrees, over the powers of 1 + t², as a form in the unit vector.
+    """A polynomial of even degrees, over the powers of 1 + t², in the unit vector.
 
-    None if it is not one of a degree up to `HIGHEST`.
+    A form where it is one; else with terms of two degrees that differ by one.  None if it is no
+    polynomial of a degree up to `HIGHEST`.
     """
-    ring = poly.context()
+    if not _at_pole(poly):
+        return None
     for degree in range(1, HIGHEST + 1):
-        powers = list(combinations_with_replacement(range(3), degree))
-        count = len(powers)
-        rows, right = [], []
-        for i in range(count + 3):
-            t = [fmpq(2 * i + 3, i + 5), fmpq(i * i - 7, 3 * i + 2)]
-            (s, c), (s2, c2) = _circles(t)
-            unit = (s * s2, s * c2, c)
-            rows.append([_power(unit, chosen) for chosen in powers])
-            right.append(_over(poly, t))
-        matrix = fmpq_mat(rows[:count])
-        if matrix.det() == 0:
-            continue
-        solve = matrix.inv()
-        found = [
-            sum((solve[i, j] * right[j] for j in range(count)), ring.constant(0))
-            for i in range(count)
-        ]
-        fits = all(
-            sum((x * f for x, f in zip(row, found, strict=True)), ring.constant(0)) == value
-            for row, value in zip(rows[count:], right[count:], strict=True)
-        )
-        if fits:
-            terms = [
-                as_formula(f) * sp.Mul(*(vector.symbols[i] for i in chosen))
-                for f, chosen in zip(found, powers, strict=True)
+        for lower in (degree, degree - 1):
+            powers = [
+                chosen
+                for d in range(lower, degree + 1)
+                for chosen in combinations_with_replacement(range(3), d)
             ]
-            whole = sp.primitive(sp.expand(sp.Add(*terms)))[1]
-            return sp.collect(
-                whole, [sp.Mul(*(vector.symbols[i] for i in p)) for p in powers], sp.factor
-            )
+            found = _fitted(poly, powers)
+            if found is not None:
+                return _as_form(found, powers, vector)
     return None
+
+
+def _at_pole(poly: Any) -> bool:
+    """Whether the value at θ = 0 is the same for all φ, as of a function on the sphere."""
+    values = [_over(poly, [fmpq(0), x]) for x in (fmpq(1, 3), fmpq(5, 2))]
+    return bool(values[0] == values[1])
+
+
+def _as_form(found: Sequence[Any], powers: Sequence[tuple[int, ...]], vector: Vector) -> sp.Expr:
+    monomials = [sp.Mul(*(vector.symbols[i] for i in chosen)) for chosen in powers]
+    terms = [as_formula(f) * x for f, x in zip(found, monomials, strict=True)]
+    return sp.collect(sp.expand(sp.Add(*terms)), monomials, sp.factor)
+
+
+def _fitted(poly: Any, powers: Sequence[tuple[int, ...]]) -> list[Any] | None:
+    """Coefficients of the monomials that make the polynomial, if there are any."""
+    ring, count = poly.context(), len(powers)
+    rows, right = [], []
+    dice = random.Random(SEED)
+    for _ in range(count + 3):
+        t = [number(dice), number(dice)]
+        (s, c), (s2, c2) = _circles(t)
+        unit = (s * s2, s * c2, c)
+        rows.append([_power(unit, chosen) for chosen in powers])
+        right.append(_over(poly, t))
+    matrix = fmpq_mat(rows[:count])
+    if matrix.det() == 0:
+        return None
+    solve = matrix.inv()
+    found = [
+        sum((solve[i, j] * right[j] for j in range(count)), ring.constant(0)) for i in range(count)
+    ]
+    fits = all(
+        sum((x * f for x, f in zip(row, found, strict=True)), ring.constant(0)) == value
+        for row, value in zip(rows[count:], right[count:], strict=True)
+    )
+    return found if fits else None
 
 
 def _circles(t: Sequence[fmpq]) -> list[tuple[fmpq, fmpq]]:

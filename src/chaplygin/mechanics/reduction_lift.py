@@ -37,7 +37,9 @@ class Quadratic:
     Attributes
     ----------
     value : Expr
-        Φ(q, u).
+        The part of Φ(q, u) that comes from the kinetic energy.
+    potential : Expr
+        The rest.
     slope : Matrix
         μ = ∂Φ/∂u.
     rate : Matrix
@@ -45,15 +47,26 @@ class Quadratic:
     """
 
     value: sp.Expr
+    potential: sp.Expr
     slope: sp.Matrix
     rate: sp.Matrix
 
     def scaled(self, factor: sp.Expr) -> Quadratic:
         """A multiple."""
-        return Quadratic(factor * self.value, factor * self.slope, factor * self.rate)
+        return Quadratic(
+            factor * self.value,
+            factor * self.potential,
+            factor * self.slope,
+            factor * self.rate,
+        )
 
     def __add__(self, other: Quadratic) -> Quadratic:
-        return Quadratic(self.value + other.value, self.slope + other.slope, self.rate + other.rate)
+        return Quadratic(
+            self.value + other.value,
+            self.potential + other.potential,
+            self.slope + other.slope,
+            self.rate + other.rate,
+        )
 
 
 def energy(motion: Motion, base: Base) -> Quadratic:
@@ -61,8 +74,7 @@ def energy(motion: Motion, base: Base) -> Quadratic:
     u = sp.Matrix(motion.velocities)
     moved = motion.metric * u
     rate = motion.force - motion.gyroscopic.applyfunc(motion.rate)
-    value = (u.T * moved)[0] / 2 + motion.potential
-    return _placed(value, moved, rate, base)
+    return _placed((u.T * moved)[0] / 2, motion.potential, moved, rate, base)
 
 
 def in_momenta(motion: Motion, base: Base, form: sp.Matrix) -> Quadratic:
@@ -70,13 +82,18 @@ def in_momenta(motion: Motion, base: Base, form: sp.Matrix) -> Quadratic:
     m = motion.momenta
     turned = motion.metric * form * m
     rate = motion.metric.applyfunc(motion.rate) * form * m + motion.metric * form * motion.force
-    return _placed((m.T * form * m)[0] / 2, turned, rate, base)
+    return _placed((m.T * form * m)[0] / 2, sp.S.Zero, turned, rate, base)
 
 
-def _placed(value: sp.Expr, slope: sp.Matrix, rate: sp.Matrix, base: Base) -> Quadratic:
+def _placed(
+    value: sp.Expr, potential: sp.Expr, slope: sp.Matrix, rate: sp.Matrix, base: Base
+) -> Quadratic:
     place = dict(base.place)
     return Quadratic(
-        value.subs(place, simultaneous=True), slope.xreplace(place), rate.xreplace(place)
+        value.xreplace(place),
+        potential.subs(place, simultaneous=True),
+        slope.xreplace(place),
+        rate.xreplace(place),
     )
 
 

@@ -278,9 +278,9 @@ def _powers(
             groups[exponent] = groups[exponent] * poly if exponent in groups else poly
     for exponent, poly in groups.items():
         if _even(poly, chart):
-            found.append((in_angles(poly, chart), exponent))
+            found.append((_monic(in_angles(poly, chart)), exponent))
         else:
-            found.append((in_angles(poly**2, chart), exponent / 2))
+            found.append((_monic(in_angles(poly**2, chart)), exponent / 2))
     for x, exponent in zip(chart.coordinates, rest, strict=True):
         if sp.cancel(exponent) != 0:
             found.append((1 + sp.cos(x), -sp.cancel(exponent)))
@@ -293,4 +293,14 @@ def _even(poly: Any, chart: Chart) -> bool:
 
 def _base(poly: Any, chart: Chart, vector: Vector | None) -> sp.Expr:
     known = on_sphere(poly, chart, vector) if vector is not None else None
-    return in_angles(poly, chart) if known is None else known
+    return _monic(in_angles(poly, chart) if known is None else known)
+
+
+def _monic(base: sp.Expr) -> sp.Expr:
+    """Up to a number, without a minus sign in front."""
+    whole = sp.primitive(sp.expand(base))[1]
+    sign = -1 if whole.could_extract_minus_sign() else 1
+    if base.is_Add and not base.has(sp.cos, sp.sin):
+        number = sp.cancel(base / whole)
+        return sp.Add(*(sp.factor(sign * term / number) for term in base.args))
+    return sp.expand(sign * whole)

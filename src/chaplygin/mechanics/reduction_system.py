@@ -1,0 +1,183 @@
+"""The equations (4.7) as a System, with what Theorem 6 says of them and the way back."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+import sympy as sp
+
+from ..statements import (
+    ConformallyHamiltonian,
+    Integral,
+    Isomorphism,
+    Law,
+    Measure,
+    PoissonStructure,
+)
+from ..system import Observable, Parameter, System
+from ..vectors import scalar
+from .quasivelocity import Mechanism
+from .reduction_base import Base
+from .reduction_closed import Closed
+from .reduction_multiplier import Multiplier
+
+__all__ = ["N", "S", "bracket", "chaplygin_system", "momenta", "motion_law"]
+
+N, S = scalar("N"), scalar("S")
+Delta, V = scalar("Delta"), scalar("V")
+g_11, g_12, g_22 = (scalar(f"g_{i}") for i in ("11", "12", "22"))
+HALF = sp.Rational(1, 2)
+
+LEVEL = 0.8
+"""Default of the constant of a linear integral."""
+
+
+def momenta(base: Base) -> tuple[sp.Symbol, sp.Symbol]:
+    """P₁, P₂."""
+    first, second = (scalar(f"P_{q}") for q in base.coordinates)
+    return first, second
+
+
+def speeds(base: Base) -> tuple[sp.Symbol, sp.Symbol]:
+    """q̇₁, q̇₂."""
+    first, second = (scalar(f"{q}dot") for q in base.coordinates)
+    return first, second
+
+
+def chaplygin_system(
+    mechanism: Mechanism,
+    base: Base,
+    constants: tuple[sp.Symbol, ...],
+    closed: Closed,
+    potential: sp.Expr,
+    multiplier: Multiplier | None,
+) -> System:
+    """(4.7) in the coordinates of the base, with the laws of Theorem 6 where it applies.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+    base : Base
+    constants : tuple of Symbol
+        Constants of linear integrals; they become parameters.
+    closed : Closed
+    potential : Expr
+        The part of E₀ that `closed` leaves out.
+    multiplier : Multiplier or None
+    """
+    q, P, v = base.coordinates, momenta(base), speeds(base)
+    metric = dict(zip((g_11, g_12, g_22), closed.metric, strict=True))
+    level = closed.rest + potential
+    hamiltonian = HALF * (P[0] * v[0] + P[1] * v[1]) + V
+    place = {} if base.normal is None else {base.normal: sp.Matrix(list(base.place.values()))}
+    kept = () if multiplier is None else multiplier.powers
+    definitions = {
+        **place,
+        **metric,
+        Delta: g_11 * g_22 - g_12**2,
+        v[0]: (g_22 * P[0] - g_12 * P[1]) / Delta,
+        v[1]: (g_11 * P[1] - g_12 * P[0]) / Delta,
+        V: level,
+        S: closed.a[0] * v[0] + closed.a[1] * v[1] + closed.b,
+        **({} if multiplier is None else {N: multiplier.value}),
+    }
+    force = [_by_place(base, closed, level, i) for i in (0, 1)]
+    return System(
+        name=f"{mechanism.name}-chaplygin",
+        title=f"{mechanism.title} as a generalised Chaplygin system",
+        summary=f"{mechanism.title} in the two coordinates that move by themselves.",
+        source="(4.7)",
+        parameters=(*mechanism.parameters, *map(_level, constants)),
+        definitions=definitions,
+        field={
+            q[0]: v[0],
+            q[1]: v[1],
+            P[0]: force[0] + v[1] * S,
+            P[1]: force[1] - v[0] * S,
+        },
+        laws=(
+            Integral("energy", hamiltonian, "energy of (4.4)", source="Theorem 1"),
+            *(_theorem_6(hamiltonian, kept) if multiplier is not None else ()),
+        ),
+        observables=(Observable("gyroscopic", S, "coefficient S of the gyroscopic forces"),),
+    )
+
+
+def _level(constant: sp.Symbol) -> Parameter:
+    return Parameter(constant, "value of the linear integral", LEVEL)
+
+
+def _by_place(base: Base, closed: Closed, level: sp.Expr, index: int) -> sp.Expr:
+    """∂L/∂q_i at fixed velocities."""
+    q, v = base.coordinates[index], speeds(base)
+    place = {} if base.normal is None else dict(base.place)
+    g11, g12, g22 = (sp.diff(g.xreplace(place), q) for g in closed.metric)
+    square = g11 * v[0] ** 2 + 2 * g12 * v[0] * v[1] + g22 * v[1] ** 2
+    return HALF * square - sp.diff(level.xreplace(place), q)
+
+
+def bracket() -> PoissonStructure:
+    """(4.6) in q, P: {q_i, P_j} = δ_ij/N, {P₁, P₂} = S/N."""
+    pair = sp.eye(2) / N
+    turn = sp.Matrix([[0, S], [-S, 0]]) / N
+    return PoissonStructure(
+        "bracket",
+        sp.zeros(2).row_join(pair).col_join((-pair).row_join(turn)),
+        rank=4,
+        meaning="canonical bracket of q and p = N P, with {p₁, p₂} = S̄",
+        source="(4.6)",
+    )
+
+
+def _theorem_6(hamiltonian: sp.Expr, powers: Iterable[tuple[sp.Expr, sp.Expr]]) -> tuple[Law, ...]:
+    structure = bracket()
+    return (
+        Measure(
+            "measure",
+            tuple(powers),
+            "measure whose density depends on the coordinates alone",
+            source="Theorem 6",
+        ),
+        structure,
+        ConformallyHamiltonian(
+            "form",
+            N,
+            structure,
+            hamiltonian,
+            "conformally Hamiltonian form, dτ = N dt",
+            source="Theorem 6",
+        ),
+    )
+
+
+def _with_base(original: System, base: Base) -> System:
+    """The original system with those coordinates of the base that its velocities do not need."""
+    if original.motion is None:
+        return original
+    missing = [(x, rate) for x, rate in original.motion.field if x in base.coordinates]
+    return replace(original, field=(*missing, *original.field), motion=None)
+
+
+def motion_law(base: Base, closed: Closed, original: System) -> Isomorphism:
+    """The motion of the original system, on a level of its linear integrals.
+
+    Parameters
+    ----------
+    base : Base
+    closed : Closed
+    original : System
+        In coordinates of the mechanism and velocities u.
+    """
+    v = speeds(base)
+    known = dict(base.place)
+    for u, (first, second, rest) in zip(base.motion.velocities, closed.lifted, strict=True):
+        known[u] = first * v[0] + second * v[1] + rest
+    target = _with_base(original, base)
+    return Isomorphism(
+        "motion",
+        target,
+        {s: known[s] for s in target.symbols},
+        meaning="the motion of the original system",
+        source="(4.4)",
+    )
