@@ -14,7 +14,7 @@ from .errors import InputError
 from .statements import Integral, Law
 from .vectors import Diagonal, Symmetric, Vector, explicit
 
-__all__ = ["Guard", "Motion", "Observable", "Parameter", "System"]
+__all__ = ["Guard", "Motion", "Observable", "Parameter", "System", "flat", "flat_pairs"]
 
 Name: TypeAlias = Vector | sp.Symbol
 Quantity: TypeAlias = Vector | Diagonal | Symmetric | sp.Symbol
@@ -113,22 +113,23 @@ def _symbols_of(formula: Any) -> set[sp.Symbol]:
     return symbols
 
 
-def _scalars(name: Quantity) -> tuple[sp.Symbol, ...]:
-    return (name,) if isinstance(name, sp.Symbol) else name.symbols
+def flat(names: Iterable[Quantity]) -> tuple[sp.Symbol, ...]:
+    """Named quantities as scalars, in order."""
+    return tuple(s for n in names for s in ((n,) if isinstance(n, sp.Symbol) else n.symbols))
 
 
-def _flat(pairs: Pairs) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+def flat_pairs(pairs: Pairs) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
     """Pairs (named quantity, formula) as pairs (scalar symbol, scalar formula)."""
-    flat: list[tuple[sp.Symbol, sp.Expr]] = []
+    found: list[tuple[sp.Symbol, sp.Expr]] = []
     for name, formula in pairs:
-        value = explicit(formula)
+        value = explicit(sp.sympify(formula))
         if isinstance(name, sp.Symbol):
-            flat.append((name, value))
+            found.append((name, value))
         elif isinstance(name, Vector):
-            flat.extend(zip(name.symbols, value, strict=True))
+            found.extend(zip(name.symbols, value, strict=True))
         else:
-            flat.extend(zip(name.symbols, name.independent(value), strict=True))
-    return tuple(flat)
+            found.extend(zip(name.symbols, name.independent(value), strict=True))
+    return tuple(found)
 
 
 @dataclass(frozen=True)
@@ -195,17 +196,17 @@ class System:
     @cached_property
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """The state as scalars, in flat order."""
-        return tuple(s for name in self.state for s in _scalars(name))
+        return flat(self.state)
 
     @cached_property
     def rates(self) -> tuple[sp.Expr, ...]:
         """Time derivatives of `symbols`, in terms of state, definitions and parameters."""
-        return tuple(rate for _, rate in _flat(self.field))
+        return tuple(rate for _, rate in flat_pairs(self.field))
 
     @cached_property
     def steps(self) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
         """The definitions as scalar assignments, in order."""
-        return _flat(self.definitions)
+        return flat_pairs(self.definitions)
 
     def needed(
         self, formulas: Iterable[Any], given: Iterable[sp.Symbol] = ()

@@ -125,7 +125,8 @@ def _with_multipliers(
 
 
 def _numbers(parts: Balance, matrix: Sequence[Sequence[sp.Expr]]) -> list[list[Any]]:
-    point = parts.at([e for row in matrix for e in row])[0]
+    """A matrix at a generic configuration of the mechanism with its default parameters."""
+    point = parts.typical([e for row in matrix for e in row])
     return [[point.value(e) for e in row] for row in matrix]
 
 
@@ -151,7 +152,7 @@ def _numbered(
     inertia: Sequence[Sequence[sp.Expr]],
     force: Sequence[sp.Expr],
 ) -> Solution:
-    """The multipliers of all constraints; those of solved velocities follow from their equations."""
+    """The multipliers of all constraints, those of solved velocities from their equations."""
     tape, w = parts.tape, parts.mechanism.frame.w
     symbols = parts.multipliers
     values = dict(known)

@@ -10,7 +10,7 @@ import sympy as sp
 
 from .independence import check_constraints
 from .quasivelocity import TIME, Mechanism
-from .sampling import Sample, precisely, samples
+from .sampling import Sample, defaults, precisely, samples
 from .structure import Coefficients, structure
 from .tape import Derivation, Tape
 
@@ -83,6 +83,14 @@ class Balance:
         steps = self.tape.steps(formulas)
         free = [{s: v for s, v in p.point.items() if s not in self.solved} for p in self.points]
         return tuple(Sample(point, steps) for point in free)
+
+    def typical(self, formulas: Sequence[sp.Expr]) -> Sample:
+        """A configuration with the default parameters."""
+        mechanism = self.mechanism
+        values = defaults(mechanism)
+        point = samples(mechanism.name, mechanism.frame, mechanism, values, many=1)[0].point
+        steps = self.tape.steps(formulas)
+        return Sample({s: v for s, v in point.items() if s not in self.solved}, steps)
 
     def at_any(self, formulas: Sequence[sp.Expr]) -> tuple[Sample, ...]:
         """The generic points with velocities that keep to no constraint."""

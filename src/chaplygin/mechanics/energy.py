@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import mpmath
 import sympy as sp
 
+from ..notation import text
 from ..vectors import explicit
 from .balance import Balance
 from .elimination import product
@@ -49,7 +50,9 @@ def energy_theorem(parts: Balance) -> EnergyTheorem:
         broken.append("time enters the Lagrangian, a force or a constraint")
     for index, (f, euler) in enumerate(zip(parts.constraints, work, strict=True)):
         if not _homogeneous(parts, f, euler):
-            broken.append(f"the constraint {index + 1}, {f} = 0, is not homogeneous in velocities")
+            broken.append(
+                f"the constraint {index + 1}, {text(f)} = 0, is not homogeneous in velocities"
+            )
     power = sp.Add(*(force * s for s, force in mechanism.Q.items()))
     if not negligible(power, parts.at([power])):
         broken.append("forces outside the potential do work")

@@ -10,9 +10,10 @@ from typing import Any
 
 import sympy as sp
 
+from ..system import flat
 from ..vectors import constant, explicit, scalar
 from .balance import Balance
-from .quasivelocity import Name, Pairs, flat
+from .quasivelocity import Name, Pairs
 from .tape import Step
 
 __all__ = ["Named", "named"]

@@ -23,7 +23,7 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ..errors import InputError
 from ..statements import Law
-from ..system import Guard, Observable, Parameter
+from ..system import Guard, Observable, Parameter, flat, flat_pairs
 from ..vectors import Vector, cross, explicit, scalar, unit
 
 __all__ = ["TIME", "Frame", "Mechanism", "Structure", "coordinates", "euclidean", "rotations"]
@@ -40,21 +40,7 @@ TIME = scalar("t")
 """The time, for Lagrangians and constraints that depend on it."""
 
 
-def flat(names: Iterable[Name]) -> tuple[sp.Symbol, ...]:
-    """Named vectors and scalars as scalars, in order."""
-    return tuple(s for n in names for s in ((n,) if isinstance(n, sp.Symbol) else n.symbols))
-
-
-def flat_pairs(pairs: Pairs) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
-    """Pairs (named quantity, formula) as pairs (scalar symbol, scalar formula)."""
-    found: list[tuple[sp.Symbol, sp.Expr]] = []
-    for name, formula in pairs:
-        value = explicit(formula if isinstance(formula, MatrixExpr) else sp.sympify(formula))
-        found.extend(zip(flat((name,)), [value] if isinstance(name, sp.Symbol) else value))
-    return tuple(found)
-
-
-def scalars(formulas: Iterable[Any]) -> tuple[sp.Expr, ...]:
+def components(formulas: Iterable[Any]) -> tuple[sp.Expr, ...]:
     """Scalar and vector formulas as scalars, in order."""
     found: list[sp.Expr] = []
     for formula in formulas:
@@ -97,7 +83,7 @@ class Frame:
     def __post_init__(self) -> None:
         object.__setattr__(self, "rates", _pairs(self.rates))
         object.__setattr__(self, "velocities", tuple(self.velocities))
-        object.__setattr__(self, "relations", scalars(self.relations))
+        object.__setattr__(self, "relations", components(self.relations))
         if self.structure is not None:
             kept = tuple((pair, _pairs(row)) for pair, row in _pairs(self.structure))
             object.__setattr__(self, "structure", kept)
@@ -240,12 +226,12 @@ class Mechanism:
     @cached_property
     def f(self) -> tuple[sp.Expr, ...]:
         """The velocity constraints as scalars."""
-        return scalars(self.constraints)
+        return components(self.constraints)
 
     @cached_property
     def F(self) -> tuple[sp.Expr, ...]:
         """The position constraints as scalars."""
-        return scalars(self.positions)
+        return components(self.positions)
 
     @cached_property
     def Q(self) -> dict[sp.Symbol, sp.Expr]:
@@ -269,8 +255,9 @@ class Mechanism:
             if count > 1:
                 raise InputError(f"{self.name}: {s} stands for two things; rename one of them")
         still = known | set(self.frame.coordinates)
+        defined = {s for s, _ in self.steps}
         for q, rate in zip(self.frame.coordinates, self.frame.qdot, strict=True):
-            self._require(rate, still | set(self.frame.w), f"the rate of {q}")
+            self._require(rate, still | set(self.frame.w) | defined, f"the rate of {q}")
         for relation in self.frame.relations:
             self._require(relation, still, f"the relation {relation}")
         known = still | set(self.frame.w)

@@ -18,7 +18,7 @@ from sympy.core.function import AppliedUndef
 from ..errors import InputError
 from .quasivelocity import TIME, Frame, Mechanism
 
-__all__ = ["ZERO", "Sample", "negligible", "precisely", "rank", "samples"]
+__all__ = ["ZERO", "Sample", "defaults", "generic", "negligible", "precisely", "rank", "samples"]
 
 DIGITS = 50
 SEED = 20080830
@@ -77,11 +77,7 @@ class Sample:
 @precisely
 def evaluated(formula: sp.Expr, values: Mapping[sp.Symbol, Any]) -> Any:
     """A formula at numbers, unspecified functions being replaced by generic ones."""
-    formula = _specified(formula)
-    symbols = sorted(formula.free_symbols, key=str)
-    number = mpmath.mpmathify(
-        sp.lambdify(symbols, formula, "mpmath")(*(values[s] for s in symbols))
-    )
+    number = _number_of(_specified(formula), values, {})
     if isinstance(number, mpmath.mpc):
         if abs(number.imag) > ZERO:
             raise ValueError(f"{formula} is not real here")
@@ -91,21 +87,62 @@ def evaluated(formula: sp.Expr, values: Mapping[sp.Symbol, Any]) -> Any:
     return number
 
 
+def _number_of(node: sp.Expr, values: Mapping[sp.Symbol, Any], seen: dict[sp.Expr, Any]) -> Any:
+    """A formula at numbers, each of its parts once."""
+    if node in seen:
+        return seen[node]
+    if node.is_Symbol:
+        return values[node]
+    if node.is_Rational:
+        return mpmath.mpf(int(node.p)) / int(node.q)
+    parts = [_number_of(part, values, seen) for part in node.args]
+    match node:
+        case sp.Add():
+            found = mpmath.fsum(parts)
+        case sp.Mul():
+            found = mpmath.fprod(parts)
+        case sp.Pow():
+            found = parts[0] ** (int(node.exp) if node.exp.is_Integer else parts[1])
+        case _:
+            symbols = [sp.Dummy() for _ in parts]
+            plain = node.func(*symbols) if parts else node
+            found = sp.lambdify(symbols, plain, "mpmath")(*parts)
+    seen[node] = mpmath.mpmathify(found)
+    return seen[node]
+
+
 def _specified(formula: sp.Expr) -> sp.Expr:
     """Unspecified functions as generic polynomials of their arguments."""
     if not formula.has(AppliedUndef):
         return formula
 
-    def generic(name: str, arguments: Sequence[sp.Expr]) -> sp.Expr:
+    def polynomial(name: str, arguments: Sequence[sp.Expr]) -> sp.Expr:
         dice = random.Random(name)
         pairs = [x * y for i, x in enumerate(arguments) for y in arguments[i:]]
-        terms = [*arguments, *pairs, *(x**3 for x in arguments), sp.S.One]
-        return sp.Add(*(sp.Rational(dice.randint(1, 99), 100) * term for term in terms))
+        terms = [*arguments, *pairs, *(x**3 for x in arguments)]
+        numbers = [sp.Rational(dice.choice([-1, 1]) * dice.randint(20, 99), 100) for _ in terms]
+        return sp.Add(*(number * term for number, term in zip(numbers, terms, strict=True)))
 
     kinds = {f.func for f in formula.atoms(AppliedUndef)}
     for kind in kinds:
-        formula = formula.subs(kind, lambda *a, n=str(kind): generic(n, a))
+        formula = formula.replace(kind, lambda *a, n=str(kind): polynomial(n, a))
     return formula.doit()
+
+
+@precisely
+def generic(mechanism: Mechanism) -> dict[sp.Symbol, Any]:
+    """Parameters near their defaults, but of no special value."""
+    dice = random.Random(SEED)
+    return {
+        p.symbol: p.default * (1 + _number(dice) / 10) if p.default else _number(dice)
+        for p in mechanism.parameters
+    }
+
+
+@precisely
+def defaults(mechanism: Mechanism) -> dict[sp.Symbol, Any]:
+    """Parameters at their defaults."""
+    return {p.symbol: mpmath.mpf(repr(float(p.default))) for p in mechanism.parameters}
 
 
 @precisely
@@ -113,9 +150,12 @@ def samples(
     owner: str,
     frame: Frame,
     mechanism: Mechanism | None = None,
+    parameters: Point | None = None,
     many: int = POINTS,
 ) -> tuple[Sample, ...]:
-    """Generic points on the relations and position constraints, with velocities at random.
+    """Points on the relations and position constraints, at random, with random velocities.
+
+    Parameters are generic unless given.
 
     Raises
     ------
@@ -125,8 +165,7 @@ def samples(
     dice = random.Random(SEED)
     relations = [*frame.relations, *(mechanism.F if mechanism else ())]
     steps = mechanism.steps if mechanism else ()
-    parameters = mechanism.parameters if mechanism else ()
-    constants = {p.symbol: mpmath.mpf(repr(float(p.default))) for p in parameters}
+    constants = dict(parameters or (generic(mechanism) if mechanism else {}))
     named = {*frame.coordinates, *frame.w, *constants, *(s for s, _ in steps), TIME}
     loose = sorted(
         {s for formula in (*frame.qdot, *relations) for s in formula.free_symbols} - named, key=str

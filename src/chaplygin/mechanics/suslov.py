@@ -22,14 +22,15 @@ from typing import Any
 
 import sympy as sp
 
+from ..notation import text
 from ..statements import Integral, Law
-from ..system import Motion, Observable, System
+from ..system import Motion, Observable, System, flat
 from ..vectors import constant, explicit
 from .accelerations import Solution, solve
 from .balance import Balance, balance
 from .energy import EnergyTheorem, energy_theorem
 from .naming import named
-from .quasivelocity import TIME, Mechanism, Name, Pairs, flat
+from .quasivelocity import TIME, Mechanism, Name, Pairs
 
 __all__ = ["Derived", "derive", "equations"]
 
@@ -214,7 +215,7 @@ def _recorded(found: Derived) -> tuple[Observable, ...]:
     mechanism = found.parts.mechanism
     constraints = (*mechanism.f, *mechanism.F)
     shown = tuple(
-        Observable(str(symbol), symbol, f"multiplier of {f} = 0", source="(1.9)")
+        Observable(str(symbol), symbol, f"multiplier of {text(f)} = 0", source="(1.9)")
         for (symbol, _), f in zip(found.solution.multipliers, constraints, strict=True)
     )
     if not found.energy.broken:

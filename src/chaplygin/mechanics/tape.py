@@ -159,8 +159,30 @@ def tidied(value: sp.Expr) -> sp.Expr:
     if before > 2 * SMALL or value.is_Atom:
         return value
     candidates = [value]
-    if value.has(sp.sin, sp.cos):
-        candidates.append(sp.trigsimp(value))
+    angles = sorted({f.args[0] for f in value.atoms(sp.sin, sp.cos)}, key=str)
+    if angles:
+        candidates.append(_on_circles(value, angles))
     if not value.has(sp.Derivative, sp.Subs):
         candidates.extend(sp.factor_terms(sp.cancel(c)) for c in tuple(candidates))
     return min(candidates, key=sp.count_ops)
+
+
+def _on_circles(value: sp.Expr, angles: Iterable[sp.Expr]) -> sp.Expr:
+    """Numerator and denominator reduced modulo sin² + cos² = 1, whichever way is shorter."""
+    above, below = (sp.expand(part) for part in sp.fraction(sp.together(value)))
+    for angle in angles:
+        above, below = (_on_circle(part, sp.sin(angle), sp.cos(angle)) for part in (above, below))
+    return above / below
+
+
+def _on_circle(value: sp.Expr, sine: sp.Expr, cosine: sp.Expr) -> sp.Expr:
+    if not value.has(sine, cosine):
+        return value
+    found = [value]
+    for x, y in ((sine, cosine), (cosine, sine)):
+        try:
+            found.append(sp.Poly(value, x, y).rem(sp.Poly(x**2 + y**2 - 1, x, y)).as_expr())
+        except sp.PolynomialError:
+            # the angle occurs otherwise too, such as in the exponent of something
+            return value
+    return min(found, key=sp.count_ops)
