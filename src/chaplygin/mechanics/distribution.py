@@ -15,25 +15,14 @@ from typing import Any
 import sympy as sp
 
 from ..errors import InputError
-from ..system import assignments
-from ..vectors import Vector, constant, cross, dot, explicit, scalar
+from ..vectors import scalar
+from .completion import Coefficients, Field, along, completed
 from .germs import expanded
 from .places import Space
-from .quasivelocity import TIME, Frame, Mechanism, euclidean, rotations
-from .structure import commutator, structure
+from .quasivelocity import TIME, Mechanism
+from .structure import commutator
 
 __all__ = ["Distribution", "Field", "along", "commutator", "distribution", "spanned"]
-
-Field = Mapping[sp.Symbol, sp.Expr]
-#: c_ij^k by (i, j, k), i < j.
-Coefficients = Mapping[tuple[int, int, int], sp.Expr]
-
-alpha, beta, gamma, place = (Vector(name) for name in ("alpha", "beta", "gamma", "R"))
-
-
-def along(field: Field, function: sp.Expr) -> sp.Expr:
-    """A field applied to a function."""
-    return sp.Add(*(value * sp.diff(function, symbol) for symbol, value in field.items()))
 
 
 @dataclass(frozen=True)
@@ -105,6 +94,12 @@ class Distribution:
             steps=tuple((s, v.xreplace(table)) for s, v in self.steps),
             constants=(),
         )
+
+    @cached_property
+    def solved(self) -> Distribution:
+        """The same with its admissible fields as the frame, and no forms."""
+        names = tuple(scalar(f"u_{i}") for i, _ in enumerate(self.fields, 1))
+        return replace(self, velocities=names, frame=self.fields, forms=())
 
     @cached_property
     def fields(self) -> tuple[Field, ...]:
@@ -206,25 +201,29 @@ def distribution(mechanism: Mechanism) -> Distribution:
             )
         rows.append(row)
         rest.append(formula.xreplace(dict.fromkeys(w, sp.S.Zero)))
-    coordinates, relations, fields, given = _completed(frame)
     positions = [expanded(F, dict(kept)) for F in mechanism.F]
+    constants = {p.symbol: p.default for p in mechanism.parameters}
+    entries = [*positions, *rest, *(entry for row in rows for entry in row)]
+    whole = completed(frame, entries, kept, constants)
+    coordinates, fields = whole.coordinates, whole.fields
     rows += [[along(field, F) for field in fields] for F in positions]
     rest += [sp.diff(F, TIME) for F in positions]
     if any(entry != 0 for entry in rest) or _timed(rows, kept):
         coordinates, fields = (*coordinates, TIME), (*fields, {TIME: sp.S.One})
         w = (*w, scalar("tdot"))
         rows = [[*row, entry] for row, entry in zip(rows, rest, strict=True)]
-    return Distribution(
+    found = Distribution(
         mechanism.name,
         coordinates,
-        (*relations, *positions),
+        (*whole.relations, *positions),
         w,
         fields,
         tuple(tuple(row) for row in rows),
-        given,
+        whole.structure,
         kept,
-        tuple((p.symbol, p.default) for p in mechanism.parameters),
+        tuple(constants.items()),
     )
+    return found.solved if whole.admissible else found
 
 
 def _moving(mechanism: Mechanism) -> set[sp.Symbol]:
@@ -239,52 +238,3 @@ def _moving(mechanism: Mechanism) -> set[sp.Symbol]:
 def _timed(rows: Sequence[Sequence[sp.Expr]], steps: Sequence[tuple[sp.Symbol, sp.Expr]]) -> bool:
     table = dict(steps)
     return any(expanded(entry, table).has(TIME) for row in rows for entry in row)
-
-
-Completed = tuple[
-    tuple[sp.Symbol, ...], tuple[sp.Expr, ...], tuple[Field, ...], Coefficients | None
-]
-
-
-def _completed(frame: Frame) -> Completed:
-    """Coordinates, relations, fields and structure; reduced frames completed where known."""
-    fields = tuple(frame.field(i) for i in range(len(frame.w)))
-    if frame.structure is None:
-        return frame.coordinates, frame.relations, fields, None
-    given = structure(frame)
-    missing = _missing(frame, given)
-    if missing is None:
-        return frame.coordinates, frame.relations, fields, given
-    rates, relations = missing
-    whole = Frame({**dict(frame.rates), **rates}, frame.velocities, (*frame.relations, *relations))
-    fields = tuple(whole.field(i) for i in range(len(whole.w)))
-    return whole.coordinates, whole.relations, fields, given
-
-
-def _missing(frame: Frame, given: Coefficients) -> tuple[dict[Vector, Any], list[sp.Expr]] | None:
-    """Rates of the direction cosines and of the place, that the frame leaves out."""
-    names = [name for name in frame.velocities if isinstance(name, Vector)]
-    rates = dict(assignments(frame.rates))
-    for spin in names:
-        turned = explicit(cross(gamma, spin))
-        if dict(zip(gamma.symbols, turned, strict=True)).items() <= rates.items():
-            break
-    else:
-        return None
-    if frame.w == spin.symbols:
-        expected, added = rotations(spin), {}
-    else:
-        others = [name for name in names if name != spin]
-        if len(others) != 1 or len(frame.w) != 6:
-            return None
-        expected = euclidean(spin, others[0])
-        added = {place: constant([dot(a, others[0]) for a in (alpha, beta, gamma)])}
-    if structure(Frame(frame.rates, frame.velocities, structure=expected)) != given:
-        return None
-    cosines = {direction: cross(direction, spin) for direction in (alpha, beta)}
-    taken = {str(s) for s in (*frame.coordinates, *frame.w)}
-    if taken & {str(s) for name in (*cosines, *added) for s in name.symbols}:
-        return None
-    relations = [dot(a, a) - 1 for a in cosines]
-    relations += [dot(alpha, beta), dot(alpha, gamma), dot(beta, gamma)]
-    return {**cosines, **added}, relations

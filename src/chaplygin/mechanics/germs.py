@@ -10,10 +10,12 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterable, Mapping, Sequence
-from math import lcm
+from itertools import combinations_with_replacement
+from math import factorial, lcm
 from typing import Any
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from ..errors import InputError
 from .series import Numbers, Series
@@ -136,6 +138,8 @@ class Germs:
             return self._exponential(formula)
         if formula.func in _SLOPES or formula is sp.pi:
             return self._opaque(formula)
+        if isinstance(formula, (AppliedUndef, sp.Derivative)):
+            return self._unspecified(formula)
         raise InputError(
             f"{formula}: its derivatives at a point cannot be computed exactly; known are sums, "
             "products, powers with rational exponents, sin, cos, tan, exp, log, asin, acos, atan"
@@ -184,6 +188,32 @@ class Germs:
             return self.constant(value)
         argument = formula.args[0]
         return self.series(argument).primitive(value, self.series(_SLOPES[formula.func](argument)))
+
+    def _unspecified(self, formula: sp.Expr) -> Series:
+        """A function of some variables that nobody specified, or a derivative of it."""
+        function = formula.expr if isinstance(formula, sp.Derivative) else formula
+        orders = dict(formula.variable_count) if isinstance(formula, sp.Derivative) else {}
+        places = [self.variables.index(s) for s in function.args if s in self.variables]
+        if not isinstance(function, AppliedUndef) or len(places) != len(function.args):
+            raise InputError(f"{formula}: an unspecified function may depend on coordinates only")
+        gens = self.ring.gens()
+        parts = []
+        for degree in range(self.order + 1):
+            total = self.ring.constant(0)
+            for chosen in combinations_with_replacement(range(len(places)), degree):
+                powers = [chosen.count(i) for i, _ in enumerate(places)]
+                raised = [
+                    p + int(orders.get(s, 0)) for p, s in zip(powers, function.args, strict=True)
+                ]
+                value = self._formal_value(sp.Tuple(function, *raised))
+                for power in powers:
+                    value = value / factorial(power)
+                term = self.constant(value).parts[0]
+                for i in chosen:
+                    term = term * gens[places[i]]
+                total = total + term
+            parts.append(total)
+        return Series(self.numbers, self.ring, parts)
 
 
 def _turned(
