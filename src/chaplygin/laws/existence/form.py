@@ -3,7 +3,7 @@
 A density e^σ over the momenta of the admissible velocities and the normal γ gives an invariant
 measure if and only if dσ = θ.  For a rubber body θ = (Θ, dγ) with
 
-    Θ = (tr K − 1) · −(E + W/a) q,      q = Ĩ⁻¹γ/(γ, Ĩ⁻¹γ)   across γ,      tr K = 2 on a plane,
+    Θ = (1 − tr K) (E + W/a) Ĩ⁻¹γ / (γ, Ĩ⁻¹γ)   across γ,      tr K = 2 and W/a = 0 on a plane,
 
 and for a marble body, with A = Ĩ⁻¹, V = WK and τ = Σ (A e_i, V(γ×e_i)),
 
@@ -23,6 +23,8 @@ import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from ...mechanics.rolling import Rolling
+from ...mechanics.shapes import Ball
+from ...mechanics.surfaces import Plane
 from ...statements import Identity, Law, Measure
 from ...system import Parameter, System
 from ...vectors import Diagonal, Symmetric, Vector, cross, dot, identity, normed, scalar, unit
@@ -33,7 +35,7 @@ __all__ = ["OneForm", "one_form"]
 Pairs = tuple[tuple[Any, Any], ...]
 
 gamma, r, q, theta = (Vector(name) for name in ("gamma", "r", "q", "Theta"))
-m = scalar("m")
+m, a = scalar("m"), scalar("a")
 
 
 @dataclass(frozen=True)
@@ -47,16 +49,23 @@ class OneForm:
         closed.
     form : Vector
         Θ, a definition of `system`.
+    scale : sympy.Expr
+        A constant factor of θ, in the parameters.
     spin : Identity, optional
         What a marble body's spin must fulfil.
     closed : Measure
         That dθ = 0.
+    period : Identity
+        That θ annuls the rotations about body axis 3; where it is closed it is then exact on the
+        sphere without its poles, too.
     """
 
     system: System
     form: Vector
+    scale: sp.Expr
     spin: Identity | None
     closed: Measure
+    period: Identity
 
     @property
     def conditions(self) -> tuple[Law, ...]:
@@ -115,7 +124,23 @@ def one_form(rolling: Rolling) -> OneForm:
         parameters=parameters,
         relations=here.relations,
     )
-    return OneForm(system, theta, spin, Measure("closed", (), meaning="the 1-form is closed"))
+    return OneForm(
+        system,
+        theta,
+        _scale(rolling),
+        spin,
+        Measure("closed", (), meaning="the 1-form is closed"),
+        Identity("period", dot(theta, cross(unit(3), gamma)), "no period about body axis 3"),
+    )
+
+
+def _scale(rolling: Rolling) -> sp.Expr:
+    """The factor of θ for a rubber ball on a sphere, 1 − R/a, up to the sign; else one."""
+    shape, surface = rolling.body.shape, rolling.surface
+    if rolling.contact == "marble" or isinstance(surface, Plane) or not isinstance(shape, Ball):
+        return sp.S.One
+    scale: sp.Expr = 1 - shape.gauss().support / a
+    return scale
 
 
 def _twist(here: Geometry, inverse: Any) -> sp.Expr:
