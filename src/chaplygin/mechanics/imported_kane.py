@@ -36,7 +36,7 @@ __all__ = ["Kane", "kane"]
 class _Plain(Tape):
     """A tape that takes formulas as they come: those of SymPy are long, their parts are named."""
 
-    def short(self, value: sp.Expr) -> sp.Expr:
+    def short(self, value: Any) -> Any:
         """The formula itself."""
         return value
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
-from sympy.physics.mechanics import dynamicsymbols, find_dynamicsymbols
+from sympy.physics.mechanics import dynamicsymbols
 
 from ..errors import InputError
 from ..system import Parameter
@@ -38,13 +38,14 @@ class Renamed:
     def __call__(self, formula: Any) -> sp.Expr:
         """A formula with plain symbols only."""
         made = sp.sympify(formula).xreplace(dict(self.table))
-        left = sorted(map(str, find_dynamicsymbols(made)))
+        left = sorted(map(str, made.atoms(AppliedUndef)))
         if left:
             raise InputError(
                 f"{self.name}: {', '.join(left)} depends on the time and is neither a coordinate "
                 "nor a speed; give its formula in 'inputs'"
             )
-        return made
+        # the rate of an input
+        return made.doit() if made.has(sp.Derivative) else made
 
     def all(self, formulas: Iterable[Any]) -> list[sp.Expr]:
         """Several formulas."""
@@ -137,6 +138,6 @@ def _parameter(name: str, symbol: sp.Symbol, given: Any) -> Parameter:
     positive = (plain > 0,) if symbol.is_positive else ()
     try:
         default = float(given)
-    except TypeError:
+    except (TypeError, ValueError):
         raise InputError(f"{name}: parameters: {symbol} = {given} is not a number") from None
     return Parameter(plain, f"constant {symbol} of the model", default, admissible=positive)
