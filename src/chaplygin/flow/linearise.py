@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import Any, TypeGuard
 
 import mpmath
@@ -26,7 +26,7 @@ from ..errors import InputError
 from ..statements import Law, Symmetry
 from ..system import System
 from ..vectors import explicit
-from .slopes import Slopes, number
+from .slopes import number, slopes
 from .spaces import complement, shortest, without
 
 __all__ = ["Linearisation", "linearise", "steady"]
@@ -178,7 +178,6 @@ def steady(
         If the iteration does not come to rest.
     """
     with mpmath.workdps(_working(digits)):
-        slopes = _slopes(system)
         variables = _taking_part(system)
         point = _state(system, guess, variables)
         constants = _constants(system, parameters)
@@ -186,7 +185,7 @@ def steady(
         loose = [i for i, s in enumerate(variables) if s not in kept]
         formulas = [*_rates(system, variables), *_relations(system)]
         for _ in range(NEWTON_STEPS):
-            values, rows = slopes(formulas, variables, {**point, **constants})
+            values, rows = slopes(system, formulas, variables, {**point, **constants})
             if mpmath.norm(values, mpmath.inf) < mpmath.mpf(10) ** (-digits - 8):
                 return point
             free = mpmath.matrix([[rows[i, j] for j in loose] for i in range(rows.rows)])
@@ -215,11 +214,10 @@ class _Frozen:
         self.values = {**self.point, **_constants(system, parameters)}
         # a state given as a float is exact to some 16 digits
         self.tolerance = mpmath.mpf(10) ** (-min(digits, 12))
-        self._slopes = _slopes(system)
         self._require_on_phase_space()
 
     def _field(self, formulas: Sequence[sp.Expr]) -> tuple[Any, Any]:
-        return self._slopes(formulas, self.variables, self.values)
+        return slopes(self.system, formulas, self.variables, self.values)
 
     def _require_on_phase_space(self) -> None:
         relations = _relations(self.system)
@@ -269,12 +267,6 @@ class _Frozen:
         """A direction as a column."""
         named = {_symbol(self.system, key, where): number(x, where) for key, x in entries.items()}
         return mpmath.matrix([named.get(s, mpmath.mpf(0)) for s in self.variables])
-
-
-@lru_cache(maxsize=8)
-def _slopes(system: System) -> Slopes:
-    """What has been compiled of a system serves all of its states."""
-    return Slopes(system)
 
 
 def _working(digits: int) -> int:

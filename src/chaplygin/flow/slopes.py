@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import lru_cache
 from numbers import Integral, Real
-from typing import Any
+from typing import Any, TypeAlias
 
 import mpmath
 import sympy as sp
@@ -13,7 +14,7 @@ from ..errors import InputError
 from ..expressions import parse
 from ..system import System
 
-__all__ = ["Slopes", "number"]
+__all__ = ["number", "slopes"]
 
 
 def number(value: Any, where: str) -> Any:
@@ -48,68 +49,105 @@ def number(value: Any, where: str) -> Any:
 
 def _evaluated(formula: sp.Expr) -> Any:
     """A constant formula at the working precision."""
+    if formula.is_Rational:
+        return mpmath.mpf(int(formula.p)) / int(formula.q)
+    if formula.is_Float:
+        return mpmath.mpf(formula._mpf_)
     return mpmath.mpmathify(sp.lambdify((), formula, "mpmath")())
 
 
-class Slopes:
-    """Evaluates formulas of a system together with their exact partial derivatives.
+Pair: TypeAlias = tuple[Any, dict[int, Any]]
+"""A number and those of its partial derivatives that are not zero, by the index of the variable."""
 
-    Definitions are differentiated by the chain rule, each formula for itself, so that nothing is
-    ever expanded.
+
+def slopes(
+    system: System,
+    formulas: Sequence[sp.Expr],
+    variables: Sequence[sp.Symbol],
+    values: Mapping[sp.Symbol, Any],
+) -> tuple[Any, Any]:
+    """Formulas of a system at a point, and their partial derivatives.
+
+    Derivatives are carried along with the values, by the rules of differentiation for every single
+    operation and through the definitions: they are exact, and nothing is ever expanded.
+
+    Parameters
+    ----------
+    system : System
+    formulas : sequence of Expr
+        Scalars in state, definitions and parameters.
+    variables : sequence of Symbol
+        State variables by which to differentiate.
+    values : mapping of Symbol to mpf
+        Every state variable that takes part and every parameter.
+
+    Returns
+    -------
+    tuple of mpmath.matrix
+        Values (formulas, 1) and derivatives (formulas, variables).
     """
-
-    def __init__(self, system: System) -> None:
-        self.system = system
-        self._compiled: dict[sp.Expr, _Formula] = {}
-
-    def __call__(
-        self,
-        formulas: Sequence[sp.Expr],
-        variables: Sequence[sp.Symbol],
-        values: Mapping[sp.Symbol, Any],
-    ) -> tuple[Any, Any]:
-        """Values (formulas,) and derivatives (formulas, variables) at a point.
-
-        `values` gives every state variable that takes part and every parameter.
-        """
-        known = dict(values)
-        size = len(variables)
-        slopes = {
-            s: [mpmath.mpf(int(i == j)) for j in range(size)] for i, s in enumerate(variables)
-        }
-        for symbol, value in self.system.needed(formulas):
-            known[symbol], slopes[symbol] = self._formula(value)(known, slopes, size)
-        pairs = [self._formula(formula)(known, slopes, size) for formula in formulas]
-        column, rows = mpmath.matrix(len(pairs), 1), mpmath.matrix(len(pairs), size)
-        for i, (value, row) in enumerate(pairs):
-            column[i] = value
-            for j, slope in enumerate(row):
-                rows[i, j] = slope
-        return column, rows
-
-    def _formula(self, formula: sp.Expr) -> _Formula:
-        if formula not in self._compiled:
-            self._compiled[formula] = _Formula(formula)
-        return self._compiled[formula]
+    known: dict[sp.Expr, Pair] = {s: (value, {}) for s, value in values.items()}
+    for i, s in enumerate(variables):
+        known[s] = (values[s], {i: mpmath.mpf(1)})
+    for symbol, formula in system.needed(formulas):
+        known[symbol] = _visit(formula, known)
+    column, rows = mpmath.matrix(len(formulas), 1), mpmath.matrix(len(formulas), len(variables))
+    for i, formula in enumerate(formulas):
+        column[i], row = _visit(formula, known)
+        for j, slope in row.items():
+            rows[i, j] = slope
+    return column, rows
 
 
-class _Formula:
-    """One formula in named quantities, with its derivative by each of them."""
+def _visit(node: sp.Expr, known: dict[sp.Expr, Pair]) -> Pair:
+    if node not in known:
+        known[node] = _evaluated_pair(node, known)
+    return known[node]
 
-    def __init__(self, formula: sp.Expr) -> None:
-        self.symbols = sorted(formula.free_symbols, key=str)
-        slopes: Iterable[sp.Expr] = (sp.diff(formula, s) for s in self.symbols)
-        self._function: Callable[..., Any] = sp.lambdify(
-            self.symbols, [formula, *slopes], modules="mpmath", cse=True
+
+def _evaluated_pair(node: sp.Expr, known: dict[sp.Expr, Pair]) -> Pair:
+    if node.is_number:
+        return _evaluated(node), {}
+    parts = [_visit(arg, known) for arg in node.args]
+    if node.is_Add:
+        return mpmath.fsum(value for value, _ in parts), _combined(
+            [mpmath.mpf(1)] * len(parts), parts
         )
+    if node.is_Mul:
+        return mpmath.fprod(value for value, _ in parts), _combined(_cofactors(parts), parts)
+    value, *partial = _function(node.func, node.args)(*(value for value, _ in parts))
+    return value, _combined(partial, parts)
 
-    def __call__(
-        self, known: Mapping[sp.Symbol, Any], slopes: Mapping[sp.Symbol, list[Any]], size: int
-    ) -> tuple[Any, list[Any]]:
-        value, *partial = self._function(*(known[s] for s in self.symbols))
-        row = [mpmath.mpf(0)] * size
-        for symbol, share in zip(self.symbols, partial, strict=True):
-            inner = slopes.get(symbol)
-            if inner is not None and share != 0:
-                row = [total + share * slope for total, slope in zip(row, inner, strict=True)]
-        return mpmath.mpf(value), row
+
+def _cofactors(parts: Sequence[Pair]) -> list[Any]:
+    """For each factor of a product the product of the others."""
+    values = [value for value, _ in parts]
+    return [mpmath.fprod((*values[:i], *values[i + 1 :])) for i in range(len(values))]
+
+
+def _combined(weights: Sequence[Any], parts: Sequence[Pair]) -> dict[int, Any]:
+    """Σ weight · derivative."""
+    total: dict[int, Any] = {}
+    for weight, (_, row) in zip(weights, parts, strict=True):
+        for j, slope in row.items():
+            total[j] = total.get(j, 0) + weight * slope
+    return total
+
+
+def _function(kind: Any, arguments: Sequence[sp.Expr]) -> Callable[..., Sequence[Any]]:
+    """A power or function with its derivatives; a constant exponent is part of the function."""
+    exponent = arguments[1] if kind is sp.Pow and arguments[1].is_number else None
+    return _compiled(kind, len(arguments), exponent)
+
+
+@lru_cache(maxsize=256)
+def _compiled(kind: Any, count: int, exponent: sp.Expr | None) -> Callable[..., Sequence[Any]]:
+    names = sp.symbols(f"x:{count}", real=True)
+    if exponent is not None:
+        formula = names[0] ** exponent
+        partial = [sp.diff(formula, names[0]), sp.S.Zero]
+    else:
+        formula = kind(*names)
+        partial = [sp.diff(formula, name) for name in names]
+    made: Callable[..., Sequence[Any]] = sp.lambdify(names, [formula, *partial], "mpmath")
+    return made

@@ -12,7 +12,7 @@ which is Kane's method in another order.  Every intermediate result has a name.
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -36,7 +36,7 @@ __all__ = ["Kane", "kane"]
 class _Plain(Tape):
     """A tape that takes formulas as they come: those of SymPy are long, their parts are named."""
 
-    def short(self, value: Any) -> Any:
+    def short(self, value: sp.Expr, hold: Collection[sp.Symbol] = ()) -> sp.Expr:
         """The formula itself."""
         return value
 
