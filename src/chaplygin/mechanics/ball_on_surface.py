@@ -193,15 +193,17 @@ def equations_of_motion(
         ),
         field={kinematics.place: kinematics.rate, omega: turning},
         relations=spare,
-        observables=_observables(),
+        observables=_observables(kinematics.place),
         guards=tuple(guards),
         motion=_motion(),
         source="§2.2, §2.3",
     )
 
 
-def _observables() -> tuple[Observable, ...]:
+def _observables(place: Vector) -> tuple[Observable, ...]:
+    where = "centre of the ball" if place == R else "contact point"
     return (
+        Observable(place.name, place, where, "m", "space", "(2.7)"),
         Observable("omega", omega, "angular velocity", "rad/s", "space", "(2.8)"),
         Observable("velocity", v, "velocity of the centre", "m/s", "space", "(2.8)"),
         Observable("centre", R, "centre of the ball", "m", "space", "(2.7)"),

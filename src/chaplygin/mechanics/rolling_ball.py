@@ -13,7 +13,7 @@ from sympy.matrices.expressions import MatrixExpr
 from ..errors import InputError
 from ..statements import Integral, Law, Measure
 from ..system import Parameter, System
-from ..vectors import constant, dot, gradient, normed, scalar, vectors
+from ..vectors import constant, explicit, gradient, normed, scalar, vectors
 from .ball_on_surface import (
     Carrier,
     Contact,
@@ -150,8 +150,10 @@ class RollingBall:
     @cached_property
     def height(self) -> sp.Expr:
         """The potential energy at the centre R."""
-        weight = -m * g * dot(constant(self._down), R) if self.gravity else sp.S.Zero
-        return weight + self.potential
+        if not self.gravity:
+            return self.potential
+        fallen = sp.Add(*(d * s for d, s in zip(explicit(self._down), R.symbols, strict=True)))
+        return self.potential - m * g * fallen
 
     @property
     def force(self) -> MatrixExpr:

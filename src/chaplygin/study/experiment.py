@@ -1,12 +1,13 @@
 """The experiment file: what the command line, the web page and Python share.
 
-A TOML file describes a body that rolls on a surface (`RollingExperiment`), a system of the
-catalogue, or a system of the user's own, by its Lagrangian (`MechanismExperiment`) or by its
-equations (`EquationsExperiment`); further a start, and how the motion is computed. What moves in
-the catalogue's system is mostly a body whose start is given by ω and γ (`SystemExperiment`); of any
+A TOML file describes a body that rolls on a plane or a sphere (`RollingExperiment`), a homogeneous
+ball that rolls on any other surface (`BallExperiment`), a system of the catalogue, or a system of
+the user's own, by its Lagrangian (`MechanismExperiment`) or by its equations
+(`EquationsExperiment`); further a start, and how the motion is computed. What moves in the
+catalogue's system is mostly a body whose start is given by ω and γ (`SystemExperiment`); of any
 other system the start gives the state by the names of its variables (`StateExperiment`). The keys,
-their meaning, units and frames are those of `chaplygin.study.tables` and
-`chaplygin.study.mechanism_tables`.
+their meaning, units and frames are those of `chaplygin.study.tables`, `ball_tables` and
+`mechanism_tables`.
 """
 
 from __future__ import annotations
@@ -16,10 +17,12 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from pydantic import Field, PrivateAttr, ValidationError, ValidationInfo, field_validator
+from pydantic import Field, ValidationError, ValidationInfo, field_validator
 
 from ..errors import InputError
 from ..systems import CATALOGUE
+from .ball_experiment import BallExperiment, means_ball
+from .experiment_base import ExperimentBase
 from .mechanism_tables import (
     ConstraintsTable,
     EquationsTable,
@@ -51,12 +54,12 @@ from .tables import (
     SystemRunTable,
     SystemStartTable,
     SystemTable,
-    Table,
     TorusTable,
 )
 from .toml_text import Key, dumps
 
 __all__ = [
+    "BallExperiment",
     "EquationsExperiment",
     "Experiment",
     "MechanismExperiment",
@@ -69,47 +72,11 @@ __all__ = [
 ]
 
 
-class _Experiment(Table):
-    """What both kinds of experiment have.
-
-    Two experiments are equal when their tables are, wherever they were read from.
-    """
-
-    title: str | None = Field(default=None, description="a text in quotes", min_length=1)
-    """What reports and figures call it."""
-
-    _source: Source = PrivateAttr(Source("<experiment>", ""))
-
-    def toml(self) -> str:
-        """A complete TOML text, defaults included, that reads back to an equal experiment."""
-        return dumps(self.model_dump(exclude_none=True))
-
-    @property
-    def text(self) -> str:
-        """The text it was read from, before overrides; its own TOML if it was made in Python."""
-        return self._source.text or self.toml()
-
-    @property
-    def overrides(self) -> tuple[str, ...]:
-        """The options ``KEY=VALUE`` that were applied to the text."""
-        return self._source.overrides
-
-    def where(self, *key: str) -> str:
-        """The place of a key, such as ``where("body", "mass")``, for the message of an error."""
-        return self._source.where(key)
-
-    def __eq__(self, other: object) -> bool:
-        return type(self) is type(other) and self.__dict__ == other.__dict__
-
-    def __hash__(self) -> int:
-        return hash(self.toml())
-
-
 #: What a file without any description is asked for.
 BODY = "a table [body], or [system], [lagrangian] or [equations] instead of it"
 
 
-class RollingExperiment(_Experiment):
+class RollingExperiment(ExperimentBase):
     """A body rolls on a surface.
 
     Raises
@@ -160,7 +127,7 @@ class RollingExperiment(_Experiment):
         return start
 
 
-class SystemExperiment(_Experiment):
+class SystemExperiment(ExperimentBase):
     """A system of the catalogue, which decides body, surface, contact and field.
 
     Raises
@@ -174,7 +141,7 @@ class SystemExperiment(_Experiment):
     run: SystemRunTable = Field(default=SystemRunTable(), description="a table")
 
 
-class StateExperiment(_Experiment):
+class StateExperiment(ExperimentBase):
     """A system of the catalogue whose start is given by the names of its state.
 
     Raises
@@ -188,7 +155,7 @@ class StateExperiment(_Experiment):
     run: SystemRunTable = Field(default=SystemRunTable(), description="a table")
 
 
-class OwnExperiment(_Experiment):
+class OwnExperiment(ExperimentBase):
     """What all systems of the user's own have; the start is given by the names of the state."""
 
     summary: str = Field(default="", description="a text in quotes")
@@ -242,6 +209,7 @@ class EquationsExperiment(OwnExperiment):
 
 Experiment = (
     RollingExperiment
+    | BallExperiment
     | SystemExperiment
     | StateExperiment
     | MechanismExperiment
@@ -345,7 +313,7 @@ def _own_model(tables: dict[str, Any]) -> type[Experiment]:
         return EquationsExperiment
     if "body" not in tables and tables.keys() & {"frame", "lagrangian", "constraints"}:
         return MechanismExperiment
-    return RollingExperiment
+    return BallExperiment if means_ball(tables) else RollingExperiment
 
 
 def _decided_by_system(tables: dict[str, Any]) -> dict[Key, str]:

@@ -15,16 +15,23 @@ import xarray as xr
 from ..errors import InputError
 from ..expressions import parse
 from ..flow.trajectory import Trajectory, integrate
+from ..mechanics.ball_start import ball_state
 from ..mechanics.body import Body
 from ..mechanics.quasivelocity import TIME, Mechanism
 from ..mechanics.rolling import Field, Rolling
+from ..mechanics.rolling_ball import RollingBall
 from ..mechanics.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Shape, Torus
 from ..mechanics.start import starting_state
 from ..mechanics.surfaces import Plane, Sphere
 from ..system import System
 from ..systems import entry, known_laws_of
+from ..systems.ball_entry import ball_variables
+from ..systems.ball_laws import known_ball_laws
+from .ball import ball_title, potential_of, rolling_ball, smooth_surface
+from .ball_tables import BallStartTable
 from .dataset import to_dataset
 from .experiment import (
+    BallExperiment,
     EquationsExperiment,
     Experiment,
     MechanismExperiment,
@@ -44,6 +51,8 @@ from .tables import (
     PlaneTable,
     RevolutionTable,
     ShapeTable,
+    StartTable,
+    SystemStartTable,
     TorusTable,
 )
 
@@ -69,6 +78,8 @@ class Study:
         Meaning and unit of variables of the state, where the start is given by it.
     mechanism : Mechanism, optional
         The Lagrangian, frame and constraints from which the system was derived.
+    ball : RollingBall, optional
+        The homogeneous ball that rolls, and its surface.
     """
 
     experiment: Experiment
@@ -78,11 +89,12 @@ class Study:
     until: float
     variables: Mapping[str, tuple[str, str]] = field(default_factory=dict)
     mechanism: Mechanism | None = None
+    ball: RollingBall | None = None
 
     @property
     def own(self) -> bool:
         """Whether it is a body of the user's, not a system of the catalogue."""
-        return isinstance(self.experiment, RollingExperiment)
+        return isinstance(self.experiment, RollingExperiment | BallExperiment)
 
     @property
     def by_state(self) -> bool:
@@ -112,15 +124,18 @@ class Study:
         """
         start = self.experiment.start
         with _at(self.experiment, "start"):
-            if isinstance(start, dict):
-                return given_state(self.system, self.given)
-            return starting_state(
-                self.system,
-                self.given["omega"],
-                self.given["gamma"],
-                heading=start.heading,
-                normal=start.normal,
-            )
+            if isinstance(start, StartTable | SystemStartTable):
+                return starting_state(
+                    self.system,
+                    self.given["omega"],
+                    self.given["gamma"],
+                    heading=start.heading,
+                    normal=start.normal,
+                )
+            if self.ball is not None and isinstance(start, BallStartTable):
+                place = self.given["contact" if self.ball.carrier == "support" else "centre"]
+                return ball_state(self.ball, self.system, place, start.omega)
+            return given_state(self.system, self.given)
 
     @cached_property
     def watched(self) -> System:
@@ -231,6 +246,8 @@ def prepare(experiment: Experiment) -> Study:
     """
     if isinstance(experiment, MechanismExperiment | EquationsExperiment):
         return _of_the_user(experiment)
+    if isinstance(experiment, BallExperiment):
+        return _with_ball(experiment)
     if not isinstance(experiment, RollingExperiment):
         return _from_catalogue(experiment)
     rolling = _rolling(experiment)
@@ -254,13 +271,29 @@ def _from_catalogue(experiment: SystemExperiment | StateExperiment) -> Study:
         item = entry(table.name)
     with _at(experiment, "system", "parameters"):
         system, rolling = item.system(table.parameters), item.rolling(table.parameters)
+        ball = item.rolling_ball(table.parameters)
     if experiment.title:
         system = replace(system, title=experiment.title)
     start, suggested = experiment.start, item.start
     told = start if isinstance(start, dict) else {"omega": start.omega, "gamma": start.gamma}
     given = suggested.values | {name: value for name, value in told.items() if value is not None}
     until = experiment.run.until or suggested.until
-    return Study(experiment, system, rolling, given, until, item.variables)
+    return Study(experiment, system, rolling, given, until, item.variables, ball=ball)
+
+
+def _with_ball(experiment: BallExperiment) -> Study:
+    with _at(experiment, "surface"):
+        surface = smooth_surface(experiment.surface)
+    with _at(experiment, "field"):
+        potential = potential_of(experiment)
+    with _at(experiment, "body", "shape"):
+        ball = rolling_ball(experiment, surface, potential)
+    with _at(experiment, "surface"):
+        system = ball.system("experiment", experiment.title or ball_title(experiment, ball))
+    system = system.with_laws(*known_ball_laws(ball))
+    given = experiment.start.model_dump(exclude_none=True)
+    until = experiment.run.until
+    return Study(experiment, system, None, given, until, ball_variables, ball=ball)
 
 
 def _of_the_user(experiment: MechanismExperiment | EquationsExperiment) -> Study:

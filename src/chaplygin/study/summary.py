@@ -20,8 +20,18 @@ _BODY_AXES = (
 )
 
 
+_BALL = (
+    "In space axes: R centre of the ball, ω angular velocity, v velocity, n normal of the surface "
+    "towards the ball, r = −bn from the centre to the contact point, F force at the centre, "
+    "f = 0 the surface {on}, ℓ = |∇f|; m̃ = m + μ/b², σ = (ω, n)."
+)
+
+
 def legend(study: Study) -> str:
     """What the letters of the equations mean; empty where nothing is told of them."""
+    if study.ball is not None:
+        on_centre = study.ball.kinematics.fit is None
+        return _BALL.format(on="of the centre" if on_centre else "that carries the ball at x")
     if not study.by_state:
         return _BODY_AXES
     meanings = [

@@ -1,0 +1,47 @@
+"""What all kinds of experiment have: a title, the text they were read from, places in it."""
+
+from __future__ import annotations
+
+from pydantic import Field, PrivateAttr
+
+from .source import Source
+from .tables import Table
+from .toml_text import dumps
+
+__all__ = ["ExperimentBase"]
+
+
+class ExperimentBase(Table):
+    """What all kinds of experiment have.
+
+    Two experiments are equal when their tables are, wherever they were read from.
+    """
+
+    title: str | None = Field(default=None, description="a text in quotes", min_length=1)
+    """What reports and figures call it."""
+
+    _source: Source = PrivateAttr(Source("<experiment>", ""))
+
+    def toml(self) -> str:
+        """A complete TOML text, defaults included, that reads back to an equal experiment."""
+        return dumps(self.model_dump(exclude_none=True))
+
+    @property
+    def text(self) -> str:
+        """The text it was read from, before overrides; its own TOML if it was made in Python."""
+        return self._source.text or self.toml()
+
+    @property
+    def overrides(self) -> tuple[str, ...]:
+        """The options ``KEY=VALUE`` that were applied to the text."""
+        return self._source.overrides
+
+    def where(self, *key: str) -> str:
+        """The place of a key, such as ``where("body", "mass")``, for the message of an error."""
+        return self._source.where(key)
+
+    def __eq__(self, other: object) -> bool:
+        return type(self) is type(other) and self.__dict__ == other.__dict__
+
+    def __hash__(self) -> int:
+        return hash(self.toml())
