@@ -24,6 +24,8 @@ class Closed:
     ----------
     metric : tuple of Expr
         g₁₁, g₁₂, g₂₂ of E₂ = ½ g_ij q̇_i q̇_j.
+    inverse : tuple of Expr
+        h₁₁, h₁₂, h₂₂ of E₂ = ½ h_ij P_i P_j.
     a : tuple of Expr
         a₁, a₂ of S = a₁q̇₁ + a₂q̇₂ + b.
     b : Expr
@@ -34,6 +36,7 @@ class Closed:
     """
 
     metric: tuple[sp.Expr, sp.Expr, sp.Expr]
+    inverse: tuple[sp.Expr, sp.Expr, sp.Expr]
     a: tuple[sp.Expr, sp.Expr]
     b: sp.Expr
     rest: sp.Expr
@@ -61,8 +64,10 @@ def closed_forms(
         return written(value, chart, vector)
 
     (g11, g12), (_, g22) = found.metric
+    (h11, h12), (_, h22) = inverse(found.metric, one)
     return Closed(
         metric=(plain(g11), plain(g12), plain(g22)),
+        inverse=(plain(h11), plain(h12), plain(h22)),
         a=(plain(found.a[0]), plain(found.a[1])),
         b=plain(found.b),
         rest=plain(rest),

@@ -22,11 +22,23 @@ from .reduction_base import Base
 from .reduction_closed import Closed
 from .reduction_multiplier import Multiplier
 
-__all__ = ["N", "S", "bracket", "chaplygin_system", "momenta", "motion_law"]
+__all__ = [
+    "N",
+    "S",
+    "bracket",
+    "chaplygin_system",
+    "h_11",
+    "h_12",
+    "h_22",
+    "momenta",
+    "motion_law",
+    "placed",
+    "with_base",
+]
 
 N, S = scalar("N"), scalar("S")
-Delta, V = scalar("Delta"), scalar("V")
-g_11, g_12, g_22 = (scalar(f"g_{i}") for i in ("11", "12", "22"))
+V = scalar("V")
+h_11, h_12, h_22 = (scalar(f"h_{i}") for i in ("11", "12", "22"))
 HALF = sp.Rational(1, 2)
 
 LEVEL = 0.8
@@ -67,19 +79,17 @@ def chaplygin_system(
     multiplier : Multiplier or None
     """
     q, P, v = base.coordinates, momenta(base), speeds(base)
-    metric = dict(zip((g_11, g_12, g_22), closed.metric, strict=True))
     level = closed.rest + potential
-    hamiltonian = HALF * (P[0] * v[0] + P[1] * v[1]) + V
+    hamiltonian = HALF * (h_11 * P[0] ** 2 + 2 * h_12 * P[0] * P[1] + h_22 * P[1] ** 2) + V
     place = {} if base.normal is None else {base.normal: sp.Matrix(list(base.place.values()))}
     kept = () if multiplier is None else multiplier.powers
     definitions = {
         **place,
-        **metric,
-        Delta: g_11 * g_22 - g_12**2,
-        v[0]: (g_22 * P[0] - g_12 * P[1]) / Delta,
-        v[1]: (g_11 * P[1] - g_12 * P[0]) / Delta,
+        **dict(zip((h_11, h_12, h_22), closed.inverse, strict=True)),
+        v[0]: h_11 * P[0] + h_12 * P[1],
+        v[1]: h_12 * P[0] + h_22 * P[1],
         V: level,
-        S: closed.a[0] * v[0] + closed.a[1] * v[1] + closed.b,
+        S: _gyroscopic(base, closed, multiplier),
         **({} if multiplier is None else {N: multiplier.value}),
     }
     force = [_by_place(base, closed, level, i) for i in (0, 1)]
@@ -108,13 +118,33 @@ def _level(constant: sp.Symbol) -> Parameter:
     return Parameter(constant, "value of the linear integral", LEVEL)
 
 
+def _gyroscopic(base: Base, closed: Closed, multiplier: Multiplier | None) -> sp.Expr:
+    """S; with a multiplier it is P₂ ∂ln N/∂q₁ − P₁ ∂ln N/∂q₂ + b."""
+    if multiplier is None:
+        v = speeds(base)
+        return closed.a[0] * v[0] + closed.a[1] * v[1] + closed.b
+    P = momenta(base)
+    slopes = []
+    for q in base.coordinates:
+        terms = []
+        for factor, exponent in multiplier.powers:
+            slope = sp.diff(placed(base, factor), q)
+            terms.append(exponent * slope / factor)
+        slopes.append(sp.Add(*terms))
+    return P[1] * slopes[0] - P[0] * slopes[1] + closed.b
+
+
+def placed(base: Base, formula: sp.Expr) -> sp.Expr:
+    """A formula in the coordinates of the base alone."""
+    return formula if base.normal is None else formula.xreplace(dict(base.place))
+
+
 def _by_place(base: Base, closed: Closed, level: sp.Expr, index: int) -> sp.Expr:
-    """∂L/∂q_i at fixed velocities."""
-    q, v = base.coordinates[index], speeds(base)
-    place = {} if base.normal is None else dict(base.place)
-    g11, g12, g22 = (sp.diff(g.xreplace(place), q) for g in closed.metric)
-    square = g11 * v[0] ** 2 + 2 * g12 * v[0] * v[1] + g22 * v[1] ** 2
-    return HALF * square - sp.diff(level.xreplace(place), q)
+    """−∂H/∂q_i."""
+    q, P = base.coordinates[index], momenta(base)
+    h11, h12, h22 = (sp.diff(placed(base, h), q) for h in closed.inverse)
+    square = h11 * P[0] ** 2 + 2 * h12 * P[0] * P[1] + h22 * P[1] ** 2
+    return -HALF * square - sp.diff(placed(base, level), q)
 
 
 def bracket() -> PoissonStructure:
@@ -151,7 +181,7 @@ def _theorem_6(hamiltonian: sp.Expr, powers: Iterable[tuple[sp.Expr, sp.Expr]]) 
     )
 
 
-def _with_base(original: System, base: Base) -> System:
+def with_base(original: System, base: Base) -> System:
     """The original system with those coordinates of the base that its velocities do not need."""
     if original.motion is None:
         return original
@@ -173,11 +203,10 @@ def motion_law(base: Base, closed: Closed, original: System) -> Isomorphism:
     known = dict(base.place)
     for u, (first, second, rest) in zip(base.motion.velocities, closed.lifted, strict=True):
         known[u] = first * v[0] + second * v[1] + rest
-    target = _with_base(original, base)
     return Isomorphism(
         "motion",
-        target,
-        {s: known[s] for s in target.symbols},
+        original,
+        {s: known[s] for s in original.symbols},
         meaning="the motion of the original system",
         source="(4.4)",
     )
