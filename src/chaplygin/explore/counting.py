@@ -2,37 +2,75 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
 from ..claims import heading, level
+from ..errors import InputError
+from ..laws.angles import circles, without_angles
+from ..laws.errors import OutOfReachError
 from ..laws.verdict import Verdict
 from ..notation import text
 from ..statements import Integral, Isomorphism, Law, Reduction
 from ..system import System
 from .elsewhere import There, followed
 from .forms import Forms, hamiltonian, measures
-from .hierarchy import Place
+from .hierarchy import Kind, Place
 from .kinds import Found, classified
 from .lie import fields, lie
 from .proofs import Fact, Patience, fact_of
 from .sorting import sorted_laws
 from .sources import sources
-from .standing import Standing
+from .standing import Standing, at_present, present
 
 __all__ = ["counted"]
 
 
 def counted(system: System, verdicts: Mapping[str, Verdict], patience: Patience) -> Place:
     """The place of a system; see :func:`chaplygin.explore.hierarchy.place`."""
+    try:
+        return _counted(_without_angles(system), verdicts, patience)
+    except (OutOfReachError, InputError) as reason:
+        return _unknown(system, verdicts, str(reason))
+
+
+def _without_angles(system: System) -> System:
+    """The system with sines and cosines as variables where its relations hold angles."""
+    try:
+        made = circles(system)
+    except OutOfReachError:
+        system = replace(at_present(system, present(system)), laws=system.laws)
+        made = circles(system)
+    if made is None:
+        return system
+    laws = []
+    for law in system.laws:
+        with contextlib.suppress(OutOfReachError):
+            without_angles(system, law)
+            laws.append(made.law(law))
+    return replace(made.system, laws=tuple(laws))
+
+
+def _unknown(system: System, verdicts: Mapping[str, Verdict], reason: str) -> Place:
+    """A place of which nothing can be counted."""
+    proven = tuple(fact_of(law) for law in system.laws if verdicts.get(law.name))
+    kind = Kind("none known", f"not determined: {reason}", proven)
+    return Place(system.title, "", len(system.symbols), 0, kinds=(kind,), reason=reason)
+
+
+def _counted(system: System, verdicts: Mapping[str, Verdict], patience: Patience) -> Place:
     whole = Standing(system)
     laws = sorted_laws(whole, verdicts)
     found = []
     for on, special in laws.levels.items():
         kept = [law for law in laws.general if _holds(system, law, on, patience)]
-        made = _placed(Standing(system, on), (*special, *kept), patience)
         words = level(replace(special[0], on=on), system, text)
+        try:
+            made = _placed(Standing(system, on), (*special, *kept), patience)
+        except (OutOfReachError, InputError) as reason:
+            made = _unknown(replace(system, laws=special), verdicts, str(reason))
         found.append(replace(made, level=words))
     main = _placed(whole, laws.general, patience)
     return replace(main, uncounted=laws.uncounted, levels=tuple(found))

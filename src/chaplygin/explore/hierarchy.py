@@ -128,6 +128,8 @@ class Place:
     uncounted : tuple of Uncounted
     levels : tuple of Place
         Levels on which more is proven.
+    reason : str
+        Why nothing could be counted; empty where it could.
     """
 
     system: str
@@ -145,6 +147,7 @@ class Place:
     dynamics: tuple[Statement, ...] = ()
     uncounted: tuple[Uncounted, ...] = ()
     levels: tuple[Place, ...] = ()
+    reason: str = ""
 
     @property
     def dimension(self) -> int:

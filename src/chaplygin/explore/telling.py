@@ -37,6 +37,8 @@ def listed(facts: Iterable[Fact]) -> str:
 
 def rows(place: Place) -> list[tuple[str, list[Statement]]]:
     """What is counted: headings with statements."""
+    if place.reason:
+        return [("class", [Statement(kind.text, kind.by) for kind in place.kinds])]
     return [
         ("phase space", [Statement(_space(place))]),
         ("integrals", _integrals(place)),
