@@ -25,6 +25,7 @@ __all__ = ["Filtration", "filtration", "generic", "growth"]
 
 SEED = 20080830
 RATIONAL_ATTEMPTS = 4
+ATTEMPTS = 40
 TERMS = 10000
 """Terms that a series may have; they bound the steps at a singular point."""
 START = 3
@@ -235,12 +236,12 @@ def generic(given: Distribution, free: Sequence[sp.Symbol] = ()) -> Filtration:
 def _at_random(
     given: Distribution, space: Any, numbers: Numbers, dice: random.Random
 ) -> Filtration | None:
-    for _ in range(RATIONAL_ATTEMPTS):
+    for _ in range(RATIONAL_ATTEMPTS if numbers.exact else ATTEMPTS):
         try:
             return _deepened(given, drawn(space, numbers, dice))
-        except (NoPointError, IrrationalError):
+        except NoPointError:
             return None
-        except (SingularError, ZeroDivisionError):
+        except (IrrationalError, SingularError, ZeroDivisionError):
             continue
     return None
 

@@ -16,12 +16,13 @@ from itertools import combinations_with_replacement
 from typing import Any
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from .distribution import Distribution, along
 from .germs import angles
 from .growth import SEED
 from .places import NoPointError, drawn
-from .sections import SingularError, Values, values_at
+from .sections import SingularError, Values, slopes, values_at
 from .series import PRIMES, IrrationalError, Modular
 from .vanishing import vanishes
 
@@ -99,12 +100,14 @@ class _Search:
 
     def __init__(self, given: Distribution, free: Sequence[sp.Symbol], wide: bool) -> None:
         self.given, self.free = given, tuple(free)
-        letters: list[sp.Expr] = [*given.coordinates, *free]
-        letters += [s for s, v in given.steps if v.free_symbols - {s for s, _ in given.constants}]
+        letters: list[sp.Expr] = [*given.coordinates, *free, *_named(given)]
         for core in angles(given.formulas, dict(given.steps)):
             if core.free_symbols & set(given.coordinates):
                 letters += [sp.sin(core), sp.cos(core)]
-        letters += sorted({n for f in given.formulas for n in f.atoms(sp.exp)}, key=str)
+        written = (*given.formulas, *(value for _, value in given.steps))
+        functions = {n for f in written for n in f.atoms(sp.exp, AppliedUndef)}
+        functions |= {n.expr for f in written for n in f.atoms(sp.Derivative)}
+        letters += sorted(functions, key=str)
         if wide:
             plain = [s for s in letters if s.free_symbols & set(given.coordinates)]
             letters += [f for s in plain for f in (1 / s, sp.log(s))]
@@ -158,10 +161,8 @@ class _Search:
         ]
         kernel = _kernel(self.numbers, rows, len(monomials))
         test = points[-1]
-        positions = [list(row) for row in test.slopes]
-        known = [_differential(f.formula, self, test) for f in chosen]
-        span = positions + known
-        rank = int(self.numbers.matrix(span, len(test.frame)).rank()) if span else 0
+        span = test.normals + [slopes(test.germs, f.formula) for f in chosen]
+        rank = int(self.numbers.matrix(span, len(test.gradient)).rank()) if span else 0
         for vector in reversed(kernel):
             if len(chosen) == many:
                 break
@@ -170,7 +171,7 @@ class _Search:
                     (c * _rate(monomials[i], test.letters, rates) for i, c in vector.items()),
                     self.numbers.number(0),
                 )
-                for rates in test.frame
+                for rates in test.gradient
             ]
             grown = int(self.numbers.matrix([*span, row], len(row)).rank())
             formula = self._formula(vector, monomials)
@@ -199,6 +200,14 @@ class _Search:
         return sp.Add(*(sign * term / content for term in terms))
 
 
+def _named(given: Distribution) -> list[sp.Symbol]:
+    """Definitions that the constraints use themselves, and those that are rates of coordinates."""
+    used = {s for row in given.forms for entry in row for s in entry.free_symbols}
+    used |= {v for field in given.frame for v in field.values()}
+    constant = {s for s, _ in given.constants}
+    return [s for s, v in given.steps if s in used and v.free_symbols - constant]
+
+
 def _rate(monomial: Sequence[int], letters: Sequence[Any], rates: Sequence[Any]) -> Any:
     """The derivative of a monomial by the values and rates of its letters."""
     total = letters[0] * 0
@@ -211,14 +220,6 @@ def _rate(monomial: Sequence[int], letters: Sequence[Any], rates: Sequence[Any])
                 product = product * letters[other]
         total = total + product
     return total
-
-
-def _differential(function: sp.Expr, search: _Search, point: Values) -> list[Any]:
-    """Rates of a function along the fields of the frame."""
-    series = point.germs.series(function)
-    slopes = [series.derivative(q).value for q, _ in enumerate(search.given.coordinates)]
-    zero = search.numbers.number(0)
-    return [sum((value * slopes[q] for q, value in moved.items()), zero) for moved in point.anchor]
 
 
 def _kernel(numbers: Modular, rows: Sequence[Sequence[Any]], width: int) -> list[dict[int, Any]]:

@@ -285,16 +285,12 @@ class _Trial:
                 f"the relation {relation} = 0 is a polynomial in none of its coordinates, so that "
                 "no point of it can be found; give a point"
             )
-        main = min(reversed(open_), key=lambda s: degrees.get(s, 9))
+        main = min((s for s in reversed(open_) if s in degrees), key=lambda s: degrees[s])
         for s in open_:
             if s != main:
                 self.values[s] = self.numbers.drawn(self.dice)
-        parts = self._series(relation, (main,), 2).parts
-        c, b, a = (self._coefficient(part) for part in parts)
-        if a == 0:
-            self.values[main] = -c / b
-        else:
-            self.values[main] = (-b + self.numbers.root(b * b - 4 * a * c, 2)) / (2 * a)
+        parts = self._series(relation, (main,), int(degrees[main])).parts
+        self.values[main] = self.numbers.zero_of([self._coefficient(part) for part in parts])
 
     def _coefficient(self, part: Any) -> Any:
         return self.numbers.number(0) if part.is_zero() else self.numbers.number(part.coeffs()[0])

@@ -6,7 +6,7 @@ along the coordinates otherwise.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -17,7 +17,7 @@ from .germs import Germs
 from .places import Place, Space
 from .series import Numbers, Series
 
-__all__ = ["Bundle", "Section", "SingularError", "Span", "Values", "values_at"]
+__all__ = ["Bundle", "Section", "SingularError", "Span", "Values", "slopes", "values_at"]
 
 Section: TypeAlias = list[Series]
 
@@ -177,7 +177,7 @@ class Span:
 
 @dataclass(frozen=True)
 class Values:
-    """Formulas at a point, with their rates.
+    """Formulas at a point, with their derivatives.
 
     Attributes
     ----------
@@ -185,20 +185,25 @@ class Values:
         For further formulas.
     letters : list
         The values.
-    along, frame : list of list
-        Rates along each admissible field, and along each field of the frame.
-    slopes : list of list
-        Rates along the fields of the frame of what vanishes on the configuration space.
-    anchor : list of mapping
-        Rates of the coordinates along the fields of the frame, by number.
+    along : list of list
+        Rates of the letters along each admissible field.
+    gradient : list of list
+        Derivatives of the letters by each coordinate.
+    normals : list of list
+        Gradients of what vanishes on the configuration space.
     """
 
     germs: Germs
     letters: list[Any]
     along: list[list[Any]]
-    frame: list[list[Any]]
-    slopes: list[list[Any]]
-    anchor: list[dict[int, Any]]
+    gradient: list[list[Any]]
+    normals: list[list[Any]]
+
+
+def slopes(germs: Germs, formula: sp.Expr) -> list[Any]:
+    """Derivatives by the coordinates at the point."""
+    series = germs.series(formula)
+    return [series.derivative(q).value for q, _ in enumerate(germs.variables)]
 
 
 def values_at(
@@ -214,21 +219,12 @@ def values_at(
     germs = place.germs(space, 1)
     bundle = Bundle(given, germs)
     zero = place.numbers.number(0)
-    anchor = [{q: v.value for q, v in field.items()} for field in bundle.anchor]
+    columns = [slopes(germs, letter) for letter in letters]
     moved = [{q: v.value for q, v in bundle.moved(u).items()} for u in bundle.admissible()]
-
-    def rates(formula: sp.Expr, fields: Sequence[Mapping[int, Any]]) -> list[Any]:
-        series = germs.series(formula)
-        slopes = [series.derivative(q).value for q, _ in enumerate(given.coordinates)]
-        return [sum((v * slopes[q] for q, v in field.items()), zero) for field in fields]
-
-    columns = [rates(letter, moved) for letter in letters]
-    framed = [rates(letter, anchor) for letter in letters]
     return Values(
         germs,
         [germs.series(letter).value for letter in letters],
-        [[column[i] for column in columns] for i, _ in enumerate(moved)],
-        [[column[i] for column in framed] for i, _ in enumerate(anchor)],
-        [rates(relation, anchor) for relation in given.relations],
-        anchor,
+        [[sum((v * c[q] for q, v in by.items()), zero) for c in columns] for by in moved],
+        [[c[q] for c in columns] for q, _ in enumerate(given.coordinates)],
+        [slopes(germs, relation) for relation in given.relations],
     )

@@ -20,9 +20,11 @@ from flint import (
     fmpq,
     fmpq_mat,
     fmpq_mpoly_ctx,
+    fmpq_poly,
     nmod,
     nmod_mat,
     nmod_mpoly_ctx,
+    nmod_poly,
 )
 
 __all__ = ["PRIMES", "IrrationalError", "Modular", "Numbers", "Rational", "Series"]
@@ -62,6 +64,16 @@ class Rational:
         """
         top, bottom = (_whole_root(int(part), degree) for part in (value.p, value.q))
         return fmpq(top, bottom)
+
+    def zero_of(self, coefficients: Sequence[Any]) -> Any:
+        """A zero of the polynomial with these coefficients, the constant one first.
+
+        Raises
+        ------
+        IrrationalError
+            If none is of this kind.
+        """
+        return _linear_zero(fmpq_poly(list(coefficients)))
 
     def ring(self, names: Sequence[str]) -> Any:
         """Polynomials in the variables given."""
@@ -127,6 +139,16 @@ class Modular:
             return None
         return Fraction(last[0], last[1])
 
+    def zero_of(self, coefficients: Sequence[Any]) -> Any:
+        """A zero of the polynomial with these coefficients, the constant one first.
+
+        Raises
+        ------
+        IrrationalError
+            If none is of this kind.
+        """
+        return _linear_zero(nmod_poly([int(c) for c in coefficients], self.prime))
+
     def ring(self, names: Sequence[str]) -> Any:
         """Polynomials in the variables given."""
         return nmod_mpoly_ctx.get(list(names), modulus=self.prime, ordering=Ordering.lex)
@@ -137,6 +159,14 @@ class Modular:
 
 
 Numbers = Rational | Modular
+
+
+def _linear_zero(polynomial: Any) -> Any:
+    """The zero of a factor of degree one; the last of them, which for a root is positive."""
+    for factor, _ in reversed(polynomial.factor()[1]):
+        if factor.degree() == 1:
+            return -factor[0] / factor[1]
+    raise IrrationalError
 
 
 def _whole_root(value: int, degree: int) -> int:
