@@ -1,0 +1,1 @@
+"""Whether an invariant measure exists whose density depends on the configuration alone."""

@@ -10,10 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-import sympy as sp
-
 from ...mechanics.rolling import Rolling
-from ...mechanics.shapes import Disk, Torus
+from ...mechanics.shapes import Disk, Implicit, Torus
 from ...statements import Measure
 from ..prove import prove
 from ..verdict import Verdict
@@ -24,6 +22,9 @@ from .quadrature import log_density
 from .value import Existence
 
 __all__ = ["decide_body"]
+
+PATIENCE = 10.0
+"""Seconds for a proof with free parameters, where one with numbers remains."""
 
 
 def decide_body(rolling: Rolling, name: str, seconds: float) -> Existence:
@@ -52,7 +53,7 @@ def decide_body(rolling: Rolling, name: str, seconds: float) -> Existence:
             verdicts=here,
         )
     for level in tried[:-1]:
-        found = tuple(_proofs(form, level, seconds))
+        found = tuple(_proofs(form, level, min(seconds, PATIENCE)))
         if all(found):
             return _existing(rolling, form, name, level, numbers, found, theorem, seconds)
     if all(here):
@@ -94,11 +95,20 @@ def _existing(
     powers = closed_form(rolling, form, numbers)
     if powers is not None:
         system = rolling.system(name)
-        law = Measure("configuration_measure", density(rolling, powers), on=level)
-        law = replace(law, meaning="density that depends on the configuration alone")
-        verdict = prove(system, law, seconds=seconds)
-        if verdict:
-            return replace(made, density=law, system=system, verdicts=(*verdicts, verdict))
+        law = Measure(
+            "configuration_measure",
+            density(rolling, powers),
+            meaning="density that depends on the configuration alone",
+        )
+        for where, time in ((level, min(seconds, PATIENCE)), (numbers, seconds)):
+            verdict = prove(system, replace(law, on=where), seconds=time)
+            if verdict:
+                return replace(
+                    made,
+                    density=replace(law, on=where),
+                    system=system,
+                    verdicts=(*verdicts, verdict),
+                )
     if isinstance(rolling.body.shape, (Disk, Torus)):
         # lying flat is outside their domain, a sphere without its poles
         turned = prove(form.system, replace(form.period, on=level), seconds=seconds)
@@ -111,11 +121,10 @@ def _existing(
             )
         verdicts = (*verdicts, turned)
     reason = "the 1-form is closed, and so exact on the sphere of normals"
+    sigma = None if isinstance(rolling.body.shape, Implicit) else log_density(form)
     return replace(
         made,
         reason=reason,
         verdicts=verdicts,
-        log_density=None
-        if form.system.symbols[0] != sp.Symbol("gamma_1", real=True)
-        else log_density(form),
+        log_density=sigma,
     )

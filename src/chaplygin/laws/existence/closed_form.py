@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from ...mechanics.contact import contact
 from ...mechanics.rolling import Rolling
 from ...mechanics.shapes import Ball, Ellipsoid, Implicit
 from ...mechanics.surfaces import Plane
@@ -48,10 +49,19 @@ def _determinant(principal: bool) -> tuple[sp.Expr, ...]:
     return (Symmetric("J").entries.det(method="berkowitz"),)
 
 
-def _share(principal: bool) -> sp.Expr:
+def _share(rolling: Rolling) -> sp.Expr:
     """det Ĩ/det J = 1 − m (r, J⁻¹r)."""
-    tensor = Diagonal("A") if principal else Symmetric("A")
+    tensor = Diagonal("A") if rolling.body.principal else Symmetric("A")
     return 1 - m * dot(r, tensor * r)
+
+
+def _across(rolling: Rolling) -> tuple[sp.Expr, ...]:
+    """Factors of det Ĩ (γ, Ĩ⁻¹γ)/det J; where r is along γ this is (γ, J⁻¹γ)."""
+    shape = rolling.body.shape
+    if isinstance(shape, Ball) and not any(shape.centre):
+        tensor = Diagonal("A") if rolling.body.principal else Symmetric("A")
+        return (dot(gamma, tensor * gamma),)
+    return _share(rolling), dot(gamma, q)
 
 
 def _bases(rolling: Rolling) -> tuple[sp.Expr, ...]:
@@ -59,16 +69,18 @@ def _bases(rolling: Rolling) -> tuple[sp.Expr, ...]:
     body = rolling.body
     principal = body.principal
     first = I.symbols[0] if principal else Symmetric("I").symbols[0]
-    found = [*_determinant(principal), _share(principal)]
+    found = [*_determinant(principal)]
     if rolling.contact == "rubber":
-        found += [dot(gamma, q), first + m * dot(r, gamma) ** 2]
+        found += [*_across(rolling), first + m * dot(r, gamma) ** 2]
+    else:
+        found.append(_share(rolling))
     if isinstance(body.shape, Ellipsoid) and principal and not body.shape.turn:
         found += _of_ellipsoid()
     return tuple(found)
 
 
 def _of_ellipsoid() -> list[sp.Expr]:
-    """α + m r², and (γ, (βB + δE)γ) with β and δ of the line α + βI_i b_i² + δ(I_i − m b_i²) = 0."""
+    """α + m r², and (γ, (βB + δE)γ) of the line α + βI_i b_i² + δ(I_i − m b_i²) = 0."""
     found = [I.symbols[0] - m * b[0] ** 2 + m * normed(r)]
     for i, j in ((0, 1), (1, 2)):
         beta, delta = (
@@ -133,16 +145,12 @@ def _samples(
 def _at_point(
     form: OneForm, bases: Sequence[sp.Expr], ground: Ground, dice: random.Random
 ) -> tuple[list[float], float]:
-    """Along the field of the auxiliary system turned by a right angle, which is θ itself, and …
-
-    every tangent vector serves; the one across γ and a fixed vector is taken.
-    """
+    """Derivatives along one tangent vector of the state, the one across γ and a fixed vector."""
     values, _ = ground.point(dice)
     field = Balls(values)
     partial = ground.partial(field)
-    state = ground.system.symbols
     fixed = (field.rational(3), field.rational(-5), field.rational(7))
-    normal = [partial(s).value for s in _normal(ground)]
+    normal = [partial(s).value for s in gamma.symbols]
     along = [
         normal[(i + 1) % 3] * fixed[(i + 2) % 3] - normal[(i + 2) % 3] * fixed[(i + 1) % 3]
         for i in range(3)
@@ -157,16 +165,12 @@ def _at_point(
             row.append(np.inf)
     scale = partial(form.scale).value
     total = field.zero
-    for component, turned in zip(form.form.symbols, _turning(partial, state, along), strict=True):
+    for component, turned in zip(form.form.symbols, _turning(partial, along), strict=True):
         total = total + partial(component).value * turned
     return row, float((total / scale).mid())
 
 
-def _normal(ground: Ground) -> tuple[sp.Symbol, ...]:
-    return gamma.symbols
-
-
-def _turning(partial: Any, state: Sequence[sp.Symbol], along: Sequence[Any]) -> list[Any]:
+def _turning(partial: Any, along: Sequence[Any]) -> list[Any]:
     """The change of γ along a change of the state, γ or r."""
     jets = [partial(s) for s in gamma.symbols]
     zero = along[0] * 0
@@ -183,8 +187,8 @@ def density(rolling: Rolling, powers: Powers) -> Powers:
     principal = rolling.body.principal
     if rolling.contact == "rubber":
         # the momenta across γ have the determinant det Ĩ (γ, Ĩ⁻¹γ) in ω
-        found += [(base, sp.S.One) for base in (*_determinant(principal), _share(principal))]
-        found.append((dot(gamma, q), sp.S.One))
+        factors = (*_determinant(principal), *_across(rolling))
+        found += [(base, sp.S.One) for base in factors]
     implicit = isinstance(rolling.body.shape, Implicit)
     plane = isinstance(rolling.surface, Plane)
     if not plane and not isinstance(rolling.body.shape, Ball):
@@ -193,8 +197,10 @@ def density(rolling: Rolling, powers: Powers) -> Powers:
         found.append((scalar("ell"), sp.S.One))
         if plane:
             found.append((scalar("kappa"), sp.S.One))
+    reach = contact(rolling.body.shape, rolling.surface).r
+    written = {} if isinstance(reach, Vector) else dict(zip(r, explicit(reach), strict=True))
     total: dict[sp.Expr, sp.Expr] = {}
     for base, exponent in found:
-        formula = explicit(base)
+        formula = explicit(base).xreplace(written)
         total[formula] = total.get(formula, sp.S.Zero) + exponent
     return tuple((base, exponent) for base, exponent in total.items() if exponent != 0)

@@ -48,14 +48,10 @@ def levels(rolling: Rolling, parameters: Sequence[Parameter]) -> Iterator[Level]
     """Levels that contain the numbers of the body, the most general ones first."""
     values = {p.symbol: exact(p.default) for p in parameters}
     yield ()
-    found: list[Level] = []
-    same = coincidences(values)
-    if same:
-        found.append(same)
-    for level in (*_special(rolling), SPHERICAL):
-        if all(e.free_symbols <= set(values) and e.xreplace(values) == 0 for e in level):
+    for level in (SPHERICAL, coincidences(values), *_special(rolling)):
+        known = all(e.free_symbols <= set(values) for e in level)
+        if level and known and all(e.xreplace(values) == 0 for e in level):
             yield level
-    yield from found
     yield tuple(s - v for s, v in values.items())
 
 

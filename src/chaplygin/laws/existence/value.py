@@ -105,4 +105,17 @@ _HEADS = {
 
 
 def _level(level: tuple[sp.Expr, ...]) -> str:
-    return " and ".join(f"{text(condition)} = 0" for condition in level)
+    return ", ".join(_equation(condition) for condition in level)
+
+
+def _equation(condition: sp.Expr) -> str:
+    """s = n or s = t where that is what a difference says."""
+    left, rest = condition.as_independent(*condition.free_symbols, as_Add=True)[::-1]
+    terms = sp.Add.make_args(left)
+    if len(terms) == 1 and terms[0].is_Symbol:
+        return f"{text(terms[0])} = {text(-rest)}"
+    plain = [t for t in terms if t.is_Symbol]
+    if len(terms) == 2 and len(plain) == 1 and rest == 0:
+        other = condition - plain[0]
+        return f"{text(plain[0])} = {text(-other)}"
+    return f"{text(condition)} = 0"
