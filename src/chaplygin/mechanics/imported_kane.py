@@ -18,6 +18,7 @@ from typing import Any
 
 import mpmath
 import sympy as sp
+from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import KanesMethod, dynamicsymbols
 
 from ..errors import InputError
@@ -67,6 +68,10 @@ class Kane:
         B.
     constraints : tuple of Expr
         B u + b.
+    reactions : tuple of (Symbol, Expr)
+        Forces that auxiliary speeds bring out, in terms of `accelerations` besides the rest.
+    accelerations : tuple of Symbol
+        Stand for u̇ in the reactions.
     """
 
     name: str
@@ -82,6 +87,8 @@ class Kane:
     positions: tuple[sp.Expr, ...]
     slopes: tuple[tuple[sp.Expr, ...], ...]
     constraints: tuple[sp.Expr, ...]
+    reactions: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    accelerations: tuple[sp.Symbol, ...]
 
     def system(self) -> System:
         """The closed equations of motion.
@@ -109,6 +116,11 @@ class Kane:
         observables = [
             Observable(str(s), value, f"multiplier of {_brief(f)} = 0")
             for s, value, f in zip(labels, multipliers, self.constraints, strict=True)
+        ]
+        moving = dict(zip(self.accelerations, accelerations, strict=True))
+        observables += [
+            Observable(str(s), value.xreplace(moving), f"reaction {s}")
+            for s, value in self.reactions
         ]
         observables.append(Observable("kinetic_energy", kinetic, "kinetic energy", "J"))
         field = {
@@ -281,7 +293,8 @@ def kane(
     )
     active, inertia = free.kanes_equations(list(bodies), list(loads) if loads else None)
     size = len(u)
-    zero = {**dict.fromkeys(extra, 0), **{s.diff(dynamicsymbols._t): 0 for s in (*extra, *u)}}
+    absent = {f: 0 for s in extra for f in (s, s.diff(dynamicsymbols._t))}
+    zero = {**absent, **{s.diff(dynamicsymbols._t): 0 for s in u}}
     active = list(sp.Matrix(active[:size]).xreplace(zero))
     mass = free._k_d
     bare = list(sp.Matrix(inertia[:size]).xreplace(zero))
@@ -289,8 +302,14 @@ def kane(
     kinetic = sp.sympify(kinetic).xreplace(kinematics).xreplace(zero)
     slopes = model._k_nh.tolist() if len(model._k_nh) else []
     constraints = list(model._k_nh * sp.Matrix(u) + model._f_nh) if slopes else []
-    formulas = [*mass, *active, *bare, kinetic, *constraints, *model._f_h, *kinematics.values()]
-    words = renamed(name, formulas, [*q, *u], kinematics, parameters, inputs)
+    reactions = {} if slopes else _reactions(free, absent, [*q, *u], inputs)
+    formulas = [
+        *(*mass, *active, *bare, kinetic, *constraints, *model._f_h, *kinematics.values()),
+        *reactions.values(),
+    ]
+    accelerations = {s.diff(dynamicsymbols._t): scalar(f"{s.func}dot") for s in u}
+    plain = {**kinematics, **accelerations}
+    words = renamed(name, formulas, [*q, *u], plain, parameters, inputs)
     return Kane(
         name=name,
         title=title,
@@ -305,7 +324,27 @@ def kane(
         positions=tuple(words.all(model._f_h)),
         slopes=tuple(tuple(words.all(row)) for row in slopes),
         constraints=tuple(words.all(constraints)),
+        reactions=tuple((scalar(str(f.func)), words(x)) for f, x in reactions.items()),
+        accelerations=tuple(accelerations.values()),
     )
+
+
+def _reactions(
+    free: KanesMethod, absent: Mapping[Any, Any], moving: Sequence[Any], inputs: Mapping[Any, Any]
+) -> dict[Any, sp.Expr]:
+    """Unknown forces of the loads by the equations of the auxiliary speeds."""
+    if not absent:
+        return {}
+    laws = free.auxiliary_eqs.xreplace(dict(absent))
+    given = {str(getattr(key, "func", key)) for key in inputs}
+    unknown = sorted(
+        {f for f in laws.atoms(AppliedUndef) if f not in moving and str(f.func) not in given},
+        key=str,
+    )
+    if len(unknown) != len(laws):
+        return {}
+    matrix, right = sp.linear_eq_to_matrix(list(laws), unknown)
+    return dict(zip(unknown, matrix.LUsolve(right), strict=True))
 
 
 def _stiffened(
