@@ -29,7 +29,10 @@ __all__ = [
 ]
 
 What = Annotated[
-    str, typer.Argument(metavar="NAME|FILE", help="A catalogue name or an experiment file.")
+    str,
+    typer.Argument(
+        metavar="NAME|FILE", help="A catalogue name, an experiment file, or a Python file."
+    ),
 ]
 Override = Annotated[
     list[str] | None,
@@ -71,17 +74,24 @@ def study_of(what: str, overrides: list[str] | None, precision: str | None = Non
     """
     from ..study.experiment import load, loads
     from ..study.prepare import prepare
+    from ..study.python_file import load_python
     from ..systems import entry
 
     options = list(overrides or [])
     if precision is not None:
         options.append(f"run.precision={precision}")
     path = Path(what)
+    if path.suffix == ".py":
+        return _told(load_python(path, options))
     if path.suffix == ".toml" or path.is_file() or len(path.parts) > 1:
         experiment = load(path, options)
     else:
         experiment = loads(f'[system]\nname = "{entry(what).name}"\n', what, options)
-    made = prepare(experiment)
+    return _told(prepare(experiment))
+
+
+def _told(made: Study) -> Study:
+    """The same study, its remarks said."""
     for remark in made.remarks:
         inform(f"note: {remark}")
     return made

@@ -56,7 +56,7 @@ from .tables import (
     TorusTable,
 )
 
-__all__ = ["Study", "catalogue_experiment", "dataset_of", "prepare", "shape_name"]
+__all__ = ["Study", "catalogue_experiment", "dataset_of", "prepare", "shape_name", "started"]
 
 
 @dataclass(frozen=True)
@@ -245,7 +245,8 @@ def prepare(experiment: Experiment) -> Study:
         If its parts do not fit together; the message names the place in the file.
     """
     if isinstance(experiment, MechanismExperiment | EquationsExperiment):
-        return _of_the_user(experiment)
+        mechanism, system = described(experiment)
+        return started(experiment, system, mechanism)
     if isinstance(experiment, BallExperiment):
         return _with_ball(experiment)
     if not isinstance(experiment, RollingExperiment):
@@ -296,8 +297,12 @@ def _with_ball(experiment: BallExperiment) -> Study:
     return Study(experiment, system, None, given, until, ball_variables, ball=ball)
 
 
-def _of_the_user(experiment: MechanismExperiment | EquationsExperiment) -> Study:
-    mechanism, system = described(experiment)
+def started(
+    experiment: MechanismExperiment | EquationsExperiment,
+    system: System,
+    mechanism: Mechanism | None = None,
+) -> Study:
+    """The study of a system of the user's own."""
     given = ({str(TIME): 0.0} if TIME in system.symbols else {}) | experiment.start
     variables = {name: (told.meaning, told.unit) for name, told in experiment.variables.items()}
     until = experiment.run.until

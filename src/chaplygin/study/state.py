@@ -22,11 +22,11 @@ from ..system import System
 from ..vectors import Vector, explicit, normed
 from .mistakes import shown
 
-__all__ = ["given_state", "normalised", "on_level", "unit_vectors"]
+__all__ = ["given_state", "lift_of", "normalised", "on_level", "unit_vectors"]
 
 #: Components that a vector may have.
 SIZES = (2, 3, 4)
-QUATERNION = 4
+SPACE, QUATERNION = 3, 4
 
 #: Steps of Newton's method by which a start is put on the phase space, at most.
 _STEPS = 40
@@ -71,6 +71,23 @@ def given_state(system: System, values: Values) -> tuple[Any, ...]:
         found = _on_relations(lifted, state)
         _check_claims(lifted, found, claims)
         return tuple(found)
+
+
+def lift_of(system: System, values: Values) -> dict[str, float | tuple[float, ...]]:
+    """What a start leaves out of the lift to space, as :func:`given_state` completes it."""
+    if system.motion is None:
+        return {}
+    gamma = values.get("gamma")
+    known: dict[str, list[Any]] = {}
+    if isinstance(gamma, Sequence) and len(gamma) == SPACE:
+        known["gamma"] = [mpmath.mpf(x) for x in gamma]
+    _complete(system.lifted(), known)
+    found: dict[str, float | tuple[float, ...]] = {}
+    for name, _ in system.motion.field:
+        if str(name) not in values:
+            numbers = tuple(float(x) for x in known[str(name)])
+            found[str(name)] = numbers if _size(name) else numbers[0]
+    return found
 
 
 def normalised(values: Values, names: Collection[str]) -> dict[str, tuple[float, list[float]]]:

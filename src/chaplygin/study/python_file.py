@@ -1,0 +1,169 @@
+"""A system that a Python file of the user's makes.
+
+The file is run: it is theirs, and they have named it.  It defines ``mechanism`` (a Mechanism),
+``system`` (a System) or ``study`` (a Study); besides, if it likes, ``start`` and ``run``, mappings
+with the keys of the tables of the same names.  What it guards by ``__name__ == "__main__"`` is
+not run.
+"""
+
+from __future__ import annotations
+
+import runpy
+import sys
+import traceback
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+from pydantic import ValidationError
+
+from ..errors import InputError
+from ..expressions import nearest
+from ..mechanics.quasivelocity import Mechanism
+from ..mechanics.suslov import equations
+from ..system import System
+from .equations_text import tables_of
+from .experiment import EquationsExperiment
+from .mistakes import mistakes, shown
+from .prepare import Study, started
+from .source import Source
+from .state import lift_of
+from .toml_text import Key
+
+__all__ = ["load_python"]
+
+_KINDS: Mapping[str, type] = {"mechanism": Mechanism, "system": System, "study": Study}
+_CHANGEABLE = ("parameters", "run", "start", "title")
+
+
+def load_python(path: Path, overrides: Iterable[str] = ()) -> Study:
+    """Run a Python file and make ready what it defines.
+
+    Parameters
+    ----------
+    path : Path
+    overrides : iterable of str
+        Options ``KEY=VALUE``, for keys of ``parameters``, ``start``, ``run`` and the ``title``.
+
+    Raises
+    ------
+    InputError
+        If the file is missing, fails (with its line), or does not define a system.
+    """
+    found = _defined(path)
+    source = Source(str(path), "", tuple(overrides))
+    if "study" in found:
+        if source.overrides:
+            raise InputError("a study made in Python cannot be changed by --set", str(path))
+        made: Study = found["study"]
+        return made
+    told = source.tables()
+    for name in told:
+        if name not in _CHANGEABLE:
+            allowed = nearest(name, _CHANGEABLE)
+            raise InputError(f"a Python file decides this itself{allowed}", source.where((name,)))
+    mechanism: Mechanism | None = found.get("mechanism")
+    with _Placed(path):
+        system: System = found.get("system") or equations(found["mechanism"])
+        tables = tables_of(system)
+    for name in ("start", "run"):
+        tables[name] = _plain(found.get(name, {}), name, path) | told.get(name, {})
+    tables["start"] = lift_of(system, tables["start"]) | tables["start"]
+    _change_parameters(tables, told.get("parameters", {}), source)
+    tables |= {key: value for key, value in told.items() if key == "title"}
+    experiment = _validated(tables, source)
+    values = {name: table.value for name, table in experiment.parameters.items()}
+    parameters = tuple(replace(p, default=values[str(p.symbol)]) for p in system.parameters)
+    system = replace(system, title=experiment.title or system.title, parameters=parameters)
+    return started(experiment, system, mechanism)
+
+
+class _Placed:
+    """Tells what goes wrong in foreign code by file and line, in one sentence."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+
+    def __enter__(self) -> None:
+        return None
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        if not isinstance(error, Exception | SystemExit):
+            return
+        lines = [f.lineno for f in traceback.extract_tb(trace) if Path(f.filename) == self.path]
+        if isinstance(error, SyntaxError) and Path(error.filename or "") == self.path:
+            lines, words = [error.lineno], f"not valid Python: {error.msg}"
+        elif isinstance(error, InputError):
+            words = str(error)
+        elif isinstance(error, SystemExit):
+            words = "the file ends the program before it has defined a system"
+        else:
+            words = f"{type(error).__name__}: {' '.join(str(error).split())}".removesuffix(": ")
+        place = f"{self.path}, line {lines[-1]}" if lines else str(self.path)
+        raise InputError(words, place) from None
+
+
+def _defined(path: Path) -> dict[str, Any]:
+    """What the file defines of interest, its kind checked."""
+    if not path.is_file():
+        raise InputError("there is no such file", str(path))
+    folder = str(path.parent)
+    sys.path.insert(0, folder)
+    try:
+        with _Placed(path):
+            names = runpy.run_path(str(path), run_name="<chaplygin>")
+    finally:
+        sys.path.remove(folder)
+    found = {name: names[name] for name in (*_KINDS, "start", "run") if name in names}
+    for name, kind in _KINDS.items():
+        if name in found and not isinstance(found[name], kind):
+            raise InputError(
+                f"{name} must be a {kind.__name__}, not {type(found[name]).__name__}", str(path)
+            )
+    if not found.keys() & _KINDS.keys():
+        raise InputError("it must define mechanism, system or study", str(path))
+    return found
+
+
+def _plain(table: Any, name: str, path: Path) -> dict[str, Any]:
+    """A mapping of the file's with names for keys and plain numbers for values."""
+    if not isinstance(table, Mapping):
+        raise InputError(f"{name} must be a mapping, not {type(table).__name__}", str(path))
+    return {str(key): _number(value) for key, value in table.items()}
+
+
+def _number(value: Any) -> Any:
+    """Numbers of any library as those of TOML; texts and truth values as they are."""
+    if isinstance(value, str | bool | int | float):
+        return value
+    if hasattr(value, "__iter__"):
+        return [_number(part) for part in value]
+    return float(value) if hasattr(value, "__float__") else value
+
+
+def _change_parameters(tables: dict[str, Any], told: Any, source: Source) -> None:
+    if not isinstance(told, Mapping):
+        raise InputError(f"must be a table, not {shown(told)}", source.where(("parameters",)))
+    for name, value in told.items():
+        if name not in tables["parameters"]:
+            allowed = nearest(name, tables["parameters"])
+            raise InputError(f"unknown parameter{allowed}", source.where(("parameters", name)))
+        tables["parameters"][name]["value"] = value
+
+
+def _validated(tables: dict[str, Any], source: Source) -> EquationsExperiment:
+    try:
+        experiment = EquationsExperiment.model_validate(tables)
+    except ValidationError as error:
+        wrong: dict[Key, str] = mistakes(error, EquationsExperiment, tables)
+        lines = (f"{source.where(key)}: {sentence}" for key, sentence in wrong.items())
+        raise InputError("\n".join(lines)) from None
+    experiment._source = source
+    return experiment
