@@ -55,7 +55,7 @@ def shift(axis: int) -> Field:
 
 def bracket(first: Field, second: Field) -> Field:
     """The commutator of two fields on α, β, γ and R."""
-    return commutator(first, second, COORDINATES)
+    return commutator(first, second)
 
 
 def moving() -> System:

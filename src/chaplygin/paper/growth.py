@@ -1,4 +1,4 @@
-"""The span of vector fields and their commutators, by exact ranks at a rational point."""
+"""The span of vector fields and their commutators, and the verdict on a claim about it."""
 
 from __future__ import annotations
 
@@ -8,59 +8,18 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 
 from ..laws.verdict import Verdict
+from ..mechanics import growth as mechanics
+from ..mechanics.distribution import Field, along, commutator
 
 __all__ = ["Field", "along", "commutator", "counted", "growth"]
 
-Field = Mapping[sp.Symbol, sp.Expr]
-Point = Mapping[sp.Symbol, sp.Expr]
-
-
-def along(field: Field, function: sp.Expr) -> sp.Expr:
-    """A field applied to a function."""
-    return sp.Add(*(value * sp.diff(function, symbol) for symbol, value in field.items()))
-
-
-def commutator(first: Field, second: Field, coordinates: Sequence[sp.Symbol]) -> Field:
-    """[u, w] = uw − wu; components that are not named are zero."""
-    none = sp.S.Zero
-    return {
-        s: sp.expand(along(first, second.get(s, none)) - along(second, first.get(s, none)))
-        for s in coordinates
-    }
-
-
-def _rank(fields: Sequence[Field], coordinates: Sequence[sp.Symbol], point: Point) -> int:
-    rows = [
-        [field.get(s, sp.S.Zero).xreplace(dict(point)) for s in coordinates] for field in fields
-    ]
-    return int(sp.Matrix(rows).rank())
-
 
 def growth(
-    fields: Sequence[Field], coordinates: Sequence[sp.Symbol], point: Point
+    fields: Sequence[Field], coordinates: Sequence[sp.Symbol], point: Mapping[sp.Symbol, sp.Expr]
 ) -> tuple[int, ...]:
-    """Dimensions of the span of fields, with their commutators, with those of these, and so on.
-
-    Parameters
-    ----------
-    fields : sequence of mapping from coordinate to component
-    coordinates : sequence of Symbol
-        They may be redundant; the fields are then tangent to the relations between them.
-    point : mapping of Symbol to exact number
-        Coordinates and parameters.
-
-    Returns
-    -------
-    tuple of int
-        Until the dimension is reached a second time.
-    """
-    span, last = list(fields), list(fields)
-    found = [_rank(span, coordinates, point)]
-    while len(found) < 2 or found[-1] > found[-2]:
-        last = [commutator(u, w, coordinates) for u in fields for w in last]
-        span += last
-        found.append(_rank(span, coordinates, point))
-    return tuple(found)
+    """Dimensions as from :func:`chaplygin.mechanics.growth.growth`, the last one said twice."""
+    counts = mechanics.growth(fields, coordinates, point)
+    return (*counts, counts[-1])
 
 
 def counted(claimed: int, counts: tuple[int, ...], dimension: int, started: float) -> Verdict:
