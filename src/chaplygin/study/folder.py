@@ -11,7 +11,7 @@ from . import figures, report
 from .dataset import write
 from .files import completed
 from .prepare import Study, dataset_of
-from .scene import scene_of, weight_of
+from .scene import ball_scene_of, scene_of, weight_of
 
 __all__ = ["check_folder", "write_study"]
 
@@ -67,8 +67,12 @@ def write_study(
     write(dataset, folder / "trajectory.nc", force)
     with completed(folder / "experiment.toml") as temporary:
         temporary.write_text(study.complete_toml(), encoding="utf-8")
-    if study.by_state:
-        pictures = figures.state_figures(smooth, [str(name) for name in study.system.state])
+    names = [str(name) for name in study.system.state]
+    if study.ball is not None:
+        scene = ball_scene_of(study.ball)
+        pictures = figures.ball_figures(smooth, *scene, names, weight_of(study))
+    elif study.by_state:
+        pictures = figures.state_figures(smooth, names)
     else:
         pictures = figures.all_figures(smooth, scene_of(study), weight_of(study))
     for name, figure in pictures.items():

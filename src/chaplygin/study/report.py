@@ -21,6 +21,8 @@ from ..mechanics.surfaces import Plane
 from ..statements import Law
 from ..typeset import claims_html, latex, mathml, system_html
 from . import figures
+from .ball import setting as ball_setting
+from .experiment import BallExperiment
 from .prepare import Study, shape_name
 from .summary import drift, legend
 
@@ -158,14 +160,23 @@ def _remark(study: Study, name: str) -> str:
     """What a figure needs to be said besides, for this study."""
     if name == "drift" and study.experiment.run.precision == "double":
         return "Rounding of double precision is at 1.1 × 10⁻¹⁶."
-    if name == "normal_force" and study.rolling and not study.rolling.field.gravity:
+    if name == "normal_force" and _two_sided(study):
         return "Without gravity the contact is taken as two-sided, and the sign is not watched."
     return ""
 
 
+def _two_sided(study: Study) -> bool:
+    """Whether nothing but the contact acts, so that the surface holds from both sides."""
+    if study.ball is not None:
+        return not study.ball.loaded
+    return study.rolling is not None and not study.rolling.field.gravity
+
+
 def _setting(study: Study) -> str:
     """What rolls on what, in one line."""
-    rolling = study.rolling
+    rolling, experiment = study.rolling, study.experiment
+    if study.ball is not None and isinstance(experiment, BallExperiment):
+        return ball_setting(experiment, study.ball)
     if study.by_state:
         return ""
     if rolling is None:

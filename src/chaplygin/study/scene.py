@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+import numpy as np
+import sympy as sp
 
 from ..mechanics.points import contact_points
+from ..mechanics.rolling_ball import RollingBall
 from ..mechanics.surfaces import Plane
-from .drawing import Ground, Outline, PlaneGround, SphereGround, outline_from_contact
+from ..vectors import Vector
+from .drawing import FloatArray, Ground, Outline, PlaneGround, SphereGround, outline_from_contact
 from .prepare import Study
+from .surface_ground import SurfaceGround
 
-__all__ = ["Scene", "scene_of", "weight_of"]
+__all__ = ["BallScene", "Scene", "ball_scene_of", "scene_of", "weight_of"]
 
 
 class Scene(NamedTuple):
@@ -17,6 +23,13 @@ class Scene(NamedTuple):
 
     outline: Outline
     surface: Ground
+
+
+class BallScene(NamedTuple):
+    """The drawn ball and the surface that carries it."""
+
+    outline: Outline
+    surface: SurfaceGround
 
 
 def scene_of(study: Study) -> Scene | None:
@@ -30,6 +43,39 @@ def scene_of(study: Study) -> Scene | None:
 
 def weight_of(study: Study) -> float | None:
     """m g, with which the normal force is compared; None without gravity."""
+    if study.ball is not None:
+        return study.ball.mass * study.ball.gravity or None
     if study.rolling is None or not study.rolling.field.gravity:
         return None
     return study.rolling.body.mass * study.rolling.field.gravity
+
+
+def ball_scene_of(ball: RollingBall) -> BallScene:
+    """The scene of a homogeneous ball on a surface."""
+    radius = ball.radius
+    return BallScene(outline_from_contact(lambda gamma: -radius * gamma), _ground(ball))
+
+
+def _ground(ball: RollingBall) -> SurfaceGround:
+    """The surface that carries the ball, by its own equation where it has one."""
+    symbols = Vector("x").symbols
+    numbers = {p.symbol: p.default for p in ball.surface.parameters}
+    shift = 0.0 if ball.carrier == "support" else ball.radius
+    below = ball.surface.equation(symbols, -sp.Float(shift)) if shift else ball.carrying
+    f = (ball.carrying if below is None else below).subs(numbers)
+
+    def values(formula: sp.Expr) -> Any:
+        function = sp.lambdify(symbols, formula, "numpy")
+
+        def at(points: FloatArray) -> FloatArray:
+            found = np.asarray(function(*points.T), dtype=np.float64)
+            return np.broadcast_to(found, points.shape[:1])
+
+        return at
+
+    slopes = [values(f.diff(s)) for s in symbols]
+    return SurfaceGround(
+        values(f),
+        lambda points: np.stack([slope(points) for slope in slopes], axis=-1),
+        shift if below is None else 0.0,
+    )

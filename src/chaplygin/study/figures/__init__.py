@@ -13,6 +13,8 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from ..drawing import Ground, Outline
+from ..surface_ground import SurfaceGround
+from .ball_scene import ball_scene
 from .charts import angular_velocity, conserved, drift, normal_force, relative_drift
 from .curves import contact_path, normal_on_sphere
 from .files import FORMATS, save, svg_text
@@ -26,6 +28,8 @@ __all__ = [
     "STYLE",
     "all_figures",
     "angular_velocity",
+    "ball_figures",
+    "ball_scene",
     "contact_path",
     "drift",
     "normal_force",
@@ -96,3 +100,37 @@ def state_figures(dataset: xr.Dataset, names: Sequence[str]) -> dict[str, Figure
     if conserved(dataset):
         figures["drift"] = drift(dataset)
     return figures
+
+
+def ball_figures(
+    dataset: xr.Dataset,
+    outline: Outline,
+    ground: SurfaceGround,
+    names: Sequence[str],
+    weight: float | None = None,
+) -> dict[str, Figure]:
+    """The figures of a homogeneous ball on a surface, whose state is given in space axes.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+    outline : Outline
+        The ball.
+    ground : SurfaceGround
+        What carries it.
+    names : sequence of str
+        The variables of the state.
+    weight : float, optional
+        Weight of the ball, for comparison with the normal force.
+
+    Returns
+    -------
+    dict
+        Figures by the names of the functions that make them, but the picture as `scene`, then
+        `state`, `normal_force`, `drift`.
+    """
+    return {
+        "scene": ball_scene(dataset, outline, ground),
+        "normal_force": normal_force(dataset, weight),
+        **state_figures(dataset, names),
+    }

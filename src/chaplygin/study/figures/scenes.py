@@ -67,7 +67,7 @@ def scene(
     InputError
         If the dataset lacks a variable, or has no sample up to `until`.
     """
-    track = _track(dataset, until)
+    track = track_of(dataset, until)
     if isinstance(surface, PlaneGround):
         track = track.last_part(outline.diameter)
     with mpl.rc_context(STYLE):
@@ -101,7 +101,7 @@ def scene(
 
 
 @dataclass(frozen=True, eq=False)
-class _Track:
+class Track:
     """The way of a rolling body, as far as it is drawn.
 
     Attributes
@@ -121,7 +121,7 @@ class _Track:
     rotation: FloatArray
     normal: FloatArray
 
-    def last_part(self, diameter: float) -> _Track:
+    def last_part(self, diameter: float) -> Track:
         """As much of the way, back from its end, as fits beside a body of this diameter."""
         low = np.minimum.accumulate(self.contact[::-1], axis=0)
         high = np.maximum.accumulate(self.contact[::-1], axis=0)
@@ -129,7 +129,7 @@ class _Track:
         if extent[-1] <= _WHOLE * diameter:
             return self
         kept = slice(-int(np.sum(extent <= _REACH * diameter)), None)
-        return _Track(
+        return Track(
             self.times[kept],
             self.contact[kept],
             self.centre[kept],
@@ -157,7 +157,7 @@ class _Track:
         return times, SurfaceCurve(both[:, :3] @ turn + self.centre[-1], unit(both[:, 3:]) @ turn)
 
 
-def _track(dataset: xr.Dataset, until: float | None) -> _Track:
+def track_of(dataset: xr.Dataset, until: float | None) -> Track:
     """All finite samples up to an instant."""
     require(dataset, "scene")
     times = times_of(dataset)
@@ -167,7 +167,7 @@ def _track(dataset: xr.Dataset, until: float | None) -> _Track:
         good &= times <= until
     if not np.any(good):
         raise InputError(f"the figure scene has no sample to show of {title_of(dataset)}")
-    return _Track(
+    return Track(
         times[good],
         contact[good],
         values_of(dataset, "centre")[good],
@@ -176,7 +176,7 @@ def _track(dataset: xr.Dataset, until: float | None) -> _Track:
     )
 
 
-def _scene_view(track: _Track, ground: Ground) -> View:
+def _scene_view(track: Track, ground: Ground) -> View:
     """Where the reader stands: paths run from left to right, the body is on the near side."""
     end = track.contact[-1]
     if isinstance(ground, PlaneGround):
@@ -184,9 +184,7 @@ def _scene_view(track: _Track, ground: Ground) -> View:
     middle = unit(unit(track.contact).mean(axis=0) + 0.8 * unit(end))
     height = float(np.arcsin(np.clip(middle[2], -1.0, 1.0)))
     near_pole = np.hypot(middle[0], middle[1]) < 0.35
-    azimuth = (
-        _across(track.contact) if near_pole else float(np.arctan2(middle[1], middle[0])) + 0.35
-    )
+    azimuth = across(track.contact) if near_pole else float(np.arctan2(middle[1], middle[0])) + 0.35
     if ground.radius > 0.0:
         return View(azimuth, float(np.clip(0.6 * height, -0.25, 0.6)))
     return View(azimuth + (0.0 if near_pole else np.pi), 0.62 if height < -0.3 else 0.35)
@@ -194,7 +192,7 @@ def _scene_view(track: _Track, ground: Ground) -> View:
 
 def _plane_view(contact: FloatArray) -> View:
     """A view slightly along the path, such that the body's last steps go across the picture."""
-    azimuth = _across(contact)
+    azimuth = across(contact)
     back = np.linalg.norm(contact - contact[-1], axis=1)
     last = contact[-1] - contact[np.argmax(back <= 0.15 * np.max(back))]
     views = [View(azimuth + turn, 0.5) for turn in (0.42, -0.42)]
@@ -202,7 +200,7 @@ def _plane_view(contact: FloatArray) -> View:
     return min(views, key=lambda view: abs(view.depth(unit(last))) - 0.1 * view.depth(unit(last)))
 
 
-def _across(points: FloatArray) -> float:
+def across(points: FloatArray) -> float:
     """Azimuth from which points (n, 3) extend most from left to right, the last one right."""
     flat = points[:, :2] - points[:, :2].mean(axis=0)
     along = np.linalg.svd(flat, full_matrices=False)[2][0] if np.any(flat) else np.array([0.0, 1.0])
@@ -229,7 +227,7 @@ def _draw_shadow(sheet: Sheet, body: Outline, ground: Ground) -> None:
         sheet.fill(sheet.view.project(shadow), "#1b2a3a", 0.0105)
 
 
-def _draw_body(sheet: Sheet, body: Outline, track: _Track) -> None:
+def draw_body(sheet: Sheet, body: Outline, track: Track) -> None:
     """The near side of the body with its seams, its border and the path traced on it."""
     facets = body.facets
     sheet.facets(facets.select(facets.faces_reader(sheet.view)), BODY_TONES, 1.0, 0.5)
@@ -244,7 +242,7 @@ def _draw_border(sheet: Sheet, body: Outline, colour: str, width: float) -> None
     sheet.outline(convex_hull(sheet.view.project(body.vertices)), colour, width)
 
 
-def _draw_ghosts(sheet: Sheet, track: _Track, outline: Outline) -> None:
+def _draw_ghosts(sheet: Sheet, track: Track, outline: Outline) -> None:
     """Pale bodies at earlier places, as far as they stand clear of each other and of the last."""
     extent = float(np.max(np.ptp(track.contact, axis=0)))
     apart = max(1.25 * outline.diameter, 0.2 * extent)
@@ -265,7 +263,7 @@ def _draw_ghosts(sheet: Sheet, track: _Track, outline: Outline) -> None:
         sheet.outline(border, "#b5c2cf", 0.6)
 
 
-def _scene_on_plane(sheet: Sheet, track: _Track, outline: Outline, body: Outline) -> float:
+def _scene_on_plane(sheet: Sheet, track: Track, outline: Outline, body: Outline) -> float:
     """Draw grid, shadow, paths and body; give the spacing of the grid."""
     times, path = track.path(PlaneGround())
     spacing = draw_grid(sheet, path.points, outline.diameter)
@@ -273,30 +271,30 @@ def _scene_on_plane(sheet: Sheet, track: _Track, outline: Outline, body: Outline
     sheet.timed(path.points, time_shares(times), 2.0, 1.0)
     mark_start(sheet, path, 1.0)
     _draw_shadow(sheet, body, PlaneGround())
-    _draw_body(sheet, body, track)
+    draw_body(sheet, body, track)
     return spacing
 
 
-def _scene_on_sphere(sheet: Sheet, track: _Track, body: Outline, ground: SphereGround) -> None:
+def _scene_on_sphere(sheet: Sheet, track: Track, body: Outline, ground: SphereGround) -> None:
     times, path = track.path(ground)
     fractions = time_shares(times)
     room = max(0.12, 0.75 * body.diameter / ground.radius)
     in_front = bool(sheet.view.faces_reader(path.normals[-1]))
     # The plane of contact parts body and sphere: the reader's side of it hides the other.
     if not in_front:
-        _draw_body(sheet, body, track)
+        draw_body(sheet, body, track)
     draw_outside(sheet, ground.radius, cap_opening(path.points, 1.0, room, 1.2))
     timed_on_surface(sheet, path, fractions, -1.0, 1.0, 0.35)
     timed_on_surface(sheet, path, fractions, 1.0, 2.0, 1.0)
     mark_start(sheet, path, 1.0)
     if in_front:
         _draw_shadow(sheet, body, ground)
-        _draw_body(sheet, body, track)
+        draw_body(sheet, body, track)
     else:
         _draw_border(sheet, body, "#b5c2cf", 0.6)
 
 
-def _scene_in_bowl(sheet: Sheet, track: _Track, body: Outline, ground: SphereGround) -> None:
+def _scene_in_bowl(sheet: Sheet, track: Track, body: Outline, ground: SphereGround) -> None:
     radius = abs(ground.radius)
     times, path = track.path(ground)
     fractions = time_shares(times)
@@ -304,13 +302,13 @@ def _scene_in_bowl(sheet: Sheet, track: _Track, body: Outline, ground: SphereGro
     draw_far_wall(sheet, radius, opening)
     timed_on_surface(sheet, path, fractions, -1.0, 2.0, 1.0)
     _draw_shadow(sheet, body, ground)
-    _draw_body(sheet, body, track)
+    draw_body(sheet, body, track)
     draw_near_wall(sheet, radius, opening)
     timed_on_surface(sheet, path, fractions, 1.0, 1.2, 0.55)
     mark_start(sheet, path, -1.0)
 
 
-def _scene_around_sphere(sheet: Sheet, track: _Track, body: Outline, ground: SphereGround) -> None:
+def _scene_around_sphere(sheet: Sheet, track: Track, body: Outline, ground: SphereGround) -> None:
     """A shell with the sphere inside: its far half, the sphere, and its near half of glass."""
     times, path = track.path(ground)
     fractions = time_shares(times)

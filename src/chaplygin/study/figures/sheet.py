@@ -129,6 +129,28 @@ class Sheet:
             )
         )
 
+    def image(self, colours: FloatArray, extent: tuple[float, float, float, float]) -> None:
+        """Lay an image (rows, columns, 4) on paper, its first row lowest; bare borders are cut."""
+        rows, columns = (np.flatnonzero(colours[..., 3].any(axis=a)) for a in (1, 0))
+        if not len(rows):
+            return
+        left, right, bottom, top = extent
+        wide, high = (right - left) / colours.shape[1], (top - bottom) / colours.shape[0]
+        part = (
+            left + columns[0] * wide,
+            left + (columns[-1] + 1) * wide,
+            bottom + rows[0] * high,
+            bottom + (rows[-1] + 1) * high,
+        )
+        kept = colours[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+        self.axes.imshow(
+            np.clip(kept, 0.0, 1.0),
+            extent=part,
+            origin="lower",
+            interpolation="antialiased",
+            zorder=self._next(),
+        )
+
     def label(self, point: FloatArray, text: str, colour: str) -> None:
         """Write a short text around a point (3,); it counts as drawn, lest it be cut off."""
         x, y = self.view.project(point)
