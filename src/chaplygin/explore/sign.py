@@ -37,8 +37,8 @@ def sign(standing: Standing, formulas: Sequence[Any]) -> Sign:
     Returns
     -------
     ``"kept"``, ``"changes"`` or ``"unknown"``
-        Kept: shown for every point, by ball arithmetic on a cover of the unit vectors on which
-        the formulas depend; changes: one of them has both signs, at points that were found.
+        Kept: shown for every point, by ball arithmetic on a cover of the bounded variables on
+        which the formulas depend; changes: one of them has both signs, at points that were found.
     """
     found = [_of_one(standing, formula) for formula in formulas]
     if "changes" in found:
@@ -59,40 +59,43 @@ def _of_one(standing: Standing, formula: Any) -> Sign:
         return "unknown"
 
 
-def _spheres(standing: Standing, names: set[sp.Symbol]) -> list[set[sp.Symbol]]:
-    """Groups of state variables whose squares add up to one."""
-    found = []
+def _bounds(standing: Standing, names: set[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+    """Bounds of state variables whose squares, with positive weights, add up to a number."""
+    found = {}
     for condition in standing.ground.moving:
-        group = condition.free_symbols
-        squares = sp.Add(*(s**2 for s in group)) - 1
-        if group & names and sp.expand(condition - squares) == 0:
-            found.append(group)
+        group = sorted(condition.free_symbols, key=str)
+        weights = [sp.diff(condition, s, 2) / 2 for s in group]
+        rest = condition.xreplace(dict.fromkeys(group, sp.S.Zero))
+        squares = sp.Add(rest, *(w * s**2 for w, s in zip(weights, group, strict=True)))
+        plain = all(number.is_number for number in (rest, *weights))
+        if not names & set(group) or not plain or sp.expand(condition - squares) != 0:
+            continue
+        if all((w * rest).is_negative for w in weights):
+            found |= {s: sp.sqrt(-rest / w) for s, w in zip(group, weights, strict=True)}
     return found
 
 
 def _covered(standing: Standing, formula: Any, expanded: sp.Expr) -> bool:
-    """Whether no box of a cover of the unit vectors lets the formula vanish."""
+    """Whether no box of a cover of the bounded variables lets the formula vanish."""
     names = expanded.free_symbols & set(standing.system.symbols)
-    spheres = _spheres(standing, names)
-    if not names <= set().union(*spheres):
+    bounds = _bounds(standing, names)
+    if not names <= set(bounds):
         return False
-    order = sorted(set().union(*spheres), key=str)
-    waiting = [tuple((arb(0), arb(1)) for _ in order)]
+    order = sorted(bounds, key=str)
+    conditions = [c for c in standing.ground.moving if c.free_symbols <= set(bounds)]
+    # a little wider than the bound itself, which need not be a binary fraction
+    waiting = [tuple((arb(0), arb(float(bounds[s])) * arb("1.0001")) for s in order)]
     with precise():
         for _ in range(BOXES):
             if not waiting:
                 return True
             box = waiting.pop()
             values = {str(s): arb(m, r) for s, (m, r) in zip(order, box, strict=True)}
-            if not _meets(values, spheres) or _clear(standing, formula, values):
+            if any(_clear(standing, c, values) for c in conditions):
                 continue
-            waiting += _halves(box)
+            if not _clear(standing, formula, values):
+                waiting += _halves(box)
     return False
-
-
-def _meets(values: dict[str, Any], spheres: list[set[sp.Symbol]]) -> bool:
-    """Whether a box may hold unit vectors."""
-    return all(1 in sum((values[str(s)] ** 2 for s in group), arb(0)) for group in spheres)
 
 
 def _clear(standing: Standing, formula: Any, values: dict[str, Any]) -> bool:
