@@ -10,12 +10,11 @@ rational points, and is stated as laws that :mod:`chaplygin.laws` proves.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
 from ..errors import InputError
-from ..notation import text
 from ..statements import Identity, Integral, Law
 from ..system import System
 from .quasivelocity import Mechanism
@@ -28,8 +27,8 @@ from .reduction_flux import Flux, flux
 from .reduction_integrals import linear_integrals
 from .reduction_lift import Lift, Local, lift
 from .reduction_motion import Motion, motion
-from .reduction_multiplier import Multiplier, Obstruction, closed, multiplier
-from .reduction_system import chaplygin_system, motion_law, with_base
+from .reduction_multiplier import Multiplier, Obstruction, closed, multiplier, over_rational
+from .reduction_system import chaplygin_system, lifted, motion_law, with_base
 from .suslov import equations
 
 __all__ = ["ChaplyginForm", "chaplygin_form"]
@@ -59,8 +58,15 @@ class ChaplyginForm:
         The integral of S̄, if there is a multiplier.
     system : System
         (4.7), with the laws of Theorem 6 and the way back to `original`.
+    gyroscopic : Expr or None
+        S̄ of (4.5), if there is a multiplier.
+    lifted : System or None
+        `system` with those coordinates of `original` that it does not need; it carries the way
+        back then.
     hamiltonian : System or None
-        The same in the time τ and canonical variables, where S̄ is exact in closed form.
+        `system` in the time τ and canonical variables, where S̄ is exact in closed form.
+    local : Local
+        Evaluates (4.4) at points.
     """
 
     original: System
@@ -72,22 +78,21 @@ class ChaplyginForm:
     obstruction: Obstruction | None
     flux: Flux | None
     system: System
+    gyroscopic: sp.Expr | None
+    lifted: System | None
     hamiltonian: System | None
-
-    @property
-    def gyroscopic(self) -> sp.Expr:
-        """S̄ of (4.5); zero without a multiplier has no meaning, so it is S at rest then."""
-        scale = sp.S.One if self.multiplier is None else self.multiplier.value
-        return scale * self.closed.b
+    local: Local
 
     def claims(self) -> Iterator[tuple[System, Law]]:
         """All that is claimed, as pairs of a system and a law of it."""
-        for system in (self.original, self.system, self.hamiltonian):
+        for system in (self.original, self.system, self.lifted, self.hamiltonian):
             if system is not None:
                 yield from ((system, law) for law in system.laws)
 
     def __str__(self) -> str:
-        return "\n".join(_lines(self))
+        from .reduction_page import page
+
+        return page(self)
 
 
 def chaplygin_form(mechanism: Mechanism) -> ChaplyginForm:
@@ -137,11 +142,17 @@ def _assembled(
     potential = local.integral.potential
     original = _original(mechanism, here, up)
     made = chaplygin_system(mechanism, here, up.constants, parts, potential, found)
-    made = made.with_laws(motion_law(here, parts, original))
-    monopole = hamiltonian = None
+    extended = lifted(made, here, parts, original)
+    way_back = motion_law(here, parts, original)
+    if extended is None:
+        made = made.with_laws(way_back)
+    else:
+        extended = replace(extended, laws=(way_back,))
+    monopole = hamiltonian = gyroscopic = None
     if found is not None:
+        gyroscopic = over_rational(found, parts.b)
         monopole = flux(mechanism, here, up.constants, found, parts.b)
-        made = made.with_laws(*_shape(parts, monopole))
+        made = made.with_laws(*_shape(monopole))
         if monopole.potential is not None:
             hamiltonian = canonical(made, here, parts, potential, found, monopole.potential)
             made = made.with_laws(canonical_law(here, hamiltonian, monopole.potential))
@@ -152,10 +163,13 @@ def _assembled(
         role=role,
         closed=parts,
         multiplier=found,
-        obstruction=closed(local, chart) if found is None else None,
+        obstruction=None if found else closed(local, chart, mechanism.parameters),
         flux=monopole,
         system=made,
+        gyroscopic=gyroscopic,
+        lifted=extended,
         hamiltonian=hamiltonian,
+        local=local,
     )
 
 
@@ -171,7 +185,7 @@ def _original(mechanism: Mechanism, here: Base, up: Lift) -> System:
     )
 
 
-def _shape(parts: Closed, monopole: Flux) -> tuple[Law, ...]:
+def _shape(monopole: Flux) -> tuple[Law, ...]:
     """What the integral of S̄ rests on."""
     if monopole.residual == 0:
         return ()
@@ -205,40 +219,3 @@ def _integrals(mechanism: Mechanism, moved: Motion, here: Base) -> list[sp.Expr]
             "system in these coordinates"
         )
     return found[:needed]
-
-
-def _lines(form: ChaplyginForm) -> Iterator[str]:
-    """The page of a form, for a terminal."""
-    q = ", ".join(map(text, form.base.coordinates))
-    yield f"{form.system.title}"
-    yield f"  coordinates  {q}" + (
-        "" if form.base.normal is None else f"   ({text(form.base.normal)} on the unit sphere)"
-    )
-    for constant, value in form.integrals:
-        yield f"  level        {text(constant)} = {text(value)}"
-    yield f"  L = E₂ − E₀  from {form.role}"
-    if form.multiplier is None:
-        yield from _refused(form)
-        return
-    yield f"  multiplier   N = {text(form.multiplier.value)}"
-    yield f"  S̄            {text(form.gyroscopic)}"
-    if form.flux is not None and form.flux.value is not None:
-        yield f"  ∫S̄           {text(form.flux.value)}   ({form.flux.words})"
-    elif form.flux is not None:
-        yield f"  ∫S̄           not found in closed form: {form.flux.words}"
-    if form.hamiltonian is not None:
-        yield "  canonical    Hamiltonian in the time τ, dτ = N dt, in global canonical variables"
-    elif form.flux is not None and form.flux.value not in (None, 0):
-        yield "  canonical    none on the whole sphere: the integral of S̄ is not zero"
-
-
-def _refused(form: ChaplyginForm) -> Iterator[str]:
-    found = form.obstruction
-    if found is None:
-        yield "  multiplier   undecided: the 1-form is closed, but N is no product of its factors"
-        return
-    yield "  multiplier   none: d(A₂ dq₁ − A₁ dq₂) ≠ 0"
-    values = ", ".join(f"{name} = {value}" for name, value in found.point.items())
-    yield f"    it is {found.curl} at {values}"
-    if found.vanishing:
-        yield f"    it vanishes where {' or '.join(f'{text(f)} = 0' for f in found.vanishing)}"

@@ -38,6 +38,8 @@ class Base:
         q₁, q₂.
     place : mapping of Symbol to Expr
         The coordinates of the mechanism that matter, by q₁ and q₂.
+    fixed : mapping of Symbol to Expr
+        Values for the other ones, on which nothing depends.
     rates : Matrix
         ρ of q̇ = ρ u, two rows.
     normal : Vector, optional
@@ -48,9 +50,15 @@ class Base:
 
     coordinates: tuple[sp.Symbol, sp.Symbol]
     place: Mapping[sp.Symbol, sp.Expr]
+    fixed: Mapping[sp.Symbol, sp.Expr]
     rates: sp.Matrix
     normal: Vector | None
     motion: Motion
+
+    @property
+    def inside(self) -> dict[sp.Symbol, sp.Expr]:
+        """All coordinates of the mechanism, for what moves by itself."""
+        return {**self.place, **self.fixed}
 
 
 def base(mechanism: Mechanism, motion: Motion) -> Base:
@@ -104,7 +112,6 @@ def _entries(motion: Motion) -> list[sp.Expr]:
         *motion.metric,
         *motion.gyroscopic,
         *motion.constraints,
-        motion.potential,
         *motion.force,
     ]
 
@@ -112,12 +119,13 @@ def _entries(motion: Motion) -> list[sp.Expr]:
 def _needed(mechanism: Mechanism, motion: Motion) -> list[sp.Symbol]:
     """The coordinates on which the equations really depend."""
     entries = _entries(motion)
-    named = [q for q in motion.coordinates if any(e.has(q) for e in entries)]
+    pulled = [q for q in motion.coordinates if sp.diff(motion.potential, q) != 0]
+    named = [q for q in motion.coordinates if any(e.has(q) for e in entries) and q not in pulled]
     if not named:
-        return []
+        return pulled
     formulas = Formulas(entries, mechanism.name)
     dice = random.Random(SEED)
-    found = []
+    found = pulled
     for q in named:
         for _ in range(TRIES):
             first = point([*bare(formulas.symbols), *motion.coordinates], dice)
@@ -147,7 +155,8 @@ def _sphere(mechanism: Mechanism, motion: Motion, vector: Vector) -> Base:
     index = [motion.coordinates.index(s) for s in vector.symbols]
     first, second, third = (motion.anchor.row(i).xreplace(place) for i in index)
     rates = sp.Matrix.vstack(-third / sine, (across * first - turn * second) / sine)
-    return Base((theta, phi), place, rates, vector, on_base(motion, place))
+    fixed = {q: sp.S.Zero for q in motion.coordinates if q not in place}
+    return Base((theta, phi), place, fixed, rates, vector, on_base(motion, {**place, **fixed}))
 
 
 def _pair(mechanism: Mechanism, motion: Motion, needed: list[sp.Symbol]) -> Base:
@@ -167,7 +176,7 @@ def _pair(mechanism: Mechanism, motion: Motion, needed: list[sp.Symbol]) -> Base
         moved = on_base(motion, others)
         if _spans(mechanism, sp.Matrix.vstack(rates, moved.constraints)):
             names = (chosen[0], chosen[1])
-            return Base(names, {q: q for q in names}, rates, None, moved)
+            return Base(names, {q: q for q in names}, others, rates, None, moved)
     raise InputError(
         f"{mechanism.name}: no two of its coordinates {_listed(list(motion.coordinates))} move "
         "freely and by themselves under the constraints"
@@ -177,7 +186,7 @@ def _pair(mechanism: Mechanism, motion: Motion, needed: list[sp.Symbol]) -> Base
 def _spans(mechanism: Mechanism, rows: sp.Matrix) -> bool:
     formulas = Formulas(list(rows), mechanism.name)
     values = formulas.at(point(bare(formulas.symbols), random.Random(SEED), _angles(rows)), fmpq(1))
-    return fmpq_mat(rows.rows, rows.cols, values).rank() == rows.rows
+    return bool(fmpq_mat(rows.rows, rows.cols, values).rank() == rows.rows)
 
 
 def _angles(rows: sp.Matrix) -> dict[sp.Symbol, fmpq]:
@@ -199,4 +208,5 @@ def on_base(motion: Motion, place: Mapping[sp.Symbol, sp.Expr]) -> Motion:
         gyroscopic=put(motion.gyroscopic),
         potential=motion.potential.subs(dict(place), simultaneous=True),
         force=put(motion.force),
+        pull=put(motion.pull),
     )

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
 from typing import Any, Protocol
 
 import sympy as sp
 from flint import Ordering, fmpq, fmpq_mpoly_ctx
-from sympy.core.function import AppliedUndef
 
 from ..errors import InputError
 from ..vectors import scalar
@@ -27,7 +27,9 @@ __all__ = [
     "bare",
     "circle",
     "inverse",
+    "is_rational",
     "kernel",
+    "near",
     "number",
     "on_circles",
     "point",
@@ -47,17 +49,13 @@ def circle(angle: sp.Symbol) -> tuple[sp.Symbol, sp.Symbol]:
 
 
 def on_circles(formula: sp.Expr, owner: str = "") -> sp.Expr:
-    """A formula with named sines and cosines, unspecified functions being symbols of their own.
+    """A formula with named sines and cosines.
 
     Raises
     ------
     InputError
         If it is not rational in coordinates, their sines and cosines.
     """
-    formula = formula.doit()
-    unknown = [*formula.atoms(sp.Derivative), *formula.atoms(sp.Subs)]
-    unknown += sorted(formula.atoms(AppliedUndef), key=str)
-    formula = formula.xreplace({f: scalar(f"[{f}]") for f in unknown})
     formula = formula.rewrite([sp.tan, sp.cot, sp.sec, sp.csc], sp.cos).rewrite(sp.tan, sp.cos)
     if formula.has(sp.Function):
         formula = sp.expand_trig(formula)
@@ -76,6 +74,15 @@ def on_circles(formula: sp.Expr, owner: str = "") -> sp.Expr:
             "coefficients that are rational in the coordinates, their sines and cosines"
         )
     return formula
+
+
+def is_rational(formula: sp.Expr) -> bool:
+    """Whether a formula is rational in coordinates, their sines and cosines."""
+    try:
+        on_circles(formula)
+    except InputError:
+        return False
+    return True
 
 
 class Evaluable(Protocol):
@@ -127,6 +134,14 @@ def number(dice: random.Random) -> fmpq:
     """A random rational number."""
     sign = dice.choice((-1, 1))
     return fmpq(sign * dice.randint(2, 40), dice.randint(11, 30))
+
+
+def near(default: float, dice: random.Random) -> fmpq:
+    """A rational number near a default that is not zero."""
+    if default == 0:
+        return number(dice)
+    exact = Fraction(repr(float(default))) * dice.randint(90, 115) / 100
+    return fmpq(exact.numerator, exact.denominator)
 
 
 def point(
@@ -237,13 +252,15 @@ class Quotient:
         return self * -1
 
     def __sub__(self, other: Any) -> Quotient:
-        return self + -self._lifted(other)
+        opposite: Quotient = -self._lifted(other)
+        return self + opposite
 
     def __rsub__(self, other: Any) -> Quotient:
-        return -self + other
+        return self._lifted(other) - self
 
     def __rtruediv__(self, other: Any) -> Quotient:
-        return self._lifted(other) / self
+        made: Quotient = self._lifted(other) / self
+        return made
 
     def __pow__(self, exponent: int) -> Quotient:
         if exponent < 0:

@@ -127,7 +127,8 @@ def natural_factors(
         if tied:
             turned = [product(_adjugate(rows), row) for row in tied]
             found.append(determinant([product(tied, column) for column in turned]))
-    circles = {str(t * t + 1) for t in (names[v].above for v in chart.variables)}
+    pairs = zip(chart.variables, chart.angles, strict=True)
+    circles = {str(names[t].above ** 2 + 1) for t, angle in pairs if angle}
     factors: dict[str, Any] = {}
     for value in found:
         for poly in (value.above, value.below):

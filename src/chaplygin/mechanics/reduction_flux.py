@@ -24,7 +24,7 @@ from .quasivelocity import Mechanism
 from .reduction_base import Base
 from .reduction_exact import Formulas
 from .reduction_integrals import solutions
-from .reduction_multiplier import Multiplier
+from .reduction_multiplier import Multiplier, as_positive
 
 __all__ = ["Flux", "flux"]
 
@@ -111,9 +111,23 @@ def _of_part(
     if len(roots) != 1 or not all(e.is_Rational for _, e in multiplier.powers):
         return Flux(None, "")
     form = sp.hessian(roots[0], vector.symbols) / 2
-    if form.free_symbols & set(vector.symbols):
+    bases = [f for f, _ in sp.factor_list(sp.fraction(sp.together(part))[1])[1]]
+    moving = [f for f in (roots[0], *bases) if f.has(*vector.symbols)]
+    if not all(_definite(mechanism, vector, f) for f in moving):
         return Flux(None, "")
     return _through_ellipsoid(mechanism, base, vector, multiplier, part, roots[0], form)
+
+
+def _definite(mechanism: Mechanism, vector: Vector, base: sp.Expr) -> bool:
+    """Whether a base is a definite quadratic form at the default parameters."""
+    form = sp.hessian(base, vector.symbols)
+    defaults = {p.symbol: sp.Rational(repr(float(p.default))) for p in mechanism.parameters}
+    numbers = form.xreplace(defaults)
+    if numbers.free_symbols:
+        return False
+    minors = [numbers[:i, :i].det() for i in (1, 2, 3)]
+    signs = [sp.sign(x) for x in minors]
+    return signs in ([1, 1, 1], [-1, 1, -1])
 
 
 def _is_odd(mechanism: Mechanism, base: Base, part: sp.Expr) -> bool:
@@ -152,7 +166,10 @@ def _through_ellipsoid(
             for k in (0, 1)
         ]
         shown = density - g * sp.sin(theta) / F - _curl((w[0], w[1]), (theta, phi), F)
-        value = sp.factor(4 * sp.pi * g) / sp.sqrt(sp.factor(form.det()))
+        signs = as_positive(mechanism.parameters)
+        back = {positive: s for s, positive in signs.items()}
+        solid = sp.sqrt(sp.factor(form.det().xreplace(signs))).xreplace(back)
+        value = sp.factor(4 * sp.pi * g / solid)
         potential = (w[0] / sp.sqrt(F), w[1] / sp.sqrt(F)) if g == 0 else None
         words = "the solid angle through an ellipsoid and an exact form"
         return Flux(value, words, shown, potential)

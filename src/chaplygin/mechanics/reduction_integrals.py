@@ -98,7 +98,7 @@ def _constants(
     mechanism: Mechanism, motion: Motion, base: Base, terms: Sequence[sp.Expr]
 ) -> list[dict[int, sp.Expr]]:
     """The combinations of terms with constant coefficients that are integrals, as coefficients."""
-    rates = [_derivative(motion, term).xreplace(dict(base.place)) for term in terms]
+    rates = [_derivative(motion, term).xreplace(base.inside) for term in terms]
     return solutions(mechanism, base, Formulas(rates, mechanism.name), len(terms))
 
 
@@ -108,7 +108,9 @@ def _derivative(motion: Motion, value: sp.Expr) -> sp.Expr:
     momenta = list(motion.momenta)
     # terms are products of momenta and functions of q: replace exactly these sums
     named = value.xreplace(dict(zip(momenta, names, strict=True)))
-    by_name = sp.Add(*(sp.diff(named, n) * f for n, f in zip(names, motion.force, strict=True)))
+    by_name = sp.Add(
+        *(sp.diff(named, n) * f for n, f in zip(names, motion.force + motion.pull, strict=True))
+    )
     total = by_name + motion.rate(named)
     return total.xreplace(dict(zip(names, momenta, strict=True)))
 

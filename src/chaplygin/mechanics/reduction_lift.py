@@ -88,7 +88,7 @@ def in_momenta(motion: Motion, base: Base, form: sp.Matrix) -> Quadratic:
 def _placed(
     value: sp.Expr, potential: sp.Expr, slope: sp.Matrix, rate: sp.Matrix, base: Base
 ) -> Quadratic:
-    place = dict(base.place)
+    place = base.inside
     return Quadratic(
         value.xreplace(place),
         potential.subs(place, simultaneous=True),
@@ -131,7 +131,7 @@ def lift(base: Base, integrals: Sequence[sp.Expr]) -> Lift:
     u = base.motion.velocities
     names = ("c",) if len(integrals) == 1 else tuple(f"c_{i + 1}" for i in range(len(integrals)))
     constants = tuple(scalar(n) for n in names)
-    placed = [f.xreplace(dict(base.place)) for f in integrals]
+    placed = [f.xreplace(base.inside) for f in integrals]
     rest = [f.xreplace(dict.fromkeys(u, sp.S.Zero)) for f in placed]
     rows = [[sp.diff(f, s) for s in u] for f in placed]
     matrix = sp.Matrix.vstack(

@@ -14,7 +14,9 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..errors import InputError
+from ..vectors import scalar
 from .quasivelocity import TIME, Mechanism
+from .reduction_exact import is_rational
 from .structure import structure
 
 __all__ = ["Motion", "gradient_by", "motion"]
@@ -41,7 +43,9 @@ class Motion:
     potential : Expr
         Minus the part of L without velocities.
     force : Matrix
-        f, quadratic in u.
+        f without the forces of the potential, quadratic in u.
+    pull : Matrix
+        The forces of the potential; derivatives that are not rational are symbols of their own.
     given : mapping of Symbol to Expr
         The eliminated velocities by the free ones.
     """
@@ -55,6 +59,7 @@ class Motion:
     gyroscopic: sp.Matrix
     potential: sp.Expr
     force: sp.Matrix
+    pull: sp.Matrix
     given: Mapping[sp.Symbol, sp.Expr]
 
     @property
@@ -92,6 +97,8 @@ def motion(mechanism: Mechanism) -> Motion:
     given, left = _eliminated(constraints, w)
     free = tuple(s for s in w if s not in given)
     at_rest = dict.fromkeys(w, sp.S.Zero)
+    potential = -lagrangian.xreplace(at_rest)
+    kinetic = lagrangian + potential
     Z = sp.Matrix([[sp.diff(given.get(s, s), u) for u in free] for s in w])
     mass = sp.hessian(lagrangian, w)
     carried = gradient_by(lagrangian, w).xreplace(at_rest)
@@ -103,7 +110,7 @@ def motion(mechanism: Mechanism) -> Motion:
     place = dict(zip(w, velocities, strict=True))
     push = []
     for i in range(len(w)):
-        along = sp.Add(*(e * sp.diff(lagrangian, x) for x, e in frame.field(i).items()))
+        along = sp.Add(*(e * sp.diff(kinetic, x) for x, e in frame.field(i).items()))
         push.append(along.xreplace(place))
     for (i, j, k), value in structure(frame, name).items():
         push[j] += value * momenta[k] * velocities[i]
@@ -128,10 +135,17 @@ def motion(mechanism: Mechanism) -> Motion:
         constraints=sp.Matrix(len(left), len(free), [sp.diff(f, u) for f in left for u in free]),
         metric=Z.T * mass * Z,
         gyroscopic=Z.T * carried,
-        potential=-lagrangian.xreplace(at_rest),
+        potential=potential,
         force=Z.T * sp.Matrix(push) + turned,
+        pull=-anchor.T * sp.Matrix([_slope(potential, x) for x in q]),
         given=given,
     )
+
+
+def _slope(potential: sp.Expr, coordinate: sp.Symbol) -> sp.Expr:
+    """∂U/∂q, or a symbol for it where it is not rational."""
+    slope = sp.diff(potential, coordinate)
+    return slope if is_rational(slope) else scalar(f"[dU/d{coordinate}]")
 
 
 def _written(mechanism: Mechanism, value: sp.Expr) -> sp.Expr:

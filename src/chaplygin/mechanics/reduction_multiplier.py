@@ -15,10 +15,12 @@ from typing import Any
 import sympy as sp
 from flint import fmpq
 
+from ..system import Parameter
 from ..vectors import Vector
 from .reduction_exact import (
     Quotient,
     Value,
+    near,
     number,
     quotients,
     reduced,
@@ -26,7 +28,16 @@ from .reduction_exact import (
 from .reduction_factors import Chart, in_angles, on_sphere
 from .reduction_lift import Local
 
-__all__ = ["Multiplier", "Obstruction", "closed", "curl", "multiplier", "open_unless"]
+__all__ = [
+    "Multiplier",
+    "Obstruction",
+    "as_positive",
+    "closed",
+    "curl",
+    "multiplier",
+    "open_unless",
+    "over_rational",
+]
 
 SEED = 1961
 SPARE = 3
@@ -41,8 +52,6 @@ class Multiplier:
     ----------
     powers : tuple of (Expr, Expr)
         Bases, in the coordinates q or in the unit vector, with their exponents.
-    place : mapping
-        The unit vector by the coordinates; empty where there is none.
     """
 
     powers: tuple[tuple[sp.Expr, sp.Expr], ...]
@@ -70,6 +79,15 @@ class Obstruction:
     point: dict[str, str]
     curl: Any
     vanishing: tuple[sp.Expr, ...]
+
+
+def as_positive(parameters: Sequence[Parameter]) -> dict[sp.Symbol, sp.Symbol]:
+    """Parameters that must be positive, as positive symbols."""
+    return {
+        p.symbol: sp.Symbol(str(p.symbol), positive=True)
+        for p in parameters
+        if (p.symbol > 0) in p.admissible
+    }
 
 
 def _at(local: Local, chart: Chart, values: Sequence[Value], given: Any, like: Value) -> Any:
@@ -120,13 +138,21 @@ def _joined(first: Quotient, second: Quotient) -> sp.Expr:
     return sp.cancel(sp.together(first.formula() + second.formula()))
 
 
-def closed(local: Local, chart: Chart) -> Obstruction | None:
-    """None if the form is closed at some rational points, else a point where it is not."""
+def closed(local: Local, chart: Chart, parameters: Sequence[Parameter]) -> Obstruction | None:
+    """None if the form is closed at some rational points, else a point where it is not.
+
+    Parameters
+    ----------
+    local : Local
+    chart : Chart
+    parameters : sequence of Parameter
+        The point has values near their defaults; other constants are at random.
+    """
     dice = random.Random(SEED)
-    parameters = _parameters(local, chart)
+    defaults = {p.symbol: p.default for p in parameters}
     for _ in range(2):
         while True:
-            given = {s: number(dice) for s in parameters}
+            given = {s: near(defaults.get(s, 0.0), dice) for s in _parameters(local, chart)}
             values = [number(dice), number(dice)]
             try:
                 found = curl(local, chart, values, given, [])
@@ -137,12 +163,12 @@ def closed(local: Local, chart: Chart) -> Obstruction | None:
             exact = fmpq(int(found.p), int(found.q))
             at = {**given, **dict(zip(chart.variables, values, strict=True))}
             shown = {str(s): str(v) for s, v in at.items()}
-            return Obstruction(shown, exact, open_unless(local, chart))
+            return Obstruction(shown, exact, open_unless(local, chart, parameters))
     return None
 
 
-def open_unless(local: Local, chart: Chart) -> tuple[sp.Expr, ...]:
-    """Factors in the parameters that the curl has at every point."""
+def open_unless(local: Local, chart: Chart, known: Sequence[Parameter]) -> tuple[sp.Expr, ...]:
+    """Factors in the parameters that the curl has at every point, and that may vanish."""
     dice = random.Random(SEED + 1)
     parameters = _parameters(local, chart)
     shared: Any = None
@@ -152,7 +178,12 @@ def open_unless(local: Local, chart: Chart) -> tuple[sp.Expr, ...]:
         above = sp.fraction(sp.together(found))[0]
         shared = above if shared is None else sp.gcd(shared, above)
     factors = [base for base, _ in sp.factor_list(shared)[1]]
-    return tuple(f for f in factors if f.free_symbols & set(parameters))
+    signs = as_positive(known)
+    return tuple(
+        f
+        for f in factors
+        if f.free_symbols & set(parameters) and f.xreplace(signs).is_zero is not False
+    )
 
 
 # --- integrating it ---------------------------------------------------------------------------
@@ -304,3 +335,19 @@ def _monic(base: sp.Expr) -> sp.Expr:
         number = sp.cancel(base / whole)
         return sp.Add(*(sp.factor(sign * term / number) for term in base.args))
     return sp.expand(sign * whole)
+
+
+def over_rational(found: Multiplier, b: sp.Expr) -> sp.Expr:
+    """N b with the factors that both share taken together."""
+    powers = dict(b.as_powers_dict())
+    rest = sp.S.One
+    for base, exponent in found.powers:
+        for other in [k for k in powers if not k.is_Symbol and k.free_symbols == base.free_symbols]:
+            ratio = sp.cancel(other / base)
+            if ratio.is_number:
+                rest *= ratio ** powers[other]
+                powers[base] = powers.pop(other) + exponent
+                break
+        else:
+            rest *= base**exponent
+    return rest * sp.Mul(*(base**power for base, power in powers.items()))

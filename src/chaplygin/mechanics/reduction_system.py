@@ -30,6 +30,7 @@ __all__ = [
     "h_11",
     "h_12",
     "h_22",
+    "lifted",
     "momenta",
     "motion_law",
     "placed",
@@ -189,6 +190,29 @@ def with_base(original: System, base: Base) -> System:
     return replace(original, field=(*missing, *original.field), motion=None)
 
 
+def _known(base: Base, closed: Closed) -> dict[sp.Symbol, sp.Expr]:
+    """Coordinates and velocities of the mechanism on the base."""
+    v = speeds(base)
+    known = dict(base.place)
+    for u, (first, second, rest) in zip(base.motion.velocities, closed.lifted, strict=True):
+        known[u] = first * v[0] + second * v[1] + rest
+    return known
+
+
+def lifted(form: System, base: Base, closed: Closed, original: System) -> System | None:
+    """(4.7) with further coordinates that the original system carries along; None without any."""
+    known = _known(base, closed)
+    missing = [s for s in original.symbols if s not in known]
+    if not missing:
+        return None
+    rates = dict(zip(original.symbols, original.rates, strict=True))
+    steps = original.needed([rates[s] for s in missing])
+    for symbol, value in steps:
+        known[symbol] = value.xreplace(known)
+    further = tuple((s, rates[s].xreplace(known)) for s in missing)
+    return replace(form, name=f"{form.name}-lifted", field=(*form.field, *further), laws=())
+
+
 def motion_law(base: Base, closed: Closed, original: System) -> Isomorphism:
     """The motion of the original system, on a level of its linear integrals.
 
@@ -199,14 +223,11 @@ def motion_law(base: Base, closed: Closed, original: System) -> Isomorphism:
     original : System
         In coordinates of the mechanism and velocities u.
     """
-    v = speeds(base)
-    known = dict(base.place)
-    for u, (first, second, rest) in zip(base.motion.velocities, closed.lifted, strict=True):
-        known[u] = first * v[0] + second * v[1] + rest
+    known = _known(base, closed)
     return Isomorphism(
         "motion",
         original,
-        {s: known[s] for s in original.symbols},
+        {s: known.get(s, s) for s in original.symbols},
         meaning="the motion of the original system",
         source="(4.4)",
     )

@@ -1,0 +1,70 @@
+"""A reduction as a page for a terminal."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from ..notation import text
+
+if TYPE_CHECKING:
+    from .reduction import ChaplyginForm
+
+__all__ = ["page"]
+
+WIDTH = 100
+MARGIN = 16
+OPEN = (
+    "undecided: A₂ dq₁ − A₁ dq₂ is closed at the points tried, but N is no product of powers of "
+    "the factors that the system brings along"
+)
+
+
+def page(form: ChaplyginForm) -> str:
+    """Coordinates, levels, multiplier, gyroscopic forces and what follows, 100 columns wide."""
+    lines = [form.system.title]
+    for head, words in _rows(form):
+        lines += textwrap.wrap(
+            words,
+            WIDTH,
+            initial_indent=f"  {head}".ljust(MARGIN),
+            subsequent_indent=" " * MARGIN,
+            break_long_words=False,
+            break_on_hyphens=False,
+        )
+    return "\n".join(lines)
+
+
+def _rows(form: ChaplyginForm) -> Iterator[tuple[str, str]]:
+    names = ", ".join(map(text, form.base.coordinates))
+    vector = form.base.normal
+    yield "coordinates", names if vector is None else f"{names}, angles of {text(vector)}"
+    for constant, value in form.integrals:
+        yield "level", f"{text(constant)} = {text(value)}"
+    yield "energy", f"L = E₂ − E₀ from {form.role}"
+    if form.multiplier is None:
+        yield from _refused(form)
+        return
+    yield "multiplier", f"N = {text(form.multiplier.value)}"
+    yield "gyroscopic", f"S̄ = {text(form.gyroscopic)}"
+    monopole = form.flux
+    if monopole is not None and monopole.value is not None:
+        yield "integral", f"∫S̄ = {text(monopole.value)}: {monopole.words}"
+    elif monopole is not None:
+        yield "integral", f"of S̄: {monopole.words}"
+    if form.hamiltonian is not None:
+        yield "canonical", "Hamiltonian in the time τ, dτ = N dt, with momenta on the whole base"
+    elif monopole is not None and monopole.value not in (None, 0):
+        yield "canonical", "no momenta on the whole sphere, as the integral of S̄ is not zero"
+
+
+def _refused(form: ChaplyginForm) -> Iterator[tuple[str, str]]:
+    found = form.obstruction
+    if found is None:
+        yield "multiplier", OPEN
+        return
+    at = ", ".join(f"{name} = {value}" for name, value in found.point.items())
+    yield "multiplier", f"none: d(A₂ dq₁ − A₁ dq₂) is {found.curl} dq₂ ∧ dq₁ at {at}"
+    if found.vanishing:
+        yield "", f"it vanishes where {' or '.join(f'{text(f)} = 0' for f in found.vanishing)}"
