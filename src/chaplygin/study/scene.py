@@ -74,8 +74,15 @@ def _ground(ball: RollingBall) -> SurfaceGround:
         return at
 
     slopes = [values(f.diff(s)) for s in symbols]
+    level, guards = values(f), [values(g.value) for g in ball.surface.domain(symbols)]
+
+    def bounded(points: FloatArray) -> FloatArray:
+        """f, where there is any surface."""
+        valid = np.all([guard(points) > 0.0 for guard in guards], axis=0)
+        return np.where(valid, level(points), np.nan)
+
     return SurfaceGround(
-        values(f),
+        bounded,
         lambda points: np.stack([slope(points) for slope in slopes], axis=-1),
         shift if below is None else 0.0,
     )

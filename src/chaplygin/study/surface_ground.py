@@ -17,10 +17,10 @@ from .drawing import BoolArray, FloatArray, View, unit
 
 __all__ = ["Crossings", "SurfaceGround", "crossings", "frame_of"]
 
-_GRID = 72
+_GRID = 60
 """Points of the grid on which f is known beforehand, along the longest side of the box."""
 
-_ALONG = 150
+_ALONG = 110
 """Samples along a line of sight through the box."""
 
 _LAYERS = 4
@@ -37,7 +37,7 @@ class SurfaceGround:
     Attributes
     ----------
     level : callable
-        f at points (n, 3) as (n,); positive on the ball's side.
+        f at points (n, 3) as (n,); positive on the ball's side, NaN where there is no surface.
     slope : callable
         ∇f at points (n, 3) as (n, 3).
     shift : float
@@ -78,8 +78,8 @@ class Box(NamedTuple):
     high: FloatArray
 
 
-def frame_of(points: FloatArray, margin: float, ground: SurfaceGround) -> Box:
-    """A box around points (n, 3) with a margin; the whole of a surface that closes near by."""
+def frame_of(points: FloatArray, margin: FloatArray, ground: SurfaceGround) -> Box:
+    """A box around points (n, 3) with margins (3,); the whole of a surface that closes near by."""
     low, high = points.min(axis=0) - margin, points.max(axis=0) + margin
     middle, half = (low + high) / 2, (high - low) / 2
     wide = Box(middle - 1.6 * np.max(half), middle + 1.6 * np.max(half))
@@ -119,7 +119,7 @@ def _grid(box: Box, ground: SurfaceGround) -> tuple[FloatArray, FloatArray]:
     points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
     with np.errstate(all="ignore"):
         heights = ground.height(points.reshape(-1, 3)).reshape(points.shape[:3])
-    return points, np.nan_to_num(heights, nan=1.0)
+    return points, heights
 
 
 @dataclass(frozen=True, eq=False)

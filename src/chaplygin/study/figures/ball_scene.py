@@ -17,7 +17,7 @@ from .variables import CURVE_POINTS, time_shares, title_of
 
 __all__ = ["ball_scene"]
 
-_COLUMNS = 900
+_COLUMNS = 640
 """Width of the drawn surface in dots."""
 
 _GLASS = np.array(to_rgb("#8fa6bb"))
@@ -57,7 +57,8 @@ def ball_scene(dataset: xr.Dataset, outline: Outline, ground: SurfaceGround) -> 
     extent = float(np.max(np.ptp(track.contact, axis=0)))
     # nothing of the ball may be cut off
     around = np.concatenate([track.contact, track.centre[-1:]])
-    box = frame_of(around, 0.75 * outline.diameter + 0.08 * extent, ground)
+    margin = 0.75 * outline.diameter + extent * np.array([0.15, 0.15, 0.05])
+    box = frame_of(around, margin, ground)
     seen = crossings(ground, box, view, _COLUMNS)
     body = outline.placed(track.rotation[-1], track.centre[-1])
     with mpl.rc_context(STYLE):
@@ -87,11 +88,12 @@ def _paint(sheet: Sheet, seen: Crossings, track: Track, outline: Outline, body: 
     behind, before = seen.depth <= ball, seen.depth > ball
     hidden = _hidden(sheet.view, seen, path, 0.12 * radius)
     near = sheet.view.depth(path) > ball
-    # what lies on walls seen from behind shows through them
-    _image(sheet, seen, _colours(seen, sheet.view, track.centre[-1], radius), behind)
+    colours = _colours(seen, sheet.view, track.centre[-1], radius)
+    # what is opaque is painted twice, lest a seam be seen where both parts meet
+    _image(sheet, seen, colours, behind | _opaque(seen, sheet.view))
     _strokes(sheet, path, fractions, ~hidden & ~near, 2.0, 1.0)
     draw_body(sheet, body, track)
-    _image(sheet, seen, _colours(seen, sheet.view, track.centre[-1], radius), before)
+    _image(sheet, seen, colours, before)
     _strokes(sheet, path, fractions, ~hidden & near, 2.0, 1.0)
     _strokes(sheet, path, fractions, hidden, 0.9, 0.45)
     start = SurfaceCurve(path[:1], np.zeros((1, 3))).points[0]
