@@ -197,7 +197,7 @@ def _deepened(given: Distribution, place: Place, final: int = 0) -> Filtration:
 def _highest(variables: int) -> int:
     """The order up to which series have no more than so many terms."""
     order = START
-    while comb(order + 1 + variables, variables) <= TERMS:
+    while variables and comb(order + 1 + variables, variables) <= TERMS:
         order += 1
     return order
 
