@@ -8,7 +8,7 @@ counts, a remainder that vanishes at the point alone is kept for further commuta
 from __future__ import annotations
 
 import random
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import comb
 from typing import Any
@@ -162,21 +162,37 @@ def filtration(given: Distribution, point: Mapping[sp.Symbol, Any]) -> Filtratio
     InputError
         If the point does not lie on the relations, or the constraints become dependent there.
     """
-    kinds: tuple[Numbers, ...] = (Rational(), *(Modular(prime) for prime in PRIMES))
-    for numbers in kinds:
+    dice = random.Random(SEED)
+    final = generic(given).final
+
+    def there(numbers: Numbers) -> Filtration | None:
         try:
-            place = at(given.space(), point, numbers, random.Random(SEED))
-            if numbers.exact and place.formal:
-                continue
-            return _deepened(given, place, generic(given).final)
+            place = at(given.space(), point, numbers, dice)
+            return None if numbers.exact and place.formal else _deepened(given, place, final)
         except (NoPointError, IrrationalError):
-            continue
+            return None
         except (SingularError, ZeroDivisionError):
             raise InputError(
                 f"{given.name}: the constraints are dependent or singular at this point, so that "
                 "the admissible velocities have no constant dimension about it"
             ) from None
-    raise InputError(f"{given.name}: the point contains roots that cannot be computed with exactly")
+
+    found = _confirmed(there)
+    if found is None:
+        raise InputError(f"{given.name}: the point has roots that cannot be computed with exactly")
+    return found
+
+
+def _confirmed(trial: Callable[[Numbers], Filtration | None]) -> Filtration | None:
+    """What is found modulo a prime; with rational numbers where that is the same."""
+    found: Filtration | None = None
+    for prime in PRIMES:
+        found = found or trial(Modular(prime))
+    for _ in range(RATIONAL_ATTEMPTS):
+        exact = trial(Rational()) if found else None
+        if found and exact and exact.growth == found.growth:
+            return exact
+    return found
 
 
 def _deepened(given: Distribution, place: Place, final: int = 0) -> Filtration:
@@ -218,18 +234,12 @@ def generic(given: Distribution, free: Sequence[sp.Symbol] = ()) -> Filtration:
     """
     dice = random.Random(SEED)
     space = given.space(free)
-    found: Filtration | None = None
-    for prime in PRIMES:
-        found = found or _at_random(given, space, Modular(prime), dice)
+    found = _confirmed(lambda numbers: _at_random(given, space, numbers, dice))
     if found is None:
         raise InputError(
             f"{given.name}: no point was found at which the relations and position constraints "
             "hold and the constraints are independent"
         )
-    for _ in range(RATIONAL_ATTEMPTS):
-        there = _at_random(given, space, Rational(), dice)
-        if there is not None and there.growth == found.growth:
-            return there
     return found
 
 
