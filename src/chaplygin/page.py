@@ -14,7 +14,7 @@ from .vectors import Diagonal, Gradient, Symmetric, Vector, explicit
 if TYPE_CHECKING:
     from .system import System
 
-__all__ = ["Page", "Pairs", "page_of"]
+__all__ = ["Page", "Pairs", "motion_of", "page_of"]
 
 Pairs = tuple[tuple[Any, Any], ...]
 
@@ -65,6 +65,15 @@ def page_of(system: System) -> Page:
         where=given + where,
         further=tuple(pair for pair in given_too if pair not in given) + extra,
     )
+
+
+def motion_of(system: System) -> Page:
+    """The equations of the lift to space, with the definitions that the other page lacks."""
+    field = tuple(system.motion.field) if system.motion else ()
+    page = page_of(system)
+    shown = {s for name, _ in (*page.where, *page.further) for s in _scalars(name)}
+    steps = system.needed(formula for _, formula in field)
+    return Page(field, tuple(pair for pair in steps if pair[0] not in shown), ())
 
 
 def _scalars(name: Any) -> set[sp.Symbol]:

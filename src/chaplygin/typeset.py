@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 from .claims import caption, equation, heading, sides
 from .mathml import mathml
 from .notation import LATEX, UNICODE, Notation, latex, rate, signed_terms, text, width
-from .page import Page, Pairs, page_of
+from .page import Page, Pairs, motion_of, page_of
 
 if TYPE_CHECKING:
     from .statements import Integral, Law
@@ -28,6 +28,8 @@ __all__ = [
     "law_html",
     "law_latex",
     "mathml",
+    "motion_html",
+    "motion_text",
     "system_html",
     "system_latex",
     "system_text",
@@ -90,6 +92,12 @@ def system_text(system: System) -> str:
 def field_text(system: System) -> list[str]:
     """The equations of motion alone, as indented lines at most 100 columns wide."""
     return _field_lines(page_of(system))
+
+
+def motion_text(system: System) -> list[str]:
+    """The equations of the lift to space, as indented lines; none without a lift."""
+    page = motion_of(system)
+    return _field_lines(page) + _equations(_written(page.where))
 
 
 def _field_lines(page: Page) -> list[str]:
@@ -273,6 +281,13 @@ def system_html(system: System) -> str:
     if system.source:
         parts.append(f"<p>Source: {html.escape(system.source)}</p>")
     return '<section class="chaplygin-system">\n' + "\n".join(parts) + "\n</section>"
+
+
+def motion_html(system: System) -> str:
+    """The equations of the lift to space as HTML; empty without a lift."""
+    page = motion_of(system)
+    rows = _aligned_rows((rate(name, LATEX), formula) for name, formula in page.field)
+    return _display(rows + _defining_rows(page.where)) if rows else ""
 
 
 def law_html(law: Law, system: System) -> str:

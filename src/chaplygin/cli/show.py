@@ -25,7 +25,9 @@ def command(
     """Print equations, parameters, laws and source of a system, and its place among all."""
     from ..errors import InputError
     from ..explore.hierarchy import standing_of
+    from ..study.derivation import is_described, told
     from ..study.summary import legend
+    from ..typeset import motion_text
 
     if form not in FORMS:
         raise InputError(f"--as {form}: it must be one of {', '.join(FORMS)}")
@@ -77,7 +79,9 @@ def command(
         "toml": study.complete_toml,
     }
     typer.echo(texts[form]().rstrip())
-    if form == "text" and (words := legend(study)):
+    if form == "text" and is_described(study) and (lines := motion_text(system)):
+        typer.echo("\n".join(("\nWhat moves along and enters nothing", *lines)))
+    for words in filter(None, (legend(study), *told(study)) if form == "text" else ()):
         typer.echo("\n" + textwrap.fill(words, 100))
     if form == "text":
         typer.echo(f"\n{standing_of(system)}")

@@ -9,6 +9,7 @@ from ..errors import InputError, RunError
 from ..flow.trajectory import Trajectory
 from . import figures, report
 from .dataset import write
+from .derivation import recorded_of, variables_of
 from .files import completed
 from .prepare import Study, dataset_of
 from .scene import ball_scene_of, scene_of, weight_of
@@ -67,12 +68,12 @@ def write_study(
     write(dataset, folder / "trajectory.nc", force)
     with completed(folder / "experiment.toml") as temporary:
         temporary.write_text(study.complete_toml(), encoding="utf-8")
-    names = [str(name) for name in study.system.state]
+    names = variables_of(study)
     if study.ball is not None:
         scene = ball_scene_of(study.ball)
         pictures = figures.ball_figures(smooth, *scene, names, weight_of(study))
     elif study.by_state:
-        pictures = figures.state_figures(smooth, names)
+        pictures = figures.state_figures(smooth, names, recorded_of(study))
     else:
         pictures = figures.all_figures(smooth, scene_of(study), weight_of(study))
     for name, figure in pictures.items():

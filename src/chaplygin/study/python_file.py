@@ -23,7 +23,7 @@ from ..errors import InputError
 from ..expressions import nearest
 from ..mechanics.quasivelocity import Mechanism
 from ..mechanics.suslov import equations
-from ..system import System
+from ..system import Parameter, System
 from .equations_text import tables_of
 from .experiment import EquationsExperiment
 from .mistakes import mistakes, shown
@@ -74,10 +74,19 @@ def load_python(path: Path, overrides: Iterable[str] = ()) -> Study:
     _change_parameters(tables, told.get("parameters", {}), source)
     tables |= {key: value for key, value in told.items() if key == "title"}
     experiment = _validated(tables, source)
-    values = {name: table.value for name, table in experiment.parameters.items()}
-    parameters = tuple(replace(p, default=values[str(p.symbol)]) for p in system.parameters)
+    parameters = tuple(_changed(experiment, parameter) for parameter in system.parameters)
     system = replace(system, title=experiment.title or system.title, parameters=parameters)
     return started(experiment, system, mechanism)
+
+
+def _changed(experiment: EquationsExperiment, parameter: Parameter) -> Parameter:
+    """A parameter with the value that the experiment gives it."""
+    name = str(parameter.symbol)
+    value = experiment.parameters[name].value
+    if not isinstance(value, float):
+        where = experiment.where("parameters", name)
+        raise InputError(f"must be a finite number, not {shown(value)}", where)
+    return replace(parameter, default=value)
 
 
 class _Placed:

@@ -19,9 +19,10 @@ from ..explore.telling import rows
 from ..flow.trajectory import Trajectory
 from ..mechanics.surfaces import Plane
 from ..statements import Law
-from ..typeset import claims_html, latex, mathml, system_html
+from ..typeset import claims_html, latex, mathml, motion_html, system_html
 from . import figures
 from .ball import setting as ball_setting
+from .derivation import is_described, told
 from .experiment import BallExperiment
 from .prepare import Study, shape_name
 from .summary import drift, legend
@@ -39,6 +40,7 @@ PLATES = {
         "On the surface, coloured by time; the ring marks the start, the dot the end.",
     ),
     "state": ("The state", "The variables of the state against time."),
+    "recorded": ("Recorded besides", "Multipliers of the constraints and other quantities."),
     "normal_on_sphere": (
         "The normal γ on its sphere",
         "In body axes: the direction from which the body sees the surface it rolls on.",
@@ -110,6 +112,8 @@ def render(
         ],
         equations=Markup(system_html(replace(study.system, laws=()))),
         legend=legend(study),
+        reconstruction=Markup(motion_html(study.system) if is_described(study) else ""),
+        told=told(study),
         laws=[
             {
                 "name": law.name,

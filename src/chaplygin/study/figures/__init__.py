@@ -21,7 +21,7 @@ from .files import FORMATS, save, svg_text
 from .scenes import scene
 from .states import state
 from .style import STYLE
-from .variables import NEEDED
+from .variables import NEEDED, title_of
 
 __all__ = [
     "FORMATS",
@@ -82,7 +82,9 @@ def all_figures(
     return figures
 
 
-def state_figures(dataset: xr.Dataset, names: Sequence[str]) -> dict[str, Figure]:
+def state_figures(
+    dataset: xr.Dataset, names: Sequence[str], recorded: Sequence[str] = ()
+) -> dict[str, Figure]:
     """The figures of a system that is no body with ω and γ: its state in time, and the drift.
 
     Parameters
@@ -90,13 +92,19 @@ def state_figures(dataset: xr.Dataset, names: Sequence[str]) -> dict[str, Figure
     dataset : xarray.Dataset
     names : sequence of str
         The variables of the state.
+    recorded : sequence of str, optional
+        Further variables, for a figure of their own.
 
     Returns
     -------
     dict
-        Figures by the names of the functions that make them: `state`, `drift`, in this order.
+        Figures by the names of the functions that make them: `state`, `drift`, in this order;
+        between them `recorded`, if there is anything to draw in it.
     """
     figures = {"state": state(dataset, names)}
+    if recorded:
+        figures["recorded"] = state(dataset, recorded)
+        figures["recorded"].set_label(f"Recorded against time: {title_of(dataset)}")
     if conserved(dataset):
         figures["drift"] = drift(dataset)
     return figures
