@@ -242,8 +242,8 @@ def _motions(found: Found) -> list[Statement]:
         manner = "Hamiltonian" if found.brackets else "volume-preserving"
         return [
             Statement(
-                f"Chaos is not excluded: {manner} motion on {levels}, in general with islands of "
-                "regular motion in a chaotic sea.",
+                f"Chaos is not excluded: {manner} motion on {levels}, where regular and chaotic "
+                "motions can lie side by side.",
                 (*found.integrals, best.law),
             )
         ]

@@ -61,7 +61,7 @@ def _of_one(standing: Standing, formula: Any) -> Sign:
 
 def _bounds(standing: Standing, names: set[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
     """Bounds of state variables whose squares, with positive weights, add up to a number."""
-    found = {}
+    found: dict[sp.Symbol, sp.Expr] = {}
     for condition in standing.ground.moving:
         group = sorted(condition.free_symbols, key=str)
         weights = [sp.diff(condition, s, 2) / 2 for s in group]
