@@ -19,6 +19,7 @@ from ..errors import InputError
 from ..mechanics.quasivelocity import Mechanism
 from ..mechanics.rolling import Rolling
 from .existence.bodies import decide_body
+from .existence.mechanisms import decide_mechanism
 from .existence.value import Existence
 
 __all__ = ["Existence", "measure_exists"]
@@ -56,3 +57,8 @@ def measure_exists(given: Any, name: str = "", *, seconds: float = 60.0) -> Exis
 @measure_exists.register
 def _(given: Rolling, name: str = "rolling-body", *, seconds: float = 60.0) -> Existence:
     return decide_body(given, name, seconds)
+
+
+@measure_exists.register
+def _(given: Mechanism, name: str = "", *, seconds: float = 60.0) -> Existence:
+    return decide_mechanism(given, name or given.name, seconds)

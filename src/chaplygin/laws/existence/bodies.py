@@ -23,7 +23,7 @@ from .value import Existence
 
 __all__ = ["decide_body"]
 
-PATIENCE = 10.0
+PATIENCE = 30.0
 """Seconds for a proof with free parameters, where one with numbers remains."""
 
 

@@ -45,7 +45,7 @@ AGREE = 1e-9
 def _determinant(principal: bool) -> tuple[sp.Expr, ...]:
     """Factors of det(I + m r²)."""
     if principal:
-        return Diagonal("J").symbols
+        return tuple(Diagonal("J").symbols)
     return (Symmetric("J").entries.det(method="berkowitz"),)
 
 

@@ -1,0 +1,151 @@
+"""Mechanisms: whether a measure exists, decided by the growth of the lifted fields."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ...errors import InputError
+from ...mechanics.germs import expanded
+from ...mechanics.growth import generic
+from ...mechanics.places import NoPointError
+from ...mechanics.quasivelocity import Mechanism
+from ...mechanics.restriction import Restriction, restricted
+from ...mechanics.suslov import equations
+from ...statements import Measure
+from ...system import System
+from ..prove import prove
+from ..verdict import Verdict
+from .families import exact
+from .fitting import Powers, fitted
+from .lifted import Lifted, lift
+from .parametric import Level, branches
+from .value import Existence
+
+__all__ = ["decide_mechanism"]
+
+
+def decide_mechanism(mechanism: Mechanism, name: str, seconds: float) -> Existence:
+    """Decide for a mechanism with its parameters left open.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+    name : str
+        For the reader.
+    seconds : float
+        Time after which a proof is given up.
+    """
+    restriction = restricted(mechanism)
+    lifted = lift(restriction)
+    parameters = tuple(p.symbol for p in mechanism.parameters)
+    system = equations(mechanism)
+    base = generic(lifted.base, parameters)
+    if generic(lifted.lifted, parameters).final == base.final:
+        return _everywhere(restriction, lifted, system, name, seconds)
+    found, complete = [], False
+    try:
+        volume = _volume(restriction)
+        solved = branches(lifted, len(base.growth), _positive(restriction), volume)
+    except (InputError, NoPointError):
+        solved = None
+    if solved is not None:
+        proofs = [
+            (level, *_measure(restriction, lifted, system, level, seconds))
+            for level in solved.levels
+        ]
+        found = [(level, law, verdict) for level, law, verdict in proofs if law is not None]
+        complete = solved.complete and len(found) == len(proofs)
+    values = {p.symbol: exact(p.default) for p in mechanism.parameters}
+    met = [level for level, _, _ in found if all(c.xreplace(values) == 0 for c in level)]
+    obstruction = None if met else _obstruction(lifted)
+    if found:
+        shown = next((law for level, law, _ in found if level in met), found[0][1])
+        return Existence(
+            name,
+            "conditional",
+            density=shown,
+            system=system,
+            conditions=tuple(level for level, _, _ in found),
+            complete=complete,
+            holds=bool(met),
+            obstruction=obstruction,
+            verdicts=tuple(verdict for _, _, verdict in found if verdict is not None),
+        )
+    if obstruction is None:
+        return Existence(
+            name,
+            "undecided",
+            reason="for general parameters there is none; for their own values no obstruction was "
+            "found at a rational point, and no density",
+        )
+    reason = "there is none for any values of the parameters" if complete and parameters else ""
+    return Existence(name, "none", obstruction=obstruction, complete=complete, reason=reason)
+
+
+def _everywhere(
+    restriction: Restriction, lifted: Lifted, system: System, name: str, seconds: float
+) -> Existence:
+    """No obstruction at a generic point: the density, if it is found."""
+    law, verdict = _measure(restriction, lifted, system, (), seconds)
+    if law is not None and verdict is not None:
+        return Existence(name, "exists", density=law, system=system, verdicts=(verdict,))
+    return Existence(
+        name,
+        "undecided",
+        reason="the 1-form is closed about a generic point, but no closed form of the density was "
+        "found, which alone would show that it is smooth and of one value everywhere",
+    )
+
+
+def _volume(restriction: Restriction) -> sp.Expr:
+    """The determinant of the kinetic form, factored, definitions written out."""
+    size = len(restriction.velocities)
+    entries = [e for row in restriction.kinetic for e in row]
+    steps = dict(restriction.definitions)
+    matrix = sp.Matrix(size, size, [expanded(e, steps) for e in entries])
+    return sp.factor(sp.together(matrix.det(method="berkowitz")))
+
+
+def _positive(restriction: Restriction) -> frozenset[sp.Symbol]:
+    """Parameters declared to be positive, or that stand on the diagonal of the kinetic form."""
+    parameters = restriction.mechanism.parameters
+    declared = {p.symbol for p in parameters if (p.symbol > 0) in p.admissible}
+    diagonal = {row[i] for i, row in enumerate(restriction.kinetic)}
+    return frozenset(declared | (diagonal & {p.symbol for p in parameters}))
+
+
+def _measure(
+    restriction: Restriction, lifted: Lifted, system: System, level: Level, seconds: float
+) -> tuple[Measure | None, Verdict | None]:
+    """A proven measure on a level."""
+    steps = dict(restriction.definitions)
+    jacobian: Powers = (
+        (_volume(restriction), sp.S.One),
+        # the constraints that stay as relations cut out the volume of the velocities
+        *((expanded(f, steps), sp.S.One) for f in restriction.nonzero),
+    )
+    powers = fitted(lifted, jacobian, level)
+    if powers is None:
+        return None, None
+    law = Measure(
+        "configuration_measure",
+        powers,
+        meaning="density that depends on the configuration alone",
+        on=level,
+    )
+    verdict = prove(system, law, seconds=seconds)
+    return (law, verdict) if verdict else (None, verdict)
+
+
+def _obstruction(lifted: Lifted) -> dict[str, object] | None:
+    """A rational point at which a combination of commutators points along z, for the defaults."""
+    base, raised = generic(lifted.base), generic(lifted.lifted)
+    full = base.final == base.dimension
+    if raised.final == base.final or not (raised.exact and (full or base.exact)):
+        return None
+    return {
+        "what": f"commutators of the lifted fields span {raised.final} dimensions over "
+        f"{base.final}, so that no function has the derivatives required",
+        "point": {str(s): str(v) for s, v in raised.point.items() if s != lifted.height},
+        "residual": str(raised.growth),
+    }
