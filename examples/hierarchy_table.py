@@ -1,6 +1,6 @@
 """The whole catalogue in the hierarchy of dynamics, as a Markdown table.
 
-python examples/hierarchy_table.py                  all systems (about a minute)
+python examples/hierarchy_table.py                  all systems (a few minutes)
 python examples/hierarchy_table.py veselova suslov  some of them
 """
 
@@ -12,7 +12,7 @@ from chaplygin.explore.hierarchy import Place, place
 from chaplygin.explore.proofs import Patience
 from chaplygin.systems import CATALOGUE, entry
 
-SECONDS = 20.0
+SECONDS = 120.0
 """For the proof of one law."""
 
 HEAD = ("system", "dim", "integrals", "left", "measure", "Poisson", "symmetry", "class")
