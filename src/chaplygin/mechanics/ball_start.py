@@ -138,7 +138,7 @@ def _onto(surface: _Surface, given: list[Any], name: str) -> list[Any]:
 
 
 def _nearest(surface: _Surface, given: list[Any], name: str) -> list[Any] | None:
-    """A point of the surface straight above or below the given one, as seen from the surface."""
+    """The point of the surface whose normal leads to the given one, by way of nearer and nearer."""
     point = list(given)
     good = mpmath.mpf(10) ** (8 - DIGITS)
     for step in range(_STEPS):
@@ -170,7 +170,7 @@ def _check_domain(ball: RollingBall, system: System, point: list[Any], name: str
         values = {p.symbol: mpmath.mpf(p.default) for p in ball.parameters}
         known = values | dict(zip(x.symbols, point, strict=True))
         if not _positive(system, guard, known):
-            raise InputError(f"{name}: {_shown(point)} is not on this surface; {guard.happening}")
+            raise InputError(f"{name}: {_shown(point)} is outside the domain; {guard.happening}")
 
 
 def _positive(system: System, guard: Guard, known: dict[Any, Any]) -> bool:

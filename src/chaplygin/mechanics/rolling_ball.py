@@ -86,8 +86,8 @@ class RollingBall:
         limit = self.surface.widest
         if self.carrier == "support" and limit is not None and self.radius >= limit:
             raise InputError(
-                f"radius {self.radius:.15g}: a ball inside this surface must be smaller than "
-                f"{limit:.15g}"
+                f"radius: {self.radius:.15g} is too large for a ball inside this surface; it must "
+                f"be smaller than {limit:.15g}"
             )
 
     @property

@@ -16,13 +16,16 @@ from typing import Any
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
+from ..mechanics.ball_mechanism import ball_mechanism
 from ..mechanics.ball_on_surface import (
+    Contact,
     Kinematics,
     ball_parameters,
     centred,
     equations_of_motion,
     supported,
 )
+from ..mechanics.suslov import equations
 from ..statements import Identity, Integral, Isomorphism, Law, Measure, Rate
 from ..system import Parameter, System
 from ..vectors import constant, cross, dot, explicit, gradient, normed, scalar, vectors, zero
@@ -35,6 +38,7 @@ __all__ = [
     "any_supported_rubber",
     "particle",
     "spinning_particle",
+    "tangential",
 ]
 
 R, x, omega, v, n, ndot, r, N, F, df = vectors("R x omega v n ndot r N F df")
@@ -99,7 +103,7 @@ def spinning_particle(surface: sp.Expr, force: MatrixExpr, *parameters: Paramete
     )
 
 
-def balance(contact: str) -> Identity:
+def balance(contact: Contact) -> Identity:
     """Newton's and Euler's equations, (2.6) or (2.10)."""
     spin = N_0 * r if contact == "rubber" else zero
     return Identity(
@@ -131,13 +135,29 @@ def _common(kinematics: Kinematics, density: dict[Any, Any]) -> tuple[Law, ...]:
     )
 
 
-def _made(contact: Any, kinematics: Kinematics) -> System:
+def _made(contact: Contact, kinematics: Kinematics) -> System:
     force = -gradient(POTENTIAL, R)
     made = equations_of_motion(contact, kinematics, force, NUMBERS)
     return replace(made, motion=None)
 
 
-def _tangential(system: System) -> System:
+def _derived(contact: Contact) -> System:
+    """The equations that follow from Lagrangian, frame and constraints alone."""
+    made = equations(ball_mechanism(contact, SURFACE, POTENTIAL, NUMBERS))
+    return replace(made, laws=(), motion=None)
+
+
+def _first_principles(target: System) -> Isomorphism:
+    return Isomorphism(
+        "first_principles",
+        target,
+        {s: s for s in target.symbols},
+        meaning="the Poincaré–Suslov equations of the ball's Lagrangian and constraints",
+        source="(1.9), (2.8)",
+    )
+
+
+def tangential(system: System) -> System:
     """(ω, ∇f) = 0 solved for ω₃, so that nothing restricts the state."""
     place, field = system.state[0], dict(system.field)
     turn_1, turn_2, turn_3 = omega.symbols
@@ -159,6 +179,7 @@ def any_marble() -> System:
     return _made("marble", kinematics).with_laws(
         *_common(kinematics, {ell: 1}),
         balance("marble"),
+        _first_principles(_derived("marble")),
         Identity(
             "spin",
             Rate(sigma) - dot(omega, ndot),
@@ -180,9 +201,10 @@ def any_rubber() -> System:
     """A rubber ball whose centre moves on any surface, in any potential."""
     kinematics = centred(SURFACE)
     density = {ell: 2, df.symbols[2]: -1}
-    return _tangential(_made("rubber", kinematics)).with_laws(
+    return tangential(_made("rubber", kinematics)).with_laws(
         *_common(kinematics, density),
         balance("rubber"),
+        _first_principles(tangential(_derived("rubber"))),
         Isomorphism(
             "particle",
             particle(SURFACE, -gradient(POTENTIAL, R)),
@@ -206,6 +228,6 @@ def any_supported_rubber() -> System:
     """A rubber ball on any supporting surface, in any potential."""
     kinematics = supported(SUPPORT)
     density = {ell: 2, Delta: 1, df.symbols[2]: -1}
-    return _tangential(_made("rubber", kinematics)).with_laws(
+    return tangential(_made("rubber", kinematics)).with_laws(
         *_common(kinematics, density), _turning()
     )

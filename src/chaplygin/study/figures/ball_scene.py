@@ -162,7 +162,8 @@ def _lines(seen: Crossings) -> FloatArray:
             line = np.clip(1.2 - off / np.clip(width, 1e-9, 0.5), 0.0, 1.0)
             line = np.where(width < 0.4, line, 0.0)
         # where the surface runs along such a plane the cut would be a blot
-        found = np.maximum(found, np.nan_to_num(line) * (np.abs(seen.normals[..., axis]) < 0.97))
+        slant = np.clip((0.98 - np.abs(seen.normals[..., axis])) / 0.1, 0.0, 1.0)
+        found = np.maximum(found, np.nan_to_num(line) * slant)
     return found
 
 
