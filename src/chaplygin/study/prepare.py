@@ -290,7 +290,8 @@ def _with_ball(experiment: BallExperiment) -> Study:
     with _at(experiment, "body", "shape"):
         ball = rolling_ball(experiment, surface, potential)
     with _at(experiment, "surface"):
-        system = ball.system("experiment", experiment.title or ball_title(experiment, ball))
+        title = experiment.title or ball_title(experiment, ball)
+        system = ball.system("ball-on-surface", title)
     system = system.with_laws(*known_ball_laws(ball))
     given = experiment.start.model_dump(exclude_none=True)
     until = experiment.run.until
