@@ -409,6 +409,56 @@ def test_a_system_of_joints():
     assert from_sympy(model, numbers).symbols == system.symbols
 
 
+def test_a_system_whose_speeds_are_rates_goes_by_lagranges_method():
+    wall, place = RigidBody("W"), Particle("P", mass=m)
+    model = SympySystem.from_newtonian(wall)
+    model.add_joints(PrismaticJoint("J", wall, place, q, q.diff(t)))
+    model.add_loads(Force(place, -k * q * model.x))
+    system = from_sympy(model, {"m": 1, "k": 4})
+    law = Identity("spring", Rate(scalar("qdot")) + scalar("k") * scalar("q") / scalar("m"))
+    assert prove(system, law).decision == "proven"
+    assert model.eom_method is None
+
+
+def test_a_constraint_on_places_is_not_counted_twice():
+    """Two rods whose end keeps to a line: SymPy differentiates the constraint for its speeds."""
+    a, b, u_a, u_b = dynamicsymbols("a b u_a u_b")
+    wall, first, second = RigidBody("W"), RigidBody("r1"), RigidBody("r2")
+    model = SympySystem.from_newtonian(wall)
+    model.add_joints(
+        PinJoint(
+            "J1", wall, first, a, u_a, joint_axis=wall.frame.z, child_point=length * first.frame.x
+        ),
+        PinJoint(
+            "J2",
+            first,
+            second,
+            b,
+            u_b,
+            joint_axis=first.frame.z,
+            parent_point=-length * first.frame.x,
+            child_point=length * second.frame.x,
+        ),
+    )
+    model.apply_uniform_gravity(-g * model.y)
+    model.q_ind, model.q_dep, model.u_ind, model.u_dep = [a], [b], [u_a], [u_b]
+    end = second.masscenter.locatenew("E", -length * second.frame.x)
+    model.add_holonomic_constraints(end.pos_from(model.fixed_point).dot(model.y))
+    numbers = {"l": 1, "g": 9.81, "r1_mass": 1, "r2_mass": 2, "r1_izz": 0.1, "r2_izz": 0.2}
+    system = from_sympy(model, numbers)
+    assert len(system.relations) == 2
+    mechanism = mechanism_from_sympy(model, numbers)
+    assert len(mechanism.positions) == 1
+    assert not mechanism.constraints
+    ours = equations(mechanism)
+    start = {"a": 0.4, "b": -0.8, "u_a": 0.5, "u_b": -1.0}
+    runs = [
+        integrate(s, [start[str(symbol)] for symbol in s.symbols], [0.0, 0.2, 0.4])
+        for s in (system, ours)
+    ]
+    assert runs[0].states == pytest.approx(runs[1].states, rel=1e-12)
+
+
 def test_a_system_formed_by_lagranges_method_keeps_it():
     place = Particle("P", mass=m)
     wall = RigidBody("W")

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from typing import Any
 
 import sympy as sp
-from sympy.physics.mechanics import KanesMethod, LagrangesMethod, dynamicsymbols
+from sympy.physics.mechanics import KanesMethod, LagrangesMethod, Lagrangian, dynamicsymbols
 from sympy.physics.mechanics import System as SympySystem
 
 from ..errors import InputError
@@ -41,8 +41,9 @@ def from_sympy(
     Parameters
     ----------
     model : KanesMethod, LagrangesMethod or System of sympy.physics.mechanics
-        It is left as it is.  A `System` goes by the method with which its equations were formed,
-        by Kane's when they were not.
+        It is left as it is.  A `System` goes by the method with which its equations were formed;
+        when they were not, by Lagrange's if its speeds are the rates of its coordinates, by
+        Kane's otherwise.
     parameters : mapping of Symbol or name to number or Parameter
         A default for every constant of the model.
     inputs : mapping of function of time or name to Expr
@@ -116,11 +117,21 @@ def _method(model: SympySystem, name: str) -> KanesMethod | LagrangesMethod:
         return model.eom_method
     if not model.bodies:
         raise InputError(f"{name}: the System object has no bodies")
+    loads = [*model.loads, *(load for part in model.actuators for load in part.to_loads())]
+    if all(u in list(model.q.diff(dynamicsymbols._t)) for u in model.u):
+        return LagrangesMethod(
+            Lagrangian(model.frame, *model.bodies),
+            model.q,
+            forcelist=loads,
+            bodies=model.bodies,
+            frame=model.frame,
+            hol_coneqs=model.holonomic_constraints,
+            nonhol_coneqs=model.nonholonomic_constraints,
+        )
     try:
         model.validate_system()
     except ValueError as mistake:
         raise InputError(f"{name}: {' '.join(str(mistake).split())}") from None
-    loads = [*model.loads, *(load for part in model.actuators for load in part.to_loads())]
     return KanesMethod(
         model.frame,
         q_ind=model.q_ind,

@@ -28,7 +28,7 @@ from .balance import balance
 from .elimination import Factored, product
 from .imported_names import Renamed, renamed
 from .quasivelocity import TIME, Frame, Mechanism
-from .sampling import DIGITS, negligible, precisely, rank
+from .sampling import DIGITS, Sample, negligible, precisely, rank, samples
 from .tape import Derivation, Tape
 
 __all__ = ["Kane", "kane"]
@@ -156,17 +156,37 @@ class Kane:
                 "a mechanism needs as many, related linearly and homogeneously; take the model as "
                 "a System"
             )
-        return Mechanism(
+        free = Mechanism(
             name=self.name,
             title=self.title,
             frame=Frame(dict(zip(self.coordinates, self.rates, strict=True)), self.speeds),
             lagrangian=self.kinetic,
-            constraints=self.constraints,
             positions=self.positions,
             forces=dict(zip(self.speeds, self.active, strict=True)),
             parameters=self.words.parameters,
             source="SymPy, Kane's method",
         )
+        return replace(free, constraints=self._beside_positions(free))
+
+    @precisely
+    def _beside_positions(self, free: Mechanism) -> tuple[sp.Expr, ...]:
+        """The velocity constraints that do not follow from those on positions."""
+        kept = [
+            [
+                sp.Add(
+                    *(
+                        sp.diff(f, q) * sp.diff(rate, s)
+                        for q, rate in zip(self.coordinates, self.rates, strict=True)
+                    )
+                )
+                for s in self.speeds
+            ]
+            for f in self.positions
+        ]
+        point = samples(self.name, free.frame, free)[0]
+        rows = [[point.value(e) for e in row] for row in (*kept, *self.slopes)]
+        chosen = rank(rows)[0]
+        return tuple(f for i, f in enumerate(self.constraints, len(kept)) if i in chosen)
 
     @precisely
     def require_same_motion(self, mechanism: Mechanism) -> None:
@@ -246,9 +266,8 @@ class Kane:
                 for s in (*self.coordinates, *self.speeds, TIME)
             }
             values |= {p.symbol: mpmath.mpf(repr(p.default)) for p in self.words.parameters}
-            for symbol, value in tape.steps([e for row in matrix for e in row]):
-                values[symbol] = _number(value, values)
-            numbers = [[_number(e, values) for e in row] for row in matrix]
+            point = Sample(values, tape.steps([e for row in matrix for e in row]))
+            numbers = [[point.value(e) for e in row] for row in matrix]
             return len(rank(numbers)[0]) < len(numbers)
 
     def _used(self, tape: Tape, formulas: Iterable[sp.Expr]) -> set[sp.Symbol]:
@@ -363,11 +382,6 @@ def _stiffened(
         ],
         [tape.name(f + product(p, defect)) for f, p in zip(force, columns, strict=True)],
     )
-
-
-def _number(formula: sp.Expr, values: Mapping[sp.Symbol, Any]) -> Any:
-    symbols = sorted(formula.free_symbols, key=str)
-    return sp.lambdify(symbols, formula, "mpmath")(*(values[s] for s in symbols))
 
 
 def _brief(formula: sp.Expr) -> str:
