@@ -9,7 +9,7 @@ rational points, and is stated as laws that :mod:`chaplygin.laws` proves.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import sympy as sp
@@ -17,14 +17,15 @@ import sympy as sp
 from ..errors import InputError
 from ..statements import Identity, Integral, Law
 from ..system import System
+from ..vectors import scalar
 from .quasivelocity import Mechanism
 from .reduction_balance import balanced
 from .reduction_base import Base, base
 from .reduction_canonical import canonical, canonical_law
 from .reduction_closed import Closed, closed_forms
 from .reduction_factors import Chart, natural_factors
-from .reduction_flux import Flux, flux
-from .reduction_integrals import linear_integrals
+from .reduction_flux import Flux, flux, indefinite
+from .reduction_integrals import Linear, linear_integrals
 from .reduction_lift import Lift, Local, lift
 from .reduction_motion import Motion, motion
 from .reduction_multiplier import Multiplier, Obstruction, closed, multiplier, over_rational
@@ -44,8 +45,8 @@ class ChaplyginForm:
         The equations of motion of the mechanism, with its linear integrals as laws.
     base : Base
         The two coordinates.
-    integrals : tuple of (Symbol, Expr)
-        The linear integrals on whose levels the system is reduced, with their constants.
+    integrals : tuple of (Expr, Linear)
+        The linear integrals on whose levels the system is reduced, after their values.
     role : str
         The integral that plays the part of the energy in L = E₂ − E₀.
     closed : Closed
@@ -54,6 +55,8 @@ class ChaplyginForm:
         N up to a constant factor.
     obstruction : Obstruction or None
         Where the 1-form is not closed, if there is no multiplier.
+    singular : tuple of Expr
+        Factors of N that vanish somewhere on the sphere, at the default parameters.
     flux : Flux or None
         The integral of S̄, if there is a multiplier.
     system : System
@@ -71,11 +74,12 @@ class ChaplyginForm:
 
     original: System
     base: Base
-    integrals: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    integrals: tuple[tuple[sp.Expr, Linear], ...]
     role: str
     closed: Closed
     multiplier: Multiplier | None
     obstruction: Obstruction | None
+    singular: tuple[sp.Expr, ...]
     flux: Flux | None
     system: System
     gyroscopic: sp.Expr | None
@@ -95,7 +99,9 @@ class ChaplyginForm:
         return page(self)
 
 
-def chaplygin_form(mechanism: Mechanism) -> ChaplyginForm:
+def chaplygin_form(
+    mechanism: Mechanism, levels: Sequence[float | sp.Expr] | None = None
+) -> ChaplyginForm:
     """Recognise a generalised Chaplygin system and find its reducing multiplier.
 
     Parameters
@@ -103,6 +109,9 @@ def chaplygin_form(mechanism: Mechanism) -> ChaplyginForm:
     mechanism : Mechanism
         With constraints linear and homogeneous in the velocities, and coefficients rational in
         its coordinates, their sines and cosines.
+    levels : sequence of numbers or symbols, optional
+        Values of the linear integrals that the reduction needs, such as ``[0]``; by default they
+        are arbitrary constants.
 
     Returns
     -------
@@ -116,7 +125,7 @@ def chaplygin_form(mechanism: Mechanism) -> ChaplyginForm:
     moved = motion(mechanism)
     here = base(mechanism, moved)
     found = _integrals(mechanism, moved, here)
-    up = lift(here, found)
+    up = lift(here, found, _levels(mechanism, len(found), levels))
     chosen = balanced(mechanism, moved, up)
     local = Local(up, chosen.integral, mechanism.name)
     chart = Chart.of(here.coordinates, local.symbols)
@@ -159,11 +168,12 @@ def _assembled(
     return ChaplyginForm(
         original=original,
         base=here,
-        integrals=tuple(zip(up.constants, up.integrals, strict=True)),
+        integrals=tuple(zip(up.levels, up.integrals, strict=True)),
         role=role,
         closed=parts,
         multiplier=found,
         obstruction=None if found else closed(local, chart, mechanism.parameters),
+        singular=() if found is None else indefinite(mechanism, here, found),
         flux=monopole,
         system=made,
         gyroscopic=gyroscopic,
@@ -176,11 +186,11 @@ def _assembled(
 def _original(mechanism: Mechanism, here: Base, up: Lift) -> System:
     """The equations of motion with the linear integrals as laws."""
     made = with_base(equations(mechanism), here)
-    names = [f"linear_{c}" for c in up.constants]
+    names = [f"linear_{i + 1}" for i in range(len(up.integrals))]
     return made.with_laws(
         *(
-            Integral(name, value, "integral linear in the velocities")
-            for name, value in zip(names, up.integrals, strict=True)
+            Integral(name, each.value, "integral linear in the velocities")
+            for name, each in zip(names, up.integrals, strict=True)
         )
     )
 
@@ -199,7 +209,24 @@ def _shape(monopole: Flux) -> tuple[Law, ...]:
     )
 
 
-def _integrals(mechanism: Mechanism, moved: Motion, here: Base) -> list[sp.Expr]:
+def _levels(
+    mechanism: Mechanism, count: int, given: Sequence[float | sp.Expr] | None
+) -> list[sp.Expr]:
+    """The values of the linear integrals."""
+    if given is not None:
+        if len(given) != count:
+            raise InputError(
+                f"{mechanism.name}: {len(given)} levels are given, but it is reduced on levels of "
+                f"{count} linear integrals"
+            )
+        return [c if isinstance(c, sp.Expr) else sp.Rational(repr(float(c))) for c in given]
+    used = {p.symbol for p in mechanism.parameters} | set(mechanism.symbols)
+    used |= {s for s, _ in mechanism.steps}
+    names = ["c"] if count == 1 else [f"c_{i + 1}" for i in range(count)]
+    return [scalar(n) if scalar(n) not in used else scalar(f"level_{n}") for n in names]
+
+
+def _integrals(mechanism: Mechanism, moved: Motion, here: Base) -> list[Linear]:
     free = len(moved.velocities) - moved.constraints.rows
     needed = free - 2
     if needed == 0:

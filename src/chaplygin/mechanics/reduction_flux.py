@@ -26,7 +26,7 @@ from .reduction_exact import Formulas
 from .reduction_integrals import solutions
 from .reduction_multiplier import Multiplier, as_positive
 
-__all__ = ["Flux", "flux"]
+__all__ = ["Flux", "flux", "indefinite"]
 
 HALF = sp.Rational(1, 2)
 
@@ -116,6 +116,15 @@ def _of_part(
     if not all(_definite(mechanism, vector, f) for f in moving):
         return Flux(None, "")
     return _through_ellipsoid(mechanism, base, vector, multiplier, part, roots[0], form)
+
+
+def indefinite(mechanism: Mechanism, base: Base, found: Multiplier) -> tuple[sp.Expr, ...]:
+    """Factors of N that are indefinite quadratic forms at the default parameters."""
+    vector = base.normal
+    if vector is None:
+        return ()
+    forms = [f for f, _ in found.powers if f.has(*vector.symbols)]
+    return tuple(f for f in forms if not _definite(mechanism, vector, f))
 
 
 def _definite(mechanism: Mechanism, vector: Vector, base: sp.Expr) -> bool:

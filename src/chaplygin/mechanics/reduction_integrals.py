@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import combinations_with_replacement
 
 import sympy as sp
@@ -29,15 +30,31 @@ from .reduction_exact import (
 )
 from .reduction_motion import Motion
 
-__all__ = ["linear_integrals", "primitive", "quadratic_integrals", "solutions"]
+__all__ = ["Linear", "linear_integrals", "primitive", "quadratic_integrals", "solutions"]
 
 SEED = 1911
 DEGREE = 2
 """In the coordinates, of the coefficients of an integral linear in the momenta."""
 
 
-def linear_integrals(mechanism: Mechanism, motion: Motion, base: Base) -> list[sp.Expr]:
-    """Independent integrals Σ a_s(q) m_s + a_0(q) of lowest degree, in q and u.
+@dataclass(frozen=True)
+class Linear:
+    """An integral Σ a_s(q) m_s + a_0(q).
+
+    Attributes
+    ----------
+    value : Expr
+        In q and u.
+    in_momenta : Expr
+        In q and the momenta, which are called M_1, M_2, …
+    """
+
+    value: sp.Expr
+    in_momenta: sp.Expr
+
+
+def linear_integrals(mechanism: Mechanism, motion: Motion, base: Base) -> list[Linear]:
+    """Independent integrals Σ a_s(q) m_s + a_0(q) of lowest degree.
 
     Parameters
     ----------
@@ -49,11 +66,15 @@ def linear_integrals(mechanism: Mechanism, motion: Motion, base: Base) -> list[s
     functions = _functions(motion, base)
     for degree in range(DEGREE + 1):
         monomials = _monomials(functions, degree)
-        terms = [f * m for m in motion.momenta for f in monomials]
-        terms += [f for f in monomials if f != 1]
+        names = [scalar(f"M_{i + 1}") for i in range(len(motion.velocities))]
+        written = [f * M for M in names for f in monomials]
+        written += [f for f in monomials if f != 1]
+        momenta = dict(zip(names, motion.momenta, strict=True))
+        terms = [term.xreplace(momenta) for term in written]
         found = _constants(mechanism, motion, base, terms)
         if found:
-            return [sp.Add(*(c * terms[i] for i, c in each.items())) for each in found]
+            sums = [sp.Add(*(c * written[i] for i, c in each.items())) for each in found]
+            return [Linear(each.xreplace(momenta), each) for each in sums]
     return []
 
 

@@ -20,9 +20,9 @@ from typing import Any
 
 import sympy as sp
 
-from ..vectors import scalar
 from .reduction_base import Base
 from .reduction_exact import Formulas, Value, inverse, product
+from .reduction_integrals import Linear
 from .reduction_motion import Motion
 
 __all__ = ["Chaplygin", "Lift", "Local", "Point", "Quadratic", "energy", "in_momenta", "lift"]
@@ -108,17 +108,22 @@ class Lift:
         K: the rows of ρ, of the integrals ℓ, and of C.
     known : Matrix
         The column (0, 0, c − ℓ₀, 0).
-    integrals : tuple of Expr
-        Of the linear integrals, in u and the coordinates of the mechanism.
-    constants : tuple of Symbol
-        Their values c.
+    integrals : tuple of Linear
+        The linear integrals, in the coordinates of the mechanism.
+    levels : tuple of Expr
+        Their values c: symbols or numbers.
     """
 
     base: Base
     matrix: sp.Matrix
     known: sp.Matrix
-    integrals: tuple[sp.Expr, ...]
-    constants: tuple[sp.Symbol, ...]
+    integrals: tuple[Linear, ...]
+    levels: tuple[sp.Expr, ...]
+
+    @property
+    def constants(self) -> tuple[sp.Symbol, ...]:
+        """The levels that are symbols."""
+        return tuple(c for c in self.levels if isinstance(c, sp.Symbol))
 
     @property
     def tied(self) -> sp.Matrix:
@@ -126,12 +131,10 @@ class Lift:
         return self.matrix[2:, :]
 
 
-def lift(base: Base, integrals: Sequence[sp.Expr]) -> Lift:
-    """K and e for given linear integrals."""
+def lift(base: Base, integrals: Sequence[Linear], levels: Sequence[sp.Expr]) -> Lift:
+    """K and e for given linear integrals and their values."""
     u = base.motion.velocities
-    names = ("c",) if len(integrals) == 1 else tuple(f"c_{i + 1}" for i in range(len(integrals)))
-    constants = tuple(scalar(n) for n in names)
-    placed = [f.xreplace(base.inside) for f in integrals]
+    placed = [f.value.xreplace(base.inside) for f in integrals]
     rest = [f.xreplace(dict.fromkeys(u, sp.S.Zero)) for f in placed]
     rows = [[sp.diff(f, s) for s in u] for f in placed]
     matrix = sp.Matrix.vstack(
@@ -139,9 +142,9 @@ def lift(base: Base, integrals: Sequence[sp.Expr]) -> Lift:
         sp.Matrix(len(rows), len(u), [x for row in rows for x in row]),
         base.motion.constraints,
     )
-    level = [c - f for c, f in zip(constants, rest, strict=True)]
+    level = [c - f for c, f in zip(levels, rest, strict=True)]
     known = sp.Matrix([0, 0, *level, *([0] * base.motion.constraints.rows)])
-    return Lift(base, matrix, known, tuple(integrals), constants)
+    return Lift(base, matrix, known, tuple(integrals), tuple(levels))
 
 
 @dataclass(frozen=True)

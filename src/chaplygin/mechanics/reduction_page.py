@@ -40,13 +40,17 @@ def _rows(form: ChaplyginForm) -> Iterator[tuple[str, str]]:
     names = ", ".join(map(text, form.base.coordinates))
     vector = form.base.normal
     yield "coordinates", names if vector is None else f"{names}, angles of {text(vector)}"
-    for constant, value in form.integrals:
-        yield "level", f"{text(constant)} = {text(value)}"
+    velocities = ", ".join(map(text, form.base.motion.velocities))
+    for constant, integral in form.integrals:
+        momenta = f"{text(constant)} = {text(integral.in_momenta)}, M = ∂L/∂({velocities})"
+        yield "level", momenta
     yield "energy", f"L = E₂ − E₀ from {form.role}"
     if form.multiplier is None:
         yield from _refused(form)
         return
     yield "multiplier", f"N = {text(form.multiplier.value)}"
+    for factor in form.singular:
+        yield "singular", f"where {text(factor)} = 0"
     yield "gyroscopic", f"S̄ = {text(form.gyroscopic)}"
     monopole = form.flux
     if monopole is not None and monopole.value is not None:
