@@ -13,7 +13,7 @@ from itertools import combinations
 import sympy as sp
 
 from ...mechanics.rolling import Rolling
-from ...mechanics.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
+from ...mechanics.shapes import Ball, Ellipsoid
 from ...mechanics.surfaces import Plane
 from ...system import Parameter
 from ...vectors import Diagonal, Vector, scalar
@@ -98,12 +98,12 @@ def criterion(rolling: Rolling) -> str:
             f"{contact} ball on {where} keeps such a measure if and only if its centre is its "
             "centre of mass, or the line through both is an axis of dynamical symmetry" + equal
         )
-    if isinstance(shape, Ellipsoid) and centred and not rubber:
+    if isinstance(shape, Ellipsoid) and centred and plane and not rubber:
         return (
             f"{contact} ellipsoid on {where}, its centre being its centre of mass, keeps such a "
-            f"measure if and only if it is {_SPHERICAL}, or it is a body of revolution with its "
-            "inertia, or its semi-axes are principal axes and I = mB + αE, B having their squares "
-            "as eigenvalues"
+            f"measure if and only if it is {_SPHERICAL}, or a ball, or a body of revolution with "
+            "its inertia, or its semi-axes are principal axes of inertia and the three "
+            "differences I_i − m b_i² agree"
         )
     if isinstance(shape, Ellipsoid) and centred and plane:
         return (
@@ -111,11 +111,8 @@ def criterion(rolling: Rolling) -> str:
             "measure if and only if its semi-axes are principal axes of inertia and the three "
             "points (I_i b_i², I_i − m b_i²) lie on a line"
         )
-    if not rubber or plane:
-        known = f"{contact} body on {where} keeps such a measure if it is {_SPHERICAL}"
-        if isinstance(shape, (Disk, Torus, Revolution, Ellipsoid)):
-            known += ", or if it is a body of revolution with its inertia"
-        return known
-    if isinstance(shape, Implicit):
-        return ""
-    return f"{contact} body of revolution on {where} keeps such a measure"
+    revolution = f"{contact} body on {where} keeps such a measure if it is a body of revolution"
+    revolution += " with its inertia"
+    if rubber and not plane:
+        return revolution
+    return f"{revolution}, or {_SPHERICAL}"

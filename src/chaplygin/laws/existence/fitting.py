@@ -12,10 +12,12 @@ from ...mechanics.distribution import Distribution
 from ...mechanics.germs import expanded
 from ...mechanics.places import NoPointError, drawn
 from ...mechanics.series import IrrationalError, Rational
+from ...statements import Identity
+from ...system import System
 from .lifted import Lifted
 from .parametric import Level, settled
 
-__all__ = ["Powers", "fitted"]
+__all__ = ["Powers", "fitted", "integrated"]
 
 #: Bases with exponents.
 Powers = tuple[tuple[sp.Expr, sp.Expr], ...]
@@ -27,8 +29,8 @@ SIMPLE = 4000
 """Operations up to which a formula is factored."""
 
 
-def fitted(given: Lifted, jacobian: Powers, level: Level) -> Powers | None:
-    """The density over coordinates and quasi-velocities, a product of powers of known functions.
+def fitted(given: Lifted, jacobian: Powers, level: Level) -> tuple[Powers, Powers] | None:
+    """e^σ, and the density over coordinates and quasi-velocities, as products of powers.
 
     Parameters
     ----------
@@ -40,7 +42,7 @@ def fitted(given: Lifted, jacobian: Powers, level: Level) -> Powers | None:
 
     Returns
     -------
-    Powers or None
+    pair of Powers, or None
         None if the density is no product of powers of the factors of kinetic determinant and
         1-form.
     """
@@ -64,7 +66,50 @@ def fitted(given: Lifted, jacobian: Powers, level: Level) -> Powers | None:
         base: factors.get(base, sp.S.Zero) + exponent
         for base, exponent in zip(bases, found, strict=True)
     }
-    return tuple((base, exponent) for base, exponent in total.items() if exponent != 0)
+    sigma = zip(bases, found, strict=True)
+    return (
+        tuple((base, exponent) for base, exponent in sigma if exponent != 0),
+        tuple((base, exponent) for base, exponent in total.items() if exponent != 0),
+    )
+
+
+def integrated(given: Lifted, powers: Powers, level: Level) -> tuple[System, Identity]:
+    """That σ has the derivatives θ along the admissible fields, on the configuration space.
+
+    Parameters
+    ----------
+    given : Lifted
+    powers : Powers
+        e^σ.
+    level : Level
+
+    Returns
+    -------
+    System
+        The coordinates at rest, with the definitions.
+    Identity
+    """
+    known = {p.symbol: p for p in given.parameters}
+    system = System(
+        name=given.base.name,
+        title=given.base.name,
+        field={x: sp.S.Zero for x in given.base.coordinates},
+        definitions=tuple((s, sp.expand_trig(f)) for s, f in given.steps),
+        parameters=tuple(known.values()),
+        relations=given.base.relations,
+    )
+    defects = []
+    for field, share in zip(given.base.frame, given.theta, strict=True):
+        slope = sp.Add(
+            *(
+                exponent * rate * sp.diff(base, x) / base
+                for base, exponent in powers
+                for x, rate in field.items()
+            )
+        )
+        defects.append(sp.expand_trig(share - slope))
+    law = Identity("integrated", tuple(defects), "the density has the derivatives required")
+    return system, replace(law, on=level)
 
 
 def _moves(factor: sp.Expr, given: Lifted) -> bool:
@@ -75,6 +120,8 @@ def _factors(formula: sp.Expr) -> list[tuple[sp.Expr, sp.Expr]]:
     """Factors with exponents; one alone where factoring would take long."""
     if sp.count_ops(formula) > SIMPLE:
         return [(formula, sp.S.One)]
+    if formula.has(sp.sin, sp.cos):
+        formula = _in_cosines(sp.together(sp.expand_trig(formula)))
     above, below = sp.fraction(sp.factor(sp.together(formula)))
     return [
         (base, sign * power)
@@ -82,6 +129,18 @@ def _factors(formula: sp.Expr) -> list[tuple[sp.Expr, sp.Expr]]:
         for base, power in (factor.as_base_exp() for factor in sp.Mul.make_args(part))
         if not base.is_number
     ]
+
+
+def _in_cosines(formula: sp.Expr) -> sp.Expr:
+    """A fraction of polynomials in sines and cosines, with no even powers of sines."""
+    for sine in sorted(formula.atoms(sp.sin), key=str):
+        square = 1 - sp.cos(sine.args[0]) ** 2
+        parts = []
+        for part in sp.fraction(sp.together(formula)):
+            terms = sp.Poly(sp.expand(part), sine).terms() if part.has(sine) else [((0,), part)]
+            parts.append(sp.Add(*(c * sine ** (p % 2) * square ** (p // 2) for (p,), c in terms)))
+        formula = parts[0] / parts[1]
+    return formula
 
 
 def _exponents(

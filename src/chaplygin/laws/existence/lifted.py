@@ -20,6 +20,7 @@ from ...errors import InputError
 from ...mechanics.distribution import Distribution
 from ...mechanics.restriction import Restriction
 from ...mechanics.tape import Derivation, Tape
+from ...system import Parameter
 from ...vectors import scalar
 
 __all__ = ["Lifted", "lift"]
@@ -39,6 +40,7 @@ class Lifted:
         z.
     base, lifted : Distribution
         Spanned by η_β and by η̂_β.
+    parameters : tuple of Parameter
     """
 
     theta: tuple[sp.Expr, ...]
@@ -46,6 +48,7 @@ class Lifted:
     height: sp.Symbol
     base: Distribution
     lifted: Distribution
+    parameters: tuple[Parameter, ...]
 
 
 def lift(restriction: Restriction) -> Lifted:
@@ -98,7 +101,8 @@ def lift(restriction: Restriction) -> Lifted:
         {**field, height: share} if share != 0 else field
         for field, share in zip(fields, theta, strict=True)
     ]
-    return Lifted(tuple(theta), steps, height, spanned(fields, q), spanned(raised, (*q, height)))
+    low, high = spanned(fields, q), spanned(raised, (*q, height))
+    return Lifted(tuple(theta), steps, height, low, high, mechanism.parameters)
 
 
 def _bracket(restriction: Restriction, first: int, second: int) -> tuple[sp.Expr, ...]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TypeAlias
+
 import sympy as sp
 
 from ...errors import InputError
@@ -16,12 +18,18 @@ from ...system import System
 from ..prove import prove
 from ..verdict import Verdict
 from .families import exact
-from .fitting import Powers, fitted
+from .fitting import Powers, fitted, integrated
 from .lifted import Lifted, lift
 from .parametric import Level, branches
 from .value import Existence
 
 __all__ = ["decide_mechanism"]
+
+FURTHER = 3
+PATIENCE = 10.0
+"""Seconds for the proof in all variables of the motion, where one in the coordinates remains."""
+
+Found: TypeAlias = tuple[Level, Measure, Verdict]
 
 
 def decide_mechanism(mechanism: Mechanism, name: str, seconds: float) -> Existence:
@@ -42,19 +50,7 @@ def decide_mechanism(mechanism: Mechanism, name: str, seconds: float) -> Existen
     base = generic(lifted.base, parameters)
     if generic(lifted.lifted, parameters).final == base.final:
         return _everywhere(restriction, lifted, system, name, seconds)
-    found, complete = [], False
-    try:
-        volume = _volume(restriction)
-        solved = branches(lifted, len(base.growth), _positive(restriction), volume)
-    except (InputError, NoPointError):
-        solved = None
-    if solved is not None:
-        proofs = [
-            (level, *_measure(restriction, lifted, system, level, seconds))
-            for level in solved.levels
-        ]
-        found = [(level, law, verdict) for level, law, verdict in proofs if law is not None]
-        complete = solved.complete and len(found) == len(proofs)
+    found, complete = _levels(restriction, lifted, system, len(base.growth), seconds)
     values = {p.symbol: exact(p.default) for p in mechanism.parameters}
     met = [level for level, _, _ in found if all(c.xreplace(values) == 0 for c in level)]
     obstruction = None if met else _obstruction(lifted)
@@ -69,7 +65,7 @@ def decide_mechanism(mechanism: Mechanism, name: str, seconds: float) -> Existen
             complete=complete,
             holds=bool(met),
             obstruction=obstruction,
-            verdicts=tuple(verdict for _, _, verdict in found if verdict is not None),
+            verdicts=tuple(verdict for _, _, verdict in found),
         )
     if obstruction is None:
         return Existence(
@@ -86,15 +82,39 @@ def _everywhere(
     restriction: Restriction, lifted: Lifted, system: System, name: str, seconds: float
 ) -> Existence:
     """No obstruction at a generic point: the density, if it is found."""
-    law, verdict = _measure(restriction, lifted, system, (), seconds)
-    if law is not None and verdict is not None:
-        return Existence(name, "exists", density=law, system=system, verdicts=(verdict,))
+    made = _measure(restriction, lifted, system, (), seconds)
+    if made is not None:
+        return Existence(name, "exists", density=made[0], system=system, verdicts=made[1:])
     return Existence(
         name,
         "undecided",
         reason="the 1-form is closed about a generic point, but no closed form of the density was "
         "found, which alone would show that it is smooth and of one value everywhere",
     )
+
+
+def _levels(
+    restriction: Restriction, lifted: Lifted, system: System, steps: int, seconds: float
+) -> tuple[list[Found], bool]:
+    """Levels in the parameters on which a measure is proven, and whether there are no others."""
+    proven: list[Found] = []
+    complete = False
+    try:
+        volume = _volume(restriction)
+        # conditions from so many commutators may leave too much; further ones are tried then
+        for more in range(FURTHER):
+            solved = branches(lifted, steps + more, _positive(restriction), volume)
+            proofs = [
+                (level, _measure(restriction, lifted, system, level, seconds))
+                for level in solved.levels
+            ]
+            proven = [(level, *made) for level, made in proofs if made is not None]
+            complete = solved.complete and len(proven) == len(proofs)
+            if complete:
+                break
+    except (InputError, NoPointError):
+        return proven, False
+    return proven, complete
 
 
 def _volume(restriction: Restriction) -> sp.Expr:
@@ -116,7 +136,7 @@ def _positive(restriction: Restriction) -> frozenset[sp.Symbol]:
 
 def _measure(
     restriction: Restriction, lifted: Lifted, system: System, level: Level, seconds: float
-) -> tuple[Measure | None, Verdict | None]:
+) -> tuple[Measure, Verdict] | None:
     """A proven measure on a level."""
     steps = dict(restriction.definitions)
     jacobian: Powers = (
@@ -124,17 +144,21 @@ def _measure(
         # the constraints that stay as relations cut out the volume of the velocities
         *((expanded(f, steps), sp.S.One) for f in restriction.nonzero),
     )
-    powers = fitted(lifted, jacobian, level)
-    if powers is None:
-        return None, None
+    found = fitted(lifted, jacobian, level)
+    if found is None:
+        return None
+    potential, powers = found
     law = Measure(
         "configuration_measure",
         powers,
         meaning="density that depends on the configuration alone",
         on=level,
     )
-    verdict = prove(system, law, seconds=seconds)
-    return (law, verdict) if verdict else (None, verdict)
+    verdict = prove(system, law, seconds=min(seconds, PATIENCE))
+    if not verdict:
+        # dσ = θ along the admissible fields is the same statement, in fewer variables
+        verdict = prove(*integrated(lifted, potential, level), seconds=seconds)
+    return (law, verdict) if verdict else None
 
 
 def _obstruction(lifted: Lifted) -> dict[str, object] | None:
