@@ -48,8 +48,9 @@ def energy_theorem(parts: Balance) -> EnergyTheorem:
     steps = tape.steps(timed)
     if any(TIME in value.free_symbols for value in (*timed, *(v for _, v in steps))):
         broken.append("time enters the Lagrangian, a force or a constraint")
-    for index, (f, euler) in enumerate(zip(parts.constraints, work, strict=True)):
-        if not _homogeneous(parts, f, euler):
+    for index, (f, row) in enumerate(zip(parts.constraints, parts.slopes, strict=True)):
+        # not shortened: that would put in velocities which the constraints give
+        if not _homogeneous(parts, f, product(row, w)):
             broken.append(
                 f"the constraint {index + 1}, {text(f)} = 0, is not homogeneous in velocities"
             )

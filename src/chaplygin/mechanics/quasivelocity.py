@@ -19,7 +19,6 @@ from functools import cached_property
 from typing import Any, TypeAlias
 
 import sympy as sp
-from sympy.matrices.expressions import MatrixExpr
 
 from ..errors import InputError
 from ..statements import Law

@@ -93,7 +93,8 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
 def _positions(definitions: Pairs) -> tuple[Pairs, dict[sp.Symbol, sp.Expr]]:
     """Definitions in the position alone, and the steps of those in the angular velocity."""
     moving = set(omega.symbols)
-    place, swinging = [], {}
+    place: list[tuple[Any, Any]] = []
+    swinging: dict[sp.Symbol, sp.Expr] = {}
     for name, formula in definitions:
         steps = flat_pairs(((name, formula),))
         if any(value.free_symbols & moving for _, value in steps):

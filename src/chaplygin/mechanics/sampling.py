@@ -205,13 +205,13 @@ def _on_relations(
     for _ in range(NEWTON_STEPS if relations else 0):
         values = mpmath.matrix([evaluated(f, point) for f in written])
         defect = mpmath.norm(values)
-        if defect < ZERO**1.5:
+        if defect < mpmath.mpf(10) ** (5 - DIGITS):
             return point
         jacobian = mpmath.matrix([[evaluated(s, point) for s in row] for row in slopes])
         # redundant relations make the rows dependent: a shift keeps the equations solvable
         gram = jacobian * jacobian.T
         for i in range(gram.rows):
-            gram[i, i] += defect**2 + ZERO**1.5
+            gram[i, i] += defect**2 + ZERO**2
         move = jacobian.T * mpmath.lu_solve(gram, values)
         for q, change in zip(coordinates, move, strict=True):
             point[q] -= change

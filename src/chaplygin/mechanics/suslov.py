@@ -206,7 +206,7 @@ def _momenta(parts: Balance) -> tuple[Law, ...]:
     for i, s in enumerate(parts.mechanism.frame.w):
         idle = parts.push[i] == 0 and all(row[i] == 0 for row in parts.slopes)
         if idle and parts.momenta[i] != 0:
-            meaning = f"momentum of {s}"
+            meaning = f"momentum of {text(s)}"
             laws.append(Integral(f"momentum_{s}", parts.momenta[i], meaning, source="(1.9)"))
     return tuple(laws)
 
