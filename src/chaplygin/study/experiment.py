@@ -72,6 +72,9 @@ __all__ = [
 ]
 
 
+#: Tables that describe a system by themselves.
+DESCRIBED = ("lagrangian", "equations")
+
 #: What a file without any description is asked for.
 BODY = "a table [body], or [system], [lagrangian] or [equations] instead of it"
 
@@ -283,6 +286,7 @@ def loads(text: str, name: str = "<text>", overrides: Iterable[str] = ()) -> Exp
     """
     source = Source(name, text, tuple(overrides))
     tables = source.tables()
+    _check_one_description(tables, source)
     model = _model(tables)
     wrong = _decided_by_system(tables) if "system" in tables else {}
     rest = {key: table for key, table in tables.items() if (key,) not in wrong}
@@ -307,9 +311,17 @@ def _model(tables: dict[str, Any]) -> type[Experiment]:
     return StateExperiment if item and item.start.state is not None else SystemExperiment
 
 
+def _check_one_description(tables: dict[str, Any], source: Source) -> None:
+    """Refuse a Lagrangian or equations beside another description of what moves."""
+    first, *others = [n for n in (*DESCRIBED, "system", "body") if n in tables] or [""]
+    if first in DESCRIBED and others:
+        where = source.where((others[0],))
+        raise InputError(f"must be absent, as [{first}] says already what moves", where)
+
+
 def _own_model(tables: dict[str, Any]) -> type[Experiment]:
     """What is described without the catalogue."""
-    if "body" not in tables and "equations" in tables:
+    if "equations" in tables:
         return EquationsExperiment
     if "body" not in tables and tables.keys() & {"frame", "lagrangian", "constraints"}:
         return MechanismExperiment

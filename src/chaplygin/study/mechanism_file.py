@@ -50,7 +50,7 @@ def mechanism_of(experiment: MechanismExperiment) -> Mechanism:
         frame=frame,
         lagrangian=lagrangian,
         constraints=names.formulas(constraints.velocity, "constraints", "velocity"),
-        positions=names.formulas(constraints.position, "constraints", "position"),
+        positions=_positions(names, constraints.position, frame, definitions),
         forces=_forces(names, experiment, frame),
         definitions=definitions,
         parameters=parameters,
@@ -185,13 +185,13 @@ def _known(system: System) -> dict[str, Named]:
 def _frame(names: Names, experiment: MechanismExperiment) -> Frame:
     table = experiment.frame
     coordinates = [names.declare(text, "frame", "coordinates") for text in table.coordinates]
+    relations = names.formulas(table.relations, "frame", "relations")
     if not table.velocities:
         velocities = [_rate_of(names, q) for q in coordinates]
         rates: Any = tuple(zip(coordinates, velocities, strict=True))
     else:
         velocities = [names.declare(text, "frame", "velocities") for text in table.velocities]
         rates = _rates(names, coordinates, table.rates, "frame", "rates")
-    relations = names.formulas(table.relations, "frame", "relations")
     structure = _structure(names, experiment, velocities)
     try:
         return Frame(rates, tuple(velocities), relations, structure)
@@ -199,6 +199,26 @@ def _frame(names: Names, experiment: MechanismExperiment) -> Frame:
         match = re.match(r"frame: the rate of (\w+?)(_\w)?,", error.message)
         place = ("frame", "rates", match[1]) if match else ("frame",)
         raise names.error(error.message.removeprefix("frame: "), *place) from None
+
+
+def _positions(
+    names: Names, texts: Sequence[str], frame: Frame, definitions: Iterable[tuple[Named, Any]]
+) -> tuple[Any, ...]:
+    """Position constraints, which no velocity enters, not by way of a definition either."""
+    key = ("constraints", "position")
+    moving = set(frame.w)
+    for named, value in definitions:
+        if explicit(value).free_symbols & moving:
+            moving |= set(components(named))
+    found = names.formulas(texts, *key)
+    for text, value in zip(texts, found, strict=True):
+        wrong = sorted(map(str, explicit(value).free_symbols & moving))
+        if wrong:
+            raise names.error(
+                f"'{text}' contains the velocity {wrong[0]}; it belongs to constraints.velocity",
+                *key,
+            )
+    return found
 
 
 def _rate_of(names: Names, coordinate: Named) -> Named:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
 
@@ -49,6 +50,7 @@ def described(
         else:
             system = system_of(experiment)
     _check_variables(experiment, mechanism, system)
+    _check_names(experiment, system)
     return mechanism, system
 
 
@@ -77,3 +79,20 @@ def _check_variables(
         if name not in known:
             where = experiment.where("variables", name)
             raise InputError(f"unknown variable{nearest(name, dict.fromkeys(known))}", where)
+
+
+def _check_names(experiment: OwnExperiment, system: System) -> None:
+    """Refuse names under which two things would be recorded."""
+    whole = system.lifted() if system.motion else system
+    taken = Counter(law.name for law in whole.laws)
+    for name in experiment.laws.integrals:
+        if taken[name] > 1:
+            where = experiment.where("laws", "integrals", name)
+            raise InputError(f"another law has the name '{name}'; choose another", where)
+    recorded = Counter(item.name for item in whole.observables)
+    recorded += Counter([*map(str, whole.state), "time"])
+    recorded += Counter(name for name in taken if name == "energy")
+    for name in experiment.observables:
+        if recorded[name] > 1:
+            where = experiment.where("observables", name)
+            raise InputError(f"something else is recorded as '{name}'; choose another", where)
