@@ -15,6 +15,7 @@ from ..vectors import Vector, explicit
 from .proofs import HERE, Fact, Patience, fact_of
 from .sources import Source
 from .standing import Standing, View, settled
+from .turning import Turning, turning
 
 __all__ = ["fields", "lie"]
 
@@ -28,8 +29,12 @@ def fields(standing: Standing, laws: Sequence[Law], patience: Patience) -> list[
     """
     stated = [law for law in laws if isinstance(law, Symmetry)]
     if not stated and not standing.on:
-        tried = _rotations(standing, settled(standing, laws))
-        stated = [law for law in tried if patience.verdict(standing.system, law)]
+        tried = enumerate(_rotations(standing, settled(standing, laws)))
+        stated = [
+            law
+            for axis, law in tried
+            if turning(standing, axis) or patience.verdict(standing.system, law)
+        ]
     return _independent(standing, stated)
 
 
@@ -109,12 +114,23 @@ def _tangent(
     """Whether a symmetry field leaves every one of some integrals alone; proven."""
     if not all(source.functions for source in chosen):
         return False
-    moved = replace(standing.ground.system, field=_full(standing, law))
+    field = _full(standing, law)
+    moved = replace(standing.ground.system, field=field)
+    turn = _as_rotation(standing, field)
     return all(
-        patience.verdict(moved, Integral(f"along {law.name}", formula, on=standing.on))
+        (turn and turn.keeps(formula))
+        or patience.verdict(moved, Integral(f"along {law.name}", formula, on=standing.on))
         for source in chosen
         for formula in source.functions
     )
+
+
+def _as_rotation(standing: Standing, field: Components) -> Turning | None:
+    """The rotation about a body axis that a field is, if it is one and shown a symmetry."""
+    for axis, law in enumerate(_rotations(standing, ())):
+        if _full(standing, law) == field:
+            return turning(standing, axis)
+    return None
 
 
 def _solvable(standing: Standing, laws: Sequence[Symmetry]) -> bool:

@@ -110,8 +110,12 @@ class Standing:
     @cached_property
     def ground(self) -> Ground:
         """The level, with parameters that are numbers."""
-        values = present(self.system) if self.values is None else self.values
-        return Ground(at_present(self.system, values), self.on)
+        return Ground(at_present(self.system, self.parameters), self.on)
+
+    @property
+    def parameters(self) -> Mapping[sp.Symbol, Any]:
+        """Values of the parameters."""
+        return present(self.system) if self.values is None else self.values
 
     def expanded(self, formula: Any) -> sp.Expr:
         """A formula in the state alone: definitions written out, parameters as numbers."""
