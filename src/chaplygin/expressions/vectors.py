@@ -27,6 +27,7 @@ Named: TypeAlias = sympy.Symbol | Vector | Diagonal
 Formula: TypeAlias = sympy.Expr | MatrixExpr
 
 _SPACE = 3
+_SIZES = (2, 3, 4)
 
 
 @dataclass(frozen=True)
@@ -86,8 +87,8 @@ class Vectors:
             case ast.Name():
                 return self.names[node.id]
             case ast.List():
-                if len(node.elts) != _SPACE:
-                    raise self.error("a vector has 3 components", node)
+                if len(node.elts) not in _SIZES:
+                    raise self.error("a vector has 2, 3 or 4 components", node)
                 return constant([self.scalars.read(part, depth + 1) for part in node.elts])
             case ast.UnaryOp(op=op, operand=operand):
                 value = self.vector(operand, depth + 1)

@@ -20,7 +20,7 @@ from pydantic import (
 )
 
 from .mistakes import shown
-from .tables import FORMULA, Table
+from .tables import FORMULA, THREE, Table, Vector
 
 __all__ = [
     "ConstraintsTable",
@@ -85,7 +85,7 @@ class NumberTable(_Noted):
     """A parameter: a number, a vector of three, or a diagonal tensor."""
 
     value: NumberValue | None = Field(default=None, description=NUMBER)
-    diagonal: tuple[float, float, float] | None = Field(default=None, description="3 numbers")
+    diagonal: Vector | None = Field(default=None, description=THREE)
     """The diagonal of a tensor, instead of a value."""
     unit: Text = Field(default="", description="a text in quotes")
     meaning: Text = Field(default="", description="a text in quotes")
