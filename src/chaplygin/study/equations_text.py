@@ -48,6 +48,7 @@ def tables_of(system: System) -> dict[str, Any]:
     tables["observables"] = {
         item.name: {"value": _written(item.value), "meaning": item.meaning, "unit": item.unit}
         for item in whole.observables
+        if item.name not in map(str, whole.state)
     }
     tables["guards"] = {
         guard.name: {"value": _written(guard.value), "happening": guard.happening}
