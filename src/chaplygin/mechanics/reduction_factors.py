@@ -13,7 +13,7 @@ from itertools import combinations_with_replacement
 from typing import Any
 
 import sympy as sp
-from flint import fmpq, fmpq_mat
+from flint import Ordering, fmpq, fmpq_mat, fmpq_mpoly_ctx
 
 from ..vectors import Vector, scalar
 from .reduction_exact import (
@@ -140,23 +140,34 @@ def natural_factors(
 
 
 def in_angles(poly: Any, chart: Chart) -> sp.Expr:
-    """A polynomial as F/(1 + t²)^⌈d/2⌉ in sines and cosines."""
-    degrees = [int(d) for d in poly.degrees()[:2]]
-    names = [scalar(n) for n in poly.context().names()]
-    total = sp.S.Zero
-    for exponents, c in poly.to_dict().items():
-        term = sp.Rational(int(c.p), int(c.q))
-        for i, exponent in enumerate(exponents):
-            power = int(exponent)
-            if i < 2 and chart.angles[i]:
-                odd, half, whole = power % 2, power // 2, (degrees[i] + 1) // 2
-                x = chart.coordinates[i]
-                term *= ((1 - sp.cos(x)) / 2) ** half * (sp.sin(x) / 2) ** odd
-                term *= ((1 + sp.cos(x)) / 2) ** (whole - half - odd)
-            else:
-                term *= names[i] ** power
+    """A polynomial as F/(1 + t²)^⌈d/2⌉ in sines and cosines, expanded."""
+    names = poly.context().names()
+    circles = [str(s) for q in chart.coordinates for s in circle(q)]
+    ring = fmpq_mpoly_ctx.get([*circles, *names], Ordering.lex)
+    gens = dict(zip(ring.names(), ring.gens(), strict=True))
+    halves = [(int(d) + 1) // 2 for d in poly.degrees()[:2]]
+    parts: dict[tuple[int, int], dict[tuple[int, ...], Any]] = {}
+    for exponents, coefficient in poly.to_dict().items():
+        first, second, *rest = (int(e) for e in exponents)
+        parts.setdefault((first, second), {})[0, 0, 0, 0, 0, 0, *rest] = coefficient
+    total = ring.constant(0)
+    for powers, terms in parts.items():
+        term = ring.from_dict(terms)
+        for i, power in enumerate(powers):
+            if not chart.angles[i]:
+                term *= gens[names[i]] ** power
+                continue
+            sine, cosine = (gens[name] for name in circles[2 * i : 2 * i + 2])
+            odd, half = power % 2, power // 2
+            # t² = (1 − cos x)/(1 + cos x), t = sin x/(1 + cos x)
+            term *= (1 - cosine) ** half * sine**odd * (1 + cosine) ** (halves[i] - half - odd)
         total += term
-    return sp.expand(total)
+    scale = 2 ** sum(h for h, angle in zip(halves, chart.angles, strict=True) if angle)
+    functions: dict[sp.Symbol, sp.Expr] = {}
+    for q in chart.coordinates:
+        sine, cosine = circle(q)
+        functions |= {sine: sp.sin(q), cosine: sp.cos(q)}
+    return as_formula(total / scale).xreplace(functions)
 
 
 def on_sphere(poly: Any, chart: Chart, vector: Vector) -> sp.Expr | None:
@@ -165,19 +176,27 @@ def on_sphere(poly: Any, chart: Chart, vector: Vector) -> sp.Expr | None:
     A form where it is one; else with terms of two degrees that differ by one.  None if it is no
     polynomial of a degree up to `HIGHEST`.
     """
-    if not _at_pole(poly):
+    degree = int(poly.degrees()[0]) // 2
+    if not (0 < degree <= HIGHEST and _at_pole(poly)):
         return None
-    for degree in range(1, HIGHEST + 1):
-        for lower in (degree, degree - 1):
-            powers = [
-                chosen
-                for d in range(lower, degree + 1)
-                for chosen in combinations_with_replacement(range(3), d)
-            ]
+    sample = _with_numbers(poly)
+    for lower in (degree, degree - 1):
+        powers = [
+            chosen
+            for d in range(lower, degree + 1)
+            for chosen in combinations_with_replacement(range(3), d)
+        ]
+        # with numbers first: most polynomials are no functions on the sphere
+        if _fitted(sample, powers) is not None:
             found = _fitted(poly, powers)
-            if found is not None:
-                return _as_form(found, powers, vector)
+            return None if found is None else _as_form(found, powers, vector)
     return None
+
+
+def _with_numbers(poly: Any) -> Any:
+    """The polynomial at random values of the parameters."""
+    dice = random.Random(SEED)
+    return poly.subs({name: number(dice) for name in poly.context().names()[2:]})
 
 
 def _at_pole(poly: Any) -> bool:

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import combinations_with_replacement
+from itertools import combinations_with_replacement, product
 
 import sympy as sp
 
@@ -119,19 +119,30 @@ def _of_part(
 
 
 def indefinite(mechanism: Mechanism, base: Base, found: Multiplier) -> tuple[sp.Expr, ...]:
-    """Factors of N that are indefinite quadratic forms at the default parameters."""
+    """Factors of N that have both signs on the sphere, at the default parameters."""
     vector = base.normal
     if vector is None:
         return ()
     forms = [f for f, _ in found.powers if f.has(*vector.symbols)]
-    return tuple(f for f in forms if not _definite(mechanism, vector, f))
+    return tuple(f for f in forms if _has_both_signs(mechanism, vector, f))
+
+
+def _has_both_signs(mechanism: Mechanism, vector: Vector, form: sp.Expr) -> bool:
+    """Whether exact values at a few directions differ in sign."""
+    numbers = form.xreplace(_defaults(mechanism))
+    directions = [x for x in product(range(-2, 3), repeat=3) if any(x)]
+    values = (numbers.xreplace(dict(zip(vector.symbols, x, strict=True))) for x in directions)
+    return {1, -1} <= {sp.sign(value) for value in values}
+
+
+def _defaults(mechanism: Mechanism) -> dict[sp.Symbol, sp.Rational]:
+    return {p.symbol: sp.Rational(repr(float(p.default))) for p in mechanism.parameters}
 
 
 def _definite(mechanism: Mechanism, vector: Vector, base: sp.Expr) -> bool:
     """Whether a base is a definite quadratic form at the default parameters."""
     form = sp.hessian(base, vector.symbols)
-    defaults = {p.symbol: sp.Rational(repr(float(p.default))) for p in mechanism.parameters}
-    numbers = form.xreplace(defaults)
+    numbers = form.xreplace(_defaults(mechanism))
     if numbers.free_symbols:
         return False
     minors = [numbers[:i, :i].det() for i in (1, 2, 3)]
