@@ -52,7 +52,8 @@ def structure(frame: Frame, owner: str = "frame") -> Coefficients:
     """
     if frame.structure is not None:
         return _given(frame, owner)
-    if all(entry.is_number for entry in frame.matrix) and frame.matrix.is_square:
+    constant = all(entry.is_number for entry in frame.matrix) and frame.matrix.is_square
+    if constant and not frame.relations:
         if frame.matrix.det() == 0:
             raise InputError(f"{owner}: the frame does not span: its fields are dependent")
         return {}
