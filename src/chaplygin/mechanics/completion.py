@@ -82,7 +82,9 @@ def completed(
     if frame.structure is None:
         return _whole(frame, None)
     given = structure(frame)
-    needed = _needed(frame, formulas, steps)
+    if _full(frame, steps, constants):
+        return _whole(frame, None)
+    needed = _needed(frame, [*formulas, *given.values()], steps)
     bare = _whole(frame, given, needed)
     taken = {*constants, *dict(steps), *frame.w}
     for extra in _extras(frame, given, bare, steps, taken):
@@ -203,23 +205,47 @@ def _follows(
     whole: Whole, given: Coefficients, steps: Steps, constants: Mapping[sp.Symbol, Any]
 ) -> bool:
     """Whether the commutators of the fields are those that the structure functions tell."""
-    formulas = [v for field in whole.fields for v in field.values()]
+    formulas = [*(v for field in whole.fields for v in field.values()), *given.values()]
+    germs = _germs(whole, formulas, steps, constants)
+    return germs is not None and _commutes(whole, given, germs)
+
+
+def _full(frame: Frame, steps: Steps, constants: Mapping[sp.Symbol, Any]) -> bool:
+    """Whether the fields on the coordinates span all directions, so that nothing is left out."""
+    if len(frame.coordinates) < len(frame.w):
+        return False
+    whole = _whole(frame, None)
+    germs = _germs(whole, frame.qdot, steps, constants)
+    if germs is None:
+        return False
+    size = len(whole.coordinates)
+    rows = [
+        [germs.series(field.get(q, sp.S.Zero)).value for q in whole.coordinates]
+        for field in whole.fields
+    ]
+    normals = [[germs.series(r).derivative(q).value for q in range(size)] for r in whole.relations]
+    bound = int(germs.numbers.matrix(normals, size).rank()) if normals else 0
+    return int(germs.numbers.matrix(rows, size).rank()) == len(frame.w) == size - bound
+
+
+def _germs(
+    whole: Whole, formulas: Sequence[sp.Expr], steps: Steps, constants: Mapping[sp.Symbol, Any]
+) -> Germs | None:
+    """Series of first order about a generic point, if one is found."""
     space = Space(
-        whole.coordinates,
-        whole.relations,
-        steps,
-        (*formulas, *given.values()),
-        tuple(constants.items()),
+        whole.coordinates, whole.relations, steps, tuple(formulas), tuple(constants.items())
     )
     dice = random.Random(SEED)
-    for _ in range(ATTEMPTS):
-        for prime in PRIMES:
-            try:
-                germs = drawn(space, Modular(prime), dice).germs(space, 1)
-                return _commutes(whole, given, germs)
-            except (NoPointError, IrrationalError, ZeroDivisionError):
-                continue
-    return False
+    for prime in PRIMES * ATTEMPTS:
+        try:
+            germs = drawn(space, Modular(prime), dice).germs(space, 1)
+            for field in whole.fields:
+                for value in field.values():
+                    germs.series(value)
+        except (NoPointError, IrrationalError, ZeroDivisionError):
+            continue
+        return germs
+    return None
 
 
 def _commutes(whole: Whole, given: Coefficients, germs: Germs) -> bool:

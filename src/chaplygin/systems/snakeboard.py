@@ -1,0 +1,132 @@
+"""The snakeboard (§2.1): a board on two pairs of wheels that steer against each other, and a rotor.
+
+(x, y) is the middle of the board, θ its heading and ψ the angle of the rotor against the board.
+The front wheels turn by φ, the rear ones by −φ.  In board axes the velocity of the middle is
+(u, v), and Ω the angular velocity of the board; no slip across the wheels says v = 0 and
+u sin φ = l Ω cos φ, that is, u = l s cos φ and Ω = s sin φ, with a velocity s that neither
+straight nor crossed wheels make singular.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import sympy as sp
+
+from ..errors import InputError
+from ..mechanics.body import check_mass
+from ..mechanics.quasivelocity import Frame, Mechanism
+from ..mechanics.suslov import equations
+from ..statements import Integral
+from ..system import Parameter, System
+from ..vectors import scalar
+from .entry import Entry, Numbers, Start
+
+__all__ = ["board"]
+
+x, y, theta, psi, phi = (scalar(name) for name in ("x", "y", "theta", "psi", "phi"))
+s, n, v, spin, steer, u, Omega = (
+    scalar(name) for name in ("s", "n", "v", "psidot", "phidot", "u", "Omega")
+)
+m, J, J_0, J_1, K, ell = (scalar(name) for name in ("m", "J", "J_0", "J_1", "K", "l"))
+
+HALF = sp.Rational(1, 2)
+SOURCE = "§2.1; A. M. Bloch, P. S. Krishnaprasad, J. E. Marsden, R. M. Murray 1996"
+TITLE = "Snakeboard"
+SUMMARY = (
+    "A board on two pairs of wheels that steer against each other, with a rotor on top; turning "
+    "both drives it, without any push against the ground."
+)
+
+
+def board(p: Numbers) -> Mechanism:
+    """The board in the velocities s, n (both constraints are n = 0 and v = 0), v, ψ̇, φ̇.
+
+    Raises
+    ------
+    InputError
+        If the mass or a moment of inertia is not positive, or the length is not.
+    """
+    cosine, sine = sp.cos(phi), sp.sin(phi)
+    return Mechanism(
+        name="snakeboard",
+        frame=Frame(
+            {
+                x: ell * (s * cosine - n * sine) * sp.cos(theta) - v * sp.sin(theta),
+                y: ell * (s * cosine - n * sine) * sp.sin(theta) + v * sp.cos(theta),
+                theta: s * sine + n * cosine,
+                psi: spin,
+                phi: steer,
+            },
+            (s, n, v, spin, steer),
+            structure={
+                (s, n): {v: -ell},
+                (s, v): {s: -sine * cosine / ell, n: sine**2 / ell},
+                (n, v): {s: -(cosine**2) / ell, n: sine * cosine / ell},
+                (steer, s): {n: sp.S.One},
+                (steer, n): {s: -sp.S.One},
+            },
+        ),
+        lagrangian=HALF * m * (u**2 + v**2)
+        + HALF * K * Omega**2
+        + HALF * J_0 * (2 * Omega + spin) * spin
+        + J_1 * steer**2,
+        constraints=(v, n),
+        definitions={
+            K: J + J_0 + 2 * J_1,
+            u: ell * (s * cosine - n * sine),
+            Omega: s * sine + n * cosine,
+        },
+        parameters=_parameters(p),
+        laws=(
+            Integral("steering", steer, "angular velocity of steering", source=SOURCE, unit="1/s"),
+        ),
+        title=TITLE,
+        source=SOURCE,
+        summary=SUMMARY,
+    )
+
+
+def _parameters(p: Numbers) -> tuple[Parameter, ...]:
+    check_mass(p["m"])
+    meanings = {
+        m: ("mass", "kg"),
+        J: ("moment of inertia of the board", "kg m^2"),
+        J_0: ("moment of inertia of the rotor", "kg m^2"),
+        J_1: ("moment of inertia of each wheel pair about its pivot", "kg m^2"),
+        ell: ("distance of each wheel pair from the middle", "m"),
+    }
+    found = []
+    for symbol, (meaning, unit) in meanings.items():
+        value = p[str(symbol)]
+        if not (math.isfinite(value) and value > 0):
+            raise InputError(f"{meaning} {symbol} = {value}: it must be a positive finite number")
+        found.append(Parameter(symbol, meaning, value, unit, (symbol > 0,)))
+    return tuple(found)
+
+
+def snakeboard(p: Numbers) -> System:
+    """Steering angle, the velocity s and those of rotor and steering."""
+    return replace(equations(board(p)), summary=SUMMARY)
+
+
+DEFAULTS = {"m": 4.0, "J": 0.06, "J_0": 0.05, "J_1": 0.01, "l": 0.3}
+
+ENTRIES = (
+    Entry(
+        name="snakeboard",
+        title=TITLE,
+        summary=SUMMARY,
+        source=SOURCE,
+        defaults=DEFAULTS,
+        build=snakeboard,
+        start=Start(state={"phi": 0.2, "s": 0.5, "psidot": 3.0, "phidot": 0.4}, until=15.0),
+        variables={
+            "phi": ("angle of the front wheels", "rad"),
+            "s": ("s of u = l s cos φ, Ω = s sin φ", "1/s"),
+            "psidot": ("angular velocity of the rotor against the board", "1/s"),
+            "phidot": ("angular velocity of steering", "1/s"),
+        },
+    ),
+)
