@@ -18,6 +18,7 @@ from chaplygin.mechanics.smooth import (
     Ring,
     SphericalSurface,
 )
+from chaplygin.system import Parameter
 from chaplygin.vectors import Vector
 from mechanics.balls import POINTS, SURFACES
 
@@ -87,8 +88,10 @@ def test_a_cone_is_one_half():
         (EllipsoidSurface((1.0, 0.0, 1.0)), "semi-axis 2 of the ellipsoid 0.0"),
         (Paraboloid((0.0, 1.0)), "radius of curvature at the vertex, along x: it must not be zero"),
         (
-            ImplicitSurface(sp.Symbol("x", real=True), ((sp.Symbol("c"), math.nan),)),
-            "a number in the surface nan: it must be a finite number",
+            ImplicitSurface(
+                sp.Symbol("x", real=True), (Parameter(sp.Symbol("c"), "number", math.nan),)
+            ),
+            "c nan: it must be a finite number",
         ),
     ],
 )

@@ -51,9 +51,9 @@ class RollingBall:
     direction : 3 floats
         Where it points, space axes; of any length.
     potential : sympy.Expr
-        U in ``R_1``, ``R_2``, ``R_3``, the place of the centre; it may use m and `values`.
-    values : pairs of Symbol and float
-        Numbers in `potential`.
+        U in ``R_1``, ``R_2``, ``R_3``, the place of the centre; it may use m and `numbers`.
+    numbers : tuple of Parameter
+        Those in `potential`.
 
     Raises
     ------
@@ -70,7 +70,7 @@ class RollingBall:
     gravity: float = 0.0
     direction: tuple[float, float, float] = (0.0, 0.0, -1.0)
     potential: sp.Expr = sp.S.Zero
-    values: tuple[tuple[sp.Symbol, float], ...] = ()
+    numbers: tuple[Parameter, ...] = ()
 
     def __post_init__(self) -> None:
         check_mass(self.mass)
@@ -118,7 +118,7 @@ class RollingBall:
         found = [
             *ball_parameters(self.mass, self.inertia, self.radius),
             *self.surface.parameters,
-            *(Parameter(s, "number in the potential", float(value)) for s, value in self.values),
+            *self.numbers,
         ]
         if self.gravity:
             found.append(Parameter(g, "acceleration of gravity", self.gravity, "m/s^2", (g >= 0,)))

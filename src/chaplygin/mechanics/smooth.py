@@ -203,7 +203,7 @@ class Cone(SmoothSurface):
     def parameters(self) -> tuple[Parameter, ...]:
         """The slope."""
         meaning = "radius of the cone at unit height"
-        return (Parameter(k, meaning, _number(k, meaning, self.slope).default, "", (k > 0,)),)
+        return (Parameter(k, meaning, _number(k, meaning, self.slope).default, "1", (k > 0,)),)
 
     def level(self, point: Point, offset: sp.Expr) -> sp.Expr | None:
         """x² + y² − k²z²; at a distance the apex lies elsewhere, by a root of 1 + k²."""
@@ -299,23 +299,21 @@ class ImplicitSurface(SmoothSurface):
     Parameters
     ----------
     formula : sympy.Expr
-        f in the symbols ``x``, ``y``, ``z`` and those of `values`.
-    values : pairs of Symbol and float
+        f in the symbols ``x``, ``y``, ``z`` and those of `numbers`.
+    numbers : tuple of Parameter
     """
 
     formula: sp.Expr
-    values: tuple[tuple[sp.Symbol, float], ...] = ()
+    numbers: tuple[Parameter, ...] = ()
 
     coordinates = tuple(scalar(name) for name in "xyz")
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
         """Its named numbers."""
-        _finite("a number in the surface", (value for _, value in self.values))
-        return tuple(
-            Parameter(symbol, "number in the surface", float(value))
-            for symbol, value in self.values
-        )
+        for number in self.numbers:
+            _finite(str(number.symbol), (number.default,))
+        return self.numbers
 
     def level(self, point: Point, offset: sp.Expr) -> sp.Expr | None:
         """The formula; no simple equation elsewhere."""

@@ -19,6 +19,7 @@ from ..mechanics.smooth import (
     SmoothSurface,
     SphericalSurface,
 )
+from ..system import Parameter
 from ..vectors import Vector
 from .ball_experiment import BallExperiment, moment
 from .ball_tables import (
@@ -51,8 +52,11 @@ _NAMES = {
 }
 
 
-def _values(table: FormulaTable) -> tuple[tuple[sp.Symbol, float], ...]:
-    return tuple((sp.Symbol(name, real=True), value) for name, value in table.parameters.items())
+def _numbers(table: FormulaTable, where: str) -> tuple[Parameter, ...]:
+    return tuple(
+        Parameter(sp.Symbol(name, real=True), f"number in the {where}", value)
+        for name, value in table.parameters.items()
+    )
 
 
 def _formula(table: FormulaTable, text: str) -> sp.Expr:
@@ -88,7 +92,7 @@ def smooth_surface(table: SmoothTable) -> SmoothSurface:
             return Ring(table.radius, table.tube, side=side, axis=axis)
         case ImplicitSurfaceTable():
             formula = _formula(table, table.equation)
-            return ImplicitSurface(formula, _values(table), side=side, axis=axis)
+            return ImplicitSurface(formula, _numbers(table, "surface"), side=side, axis=axis)
 
 
 def potential_of(experiment: BallExperiment) -> sp.Expr:
@@ -122,7 +126,7 @@ def rolling_ball(
         gravity=field.gravity,
         direction=field.direction,
         potential=potential,
-        values=_values(field),
+        numbers=_numbers(field, "potential"),
     )
 
 

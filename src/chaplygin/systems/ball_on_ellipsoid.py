@@ -25,6 +25,7 @@ __all__ = ["ENTRIES", "any_quadric"]
 R, omega, v = vectors("R omega v")
 A = Diagonal("A")
 ell, mtilde, kappa = (scalar(name) for name in ("ell", "mtilde", "kappa"))
+SPRING_STIFFNESS = Parameter(kappa, "stiffness of the spring", 0.1, "N/m")
 SPRING = kappa / 2 * explicit(normed(R))
 
 
@@ -36,7 +37,7 @@ def _ball(numbers: Numbers) -> RollingBall:
         surface=EllipsoidSurface((numbers["a_1"], numbers["a_2"], numbers["a_3"]), side="inside"),
         carrier="centre",
         potential=SPRING,
-        values=((kappa, numbers["kappa"]),),
+        numbers=(replace(SPRING_STIFFNESS, default=numbers["kappa"]),),
     )
 
 
@@ -51,12 +52,11 @@ def _integral(ball: RollingBall) -> tuple[Law, ...]:
 
 def _particle(ball: RollingBall) -> tuple[Law, ...]:
     force = -gradient(SPRING, R)
-    spring = Parameter(kappa, "stiffness of the spring", 0.1, "N/m")
     return (
         quadratic(ball, kappa),
         Isomorphism(
             "particle",
-            particle(ball.kinematics.surface, force, spring, *ball.surface.parameters),
+            particle(ball.kinematics.surface, force, SPRING_STIFFNESS, *ball.surface.parameters),
             {R: R, v: v},
             constants={mtilde: mtilde},
             meaning="the centre is a particle of mass m + μ/b² on the ellipsoid",
@@ -68,13 +68,12 @@ def _particle(ball: RollingBall) -> tuple[Law, ...]:
 def any_quadric() -> System:
     """A marble ball whose centre moves on any quadric (R, AR) = const, with A of any signs."""
     form = explicit(dot(R, A * R)) / 2
-    stiffness = Parameter(kappa, "stiffness of the spring", 0.1, "N/m")
     entries = tuple(Parameter(s, f"coefficient {s}", 1.0) for s in A.symbols)
     made = equations_of_motion(
         "marble",
         centred(form),
         -gradient(SPRING, R),
-        (*ball_parameters(1.0, 0.4, 1.0), stiffness, *entries),
+        (*ball_parameters(1.0, 0.4, 1.0), SPRING_STIFFNESS, *entries),
         name="marble-ball-on-any-quadric",
         title="Marble ball on any quadric",
     )

@@ -11,6 +11,7 @@ from dataclasses import replace
 from ..mechanics.rolling_ball import RollingBall
 from ..mechanics.smooth import ImplicitSurface
 from ..statements import Integral, Law
+from ..system import Parameter
 from ..vectors import cross, dot, scalar, unit, vectors
 from .ball_entry import ball_entry
 from .ball_laws import meridian_law
@@ -26,22 +27,27 @@ HILL = z * (1 + (x**2 + y**2) / s**2) - h
 CUSHION = (x**4 + y**4 + z**4) / s**4 - 1
 
 
+def _width(numbers: Numbers, meaning: str) -> Parameter:
+    return Parameter(s, meaning, numbers["s"], "m", (s > 0,))
+
+
 def _cushion(numbers: Numbers) -> RollingBall:
     return RollingBall(
         mass=numbers["m"],
         inertia=numbers["mu"],
         radius=numbers["b"],
-        surface=ImplicitSurface(CUSHION, ((s, numbers["s"]),), side="inside"),
+        surface=ImplicitSurface(CUSHION, (_width(numbers, "half width"),), side="inside"),
         carrier="centre",
     )
 
 
 def _hill(numbers: Numbers) -> RollingBall:
+    height = Parameter(h, "height", numbers["h"], "m")
     return RollingBall(
         mass=numbers["m"],
         inertia=numbers["mu"],
         radius=numbers["b"],
-        surface=ImplicitSurface(HILL, ((h, numbers["h"]), (s, numbers["s"]))),
+        surface=ImplicitSurface(HILL, (height, _width(numbers, "half width at half height"))),
         gravity=numbers["g"],
     )
 
