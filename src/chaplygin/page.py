@@ -42,17 +42,7 @@ class Page:
 
 def page_of(system: System) -> Page:
     """The formulas of a system, each once, in the order in which a reader needs them."""
-    definitions = dict(system.definitions)
-    field = []
-    spelt_out = set()
-    for name, formula in system.field:
-        named = str(formula) == f"{name}dot"
-        if named and formula in system.state:
-            continue
-        trivial = named and formula in definitions
-        field.append((name, definitions[formula] if trivial else formula))
-        if trivial:
-            spelt_out.add(formula)
+    field, spelt_out = _spelt_out(system, system.field)
     needed = _needed(system, [formula for _, formula in system.field])
     where = tuple(pair for pair in needed if pair[0] not in spelt_out)
     claims = [formula for law in system.laws for formula in formulas(law)]
@@ -61,7 +51,7 @@ def page_of(system: System) -> Page:
     given = _given(system, [formula for _, formula in (*field, *where)])
     given_too = _given(system, [*claims, *(formula for _, formula in extra)])
     return Page(
-        field=tuple(field),
+        field=field,
         where=given + where,
         further=tuple(pair for pair in given_too if pair not in given) + extra,
     )
@@ -69,11 +59,27 @@ def page_of(system: System) -> Page:
 
 def motion_of(system: System) -> Page:
     """The equations of the lift to space, with the definitions that the other page lacks."""
-    field = tuple(system.motion.field) if system.motion else ()
+    field, spelt_out = _spelt_out(system, system.motion.field if system.motion else ())
     page = page_of(system)
-    shown = {s for name, _ in (*page.where, *page.further) for s in _scalars(name)}
+    shown = {s for name in spelt_out for s in _scalars(name)}
+    shown |= {s for name, _ in (*page.where, *page.further) for s in _scalars(name)}
     steps = system.needed(formula for _, formula in field)
     return Page(field, tuple(pair for pair in steps if pair[0] not in shown), ())
+
+
+def _spelt_out(system: System, field: Pairs) -> tuple[Pairs, set[Any]]:
+    """Rates, those that are only names put in or left out, and the names put in."""
+    definitions = dict(system.definitions)
+    found, names = [], set()
+    for name, formula in field:
+        named = str(formula) == f"{name}dot"
+        if named and formula in system.state:
+            continue
+        trivial = named and formula in definitions
+        found.append((name, definitions[formula] if trivial else formula))
+        if trivial:
+            names.add(formula)
+    return tuple(found), names
 
 
 def _scalars(name: Any) -> set[sp.Symbol]:
