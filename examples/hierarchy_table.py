@@ -24,7 +24,7 @@ def found(name: str) -> Place:
     """The place of a system of the catalogue, with its suggested parameters."""
     system = entry(name).system()
     patience = Patience(SECONDS)
-    return place(system, patience.verdicts(system), patience)
+    return place(system, patience.verdicts(system), patience, entry(name).rolling())
 
 
 def rows(name: str) -> list[str]:

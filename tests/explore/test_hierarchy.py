@@ -302,3 +302,33 @@ def test_a_fast_answer_says_what_it_leaves_out(
     assert all("were spent" in v.reason for v in verdicts.values())
     named = replace(system, laws=system.laws[:1])
     assert "were spent" in str(place(named, verdicts, patience))
+
+
+# --- measures on the configuration ---------------------------------------------------------
+
+
+def with_what_moves(name: str) -> Place:
+    """The place, with the body and the surface known."""
+    item, patience = entry(name), Patience(20.0)
+    system = item.system()
+    return place(system, patience.verdicts(system), patience, item.rolling())
+
+
+def test_the_absence_of_a_measure_is_told_with_its_witness() -> None:
+    standing = with_what_moves("rattleback")
+    assert standing.measures == ()
+    assert "changes the volume, as at γ₁ = " in standing.absence
+    assert "none has a density that depends on the configuration alone" in motions(standing)
+    assert "none whose density" in str(standing)
+    assert of("rattleback").absence == ""
+
+
+def test_a_measure_that_exists_counts() -> None:
+    standing = with_what_moves("rubber-body-of-revolution")
+    assert [m.sign for m in standing.measures] == ["kept"]
+    assert kinds(standing) == ["lie", "euler-jacobi"]
+
+
+def test_the_question_is_not_asked_where_a_measure_is_proven() -> None:
+    standing = with_what_moves("chaplygin-ball")
+    assert [m.law.law for m in standing.measures] == ["measure"]

@@ -12,9 +12,12 @@ from ..errors import InputError
 from ..laws.angles import circles, without_angles
 from ..laws.errors import OutOfReachError
 from ..laws.verdict import Verdict
+from ..mechanics.quasivelocity import Mechanism
+from ..mechanics.rolling import Rolling
 from ..notation import text
 from ..statements import Integral, Isomorphism, Law, Reduction
 from ..system import System
+from .absence import Decided, decided
 from .elsewhere import There, followed
 from .forms import Forms, hamiltonian, measures
 from .hierarchy import Kind, Place
@@ -28,10 +31,15 @@ from .standing import Standing, at_present, present
 __all__ = ["counted"]
 
 
-def counted(system: System, verdicts: Mapping[str, Verdict], patience: Patience) -> Place:
+def counted(
+    system: System,
+    verdicts: Mapping[str, Verdict],
+    patience: Patience,
+    given: Rolling | Mechanism | None,
+) -> Place:
     """The place of a system; see :func:`chaplygin.explore.hierarchy.place`."""
     try:
-        return _counted(_without_angles(system), verdicts, patience)
+        return _counted(_without_angles(system), verdicts, patience, given)
     except (OutOfReachError, InputError) as reason:
         return _unknown(system, verdicts, str(reason))
 
@@ -60,7 +68,12 @@ def _unknown(system: System, verdicts: Mapping[str, Verdict], reason: str) -> Pl
     return Place(system.title, "", len(system.symbols), 0, kinds=(kind,), reason=reason)
 
 
-def _counted(system: System, verdicts: Mapping[str, Verdict], patience: Patience) -> Place:
+def _counted(
+    system: System,
+    verdicts: Mapping[str, Verdict],
+    patience: Patience,
+    given: Rolling | Mechanism | None,
+) -> Place:
     whole = Standing(system)
     laws = sorted_laws(whole, verdicts)
     found = []
@@ -72,7 +85,7 @@ def _counted(system: System, verdicts: Mapping[str, Verdict], patience: Patience
         except (OutOfReachError, InputError) as reason:
             made = _unknown(replace(system, laws=special), verdicts, str(reason))
         found.append(replace(made, level=words))
-    main = _placed(whole, laws.general, patience)
+    main = _placed(whole, laws.general, patience, given)
     return replace(main, uncounted=laws.uncounted, levels=tuple(found))
 
 
@@ -86,7 +99,12 @@ def _holds(system: System, law: Law, on: tuple[Any, ...], patience: Patience) ->
 # --- one phase space -----------------------------------------------------------------------
 
 
-def _placed(standing: Standing, laws: Sequence[Law], patience: Patience) -> Place:
+def _placed(
+    standing: Standing,
+    laws: Sequence[Law],
+    patience: Patience,
+    given: Rolling | Mechanism | None = None,
+) -> Place:
     system = standing.system
     variables = len(system.symbols)
     forms = hamiltonian(standing, laws, patience)
@@ -100,13 +118,15 @@ def _placed(standing: Standing, laws: Sequence[Law], patience: Patience) -> Plac
     chosen = [every[i] for i in kept]
     named = {law.name for law in laws if isinstance(law, Integral)}
     spare = [s.fact for i, s in enumerate(own) if i not in kept and s.fact.law in named]
-    volumes = measures(standing, laws, patience)
+    volumes = measures(standing, laws, patience) or there.measures
+    existence = Decided() if volumes or forms.brackets else decided(given, patience)
     symmetries = fields(standing, laws, patience)
     found = Found(
         dimension=standing.dimension,
         count=count,
         integrals=tuple(source.fact for source in chosen),
-        measures=volumes or there.measures,
+        measures=volumes or existence.measures,
+        absence=existence.absence,
         brackets=forms.brackets,
         symmetries=tuple(fact_of(law) for law in symmetries),
         lie=lie(standing, standing.dimension - count - 1, chosen, symmetries, patience),
@@ -123,6 +143,7 @@ def _placed(standing: Standing, laws: Sequence[Law], patience: Patience) -> Plac
         count=count,
         dependent=tuple(spare),
         measures=found.measures,
+        absence=found.absence,
         brackets=found.brackets,
         symmetries=found.symmetries,
         reductions=tuple(_told(law) for law in laws if isinstance(law, Reduction | Isomorphism)),

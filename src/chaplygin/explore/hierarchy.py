@@ -14,6 +14,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..laws.verdict import Verdict
+from ..mechanics.quasivelocity import Mechanism
+from ..mechanics.rolling import Rolling
 from ..system import System
 from .proofs import Fact, Patience
 
@@ -117,6 +119,8 @@ class Place:
     dependent : tuple of Fact
         Further integrals, functions of the others as far as the rank tells.
     measures : tuple of Density
+    absence : str
+        Why there is no measure whose density depends on the configuration alone, if that is shown.
     brackets : tuple of Bracket
     symmetries : tuple of Fact
         Fields that commute with the motion and are independent of it and of one another.
@@ -140,6 +144,7 @@ class Place:
     count: int = 0
     dependent: tuple[Fact, ...] = ()
     measures: tuple[Density, ...] = ()
+    absence: str = ""
     brackets: tuple[Bracket, ...] = ()
     symmetries: tuple[Fact, ...] = ()
     reductions: tuple[Fact, ...] = ()
@@ -173,7 +178,10 @@ class Place:
 
 
 def place(
-    system: System, verdicts: Mapping[str, Verdict], patience: Patience | None = None
+    system: System,
+    verdicts: Mapping[str, Verdict],
+    patience: Patience | None = None,
+    given: Rolling | Mechanism | None = None,
 ) -> Place:
     """The place of a system in the hierarchy of dynamics.
 
@@ -186,6 +194,9 @@ def place(
     patience : Patience, optional
         For the proofs needed besides: that symmetries leave the integrals alone, that integrals
         are in involution, laws of the targets of isomorphisms, laws restricted to a level.
+    given : Rolling or Mechanism, optional
+        What moves, with its numbers.  Where no measure is proven of its equations, it is then
+        decided whether there is one whose density depends on the configuration alone.
 
     Returns
     -------
@@ -194,10 +205,10 @@ def place(
     # the parts are built from the values that this module declares
     from .counting import counted
 
-    return counted(system, verdicts, patience or Patience(PATIENCE, ALTOGETHER))
+    return counted(system, verdicts, patience or Patience(PATIENCE, ALTOGETHER), given)
 
 
-def standing_of(system: System) -> Place:
+def standing_of(system: System, given: Rolling | Mechanism | None = None) -> Place:
     """The place of a system by what is proven already, or can be in about two seconds."""
     patience = Patience(PATIENCE, ALTOGETHER)
-    return place(system, patience.verdicts(system), patience)
+    return place(system, patience.verdicts(system), patience, given)

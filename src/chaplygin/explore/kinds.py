@@ -26,6 +26,8 @@ class Found:
     integrals : tuple of Fact
         What gives them.
     measures : tuple of Density
+    absence : str
+        Why no measure has a density on the configuration, if that is shown.
     brackets : tuple of Bracket
     symmetries : tuple of Fact
         Independent of the motion and of one another.
@@ -41,6 +43,7 @@ class Found:
     count: int
     integrals: tuple[Fact, ...]
     measures: tuple[Density, ...]
+    absence: str
     brackets: tuple[Bracket, ...]
     symmetries: tuple[Fact, ...]
     lie: tuple[Fact, ...]
@@ -265,7 +268,10 @@ def _attraction(found: Found) -> list[Statement]:
         if found.remaining > 2:
             kinds = "attracting rest points, limit cycles, attracting tori"
             kinds += "" if found.lie else " and strange attractors"
-        return [Statement(f"No invariant measure is proven: {kinds} are not excluded.")]
+        known = "No invariant measure is proven"
+        if found.absence:
+            known += ", and none has a density that depends on the configuration alone"
+        return [Statement(f"{known}: {kinds} are not excluded.")]
     if best.sign == "kept":
         return [
             Statement(

@@ -7,8 +7,8 @@ from collections.abc import Iterable
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
-from .hierarchy import Bracket, Statement
-from .proofs import Fact
+from .hierarchy import Bracket, Density, Statement
+from .proofs import HERE, Fact
 
 if TYPE_CHECKING:
     from .hierarchy import Place
@@ -74,10 +74,18 @@ def _integrals(place: Place) -> list[Statement]:
 
 def _measures(place: Place) -> list[Statement]:
     if place.measures:
-        return [Statement(_DENSITIES[d.sign], (d.law,)) for d in place.measures]
+        return [Statement(_measure(d), (d.law,)) for d in place.measures]
     if place.brackets:
         return [Statement("that of the Hamiltonian form, on its symplectic leaves (§3.3)")]
+    if place.absence:
+        told = "none whose density depends on the configuration alone exists"
+        return [Statement(f"{told}: {place.absence}")]
     return [Statement("none proven")]
+
+
+def _measure(density: Density) -> str:
+    known = _DENSITIES[density.sign]
+    return f"{density.law.words}; {known}" if density.law.source == HERE else known
 
 
 def _bracket(bracket: Bracket) -> Statement:

@@ -93,7 +93,7 @@ def render(
     system = trajectory.system
     patience = Patience(PATIENCE, ALTOGETHER)
     verdicts = patience.verdicts(study.system)
-    stands = place(study.system, verdicts, patience)
+    stands = place(study.system, verdicts, patience, study.mechanism or study.rolling)
     drawn = {name: Markup(figures.svg_text(figure)) for name, figure in pictures.items()}
     return environment.get_template("report.html").render(
         title=study.system.title,

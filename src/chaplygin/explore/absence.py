@@ -1,0 +1,84 @@
+"""Measures whose density depends on the configuration alone: found, or shown not to exist."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+from typing import Any
+
+from ..errors import InputError
+from ..laws.errors import OutOfReachError
+from ..laws.unimodular import Existence, measure_exists
+from ..mechanics.quasivelocity import Mechanism
+from ..mechanics.rolling import Rolling
+from ..notation import text
+from ..vectors import scalar
+from .hierarchy import Density
+from .proofs import HERE, Fact, Patience
+
+__all__ = ["Decided", "decided"]
+
+
+@dataclass(frozen=True)
+class Decided:
+    """What is known of measures with a density on the configuration space.
+
+    Attributes
+    ----------
+    measures : tuple of Density
+        The measure, if there is one.
+    absence : str
+        That there is none, and the witness; empty otherwise.
+    """
+
+    measures: tuple[Density, ...] = ()
+    absence: str = ""
+
+
+def decided(given: Rolling | Mechanism | None, patience: Patience) -> Decided:
+    """Whether what moves keeps a measure whose density depends on the configuration alone.
+
+    Parameters
+    ----------
+    given : Rolling or Mechanism, optional
+        What moves, with its numbers; nothing can be said without it.
+    patience : Patience
+    """
+    allowed = min(patience.seconds, patience.altogether - patience.spent)
+    if given is None or allowed <= 0:
+        return Decided()
+    began = time.monotonic()
+    try:
+        found = measure_exists(given, seconds=allowed)
+    except (InputError, OutOfReachError):
+        return Decided()
+    finally:
+        patience.spent += time.monotonic() - began
+    if found.decision == "none":
+        return Decided(absence=_witness(found))
+    # of a mechanism the density may depend on coordinates that its equations do without
+    if found and isinstance(given, Rolling):
+        return Decided((Density(_fact(found), "kept"),))
+    return Decided()
+
+
+def _fact(found: Existence) -> Fact:
+    density = "by quadrature" if found.density is None else text(found.density.value)
+    return Fact("existence", f"density, a function of the normal γ: {density}", HERE)
+
+
+def _witness(found: Existence) -> str:
+    """What fails, and where."""
+    if not found.obstruction:
+        return found.reason
+    point: dict[str, Any] = found.obstruction["point"]
+    shown = {text(scalar(name)): _short(value) for name, value in point.items()}
+    place = ", ".join(f"{name} = {value}" for name, value in shown.items() if "γ" in name)
+    what = str(found.obstruction["what"])
+    return f"{what}, as at {place}" if place else what
+
+
+def _short(value: str) -> str:
+    """A number or the middle of a ball, with six digits."""
+    middle = value.strip("[]").split(" +/-")[0]
+    return value if "/" in middle else f"{float(middle):.6g}"
