@@ -28,6 +28,7 @@ HARMLESS = {
     "rubber-routh-sphere quadratures": {"quantities exponent"},
     # any function of the angles makes a Poisson bracket in this place
     # every function of a constant velocity is constant
+    "snakeboard energy": {"value exponent"},
     "trailers energy": {"value exponent"},
     "vertical-rolling-disk momentum_thetadot": {"value exponent"},
     "chaplygin-ball-reduced bracket": {"bracket exponent"},

@@ -127,7 +127,7 @@ ENTRIES = (
         defaults=DEFAULTS,
         build=vertical_disk,
         start=Start(
-            state={"x": 0.0, "y": 0.0, "theta": 0.0, "psidot": 2.0, "thetadot": 0.8},
+            state={"x": 0.0, "y": 3.0, "theta": 0.0, "psidot": 2.0, "thetadot": 0.8},
             until=8.0,
         ),
         variables={
