@@ -189,11 +189,21 @@ def _through_ellipsoid(
         signs = as_positive(mechanism.parameters)
         back = {positive: s for s, positive in signs.items()}
         solid = sp.sqrt(sp.factor(form.det().xreplace(signs))).xreplace(back)
-        value = sp.factor(4 * sp.pi * g / solid)
+        value = _one_root(sp.factor(4 * sp.pi * g / solid))
         potential = (w[0] / sp.sqrt(F), w[1] / sp.sqrt(F)) if g == 0 else None
         words = "the solid angle through an ellipsoid and an exact form"
         return Flux(value, words, shown, potential)
     return Flux(None, "")
+
+
+def _one_root(value: sp.Expr) -> sp.Expr:
+    """The square roots of a product taken together."""
+    powers = value.as_powers_dict()
+    halves = {base: e for base, e in powers.items() if e.is_Rational and e.q == 2}
+    whole = sp.Mul(*(base**e for base, e in powers.items() if base not in halves))
+    above = sp.Mul(*(base ** (2 * e) for base, e in halves.items() if e > 0))
+    below = sp.Mul(*(base ** (-2 * e) for base, e in halves.items() if e < 0))
+    return whole * sp.sqrt(above) / sp.sqrt(below)
 
 
 def _fields(base: Base, vector: Vector, part: sp.Expr) -> list[tuple[sp.Expr, sp.Expr]]:
