@@ -24,13 +24,12 @@ from sympy.polys.rings import PolyRing
 from ..errors import InputError
 from ..statements import Law
 from ..system import System
-from .angles import without_angles
 from .budget import Budget
 from .errors import SpareNeededError
 from .functions import Fractions
 from .ground import Ground
 from .numbers import precise
-from .prove import everything, prove, tried
+from .prove import everything, prove, standing, tried
 from .verdict import Verdict
 
 __all__ = ["certified", "check"]
@@ -96,13 +95,18 @@ def certified(system: System, law: Law, seconds: float = 300.0) -> Verdict:
         As for :func:`chaplygin.laws.prove.prove`.
     """
     verdict = prove(system, law, seconds=seconds)
+    before: list[tuple[System, Law]] = []
     if verdict.decision != "undecided":
-        system, law = without_angles(system, law)
+        *before, (system, law) = standing(system, law)
     content: dict[str, Any] = {"verdict": verdict.decision, **_statement(system, law)}
     if verdict.decision == "refuted":
         content["witness"] = verdict.witness
     elif verdict.decision == "proven":
         content |= _identities(Ground(system, law.on), law, seconds)
+        content["before"] = [
+            _statement(*claim) | _identities(Ground(claim[0], claim[1].on), claim[1], seconds)
+            for claim in before
+        ]
     else:
         content["reason"] = verdict.reason
     return replace(verdict, certificate=content)
@@ -207,4 +211,4 @@ def check(certificate: Mapping[str, Any]) -> bool:
             total = total - poly(quotient) * condition
         if total or not multiplier:
             return False
-    return True
+    return all(check(part) for part in certificate.get("before", ()))

@@ -25,6 +25,13 @@ Poly = Any
 #: Denominator of the exponents that symbolic powers may have: base^(θ/4) is the generator.
 FINENESS = 4
 
+#: Ratios of arguments that make one exponential a power of another.
+MULTIPLES = tuple(
+    fmpq(sign * above, below)
+    for above, below in ((1, 1), (2, 1), (3, 1), (4, 1), (1, 2), (3, 2), (1, 3), (1, 4))
+    for sign in (1, -1)
+)
+
 
 class Fractions(Quotients):
     """Fractions in named generators and in auxiliary symbols, modulo relations.
@@ -58,6 +65,7 @@ class Fractions(Quotients):
         self._auxiliary: dict[Any, Any] = {}
         self._circles: set[str] = set()
         self._arguments: list[tuple[Element, str]] = []
+        self._exponentials: list[tuple[Element, Element]] = []
 
     def _new(self, key: Any, meaning: str, value: Callable[[], float]) -> Poly:
         """The auxiliary generator that stands for `key`, made when first asked for."""
@@ -196,11 +204,15 @@ class Fractions(Quotients):
         return Element(self, made, {})
 
     def exponential(self, element: Element) -> Element:
-        """The exponential; that of the opposite is its reciprocal."""
-        opposite = ("exp", self._key(-element))
-        if opposite in self._auxiliary:
-            return self.invert(Element(self, self._auxiliary[opposite], {}))
-        return self.opaque("exp", [element])
+        """The exponential; those of whole multiples of one argument are powers of each other."""
+        for argument, known in self._exponentials:
+            for ratio in MULTIPLES:
+                if self.vanishes(element - self.rational(ratio) * argument):
+                    return self.root(known, int(ratio.q)) ** int(ratio.p)
+        made = self.opaque("exp", [element])
+        if not self.vanishes(element):
+            self._exponentials.append((element, made))
+        return made
 
     def circle(self, angle: Element) -> tuple[Element, Element]:
         """Sine and cosine."""

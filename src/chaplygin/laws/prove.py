@@ -14,6 +14,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any, overload
 
+from sympy.functions.elementary.trigonometric import TrigonometricFunction
+
 from ..errors import InputError
 from ..statements import Identity, Isomorphism, Law, PoissonStructure
 from ..system import System
@@ -21,6 +23,7 @@ from .angles import without_angles
 from .budget import Budget
 from .errors import NotExactError, OutOfReachError, SpareNeededError, UnknownSymbolError
 from .functions import Fractions
+from .graphs import graph
 from .ground import Ground
 from .memory import fingerprint, recall, remember
 from .numbers import Balls, Rationals, precise
@@ -28,7 +31,7 @@ from .rank import shortfall
 from .residuals import preserved, residuals
 from .verdict import Verdict
 
-__all__ = ["everything", "prove", "tried"]
+__all__ = ["everything", "prove", "standing", "tried"]
 
 POINTS = 2
 MORE_POINTS = 12
@@ -106,8 +109,37 @@ def everything(law: Law, ground: Ground, field: Any) -> Iterator[tuple[str, Any]
     yield from residuals(law, ground, field)
 
 
+def standing(system: System, law: Law) -> tuple[tuple[System, Law], ...]:
+    """What has to be proved of a law, on phase spaces whose conditions are polynomial.
+
+    Raises
+    ------
+    OutOfReachError
+        If there is no such phase space.
+    """
+    # conditions with sines and cosines go best with circles, others with graphs
+    made = graph(system, law, tame=(TrigonometricFunction,))
+    try:
+        base = without_angles(*((system, law) if made is None else (made.system, made.law)))
+    except OutOfReachError:
+        made = graph(system, law)
+        if made is None:
+            raise
+        base = made.system, made.law
+    if made is None:
+        return (base,)
+    return (without_angles(made.system, made.consistency), base)
+
+
 def _decided(system: System, law: Law, budget: Budget) -> Verdict:
-    system, law = without_angles(system, law)
+    for base, claim in standing(system, law):
+        verdict = _on_ground(base, claim, budget)
+        if verdict.decision != "proven":
+            break
+    return replace(verdict, law=law.name)
+
+
+def _on_ground(system: System, law: Law, budget: Budget) -> Verdict:
     ground = Ground(system, law.on)
     generator = random.Random(SEED)
     sample: dict[str, float] = {}

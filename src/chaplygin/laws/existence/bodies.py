@@ -23,7 +23,7 @@ from .value import Existence
 
 __all__ = ["decide_body"]
 
-PATIENCE = 30.0
+PATIENCE = 12.0
 """Seconds for a proof with free parameters, where one with numbers remains."""
 
 

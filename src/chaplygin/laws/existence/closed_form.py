@@ -22,6 +22,7 @@ from ...mechanics.surfaces import Plane
 from ...vectors import Diagonal, Symmetric, Vector, dot, explicit, normed, scalar
 from ..ground import Ground
 from ..numbers import Balls, precise
+from .families import exact
 from .form import OneForm
 
 __all__ = ["Powers", "closed_form", "density"]
@@ -103,6 +104,8 @@ def closed_form(rolling: Rolling, form: OneForm, numbers: Sequence[sp.Expr]) -> 
     numbers : sequence of sympy.Expr
         The level on which every parameter has its number.
     """
+    if form.scale.xreplace({p.symbol: exact(p.default) for p in form.system.parameters}) == 0:
+        return ()
     bases = _bases(rolling)
     rows, right = _samples(form, bases, tuple(numbers))
     if np.linalg.norm(right) < AGREE:

@@ -1,0 +1,290 @@
+"""Whether an invariant measure exists whose density depends on the configuration alone."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from chaplygin.errors import InputError
+from chaplygin.laws.prove import prove
+from chaplygin.laws.unimodular import measure_exists
+from chaplygin.mechanics.body import Body
+from chaplygin.mechanics.quasivelocity import Frame, Mechanism, coordinates, euclidean, rotations
+from chaplygin.mechanics.rolling import Field, Rolling
+from chaplygin.mechanics.shapes import Ball, Disk, Ellipsoid, Implicit, Torus
+from chaplygin.mechanics.surfaces import Plane, Sphere
+from chaplygin.paper.limit_cycle import CASE
+from chaplygin.system import Parameter
+from chaplygin.vectors import Diagonal, Symmetric, Vector, cross, dot, normed, scalar, unit
+
+MOMENTS = (1.0, 1.5, 2.1)
+PLANE, SPHERE = Plane(), Sphere(3.0)
+
+
+def rolling(shape, moments=MOMENTS, surface=PLANE, contact="rubber", **more):
+    return Rolling(Body(1.0, moments, shape), surface, contact, **more)
+
+
+def parameter(name, value, *, positive=False):
+    symbol = scalar(name)
+    return Parameter(symbol, name, value, admissible=(symbol > 0,) if positive else ())
+
+
+# --- rolling bodies ------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("surface", [PLANE, SPHERE])
+@pytest.mark.parametrize("contact", ["marble", "rubber"])
+class TestBall:
+    def test_balanced(self, contact, surface):
+        found = measure_exists(rolling(Ball(1.0), surface=surface, contact=contact))
+        assert found
+        assert found.density.on == ()
+
+    def test_on_its_axis(self, contact, surface):
+        ball = Ball(1.0, centre=(0.0, 0.0, 0.3))
+        body = rolling(ball, (1.0, 1.0, 1.5), surface, contact)
+        found = measure_exists(body)
+        assert found
+        assert prove(found.system, found.density)
+
+    def test_axis_in_any_direction(self, contact, surface):
+        tensor = ((1.25, 0.25, 0.0), (0.25, 1.25, 0.0), (0.0, 0.0, 1.0))
+        ball = Ball(1.0, centre=(0.3, 0.3, 0.0))
+        assert measure_exists(rolling(ball, tensor, surface, contact))
+
+    @pytest.mark.parametrize("centre", [(0.0, 0.0, 0.3), (0.3, 0.0, 0.1), (0.1, 0.2, 0.3)])
+    def test_unbalanced(self, contact, surface, centre):
+        found = measure_exists(rolling(Ball(1.0, centre=centre), (1.0, 1.2, 1.2), surface, contact))
+        assert found.decision == "none"
+        assert found.obstruction["point"]
+
+    def test_axis_beside_the_centre(self, contact, surface):
+        ball = Ball(1.0, centre=(0.3, 0.0, 0.1))
+        assert not measure_exists(rolling(ball, (1.0, 1.0, 1.5), surface, contact))
+
+
+def test_rubber_ball_on_a_ball_of_its_size():
+    ball = Ball(1.0, centre=(0.1, 0.2, 0.3))
+    found = measure_exists(rolling(ball, surface=Sphere(1.0)))
+    assert found
+    assert found.density.on == (scalar("a") - scalar("R"),)
+
+
+def test_the_ball_with_limit_cycles_keeps_none():
+    moments, kappa, _ = CASE
+    radius, c = 0.5, [float(x) for x in kappa]
+    square = sum(x * x for x in c)
+    tensor = tuple(
+        tuple(
+            (float(moments[i]) - radius**2 - square if i == j else 0.0) + c[i] * c[j]
+            for j in range(3)
+        )
+        for i in range(3)
+    )
+    found = measure_exists(rolling(Ball(radius, centre=tuple(c)), tensor))
+    assert found.decision == "none"
+
+
+@pytest.mark.parametrize(
+    ("contact", "surface"), [("marble", PLANE), ("rubber", PLANE), ("marble", SPHERE)]
+)
+def test_equal_moments_are_enough(contact, surface):
+    shape = Ellipsoid((1.0, 0.8, 0.6), centre=(0.1, 0.2, 0.05))
+    assert measure_exists(rolling(shape, (1.0, 1.0, 1.0), surface, contact))
+
+
+def test_equal_moments_are_not_enough_for_rubber_on_a_sphere():
+    shape = Ellipsoid((1.0, 0.8, 0.6), centre=(0.1, 0.2, 0.05))
+    assert not measure_exists(rolling(shape, (1.0, 1.0, 1.0), SPHERE))
+
+
+@pytest.mark.parametrize("contact", ["marble", "rubber"])
+@pytest.mark.parametrize("shape", [Disk(1.0), Torus(1.0, 0.3, centre=(0.0, 0.0, 0.1))])
+def test_bodies_of_revolution(contact, shape):
+    assert measure_exists(rolling(shape, (1.0, 1.0, 1.5), contact=contact))
+    assert not measure_exists(rolling(shape, contact=contact))
+
+
+@pytest.mark.parametrize("contact", ["marble", "rubber"])
+def test_the_rattleback_keeps_none(contact):
+    shape = Ellipsoid((0.2, 0.03, 0.02), turn=0.1, centre=(0.0, 0.0, 0.01))
+    body = rolling(shape, (2e-4, 16e-4, 17e-4), contact=contact, field=Field(9.81))
+    found = measure_exists(body)
+    assert found.decision == "none"
+    assert "point" in found.obstruction
+
+
+def line_of(axes, beta, delta, alpha):
+    """Moments with α + βI_i b_i² + δ(I_i − b_i²) = 0."""
+    return tuple((delta * b**2 - alpha) / (beta * b**2 + delta) for b in axes)
+
+
+class TestEllipsoid:
+    AXES = (2.0, 1.0, 0.5)
+
+    def test_points_on_a_line(self):
+        body = rolling(Ellipsoid(self.AXES), line_of(self.AXES, 0.0, 1.0, -1.0))
+        assert measure_exists(body)
+
+    def test_general_line(self):
+        axes = (1.0, 2.0, 4.0)
+        moments = line_of(axes, 1.0, 4.0, -6.0)
+        assert moments == (2.0, 2.75, 3.5)
+        body = rolling(Ellipsoid(axes), moments)
+        found = measure_exists(body)
+        assert found
+        assert found.density is not None
+
+    def test_homogeneous(self):
+        squares = [b**2 for b in self.AXES]
+        moments = tuple((sum(squares) - s) / 5 for s in squares)
+        assert not measure_exists(rolling(Ellipsoid(self.AXES), moments))
+        assert not measure_exists(rolling(Ellipsoid(self.AXES), moments, contact="marble"))
+
+    @pytest.mark.parametrize("surface", [PLANE, SPHERE])
+    def test_marble_with_shifted_squares(self, surface):
+        moments = tuple(4.0 + b**2 for b in self.AXES)
+        assert measure_exists(rolling(Ellipsoid(self.AXES), moments, surface, "marble"))
+
+
+def test_shape_given_by_an_equation():
+    x, y, z = Implicit.coordinates
+    shape = Implicit(x**2 + 2 * y**2 + 3 * z**2 + x**4 - 1)
+    assert not measure_exists(rolling(shape, contact="marble"))
+    assert not measure_exists(rolling(shape))
+
+
+def test_density_by_quadrature():
+    tensor = ((1.25, 0.25, 0.0), (0.25, 1.25, 0.0), (0.0, 0.0, 1.0))
+    turned = measure_exists(rolling(Ball(1.0, centre=(0.3, 0.3, 0.0)), tensor))
+    # the same ball with its axis along body axis 3: σ = −½ log(J₃ − kγ₃ + γ₃²(J₁ − J₃))
+    k, square = 2 * 0.18**0.5, 0.18
+    J1, J3 = 1.0 + square + 1, 1.5 + 1
+
+    def sigma(gamma):
+        u = (gamma[0] + gamma[1]) / 2**0.5
+        return -0.5 * float(sp.log(J3 - k * u + u * u * (J1 - J3)))
+
+    start, end = (0.36, -0.48, 0.8), (0.6, 0.64, 0.48)
+    value, error = turned.log_density(end)
+    assert error < 1e-12
+    assert value == pytest.approx(sigma(end) - sigma(start), abs=1e-12)
+    with pytest.raises(InputError, match="unit vector"):
+        turned.log_density((1.0, 1.0, 1.0))
+
+
+# --- mechanisms ----------------------------------------------------------------------------
+
+omega, v, gamma = Vector("omega"), Vector("v"), Vector("gamma")
+
+
+def sleigh(offset):
+    x, y, phi, v_1, v_2, w = (scalar(s) for s in ("x", "y", "phi", "v_1", "v_2", "w"))
+    m, I, a, b = (scalar(s) for s in ("m", "I", "a", "b"))
+    frame = Frame(
+        {
+            x: v_1 * sp.cos(phi) - v_2 * sp.sin(phi),
+            y: v_1 * sp.sin(phi) + v_2 * sp.cos(phi),
+            phi: w,
+        },
+        (v_1, v_2, w),
+    )
+    kinetic = m / 2 * ((v_1 - b * w) ** 2 + (v_2 + a * w) ** 2) + I / 2 * w**2
+    parameters = (
+        parameter("m", 1.0, positive=True),
+        parameter("I", 0.5, positive=True),
+        parameter("a", offset),
+        parameter("b", 0.2),
+    )
+    return Mechanism("sleigh", frame, kinetic, (v_2,), parameters=parameters)
+
+
+def test_chaplygin_sleigh():
+    found = measure_exists(sleigh(0.3))
+    assert found.decision == "conditional"
+    assert found.conditions == ((scalar("a"),),)
+    assert found.complete
+    assert not found
+    assert "if and only if a = 0" in str(found)
+    assert measure_exists(sleigh(0.0))
+
+
+def test_suslov():
+    I = Symmetric("I")
+    frame = Frame({gamma: cross(gamma, omega)}, (omega,), (normed(gamma) - 1,), rotations(omega))
+    numbers = zip(I.symbols, (2.0, 0.1, 0.2, 2.5, 0.3, 3.0), strict=True)
+    found = measure_exists(
+        Mechanism(
+            "suslov",
+            frame,
+            dot(omega, I * omega) / 2,
+            (dot(omega, unit(3)),),
+            parameters=tuple(parameter(str(s), x) for s, x in numbers),
+        )
+    )
+    assert found.decision == "conditional"
+    assert found.complete
+    assert [set(level) for level in found.conditions] == [{scalar("I_13"), scalar("I_23")}]
+
+
+def test_veselova():
+    I = Diagonal("I")
+    frame = Frame({gamma: cross(gamma, omega)}, (omega,), (normed(gamma) - 1,), rotations(omega))
+    numbers = zip(I.symbols, MOMENTS, strict=True)
+    found = measure_exists(
+        Mechanism(
+            "veselova",
+            frame,
+            dot(omega, I * omega) / 2,
+            (dot(omega, gamma),),
+            parameters=tuple(parameter(str(s), x) for s, x in numbers),
+        )
+    )
+    assert found.decision == "exists"
+    ((base, exponent),) = found.density.density
+    assert exponent == sp.Rational(1, 2)
+    inverse = sum(g**2 / i for g, i in zip(gamma.symbols, I.symbols, strict=True))
+    assert sp.cancel(base / inverse).free_symbols <= set(I.symbols)
+
+
+def test_chaplygin_ball_from_its_lagrangian():
+    I, m, R = Diagonal("I"), scalar("m"), scalar("R")
+    frame = Frame(
+        {gamma: cross(gamma, omega)}, (omega, v), (normed(gamma) - 1,), euclidean(omega, v)
+    )
+    numbers = zip((*I.symbols, m, R), (*MOMENTS, 1.0, 1.0), strict=True)
+    found = measure_exists(
+        Mechanism(
+            "ball",
+            frame,
+            m * normed(v) / 2 + dot(omega, I * omega) / 2,
+            (v - R * cross(omega, gamma),),
+            parameters=tuple(parameter(str(s), x) for s, x in numbers),
+        )
+    )
+    assert found.decision == "exists"
+
+
+def test_vertical_disk():
+    x, y, psi, theta = (scalar(s) for s in ("x", "y", "psi", "theta"))
+    m, I, J, R = (scalar(s) for s in ("m", "I", "J", "R"))
+    frame = coordinates(x, y, psi, theta)
+    xdot, ydot, psidot, thetadot = frame.w
+    kinetic = m / 2 * (xdot**2 + ydot**2) + I / 2 * psidot**2 + J / 2 * thetadot**2
+    found = measure_exists(
+        Mechanism(
+            "vertical-disk",
+            frame,
+            kinetic,
+            (xdot - R * psidot * sp.cos(theta), ydot - R * psidot * sp.sin(theta)),
+            parameters=tuple(parameter(str(s), 1.0, positive=True) for s in (m, I, J, R)),
+        )
+    )
+    assert found.decision == "exists"
+    assert found.density.density == ()
+
+
+def test_what_it_needs_is_said():
+    with pytest.raises(InputError, match="neither a Rolling nor a Mechanism"):
+        measure_exists("ball")
