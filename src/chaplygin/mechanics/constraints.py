@@ -11,16 +11,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 from typing import Any, Literal
 
 import sympy as sp
 
+from ..vectors import Vector, dot
 from .distribution import Distribution, distribution
 from .growth import Filtration, filtration, generic
 from .holonomic import Constancy, constants
 from .quasivelocity import TIME, Mechanism
 
-__all__ = ["Nonholonomy", "Word", "nonholonomy"]
+__all__ = ["Nonholonomy", "Word", "nonholonomy", "nonholonomy_at"]
 
 Word = Literal["free", "holonomic", "in between", "completely nonholonomic"]
 
@@ -203,4 +205,17 @@ def _listed(numbers: Sequence[int]) -> str:
 def _text(formula: sp.Expr) -> str:
     from ..notation import text
 
-    return text(formula)
+    return text(_paired(formula))
+
+
+def _paired(formula: sp.Expr) -> sp.Expr:
+    """A formula in which sums of products of components are scalar products."""
+    names = {str(s)[:-2] for s in formula.free_symbols if str(s)[-2:] in ("_1", "_2", "_3")}
+    found = sp.expand(formula)
+    for left, right in combinations([Vector(name) for name in sorted(names)], 2):
+        product = sp.Add(*(a * b for a, b in zip(left, right, strict=True)))
+        factor = found.coeff(left.symbols[0] * right.symbols[0])
+        rest = sp.expand(found - factor * product)
+        if factor != 0 and len(rest.args) == len(found.args) - 3:
+            found = rest + factor * dot(left, right)
+    return found

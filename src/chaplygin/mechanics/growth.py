@@ -70,10 +70,33 @@ class Filtration:
         return self.growth[-1]
 
 
+def pivots_at(given: Distribution, place: Place) -> tuple[Any, ...]:
+    """The numbers on which the growth at a point rests: it is less where one of them vanishes.
+
+    Raises
+    ------
+    SingularError, ZeroDivisionError, IrrationalError
+        Where the constraints are dependent or singular, or contain an irrational root.
+    """
+    order = START
+    while True:
+        span = Span(place.numbers)
+        bundle = Bundle(given, place.germs(given.space(), order))
+        if _filled(given, place, bundle, span)[1] or order == _highest(len(given.coordinates)):
+            return (*bundle.leads, *span.leads)
+        order = min(2 * order, _highest(len(given.coordinates)))
+
+
 def _grown(given: Distribution, place: Place, order: int) -> tuple[Filtration, bool]:
     """The filtration at a point by series of the order given, and whether it was enough."""
     bundle = Bundle(given, place.germs(given.space(), order))
-    span = Span(place.numbers)
+    return _filled(given, place, bundle, Span(place.numbers))
+
+
+def _filled(
+    given: Distribution, place: Place, bundle: Bundle, span: Span
+) -> tuple[Filtration, bool]:
+    """The filtration, and whether the series are long enough; `span` is filled."""
     basis = bundle.admissible()
     fields = [bundle.section(section) for section in basis]
     dimension = _dimension(given, bundle)

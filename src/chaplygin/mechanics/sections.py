@@ -42,6 +42,8 @@ class Bundle:
         self.constants: dict[tuple[int, int, int], Series] | None = None
         if given.structure is not None:
             self.constants = {ijk: germs.series(v) for ijk, v in given.structure.items()}
+        #: Numbers divided by when the constraints are solved.
+        self.leads: list[Any] = []
         self.size = self.width if self.constants is not None else len(given.coordinates)
 
     def admissible(self) -> list[Section]:
@@ -55,6 +57,7 @@ class Bundle:
                     break
                 raise SingularError
             chosen = rows.pop(place[0])
+            self.leads.append(chosen[place[1]].value)
             inverse = self.one / chosen[place[1]]
             chosen = [entry * inverse for entry in chosen]
             pivots = [(c, freed(other, chosen, place[1])) for c, other in pivots]
@@ -140,6 +143,8 @@ class Span:
         self.numbers = numbers
         self.pivots: list[tuple[int, Section]] = []
         self.remainders: list[dict[Any, Any]] = []
+        #: The number at the point of each new direction.
+        self.leads: list[Any] = []
 
     def add(self, section: Section) -> tuple[Section, bool] | None:
         """What a section adds, and whether that is a direction; None if nothing."""
@@ -148,6 +153,7 @@ class Span:
         place = leading([section], len(section))
         if place is not None:
             lead = section[place[1]]
+            self.leads.append(lead.value)
             inverse = lead.power(-1, 1)
             section = [entry * inverse for entry in section]
             self.pivots.append((place[1], section))
