@@ -95,6 +95,12 @@ def test_a_direction_that_is_no_family_is_refused():
         linearise(TOP, [0, 0, 2], along=[{"M_1": 1}])
 
 
+def test_a_direction_that_leaves_the_phase_space_is_refused():
+    still = System("still", "Still", field={s: 0 * s, c: s - s * c}, relations=(s**2 + c**2 - 1,))
+    with pytest.raises(InputError, match="the relations do not annul it"):
+        linearise(still, {"s": 0, "c": 1}, along=[{"c": 1}])
+
+
 def test_a_relative_equilibrium_is_carried_along_by_a_symmetry():
     """A rolling disk: in its own axes the vertical turns all the time."""
     disk = from_catalogue("heavy-disk")
@@ -154,6 +160,13 @@ def test_where_nothing_is_steady_newton_says_so():
     racing = System("racing", "Racing", field={v: v**2 + 1})
     with pytest.raises(InputError, match="no steady motion was found"):
         steady(racing, {"v": 0})
+
+
+def test_something_must_be_left_to_be_found():
+    with pytest.raises(InputError, match="all state variables are held"):
+        steady(ROUND, {"s": 0, "c": 1, "w": 0}, held=["s", "c", "w"])
+    with pytest.raises(InputError, match="digits = 3"):
+        steady(ROUND, {"s": 0, "c": 1, "w": 0}, digits=3)
 
 
 def test_where_nothing_depends_on_the_state_there_is_nothing_to_linearise():

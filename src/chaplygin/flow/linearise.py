@@ -127,15 +127,14 @@ def linearise(
         If the state misses the phase space or is not steady, if a name is unknown, or if A does
         not annul a direction of `along`.
     """
-    if digits < 5 or digits > 1000:
-        raise InputError(f"digits = {digits}: it must lie between 5 and 1000")
     with mpmath.workdps(_working(digits)):
         frozen = _Frozen(system, state, parameters, digits)
         matrix, drift = frozen.moving()
-        tangent = complement(frozen.slopes_of_relations(), len(frozen.variables))
+        relations = frozen.slopes_of_relations()
+        tangent = complement(relations, len(frozen.variables))
         family = [frozen.vector(direction, "along") for direction in along]
         for direction in family:
-            _require_annulled(system, matrix, direction, frozen.tolerance)
+            _require_family(system, (matrix, relations), direction, frozen.tolerance)
         basis = without(tangent, family)
         return Linearisation(
             system=system,
@@ -183,6 +182,8 @@ def steady(
         constants = _constants(system, parameters)
         kept = {_symbol(system, name, "held") for name in held}
         loose = [i for i, s in enumerate(variables) if s not in kept]
+        if not loose:
+            raise InputError(f"{system.name}: all state variables are held; leave one to be found")
         formulas = [*_rates(system, variables), *_relations(system)]
         for _ in range(NEWTON_STEPS):
             values, rows = slopes(system, formulas, variables, {**point, **constants})
@@ -270,6 +271,9 @@ class _Frozen:
 
 
 def _working(digits: int) -> int:
+    """Digits to compute with."""
+    if digits < 5 or digits > 1000:
+        raise InputError(f"digits = {digits}: it must lie between 5 and 1000")
     return 4 * digits + 20
 
 
@@ -359,12 +363,14 @@ def _constants(system: System, parameters: Mapping[Any, Any] | None) -> dict[sp.
     return values
 
 
-def _require_annulled(system: System, matrix: Any, direction: Any, tolerance: Any) -> None:
+def _require_family(system: System, forms: Sequence[Any], direction: Any, tolerance: Any) -> None:
+    """Refuse a direction that A or the differentials of the relations do not annul."""
     size = mpmath.norm(direction)
-    if size == 0 or mpmath.norm(matrix * direction) > tolerance * size * (
-        1 + mpmath.mnorm(matrix, 1)
-    ):
-        raise InputError(
-            f"{system.name}: a direction given by 'along' does not lead along a family of steady "
-            "motions: the linear equations do not annul it"
-        )
+    for form in forms:
+        scale = 1 + mpmath.mnorm(form, 1) if form.rows else 1
+        moved = mpmath.norm(form * direction) if form.rows else 0
+        if size == 0 or moved > tolerance * size * scale:
+            raise InputError(
+                f"{system.name}: a direction given by 'along' does not lead along a family of "
+                "steady motions: the linear equations or the relations do not annul it"
+            )
