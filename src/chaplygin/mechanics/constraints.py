@@ -212,10 +212,16 @@ def _paired(formula: sp.Expr) -> sp.Expr:
     """A formula in which sums of products of components are scalar products."""
     names = {str(s)[:-2] for s in formula.free_symbols if str(s)[-2:] in ("_1", "_2", "_3")}
     found = sp.expand(formula)
+    factors = [sp.S.One, *sorted(formula.free_symbols, key=str)]
     for left, right in combinations([Vector(name) for name in sorted(names)], 2):
         product = sp.Add(*(a * b for a, b in zip(left, right, strict=True)))
-        factor = found.coeff(left.symbols[0] * right.symbols[0])
-        rest = sp.expand(found - factor * product)
-        if factor != 0 and len(rest.args) == len(found.args) - 3:
-            found = rest + factor * dot(left, right)
+        for factor in factors:
+            number = found.coeff(factor * left.symbols[0] * right.symbols[0])
+            rest = sp.expand(found - number * factor * product)
+            if number.is_Number and _terms(rest) == _terms(found) - 3:
+                found = rest + number * factor * dot(left, right)
     return found
+
+
+def _terms(formula: sp.Expr) -> int:
+    return len([term for term in sp.Add.make_args(formula) if term != 0])
