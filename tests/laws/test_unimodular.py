@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 import sympy as sp
 
 from chaplygin.errors import InputError
+from chaplygin.laws.existence.closed_form import density
+from chaplygin.laws.existence.families import exact
+from chaplygin.laws.existence.form import one_form
 from chaplygin.laws.prove import prove
 from chaplygin.laws.unimodular import measure_exists
 from chaplygin.mechanics.body import Body
@@ -14,15 +19,33 @@ from chaplygin.mechanics.rolling import Field, Rolling
 from chaplygin.mechanics.shapes import Ball, Disk, Ellipsoid, Implicit, Torus
 from chaplygin.mechanics.surfaces import Plane, Sphere
 from chaplygin.paper.limit_cycle import CASE
-from chaplygin.system import Parameter
-from chaplygin.vectors import Diagonal, Symmetric, Vector, cross, dot, normed, scalar, unit
+from chaplygin.statements import Identity, Measure
+from chaplygin.system import Parameter, System
+from chaplygin.vectors import (
+    Diagonal,
+    Symmetric,
+    Vector,
+    constant,
+    cross,
+    dot,
+    explicit,
+    normed,
+    scalar,
+    unit,
+)
 
 MOMENTS = (1.0, 1.5, 2.1)
 PLANE, SPHERE = Plane(), Sphere(3.0)
+omega, v, gamma = Vector("omega"), Vector("v"), Vector("gamma")
 
 
 def rolling(shape, moments=MOMENTS, surface=PLANE, contact="rubber", **more):
     return Rolling(Body(1.0, moments, shape), surface, contact, **more)
+
+
+def quickly(body):
+    """Only what the 1-form says, and a density where it is proven at once."""
+    return measure_exists(body, seconds=2.0)
 
 
 def parameter(name, value, *, positive=False):
@@ -91,7 +114,7 @@ def test_the_ball_with_limit_cycles_keeps_none():
 )
 def test_equal_moments_are_enough(contact, surface):
     shape = Ellipsoid((1.0, 0.8, 0.6), centre=(0.1, 0.2, 0.05))
-    assert measure_exists(rolling(shape, (1.0, 1.0, 1.0), surface, contact))
+    assert quickly(rolling(shape, (1.0, 1.0, 1.0), surface, contact))
 
 
 def test_equal_moments_are_not_enough_for_rubber_on_a_sphere():
@@ -102,7 +125,7 @@ def test_equal_moments_are_not_enough_for_rubber_on_a_sphere():
 @pytest.mark.parametrize("contact", ["marble", "rubber"])
 @pytest.mark.parametrize("shape", [Disk(1.0), Torus(1.0, 0.3, centre=(0.0, 0.0, 0.1))])
 def test_bodies_of_revolution(contact, shape):
-    assert measure_exists(rolling(shape, (1.0, 1.0, 1.5), contact=contact))
+    assert quickly(rolling(shape, (1.0, 1.0, 1.5), contact=contact))
     assert not measure_exists(rolling(shape, contact=contact))
 
 
@@ -124,17 +147,29 @@ class TestEllipsoid:
     AXES = (2.0, 1.0, 0.5)
 
     def test_points_on_a_line(self):
-        body = rolling(Ellipsoid(self.AXES), line_of(self.AXES, 0.0, 1.0, -1.0))
-        assert measure_exists(body)
+        # β = 0: the differences I_i − b_i² agree, and θ vanishes
+        body = rolling(Ellipsoid(self.AXES), line_of(self.AXES, 0.0, 1.0, -4.0))
+        assert quickly(body)
+
+    def test_points_off_a_line(self):
+        first, *others = line_of(self.AXES, 0.0, 1.0, -4.0)
+        found = measure_exists(rolling(Ellipsoid(self.AXES), (first + 0.001, *others)))
+        assert found.decision == "none"
 
     def test_general_line(self):
         axes = (1.0, 2.0, 4.0)
         moments = line_of(axes, 1.0, 4.0, -6.0)
         assert moments == (2.0, 2.75, 3.5)
-        body = rolling(Ellipsoid(axes), moments)
-        found = measure_exists(body)
-        assert found
-        assert found.density is not None
+        form = one_form(rolling(Ellipsoid(axes), moments))
+        numbers = tuple(p.symbol - exact(p.default) for p in form.system.parameters)
+        assert prove(form.system, replace(form.closed, on=numbers))
+        # σ = −½ log (γ, (B + 4E)γ)
+        squares = sp.Add(
+            *((b**2 + 4) * g**2 for b, g in zip((1, 2, 4), gamma.symbols, strict=True))
+        )
+        slope = [-g * (b**2 + 4) / squares for b, g in zip((1, 2, 4), gamma.symbols, strict=True)]
+        law = Identity("sigma", cross(gamma, form.form - constant(slope)), on=numbers)
+        assert prove(form.system, law)
 
     def test_homogeneous(self):
         squares = [b**2 for b in self.AXES]
@@ -145,7 +180,7 @@ class TestEllipsoid:
     @pytest.mark.parametrize("surface", [PLANE, SPHERE])
     def test_marble_with_shifted_squares(self, surface):
         moments = tuple(4.0 + b**2 for b in self.AXES)
-        assert measure_exists(rolling(Ellipsoid(self.AXES), moments, surface, "marble"))
+        assert quickly(rolling(Ellipsoid(self.AXES), moments, surface, "marble"))
 
 
 def test_shape_given_by_an_equation():
@@ -174,9 +209,46 @@ def test_density_by_quadrature():
         turned.log_density((1.0, 1.0, 1.0))
 
 
-# --- mechanisms ----------------------------------------------------------------------------
+@pytest.mark.parametrize("surface", [PLANE, SPHERE])
+@pytest.mark.parametrize("contact", ["marble", "rubber"])
+@pytest.mark.parametrize(
+    "shape",
+    [
+        Ball(1.0, centre=(0.1, 0.2, 0.3)),
+        Torus(1.0, 0.3, centre=(0.1, 0.2, 0.1)),
+        Ellipsoid((1.0, 0.8, 0.6), centre=(0.1, 0.2, 0.1)),
+    ],
+)
+def test_the_form_is_the_divergence_of_the_equations_of_motion(contact, surface, shape):
+    """With ż = θ the density e^z over momenta is invariant, whatever the body."""
+    body = rolling(shape, surface=surface, contact=contact)
+    form, made = one_form(body), body.system()
+    z = scalar("z")
+    given = {*made.symbols, *(p.symbol for p in made.parameters)}
+    own = {s: scalar(f"own_{s}") for s, _ in form.system.steps if s not in given}
+    rates = dict(zip(made.symbols, made.rates, strict=True))
+    share = sum(t * rates[g] for t, g in zip(form.form.symbols, gamma.symbols, strict=True))
+    if form.spin is not None:
+        share += scalar("m") * explicit(dot(gamma, omega) * form.spin.value)
+    tied = System(
+        name="tied",
+        title="tied",
+        field={**dict(made.field), z: share.xreplace(own)},
+        definitions=(
+            *made.definitions,
+            *((own[s], f.xreplace(own)) for s, f in form.system.steps if s in own),
+        ),
+        parameters=made.parameters,
+        relations=made.relations,
+    )
+    law = Measure("tied", (*density(body, ()), (sp.exp(z), 1)))
+    # time for the points at which it would be refuted, not for a proof
+    assert prove(tied, law, seconds=1.0).decision != "refuted"
+    wrong = Measure("tied", (*density(body, ()), (sp.exp(2 * z), 1)))
+    assert prove(tied, wrong, seconds=1.0).decision == "refuted"
 
-omega, v, gamma = Vector("omega"), Vector("v"), Vector("gamma")
+
+# --- mechanisms ----------------------------------------------------------------------------
 
 
 def sleigh(offset):

@@ -17,6 +17,7 @@ from ..vectors import Diagonal, Vector, cross, dot, normed, zero
 from .claim import Case, Claim, Remark
 from .independence import independent, rational_point
 from .limit_cycle import CASE, limit_cycle
+from .measure_of_rubber_ball import only_symmetric_balls
 from .unbalanced import (
     GAMMA_RATE,
     NORMAL,
@@ -148,6 +149,17 @@ def refuted_by_limit_cycle() -> Verdict:
     )
 
 
+def measure_decided() -> Verdict:
+    """What excludes a measure for a certain ball, and for all that are not symmetric."""
+    cycle, symmetric = with_limit_cycle(), only_symmetric_balls()
+    return replace(
+        symmetric,
+        decision="proven" if cycle and symmetric else "undecided",
+        shown=f"{symmetric.shown}; {cycle.shown}",
+        seconds=cycle.seconds + symmetric.seconds,
+    )
+
+
 CLAIMS = (
     Claim(
         "(10.4), equations",
@@ -226,11 +238,15 @@ CLAIMS = (
         r"Preliminary numerical experiments indicate the possibility of existence of invariant "
         r"measure although it is not yet found in the analytical form.",
         refuted_by_limit_cycle,
-        with_limit_cycle,
-        r"In general there is no invariant measure with a continuous positive density: on tori of "
-        r"an open set the motions approach limit cycles",
-        "shown by rigorous bounds for the ball with J = diag(0.5, 2.75, 2.8), 2mR c = (0.05, −0.1, "
-        "0.15) on F₂/2H = 0.95, and so for all nearby ones; most tori have quasi-periodic motions "
+        measure_decided,
+        r"An invariant measure whose density is smooth and positive up to rest exists if and only "
+        r"if $\mathbf a = 0$ or the line of $\mathbf a$ is an axis of dynamical symmetry; for an "
+        r"open set of other balls there is none with a continuous positive density at all: on tori "
+        r"their motions approach limit cycles",
+        "at rest the equations leave a density that depends on γ alone, whose logarithm has the "
+        "differential −(q, dγ), q = Ĩ⁻¹γ/(γ, Ĩ⁻¹γ); it is closed for these balls alone. The limit "
+        "cycles by rigorous bounds for the ball with J = diag(0.5, 2.75, 2.8), 2mR c = (0.05, "
+        "−0.1, 0.15) on F₂/2H = 0.95, and so for all nearby ones; most tori have quasi-periodic motions "
         "alone, which is what experiments show",
     ),
 )
