@@ -93,7 +93,7 @@ def frame_of(points: FloatArray, margin: FloatArray, ground: SurfaceGround) -> B
             face[:, (axis + 1) % 3], face[:, (axis + 2) % 3] = first, second
             faces.append(wide.low + face * (wide.high - wide.low))
     with np.errstate(all="ignore"):
-        outside = ground.level(np.concatenate(faces))
+        outside = ground.height(np.concatenate(faces))
     if np.all(outside > 0.0) or np.all(outside < 0.0):
         return _shrunk(wide, ground)
     return Box(low, high)
