@@ -300,6 +300,15 @@ MISTAKES = {
     "is not tangent to the relation": dict(
         frame=Frame({x: u, y: v}, (u, v), (x**2 + y**2 - 1,)), lagrangian=u**2 + v**2
     ),
+    "the field of omega_1 is not tangent": dict(
+        frame=Frame(
+            {gamma: cross(gamma, omega) + omega}, (omega,), (normed(gamma) - 1,), rotations(omega)
+        ),
+        lagrangian=normed(omega),
+    ),
+    "uses the velocity xdot": dict(
+        frame=coordinates(x, y), lagrangian=xdot**2 + ydot**2, positions=(x * xdot,)
+    ),
     "no configuration was found": dict(
         frame=coordinates(x, y), lagrangian=xdot**2 + ydot**2, positions=(x**2 + y**2 + 1,)
     ),

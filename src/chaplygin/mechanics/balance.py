@@ -8,9 +8,10 @@ from functools import cached_property
 
 import sympy as sp
 
+from ..errors import InputError
 from .independence import check_constraints
 from .quasivelocity import TIME, Mechanism
-from .sampling import Sample, defaults, precisely, samples
+from .sampling import Sample, defaults, negligible, precisely, samples
 from .structure import Coefficients, structure
 from .tape import Derivation, Tape
 
@@ -114,6 +115,7 @@ def balance(mechanism: Mechanism) -> Balance:
     tape = Tape(mechanism.steps, (*mechanism.symbols, *parameters, TIME))
     points = samples(name, frame, mechanism)
     coefficients = structure(frame, name)
+    _check_tangent(mechanism, tape, points)
     here = Derivation((*zip(frame.coordinates, frame.qdot, strict=True), (TIME, sp.S.One)))
     constraints = (*mechanism.f, *(tape.short(tape.along(here, F)) for F in mechanism.F))
     along_w = [_only(w, i) for i in range(len(w))]
@@ -148,6 +150,19 @@ def balance(mechanism: Mechanism) -> Balance:
         slopes=slopes,
         push=push,
     )
+
+
+def _check_tangent(mechanism: Mechanism, tape: Tape, points: Sequence[Sample]) -> None:
+    for relation in mechanism.frame.relations:
+        for i, s in enumerate(mechanism.frame.w):
+            change = tape.along(_along_field(mechanism, i), relation)
+            steps = tape.steps([change])
+            if not negligible(change, [point.further(steps) for point in points]):
+                raise InputError(
+                    f"{mechanism.name}: the field of {s} is not tangent to the relation "
+                    f"{relation} = 0; a relation that moves with the velocities is a position "
+                    "constraint"
+                )
 
 
 def _only(w: Sequence[sp.Symbol], index: int) -> Derivation:

@@ -267,6 +267,12 @@ class Mechanism:
         for f in self.f:
             self._require(f, known, f"the constraint {f}")
         for f in self.F:
+            moving = sorted(map(str, f.free_symbols & set(self.frame.w)))
+            if moving:
+                raise InputError(
+                    f"{self.name}: the position constraint {f} uses the velocity {moving[0]}; it "
+                    "may use coordinates alone, or belongs to the constraints on velocities"
+                )
             self._require(f, known, f"the position constraint {f}")
         for s, force in self.Q.items():
             if s not in self.frame.w:

@@ -47,8 +47,8 @@ def structure(frame: Frame, owner: str = "frame") -> Coefficients:
     Raises
     ------
     InputError
-        If the fields are dependent or not tangent to the relations, if there are fewer than the
-        configuration space has dimensions, or if `Frame.structure` names no pair of velocities.
+        If the fields are dependent, if there are fewer than the configuration space has
+        dimensions, or if `Frame.structure` names no pair of velocities.
     """
     if frame.structure is not None:
         return _given(frame, owner)
@@ -59,7 +59,6 @@ def structure(frame: Frame, owner: str = "frame") -> Coefficients:
         return {}
     points = samples(owner, frame)
     rows = _spanning(frame, points[0], owner)
-    _tangent(frame, points, owner)
     fields = [frame.field(i) for i in range(len(frame.w))]
     found: dict[tuple[int, int, int], sp.Expr] = {}
     for i, first in enumerate(fields):
@@ -113,16 +112,6 @@ def _spanning(frame: Frame, point: Sample, owner: str) -> list[int]:
             f"space of dimension {dimension}; every direction needs one"
         )
     return rows
-
-
-def _tangent(frame: Frame, points: Sequence[Sample], owner: str) -> None:
-    for relation in frame.relations:
-        for i, w in enumerate(frame.w):
-            if not negligible(_along(frame.field(i), relation), points):
-                raise InputError(
-                    f"{owner}: the field of {w} is not tangent to the relation {relation} = 0; "
-                    "a relation that moves with the velocities is a position constraint"
-                )
 
 
 def _constant(
