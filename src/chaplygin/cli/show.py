@@ -67,7 +67,7 @@ def command(
                     }
                     for law in system.laws
                 ],
-                "place": standing_of(system, study.mechanism or study.rolling).record,
+                "place": standing_of(system, study.rolling).record,
             }
         )
         return
@@ -84,4 +84,4 @@ def command(
     for words in filter(None, (legend(study), *told(study)) if form == "text" else ()):
         typer.echo("\n" + textwrap.fill(words, 100))
     if form == "text":
-        typer.echo(f"\n{standing_of(system, study.mechanism or study.rolling)}")
+        typer.echo(f"\n{standing_of(system, study.rolling)}")

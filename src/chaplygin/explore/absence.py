@@ -50,7 +50,7 @@ def decided(given: Rolling | Mechanism | None, patience: Patience) -> Decided:
     began = time.monotonic()
     try:
         found = measure_exists(given, seconds=allowed)
-    except (InputError, OutOfReachError):
+    except (InputError, OutOfReachError, ZeroDivisionError):
         return Decided()
     finally:
         patience.spent += time.monotonic() - began
