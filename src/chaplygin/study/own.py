@@ -65,6 +65,10 @@ def _placed(experiment: OwnExperiment) -> Iterator[None]:
         sentence = error.message.removeprefix(f"{identifier(experiment)}: ")
         key = next((key for words, key in _PLACES if re.match(words, sentence)), ())
         raise InputError(sentence, experiment.where(*key)) from None
+    except (ArithmeticError, ValueError) as error:
+        # what is tried at points of its own may leave the domain of a root or a logarithm
+        sentence = f"a formula has no real value at a point where it was tried: {error}"
+        raise InputError(sentence.removesuffix(": "), experiment.where()) from None
 
 
 def _check_variables(

@@ -227,9 +227,12 @@ def _function(system: System, formulas: Sequence[sp.Expr]) -> Callable[[Sequence
 
     def values(state: Sequence[Any]) -> list[Any]:
         try:
-            return list(function(*state, *constants.values()))
+            found = list(function(*state, *constants.values()))
         except ZeroDivisionError:
             raise InputError("start: the equations are singular at this state") from None
+        if any(isinstance(value, mpmath.mpc) for value in found):
+            raise InputError("start: the equations have no real value at this state")
+        return found
 
     return values
 
