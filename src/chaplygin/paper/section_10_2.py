@@ -246,8 +246,8 @@ CLAIMS = (
         "at rest the equations leave a density that depends on γ alone, whose logarithm has the "
         "differential −(q, dγ), q = Ĩ⁻¹γ/(γ, Ĩ⁻¹γ); it is closed for these balls alone. The limit "
         "cycles by rigorous bounds for the ball with J = diag(0.5, 2.75, 2.8), 2mR c = (0.05, "
-        "−0.1, 0.15) on F₂/2H = 0.95, and so for all nearby ones; most tori have quasi-periodic motions "
-        "alone, which is what experiments show",
+        "−0.1, 0.15) on F₂/2H = 0.95, and so for all nearby ones; most tori have quasi-periodic "
+        "motions alone, which is what experiments show",
     ),
 )
 
