@@ -94,13 +94,18 @@ def ball_in_coordinates() -> Mechanism:
     )
 
 
-def on_sphere(k: sp.Expr, rubber: bool) -> Mechanism:
-    """A balanced ball on a sphere with γ̇ = k γ×ω when it does not slip, of any inertia.
+#: The velocity along the tangent plane.
+across = v - dot(gamma, v) * gamma
 
-    The centre is at Rγ/(1 − k) from that of the sphere, which gives γ̇ for every v.
+
+def on_sphere(k: sp.Expr, rubber: bool) -> Mechanism:
+    """A balanced ball on a sphere; without slip γ̇ = k γ×ω.
+
+    Its centre is at Rγ/(1 − k) from that of the sphere, which gives γ̇ for every v that keeps
+    this distance.
     """
     frame = Frame(
-        {gamma: cross(gamma, omega) + (1 - k) / R * v},
+        {gamma: cross(gamma, omega) + (1 - k) / R * across},
         (omega, v),
         (normed(gamma) - 1,),
         euclidean(omega, v),
@@ -120,7 +125,7 @@ def hollow_ball(
 ) -> Mechanism:
     """The marble ball around a sphere of half its radius, k = −1, with numbers; m = R = 1."""
     frame = Frame(
-        {gamma: cross(gamma, omega) + 2 * v},
+        {gamma: cross(gamma, omega) + 2 * across},
         (omega, v),
         (normed(gamma) - 1,),
         euclidean(omega, v),

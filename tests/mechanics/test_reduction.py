@@ -12,6 +12,10 @@ from chaplygin.laws.prove import prove
 from chaplygin.mechanics.quasivelocity import TIME, Mechanism, coordinates
 from chaplygin.mechanics.reduction import ChaplyginForm, chaplygin_form
 from chaplygin.mechanics.reduction_numbers import integral_of_gyroscopic, log_multiplier
+from chaplygin.mechanics.rolling import Rolling
+from chaplygin.mechanics.rolling_mechanism import rolling_mechanism
+from chaplygin.mechanics.shapes import Ball
+from chaplygin.mechanics.surfaces import Sphere
 from chaplygin.statements import Measure
 from chaplygin.vectors import scalar
 from mechanics.reducible import (
@@ -160,6 +164,17 @@ def test_rubber_ball_on_a_sphere_for_every_ratio() -> None:
     assert form.multiplier is not None
     ((base, exponent),) = form.multiplier.powers
     assert sp.simplify(exponent - (1 / (2 * ratio) - 1)) == 0
+    same_up_to_constant(base, squares([1 / j for j in J]), form)
+    assert {"measure", "form", "motion", "canonical", "hamiltonian"} <= set(proven(form))
+
+
+def test_rubber_ball_on_a_sphere_as_it_rolls() -> None:
+    """The same from body, surface and contact: 1/(2k) − 1 for k = a/(a + R)."""
+    body = Body(1.0, (1.0, 1.5, 2.1), Ball(1.0))
+    form = chaplygin_form(rolling_mechanism(Rolling(body, Sphere(2.0), "rubber")))
+    assert form.multiplier is not None
+    ((base, exponent),) = form.multiplier.powers
+    assert sp.simplify(exponent - (R / a - 1) / 2) == 0
     same_up_to_constant(base, squares([1 / j for j in J]), form)
     assert {"measure", "form", "motion", "canonical", "hamiltonian"} <= set(proven(form))
 

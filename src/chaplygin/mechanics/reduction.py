@@ -242,7 +242,7 @@ def _integrals(mechanism: Mechanism, moved: Motion, here: Base) -> list[Linear]:
         raise InputError(
             f"{mechanism.name}: its constraints allow {free} velocities for two coordinates, and "
             f"{len(found) or 'no'} integral linear in the momenta, with coefficients up to degree "
-            "two in the coordinates, was found to take the others: it is no generalised Chaplygin "
-            "system in these coordinates"
+            "two in the coordinates, was found to take the others; it is not shown to be a "
+            "generalised Chaplygin system"
         )
     return found[:needed]

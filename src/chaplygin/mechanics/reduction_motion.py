@@ -104,13 +104,13 @@ def motion(mechanism: Mechanism) -> Motion:
     carried = gradient_by(lagrangian, w).xreplace(at_rest)
     velocities = Z * sp.Matrix(free)
     momenta = mass * velocities + carried
-    G = frame.matrix
+    G = sp.Matrix(frame.matrix).applyfunc(lambda entry: _written(mechanism, entry))
     anchor = G * Z
     rates = anchor * sp.Matrix(free)
     place = dict(zip(w, velocities, strict=True))
     push = []
     for i in range(len(w)):
-        along = sp.Add(*(e * sp.diff(kinetic, x) for x, e in frame.field(i).items()))
+        along = G.col(i).dot(gradient_by(kinetic, q))
         push.append(along.xreplace(place))
     for (i, j, k), value in structure(frame, name).items():
         push[j] += value * momenta[k] * velocities[i]

@@ -6,6 +6,8 @@ import textwrap
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+import sympy as sp
+
 from ..notation import text
 
 if TYPE_CHECKING:
@@ -15,6 +17,7 @@ __all__ = ["page"]
 
 WIDTH = 100
 MARGIN = 16
+LONG = 30
 OPEN = (
     "undecided: A₂ dq₁ − A₁ dq₂ is closed at the points tried, but N is no product of powers of "
     "the factors that the system brings along"
@@ -69,6 +72,8 @@ def _refused(form: ChaplyginForm) -> Iterator[tuple[str, str]]:
         yield "multiplier", OPEN
         return
     at = ", ".join(f"{name} = {value}" for name, value in found.point.items())
-    yield "multiplier", f"none: d(A₂ dq₁ − A₁ dq₂) is {found.curl} dq₂ ∧ dq₁ at {at}"
+    exact = str(found.curl)
+    value = exact if len(exact) < LONG else f"{float(sp.Rational(exact)):.6g} (a fraction exactly)"
+    yield "multiplier", f"none: d(A₂ dq₁ − A₁ dq₂) is {value} dq₂ ∧ dq₁ at {at}"
     if found.vanishing:
         yield "", f"it vanishes where {' or '.join(f'{text(f)} = 0' for f in found.vanishing)}"
