@@ -10,8 +10,9 @@ authors derived by hand.  A run of the nonlinear equations shows the bicycle rig
 
 Axes are fixed in the rear frame: e₃ along the steering axis (downward), e₂ along the rear axle (to
 the right), e₁ forward.  The fork's axes are these, turned about e₃ by the steering angle δ.  The
-upward vertical is γ in the axes of the frame and γ_F in those of the fork; place, heading and the
-angles of the wheels matter to nothing and are no coordinates.
+upward vertical is γ in the axes of the frame and γ_F in those of the fork.  The place (x, y) of the
+rear hub and the heading, by a horizontal direction α in the axes of the frame, matter to nothing:
+the equations do without them, and they are found afterwards.
 """
 
 from __future__ import annotations
@@ -74,11 +75,11 @@ PARAMETERS: Mapping[str, tuple[str, str, str]] = {
 P = {name: scalar(name) for name in PARAMETERS}
 VALUES = {name: sp.sympify(text, rational=True) for name, (text, _, _) in PARAMETERS.items()}
 
-gamma, gamma_f, omega, omega_f, v, v_b, v_s, v_h, v_f, r_r, r_f, d_b, d_h, d_f = vectors(
-    "gamma gamma_F omega omega_F v v_B v_S v_H v_F r_R r_F d_B d_H d_F"
+alpha, gamma, gamma_f, omega, omega_f, v, v_b, v_s, v_h, v_f, r_r, r_f, d_b, d_h, d_f = vectors(
+    "alpha gamma gamma_F omega omega_F v v_B v_S v_H v_F r_R r_F d_B d_H d_F"
 )
-delta, deltadot, spin_r, spin_f = (
-    scalar(name) for name in ("delta", "deltadot", "Omega_R", "Omega_F")
+x, y, delta, deltadot, spin_r, spin_f = (
+    scalar(name) for name in ("x", "y", "delta", "deltadot", "Omega_R", "Omega_F")
 )
 ell, s_r, s_f = (scalar(name) for name in ("ell", "s_R", "s_F"))
 cl, sl, cd, sd = (scalar(name) for name in ("c_l", "s_l", "c_d", "s_d"))
@@ -178,9 +179,15 @@ def bicycle() -> Mechanism:
         summary="A bicycle with a rigid rider rolls on a horizontal plane without slipping.",
         source="Meijaard, Papadopoulos, Ruina, Schwab 2007",
         frame=Frame(
-            rates={gamma: cross(gamma, omega), delta: deltadot},
+            rates={
+                gamma: cross(gamma, omega),
+                delta: deltadot,
+                alpha: cross(alpha, omega),
+                x: dot(alpha, v),
+                y: dot(cross(gamma, alpha), v),
+            },
             velocities=(omega, v, deltadot, spin_r, spin_f),
-            relations=(normed(gamma) - 1,),
+            relations=(normed(gamma) - 1, normed(alpha) - 1, dot(alpha, gamma)),
             structure=euclidean(omega, v),
         ),
         lagrangian=kinetic - potential,
@@ -265,8 +272,10 @@ def pushed(speed: float = 4.6, lean_rate: float = 0.5, seconds: float = 5.0) -> 
     """A bicycle running straight is hit from the side; nobody steers."""
     tilt = float(VALUES["lambda"])
     start = {name: float(value) for name, value in upright(speed).items()}
-    start |= {"omega_1": lean_rate * np.cos(tilt), "omega_3": lean_rate * np.sin(tilt)}
-    state = [start[str(symbol)] for symbol in system().symbols]
+    forward = {"1": np.cos(tilt), "3": np.sin(tilt)}
+    start |= {f"omega_{axis}": lean_rate * share for axis, share in forward.items()}
+    start |= {f"alpha_{axis}": share for axis, share in forward.items()}
+    state = [start.get(str(symbol), 0.0) for symbol in system().lifted().symbols]
     return integrate(system(), state, np.linspace(0.0, seconds, 501))
 
 
@@ -297,19 +306,29 @@ def eigenvalue_figure(marks: tuple[float, float]) -> Figure:
     return figure
 
 
+def column(run: Trajectory, name: str) -> np.ndarray:
+    """One variable of the state along a run."""
+    return run.states[:, list(map(str, run.system.symbols)).index(name)]
+
+
 def run_figure(run: Trajectory) -> Figure:
-    """Lean, steering angle and speed of a run, and how well it keeps its energy."""
-    figure, axes = plt.subplots(3, 1, figsize=(WIDTH, 5.2), sharex=True, layout="constrained")
-    steer = run.states[:, list(map(str, system().symbols)).index("delta")]
+    """Lean, steering angle, speed and path of a run, and how well it keeps its energy."""
+    figure, axes = plt.subplots(4, 1, figsize=(WIDTH, 6.4), layout="constrained")
     energy = run.recorded["law_energy"]
     axes[0].plot(run.times, np.degrees(run.recorded["lean"]), color=SERIES[0], label="lean")
-    axes[0].plot(run.times, np.degrees(steer), color=SERIES[1], label="steering angle")
+    axes[0].plot(run.times, np.degrees(column(run, "delta")), color=SERIES[1], label="steer")
     axes[0].set_ylabel("degrees")
     axes[0].legend(loc="upper right")
     axes[1].plot(run.times, run.recorded["speed"], color=SERIES[2])
     axes[1].set_ylabel("speed (m/s)")
     axes[2].plot(run.times, energy / energy[0] - 1, color=SERIES[5])
-    axes[2].set(ylabel="relative change of energy", xlabel="time (s)")
+    axes[2].set(ylabel="energy, change", xlabel="time (s)")
+    for above in axes[:2]:
+        above.sharex(axes[2])
+        above.tick_params(labelbottom=False)
+    # seen from above: to the right of the rider is downward
+    axes[3].plot(column(run, "x"), column(run, "y"), color=SERIES[0])
+    axes[3].set(xlabel="rear hub, forward (m)", ylabel="to the left (m)")
     figure.align_ylabels()
     return figure
 
