@@ -24,6 +24,7 @@ from .hierarchy import Kind, Place
 from .kinds import Found, classified
 from .lie import fields, lie
 from .proofs import Fact, Patience, fact_of
+from .reversal import reversal
 from .sorting import sorted_laws
 from .sources import sources
 from .standing import Standing, at_present, present
@@ -131,8 +132,11 @@ def _placed(
         symmetries=tuple(fact_of(law) for law in symmetries),
         lie=lie(standing, standing.dimension - count - 1, chosen, symmetries, patience),
         liouville=forms.liouville,
+        reversal=(),
         reductions=tuple(_told(law) for law in laws if isinstance(law, Reduction)),
     )
+    if not found.lasting and not standing.on:
+        found = replace(found, reversal=tuple(text(name) for name in reversal(system)))
     kinds, dynamics = classified(found)
     return Place(
         system=system.title,
@@ -146,6 +150,7 @@ def _placed(
         absence=found.absence,
         brackets=found.brackets,
         symmetries=found.symmetries,
+        reversal=found.reversal,
         reductions=tuple(_told(law) for law in laws if isinstance(law, Reduction | Isomorphism)),
         kinds=kinds,
         dynamics=dynamics,

@@ -124,6 +124,9 @@ class Place:
     brackets : tuple of Bracket
     symmetries : tuple of Fact
         Fields that commute with the motion and are independent of it and of one another.
+    reversal : tuple of str
+        Variables whose change of sign makes the motion run backwards in time; looked for where
+        no measure excludes attracting sets.
     reductions : tuple of Fact
         Further proven reductions, separations, isomorphisms.
     kinds : tuple of Kind
@@ -147,6 +150,7 @@ class Place:
     absence: str = ""
     brackets: tuple[Bracket, ...] = ()
     symmetries: tuple[Fact, ...] = ()
+    reversal: tuple[str, ...] = ()
     reductions: tuple[Fact, ...] = ()
     kinds: tuple[Kind, ...] = ()
     dynamics: tuple[Statement, ...] = ()

@@ -35,6 +35,8 @@ class Found:
         Symmetry fields that fulfil Theorem 3, if they do.
     liouville : tuple of Fact
         A Hamiltonian form and integrals in involution, if they are enough.
+    reversal : tuple of str
+        Variables whose change of sign reverses the motion.
     reductions : tuple of Fact
         Proven reductions and separations of variables.
     """
@@ -48,6 +50,7 @@ class Found:
     symmetries: tuple[Fact, ...]
     lie: tuple[Fact, ...]
     liouville: tuple[Fact, ...]
+    reversal: tuple[str, ...]
     reductions: tuple[Fact, ...]
 
     @property
@@ -61,6 +64,11 @@ class Found:
         forms = tuple(Density(b.law, b.sign) for b in self.brackets)
         known = self.measures or forms
         return min(known, key=lambda m: _ORDER[m.sign]) if known else None
+
+    @property
+    def lasting(self) -> bool:
+        """Whether a measure with positive, finite density excludes attracting sets."""
+        return self.volume is not None and self.volume.sign == "kept"
 
     @property
     def form(self) -> Bracket | None:
@@ -90,7 +98,20 @@ _ORDER = {"kept": 0, "unknown": 1, "changes": 2}
 
 def classified(found: Found) -> tuple[tuple[Kind, ...], tuple[Statement, ...]]:
     """The classes of a system, and what its motions can be."""
-    return _kinds(found), (*_motions(found), *_attraction(found))
+    return _kinds(found), (*_motions(found), *_attraction(found), *_pairing(found))
+
+
+def _pairing(found: Found) -> list[Statement]:
+    """What reversibility says where attraction is not excluded."""
+    if not found.reversal:
+        return []
+    changed = ", ".join(f"{name} ↦ −{name}" for name in found.reversal)
+    return [
+        Statement(
+            f"The motion is reversible ({changed}): to every attracting set there belongs a "
+            "repelling one, its mirror image."
+        )
+    ]
 
 
 # --- classes -------------------------------------------------------------------------------

@@ -16,7 +16,7 @@ from ..system import flat_pairs
 from ..vectors import Diagonal, Symmetric, Vector, explicit
 from .standing import Standing
 
-__all__ = ["Turning", "turning"]
+__all__ = ["Turning", "turning", "vanishes"]
 
 #: Operations in a formula above which this proof gives up: definitions are to be short.
 LARGEST = 1500
@@ -89,7 +89,7 @@ class Turning:
             return False
         if isinstance(name, Diagonal):
             first, second = self.across
-            if not _vanishes(values[first] - values[second]):
+            if not vanishes(values[first] - values[second]):
                 return False
             self.equal[symbols[second]] = symbols[first]
         self.motion.update(zip(symbols, change, strict=True))
@@ -97,11 +97,11 @@ class Turning:
 
     def keeps(self, formula: Any) -> bool:
         """Whether a scalar formula is shown not to change."""
-        return _vanishes(self._change(self.written(explicit(sp.sympify(formula)))))
+        return vanishes(self._change(self.written(explicit(sp.sympify(formula)))))
 
     def agree(self, values: Sequence[Any], wanted: Sequence[Any]) -> bool:
         """Whether formulas change as they must."""
-        return all(_vanishes(self._change(v) - w) for v, w in zip(values, wanted, strict=True))
+        return all(vanishes(self._change(v) - w) for v, w in zip(values, wanted, strict=True))
 
     def _change(self, value: Any) -> Any:
         moved = sorted(value.free_symbols & self.motion.keys(), key=str)
@@ -115,7 +115,7 @@ def _square(entries: Sequence[Any]) -> sp.ImmutableMatrix:
     return sp.ImmutableMatrix(3, 3, lambda i, j: places[frozenset((i, j))])
 
 
-def _vanishes(formula: Any) -> bool:
+def vanishes(formula: Any) -> bool:
     """Whether a formula is zero: as it stands, or its numerator over a common denominator."""
     if sp.count_ops(formula) > LARGEST:
         return False

@@ -1,0 +1,53 @@
+"""Reversible equations."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from chaplygin.explore.hierarchy import place
+from chaplygin.explore.proofs import Patience
+from chaplygin.explore.reversal import reversal
+from chaplygin.laws.prove import prove
+from chaplygin.statements import Isomorphism
+from chaplygin.system import System
+from chaplygin.systems import entry
+from chaplygin.vectors import scalar
+
+
+@pytest.mark.parametrize(
+    ("name", "flipped"),
+    [
+        ("rattleback", ["M"]),
+        ("unbalanced-rubber-ball", ["omega"]),
+        ("chaplygin-sleigh", ["v", "Omega"]),
+        ("chaplygin-ball-gyrostat", []),
+    ],
+)
+def test_known_systems(name: str, flipped: list[str]) -> None:
+    assert list(map(str, reversal(entry(name).system()))) == flipped
+
+
+def test_the_prover_agrees() -> None:
+    system = entry("chaplygin-sleigh").system()
+    chosen = {str(name) for name in reversal(system)}
+    map_ = {s: -s if str(s) in chosen else s for s in system.symbols}
+    assert prove(system, Isomorphism("reversal", system, map_, sp.Integer(-1)))
+
+
+def test_parities_follow_through_definitions() -> None:
+    x, y, f, g = map(scalar, "xyfg")
+    even = System("even", "Even", {x: y, y: f * g + 1}, definitions={f: y**3, g: x * y})
+    assert reversal(even) == (y,)
+    mixed = System("mixed", "Mixed", {x: y + 1, y: f}, definitions={f: x + y})
+    assert reversal(mixed) == ()
+
+
+def test_what_it_means_is_told() -> None:
+    patience = Patience(10.0)
+    system = entry("rattleback").system()
+    standing = place(system, patience.verdicts(system), patience)
+    assert standing.reversal == ("M",)
+    assert "to every attracting set there belongs a repelling" in str(standing)
+    ball = entry("chaplygin-ball").system()
+    assert "repelling" not in str(place(ball, patience.verdicts(ball), patience))
