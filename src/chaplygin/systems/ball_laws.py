@@ -61,15 +61,15 @@ def _upright(ball: RollingBall) -> bool:
 
 
 def _round(ball: RollingBall) -> tuple[sp.Expr, ...] | None:
-    """What must vanish for nothing to change by turns about the axis; None where nothing helps."""
+    """What must vanish for nothing to change by turns about the axis; None if it does change."""
     if not _upright(ball):
         return None
     match ball.surface:
         case FlatSurface() | SphericalSurface() | CircularCylinder() | Cone() | Ring():
             return ()
-        case EllipsoidSurface():
+        case EllipsoidSurface(axes=(first, second, _)) if first == second:
             return (semi_axes[0] - semi_axes[1],)
-        case Paraboloid():
+        case Paraboloid(radii=(first, second)) if first == second:
             return (p - q,)
     return None
 
@@ -86,7 +86,7 @@ def _marble(ball: RollingBall) -> tuple[Law, ...]:
             return (_rotation(ball),)
         case Cone() if _upright(ball):
             return (_rotation(ball), _ray(ball))
-        case Paraboloid() if _upright(ball) and ball.carrier == "centre":
+        case Paraboloid() if _round(ball) and ball.carrier == "centre":
             return (*_revolution(ball), *_paraboloid_of_revolution(ball))
         case Ring() | EllipsoidSurface() | Paraboloid():
             return _revolution(ball)

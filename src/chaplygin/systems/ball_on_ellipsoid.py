@@ -16,7 +16,7 @@ from ..statements import Integral, Isomorphism, Law
 from ..system import Parameter, System
 from ..vectors import Diagonal, dot, explicit, gradient, normed, scalar, vectors
 from .ball_entry import ball_entry
-from .ball_laws import ROLLING, meridian_law, quadratic
+from .ball_laws import ROLLING, quadratic
 from .ball_on_any_surface import any_rubber, particle
 from .entry import Numbers
 
@@ -46,8 +46,7 @@ def _rubber_ball(numbers: Numbers) -> RollingBall:
 
 
 def _integral(ball: RollingBall) -> tuple[Law, ...]:
-    first, second, _ = ball.surface.parameters
-    return (quadratic(ball, kappa), meridian_law(on=(first.symbol - second.symbol,)))
+    return (quadratic(ball, kappa),)
 
 
 def _particle(ball: RollingBall) -> tuple[Law, ...]:

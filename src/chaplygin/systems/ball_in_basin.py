@@ -1,6 +1,6 @@
 """Homogeneous balls on surfaces given by an equation: those of a user, in a few examples.
 
-A hill z = h/(1 + ρ²/s²) carries the ball, so that the state is the contact point x; on a cushion
+A basin z = h(ρ/s)⁴ carries the ball, so that the state is the contact point x; on a cushion
 x⁴ + y⁴ + z⁴ = s⁴ the centre moves.  What holds on every surface is proven with f unspecified.
 """
 
@@ -23,7 +23,7 @@ __all__ = ["ENTRIES"]
 R, v = vectors("R v")
 h, s = scalar("h"), scalar("s")
 x, y, z = ImplicitSurface.coordinates
-HILL = z * (1 + (x**2 + y**2) / s**2) - h
+BASIN = z - h * (x**2 + y**2) ** 2 / s**4
 CUSHION = (x**4 + y**4 + z**4) / s**4 - 1
 
 
@@ -41,19 +41,19 @@ def _cushion(numbers: Numbers) -> RollingBall:
     )
 
 
-def _hill(numbers: Numbers) -> RollingBall:
-    height = Parameter(h, "height", numbers["h"], "m")
+def _basin(numbers: Numbers) -> RollingBall:
+    height = Parameter(h, "height of the rim", numbers["h"], "m")
     return RollingBall(
         mass=numbers["m"],
         inertia=numbers["mu"],
         radius=numbers["b"],
-        surface=ImplicitSurface(HILL, (height, _width(numbers, "half width at half height"))),
+        surface=ImplicitSurface(BASIN, (height, _width(numbers, "radius at that height"))),
         gravity=numbers["g"],
     )
 
 
-def _rubber_hill(numbers: Numbers) -> RollingBall:
-    return replace(_hill(numbers), contact="rubber")
+def _rubber_basin(numbers: Numbers) -> RollingBall:
+    return replace(_basin(numbers), contact="rubber")
 
 
 def _meridian(ball: RollingBall) -> tuple[Law, ...]:
@@ -81,26 +81,26 @@ ENTRIES = (
         general=any_marble,
     ),
     ball_entry(
-        name="marble-ball-on-hill",
-        title="Marble ball on a hill",
-        summary="A heavy homogeneous ball rolls without slipping over a round hill, which carries "
-        "it; the state is its contact point.",
+        name="marble-ball-in-basin",
+        title="Marble ball in a basin",
+        summary="A heavy homogeneous ball rolls without slipping in a flat-bottomed basin, which "
+        "carries it; the state is its contact point.",
         defaults=_DEFAULTS,
-        ball=_hill,
-        start={"x": (-2.0, 0.0, 0.5), "omega": (1.0, 11.0, 2.0)},
-        until=1.5,
+        ball=_basin,
+        start={"x": (2.0, 0.0, 1.0), "omega": (1.0, 6.0, 5.0)},
+        until=10.0,
         further=_meridian,
         general=any_supported_marble,
     ),
     ball_entry(
-        name="rubber-ball-on-hill",
-        title="Rubber ball on a hill",
-        summary="A heavy homogeneous ball rolls with neither slipping nor spinning over a round "
-        "hill, which carries it; the state is its contact point.",
+        name="rubber-ball-in-basin",
+        title="Rubber ball in a basin",
+        summary="A heavy homogeneous ball rolls with neither slipping nor spinning in a "
+        "flat-bottomed basin, which carries it; the state is its contact point.",
         defaults=_DEFAULTS,
-        ball=_rubber_hill,
-        start={"x": (-2.0, 0.0, 0.5), "omega": (1.0, 11.0, 0.25)},
-        until=1.5,
+        ball=_rubber_basin,
+        start={"x": (2.0, 0.0, 1.0), "omega": (3.0, 3.0, 6.0)},
+        until=10.0,
         further=_area,
         general=any_supported_rubber,
     ),
