@@ -9,6 +9,7 @@ import sympy as sp
 
 from chaplygin.errors import InputError
 from chaplygin.laws.prove import prove
+from chaplygin.mechanics.body import Body
 from chaplygin.mechanics.quasivelocity import TIME, Mechanism, coordinates
 from chaplygin.mechanics.reduction import ChaplyginForm, chaplygin_form
 from chaplygin.mechanics.reduction_numbers import integral_of_gyroscopic, log_multiplier
@@ -217,6 +218,13 @@ def test_hollow_ball_on_any_level() -> None:
     value, _ = integral_of_gyroscopic(form)
     assert abs(value / float(form.flux.value.subs(form.system.defaults)) - 1) < 1e-12
     assert {"measure", "bracket", "form", "motion", "gyroscopic_form"} <= set(proven(form))
+
+
+def test_hollow_ball_near_a_thin_shell_has_a_smooth_multiplier() -> None:
+    shell = chaplygin_form(hollow_ball((sp.Rational(2, 3), sp.Rational(7, 10), sp.Rational(3, 4))))
+    assert shell.multiplier is not None
+    assert shell.singular == ()
+    assert shell.role != "the energy"
 
 
 # --- what is claimed can be wrong -------------------------------------------------------------

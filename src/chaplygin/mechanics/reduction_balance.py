@@ -14,6 +14,8 @@ import sympy as sp
 from flint import fmpq
 
 from ..errors import InputError
+from ..notation import text
+from ..vectors import Vector, normed, scalar
 from .quasivelocity import Mechanism
 from .reduction_exact import Value, bare, point
 from .reduction_integrals import quadratic_integrals, solutions
@@ -98,12 +100,16 @@ def _regular(lift: Lift, integral: Quadratic, owner: str) -> bool:
 
 
 def _words(chosen: Mapping[int, sp.Expr], forms: Sequence[sp.Matrix]) -> str:
-    terms = []
+    """The combination in the energy E and the momenta M."""
+    E, M = scalar("E"), Vector("M")
+    total = sp.S.Zero
     for i, factor in chosen.items():
         if i == 0:
-            terms.append(f"({factor}) E")
+            total += factor * E
+        elif forms[i - 1] == 2 * sp.eye(3):
+            total += factor * normed(M)
         else:
-            form = forms[i - 1]
-            shape = "m²" if form == 2 * sp.eye(form.rows) else f"½ (m, {form.tolist()} m)"
-            terms.append(f"({factor}) {shape}")
-    return " + ".join(terms)
+            momenta = [scalar(f"M_{k + 1}") for k in range(forms[i - 1].rows)]
+            column = sp.Matrix(momenta)
+            total += factor * sp.expand((column.T * forms[i - 1] * column)[0] / 2)
+    return text(total)
