@@ -171,6 +171,7 @@ def test_every_command_takes_a_system_of_ones_own(ask: Ask, path: Path, tmp_path
     assert "Recorded besides the state: λ₁ (multiplier of" in out
     assert "nonholonomic" in out
     assert max(map(len, out.splitlines())) <= 100
+    assert "nonholonomic" in json.loads(ask("show", path, "--json")[1])["notes"][-1]
     for form, sign in (("latex", "aligned"), ("julia", "function"), ("c", "double")):
         assert sign in ask("show", path, "--as", form)[1]
     (tmp_path / "again.toml").write_text(ask("show", path, "--as", "toml")[1], encoding="utf-8")

@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 import sympy as sp
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from chaplygin.errors import InputError
 from chaplygin.laws.prove import prove
@@ -261,7 +263,8 @@ MISTAKES = [
     (SUSLOV, '["dot(e, omega)"]', '["dot(e, omega"]', "this parenthesis is never closed"),
     (SUSLOV, "omega = [0.4, 0.1, -0.3]", "omega = [0.4, 0.1, 0.3]", "line 34, start: the relation "
      "e₁ ω₁ + e₂ ω₂ + e₃ ω₃ = 0 is missed by 0.48; the nearest admissible state is gamma = [0.0, "),
-    (SUSLOV, "diagonal = [1.0, 1.6, 2.2]", "diagonal = [1.0, 1.6]", "must be 3 finite numbers, not [1.0"),
+    (SUSLOV, "diagonal = [1.0, 1.6, 2.2]", "diagonal = [1.0, 1.6]", "must be 3 finite "
+     "numbers, not [1.0, 1.6]"),
     (VOLTERRA, 'y = "y*(z - x)", ', "", "line 7, equations.rates: the rate of y is missing"),
     (VOLTERRA, '"y*(z - x)"', '"y*(z - w)"', "line 7, equations.rates.y: unknown name 'w'"),
     (VOLTERRA, 'state = ["x", "y", "z"]', "state = []", "equations.state: must be names in quotes"),
@@ -279,6 +282,33 @@ def test_mistakes_get_one_sentence_with_their_place(
     sentence, *excerpt = message.split("\n")
     assert not excerpt or re.fullmatch(r" *\^", excerpt[-1])
     assert len(sentence) < 400
+
+
+def test_starts_where_a_formula_has_no_real_value() -> None:
+    rooted = changed(VOLTERRA, "[laws.integrals]", "[laws.integrals]\nodd = 'sqrt(x)'")
+    rooted = changed(rooted, 'state = ["x", "y", "z"]', 'state = ["x", "y", "z"]\nrelations = '
+                     '["sqrt(x - 1) - y"]')  # fmt: skip
+    assert "the equations have no real value at this state" in refused(rooted)
+
+
+WORDS = ["", "x", "omega", "(", "]", '"', "3", "**", "sqrt", "[3]", "= {}", "\n", "v", "1e99", "t"]
+PIECES = re.compile(r"[\w.]+|[^\s\w]")
+
+
+@settings(max_examples=120, deadline=None, derandomize=True)
+@given(
+    st.sampled_from([SLEIGH, SUSLOV, VOLTERRA, TURNTABLE, PENDULUM]),
+    st.lists(st.tuples(st.integers(0, 500), st.sampled_from(WORDS)), min_size=1, max_size=2),
+)
+def test_mutilated_files_are_refused_politely(text: str, cuts: list[tuple[int, str]]) -> None:
+    for place, word in cuts:
+        pieces = list(PIECES.finditer(text))
+        piece = pieces[place % len(pieces)]
+        text = text[: piece.start()] + word + text[piece.end() :]
+    try:
+        _ = study(text).start
+    except InputError as error:
+        assert str(error).startswith("own.toml")
 
 
 def test_missing_tables_are_named() -> None:

@@ -67,6 +67,7 @@ def command(
                     }
                     for law in system.laws
                 ],
+                "notes": list(told(study)),
                 "place": standing_of(system, study.rolling).record,
             }
         )
