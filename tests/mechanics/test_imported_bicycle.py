@@ -102,7 +102,7 @@ def test_the_same_accelerations_far_from_upright(bicycle: ModuleType, kane: Syst
         - here["u1"] * turning
         + mpmath.matrix([0, rates["u4"], 0])
     )
-    system = bicycle.system()
+    system = bicycle.model()
     ours = {f"gamma_{i + 1}": gamma[i] for i in range(3)}
     ours |= {f"omega_{i + 1}": omega[i] for i in range(3)}
     ours |= {"delta": here["q5"], "deltadot": here["u5"], "Omega_R": here["u3"]}

@@ -7,6 +7,7 @@ chain rule, and what it makes of a named quantity gets a name of its own, once.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -23,6 +24,8 @@ SHORT = 2
 """Operations up to which a value is written out instead of being named."""
 SMALL = 40
 """Operations up to which a formula is written out and shortened as a whole."""
+SPREAD = 400
+"""Terms up to which a formula may be multiplied out to that end."""
 
 Step = tuple[sp.Symbol, sp.Expr]
 
@@ -155,8 +158,7 @@ class Tape:
 
 def tidied(value: sp.Expr) -> sp.Expr:
     """A small formula as short as cancelling and sin² + cos² = 1 make it; a large one unchanged."""
-    before = sp.count_ops(value)
-    if before > 2 * SMALL or value.is_Atom:
+    if value.is_Atom or sp.count_ops(value) > 2 * SMALL or _spread(value) > SPREAD:
         return value
     candidates = [value]
     angles = sorted({f.args[0] for f in value.atoms(sp.sin, sp.cos)}, key=str)
@@ -165,6 +167,18 @@ def tidied(value: sp.Expr) -> sp.Expr:
     if not value.has(sp.Derivative, sp.Subs):
         candidates.extend(sp.factor_terms(sp.cancel(c)) for c in tuple(candidates))
     return min(candidates, key=sp.count_ops)
+
+
+def _spread(value: sp.Expr) -> int:
+    """At most so many terms has a formula when it is multiplied out."""
+    match value:
+        case sp.Add():
+            return sum(_spread(part) for part in value.args)
+        case sp.Mul():
+            return math.prod(_spread(part) for part in value.args)
+        case sp.Pow() if value.exp.is_Integer:
+            return _spread(value.base) ** abs(int(value.exp))
+    return 1
 
 
 def _on_circles(value: sp.Expr, angles: Iterable[sp.Expr]) -> sp.Expr:
