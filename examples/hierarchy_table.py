@@ -36,12 +36,13 @@ def rows(name: str) -> list[str]:
 def line(name: str, part: Place) -> str:
     """One line of the table."""
     brackets = [("conformal, " if b.conformal else "") + f"rank {b.rank}" for b in part.brackets]
+    measure = "no density on γ" if part.absence else "of the form" if brackets else "–"
     cells = (
         name,
         str(part.dimension),
         str(part.count),
         str(part.remaining),
-        SIGNS[part.measures[0].sign] if part.measures else "of the form" if brackets else "–",
+        SIGNS[part.measures[0].sign] if part.measures else measure,
         brackets[0] if brackets else "–",
         str(len(part.symmetries) or "–"),
         ", ".join(kind.name for kind in part.kinds),

@@ -307,7 +307,7 @@ def _attraction(found: Found) -> list[Statement]:
         return [
             Statement(
                 "The density vanishes or is infinite somewhere: motions may tend to that set, and "
-                "attracting sets lie in it or nowhere.",
+                "every attracting set meets it.",
                 (best.law,),
             )
         ]
