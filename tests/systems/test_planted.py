@@ -32,6 +32,14 @@ HARMLESS = {
     "trailers energy": {"value exponent"},
     "vertical-rolling-disk momentum_thetadot": {"value exponent"},
     "chaplygin-ball-reduced bracket": {"bracket exponent"},
+    # the gradient of a sphere's and of a circular cylinder's equation is as long everywhere
+    "marble-ball-on-sphere volume": {"density power"},
+    "marble-ball-on-cylinder volume": {"density power"},
+    # on a cone the square of its length is a multiple of z², whatever the sign of one term
+    "marble-ball-on-cone volume": {"density sign"},
+    "rubber-ball-on-cone volume": {"density sign"},
+    # every function of the constant height is constant
+    "marble-ball particle_in_plane": {"map exponent"},
 }
 
 #: Slips that make the number below a root negative: no point is left to decide them at.
