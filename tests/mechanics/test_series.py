@@ -69,7 +69,7 @@ IDENTITIES = (
 @pytest.mark.parametrize("formula", IDENTITIES, ids=str)
 def test_identities_between_functions_hold_exactly(numbers, formula):
     space = Space((x, y), (), (), (formula, formula + x))
-    for seed in (3, 4, 5):
+    for seed in (6, 7, 8):
         found = drawn(space, numbers, random.Random(seed)).germs(space, 5)
         assert found.series(formula).is_zero
         assert not found.series(formula + x**5).is_zero

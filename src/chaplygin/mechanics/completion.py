@@ -84,7 +84,8 @@ def completed(
     given = structure(frame)
     if _full(frame, steps, constants):
         return _whole(frame, None)
-    needed = _needed(frame, [*formulas, *given.values()], steps)
+    upright = set(gamma.symbols) & set(frame.coordinates)
+    needed = _needed(frame, [*formulas, *given.values(), *upright], steps)
     bare = _whole(frame, given, needed)
     taken = {*constants, *dict(steps), *frame.w}
     for extra in _extras(frame, given, bare, steps, taken):

@@ -10,12 +10,13 @@ are missing.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import Any, Literal
 
 import sympy as sp
 
+from ..errors import InputError
 from ..vectors import Vector, dot
 from .distribution import Distribution, distribution
 from .growth import Filtration, filtration, generic
@@ -97,10 +98,12 @@ def nonholonomy(mechanism: Mechanism | Distribution) -> Nonholonomy:
     Raises
     ------
     InputError
-        If a constraint is not linear, the frame does not span, or no point is found.
+        If a constraint is not linear, constraints contradict each other, the frame does not
+        span, or no point is found.
     """
     given = mechanism if isinstance(mechanism, Distribution) else distribution(mechanism)
     here = generic(given)
+    _check_time(given, here)
     symbols = [s for s, _ in given.constants]
     everywhere = generic(given, symbols) if symbols else here
     special = everywhere.growth != here.growth
@@ -122,6 +125,18 @@ def nonholonomy(mechanism: Mechanism | Distribution) -> Nonholonomy:
     )
 
 
+def _check_time(given: Distribution, here: Filtration) -> None:
+    """Refuse affine constraints that no velocity satisfies: they admit no motion in time."""
+    if TIME not in given.coordinates:
+        return
+    still = tuple(sp.S.One if field.get(TIME) == 1 else sp.S.Zero for field in given.frame)
+    if generic(replace(given, forms=(*given.forms, still))).rank == here.rank:
+        raise InputError(
+            f"{given.name}: the constraints contradict each other; no velocity satisfies all of "
+            "them at a generic configuration"
+        )
+
+
 def nonholonomy_at(
     mechanism: Mechanism | Distribution, point: Mapping[sp.Symbol, Any]
 ) -> Filtration:
@@ -140,6 +155,7 @@ def _word(found: Filtration) -> Word:
 
 def _sentences(found: Nonholonomy) -> list[str]:
     where = "space of time and configuration" if found.timed else "configuration space"
+    known = "time and configuration" if found.timed else "the configuration"
     if found.verdict == "free":
         return [f"No constraint on the velocities: all {found.dimension} are free."]
     sentences = [
@@ -149,8 +165,8 @@ def _sentences(found: Nonholonomy) -> list[str]:
     ]
     if found.verdict == "completely nonholonomic":
         sentences.append(
-            "The constraints are completely nonholonomic: no function of the configuration is "
-            "constant along all admissible motions."
+            f"The constraints are completely nonholonomic: no function of {known} is constant "
+            "along all admissible motions."
         )
     elif found.verdict == "holonomic":
         sentences.append(

@@ -20,7 +20,7 @@ from sympy.core.function import AppliedUndef
 from ..errors import InputError
 from .series import Numbers, Series
 
-__all__ = ["Germs", "angles"]
+__all__ = ["Germs", "angles", "combination", "expanded", "turned"]
 
 Steps = Mapping[sp.Symbol, sp.Expr]
 #: Angles α of which sines and cosines are taken, with n where those of α/n are needed.
@@ -43,7 +43,7 @@ def expanded(formula: sp.Expr, steps: Steps) -> sp.Expr:
     return formula
 
 
-def _combination(argument: sp.Expr, steps: Steps) -> dict[sp.Expr, sp.Rational]:
+def combination(argument: sp.Expr, steps: Steps) -> dict[sp.Expr, sp.Rational]:
     """An argument as a sum of rational multiples of angles; sp.pi stands for a half turn."""
     found = sp.expand(expanded(argument, steps)).as_coefficients_dict()
     return {core: sp.Rational(factor) for core, factor in found.items()}
@@ -54,7 +54,7 @@ def angles(formulas: Iterable[sp.Expr], steps: Steps, kinds: Sequence[Any] = _CI
     found: dict[sp.Expr, int] = {}
     for formula in (*formulas, *steps.values()):
         for node in formula.atoms(*kinds):
-            for core, factor in _combination(node.args[0], steps).items():
+            for core, factor in combination(node.args[0], steps).items():
                 found[core] = lcm(found.get(core, 1), int(factor.q))
     return found
 
@@ -158,16 +158,16 @@ class Germs:
     def _circular(self, formula: sp.Expr) -> Series:
         one, zero = self.numbers.number(1), self.numbers.number(0)
         total = (zero, one)
-        for core, factor in _combination(formula.args[0], self.steps).items():
+        for core, factor in combination(formula.args[0], self.steps).items():
             unit = self.circles[core]
-            total = _turned(total, unit, int(factor * self.units[core]), (zero, one))
+            total = turned(total, unit, int(factor * self.units[core]), (zero, one))
         s, c = self.series(formula.args[0]).circle(*total)
         return s if isinstance(formula, sp.sin) else c if isinstance(formula, sp.cos) else s / c
 
     def _exponential(self, formula: sp.Expr) -> Series:
         units = angles([formula], self.steps, (sp.exp,))
         value = self.numbers.number(1)
-        for core, factor in _combination(formula.args[0], self.steps).items():
+        for core, factor in combination(formula.args[0], self.steps).items():
             # one number for e^(core/60), so that e^(x/2), e^(x/3), … of one point agree
             multiple = factor * 60 * units[core]
             whole = int(factor * 60) if multiple.is_Integer and 60 % units[core] == 0 else None
@@ -216,7 +216,7 @@ class Germs:
         return Series(self.numbers, self.ring, parts)
 
 
-def _turned(
+def turned(
     start: tuple[Any, Any], unit: tuple[Any, Any], times: int, none: tuple[Any, Any]
 ) -> tuple[Any, Any]:
     """Sine and cosine of an angle increased by a multiple of the unit."""

@@ -101,9 +101,9 @@ class _Search:
     def __init__(self, given: Distribution, free: Sequence[sp.Symbol], wide: bool) -> None:
         self.given, self.free = given, tuple(free)
         letters: list[sp.Expr] = [*given.coordinates, *free, *_named(given)]
-        for core in angles(given.formulas, dict(given.steps)):
+        for core, n in angles(given.formulas, dict(given.steps)).items():
             if core.free_symbols & set(given.coordinates):
-                letters += [sp.sin(core), sp.cos(core)]
+                letters += [sp.sin(core / n), sp.cos(core / n)]
         written = (*given.formulas, *(value for _, value in given.steps))
         functions = {n for f in written for n in f.atoms(sp.exp, AppliedUndef)}
         functions |= {n.expr for f in written for n in f.atoms(sp.Derivative)}

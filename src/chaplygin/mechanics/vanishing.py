@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from .germs import expanded
+from .germs import Angles, angles, combination, expanded, turned
 
 __all__ = ["vanishes"]
 
@@ -20,14 +20,15 @@ def vanishes(formula: sp.Expr, relations: Sequence[sp.Expr], steps: Steps = ()) 
     divided by a Gröbner basis of the relations that share symbols with it.
     """
     table = dict(steps)
-    kernels = _Kernels()
-    total = kernels.plain(expanded(formula, table))
+    whole = expanded(formula, table)
+    conditions = [expanded(r, table) for r in relations]
+    kernels = _Kernels(angles([whole, *conditions], {}))
+    total = kernels.plain(whole)
     numerator = sp.numer(sp.together(total))
     numerator = sp.expand(numerator)
     if numerator == 0:
         return True
-    conditions = [kernels.plain(expanded(r, table)) for r in relations]
-    ideal = _touching(numerator, [*conditions, *kernels.relations])
+    ideal = _touching(numerator, [*map(kernels.plain, conditions), *kernels.relations])
     if not ideal:
         return False
     symbols = sorted(
@@ -60,7 +61,8 @@ def _is_root(relation: sp.Expr, reached: set[sp.Symbol]) -> bool:
 class _Kernels:
     """Symbols in place of roots, sines, cosines and other functions."""
 
-    def __init__(self) -> None:
+    def __init__(self, units: Angles) -> None:
+        self.units = units
         self.table: dict[sp.Expr, sp.Symbol] = {}
         self.relations: list[sp.Expr] = []
 
@@ -71,12 +73,7 @@ class _Kernels:
 
     def plain(self, formula: sp.Expr) -> sp.Expr:
         """A formula with all kernels replaced."""
-        formula = formula.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x))
-        if formula.has(sp.sin, sp.cos):
-            for function in (sp.sin, sp.cos):
-                formula = formula.replace(function, lambda x, f=function: f(sp.expand(x)))
-            formula = sp.expand_trig(formula)
-        return self._replaced(formula)
+        return self._replaced(formula.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x)))
 
     def _replaced(self, formula: sp.Expr) -> sp.Expr:
         if formula.is_Atom:
@@ -96,10 +93,21 @@ class _Kernels:
             self.relations.append(self.table[key] ** degree - self._replaced(base))
         return self.table[key]
 
-    def _circular(self, formula: sp.Expr) -> sp.Symbol:
-        pair = (sp.sin(formula.args[0]), sp.cos(formula.args[0]))
-        if formula not in self.table:
-            for each in pair:
-                self.table[each] = sp.Dummy("c", real=True)
-            self.relations.append(self.table[pair[0]] ** 2 + self.table[pair[1]] ** 2 - 1)
-        return self.table[formula]
+    def _circular(self, formula: sp.Expr) -> sp.Expr:
+        """A sine or cosine by those of the angles divided by n, as of `angles`."""
+        total: tuple[sp.Expr, sp.Expr] = (sp.S.Zero, sp.S.One)
+        for core, factor in combination(formula.args[0], {}).items():
+            unit = core / self.units[core]
+            pair = (sp.sin(unit), sp.cos(unit)) if unit.has(sp.pi) else self._unit(unit)
+            total = turned(total, pair, int(factor * self.units[core]), (sp.S.Zero, sp.S.One))
+        return sp.expand(total[0] if isinstance(formula, sp.sin) else total[1])
+
+    def _unit(self, angle: sp.Expr) -> tuple[sp.Symbol, sp.Symbol]:
+        sine, cosine = sp.sin(angle), sp.cos(angle)
+        if sine not in self.table:
+            self.table[sine], self.table[cosine] = (
+                sp.Dummy("s", real=True),
+                sp.Dummy("c", real=True),
+            )
+            self.relations.append(self.table[sine] ** 2 + self.table[cosine] ** 2 - 1)
+        return self.table[sine], self.table[cosine]
