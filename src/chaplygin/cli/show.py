@@ -68,7 +68,7 @@ def command(
                     for law in system.laws
                 ],
                 "notes": list(told(study)),
-                "place": standing_of(system, study.rolling).record,
+                "place": standing_of(system, study.rolling or study.mechanism).record,
             }
         )
         return
@@ -85,4 +85,4 @@ def command(
     for words in filter(None, (legend(study), *told(study)) if form == "text" else ()):
         typer.echo("\n" + textwrap.fill(words, 100))
     if form == "text":
-        typer.echo(f"\n{standing_of(system, study.rolling)}")
+        typer.echo(f"\n{standing_of(system, study.rolling or study.mechanism)}")
