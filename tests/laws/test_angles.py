@@ -70,6 +70,21 @@ def test_half_angles_have_a_circle_of_their_own() -> None:
     assert prove(system, Identity("whole", s - 2 * u * sp.cos(phi / 2))).decision == "proven"
 
 
+def test_a_frequency_times_the_time() -> None:
+    t, nu = scalar("t"), scalar("nu")
+    swing = nu * sp.cos(nu * t)
+    system = System(
+        "driven",
+        "Driven",
+        field={t: sp.S.One, u: v, v: -(nu**2) * u},
+        relations=(u - sp.sin(nu * t), v - swing),
+        parameters=(Parameter(nu, "frequency", 3.0),),
+    )
+    law = Identity("double", Rate(u * v) - nu**2 * sp.cos(2 * nu * t))
+    assert prove(system, law).decision == "proven"
+    assert prove(system, Integral("circle", u**2 + v**2)).decision == "refuted"
+
+
 def test_measure_and_symmetry_and_bracket() -> None:
     system = blade()
     assert prove(system, Measure("volume", {sp.Integer(2): 1})).decision == "proven"

@@ -36,13 +36,14 @@ class Circles:
     table : mapping of Expr to Expr
         Trigonometric functions by what they became.
     lost : mapping of Symbol to (Symbol, Symbol, Rational)
-        Sine, cosine and the multiple of the angle they belong to, by angle.
+        Sine, cosine and the multiple of the angle they belong to, by angle; the multiple is a
+        number or, such as the frequency in sin νt, a formula in parameters.
     """
 
     system: System
     meaning: Mapping[sp.Symbol, sp.Expr]
     table: Mapping[sp.Expr, sp.Expr]
-    lost: Mapping[sp.Symbol, tuple[sp.Symbol, sp.Symbol, sp.Rational]]
+    lost: Mapping[sp.Symbol, tuple[sp.Symbol, sp.Symbol, sp.Expr]]
 
     def law(self, law: Law) -> Law:
         """A law of the system in the new variables."""
@@ -139,7 +140,7 @@ def circles(system: System, on: Iterable[Any] = (), also: Iterable[Any] = ()) ->
     steps = dict(system.steps)
     conditions = [_written(explicit(c), steps) for c in (*system.relations, *on)]
     nodes = {n for c in conditions for n in c.atoms(TrigonometricFunction)}
-    angles = sorted({s for n in nodes for s in n.free_symbols}, key=str)
+    angles = _angles(system, nodes)
     if not angles:
         return None
     formulas = [*system.rates, *steps.values(), *conditions, *map(explicit, also)]
@@ -172,6 +173,18 @@ def without_angles(system: System, law: Law) -> tuple[System, Law]:
     """
     made = circles(system, law.on, _formulas_of(law))
     return (system, law) if made is None else (made.system, made.law(law))
+
+
+def _angles(system: System, nodes: Iterable[sp.Expr]) -> list[sp.Symbol]:
+    """State variables in the arguments, and parameters that shift them."""
+    state = set(system.symbols)
+    found = {
+        s
+        for node in nodes
+        for s in node.free_symbols
+        if s in state or sp.diff(node.args[0], s).is_Rational
+    }
+    return sorted(found, key=str)
 
 
 def _formulas_of(value: Any) -> list[Any]:
@@ -207,7 +220,7 @@ def _flat(pairs: Iterable[tuple[Any, Any]]) -> list[tuple[sp.Symbol, sp.Expr]]:
 
 
 def _turned(
-    circle: tuple[sp.Symbol, sp.Symbol, sp.Rational], rate: sp.Expr
+    circle: tuple[sp.Symbol, sp.Symbol, sp.Expr], rate: sp.Expr
 ) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
     s, c, unit = circle
     return (s, unit * rate * c), (c, -unit * rate * s)
@@ -215,21 +228,20 @@ def _turned(
 
 def _replacements(
     nodes: Iterable[sp.Expr], angles: Iterable[sp.Symbol], steps: Mapping[sp.Symbol, sp.Expr]
-) -> tuple[dict[sp.Expr, sp.Expr], dict[sp.Symbol, tuple[sp.Symbol, sp.Symbol, sp.Rational]]]:
+) -> tuple[dict[sp.Expr, sp.Expr], dict[sp.Symbol, tuple[sp.Symbol, sp.Symbol, sp.Expr]]]:
     """Trigonometric functions by formulas in sines and cosines, one circle for each angle."""
     angles = list(angles)
     concerned = [n for n in nodes if n.free_symbols & set(angles)]
     lost = {}
     for angle in angles:
-        multiples = []
-        for node in concerned:
-            multiple = sp.diff(node.args[0], angle)
-            if not multiple.is_Rational:
-                raise OutOfReachError(f"{node} is not the function of a multiple of {angle}")
-            if multiple != 0:
-                multiples.append(abs(multiple))
-        unit = reduce(sp.gcd, multiples)
-        label = str(angle) if unit == 1 else f"{angle}_{unit.p}_{unit.q}"
+        multiples = [m for m in (sp.diff(node.args[0], angle) for node in concerned) if m != 0]
+        ratios = [sp.cancel(multiple / multiples[0]) for multiple in multiples]
+        if not all(ratio.is_Rational for ratio in ratios) or multiples[0].has(*angles):
+            raise OutOfReachError(f"{angle} stands in sines and cosines by different multiples")
+        unit = multiples[0] * reduce(sp.gcd, map(abs, ratios))
+        unit = abs(unit) if unit.is_Rational else unit
+        whole = unit == 1 or not unit.is_Rational
+        label = str(angle) if whole else f"{angle}_{unit.p}_{unit.q}"
         lost[angle] = (scalar(f"sin_{label}"), scalar(f"cos_{label}"), unit)
     halves = {angle: sp.Dummy(real=True) for angle in angles}
     table = {}
@@ -269,7 +281,7 @@ def _by_sine_and_cosine(node: sp.Expr, scaled: sp.Expr) -> sp.Expr:
 def _changed(
     system: System,
     table: Mapping[sp.Expr, sp.Expr],
-    lost: Mapping[sp.Symbol, tuple[sp.Symbol, sp.Symbol, sp.Rational]],
+    lost: Mapping[sp.Symbol, tuple[sp.Symbol, sp.Symbol, sp.Expr]],
 ) -> System:
     field: dict[sp.Symbol, sp.Expr] = {}
     for symbol, rate in zip(system.symbols, system.rates, strict=True):
