@@ -12,6 +12,11 @@ from chaplygin.laws.prove import prove
 from chaplygin.mechanics.body import Body
 from chaplygin.mechanics.quasivelocity import TIME, Mechanism, coordinates
 from chaplygin.mechanics.reduction import ChaplyginForm, chaplygin_form
+from chaplygin.mechanics.reduction_balance import balanced
+from chaplygin.mechanics.reduction_base import base
+from chaplygin.mechanics.reduction_integrals import Linear
+from chaplygin.mechanics.reduction_lift import lift
+from chaplygin.mechanics.reduction_motion import motion
 from chaplygin.mechanics.reduction_numbers import integral_of_gyroscopic, log_multiplier
 from chaplygin.mechanics.rolling import Rolling
 from chaplygin.mechanics.rolling_mechanism import rolling_mechanism
@@ -309,6 +314,17 @@ def test_three_coordinates() -> None:
 
 def test_no_linear_integral() -> None:
     assert "no integral linear in the momenta" in refused(on_sphere(sp.Rational(1, 3), False))
+
+
+def test_a_level_on_which_no_integral_serves() -> None:
+    mechanism = ball()
+    moved = motion(mechanism)
+    here = base(mechanism, moved)
+    # no integral: the energy keeps a part linear in the rates of the angles
+    crooked = Linear(omega.symbols[2], omega.symbols[2])
+    up = lift(here, [crooked], [scalar("c")])
+    with pytest.raises(InputError, match="part linear in the velocities"):
+        balanced(mechanism, moved, up)
 
 
 def test_a_root_in_the_metric() -> None:

@@ -10,7 +10,7 @@ import sympy as sp
 
 from ..vectors import Vector
 from .reduction_exact import Formulas, Quotient, inverse, product, quotients
-from .reduction_factors import Chart, in_angles, on_sphere
+from .reduction_factors import Chart, has_even_degrees, in_angles, on_sphere
 from .reduction_lift import Local
 
 __all__ = ["Closed", "closed_forms", "written"]
@@ -96,7 +96,7 @@ def written(value: Quotient, chart: Chart, vector: Vector | None) -> sp.Expr:
                 # t/(1 + t²)
                 circles[sine] += sign * e
                 total *= (sp.sin(chart.coordinates[sine]) / 2) ** (sign * e)
-            elif _even(factor, chart):
+            elif has_even_degrees(factor, chart):
                 total *= _one(factor, chart, vector, circles, sign * e)
             else:
                 odd = factor**e if odd is None else odd * factor**e
@@ -125,7 +125,3 @@ def _is(factor: Any, chart: Chart, form: str) -> int | None:
         if chart.angles[i] and str(factor) == form.format(names[i]):
             return i
     return None
-
-
-def _even(poly: Any, chart: Chart) -> bool:
-    return not any(a and int(d) % 2 for d, a in zip(poly.degrees()[:2], chart.angles, strict=True))

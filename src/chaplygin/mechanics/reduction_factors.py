@@ -28,7 +28,7 @@ from .reduction_exact import (
 )
 from .reduction_lift import Lift
 
-__all__ = ["Chart", "determinant", "in_angles", "natural_factors", "on_sphere"]
+__all__ = ["Chart", "determinant", "has_even_degrees", "in_angles", "natural_factors", "on_sphere"]
 
 SEED = 1930
 HIGHEST = 6
@@ -137,6 +137,11 @@ def natural_factors(
                 if any(factor.degrees()[:2]) and str(factor / lead) not in circles:
                     factors[str(factor / lead)] = factor / lead
     return list(factors.values())
+
+
+def has_even_degrees(poly: Any, chart: Chart) -> bool:
+    """Whether a polynomial is over (1 + t²)^(d/2) a function of the angles without half angles."""
+    return not any(a and int(d) % 2 for d, a in zip(poly.degrees()[:2], chart.angles, strict=True))
 
 
 def in_angles(poly: Any, chart: Chart) -> sp.Expr:

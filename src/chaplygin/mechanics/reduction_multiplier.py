@@ -25,7 +25,7 @@ from .reduction_exact import (
     quotients,
     reduced,
 )
-from .reduction_factors import Chart, in_angles, on_sphere
+from .reduction_factors import Chart, has_even_degrees, in_angles, on_sphere
 from .reduction_lift import Local
 
 __all__ = [
@@ -303,12 +303,12 @@ def _powers(
         for i in (0, 1):
             if chart.angles[i]:
                 rest[i] += exponent * int(poly.degrees()[i]) / sp.Integer(2)
-        if _even(poly, chart):
+        if has_even_degrees(poly, chart):
             found.append((_base(poly, chart, vector), exponent))
         else:
             groups[exponent] = groups[exponent] * poly if exponent in groups else poly
     for exponent, poly in groups.items():
-        if _even(poly, chart):
+        if has_even_degrees(poly, chart):
             found.append((_monic(in_angles(poly, chart)), exponent))
         else:
             found.append((_monic(in_angles(poly**2, chart)), exponent / 2))
@@ -316,10 +316,6 @@ def _powers(
         if sp.cancel(exponent) != 0:
             found.append((1 + sp.cos(x), -sp.cancel(exponent)))
     return tuple(found)
-
-
-def _even(poly: Any, chart: Chart) -> bool:
-    return not any(a and int(d) % 2 for d, a in zip(poly.degrees()[:2], chart.angles, strict=True))
 
 
 def _base(poly: Any, chart: Chart, vector: Vector | None) -> sp.Expr:
