@@ -18,14 +18,24 @@ from ._version import __version__
 
 if TYPE_CHECKING:
     from .errors import InputError, RunError
+    from .explore.hierarchy import place
+    from .flow.linearise import linearise
     from .flow.trajectory import Trajectory, integrate
     from .laws.prove import prove
+    from .laws.unimodular import measure_exists
     from .laws.verdict import Verdict
     from .mechanics.body import Body
+    from .mechanics.constraints import nonholonomy
+    from .mechanics.imported import from_sympy, mechanism_from_sympy
+    from .mechanics.quasivelocity import Frame, Mechanism, coordinates
+    from .mechanics.reduction import chaplygin_form
     from .mechanics.rolling import Field, Rolling, roll
+    from .mechanics.rolling_ball import RollingBall
+    from .mechanics.rolling_mechanism import rolling_mechanism
     from .mechanics.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
     from .mechanics.start import starting_state
     from .mechanics.surfaces import Plane, Sphere
+    from .mechanics.suslov import equations
     from .statements import (
         ConformallyHamiltonian,
         Identity,
@@ -53,18 +63,21 @@ _HOME = {
     "Disk": "mechanics.shapes",
     "Ellipsoid": "mechanics.shapes",
     "Field": "mechanics.rolling",
+    "Frame": "mechanics.quasivelocity",
     "Identity": "statements",
     "Implicit": "mechanics.shapes",
     "InputError": "errors",
     "Integral": "statements",
     "Isomorphism": "statements",
     "Measure": "statements",
+    "Mechanism": "mechanics.quasivelocity",
     "Plane": "mechanics.surfaces",
     "PoissonStructure": "statements",
     "Rate": "statements",
     "Reduction": "statements",
     "Revolution": "mechanics.shapes",
     "Rolling": "mechanics.rolling",
+    "RollingBall": "mechanics.rolling_ball",
     "RunError": "errors",
     "Separation": "statements",
     "Sphere": "mechanics.surfaces",
@@ -75,14 +88,24 @@ _HOME = {
     "Trajectory": "flow.trajectory",
     "Verdict": "laws.verdict",
     "audit": "study.audit",
+    "chaplygin_form": "mechanics.reduction",
+    "coordinates": "mechanics.quasivelocity",
+    "equations": "mechanics.suslov",
     "from_catalogue": "systems",
+    "from_sympy": "mechanics.imported",
     "integrate": "flow.trajectory",
+    "linearise": "flow.linearise",
     "load": "study.experiment",
     "loads": "study.experiment",
+    "measure_exists": "laws.unimodular",
+    "mechanism_from_sympy": "mechanics.imported",
+    "nonholonomy": "mechanics.constraints",
+    "place": "explore.hierarchy",
     "prepare": "study.prepare",
     "prove": "laws.prove",
     "read": "study.dataset",
     "roll": "mechanics.rolling",
+    "rolling_mechanism": "mechanics.rolling_mechanism",
     "starting_state": "mechanics.start",
     "to_dataset": "study.dataset",
     "write": "study.dataset",
@@ -96,18 +119,21 @@ __all__ = [
     "Disk",
     "Ellipsoid",
     "Field",
+    "Frame",
     "Identity",
     "Implicit",
     "InputError",
     "Integral",
     "Isomorphism",
     "Measure",
+    "Mechanism",
     "Plane",
     "PoissonStructure",
     "Rate",
     "Reduction",
     "Revolution",
     "Rolling",
+    "RollingBall",
     "RunError",
     "Separation",
     "Sphere",
@@ -119,14 +145,24 @@ __all__ = [
     "Verdict",
     "__version__",
     "audit",
+    "chaplygin_form",
+    "coordinates",
+    "equations",
     "from_catalogue",
+    "from_sympy",
     "integrate",
+    "linearise",
     "load",
     "loads",
+    "measure_exists",
+    "mechanism_from_sympy",
+    "nonholonomy",
+    "place",
     "prepare",
     "prove",
     "read",
     "roll",
+    "rolling_mechanism",
     "starting_state",
     "to_dataset",
     "write",

@@ -175,9 +175,9 @@ def _spread(value: sp.Expr) -> int:
         case sp.Add():
             return sum(_spread(part) for part in value.args)
         case sp.Mul():
-            return math.prod(_spread(part) for part in value.args)
+            return math.prod(map(_spread, value.args))
         case sp.Pow() if value.exp.is_Integer:
-            return _spread(value.base) ** abs(int(value.exp))
+            return int(_spread(value.base) ** abs(int(value.exp)))
     return 1
 
 
