@@ -42,6 +42,10 @@ from mechanics.reducible import (
     y,
 )
 
+z = scalar("z")
+SPACE = coordinates(x, y, z)
+DX, DY, DZ = SPACE.w
+FREE = (DX**2 + DY**2 + DZ**2) / 2
 J = [i + m * R**2 for i in I.symbols]
 U = sp.Function("U")(*gamma.symbols)
 THETA, PHI = scalar("theta"), scalar("phi")
@@ -263,6 +267,22 @@ def test_logarithm_by_quadrature() -> None:
     assert abs(value - float(exact)) < 1e-12
 
 
+def test_a_multiplier_that_is_no_product() -> None:
+    """d ln N = −y dy/(1 + y + y²), with an arc tangent in its integral."""
+    mechanism = Mechanism("hanging", SPACE, (DX**2 + DY**2 + DZ**2 / (1 + y)) / 2, (DZ - y * DX,))
+    form = chaplygin_form(mechanism)
+    assert form.multiplier is None
+    assert form.obstruction is None
+    assert form.closed_form
+    assert "by quadrature" in str(form)
+    value, error = log_multiplier(form, (0.3, 0.0), (-0.2, 1.5))
+    turn = math.atan(4 / math.sqrt(3)) - math.atan(1 / math.sqrt(3))
+    exact = -math.log(1 + 1.5 + 1.5**2) / 2 + turn / math.sqrt(3)
+    assert error < 1e-12
+    assert abs(value - exact) < 1e-12
+    assert proven(form)[-1] == "motion"
+
+
 def test_the_page_tells_all() -> None:
     page = str(of_ball())
     assert "N = 1 / √(" in page
@@ -273,11 +293,6 @@ def test_the_page_tells_all() -> None:
 
 
 # --- refused ----------------------------------------------------------------------------------
-
-z = scalar("z")
-SPACE = coordinates(x, y, z)
-DX, DY, DZ = SPACE.w
-FREE = (DX**2 + DY**2 + DZ**2) / 2
 
 
 def refused(mechanism: Mechanism) -> str:

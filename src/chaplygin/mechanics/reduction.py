@@ -28,7 +28,14 @@ from .reduction_flux import Flux, flux, indefinite
 from .reduction_integrals import Linear, linear_integrals
 from .reduction_lift import Lift, Local, lift
 from .reduction_motion import Motion, motion
-from .reduction_multiplier import Multiplier, Obstruction, closed, multiplier, over_rational
+from .reduction_multiplier import (
+    Multiplier,
+    Obstruction,
+    closed,
+    is_closed,
+    multiplier,
+    over_rational,
+)
 from .reduction_system import chaplygin_system, lifted, motion_law, with_base
 from .suslov import equations
 
@@ -54,7 +61,10 @@ class ChaplyginForm:
     multiplier : Multiplier or None
         N up to a constant factor.
     obstruction : Obstruction or None
-        Where the 1-form is not closed, if there is no multiplier.
+        A point at which d ln N = A₂ dq₁ − A₁ dq₂ is not closed: there is no multiplier.
+    closed_form : bool
+        Whether the 1-form is closed, exactly.  Without `multiplier`, N is the exponential of its
+        integral, see :func:`chaplygin.mechanics.reduction_numbers.log_multiplier`.
     singular : tuple of Expr
         Factors of N that vanish somewhere on the sphere, at the default parameters.
     flux : Flux or None
@@ -79,6 +89,7 @@ class ChaplyginForm:
     closed: Closed
     multiplier: Multiplier | None
     obstruction: Obstruction | None
+    closed_form: bool
     singular: tuple[sp.Expr, ...]
     flux: Flux | None
     system: System
@@ -165,6 +176,7 @@ def _assembled(
         if monopole.potential is not None:
             hamiltonian = canonical(made, here, parts, potential, found, monopole.potential)
             made = made.with_laws(canonical_law(here, hamiltonian, monopole.potential))
+    obstruction = None if found else closed(local, chart, mechanism.parameters)
     return ChaplyginForm(
         original=original,
         base=here,
@@ -172,7 +184,8 @@ def _assembled(
         role=role,
         closed=parts,
         multiplier=found,
-        obstruction=None if found else closed(local, chart, mechanism.parameters),
+        obstruction=obstruction,
+        closed_form=bool(found) or (obstruction is None and is_closed(local, chart)),
         singular=() if found is None else indefinite(mechanism, here, found),
         flux=monopole,
         system=made,

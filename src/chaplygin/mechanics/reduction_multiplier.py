@@ -34,6 +34,7 @@ __all__ = [
     "as_positive",
     "closed",
     "curl",
+    "is_closed",
     "multiplier",
     "open_unless",
     "over_rational",
@@ -165,6 +166,15 @@ def closed(local: Local, chart: Chart, parameters: Sequence[Parameter]) -> Obstr
             shown = {str(s): str(v) for s, v in at.items()}
             return Obstruction(shown, exact, open_unless(local, chart, parameters))
     return None
+
+
+def is_closed(local: Local, chart: Chart) -> bool:
+    """Whether the form is closed, with everything as symbols."""
+    one, names = quotients([*chart.variables, *_parameters(local, chart)])
+    at = [names[t] for t in chart.variables]
+    first, second = _at(local, chart, at, names, one)
+    change = _derivative(first, 1) * chart.speed(1, at[1])
+    return bool(change == _derivative(second, 0) * chart.speed(0, at[0]))
 
 
 def open_unless(local: Local, chart: Chart, known: Sequence[Parameter]) -> tuple[sp.Expr, ...]:

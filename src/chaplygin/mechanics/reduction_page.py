@@ -18,6 +18,10 @@ __all__ = ["page"]
 WIDTH = 100
 MARGIN = 16
 LONG = 30
+BY_QUADRATURE = (
+    "ln N = ∫(A₂ dq₁ − A₁ dq₂) by quadrature: the 1-form is closed, but N is no product of powers "
+    "of the factors that the system brings along"
+)
 OPEN = (
     "undecided: A₂ dq₁ − A₁ dq₂ is closed at the points tried, but N is no product of powers of "
     "the factors that the system brings along"
@@ -69,7 +73,7 @@ def _rows(form: ChaplyginForm) -> Iterator[tuple[str, str]]:
 def _refused(form: ChaplyginForm) -> Iterator[tuple[str, str]]:
     found = form.obstruction
     if found is None:
-        yield "multiplier", OPEN
+        yield "multiplier", BY_QUADRATURE if form.closed_form else OPEN
         return
     at = ", ".join(f"{name} = {value}" for name, value in found.point.items())
     exact = str(found.curl)
