@@ -14,12 +14,14 @@ from chaplygin.mechanics.rolling import roll
 from chaplygin.mechanics.shapes import Ball
 from chaplygin.notation import LATEX, UNICODE, rate, width
 from chaplygin.statements import Integral, Rate
-from chaplygin.system import Parameter, System
+from chaplygin.system import Motion, Parameter, System
 from chaplygin.systems import CATALOGUE
 from chaplygin.typeset import (
     WIDTH,
     latex,
     mathml,
+    motion_html,
+    motion_text,
     system_html,
     system_latex,
     system_text,
@@ -278,6 +280,22 @@ def test_a_rate_that_is_only_a_name_is_spelt_out() -> None:
     page = system_text(bare("ellipsoid", "sphere", "marble"))
     assert "γ̇ = γ̇" not in page
     assert sum(line.startswith("    γ̇ = ") for line in page.splitlines()) == 1
+
+
+def test_a_rate_that_is_a_name_of_the_state_says_nothing() -> None:
+    q, qdot = scalar("q"), scalar("qdot")
+    page = system_text(small(parameters=(), field={q: qdot, qdot: -q}))
+    assert page == "A <spring>\n\nEquations of motion\n    q̈ = −q"
+
+
+def test_the_lift_has_a_page_of_its_own() -> None:
+    x, w, v, ydot, y = (scalar(name) for name in ("x", "w", "v", "ydot", "y"))
+    lifted = small(definitions={w: 2 * v, ydot: 3 * v}, motion=Motion({x: w, y: ydot}, (), ()))
+    assert motion_text(lifted) == ["    ẋ = w", "    ẏ = 3 v", "    w = 2 v"]
+    assert "ẋ" not in system_text(lifted)
+    assert motion_html(lifted).count("<mtr>") == 3
+    assert motion_text(small()) == []
+    assert motion_html(small()) == ""
 
 
 def test_long_formulas_are_broken_before_an_operator() -> None:

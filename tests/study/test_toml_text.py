@@ -81,6 +81,7 @@ leaves = st.one_of(
     st.booleans(),
     st.text(alphabet=st.characters(codec="utf-8")),
     st.lists(numbers, max_size=3),
+    st.lists(st.text(alphabet=st.characters(codec="utf-8")), max_size=3),
     st.lists(st.lists(numbers, max_size=3), max_size=3),
 )
 keys = st.one_of(
