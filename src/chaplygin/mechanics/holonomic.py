@@ -86,10 +86,11 @@ def constants(
         Parameters that the functions may contain, and for all values of which they are constant.
     """
     chosen: tuple[Constancy, ...] = ()
+    narrow = _Search(given, free, wide=False)
     for degree, wide in STAGES:
         if len(chosen) == many:
             break
-        search = _Search(given, free, wide)
+        search = _Search(given, free, wide=True) if wide else narrow
         if search.count(degree) <= MONOMIALS:
             chosen = search.found(degree, many, chosen)
     return chosen
@@ -115,6 +116,7 @@ class _Search:
         self.numbers = Modular(PRIMES[1])
         self.space = given.space(self.free, self.letters)
         self.dice = random.Random(SEED)
+        self.known: list[Values] = []
 
     def count(self, degree: int) -> int:
         """How many monomials there are."""
@@ -135,8 +137,7 @@ class _Search:
 
     def points(self, many: int) -> list[Values]:
         """Values and rates of the letters at generic points."""
-        found: list[Values] = []
-        failures = 0
+        found, failures = self.known, 0
         while len(found) < many:
             try:
                 place = drawn(self.space, self.numbers, self.dice)
@@ -145,7 +146,7 @@ class _Search:
                 failures += 1
                 if failures > 4 * many:
                     return []
-        return found
+        return found[:many]
 
     def found(self, degree: int, many: int, chosen: tuple[Constancy, ...]) -> tuple[Constancy, ...]:
         """The functions chosen already, and more of them."""

@@ -9,17 +9,21 @@ from __future__ import annotations
 import random
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from functools import cached_property
+from typing import Any, TypeAlias
 
 import sympy as sp
 
 from ..errors import InputError
-from .germs import Germs, angles, expanded
+from .germs import Angles, Germs, angles, expanded
 from .series import IrrationalError, Numbers, Series
 
 __all__ = ["NoPointError", "Place", "Space", "at", "drawn"]
 
 ATTEMPTS = 60
+
+#: Orthogonal vectors of one length, by their components, and the square of the length.
+Block: TypeAlias = tuple[tuple[tuple[sp.Symbol, ...], ...], sp.Expr]
 
 
 class NoPointError(ArithmeticError):
@@ -52,6 +56,21 @@ class Space:
     constants: tuple[tuple[sp.Symbol, Any], ...] = ()
     free: tuple[sp.Symbol, ...] = ()
 
+    @cached_property
+    def units(self) -> Angles:
+        """The angles that occur, as of :func:`~chaplygin.mechanics.germs.angles`."""
+        return angles((*self.formulas, *self.relations), dict(self.steps))
+
+    @cached_property
+    def written(self) -> tuple[sp.Expr, ...]:
+        """The relations with the definitions written out."""
+        return tuple(expanded(r, dict(self.steps)) for r in self.relations)
+
+    @cached_property
+    def blocks(self) -> list[Block]:
+        """Spheres among the relations."""
+        return _blocks(self.written, set(self.coordinates))
+
 
 @dataclass(frozen=True)
 class Place:
@@ -78,10 +97,14 @@ class Place:
 
     def germs(self, space: Space, order: int) -> Germs:
         """Taylor series of formulas about this point."""
-        steps = dict(space.steps)
-        units = angles((*space.formulas, *space.relations), steps)
         return Germs(
-            self.numbers, space.coordinates, self.values, self.circles, units, steps, order
+            self.numbers,
+            space.coordinates,
+            self.values,
+            self.circles,
+            space.units,
+            dict(space.steps),
+            order,
         )
 
 
@@ -127,7 +150,6 @@ def _place(
 def _tried(
     space: Space, given: Mapping[sp.Symbol, sp.Expr], numbers: Numbers, dice: random.Random
 ) -> Place:
-    steps = dict(space.steps)
     plain = Germs(numbers, (), {}, {}, {}, {}, 0)
     values = {s: plain.series(_rational(v)).value for s, v in space.constants if s not in given}
     values |= {s: numbers.drawn(dice) for s in space.free if s not in given}
@@ -140,20 +162,18 @@ def _tried(
         else:
             values[symbol] = plain.series(value).value
         shown[symbol] = value
-    relations = [expanded(r, steps) for r in space.relations]
-    for core, n in angles((*space.formulas, *space.relations), steps).items():
+    for core, n in space.units.items():
         circles[core], free = _circle(core, n, space, given, shown, plain, dice)
         formal = formal or free
-    blocks = _blocks([r.xreplace(dict(given)) for r in relations], set(space.coordinates))
-    for vectors, squared in blocks:
+    for vectors, squared in space.blocks:
         if not any(s in values for v in vectors for s in v):
             values |= _rows(vectors, plain.series(_rational(squared)).value, numbers, dice)
     trial = _Trial(space, numbers, values, circles, dice)
-    for relation in relations:
+    for relation in space.written:
         trial.impose(relation)
     for symbol in space.coordinates:
         trial.values.setdefault(symbol, numbers.drawn(dice))
-    trial.check(relations, bool(given))
+    trial.check(space.written, bool(given))
     if numbers.exact:
         for s in space.coordinates:
             shown.setdefault(s, sp.Rational(int(trial.values[s].p), int(trial.values[s].q)))
@@ -186,9 +206,6 @@ def _circle(
         shown[core] = 2 * n * sp.atan(sp.Rational(int(t.p), int(t.q)))
     below = 1 + t * t
     return (2 * t / below, (1 - t * t) / below), not angle.free_symbols
-
-
-Block = tuple[tuple[tuple[sp.Symbol, ...], ...], sp.Expr]
 
 
 def _blocks(relations: Sequence[sp.Expr], coordinates: set[sp.Symbol]) -> list[Block]:
@@ -266,17 +283,17 @@ class _Trial:
     ) -> None:
         self.space, self.numbers, self.values = space, numbers, values
         self.circles, self.dice = circles, dice
-        self.units = angles((*space.formulas, *space.relations), dict(space.steps))
 
     def _series(self, relation: sp.Expr, variables: Sequence[sp.Symbol], order: int) -> Series:
         filled = {**self.values, **{s: self.numbers.number(0) for s in variables}}
-        return Germs(self.numbers, variables, filled, self.circles, self.units, {}, order).series(
-            relation
-        )
+        return Germs(
+            self.numbers, variables, filled, self.circles, self.space.units, {}, order
+        ).series(relation)
 
     def impose(self, relation: sp.Expr) -> None:
         """Solve a relation for one of the coordinates that are not settled."""
-        open_ = [s for s in self.space.coordinates if s in relation.free_symbols - set(self.values)]
+        free = relation.free_symbols - self.values.keys()
+        open_ = [s for s in self.space.coordinates if s in free] if free else []
         if not open_:
             return
         degrees = {s: sp.degree(relation, s) for s in open_ if relation.is_polynomial(s)}

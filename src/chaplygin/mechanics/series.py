@@ -94,6 +94,8 @@ class Modular:
 
     def number(self, value: Any) -> Any:
         """An integer or fraction as a number of this kind."""
+        if isinstance(value, int):
+            return nmod(value, self.prime)
         made = Fraction(value) if not hasattr(value, "p") else Fraction(int(value.p), int(value.q))
         return nmod(made.numerator % self.prime, self.prime) / nmod(made.denominator, self.prime)
 
