@@ -144,7 +144,7 @@ def measured(turns: int, linearisation: bool) -> dict[str, dict[str, float]]:
                     "SymPy": lambda model=model: kane_eigenvalues(model),
                     "SymPy, taken in": lambda model=model: taken_in_eigenvalues(model),
                 }[way]
-                whipple_bicycle.system()
+                whipple_bicycle.model()
                 note(way, "eigenvalues (s)", timed(job)[0])
     return {
         way: {what: statistics.median(values) for what, values in row.items()}

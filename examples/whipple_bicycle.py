@@ -7,6 +7,7 @@ authors derived by hand.  A run of the nonlinear equations shows the bicycle rig
 
     python examples/whipple_bicycle.py                 a table, and figures beside it
     python examples/whipple_bicycle.py --json          eigenvalues at 0, 1, …, 10 m/s
+    chaplygin study examples/whipple_bicycle.py        the run below, as a report
 
 Axes are fixed in the rear frame: e₃ along the steering axis (downward), e₂ along the rear axle (to
 the right), e₁ forward.  The fork's axes are these, turned about e₃ by the steering angle δ.  The
@@ -28,15 +29,15 @@ import matplotlib.pyplot as plt
 import mpmath
 import numpy as np
 import sympy as sp
-from matplotlib.figure import Figure
 from scipy.optimize import brentq
 from whipple_by_hand import by_hand
+from whipple_figures import eigenvalue_figure, run_figure
 
 from chaplygin.flow.linearise import Linearisation, linearise
 from chaplygin.flow.trajectory import Trajectory, integrate
 from chaplygin.mechanics.quasivelocity import Frame, Mechanism, euclidean
 from chaplygin.mechanics.suslov import equations
-from chaplygin.study.figures.style import FAINT, QUIET, SERIES, STYLE, WIDTH
+from chaplygin.study.figures.style import STYLE
 from chaplygin.system import Guard, Observable, Parameter, System
 from chaplygin.vectors import constant, cross, dot, normed, scalar, unit, vectors
 
@@ -215,7 +216,7 @@ def bicycle() -> Mechanism:
 
 
 @cache
-def system() -> System:
+def model() -> System:
     """The closed equations of motion."""
     return equations(bicycle())
 
@@ -234,7 +235,7 @@ def upright(speed: Any) -> dict[str, Any]:
 def near(speed: Any, digits: int = DIGITS) -> Linearisation:
     """The linear equations at a speed, faster and slower running divided out."""
     family = [{"Omega_R": 1}]
-    return linearise(system(), upright(speed), VALUES, along=family, digits=digits)
+    return linearise(model(), upright(speed), VALUES, along=family, digits=digits)
 
 
 def difference(speed: Any) -> float:
@@ -268,69 +269,33 @@ def critical_speeds() -> tuple[float, float]:
 # --- a nonlinear run ---------------------------------------------------------------------------
 
 
-def pushed(speed: float = 4.6, lean_rate: float = 0.5, seconds: float = 5.0) -> Trajectory:
-    """A bicycle running straight is hit from the side; nobody steers."""
-    tilt = float(VALUES["lambda"])
-    start = {name: float(value) for name, value in upright(speed).items()}
-    forward = {"1": np.cos(tilt), "3": np.sin(tilt)}
-    start |= {f"omega_{axis}": lean_rate * share for axis, share in forward.items()}
-    start |= {f"alpha_{axis}": share for axis, share in forward.items()}
-    state = [start.get(str(symbol), 0.0) for symbol in system().lifted().symbols]
-    return integrate(system(), state, np.linspace(0.0, seconds, 501))
+#: What the command line takes: running straight at 4.6 m/s, hit from the side.
+mechanism = bicycle()
+FORWARD = np.array([np.cos(np.pi / 10), 0.0, np.sin(np.pi / 10)])
+start = {
+    "gamma": [float(FORWARD[2]), 0.0, -float(FORWARD[0])],
+    "alpha": FORWARD.tolist(),
+    "omega": (0.5 * FORWARD).tolist(),
+    "delta": 0.0,
+    "deltadot": 0.0,
+    "Omega_R": -4.6 / 0.3,
+}
+run = {"until": 5.0, "samples": 501}
 
 
-# --- figures and words -------------------------------------------------------------------------
+def pushed(seconds: float = 5.0) -> Trajectory:
+    """The same from here; nobody steers."""
+    flat = {f"{name}_{i}": x for name in ("gamma", "alpha", "omega") for i, x in vector(name)}
+    state = [{**start, **flat}.get(str(symbol), 0.0) for symbol in model().lifted().symbols]
+    return integrate(model(), state, np.linspace(0.0, seconds, 501))
 
 
-def eigenvalue_figure(marks: tuple[float, float]) -> Figure:
-    """Real and imaginary parts of the eigenvalues against the speed."""
-    speeds = np.linspace(0.0, 10.0, 201)
-    found = [near(speed, 8).eigenvalues for speed in speeds]
-    figure, axes = plt.subplots(figsize=(WIDTH, 3.6), layout="constrained")
-    for i in range(4):
-        real = np.array([float(values[i].real) for values in found])
-        turning = np.array([float(values[i].imag) for values in found])
-        moving = turning > 0
-        axes.plot(speeds[moving], turning[moving], ".", color=FAINT, markersize=3.5)
-        axes.plot(speeds[moving], real[moving], ".", color=SERIES[0], markersize=3.5)
-        axes.plot(speeds[turning == 0], real[turning == 0], ".", color=SERIES[1], markersize=3.5)
-    axes.axhline(0.0, color=QUIET, linewidth=0.6)
-    axes.axvspan(*marks, color=SERIES[2], alpha=0.12, linewidth=0)
-    axes.set(xlim=(0, 10), ylim=(-10, 10), xlabel="speed (m/s)", ylabel="eigenvalue (1/s)")
-    middle = sum(marks) / 2
-    axes.text(middle, 8.6, "stable", ha="center", color=SERIES[2])
-    axes.text(1.3, 3.6, "weave, growth", color=SERIES[0])
-    axes.text(7.9, 7.2, "weave, frequency", color=QUIET)
-    axes.text(7.2, 0.5, "capsize", color=SERIES[1])
-    axes.text(2.6, -8.6, "castering", color=SERIES[1])
-    return figure
+def vector(name: str) -> list[tuple[int, float]]:
+    """Components of a vector of the start, numbered."""
+    return list(enumerate(start[name], 1))
 
 
-def column(run: Trajectory, name: str) -> np.ndarray:
-    """One variable of the state along a run."""
-    return run.states[:, list(map(str, run.system.symbols)).index(name)]
-
-
-def run_figure(run: Trajectory) -> Figure:
-    """Lean, steering angle, speed and path of a run, and how well it keeps its energy."""
-    figure, axes = plt.subplots(4, 1, figsize=(WIDTH, 6.4), layout="constrained")
-    energy = run.recorded["law_energy"]
-    axes[0].plot(run.times, np.degrees(run.recorded["lean"]), color=SERIES[0], label="lean")
-    axes[0].plot(run.times, np.degrees(column(run, "delta")), color=SERIES[1], label="steer")
-    axes[0].set_ylabel("degrees")
-    axes[0].legend(loc="upper right")
-    axes[1].plot(run.times, run.recorded["speed"], color=SERIES[2])
-    axes[1].set_ylabel("speed (m/s)")
-    axes[2].plot(run.times, energy / energy[0] - 1, color=SERIES[5])
-    axes[2].set(ylabel="energy, change", xlabel="time (s)")
-    for above in axes[:2]:
-        above.sharex(axes[2])
-        above.tick_params(labelbottom=False)
-    # seen from above: to the right of the rider is downward
-    axes[3].plot(column(run, "x"), column(run, "y"), color=SERIES[0])
-    axes[3].set(xlabel="rear hub, forward (m)", ylabel="to the left (m)")
-    figure.align_ylabels()
-    return figure
+# --- in words ----------------------------------------------------------------------------------
 
 
 def report(folder: Path) -> None:
@@ -354,9 +319,11 @@ def report(folder: Path) -> None:
         f"{run.recorded['speed'][-1]:.4f} m/s, its energy has changed by "
         f"{max(abs(energy / energy[0] - 1)):.0e} of its value."
     )
+    speeds = np.linspace(0.0, 10.0, 201)
+    values = [near(speed, 8).eigenvalues for speed in speeds]
     with plt.rc_context(STYLE):
         figures = {
-            "whipple_eigenvalues.png": eigenvalue_figure((weave, capsize)),
+            "whipple_eigenvalues.png": eigenvalue_figure(speeds, values, (weave, capsize)),
             "whipple_run.png": run_figure(run),
         }
         folder.mkdir(parents=True, exist_ok=True)

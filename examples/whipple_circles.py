@@ -19,7 +19,7 @@ import matplotlib.pyplot as plt
 import mpmath
 import sympy as sp
 from matplotlib.figure import Figure
-from whipple_bicycle import VALUES, critical_speeds, near, system, upright
+from whipple_bicycle import VALUES, critical_speeds, model, near, upright
 
 from chaplygin.flow.linearise import linearise, steady
 from chaplygin.study.figures.style import SERIES, STYLE, WIDTH
@@ -57,11 +57,11 @@ def circles(angles: Sequence[float] = ANGLES) -> list[Circle]:
     found = []
     for angle in angles:
         guess["delta"] = math.radians(angle)
-        state = steady(system(), guess, VALUES, held=["delta"], digits=DIGITS)
+        state = steady(model(), guess, VALUES, held=["delta"], digits=DIGITS)
         guess = {str(name): float(x) for name, x in state.items()}
         turning = math.hypot(*(guess[f"omega_{i}"] for i in (1, 2, 3)))
         speed = -float(VALUES["R_R"]) * guess["Omega_R"]
-        values = linearise(system(), state, VALUES, digits=DIGITS).eigenvalues
+        values = linearise(model(), state, VALUES, digits=DIGITS).eigenvalues
         lean = -math.degrees(math.asin(guess["gamma_2"]))
         growth = float(max(value.real for value in values))
         found.append(Circle(angle, lean, speed, speed / turning, growth))

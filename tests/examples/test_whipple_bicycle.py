@@ -73,15 +73,16 @@ def test_a_stable_bicycle_rights_itself_and_keeps_its_energy(bicycle: ModuleType
 def test_a_push_to_the_right_turns_it_to_the_right(bicycle: ModuleType):
     run = bicycle.pushed(seconds=1.0)
     assert run.recorded["lean"][20] > 0
-    assert bicycle.column(run, "delta")[40] > 0
-    assert bicycle.column(run, "y")[-1] < -0.1
+    names = [str(symbol) for symbol in run.system.symbols]
+    path = dict(zip(names, run.states.T, strict=True))
+    assert path["delta"][40] > 0
+    assert path["y"][-1] < -0.1
     # it has gone as far as its speed says
-    forward = bicycle.column(run, "x")
-    assert forward[-1] == pytest.approx(4.6, rel=0.03)
+    assert path["x"][-1] == pytest.approx(4.6, rel=0.03)
 
 
 def test_equations_stay_small(bicycle: ModuleType):
-    system = bicycle.system()
+    system = bicycle.model()
     steps = system.needed(system.rates)
     count = sum(sp.count_ops(e) for e in (*system.rates, *(value for _, value in steps)))
     assert count < 3000

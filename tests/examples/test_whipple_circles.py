@@ -39,7 +39,7 @@ def test_circles_begin_at_the_critical_speed(example: ModuleType):
 
 
 def test_a_circle_stays_one_in_the_nonlinear_equations(example: ModuleType):
-    bicycle = replace(example.system(), motion=None)
+    bicycle = replace(example.model(), motion=None)
     guess = example.beginning(0.02)
     state = steady(bicycle, guess, example.VALUES, held=["delta"], digits=15)
     start = [float(state[symbol]) for symbol in bicycle.symbols]
