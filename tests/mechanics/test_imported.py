@@ -248,3 +248,12 @@ def test_a_system_formed_by_lagranges_method_keeps_it():
     system = from_sympy(model, {"m": 1, "k": 4})
     law = Identity("spring", Rate(scalar("qdot")) + scalar("k") * scalar("q") / scalar("m"))
     assert prove(system, law).decision == "proven"
+
+
+def test_loads_need_an_inertial_frame():
+    place = Point("P")
+    place.set_vel(N, q.diff(t) * N.x)
+    lagrangian = m * q.diff(t) ** 2 / 2
+    method = LagrangesMethod(lagrangian, [q], forcelist=[(place, -k * q * N.x)])
+    with pytest.raises(InputError, match="has loads but no inertial frame"):
+        from_sympy(method, {"m": 1, "k": 4})

@@ -154,6 +154,8 @@ def _lagrange(
     parameters: Mapping[Any, Any],
     inputs: Mapping[Any, Any],
 ) -> Mechanism:
+    if model.forcelist and model.inertial is None:
+        raise InputError(f"{name}: the LagrangesMethod object has loads but no inertial frame")
     q = list(model.q)
     rates = [x.diff(dynamicsymbols._t) for x in q]
     positions = list(model._hol_coneqs)
