@@ -332,3 +332,12 @@ def test_a_measure_that_exists_counts() -> None:
 def test_the_question_is_not_asked_where_a_measure_is_proven() -> None:
     standing = with_what_moves("chaplygin-ball")
     assert [m.law.law for m in standing.measures] == ["measure"]
+
+
+def test_a_root_by_which_the_equations_divide_is_positive() -> None:
+    s, q, w = scalar("s"), scalar("q"), scalar("w")
+    root = sp.sqrt(q**2 + w**4)
+    divided = System("divided", "Divided", {q: w, w: q / s}, definitions={s: root})
+    whole = System("whole", "Whole", {q: w, w: q * s}, definitions={s: root})
+    assert sign(Standing(divided), [s]) == "kept"
+    assert sign(Standing(whole), [s]) == "unknown"

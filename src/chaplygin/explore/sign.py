@@ -49,7 +49,7 @@ def sign(standing: Standing, formulas: Sequence[Any]) -> Sign:
 def _of_one(standing: Standing, formula: Any) -> Sign:
     formula = explicit(sp.sympify(formula))
     expanded = standing.expanded(formula)
-    if expanded.is_positive or expanded.is_negative:
+    if expanded.is_positive or expanded.is_negative or _divides(standing, formula):
         return "kept"
     try:
         if len(standing.signs(formula)) == 2:
@@ -57,6 +57,17 @@ def _of_one(standing: Standing, formula: Any) -> Sign:
         return "kept" if _covered(standing, formula, expanded) else "unknown"
     except OutOfReachError:
         return "unknown"
+
+
+def _divides(standing: Standing, formula: Any) -> bool:
+    """Whether a formula is a root by which the equations divide: positive where they hold."""
+    steps = dict(standing.system.steps)
+    inner = steps.get(formula, formula)
+    if not (inner.is_Pow and inner.exp == sp.Rational(1, 2)):
+        return False
+    used = (*steps.values(), *standing.system.rates)
+    powers = {power for f in used for power in f.atoms(sp.Pow) if power.exp.is_negative}
+    return any(power.base == formula for power in powers)
 
 
 def _bounds(standing: Standing, names: set[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
