@@ -25,7 +25,7 @@ from sympy.physics.mechanics import (
 )
 from sympy.physics.mechanics import System as SympySystem
 
-from chaplygin import prove
+from chaplygin import InputError, prove
 from chaplygin.flow.trajectory import integrate
 from chaplygin.mechanics.constraints import nonholonomy
 from chaplygin.mechanics.imported import from_sympy, mechanism_from_sympy
