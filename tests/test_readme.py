@@ -38,12 +38,20 @@ def test_the_shell_lines_run(
     lines = [line for line in block("sh", "chaplygin list").splitlines() if line]
     assert len(lines) == 10
     proofs = [line for line in block("sh", "chaplygin prove").splitlines() if line]
-    for line in [*lines, *proofs]:
+    first = [line for line in block("sh", "sleigh.toml").splitlines() if line]
+    for line in [*lines, *proofs, *first]:
         command = shlex.split(line.split("#")[0].split(">")[0])
         monkeypatch.setattr(sys, "argv", command)
         with pytest.raises(SystemExit) as end:
             main()
         assert not end.value.code, capsys.readouterr().err
+
+
+def test_the_sleigh_is_derived(capsys: pytest.CaptureFixture[str]) -> None:
+    exec(compile(block("python", "sleigh = Mechanism"), "README.md", "exec"), {})
+    told = capsys.readouterr().out
+    assert told.startswith("proven")
+    assert "completely nonholonomic" in told
 
 
 def test_the_equations_are_the_ones_that_show_prints(

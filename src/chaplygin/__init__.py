@@ -52,7 +52,7 @@ if TYPE_CHECKING:
     from .study.dataset import read, to_dataset, write
     from .study.experiment import load, loads
     from .study.prepare import Study, prepare
-    from .system import System
+    from .system import Parameter, System
     from .systems import CATALOGUE, from_catalogue
 
 _HOME = {
@@ -71,6 +71,7 @@ _HOME = {
     "Isomorphism": "statements",
     "Measure": "statements",
     "Mechanism": "mechanics.quasivelocity",
+    "Parameter": "system",
     "Plane": "mechanics.surfaces",
     "PoissonStructure": "statements",
     "Rate": "statements",
@@ -127,6 +128,7 @@ __all__ = [
     "Isomorphism",
     "Measure",
     "Mechanism",
+    "Parameter",
     "Plane",
     "PoissonStructure",
     "Rate",
