@@ -322,7 +322,7 @@ def report(folder: Path) -> None:
     print(f"  as printed     every Ω: at Ω = 0 growth {growth(printed, sp.S.Zero):.3f} 1/s")
     runs = rolled(disc_itself), rolled(mistaken)
     lean = [np.degrees(np.abs(column(run, "q2"))).max() for run in runs]
-    print(f"\nLet go at 2.5 rad/s with a lean of 1.1°, the disc falls to {lean[0]:.0f}°;")
+    print(f"\nLet go at 2.5 rad/s with a lean of 1.1°, the disc leans by up to {lean[0]:.0f}°;")
     print(f"by the tutorial's equations it never leans by more than {lean[1]:.1f}°.")
     with plt.rc_context(STYLE):
         folder.mkdir(parents=True, exist_ok=True)
