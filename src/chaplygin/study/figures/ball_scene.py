@@ -17,7 +17,7 @@ from .variables import CURVE_POINTS, time_shares, title_of
 
 __all__ = ["ball_scene"]
 
-_COLUMNS = 640
+_COLUMNS = 720
 """Width of the drawn surface in dots."""
 
 _GLASS = np.array(to_rgb("#8fa6bb"))
@@ -183,6 +183,7 @@ def _image(sheet: Sheet, seen: Crossings, colours: FloatArray, chosen: BoolArray
         colour = np.where(opaque[layer][..., None], colours[layer], _GLASS)
         total = share + cover * (1.0 - share)
         mixed = share * colour + (1.0 - share) * cover * paint
-        paint = mixed / np.where(total > 0.0, total, 1.0)
+        # where there is nothing, the colour counts for the soft border of what there is
+        paint = np.where(total > 0.0, mixed / np.where(total > 0.0, total, 1.0), GROUND_LIGHT)
         cover = total
     sheet.image(np.concatenate([paint, cover], axis=-1), seen.extent)

@@ -147,7 +147,7 @@ class Sheet:
             np.clip(kept, 0.0, 1.0),
             extent=part,
             origin="lower",
-            interpolation="antialiased",
+            interpolation="bilinear",
             zorder=self._next(),
         )
 
