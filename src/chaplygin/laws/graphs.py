@@ -117,10 +117,8 @@ def _linear(
             continue
         factor = sp.diff(formula, symbol)
         rest = formula.xreplace({symbol: sp.S.Zero})
-        open_ = {symbol} & (
-            _written(factor, known).free_symbols | _written(rest, known).free_symbols
-        )
-        if not open_ and factor != 0:
+        slope = _written(factor, known)
+        if slope != 0 and symbol not in slope.free_symbols | _written(rest, known).free_symbols:
             return symbol, -rest / factor, factor
     return None
 
