@@ -68,11 +68,12 @@ def mechanism(*constraints, value=1.0, **more) -> Mechanism:
 def proven_by_the_prover(given: Distribution, function: sp.Expr) -> bool:
     """η_s(F) = 0 for a System that moves with any of the admissible velocities.
 
-    Only coordinates on which F or their rates depend are kept.  Of a logarithm the prover knows
-    no values on half of the line; there SymPy decides.
+    Only coordinates on which F or their rates depend are kept.  Of logarithms and arcs SymPy
+    decides.
     """
-    if function.has(sp.log):
-        return all(sp.simplify(along(field, function)) == 0 for field in given.fields)
+    if function.has(sp.log, sp.atan):
+        own = given.fixed.fields
+        return all(sp.simplify(along(field, function)) == 0 for field in own)
     speeds = [scalar(f"speed_{i}") for i, _ in enumerate(given.fields)]
     table = {s: sp.Rational(repr(value)) for s, value in given.constants}
     rates = {
@@ -117,6 +118,14 @@ INTEGRABLE = {
     ),
     "exponential": ((u * sp.exp(y) + w, v), (1,), [y, z + x * sp.exp(y)]),
     "one after the other": ((w - x * v, u), (1,), [x, z - x * y]),
+    "winding": ((w - (x * v - y * u) / (x**2 + y**2),), (2,), [z + sp.atan(x / y)]),
+    "arc": (((1 + x**2) * v - y * u,), (2,), [sp.log(y) - sp.atan(x)]),
+    "logarithm of a sum": (((1 + x**2) * v - x * y * u,), (2,), [y**2 / (1 + x**2)]),
+    "root of a parameter": (
+        (w - (x * v - y * u) / (x**2 + 4 * k * y**2),),
+        (2,),
+        [z + sp.atan(x / (2 * y)) / 2],
+    ),
     "depends on the time": ((w - sp.sin(TIME),), (3,), [z + sp.cos(TIME)]),
     "affine": ((w - 2,), (3,), [z - 2 * TIME]),
     "any parameter": ((w - k * (x * v + y * u),), (2,), [z - k * x * y]),
@@ -131,7 +140,7 @@ def test_an_integrable_constraint_is_seen_through(name):
     assert (found.verdict, found.growth, found.proven) == ("holonomic", growth, True)
     assert len(found.integrals) == len(integrals) == found.holonomic
     own = made.frame.coordinates + ((TIME,) if found.timed else ())
-    point = {s: sp.Rational(i + 2, 3) for i, s in enumerate((*own, k))}
+    point = {k: 1, **{s: sp.Rational(i + 2, 3) for i, s in enumerate(own)}}
     both = [f.formula for f in found.integrals] + integrals
     rank = sp.Matrix([[sp.diff(f, s) for s in own] for f in both]).subs(point).rank(simplify=True)
     assert rank == len(integrals)
@@ -392,3 +401,27 @@ def test_a_constraint_that_fails_at_a_point_is_refused_there():
 def test_a_configuration_space_without_points_is_refused():
     with pytest.raises(InputError, match="no point was found"):
         nonholonomy(mechanism(w - x * v, positions=(x**2 + 1 - x**2 + 0 * y,)))
+
+
+def test_a_ball_whose_attitude_is_a_quaternion():
+    """Rubber and marble balls in coordinates of space, with the quaternion body → space."""
+    q, place = Vector("q", 4), Vector("R")
+    spin, speed = vectors("Omega V")
+    a, b, c = spin.symbols
+    w_, i, j, l_ = q.symbols
+    half = sp.Rational(1, 2)
+    rates = {
+        w_: half * (-i * a - j * b - l_ * c),
+        i: half * (w_ * a + b * l_ - c * j),
+        j: half * (w_ * b + c * i - a * l_),
+        l_: half * (w_ * c + a * j - b * i),
+        place: speed,
+    }
+    unit_length = w_**2 + i**2 + j**2 + l_**2 - 1
+    frame = Frame(rates, (spin, speed), (unit_length,))
+    rolls = speed - cross(spin, constant([0, 0, sp.Rational(4, 5)]))
+    for constraints, growth in (((rolls,), (3, 5)), ((rolls, c), (2, 3, 5))):
+        found = nonholonomy(Mechanism("ball", frame, sp.S.Zero, constraints))
+        assert (found.growth, found.dimension, found.proven) == (growth, 6, True)
+        assert [f.formula for f in found.integrals] == [place.symbols[2]]
+        assert sum(found.point[s] ** 2 for s in q) == 1

@@ -108,7 +108,9 @@ def nonholonomy(mechanism: Mechanism | Distribution) -> Nonholonomy:
     everywhere = generic(given, symbols) if symbols else here
     special = everywhere.growth != here.growth
     missing = here.dimension - here.final
-    found = constants(given.fixed if special else given, missing, () if special else symbols)
+    found = () if special else constants(given, missing, symbols)
+    if len(found) < missing and symbols:
+        found = max(found, constants(given.fixed, missing), key=len)
     certain = missing == 0 or (len(found) == missing and all(f.proven for f in found))
     return Nonholonomy(
         given.name,

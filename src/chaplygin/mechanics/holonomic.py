@@ -110,8 +110,10 @@ class _Search:
         functions |= {n.expr for f in written for n in f.atoms(sp.Derivative)}
         letters += sorted(functions, key=str)
         if wide:
-            plain = [s for s in letters if s.free_symbols & set(given.coordinates)]
-            letters += [f for s in plain for f in (1 / s, sp.log(s))]
+            own = set(given.coordinates)
+            plain = [s for s in letters if s.free_symbols & own]
+            plain += _factors(given)
+            letters += [f for s in plain for f in (1 / s, sp.log(s))] + _arcs(plain, own)
         self.letters = tuple(letters)
         self.numbers = Modular(PRIMES[1])
         self.space = given.space(self.free, self.letters)
@@ -207,6 +209,31 @@ def _named(given: Distribution) -> list[sp.Symbol]:
     used |= {v for field in given.frame for v in field.values()}
     constant = {s for s, _ in given.constants}
     return [s for s, v in given.steps if s in used and v.free_symbols - constant]
+
+
+def _factors(given: Distribution) -> list[sp.Expr]:
+    """Polynomials of several terms that divide coefficients of the constraints, or their poles."""
+    own = set(given.coordinates)
+    found: set[sp.Expr] = set()
+    for entry in {entry for row in given.forms for entry in row}:
+        for part in sp.fraction(sp.together(entry)):
+            if part.is_polynomial(*part.free_symbols) and part.free_symbols & own:
+                found |= {f for f, _ in sp.factor_list(part)[1] if f.is_Add}
+    return sorted((f for f in found if f.free_symbols & own), key=str)
+
+
+def _arcs(factors: Sequence[sp.Expr], own: set[sp.Symbol]) -> list[sp.Expr]:
+    """The angles whose derivatives have such a polynomial as denominator, as x/y for x² + y²."""
+    found = []
+    for factor in factors:
+        for s in sorted(factor.free_symbols & own, key=str):
+            if factor.is_Add and sp.degree(factor, s) == 2:
+                a, b, c = sp.Poly(factor, s).all_coeffs()
+                root = sp.sqrt(sp.factor(4 * a * c - b**2)).replace(sp.Abs, lambda x: x)
+                if root.is_polynomial(*own) and not root.has(sp.I):
+                    found.append(sp.atan((2 * a * s + b) / root))
+                    break
+    return found
 
 
 def _rate(monomial: Sequence[int], letters: Sequence[Any], rates: Sequence[Any]) -> Any:
