@@ -191,8 +191,20 @@ def test_a_position_that_another_constraint_needs():
     assert nonholonomy(mechanism(winding)).verdict == "completely nonholonomic"
     found = nonholonomy(mechanism(winding, positions=(x**2 + y**2 - 1,)))
     assert (found.verdict, found.dimension, found.growth) == ("holonomic", 2, (1,))
-    assert not found.proven
+    assert found.proven
     assert "no formula was found" in str(found)
+
+
+def test_frobenius_proves_what_no_formula_is_found_for():
+    """The integral holds ∫dz/(1 + z⁴), which is not among the functions tried."""
+    odd = sp.exp(x * y) + sp.sin(x + y)
+    integrable = u * sp.diff(odd, x) + v * sp.diff(odd, y) - w / (1 + z**4)
+    found = nonholonomy(mechanism(integrable))
+    assert (found.verdict, found.proven) == ("holonomic", True)
+    assert not found.integrals
+    assert "not proven" not in str(found)
+    spoilt = nonholonomy(mechanism(integrable + x * y * z * v))
+    assert spoilt.verdict == "completely nonholonomic"
 
 
 def test_the_verdict_reads_as_a_paragraph():

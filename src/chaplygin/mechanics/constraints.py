@@ -19,6 +19,7 @@ import sympy as sp
 from ..errors import InputError
 from ..vectors import Vector, dot
 from .distribution import Distribution, distribution
+from .frobenius import involutive
 from .growth import Filtration, filtration, generic
 from .holonomic import Constancy, constants
 from .quasivelocity import TIME, Mechanism
@@ -40,7 +41,8 @@ class Nonholonomy:
         nonholonomic"``.
     proven : bool
         Whether the verdict is exact: dimensions reached are certain, and that there are no
-        more is certain if as many integrals are known as dimensions are missing.
+        more is certain if as many integrals are known as dimensions are missing, or by the
+        criterion of Frobenius.
     dimension : int
         Of the configuration space, on which given position constraints hold.
     rank : int
@@ -112,6 +114,8 @@ def nonholonomy(mechanism: Mechanism | Distribution) -> Nonholonomy:
     if len(found) < missing and symbols:
         found = max(found, constants(given.fixed, missing), key=len)
     certain = missing == 0 or (len(found) == missing and all(f.proven for f in found))
+    if not certain and _word(here) == "holonomic":
+        certain = involutive(given.fixed)
     return Nonholonomy(
         given.name,
         _word(here),
