@@ -11,12 +11,24 @@ the ball oscillates, √(7/2) turns to one oscillation if it is solid.  A rubber
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+import sympy as sp
+
+from ..mechanics.ball_on_surface import ball_parameters, centred, equations_of_motion
 from ..mechanics.rolling_ball import RollingBall
 from ..mechanics.smooth import CircularCylinder
+from ..statements import Integral
+from ..system import Parameter, System
+from ..vectors import scalar, unit, vectors
 from .ball_entry import ball_entry
+from .ball_laws import ROLLING
 from .entry import Numbers
 
-__all__ = ["ENTRIES"]
+__all__ = ["ENTRIES", "any_cylinder"]
+
+R, omega = vectors("R omega")
+m, g = scalar("m"), scalar("g")
 
 
 def _pipe(numbers: Numbers) -> RollingBall:
@@ -27,6 +39,28 @@ def _pipe(numbers: Numbers) -> RollingBall:
         surface=CircularCylinder(numbers["a"], side="inside"),
         gravity=numbers["g"],
     )
+
+
+def any_cylinder() -> System:
+    """A heavy marble ball in an upright pipe of any cross-section f(R₁, R₂) = const."""
+    first, second, _ = R.symbols
+    weight = Parameter(g, "acceleration of gravity", 9.81, "m/s^2")
+    made = equations_of_motion(
+        "marble",
+        centred(sp.Function("f")(first, second)),
+        -m * g * unit(3),
+        (*ball_parameters(1.0, 0.4, 1.0), weight),
+        name="marble-ball-on-any-cylinder",
+        title="Marble ball on any cylinder",
+    )
+    rotation = Integral(
+        "rotation",
+        omega.symbols[2],
+        "angular velocity about the vertical, on every cylinder",
+        source=ROLLING,
+        unit="rad/s",
+    )
+    return replace(made, motion=None).with_laws(rotation)
 
 
 _DEFAULTS = {"m": 1.0, "mu": 0.064, "b": 0.4, "a": 2.0, "g": 9.81}
@@ -41,5 +75,6 @@ ENTRIES = (
         ball=_pipe,
         start={"R": (1.6, 0.0, 1.0), "omega": (0.0, 0.0, -16.0)},
         until=6.0,
+        general=any_cylinder,
     ),
 )
