@@ -180,6 +180,7 @@ def test_the_complete_file_starts_the_same_motion(text: str) -> None:
 
 def test_parameters_by_the_command_line() -> None:
     made = study(SLEIGH, "parameters.m.value=2.5", "parameters.a=0.1")
+    assert made.system.parameters[2].meaning.startswith("distance")
     assert made.system.defaults[scalar("m")] == 2.5
     assert made.system.defaults[scalar("a")] == 0.1
 

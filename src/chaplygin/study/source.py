@@ -115,7 +115,11 @@ def _put(tables: dict[str, Any], option: str) -> None:
             message = f"{'.'.join(path[:depth])} is a value, not a table that could hold keys"
             raise InputError(message, f"--set {key}")
         table = inner
-    table[path[-1]] = _value(text.strip(), key)
+    value, last = _value(text.strip(), key), table.get(path[-1])
+    if isinstance(last, dict) and "value" in last and not isinstance(value, dict):
+        last["value"] = value  # the notes beside a value stay
+    else:
+        table[path[-1]] = value
 
 
 def _value(text: str, key: str) -> Any:
