@@ -17,14 +17,16 @@ from ..prove import prove
 from ..verdict import Verdict
 from .closed_form import closed_form, density
 from .families import Level, criterion, levels
-from .form import OneForm, one_form
+from .form import OneForm, Powers, one_form
 from .quadrature import log_density
 from .value import Existence
 
 __all__ = ["decide_body"]
 
 PATIENCE = 12.0
-"""Seconds for a proof with free parameters, where one with numbers remains."""
+"""Seconds for each attempt to prove the density as a law of the equations of motion."""
+POINTS_ALONE = 0.01
+"""Seconds that leave no time for a proof."""
 
 
 def decide_body(rolling: Rolling, name: str, seconds: float) -> Existence:
@@ -43,22 +45,29 @@ def decide_body(rolling: Rolling, name: str, seconds: float) -> Existence:
     tried = tuple(levels(rolling, form.system.parameters))
     # the last level fixes all numbers: what fails there fails for this body
     numbers = tried[-1]
-    here = tuple(_proofs(form, numbers, seconds))
-    if here[-1].decision == "refuted":
-        return Existence(
-            name,
-            "none",
-            obstruction=_obstruction(here[-1], form),
-            criterion=theorem,
-            verdicts=here,
-        )
-    for level in tried[:-1]:
-        found = tuple(_proofs(form, level, min(seconds, PATIENCE)))
+    for law in form.conditions:
+        # points are tried before anything is proven
+        verdict = prove(form.system, replace(law, on=numbers), seconds=POINTS_ALONE)
+        if verdict.decision == "refuted":
+            return Existence(
+                name,
+                "none",
+                obstruction=_obstruction(verdict, form),
+                criterion=theorem,
+                verdicts=(verdict,),
+            )
+    made = Existence(name, "exists", criterion=theorem)
+    powers = closed_form(rolling, form, numbers)
+    if powers is not None:
+        found = tuple(_integrated(form, powers, numbers, seconds))
         if all(found):
-            return _existing(rolling, form, name, level, numbers, found, theorem, seconds)
-    if all(here):
-        return _existing(rolling, form, name, numbers, numbers, here, theorem, seconds)
-    return Existence(name, "undecided", criterion=theorem, reason=here[-1].reason, verdicts=here)
+            made = replace(made, verdicts=found)
+            return _with_density(made, rolling, powers, tried, seconds)
+    for level in (numbers, *tried[:-1]):
+        found = tuple(_proofs(form, level, seconds))
+        if all(found):
+            return _with_quadrature(replace(made, verdicts=found), rolling, form, level, seconds)
+    return replace(made, decision="undecided", reason=found[-1].reason, verdicts=found)
 
 
 def _proofs(form: OneForm, level: Level, seconds: float) -> Iterator[Verdict]:
@@ -80,51 +89,57 @@ def _obstruction(verdict: Verdict, form: OneForm) -> dict[str, object]:
     return {"what": what, "point": witness["point"], "residual": witness["residual"]}
 
 
-def _existing(
+def _integrated(form: OneForm, powers: Powers, level: Level, seconds: float) -> Iterator[Verdict]:
+    """Verdicts on the spin and on dσ = θ, up to the first that is not proven."""
+    laws = [(form.system, form.spin)] if form.spin is not None else []
+    for system, law in (*laws, form.integrated(powers)):
+        verdict = prove(system, replace(law, on=level), seconds=seconds)
+        yield verdict
+        if not verdict:
+            return
+
+
+def _with_density(
+    made: Existence,
     rolling: Rolling,
-    form: OneForm,
-    name: str,
-    level: Level,
-    numbers: Level,
-    verdicts: tuple[Verdict, ...],
-    theorem: str,
+    powers: Powers,
+    tried: tuple[Level, ...],
     seconds: float,
 ) -> Existence:
-    """The measure that exists on a level, in closed form if possible."""
-    made = Existence(name, "exists", criterion=theorem, verdicts=verdicts)
-    powers = closed_form(rolling, form, numbers)
-    if powers is not None:
-        system = rolling.system(name)
-        law = Measure(
-            "configuration_measure",
-            density(rolling, powers),
-            meaning="density that depends on the configuration alone",
-        )
-        for where, time in ((level, min(seconds, PATIENCE)), (numbers, seconds)):
-            verdict = prove(system, replace(law, on=where), seconds=time)
-            if verdict:
-                return replace(
-                    made,
-                    density=replace(law, on=where),
-                    system=system,
-                    verdicts=(*verdicts, verdict),
-                )
+    """The measure as a law of the equations of motion, on the most general level proven in time.
+
+    That dσ = θ for the numbers of the body has been proven, from which it follows for these.
+    """
+    system = rolling.system(made.name)
+    law = Measure(
+        "configuration_measure",
+        density(rolling, powers),
+        meaning="density that depends on the configuration alone",
+    )
+    for level in tried:
+        again = replace(law, on=level)
+        verdict = prove(system, again, seconds=min(seconds, PATIENCE))
+        if verdict:
+            return replace(made, density=again, system=system, verdicts=(*made.verdicts, verdict))
+    return replace(made, density=replace(law, on=tried[-1]), system=system)
+
+
+def _with_quadrature(
+    made: Existence, rolling: Rolling, form: OneForm, level: Level, seconds: float
+) -> Existence:
+    """The measure whose 1-form is closed, without a closed form of its density."""
     if isinstance(rolling.body.shape, (Disk, Torus)):
         # lying flat is outside their domain, a sphere without its poles
         turned = prove(form.system, replace(form.period, on=level), seconds=seconds)
+        made = replace(made, verdicts=(*made.verdicts, turned))
         if not turned:
             return replace(
                 made,
                 decision="undecided",
                 reason="the 1-form is closed; its period about body axis 3 is not known to vanish",
-                verdicts=(*verdicts, turned),
             )
-        verdicts = (*verdicts, turned)
-    reason = "the 1-form is closed, and so exact on the sphere of normals"
-    sigma = None if isinstance(rolling.body.shape, Implicit) else log_density(form)
     return replace(
         made,
-        reason=reason,
-        verdicts=verdicts,
-        log_density=sigma,
+        reason="the 1-form is closed, and so exact on the sphere of normals",
+        log_density=None if isinstance(rolling.body.shape, Implicit) else log_density(form),
     )

@@ -23,12 +23,9 @@ from ...vectors import Diagonal, Symmetric, Vector, dot, explicit, normed, scala
 from ..ground import Ground
 from ..numbers import Balls, precise
 from .families import exact
-from .form import OneForm
+from .form import OneForm, Powers
 
-__all__ = ["Powers", "closed_form", "density"]
-
-#: Bases with exponents.
-Powers = tuple[tuple[sp.Expr, sp.Expr], ...]
+__all__ = ["closed_form", "density"]
 
 gamma, r, q = Vector("gamma"), Vector("r"), Vector("q")
 I = Diagonal("I")

@@ -16,7 +16,7 @@ provided that spinning about the normal, which moves no γ, does not change the 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy as sp
@@ -25,16 +25,18 @@ from sympy.matrices.expressions import MatrixExpr
 from ...mechanics.rolling import Rolling
 from ...mechanics.shapes import Ball
 from ...mechanics.surfaces import Plane
-from ...statements import Identity, Law, Measure
+from ...statements import Identity, Law, Measure, Rate
 from ...system import Parameter, System
-from ...vectors import Diagonal, Symmetric, Vector, cross, dot, identity, normed, scalar, unit
+from ...vectors import Diagonal, Symmetric, Vector, cross, dot, identity, normed, scalar, unit, zero
 from .geometry import Geometry, geometry
 
-__all__ = ["OneForm", "one_form"]
+__all__ = ["OneForm", "Powers", "one_form"]
 
 Pairs = tuple[tuple[Any, Any], ...]
+#: Bases with exponents.
+Powers = tuple[tuple[sp.Expr, sp.Expr], ...]
 
-gamma, r, q, theta = (Vector(name) for name in ("gamma", "r", "q", "Theta"))
+gamma, r, q, theta, turn = (Vector(name) for name in ("gamma", "r", "q", "Theta", "u"))
 m, a = scalar("m"), scalar("a")
 
 
@@ -66,6 +68,25 @@ class OneForm:
     spin: Identity | None
     closed: Measure
     period: Identity
+
+    def integrated(self, powers: Powers) -> tuple[System, Identity]:
+        """That dσ = θ for e^σ a product of powers: along every turn u of the normal.
+
+        Parameters
+        ----------
+        powers : Powers
+            Bases with exponents, in the definitions of `system`.
+        """
+        made = replace(
+            self.system,
+            name="turned-normal",
+            field=((self.system.field[0][0], cross(gamma, turn)), (turn, zero)),
+        )
+        slope = sp.Add(*(exponent * Rate(base) / base for base, exponent in powers))
+        along = sp.Add(
+            *(t * Rate(g) for t, g in zip(self.form.symbols, gamma.symbols, strict=True))
+        )
+        return made, Identity("integrated", along - slope, "the density has the 1-form")
 
     @property
     def conditions(self) -> tuple[Law, ...]:

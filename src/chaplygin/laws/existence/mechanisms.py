@@ -154,7 +154,11 @@ def _measure(
         meaning="density that depends on the configuration alone",
         on=level,
     )
-    verdict = prove(system, law, seconds=min(seconds, PATIENCE))
+    try:
+        verdict = prove(system, law, seconds=min(seconds, PATIENCE))
+    except InputError as reason:
+        # the equations of motion may be singular where the distribution is not
+        verdict = Verdict(law.name, "undecided", reason=str(reason))
     if not verdict:
         # dσ = θ along the admissible fields is the same statement, in fewer variables
         verdict = prove(*integrated(lifted, potential, level), seconds=seconds)
