@@ -23,8 +23,9 @@ from chaplygin.mechanics.rolling_mechanism import rolling_mechanism
 from chaplygin.mechanics.shapes import Ball
 from chaplygin.mechanics.surfaces import Sphere
 from chaplygin.statements import Measure
-from chaplygin.vectors import scalar
+from chaplygin.vectors import dot, explicit, scalar
 from mechanics.reducible import (
+    ROTORS,
     I,
     R,
     a,
@@ -36,6 +37,7 @@ from mechanics.reducible import (
     omega,
     on_sphere,
     ratio,
+    rotors,
     sleigh,
     veselova,
     x,
@@ -156,6 +158,28 @@ def test_ball_with_rotors_in_any_potential() -> None:
     form = chaplygin_form(ball(gyrostat=True, potential=U))
     assert form.multiplier is not None
     assert form.multiplier == of_ball().multiplier
+    assert {"measure", "form", "motion"} <= set(proven(form))
+
+
+def test_veselova_with_rotors() -> None:
+    plain = veselova()
+    turning = Mechanism(
+        "veselova-gyrostat",
+        plain.frame,
+        plain.L + explicit(dot(rotors, omega)),
+        plain.constraints,
+        parameters=(*plain.parameters, *ROTORS),
+    )
+    form = chaplygin_form(turning)
+    assert form.multiplier == chaplygin_form(plain).multiplier
+    assert form.multiplier is not None
+    carried = explicit(dot(rotors, gamma))
+    assert form.gyroscopic is not None
+    assert sp.simplify(form.gyroscopic / form.multiplier.value - sp.sin(THETA) * carried) == 0
+    assert form.flux is not None
+    assert form.flux.value == 0
+    assert form.hamiltonian is None
+    assert abs(integral_of_gyroscopic(form)[0]) < 1e-13
     assert {"measure", "form", "motion"} <= set(proven(form))
 
 

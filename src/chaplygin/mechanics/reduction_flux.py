@@ -24,7 +24,7 @@ from .quasivelocity import Mechanism
 from .reduction_base import Base
 from .reduction_exact import Formulas
 from .reduction_integrals import solutions
-from .reduction_multiplier import Multiplier, as_positive
+from .reduction_multiplier import Multiplier, as_positive, over_rational
 
 __all__ = ["Flux", "flux", "indefinite"]
 
@@ -79,6 +79,8 @@ def flux(
     vector = base.normal
     if vector is None:
         return Flux(None, "the base is no sphere")
+    if not _smooth(mechanism, vector, over_rational(multiplier, b)):
+        return Flux(None, "S̄ is not shown to be smooth on the sphere")
     parts = [(sp.diff(b, c), c) for c in constants]
     parts.append((b.xreplace(dict.fromkeys(constants, zero)), sp.S.One))
     found = [
@@ -111,9 +113,7 @@ def _of_part(
     if len(roots) != 1 or not all(e.is_Rational for _, e in multiplier.powers):
         return Flux(None, "")
     form = sp.hessian(roots[0], vector.symbols) / 2
-    bases = [f for f, _ in sp.factor_list(sp.fraction(sp.together(part))[1])[1]]
-    moving = [f for f in (roots[0], *bases) if f.has(*vector.symbols)]
-    if not all(_definite(mechanism, vector, f) for f in moving):
+    if not _definite(mechanism, vector, roots[0]):
         return Flux(None, "")
     return _through_ellipsoid(mechanism, base, vector, multiplier, part, roots[0], form)
 
@@ -137,6 +137,17 @@ def _has_both_signs(mechanism: Mechanism, vector: Vector, form: sp.Expr) -> bool
 
 def _defaults(mechanism: Mechanism) -> dict[sp.Symbol, sp.Rational]:
     return {p.symbol: sp.Rational(repr(float(p.default))) for p in mechanism.parameters}
+
+
+def _smooth(mechanism: Mechanism, vector: Vector, value: sp.Expr) -> bool:
+    """Whether all that is divided by, or has a root, is a definite form at the defaults."""
+    powers = value.as_powers_dict().items()
+    delicate = [
+        base
+        for base, e in powers
+        if base.has(*vector.symbols) and not (e.is_Integer and e.is_positive)
+    ]
+    return all(_definite(mechanism, vector, base) for base in delicate)
 
 
 def _definite(mechanism: Mechanism, vector: Vector, base: sp.Expr) -> bool:

@@ -66,7 +66,12 @@ def _rows(form: ChaplyginForm) -> Iterator[tuple[str, str]]:
         yield "integral", f"of S̄: {monopole.words}"
     if form.hamiltonian is not None:
         yield "canonical", "Hamiltonian in the time τ, dτ = N dt, with momenta on the whole base"
-    elif monopole is not None and monopole.value not in (None, 0):
+    elif monopole is not None and monopole.value == 0:
+        yield (
+            "canonical",
+            "momenta exist on the whole sphere: S̄ = dw, as its integral is 0",
+        )
+    elif monopole is not None and monopole.value is not None:
         yield "canonical", "no momenta on the whole sphere, as the integral of S̄ is not zero"
 
 
