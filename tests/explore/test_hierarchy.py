@@ -70,6 +70,7 @@ def motions(standing: Place) -> str:
         ("chaplygin-ball", 5, 3, ["euler-jacobi", "conformally hamiltonian", "liouville"]),
         ("chaplygin-ball-gyrostat-bruns", 5, 2, ["conformally hamiltonian"]),
         ("clebsch", 5, 3, ["euler-jacobi", "hamiltonian", "liouville"]),
+        ("rubber-ball-on-sphere", 4, 1, ["conformally hamiltonian"]),
         ("rubber-ball-on-e3", 4, 1, ["hamiltonian"]),
         ("suslov-bracket", 5, 3, ["euler-jacobi", "hamiltonian"]),
         ("lagrange-top-angles", 6, 3, ["lie", "hamiltonian", "liouville"]),

@@ -15,6 +15,8 @@ import sympy as sp
 from ..laws.errors import OutOfReachError
 from ..laws.residuals import components
 from ..statements import Isomorphism, Law, Measure
+from ..system import System
+from ..systems import CATALOGUE
 from .forms import density, hamiltonian
 from .hierarchy import Bracket, Density
 from .proofs import Fact, Patience
@@ -69,8 +71,9 @@ def followed(
 
 def _through(standing: Standing, law: Isomorphism, patience: Patience, depth: int) -> There:
     values, moving = _constants(standing, law)
-    there = Standing(law.target, values=values)
-    laws = sorted_laws(there, patience.verdicts(law.target)).general
+    target = _with_laws(law.target)
+    there = Standing(target, values=values)
+    laws = sorted_laws(there, patience.verdicts(target)).general
     if moving:
         # what holds at one value of a parameter need not hold along all of them
         laws = tuple(each for each in laws if not each.on)
@@ -87,6 +90,18 @@ def _through(standing: Standing, law: Isomorphism, patience: Patience, depth: in
         tuple(_fact(law, fact) for fact in forms.liouville or beyond.liouville),
         tuple(Density(_fact(law, m.law), "unknown") for m in volumes or beyond.measures),
     )
+
+
+def _with_laws(target: System) -> System:
+    """The target with the laws that the catalogue states of the same equations."""
+    if target.laws or target.name not in CATALOGUE:
+        return target
+    known = CATALOGUE[target.name].system()
+    same = all(
+        getattr(known, part) == getattr(target, part)
+        for part in ("field", "definitions", "relations")
+    )
+    return replace(target, laws=known.laws) if same else target
 
 
 def _fact(law: Isomorphism, fact: Fact) -> Fact:
