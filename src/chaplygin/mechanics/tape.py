@@ -24,6 +24,8 @@ SHORT = 2
 """Operations up to which a value is written out instead of being named."""
 SMALL = 40
 """Operations up to which a formula is written out and shortened as a whole."""
+LARGEST = 60
+"""Operations up to which a formula is shortened at all."""
 SPREAD = 400
 """Terms up to which a formula may be multiplied out to that end."""
 
@@ -131,7 +133,7 @@ class Tape:
             if not inner:
                 break
             written = written.xreplace(inner)
-            if sp.count_ops(written) > 2 * SMALL:
+            if sp.count_ops(written) > LARGEST:
                 return value
         found = tidied(written)
         return found if sp.count_ops(found) <= max(SMALL // 2, sp.count_ops(value)) else value
@@ -158,7 +160,7 @@ class Tape:
 
 def tidied(value: sp.Expr) -> sp.Expr:
     """A small formula as short as cancelling and sin² + cos² = 1 make it; a large one unchanged."""
-    if value.is_Atom or sp.count_ops(value) > 2 * SMALL or _spread(value) > SPREAD:
+    if value.is_Atom or sp.count_ops(value) > LARGEST or _spread(value) > SPREAD:
         return value
     candidates = [value]
     angles = sorted({f.args[0] for f in value.atoms(sp.sin, sp.cos)}, key=str)
@@ -190,13 +192,17 @@ def _on_circles(value: sp.Expr, angles: Iterable[sp.Expr]) -> sp.Expr:
 
 
 def _on_circle(value: sp.Expr, sine: sp.Expr, cosine: sp.Expr) -> sp.Expr:
-    if not value.has(sine, cosine):
-        return value
+    """A formula multiplied out, without the squares of the sine or without those of the cosine."""
+    squares = {p for p in value.atoms(sp.Pow) if p.base in (sine, cosine) and _whole(p.exp)}
     found = [value]
-    for x, y in ((sine, cosine), (cosine, sine)):
-        try:
-            found.append(sp.Poly(value, x, y).rem(sp.Poly(x**2 + y**2 - 1, x, y)).as_expr())
-        except sp.PolynomialError:
-            # the angle occurs otherwise too, such as in the exponent of something
-            return value
+    for one, other in ((sine, cosine), (cosine, sine)):
+        table = {
+            p: one ** (p.exp % 2) * (1 - other**2) ** (p.exp // 2) for p in squares if p.base == one
+        }
+        if table:
+            found.append(sp.expand(value.xreplace(table)))
     return min(found, key=sp.count_ops)
+
+
+def _whole(exponent: sp.Expr) -> bool:
+    return bool(exponent.is_Integer and exponent >= 2)
