@@ -73,12 +73,14 @@ def _witness(found: Existence) -> str:
         return found.reason
     point: dict[str, Any] = found.obstruction["point"]
     shown = {text(scalar(name)): _short(value) for name, value in point.items()}
-    place = ", ".join(f"{name} = {value}" for name, value in shown.items() if "γ" in name)
+    # of a rolling body the vertical says where; parameters and the rest are left to the report
+    told = [name for name in shown if "γ" in name] or list(shown)
+    place = ", ".join(f"{name} = {shown[name]}" for name in told)
     what = str(found.obstruction["what"])
     return f"{what}, as at {place}" if place else what
 
 
 def _short(value: str) -> str:
-    """A number or the middle of a ball, with six digits."""
-    middle = value.strip("[]").split(" +/-")[0]
-    return value if "/" in middle else f"{float(middle):.6g}"
+    """A ball by its middle with six digits; an exact number as it is."""
+    middle, ball, _ = value.strip("[]").partition(" +/-")
+    return f"{float(middle):.6g}" if ball else value
