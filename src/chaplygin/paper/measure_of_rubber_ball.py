@@ -40,18 +40,18 @@ cosine, sine = scalar("C"), scalar("S")
 Point = tuple[sp.Expr, sp.Expr, sp.Expr]
 
 
-def curl(place: Point, offset: Point = kappa) -> sp.Expr:
+def curl(place: Point, offset: Point = kappa, moments: Point = J) -> sp.Expr:
     """(γ, rot q) at a unit vector, in J and κ, factored.
 
     Parameters
     ----------
     place : 3 formulas
         γ.
-    offset : 3 formulas
-        κ.
+    offset, moments : 3 formulas
+        κ and J.
     """
     s = sp.Add(*(k * g for k, g in zip(offset, gamma, strict=True)))
-    n = [j - s for j in J]
+    n = [j - s for j in moments]
     square = sp.Add(*(g**2 / x for g, x in zip(gamma, n, strict=True)))
     mixed = sp.Add(*(g * k / x for g, k, x in zip(gamma, offset, n, strict=True)))
     nu = (1 + mixed / 2) / square
