@@ -24,6 +24,9 @@ _GLASS = np.array(to_rgb("#8fa6bb"))
 _GLASS_SHARE = 0.2
 """Colour and opacity of walls seen from behind."""
 
+_SHORTEST = CURVE_POINTS // 50
+"""Stretches of the path with fewer points are not taken for hidden."""
+
 _LINE_STEPS = (1.0, 2.0, 5.0)
 """The lines on the surface lie this far apart, times a power of ten."""
 
@@ -121,7 +124,15 @@ def _hidden(view: View, seen: Crossings, path: FloatArray, slack: float) -> Bool
     row = np.clip(((y - bottom) / (top - bottom) * rows).astype(int), 0, rows - 1)
     opaque = _opaque(seen, view)[:, row, column]
     nearer = seen.depth[:, row, column] > view.depth(path) + slack
-    return np.asarray(np.any(opaque & nearer, axis=0), dtype=np.bool_)
+    return _steady(np.any(opaque & nearer, axis=0))
+
+
+def _steady(marked: BoolArray) -> BoolArray:
+    """The same without short stretches: along a border of the surface the dots decide by chance."""
+    kept = np.zeros_like(marked)
+    for run in runs(marked[1:] & marked[:-1]):
+        kept[run] = run.stop - run.start > _SHORTEST
+    return kept
 
 
 def _opaque(seen: Crossings, view: View) -> BoolArray:
