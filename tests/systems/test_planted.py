@@ -30,7 +30,7 @@ HARMLESS = {
     # every function of a constant velocity is constant
     "snakeboard energy": {"value exponent"},
     "trailers energy": {"value exponent"},
-    "vertical-rolling-disk momentum_thetadot": {"value exponent"},
+    "vertical-rolling-disk momentum_w": {"value exponent"},
     "chaplygin-ball-reduced bracket": {"bracket exponent"},
     # the gradient of a sphere's and of a circular cylinder's equation is as long everywhere
     "marble-ball-on-sphere volume": {"density power"},

@@ -135,7 +135,7 @@ def test_the_momentum_of_a_roller_racer_changes_by_the_wheels_alone():
 
 def test_a_disk_on_a_slope_drifts_sideways_and_not_downhill():
     entry = CATALOGUE["vertical-rolling-disk"]
-    turn = entry.start.state["thetadot"]
+    turn = entry.start.state["w"]
     period = 2 * np.pi / turn
     _, q, p = run("vertical-rolling-disk", until=period)
     pull = p["m"] * p["g"] * p["R"] * np.sin(p["alpha"]) / (p["I"] + p["m"] * p["R"] ** 2)

@@ -27,7 +27,7 @@ __all__ = ["board"]
 
 x, y, theta, psi, phi = (scalar(name) for name in ("x", "y", "theta", "psi", "phi"))
 s, n, v, spin, steer, u, Omega = (
-    scalar(name) for name in ("s", "n", "v", "psidot", "phidot", "u", "Omega")
+    scalar(name) for name in ("s", "n", "v", "w", "phidot", "u", "Omega")
 )
 m, J, J_0, J_1, K, ell = (scalar(name) for name in ("m", "J", "J_0", "J_1", "K", "l"))
 
@@ -41,7 +41,7 @@ SUMMARY = (
 
 
 def board(p: Numbers) -> Mechanism:
-    """The board in the velocities s, n (both constraints are n = 0 and v = 0), v, ψ̇, φ̇.
+    """The board in the velocities s, n (both constraints are n = 0 and v = 0), v, w = ψ̇, φ̇.
 
     Raises
     ------
@@ -121,11 +121,11 @@ ENTRIES = (
         source=SOURCE,
         defaults=DEFAULTS,
         build=snakeboard,
-        start=Start(state={"phi": 0.2, "s": 0.5, "psidot": 3.0, "phidot": 0.4}, until=15.0),
+        start=Start(state={"phi": 0.2, "s": 0.5, "w": 3.0, "phidot": 0.4}, until=15.0),
         variables={
             "phi": ("angle of the front wheels", "rad"),
             "s": ("s of u = l s cos φ, Ω = s sin φ", "1/s"),
-            "psidot": ("angular velocity of the rotor against the board", "1/s"),
+            "w": ("angular velocity of the rotor against the board", "1/s"),
             "phidot": ("angular velocity of steering", "1/s"),
         },
     ),

@@ -24,7 +24,7 @@ from .entry import Entry, Numbers, Start
 __all__ = ["disk"]
 
 x, y, theta, psi = (scalar(name) for name in ("x", "y", "theta", "psi"))
-u, v, spin, turn, c = (scalar(name) for name in ("u", "v", "psidot", "thetadot", "c"))
+u, v, spin, turn, c = (scalar(name) for name in ("u", "v", "psidot", "w", "c"))
 m, I, J, R, g, slope = (scalar(name) for name in ("m", "I", "J", "R", "g", "alpha"))
 
 HALF = sp.Rational(1, 2)
@@ -37,14 +37,14 @@ SUMMARY = (
 
 
 def disk(p: Numbers) -> Mechanism:
-    """The disk in the velocities u, v, ψ̇, θ̇.
+    """The disk in the velocities u, v, ψ̇, w = θ̇.
 
     Raises
     ------
     InputError
         If the mass, radius or a moment of inertia is not positive, or g or the slope not finite.
     """
-    # what ψ̇ gains per radian of turning, times θ̇
+    # what ψ̇ gains per radian of turning, times w
     gain = c * sp.sin(theta)
     level = spin * turn - gain
     return Mechanism(
@@ -127,7 +127,7 @@ ENTRIES = (
         defaults=DEFAULTS,
         build=vertical_disk,
         start=Start(
-            state={"x": 0.0, "y": 3.0, "theta": 0.0, "psidot": 2.0, "thetadot": 0.8},
+            state={"x": 0.0, "y": 3.0, "theta": 0.0, "psidot": 2.0, "w": 0.8},
             until=8.0,
         ),
         variables={
@@ -135,7 +135,7 @@ ENTRIES = (
             "y": ("place across the slope", "m"),
             "theta": ("heading", "rad"),
             "psidot": ("angular velocity of rolling", "1/s"),
-            "thetadot": ("angular velocity of turning", "1/s"),
+            "w": ("angular velocity of turning", "1/s"),
         },
     ),
 )
