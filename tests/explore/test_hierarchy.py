@@ -342,3 +342,23 @@ def test_a_root_by_which_the_equations_divide_is_positive() -> None:
     whole = System("whole", "Whole", {q: w, w: q * s}, definitions={s: root})
     assert sign(Standing(divided), [s]) == "kept"
     assert sign(Standing(whole), [s]) == "unknown"
+
+
+def test_a_place_out_of_reach_says_why() -> None:
+    q, w = scalar("q"), scalar("w")
+    steady = Integral("steady", w)
+    made = System("out", "Out", {q: w, w: 0 * w}, relations=(q - sp.exp(w),), laws=(steady,))
+    standing = place(made, {"steady": Verdict("steady", "proven")})
+    assert kinds(standing) == ["none known"]
+    assert standing.reason
+    assert "not determined" in str(standing)
+    assert "steady" in str(standing)
+
+
+def test_relations_with_angles_are_read_by_sine_and_cosine() -> None:
+    q, w, u = scalar("q"), scalar("w"), scalar("u")
+    relation = u * sp.cos(q) - w * sp.sin(q)
+    field = {q: sp.S.One, u: -w, w: u}
+    made = found(System("turning", "Turning", field, relations=(relation,)))
+    assert made.reason == ""
+    assert made.dimension == 2
