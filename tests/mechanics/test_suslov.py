@@ -321,6 +321,19 @@ def test_a_mistake_gets_one_sentence(words: str) -> None:
         equations(Mechanism("wrong", **MISTAKES[words]))
 
 
+def test_formulas_with_a_domain() -> None:
+    """Generic points are sought where every formula has a real value."""
+    well = Mechanism(
+        "well",
+        coordinates(x, y),
+        HALF * m * (xdot**2 + ydot**2) - sp.log(x) * sp.sqrt(1 - y),
+        parameters=(Parameter(m, "", 1.0),),
+    )
+    assert prove(equations(well), "energy").decision == "proven"
+    with pytest.raises(InputError, match="no configuration was found"):
+        equations(Mechanism("nowhere", coordinates(x), xdot**2 - sp.sqrt(-1 - x**2)))
+
+
 def test_rates_are_linear_in_the_velocities() -> None:
     with pytest.raises(InputError, match="linear and homogeneous"):
         Frame({x: u**2}, (u,))

@@ -17,6 +17,7 @@ from ..mechanics.rolling import Rolling
 from ..notation import text
 from ..statements import Integral, Isomorphism, Law, Reduction
 from ..system import System
+from ..vectors import scalar
 from .absence import Decided, decided
 from .elsewhere import There, followed
 from .forms import Forms, hamiltonian, measures
@@ -40,9 +41,32 @@ def counted(
 ) -> Place:
     """The place of a system; see :func:`chaplygin.explore.hierarchy.place`."""
     try:
-        return _counted(_without_angles(system), verdicts, patience, given)
+        whole = _without_angles(system)
+        place = _counted(whole, verdicts, patience, given)
     except (OutOfReachError, InputError) as reason:
         return _unknown(system, verdicts, str(reason))
+    return _in_angles(place, len(whole.symbols) - len(system.symbols))
+
+
+def _in_angles(place: Place, more: int) -> Place:
+    """A place with its variables counted as in the system, an angle as one."""
+    return replace(
+        place,
+        variables=place.variables - more,
+        conditions=place.conditions - more,
+        levels=tuple(_in_angles(level, more) for level in place.levels),
+    )
+
+
+def _reversed(system: System) -> tuple[str, ...]:
+    """What changes sign when time runs backwards; that of a sine alone is that of its angle."""
+    names = reversal(system)
+    return tuple(
+        text(scalar(str(n).removeprefix("sin_")))
+        if str(n).startswith("sin_") and scalar(f"cos_{str(n)[4:]}") not in names
+        else text(n)
+        for n in names
+    )
 
 
 def _without_angles(system: System) -> System:
@@ -136,7 +160,7 @@ def _placed(
         reductions=tuple(_told(law) for law in laws if isinstance(law, Reduction)),
     )
     if not found.lasting and not standing.on:
-        found = replace(found, reversal=tuple(text(name) for name in reversal(system)))
+        found = replace(found, reversal=_reversed(system))
     kinds, dynamics = classified(found)
     return Place(
         system=system.title,

@@ -171,14 +171,20 @@ def samples(
         {s for formula in (*frame.qdot, *relations) for s in formula.free_symbols} - named, key=str
     )
     constants |= {s: _number(dice) for s in loose}
+    used = [*frame.qdot]
+    if mechanism is not None:
+        used += [mechanism.L, *mechanism.f, *mechanism.Q.values()]
     found: list[Sample] = []
     for _ in range(ATTEMPTS):
         try:
             point = _on_relations(dice, frame.coordinates, relations, steps, constants)
             velocities = {s: _number(dice) for s in frame.w}
-            found.append(Sample({**point, **velocities}, steps))
+            sample = Sample({**point, **velocities}, steps)
+            for formula in used:
+                sample.value(formula)
         except (ZeroDivisionError, ValueError):
             continue
+        found.append(sample)
         if len(found) == many:
             return tuple(found)
     raise InputError(
