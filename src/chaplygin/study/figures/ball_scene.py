@@ -8,7 +8,7 @@ import xarray as xr
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
-from ..drawing import BoolArray, FloatArray, Outline, SurfaceCurve, View, runs, smooth_curve
+from ..drawing import BoolArray, FloatArray, Outline, View, runs, smooth_curve
 from ..surface_ground import Crossings, SurfaceGround, crossings, frame_of
 from .scenes import Track, across, draw_body, track_of
 from .sheet import Sheet, blank_axes, fit_height, time_bar
@@ -95,12 +95,19 @@ def _paint(sheet: Sheet, seen: Crossings, track: Track, outline: Outline, body: 
     # what is opaque is painted twice, lest a seam be seen where both parts meet
     _image(sheet, seen, colours, behind | _opaque(seen, sheet.view))
     _strokes(sheet, path, fractions, ~hidden & ~near, 2.0, 1.0)
+    if not near[0]:
+        _mark_start(sheet, path[0], bool(hidden[0]))
     draw_body(sheet, body, track)
     _image(sheet, seen, colours, before)
     _strokes(sheet, path, fractions, ~hidden & near, 2.0, 1.0)
     _strokes(sheet, path, fractions, hidden, 0.9, 0.45)
-    start = SurfaceCurve(path[:1], np.zeros((1, 3))).points[0]
-    sheet.dot(start, "none" if hidden[0] else "white", QUIET if hidden[0] else INK, 4.5)
+    if near[0]:
+        _mark_start(sheet, path[0], bool(hidden[0]))
+
+
+def _mark_start(sheet: Sheet, place: FloatArray, hidden: bool) -> None:
+    """A ring, pale where the surface stands before it."""
+    sheet.dot(place, "none" if hidden else "white", QUIET if hidden else INK, 4.5)
 
 
 def _strokes(
