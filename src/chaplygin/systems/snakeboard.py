@@ -18,7 +18,7 @@ from ..errors import InputError
 from ..mechanics.body import check_mass
 from ..mechanics.quasivelocity import Frame, Mechanism
 from ..mechanics.suslov import equations
-from ..statements import Integral
+from ..statements import Integral, Measure
 from ..system import Parameter, System
 from ..vectors import scalar
 from .entry import Entry, Numbers, Start
@@ -81,6 +81,12 @@ def board(p: Numbers) -> Mechanism:
         parameters=_parameters(p),
         laws=(
             Integral("steering", steer, "angular velocity of steering", source=SOURCE, unit="1/s"),
+            Measure(
+                "measure",
+                {(K - J_0) * sine**2 + m * ell**2 * cosine**2: HALF},
+                "measure, smooth for straight and crossed wheels alike",
+                source=SOURCE,
+            ),
         ),
         title=TITLE,
         source=SOURCE,
