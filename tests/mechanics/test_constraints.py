@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import random
+
 import pytest
 import sympy as sp
 
@@ -437,3 +439,21 @@ def test_a_ball_whose_attitude_is_a_quaternion():
         assert (found.growth, found.dimension, found.proven) == (growth, 6, True)
         assert [f.formula for f in found.integrals] == [place.symbols[2]]
         assert sum(found.point[s] ** 2 for s in q) == 1
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_random_integrals_are_recovered(seed):
+    """μ dF = 0 for a random polynomial F and factor μ; one more term spoils it."""
+    dice = random.Random(seed)
+    terms = [x, y, z, x * y, y * z, x * z, x**2, y**2, z**2]
+    hidden = sp.Add(*(dice.randint(-3, 3) * term for term in terms)) + z
+    factor = dice.choice((1 + x**2, x * y, 1 / (2 + z**2), sp.cos(x), sp.exp(y)))
+    rate = u * sp.diff(hidden, x) + v * sp.diff(hidden, y) + w * sp.diff(hidden, z)
+    found = nonholonomy(mechanism(sp.expand(factor * rate)))
+    assert (found.verdict, found.proven) == ("holonomic", True)
+    (integral,) = found.integrals
+    slopes = [[sp.diff(f, q) for q in (x, y, z)] for f in (hidden, integral.formula)]
+    assert all(sp.expand(c) == 0 for c in sp.Matrix(slopes[0]).cross(sp.Matrix(slopes[1])))
+    assert nonholonomy(mechanism(factor * rate + x * y * w - z**2 * u)).verdict == (
+        "completely nonholonomic"
+    )
