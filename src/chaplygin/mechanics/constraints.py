@@ -104,10 +104,15 @@ def nonholonomy(mechanism: Mechanism | Distribution) -> Nonholonomy:
         span, or no point is found.
     """
     given = mechanism if isinstance(mechanism, Distribution) else distribution(mechanism)
-    here = generic(given)
-    _check_time(given, here)
     symbols = [s for s, _ in given.constants]
-    everywhere = generic(given, symbols) if symbols else here
+    almost = False
+    try:
+        here = generic(given)
+    except NoPointFoundError:
+        # a relation may be solved for a parameter where it cannot be for a coordinate
+        here, almost = generic(given, symbols), True
+    _check_time(given, here, symbols if almost else ())
+    everywhere = generic(given, symbols) if symbols and not almost else here
     special = everywhere.growth != here.growth
     missing = here.dimension - here.final
     found = () if special else constants(given, missing, symbols)
@@ -163,7 +168,10 @@ def _sentences(found: Nonholonomy) -> list[str]:
     where = "space of time and configuration" if found.timed else "configuration space"
     known = "time and configuration" if found.timed else "the configuration"
     if found.verdict == "free":
-        return [f"No constraint on the velocities: all {found.dimension} are free."]
+        return [
+            "There are no constraints on the velocities besides those that keep the "
+            f"{found.dimension}-dimensional configuration space."
+        ]
     sentences = [
         f"{_counted(found.constraints, 'constraint')} on {found.dimension} velocities "
         f"{'leaves' if found.constraints == 1 else 'leave'} {found.rank}; with their commutators "

@@ -152,7 +152,6 @@ def _tried(
 ) -> Place:
     plain = Germs(numbers, (), {}, {}, {}, {}, 0)
     values = {s: plain.series(_rational(v)).value for s, v in space.constants if s not in given}
-    values |= {s: numbers.drawn(dice) for s in space.free if s not in given}
     circles: dict[sp.Expr, tuple[Any, Any]] = {}
     shown: dict[sp.Symbol, sp.Expr] = {}
     formal = False
@@ -165,13 +164,17 @@ def _tried(
     for core, n in space.units.items():
         circles[core], free = _circle(core, n, space, given, shown, plain, dice)
         formal = formal or free
+    known = Germs(numbers, (), values, {}, {}, {}, 0)
     for vectors, squared in space.blocks:
-        if not any(s in values for v in vectors for s in v):
-            values |= _rows(vectors, plain.series(_rational(squared)).value, numbers, dice)
+        formula = _rational(squared)
+        if formula.free_symbols <= values.keys() and not any(
+            s in values for v in vectors for s in v
+        ):
+            values |= _rows(vectors, known.series(formula).value, numbers, dice)
     trial = _Trial(space, numbers, values, circles, dice)
     for relation in space.written:
         trial.impose(relation)
-    for symbol in space.coordinates:
+    for symbol in (*space.coordinates, *space.free):
         trial.values.setdefault(symbol, numbers.drawn(dice))
     trial.check(space.written, bool(given))
     if numbers.exact:
@@ -291,22 +294,23 @@ class _Trial:
         ).series(relation)
 
     def impose(self, relation: sp.Expr) -> None:
-        """Solve a relation for one of the coordinates that are not settled."""
+        """Solve a relation for a coordinate that is not settled, or else for a free parameter."""
         free = relation.free_symbols - self.values.keys()
-        open_ = [s for s in self.space.coordinates if s in free] if free else []
+        open_ = [s for s in (*self.space.free, *self.space.coordinates) if s in free]
         if not open_:
             return
-        degrees = {s: sp.degree(relation, s) for s in open_ if relation.is_polynomial(s)}
+        degrees = {s: int(sp.degree(relation, s)) for s in open_ if relation.is_polynomial(s)}
         if not degrees:
             raise InputError(
                 f"the relation {relation} = 0 is a polynomial in none of its coordinates, so that "
                 "no point of it can be found; give a point"
             )
-        main = min((s for s in reversed(open_) if s in degrees), key=lambda s: degrees[s])
+        moving = [s for s in reversed(open_) if s in degrees and s in self.space.coordinates]
+        main = min(moving or [s for s in open_ if s in degrees], key=lambda s: degrees[s])
         for s in open_:
             if s != main:
                 self.values[s] = self.numbers.drawn(self.dice)
-        parts = self._series(relation, (main,), int(degrees[main])).parts
+        parts = self._series(relation, (main,), degrees[main]).parts
         self.values[main] = self.numbers.zero_of([self._coefficient(part) for part in parts])
 
     def _coefficient(self, part: Any) -> Any:
