@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import pytest
@@ -11,6 +12,7 @@ from chaplygin.errors import InputError
 from chaplygin.laws.existence.closed_form import closed_form, density
 from chaplygin.laws.existence.families import exact
 from chaplygin.laws.existence.form import one_form
+from chaplygin.laws.existence.transport import log_density_on_surface
 from chaplygin.laws.prove import prove
 from chaplygin.laws.unimodular import measure_exists
 from chaplygin.mechanics.body import Body
@@ -215,6 +217,27 @@ def test_density_by_quadrature():
     assert value == pytest.approx(sigma(end) - sigma(start), abs=1e-12)
     with pytest.raises(InputError, match="unit vector"):
         turned.log_density((1.0, 1.0, 1.0))
+
+
+def test_density_by_following_the_contact():
+    """An ellipsoid of equal moments by its equation: σ = −½ log(1 + h²)."""
+    x, y, z = Implicit.coordinates
+    centre = (0.1, 0.2, 0.05)
+    shape = Implicit(x**2 / 4 + y**2 + z**2 - 1, centre=centre)
+    sigma = log_density_on_surface(one_form(rolling(shape, (1.0, 1.0, 1.0))))
+
+    def stated(gamma):
+        height = (4 * gamma[0] ** 2 + gamma[1] ** 2 + gamma[2] ** 2) ** 0.5
+        height -= sum(c * g for c, g in zip(centre, gamma, strict=True))
+        return -0.5 * math.log(1 + height**2)
+
+    first, second = (0.0, 0.6, 0.8), (0.6, 0.0, 0.8)
+    found = [sigma(first), sigma(second)]
+    assert max(error for _, error in found) < 1e-7
+    difference = stated(second) - stated(first)
+    assert found[1][0] - found[0][0] == pytest.approx(difference, abs=1e-10)
+    with pytest.raises(InputError, match="unit vector"):
+        sigma((1.0, 1.0, 0.0))
 
 
 @pytest.mark.parametrize("surface", [PLANE, SPHERE])

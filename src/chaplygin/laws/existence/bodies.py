@@ -19,6 +19,7 @@ from .closed_form import closed_form, density
 from .families import Level, criterion, levels
 from .form import OneForm, Powers, one_form
 from .quadrature import log_density
+from .transport import log_density_on_surface
 from .value import Existence
 
 __all__ = ["decide_body"]
@@ -141,5 +142,7 @@ def _with_quadrature(
     return replace(
         made,
         reason="the 1-form is closed, and so exact on the sphere of normals",
-        log_density=None if isinstance(rolling.body.shape, Implicit) else log_density(form),
+        log_density=log_density_on_surface(form)
+        if isinstance(rolling.body.shape, Implicit)
+        else log_density(form),
     )

@@ -11,7 +11,7 @@ from ...errors import InputError
 from ...system import System
 from .form import OneForm
 
-__all__ = ["log_density"]
+__all__ = ["arc", "evaluated", "log_density"]
 
 NODES = 24
 MORE_NODES = 40
@@ -19,25 +19,50 @@ MORE_NODES = 40
 PIECES = 8
 
 
-def _evaluated(system: System, wanted: Sequence[sp.Symbol]) -> Callable[..., np.ndarray]:
-    """Definitions as functions of γ, with the default parameters."""
+def evaluated(
+    system: System, wanted: Sequence[sp.Symbol], formulas: Sequence[sp.Expr] = ()
+) -> Callable[[np.ndarray], np.ndarray]:
+    """Definitions, and further formulas, as functions of the state, with the default parameters."""
     numbers = {p.symbol: p.default for p in system.parameters}
-    steps = [(s, f.xreplace(numbers)) for s, f in system.steps]
+    names = [s for s, _ in system.steps]
+    steps = [*system.steps, *((None, f) for f in formulas)]
     code = [
-        (s, sp.lambdify([*system.symbols, *(t for t, _ in steps[:i])], f, "numpy"))
+        (s, sp.lambdify([*system.symbols, *names[:i]], f.xreplace(numbers), "numpy"))
         for i, (s, f) in enumerate(steps)
     ]
 
-    def values(normals: np.ndarray) -> np.ndarray:
-        known = list(normals)
-        named = {}
+    def values(state: np.ndarray) -> np.ndarray:
+        known, named, last = list(state), {}, []
         for symbol, function in code:
-            made = function(*known)
+            made = function(*known[: len(system.symbols) + len(names)])
             known.append(made)
-            named[symbol] = made
-        return np.array([np.broadcast_to(named[s], normals.shape[1:]) for s in wanted])
+            if symbol is None:
+                last.append(made)
+            else:
+                named[symbol] = made
+        found = [*(named[s] for s in wanted), *last]
+        return np.array([np.broadcast_to(v, state.shape[1:]) for v in found])
 
     return values
+
+
+def arc(start: np.ndarray, normal: Sequence[float]) -> tuple[np.ndarray, float]:
+    """The unit vector across `start` towards a normal, and the angle between both.
+
+    Raises
+    ------
+    InputError
+        If the normal is no unit vector, or opposite to the start.
+    """
+    end = np.asarray(normal, dtype=float)
+    if end.shape != (3,) or abs(end @ end - 1) > 1e-12:
+        raise InputError(f"gamma = {normal}: it must be a unit vector, three numbers")
+    if start @ end < -1 + 1e-9:
+        raise InputError(f"gamma = {normal}: it is opposite to the start {tuple(start)}")
+    angle = float(np.arctan2(np.linalg.norm(np.cross(start, end)), start @ end))
+    if angle == 0:
+        return np.zeros(3), 0.0
+    return (end - np.cos(angle) * start) / np.sin(angle), angle
 
 
 def log_density(
@@ -59,14 +84,10 @@ def log_density(
         `base`, by Gauss's rule with 40 nodes on each of 8 pieces, and its difference from 24.
         It raises InputError if γ is no unit vector, or opposite to `base`.
     """
-    theta = _evaluated(form.system, form.form.symbols)
+    theta = evaluated(form.system, form.form.symbols)
     start = np.asarray(base, dtype=float)
 
-    def along(end: np.ndarray, nodes: int) -> float:
-        angle = float(np.arctan2(np.linalg.norm(np.cross(start, end)), start @ end))
-        if angle == 0:
-            return 0.0
-        across = (end - np.cos(angle) * start) / np.sin(angle)
+    def along(across: np.ndarray, angle: float, nodes: int) -> float:
         places, weights = np.polynomial.legendre.leggauss(nodes)
         edges = np.linspace(0.0, angle, PIECES + 1)
         half = np.diff(edges)[:, None] / 2
@@ -77,12 +98,8 @@ def log_density(
         return float(np.sum(w * np.sum(theta(normals) * tangents, axis=0)))
 
     def sigma(normal: Sequence[float]) -> tuple[float, float]:
-        end = np.asarray(normal, dtype=float)
-        if end.shape != (3,) or abs(end @ end - 1) > 1e-12:
-            raise InputError(f"gamma = {normal}: it must be a unit vector, three numbers")
-        if start @ end < -1 + 1e-9:
-            raise InputError(f"gamma = {normal}: it is opposite to the base point {tuple(base)}")
-        fine = along(end, MORE_NODES)
-        return fine, abs(fine - along(end, NODES))
+        across, angle = arc(start, normal)
+        fine = along(across, angle, MORE_NODES)
+        return fine, abs(fine - along(across, angle, NODES))
 
     return sigma
