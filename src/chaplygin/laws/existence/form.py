@@ -156,7 +156,7 @@ def one_form(rolling: Rolling) -> OneForm:
 
 
 def _scale(rolling: Rolling) -> sp.Expr:
-    """The factor of θ for a rubber ball on a sphere, 1 − R/a, up to the sign; else one."""
+    """The factor 1 − R/a of θ for a rubber ball on a sphere, compared to a plane; else one."""
     shape, surface = rolling.body.shape, rolling.surface
     if rolling.contact == "marble" or isinstance(surface, Plane) or not isinstance(shape, Ball):
         return sp.S.One
