@@ -457,3 +457,12 @@ def test_random_integrals_are_recovered(seed):
     assert nonholonomy(mechanism(factor * rate + x * y * w - z**2 * u)).verdict == (
         "completely nonholonomic"
     )
+
+
+def test_a_position_that_no_coordinate_is_solved_from():
+    """A point is then found for other parameters; what is known is said of almost all of them."""
+    position = sp.sqrt(1 + x**2) + sp.sqrt(2 + y**2) + sp.exp(z) - k
+    found = nonholonomy(mechanism(x * u + y * v, positions=(position,), value=9.0))
+    assert found.almost
+    assert (found.dimension, found.rank, found.verdict) == (2, 1, "holonomic")
+    assert "For almost all values of the parameters; these were not tried" in str(found)

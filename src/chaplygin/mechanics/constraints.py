@@ -22,6 +22,7 @@ from .distribution import Distribution, distribution
 from .frobenius import involutive
 from .growth import Filtration, filtration, generic
 from .holonomic import Constancy, constants
+from .places import UnsolvedError
 from .quasivelocity import TIME, Mechanism
 
 __all__ = ["Nonholonomy", "Word", "nonholonomy", "nonholonomy_at"]
@@ -60,6 +61,9 @@ class Nonholonomy:
         The growth for other values of the parameters, where it is another one.
     timed : bool
         Whether the time is one of the coordinates, since constraints are affine or depend on it.
+    almost : bool
+        Whether all of this is known for almost all values of the parameters, and not for the
+        present ones, since no point was found for them.
     """
 
     name: str
@@ -73,6 +77,7 @@ class Nonholonomy:
     point: Mapping[sp.Symbol, sp.Expr]
     elsewhere: tuple[int, ...] = ()
     timed: bool = False
+    almost: bool = False
 
     @property
     def holonomic(self) -> int:
@@ -108,7 +113,7 @@ def nonholonomy(mechanism: Mechanism | Distribution) -> Nonholonomy:
     almost = False
     try:
         here = generic(given)
-    except NoPointFoundError:
+    except UnsolvedError:
         # a relation may be solved for a parameter where it cannot be for a coordinate
         here, almost = generic(given, symbols), True
     _check_time(given, here, symbols if almost else ())
@@ -116,10 +121,10 @@ def nonholonomy(mechanism: Mechanism | Distribution) -> Nonholonomy:
     special = everywhere.growth != here.growth
     missing = here.dimension - here.final
     found = () if special else constants(given, missing, symbols)
-    if len(found) < missing and symbols:
+    if len(found) < missing and symbols and not almost:
         found = max(found, constants(given.fixed, missing), key=len)
     certain = missing == 0 or (len(found) == missing and all(f.proven for f in found))
-    if not certain and _word(here) == "holonomic":
+    if not certain and not almost and _word(here) == "holonomic":
         certain = involutive(given.fixed)
     return Nonholonomy(
         given.name,
@@ -133,15 +138,16 @@ def nonholonomy(mechanism: Mechanism | Distribution) -> Nonholonomy:
         here.point,
         everywhere.growth if special else (),
         TIME in given.coordinates,
+        almost,
     )
 
 
-def _check_time(given: Distribution, here: Filtration) -> None:
+def _check_time(given: Distribution, here: Filtration, free: Sequence[sp.Symbol]) -> None:
     """Refuse affine constraints that no velocity satisfies: they admit no motion in time."""
     if TIME not in given.coordinates:
         return
     still = tuple(sp.S.One if field.get(TIME) == 1 else sp.S.Zero for field in given.frame)
-    if generic(replace(given, forms=(*given.forms, still))).rank == here.rank:
+    if generic(replace(given, forms=(*given.forms, still)), free).rank == here.rank:
         raise InputError(
             f"{given.name}: the constraints contradict each other; no velocity satisfies all of "
             "them at a generic configuration"
@@ -192,6 +198,8 @@ def _sentences(found: Nonholonomy) -> list[str]:
             f"The constraints are nonholonomic, but {found.holonomic} of them "
             f"{'is' if found.holonomic == 1 else 'are'} holonomic in effect."
         )
+    if found.almost:
+        sentences.append("(For almost all values of the parameters; these were not tried.)")
     return [*sentences, *_integrals(found), *_elsewhere(found)]
 
 

@@ -18,7 +18,7 @@ from ..errors import InputError
 from .germs import Angles, Germs, angles, expanded
 from .series import IrrationalError, Numbers, Series
 
-__all__ = ["NoPointError", "Place", "Space", "at", "drawn"]
+__all__ = ["NoPointError", "Place", "Space", "UnsolvedError", "at", "drawn"]
 
 ATTEMPTS = 60
 
@@ -28,6 +28,10 @@ Block: TypeAlias = tuple[tuple[tuple[sp.Symbol, ...], ...], sp.Expr]
 
 class NoPointError(ArithmeticError):
     """No point was found with the numbers in use."""
+
+
+class UnsolvedError(InputError):
+    """A relation that can be solved for none of its coordinates."""
 
 
 @dataclass(frozen=True)
@@ -301,7 +305,7 @@ class _Trial:
             return
         degrees = {s: int(sp.degree(relation, s)) for s in open_ if relation.is_polynomial(s)}
         if not degrees:
-            raise InputError(
+            raise UnsolvedError(
                 f"the relation {relation} = 0 is a polynomial in none of its coordinates, so that "
                 "no point of it can be found; give a point"
             )
