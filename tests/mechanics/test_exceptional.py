@@ -33,6 +33,7 @@ def found(constraint):
         (w - x * v / (k - 4) - y * u, {5: (2,)}),
         (w - x * v - k * x * y * u, {}),
         ((k - 3) * (w - x * v) + (k - 3) * y * u, {3: (3,)}),
+        (w - (k - 2) * sp.exp(x) * v - (k - 2) * sp.log(y) * u, {2: (2,)}),
         (w - (2 * k - 1) * (k**2 + 1) * sp.sin(x) * v, {sp.Rational(1, 2): (2,)}),
     ],
     ids=str,

@@ -77,6 +77,8 @@ class Germs:
         Definitions.
     order : int
         Up to which the series are known.
+    seed : int
+        Of the numbers taken for transcendental values; one for each point.
     """
 
     def __init__(
@@ -88,6 +90,7 @@ class Germs:
         units: Angles,
         steps: Steps,
         order: int,
+        seed: int = 0,
     ) -> None:
         self.numbers, self.order, self.steps = numbers, order, dict(steps)
         self.values, self.circles, self.units = dict(values), dict(circles), dict(units)
@@ -95,7 +98,7 @@ class Germs:
         self.ring = numbers.ring([f"x{i}" for i, _ in enumerate(self.variables)])
         self._known: dict[sp.Expr, Series] = {}
         self._formal: dict[sp.Expr, Any] = {}
-        self._dice = random.Random(str(sorted(map(str, self.values.values()))))
+        self._seed = seed
 
     def constant(self, value: Any) -> Series:
         """A number."""
@@ -179,7 +182,7 @@ class Germs:
     def _formal_value(self, formula: sp.Expr) -> Any:
         """A number of its own for a transcendental value."""
         if formula not in self._formal:
-            self._formal[formula] = self.numbers.drawn(self._dice)
+            self._formal[formula] = self.numbers.drawn(random.Random(f"{self._seed} {formula}"))
         return self._formal[formula]
 
     def _opaque(self, formula: sp.Expr) -> Series:

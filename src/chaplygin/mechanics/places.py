@@ -91,6 +91,8 @@ class Place:
         The same for a reader; empty modulo a prime.
     formal : bool
         Whether a free number stands for a transcendental one.
+    seed : int
+        Of the numbers taken for other transcendental values.
     """
 
     numbers: Numbers
@@ -98,6 +100,7 @@ class Place:
     circles: Mapping[sp.Expr, tuple[Any, Any]]
     shown: Mapping[sp.Symbol, sp.Expr]
     formal: bool
+    seed: int
 
     def germs(self, space: Space, order: int) -> Germs:
         """Taylor series of formulas about this point."""
@@ -109,6 +112,7 @@ class Place:
             space.units,
             dict(space.steps),
             order,
+            self.seed,
         )
 
 
@@ -184,7 +188,7 @@ def _tried(
     if numbers.exact:
         for s in space.coordinates:
             shown.setdefault(s, sp.Rational(int(trial.values[s].p), int(trial.values[s].q)))
-    return Place(numbers, trial.values, circles, shown if numbers.exact else {}, formal)
+    return Place(numbers, trial.values, circles, shown if numbers.exact else {}, formal, trial.seed)
 
 
 def _rational(value: Any) -> sp.Expr:
@@ -290,11 +294,12 @@ class _Trial:
     ) -> None:
         self.space, self.numbers, self.values = space, numbers, values
         self.circles, self.dice = circles, dice
+        self.seed = dice.randrange(2**32)
 
     def _series(self, relation: sp.Expr, variables: Sequence[sp.Symbol], order: int) -> Series:
         filled = {**self.values, **{s: self.numbers.number(0) for s in variables}}
         return Germs(
-            self.numbers, variables, filled, self.circles, self.space.units, {}, order
+            self.numbers, variables, filled, self.circles, self.space.units, {}, order, self.seed
         ).series(relation)
 
     def impose(self, relation: sp.Expr) -> None:
