@@ -112,3 +112,67 @@ def test_marble_ellipsoid_at_the_vertices():
     assert sp.expand(minor - B[0] ** 2 * (B[1] - B[2])) == 0
     # with U = V = s the equations leave T = (B₂ − B₁)s
     assert all(sp.expand((b - c) - (B[1] - B[0]) * a) == 0 for a, b, c in stated)
+
+
+# --- off the centre ------------------------------------------------------------------------
+
+a, k, ell, e = sp.symbols("a k l e")
+c = sp.symbols("c1:4")
+
+
+def curl(gamma, r, spread):
+    """dθ of a rubber body on a plane by r and W = spread alone, times a positive factor."""
+    about = sp.diag(*I) + r.dot(r) * sp.eye(3) - r * r.T
+    whole = about.adjugate()
+    direction = whole * gamma
+    length = gamma.dot(direction)
+    across = whole * length - direction * direction.T
+
+    def twist(u, v):
+        return gamma.dot(u.cross(v))
+
+    units = [sp.Matrix([int(i == j) for j in range(3)]) for i in range(3)]
+    total = 2 * twist(across * direction, spread * r) - twist(across * r, spread * direction)
+    total -= r.dot(direction) * sum(twist(across * n, spread * n) for n in units)
+    return sp.expand(total)
+
+
+def test_the_local_curl_is_that_of_the_vertex():
+    """A centred ellipsoid: the curl by r and W agrees in sign and zeros with the expansion."""
+    r = sp.Matrix([-a, -k * e, 0])
+    spread = sp.Matrix([[0, -k * e, 0], [-k * e, k, 0], [0, 0, ell]])
+    assert sp.diff(curl(sp.Matrix([1, e, 0]), r, spread), e).subs(e, 0) == 0
+
+
+def test_rubber_ellipsoid_off_its_centre_at_a_vertex():
+    """The curl at γ = e₁ is c₂c₃(I₂ − I₃)(a − c₁) times a positive factor and det Ĩ."""
+    r = sp.Matrix([c[0] - a, c[1], c[2]])
+    found = sp.factor(curl(sp.Matrix([1, 0, 0]), r, sp.diag(0, k, ell)))
+    distance = (a - c[0]) ** 2
+    positive = k * (distance + c[2] ** 2 + I[1]) + ell * (distance + c[1] ** 2 + I[2])
+    about = sp.diag(*I) + r.dot(r) * sp.eye(3) - r * r.T
+    stated = c[1] * c[2] * (I[1] - I[2]) * (a - c[0]) * positive
+    ratio = sp.cancel(found / stated)
+    rest = sp.cancel(ratio / about.det())
+    assert rest.is_number
+    assert rest != 0
+
+
+def test_rubber_ellipsoid_with_its_centre_on_an_axis():
+    """The slope of the curl at γ = e₁ for c along e₃."""
+    r = sp.Matrix([-a, -k * e, c[2]])
+    spread = sp.Matrix([[0, -k * e, 0], [-k * e, k, 0], [0, 0, ell]])
+    slope = sp.diff(curl(sp.Matrix([1, e, 0]), r, spread), e).subs(e, 0)
+    i, j, n = I
+    square = c[2] ** 2
+    P = (
+        a**4 * (k + 2 * ell)
+        + a**2 * (k * square + k * (j + n) + 4 * n * ell)
+        + n * (k * square + j * k + 2 * n * ell)
+    )
+    M = a**2 * (k + ell) + k * square + k * j + n * ell
+    stated = c[2] * ((i - j) * P + 2 * a * (a - k) * M * (j - n))
+    about = (sp.diag(*I) + r.dot(r) * sp.eye(3) - r * r.T).subs(e, 0)
+    rest = sp.cancel(slope / stated / about.det())
+    assert rest.is_number
+    assert rest != 0
