@@ -87,7 +87,9 @@ def _obstruction(verdict: Verdict, form: OneForm) -> dict[str, object]:
         else ("spinning about the normal changes the volume")
     )
     witness = verdict.witness or {}
-    return {"what": what, "point": witness["point"], "residual": witness["residual"]}
+    own = {str(s) for s in form.system.symbols}
+    point = {name: value for name, value in witness["point"].items() if name in own}
+    return {"what": what, "point": point, "residual": witness["residual"]}
 
 
 def _integrated(form: OneForm, powers: Powers, level: Level, seconds: float) -> Iterator[Verdict]:

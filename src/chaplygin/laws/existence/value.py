@@ -40,8 +40,8 @@ class Existence:
     holds : bool
         Whether the numbers that the parameters have by default meet one of `conditions`.
     obstruction : mapping, optional
-        A point at which the 1-form is not closed (or the spin changes the volume), as exact
-        numbers or balls, with what fails and by how much.
+        ``point`` at which the 1-form is not closed (or the spin changes the volume), as exact
+        numbers or balls, ``what`` fails and by how much (``residual``).
     criterion : str
         A theorem on the whole family to which the system belongs, in words.
     reason : str
@@ -81,7 +81,7 @@ class Existence:
             lines.append("density: by quadrature, no closed form was found")
         if self.obstruction:
             point = self.obstruction["point"]
-            shown = ", ".join(f"{k} = {v}" for k, v in point.items())
+            shown = ", ".join(_coordinate(k, v) for k, v in point.items())
             lines.append(f"{self.obstruction['what']} at {shown}")
         if self.criterion:
             lines.append(f"theorem: {self.criterion}")
@@ -102,6 +102,14 @@ _HEADS = {
     "undecided": "undecided whether it keeps an invariant measure whose density depends on the "
     "configuration alone",
 }
+
+
+def _coordinate(name: str, value: str) -> str:
+    """A coordinate of a point; of a ball, six digits of its midpoint."""
+    symbol = text(sp.Symbol(name, real=True))
+    if not value.startswith("["):
+        return f"{symbol} = {value}"
+    return f"{symbol} ≈ {float(value.strip('[').split()[0]):.6g}"
 
 
 def _level(level: tuple[sp.Expr, ...]) -> str:
