@@ -130,16 +130,15 @@ def _needed(frame: Frame, formulas: Sequence[sp.Expr], steps: Steps) -> set[sp.S
 
 
 def _spin(frame: Frame, given: Coefficients) -> tuple[Vector, Vector | None] | None:
-    """Angular and linear velocity, body axes, if the frame is one of rotations or motions."""
+    """Angular and linear velocity, body axes, of rotations or motions in the frame.
+
+    Further velocities, such as those of wheels, commute with all.
+    """
     names = [name for name in frame.velocities if isinstance(name, Vector)]
-    for spin in names:
-        others = [name for name in names if name != spin]
-        if frame.w == spin.symbols:
-            expected, speed = rotations(spin), None
-        elif len(others) == 1 and len(frame.w) == 6:
-            expected, speed = euclidean(spin, others[0]), others[0]
-        else:
-            continue
+    kinds: list[tuple[Vector, Vector | None]] = [(spin, None) for spin in names]
+    kinds += [(spin, speed) for spin in names for speed in names if spin != speed]
+    for spin, speed in kinds:
+        expected = rotations(spin) if speed is None else euclidean(spin, speed)
         if structure(replace(frame, structure=expected)) == given:
             return spin, speed
     return None
@@ -181,7 +180,7 @@ def _extended(
     return replace(
         bare,
         coordinates=(*bare.coordinates, *new),
-        relations=(*bare.relations, *(explicit(r) for r in relations)),
+        relations=tuple(dict.fromkeys((*bare.relations, *(explicit(r) for r in relations)))),
         fields=tuple(fields),
     )
 

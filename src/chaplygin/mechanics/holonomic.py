@@ -30,7 +30,7 @@ __all__ = ["Constancy", "constant_along", "constants"]
 
 #: Degrees of the monomials tried, with or without inverses and logarithms.
 STAGES = ((1, False), (2, False), (2, True), (3, False))
-MONOMIALS = 1200
+MONOMIALS = 500
 """No stage with more monomials than this is tried."""
 SPARE = 8
 """Equations more than unknowns."""
@@ -101,13 +101,15 @@ class _Search:
 
     def __init__(self, given: Distribution, free: Sequence[sp.Symbol], wide: bool) -> None:
         self.given, self.free = given, tuple(free)
-        letters: list[sp.Expr] = [*given.coordinates, *free, *_named(given)]
+        written = {s for f in given.formulas for s in f.free_symbols}
+        letters: list[sp.Expr] = [*given.coordinates, *(s for s in free if s in written)]
+        letters += _named(given)
         for core, n in angles(given.formulas, dict(given.steps)).items():
             if core.free_symbols & set(given.coordinates):
                 letters += [sp.sin(core / n), sp.cos(core / n)]
-        written = (*given.formulas, *(value for _, value in given.steps))
-        functions = {n for f in written for n in f.atoms(sp.exp, AppliedUndef)}
-        functions |= {n.expr for f in written for n in f.atoms(sp.Derivative)}
+        everything = (*given.formulas, *(value for _, value in given.steps))
+        functions = {n for f in everything for n in f.atoms(sp.exp, AppliedUndef)}
+        functions |= {n.expr for f in everything for n in f.atoms(sp.Derivative)}
         letters += sorted(functions, key=str)
         if wide:
             own = set(given.coordinates)
