@@ -8,6 +8,7 @@ parallel one has no simple equation.
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
@@ -42,7 +43,7 @@ axes = tuple(scalar(f"a_{i}") for i in (1, 2, 3))
 
 
 @dataclass(frozen=True, kw_only=True)
-class SmoothSurface:
+class SmoothSurface(ABC):
     """What all surfaces offer.
 
     Parameters
@@ -58,13 +59,13 @@ class SmoothSurface:
     axis: Axis = "z"
 
     @property
+    @abstractmethod
     def parameters(self) -> tuple[Parameter, ...]:
         """Its numbers, with their symbols."""
-        raise NotImplementedError
 
+    @abstractmethod
     def level(self, point: Point, offset: sp.Expr) -> sp.Expr | None:
         """f of the surface at the distance `offset` to the outside; None if it has none."""
-        raise NotImplementedError
 
     def guards(self, point: Point) -> tuple[Guard, ...]:
         """What else must stay positive there."""

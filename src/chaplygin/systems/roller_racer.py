@@ -11,18 +11,14 @@ The mass of the second body is neglected, not so its moment of inertia.
 
 from __future__ import annotations
 
-import math
-from dataclasses import replace
-
 import sympy as sp
 
-from ..errors import InputError
-from ..mechanics.body import check_mass
 from ..mechanics.quasivelocity import Frame, Mechanism
 from ..mechanics.suslov import equations
 from ..system import Guard, Parameter, System
 from ..vectors import scalar
 from .entry import Entry, Numbers, Start
+from .positive import positives
 
 __all__ = ["racer"]
 
@@ -72,7 +68,6 @@ def racer(p: Numbers) -> Mechanism:
 
 
 def _parameters(p: Numbers) -> tuple[Parameter, ...]:
-    check_mass(p["m"])
     meanings = {
         m: ("mass of the first body", "kg"),
         I_1: ("moment of inertia of the first body", "kg m^2"),
@@ -80,18 +75,12 @@ def _parameters(p: Numbers) -> tuple[Parameter, ...]:
         d_1: ("distance of the pivot ahead of the first axle", "m"),
         d_2: ("distance of the second axle ahead of the pivot", "m"),
     }
-    found = []
-    for symbol, (meaning, unit) in meanings.items():
-        value = p[str(symbol)]
-        if not (math.isfinite(value) and value > 0):
-            raise InputError(f"{meaning} {symbol} = {value}: it must be a positive finite number")
-        found.append(Parameter(symbol, meaning, value, unit, (symbol > 0,)))
-    return tuple(found)
+    return positives(p, meanings)
 
 
 def roller_racer(p: Numbers) -> System:
     """The angle at the pivot, its rate and the velocity of the first body."""
-    return replace(equations(racer(p)), summary=SUMMARY)
+    return equations(racer(p))
 
 
 DEFAULTS = {"m": 1.0, "I_1": 0.3, "I_2": 0.1, "d_1": 0.4, "d_2": 0.6}

@@ -9,19 +9,15 @@ straight nor crossed wheels make singular.
 
 from __future__ import annotations
 
-import math
-from dataclasses import replace
-
 import sympy as sp
 
-from ..errors import InputError
-from ..mechanics.body import check_mass
 from ..mechanics.quasivelocity import Frame, Mechanism
 from ..mechanics.suslov import equations
 from ..statements import Integral, Measure
 from ..system import Parameter, System
 from ..vectors import scalar
 from .entry import Entry, Numbers, Start
+from .positive import positives
 
 __all__ = ["board"]
 
@@ -95,7 +91,6 @@ def board(p: Numbers) -> Mechanism:
 
 
 def _parameters(p: Numbers) -> tuple[Parameter, ...]:
-    check_mass(p["m"])
     meanings = {
         m: ("mass", "kg"),
         J: ("moment of inertia of the board", "kg m^2"),
@@ -103,18 +98,12 @@ def _parameters(p: Numbers) -> tuple[Parameter, ...]:
         J_1: ("moment of inertia of each wheel pair about its pivot", "kg m^2"),
         ell: ("distance of each wheel pair from the middle", "m"),
     }
-    found = []
-    for symbol, (meaning, unit) in meanings.items():
-        value = p[str(symbol)]
-        if not (math.isfinite(value) and value > 0):
-            raise InputError(f"{meaning} {symbol} = {value}: it must be a positive finite number")
-        found.append(Parameter(symbol, meaning, value, unit, (symbol > 0,)))
-    return tuple(found)
+    return positives(p, meanings)
 
 
 def snakeboard(p: Numbers) -> System:
     """Steering angle, the velocity s and those of rotor and steering."""
-    return replace(equations(board(p)), summary=SUMMARY)
+    return equations(board(p))
 
 
 DEFAULTS = {"m": 4.0, "J": 0.06, "J_0": 0.05, "J_1": 0.01, "l": 0.3}

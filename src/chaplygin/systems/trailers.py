@@ -11,20 +11,17 @@ Masses sit at the axles, so that the car turns uniformly.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
-from dataclasses import replace
 
 import sympy as sp
 
-from ..errors import InputError
-from ..mechanics.body import check_mass
 from ..mechanics.quasivelocity import Frame, Mechanism
 from ..mechanics.suslov import equations
 from ..statements import Integral
 from ..system import Parameter, System
 from ..vectors import scalar
 from .entry import Entry, Numbers, Start
+from .positive import positive
 
 __all__ = ["train"]
 
@@ -102,28 +99,20 @@ def _defaults(count: int) -> dict[str, float]:
 
 
 def _parameters(count: int, p: Mapping[str, float]) -> tuple[Parameter, ...]:
-    found = [_positive(m, "mass of the car, at its axle", p["m"], "kg")]
-    found.append(_positive(J, "moment of inertia of the car", p["J"], "kg m^2"))
+    found = [positive(m, "mass of the car, at its axle", p["m"], "kg")]
+    found.append(positive(J, "moment of inertia of the car", p["J"], "kg m^2"))
     for i in range(1, count + 1):
         found += [
-            _positive(scalar(f"m_{i}"), f"mass of trailer {i}, at its axle", p[f"m_{i}"], "kg"),
-            _positive(scalar(f"J_{i}"), f"moment of inertia of trailer {i}", p[f"J_{i}"], "kg m^2"),
-            _positive(scalar(f"l_{i}"), f"length of trailer {i}", p[f"l_{i}"], "m"),
+            positive(scalar(f"m_{i}"), f"mass of trailer {i}, at its axle", p[f"m_{i}"], "kg"),
+            positive(scalar(f"J_{i}"), f"moment of inertia of trailer {i}", p[f"J_{i}"], "kg m^2"),
+            positive(scalar(f"l_{i}"), f"length of trailer {i}", p[f"l_{i}"], "m"),
         ]
     return tuple(found)
 
 
-def _positive(symbol: sp.Symbol, meaning: str, value: float, unit: str) -> Parameter:
-    if unit == "kg":
-        check_mass(value)
-    if not (math.isfinite(value) and value > 0):
-        raise InputError(f"{meaning} {symbol} = {value}: it must be a positive finite number")
-    return Parameter(symbol, meaning, value, unit, (symbol > 0,))
-
-
 def trailers(p: Numbers) -> System:
     """Two trailers: the angles at the hitches, the speed and the turning."""
-    return replace(equations(train(2, p)), summary=SUMMARY)
+    return equations(train(2, p))
 
 
 ENTRIES = (

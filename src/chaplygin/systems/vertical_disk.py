@@ -8,18 +8,17 @@ downhill: it drifts sideways.
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 import sympy as sp
 
 from ..errors import InputError
-from ..mechanics.body import check_mass
 from ..mechanics.quasivelocity import Frame, Mechanism
 from ..mechanics.suslov import equations
 from ..statements import Integral, Measure
 from ..system import Parameter, System
 from ..vectors import scalar
 from .entry import Entry, Numbers, Start
+from .positive import positives
 
 __all__ = ["disk"]
 
@@ -91,19 +90,13 @@ def disk(p: Numbers) -> Mechanism:
 
 
 def _parameters(p: Numbers) -> tuple[Parameter, ...]:
-    check_mass(p["m"])
     meanings = {
         m: ("mass", "kg"),
         I: ("moment of inertia about the axle", "kg m^2"),
         J: ("moment of inertia about the vertical diameter", "kg m^2"),
         R: ("radius", "m"),
     }
-    found = []
-    for symbol, (meaning, unit) in meanings.items():
-        value = p[str(symbol)]
-        if not (math.isfinite(value) and value > 0):
-            raise InputError(f"{meaning} {symbol} = {value}: it must be a positive finite number")
-        found.append(Parameter(symbol, meaning, value, unit, (symbol > 0,)))
+    found = [*positives(p, meanings)]
     for symbol, meaning, unit in ((g, "gravity", "m/s^2"), (slope, "angle of the slope", "rad")):
         if not math.isfinite(p[str(symbol)]):
             raise InputError(f"{meaning} {symbol} = {p[str(symbol)]}: it must be a finite number")
@@ -113,7 +106,7 @@ def _parameters(p: Numbers) -> tuple[Parameter, ...]:
 
 def vertical_disk(p: Numbers) -> System:
     """Place and heading, and the angular velocities."""
-    return replace(equations(disk(p)), summary=SUMMARY)
+    return equations(disk(p))
 
 
 DEFAULTS = {"m": 1.0, "I": 0.02, "J": 0.01, "R": 0.2, "g": 9.81, "alpha": 0.1}
