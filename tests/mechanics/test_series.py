@@ -16,6 +16,7 @@ from chaplygin.mechanics.series import PRIMES, IrrationalError, Modular, Rationa
 
 x, y = sp.symbols("x y", real=True)
 KINDS = (Rational(), *(Modular(p) for p in PRIMES))
+KIND_NAMES = ("rational", *(f"modulo {p}" for p in PRIMES))
 ORDER = 4
 
 
@@ -36,7 +37,7 @@ def derivatives(formula, place):
     return found
 
 
-@pytest.mark.parametrize("numbers", KINDS, ids=str)
+@pytest.mark.parametrize("numbers", KINDS, ids=KIND_NAMES)
 @pytest.mark.parametrize(
     ("formula", "place"),
     [
@@ -65,7 +66,7 @@ IDENTITIES = (
 )
 
 
-@pytest.mark.parametrize("numbers", KINDS, ids=str)
+@pytest.mark.parametrize("numbers", KINDS, ids=KIND_NAMES)
 @pytest.mark.parametrize("formula", IDENTITIES, ids=str)
 def test_identities_between_functions_hold_exactly(numbers, formula):
     space = Space((x, y), (), (), (formula, formula + x))
@@ -101,7 +102,7 @@ def test_fractions_are_recognised_modulo_a_prime(top, bottom):
     assert numbers.fraction(numbers.number(value)) == value
 
 
-@pytest.mark.parametrize("numbers", KINDS, ids=str)
+@pytest.mark.parametrize("numbers", KINDS, ids=KIND_NAMES)
 def test_roots_of_squares_are_positive(numbers):
     for value in (Fraction(1, 4), Fraction(9), Fraction(25, 49)):
         assert numbers.root(numbers.number(value), 2) ** 2 == numbers.number(value)
@@ -118,7 +119,7 @@ def test_irrational_roots_are_not_made_up():
     assert Modular().root(Modular().number(2), 2) ** 2 == Modular().number(2)
 
 
-@pytest.mark.parametrize("numbers", KINDS, ids=str)
+@pytest.mark.parametrize("numbers", KINDS, ids=KIND_NAMES)
 def test_zeros_of_polynomials(numbers):
     coefficients = [numbers.number(c) for c in (-6, 11, -6, 1)]
     zero = numbers.zero_of(coefficients)

@@ -45,7 +45,7 @@ MARBLE = {
 }
 
 
-@pytest.mark.parametrize(("case", "names"), MARBLE.items(), ids=str)
+@pytest.mark.parametrize(("case", "names"), MARBLE.items(), ids=map("-".join, MARBLE))
 @pytest.mark.parametrize("side", ["outside", "inside"])
 @pytest.mark.parametrize("axis", ["x", "z"])
 def test_what_is_known_of_a_marble_ball_is_proven(case, names, side, axis):
@@ -122,7 +122,7 @@ FOUND = {
 }
 
 
-@pytest.mark.parametrize(("name", "asked"), FOUND.items(), ids=str)
+@pytest.mark.parametrize(("name", "asked"), FOUND.items(), ids=list(FOUND))
 def test_the_search_finds_the_integrals_and_no_others(name, asked):
     options, expected = asked
     system = CATALOGUE[name].system()
