@@ -155,7 +155,9 @@ class _Unicode(Notation):
             head = unicodedata.normalize("NFC", base + marks)
         else:
             # an accent over a word would sit on its last letter
-            head = "d" * len(letter.accents) + f"({base})" + "/dt" * len(letter.accents)
+            order = sum(2 if accent == "ddot" else 1 for accent in letter.accents)
+            power = {1: "", 2: "²", 3: "³"}.get(order, f"^{order}")
+            head = f"d{power}({base})/dt{power}"
         sub = ",".join(GREEK.get(part, part) for part in letter.subscript.split(","))
         if all(character in _LOWERED for character in sub):
             sub = "".join(_LOWERED[character] for character in sub)

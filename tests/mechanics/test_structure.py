@@ -9,7 +9,7 @@ import sympy as sp
 
 from chaplygin import InputError
 from chaplygin.mechanics.quasivelocity import Frame, coordinates, euclidean, rotations
-from chaplygin.mechanics.structure import commutator, structure
+from chaplygin.mechanics.structure import check_structure, commutator, structure
 from chaplygin.vectors import Vector, cross, dot, explicit, normed, scalar
 
 omega, v, alpha, beta, gamma, R = (Vector(n) for n in ("omega", "v", "alpha", "beta", "gamma", "R"))
@@ -95,6 +95,16 @@ def test_mistakes() -> None:
         structure(Frame({x: u, y: w, theta: x * w}, (u, w)))
     with pytest.raises(InputError, match="names theta, which is no velocity"):
         structure(Frame({x: u}, (u,), structure={(u, theta): {u: sp.S.One}}))
+
+
+def test_what_is_given_must_be_possible() -> None:
+    p, q, r = omega.symbols
+    check_structure(Frame({gamma: cross(gamma, omega)}, (omega,), structure=rotations(omega)))
+    impossible = {(p, q): {r: sp.S.One}, (q, r): {q: sp.S.One}}
+    with pytest.raises(InputError, match="identity of Jacobi"):
+        check_structure(Frame({x: p}, (omega,), structure=impossible))
+    with pytest.raises(InputError, match="they differ on the coordinate x"):
+        check_structure(Frame({x: u}, (u, w), structure={(u, w): {u: sp.S.One}}))
 
 
 def test_commutator_is_a_derivation() -> None:

@@ -28,6 +28,7 @@ x, y, phi, u, v, w = (scalar(n) for n in ("x", "y", "phi", "u", "v", "omega"))
 m, a, J, g, l, c = (scalar(n) for n in ["m", "a", "J", "g", "l", "c"])
 omega, gamma, R = Vector("omega"), Vector("gamma"), Vector("R")
 I = Diagonal("I")
+xdot, ydot = scalar("xdot"), scalar("ydot")
 SLEIGH = tuple(Parameter(s, "", d) for s, d in ((m, 1.0), (a, 0.3), (J, 0.5)))
 PLANE = Frame(
     {x: u * sp.cos(phi) - v * sp.sin(phi), y: u * sp.sin(phi) + v * sp.cos(phi), phi: w}, (u, v, w)
@@ -60,6 +61,22 @@ def test_sleigh_in_its_own_frame_reads_as_in_books() -> None:
     assert sp.simplify(system.rates[0] - a * w**2) == 0
     assert sp.simplify(system.rates[1] + m * a * u * w / (J + m * a**2)) == 0
     assert [str(s) for name, _ in system.motion.field for s in [name]] == ["x", "y", "phi"]
+
+
+def test_rates_may_use_definitions() -> None:
+    """The frame is commuted with what its names stand for."""
+    c_, s_ = scalar("cosine"), scalar("sine")
+    frame = Frame({x: u * c_ - v * s_, y: u * s_ + v * c_, phi: w}, (u, v, w))
+    lagrangian = HALF * m * (u**2 + (v + a * w) ** 2) + HALF * J * w**2
+    named = Mechanism(
+        "named",
+        frame,
+        lagrangian,
+        (v,),
+        definitions={c_: sp.cos(phi), s_: sp.sin(phi)},
+        parameters=SLEIGH,
+    )
+    assert equations(named).rates == equations(sleigh()).rates
 
 
 def test_the_reaction_is_the_sideways_force() -> None:
@@ -118,7 +135,6 @@ def test_the_energy_theorem_says_what_breaks_it() -> None:
 
 
 def test_gyroscopic_forces_keep_the_energy() -> None:
-    xdot, ydot = scalar("xdot"), scalar("ydot")
     charged = Mechanism(
         "charged",
         coordinates(x, y),
@@ -199,6 +215,19 @@ def test_massless_coordinates_are_led_by_constraints() -> None:
     )
     system = equations(rolling)
     assert prove(system, "energy").decision == "proven"
+
+
+def test_a_momentum_keeps_the_place_it_depends_on() -> None:
+    """A charge in a uniform field: ẏ + Bx is conserved, x does not enter the equations."""
+    charge = Mechanism(
+        "charge",
+        coordinates(x, y),
+        HALF * (xdot**2 + ydot**2) + c * x * ydot,
+        parameters=(Parameter(c, "", 0.4),),
+    )
+    system = equations(charge)
+    assert system.symbols == (x, xdot, ydot)
+    assert {verdict.decision for verdict in prove(system)} == {"proven"}
 
 
 def test_momenta_of_cyclic_velocities() -> None:
@@ -309,6 +338,20 @@ MISTAKES = {
     "uses the velocity xdot": dict(
         frame=coordinates(x, y), lagrangian=xdot**2 + ydot**2, positions=(x * xdot,)
     ),
+    "is singular where it holds": dict(
+        frame=coordinates(x, y), lagrangian=xdot**2 + ydot**2, constraints=((xdot - y * ydot) ** 2,)
+    ),
+    "no velocity was found": dict(
+        frame=coordinates(x, y), lagrangian=xdot**2 + ydot**2, constraints=(xdot**2 + ydot**2 + 1,)
+    ),
+    "is negative for some motions": dict(
+        frame=coordinates(x, y), lagrangian=xdot**2 - ydot**2, constraints=()
+    ),
+    "leave nothing free to move": dict(
+        frame=coordinates(x, y), lagrangian=xdot**2 + ydot**2, constraints=(xdot, ydot)
+    ),
+    "constraints must be a tuple": dict(frame=coordinates(x), lagrangian=xdot**2, constraints=xdot),
+    "the Lagrangian is a text": dict(frame=coordinates(x), lagrangian="xdot**2"),
     "no configuration was found": dict(
         frame=coordinates(x, y), lagrangian=xdot**2 + ydot**2, positions=(x**2 + y**2 + 1,)
     ),

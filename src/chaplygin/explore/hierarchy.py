@@ -183,7 +183,7 @@ class Place:
 
 def place(
     system: System,
-    verdicts: Mapping[str, Verdict],
+    verdicts: Mapping[str, Verdict] | None = None,
     patience: Patience | None = None,
     given: Rolling | Mechanism | None = None,
 ) -> Place:
@@ -194,7 +194,8 @@ def place(
     system : System
         Its parameters count with their present values (their defaults), taken as exact decimals.
     verdicts : mapping of str to Verdict
-        On its laws, by name; a law without a verdict does not count.
+        On its laws, by name; a law without a verdict does not count.  By default what is proven
+        already, or can be within `patience`.
     patience : Patience, optional
         For the proofs needed besides: that symmetries leave the integrals alone, that integrals
         are in involution, laws of the targets of isomorphisms, laws restricted to a level.
@@ -209,10 +210,11 @@ def place(
     # the parts are built from the values that this module declares
     from .counting import counted
 
-    return counted(system, verdicts, patience or Patience(PATIENCE, ALTOGETHER), given)
+    patience = patience or Patience(PATIENCE, ALTOGETHER)
+    known = patience.verdicts(system) if verdicts is None else verdicts
+    return counted(system, known, patience, given)
 
 
 def standing_of(system: System, given: Rolling | Mechanism | None = None) -> Place:
     """The place of a system by what is proven already, or can be in about two seconds."""
-    patience = Patience(PATIENCE, ALTOGETHER)
-    return place(system, patience.verdicts(system), patience, given)
+    return place(system, given=given)

@@ -110,6 +110,7 @@ def _with_multipliers(
             f"{parts.mechanism.name}: the mass matrix is not definite: a motion has no kinetic "
             "energy, or a negative one"
         ) from None
+    _refuse_negative(parts, solver)
     bare = solver.solve(force)
     if not C:
         return bare, []
@@ -132,6 +133,16 @@ def _numbers(parts: Balance, matrix: Sequence[Sequence[sp.Expr]]) -> list[list[A
 
 def _deficient(parts: Balance, mass: Sequence[Sequence[sp.Expr]]) -> bool:
     return bool(mass) and len(rank(_numbers(parts, mass))[0]) < len(mass)
+
+
+def _refuse_negative(parts: Balance, solver: Factored) -> None:
+    """Refuse a kinetic energy that is negative for some motion: a pivot is negative then."""
+    point = parts.typical(solver.pivots)
+    if any(point.value(pivot) < 0 for pivot in solver.pivots):
+        raise InputError(
+            f"{parts.mechanism.name}: the kinetic energy is negative for some motions that the "
+            "constraints allow; masses and moments of inertia must be positive"
+        )
 
 
 def _refuse_singular(parts: Balance, mass: Sequence[Sequence[sp.Expr]]) -> None:

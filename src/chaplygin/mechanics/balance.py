@@ -9,10 +9,10 @@ from functools import cached_property
 import sympy as sp
 
 from ..errors import InputError
-from .independence import check_constraints
+from .independence import check_constraints, check_velocities
 from .quasivelocity import TIME, Mechanism
 from .sampling import Sample, defaults, negligible, precisely, samples
-from .structure import Coefficients, structure
+from .structure import Coefficients, structure, written_frame
 from .tape import Derivation, Tape
 
 __all__ = ["Balance", "balance"]
@@ -114,7 +114,7 @@ def balance(mechanism: Mechanism) -> Balance:
     parameters = [p.symbol for p in mechanism.parameters]
     tape = Tape(mechanism.steps, (*mechanism.symbols, *parameters, TIME))
     points = samples(name, frame, mechanism)
-    coefficients = structure(frame, name)
+    coefficients = structure(written_frame(mechanism), name)
     _check_tangent(mechanism, tape, points)
     here = Derivation((*zip(frame.coordinates, frame.qdot, strict=True), (TIME, sp.S.One)))
     constraints = (*mechanism.f, *(tape.short(tape.along(here, F)) for F in mechanism.F))
@@ -123,6 +123,7 @@ def balance(mechanism: Mechanism) -> Balance:
         tuple(tape.name(tape.short(tape.along(d, f))) for d in along_w) for f in constraints
     )
     check_constraints(mechanism, tape, points, constraints, slopes)
+    check_velocities(mechanism, tape, points, constraints, slopes)
     momenta = tuple(
         tape.name(tape.short(tape.along(d, mechanism.L)), f"p_{i}")
         for i, d in enumerate(along_w, 1)

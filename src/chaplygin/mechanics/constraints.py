@@ -24,6 +24,7 @@ from .growth import Filtration, filtration, generic
 from .holonomic import Constancy, constants
 from .places import UnsolvedError
 from .quasivelocity import TIME, Mechanism
+from .structure import structure, written_frame
 
 __all__ = ["Nonholonomy", "Word", "nonholonomy", "nonholonomy_at"]
 
@@ -108,7 +109,7 @@ def nonholonomy(mechanism: Mechanism | Distribution) -> Nonholonomy:
         If a constraint is not linear, constraints contradict each other, the frame does not
         span, or no point is found.
     """
-    given = mechanism if isinstance(mechanism, Distribution) else distribution(mechanism)
+    given = _given(mechanism)
     symbols = [s for s, _ in given.constants]
     almost = False
     try:
@@ -142,6 +143,14 @@ def nonholonomy(mechanism: Mechanism | Distribution) -> Nonholonomy:
     )
 
 
+def _given(mechanism: Mechanism | Distribution) -> Distribution:
+    """The admissible motions, of a frame that spans the configuration space."""
+    if isinstance(mechanism, Distribution):
+        return mechanism
+    structure(written_frame(mechanism), mechanism.name)
+    return distribution(mechanism)
+
+
 def _check_time(given: Distribution, here: Filtration, free: Sequence[sp.Symbol]) -> None:
     """Refuse affine constraints that no velocity satisfies: they admit no motion in time."""
     if TIME not in given.coordinates:
@@ -158,7 +167,7 @@ def nonholonomy_at(
     mechanism: Mechanism | Distribution, point: Mapping[sp.Symbol, Any]
 ) -> Filtration:
     """The growth at a point, which may be singular; see :func:`~.growth.filtration`."""
-    given = mechanism if isinstance(mechanism, Distribution) else distribution(mechanism)
+    given = _given(mechanism)
     return filtration(given, point)
 
 

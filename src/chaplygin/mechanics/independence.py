@@ -5,14 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+import mpmath
 import sympy as sp
 
 from ..errors import InputError
 from .quasivelocity import Mechanism
-from .sampling import Sample, precisely, rank
-from .tape import Tape
+from .sampling import ZERO, Sample, precisely, rank
+from .tape import Step, Tape
 
-__all__ = ["check_constraints"]
+__all__ = ["check_constraints", "check_velocities"]
+
+NEWTON_STEPS = 80
+#: Below this a derivative by a velocity counts as zero where a constraint holds.
+FLAT = mpmath.mpf(10) ** -10
 
 
 @precisely
@@ -51,6 +56,67 @@ def check_constraints(
     raise InputError(
         f"{mechanism.name}: {words} follows from the constraints before it; leave it out"
     )
+
+
+@precisely
+def check_velocities(
+    mechanism: Mechanism,
+    tape: Tape,
+    points: Sequence[Sample],
+    constraints: Sequence[sp.Expr],
+    slopes: Sequence[Sequence[sp.Expr]],
+) -> None:
+    """Refuse constraints that no velocity satisfies, or that are singular where they hold.
+
+    Linear ones have been checked before.
+
+    Raises
+    ------
+    InputError
+    """
+    w = mechanism.frame.w
+    steps = tape.steps([*constraints, *(e for row in slopes for e in row)])
+    if not any(set(w) & e.free_symbols for row in slopes for e in (*row, *(v for _, v in steps))):
+        return
+    for point in points:
+        found = _satisfied(point, w, steps, constraints, slopes)
+        if found is None:
+            continue
+        for index, row in enumerate(slopes):
+            if all(abs(found.value(e)) < FLAT for e in row):
+                raise InputError(
+                    f"{mechanism.name}: {_words(mechanism, index)} is singular where it holds: its "
+                    "derivatives by the velocities vanish there; write it without the power"
+                )
+        return
+    raise InputError(
+        f"{mechanism.name}: no velocity was found that satisfies the constraints, which are not "
+        "linear; do they contradict each other?"
+    )
+
+
+def _satisfied(
+    point: Sample,
+    w: Sequence[sp.Symbol],
+    steps: Sequence[Step],
+    constraints: Sequence[sp.Expr],
+    slopes: Sequence[Sequence[sp.Expr]],
+) -> Sample | None:
+    """Velocities at a configuration that keep to the constraints, by Newton's method."""
+    place = dict(point.point)
+    for _ in range(NEWTON_STEPS):
+        here = Sample(place, steps)
+        values = mpmath.matrix([here.value(f) for f in constraints])
+        if mpmath.norm(values) < ZERO:
+            return here
+        rows = mpmath.matrix([[here.value(e) for e in row] for row in slopes])
+        gram = rows * rows.T
+        for i in range(gram.rows):
+            gram[i, i] += ZERO**2
+        move = rows.T * mpmath.lu_solve(gram, values)
+        for s, change in zip(w, move, strict=True):
+            place[s] -= change
+    return None
 
 
 def _words(mechanism: Mechanism, index: int) -> str:

@@ -119,7 +119,13 @@ def restricted(mechanism: Mechanism) -> Restriction:
         for r in count
     )
     brackets = {(r, s): _bracket(parts, basis, fields, r, s) for r in count for s in count if r < s}
-    solver = Factored(tape, kinetic)
+    try:
+        solver = Factored(tape, kinetic)
+    except ZeroDivisionError:
+        raise InputError(
+            f"{mechanism.name}: the mass matrix is singular on the velocities that the "
+            "constraints allow"
+        ) from None
     structure = {
         pair: tuple(solver.solve([product([row[t] for row in AZ], value) for t in count]))
         for pair, value in brackets.items()

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import combinations
 from typing import Any
 
 import mpmath
 import sympy as sp
 
 from ..errors import InputError
-from .quasivelocity import Frame
+from .quasivelocity import Frame, Mechanism
 from .sampling import ZERO, Sample, negligible, precisely, rank, samples
 from .tape import tidied
 
-__all__ = ["Coefficients", "commutator", "structure"]
+__all__ = ["Coefficients", "check_structure", "commutator", "structure", "written_frame"]
 
 #: c_ij^k by (i, j, k), for i < j; what is not named is zero.
 Coefficients = Mapping[tuple[int, int, int], sp.Expr]
@@ -75,6 +76,57 @@ def structure(frame: Frame, owner: str = "frame") -> Coefficients:
                 if value != 0:
                     found[i, j, k] = value
     return found
+
+
+def written_frame(mechanism: Mechanism) -> Frame:
+    """The frame of a mechanism with its definitions written out, whose fields can be commuted."""
+    frame, steps = mechanism.frame, dict(mechanism.steps)
+    if frame.structure is not None or not any(r.free_symbols & steps.keys() for r in frame.qdot):
+        return frame
+    rates = dict(zip(frame.coordinates, frame.qdot, strict=True))
+    for symbol, value in reversed(mechanism.steps):
+        rates = {q: rate.xreplace({symbol: value}) for q, rate in rates.items()}
+    return Frame(rates, frame.velocities, frame.relations)
+
+
+@precisely
+def check_structure(frame: Frame, owner: str = "frame") -> None:
+    """Refuse structure functions that no frame with these rates can have.
+
+    Raises
+    ------
+    InputError
+        If they break the identity of Jacobi, or differ from the commutators on the coordinates.
+    """
+    given = _given(frame, owner)
+    points = samples(owner, frame)
+    size = range(len(frame.w))
+    fields = [frame.field(i) for i in size]
+
+    def c(i: int, j: int, k: int) -> sp.Expr:
+        return given.get((i, j, k), sp.S.Zero) if i < j else -given.get((j, i, k), sp.S.Zero)
+
+    for i, j in combinations(size, 2):
+        bracket = commutator(fields[i], fields[j])
+        for q, row in zip(frame.coordinates, frame.matrix.tolist(), strict=True):
+            span = sp.Add(*(c(i, j, k) * row[k] for k in size))
+            if not negligible(bracket.get(q, sp.S.Zero) - span, points):
+                raise InputError(
+                    f"{owner}: the commutator of {frame.w[i]} and {frame.w[j]} is not that of "
+                    f"their rates: they differ on the coordinate {q}"
+                )
+    for i, j, k in combinations(size, 3):
+        for n in size:
+            terms = [
+                sp.Add(*(c(a, b, s) * c(s, d, n) for s in size)) - _along(fields[d], c(a, b, n))
+                for a, b, d in ((i, j, k), (j, k, i), (k, i, j))
+            ]
+            if not negligible(sp.Add(*terms), points):
+                names = ", ".join(str(frame.w[s]) for s in (i, j, k))
+                raise InputError(
+                    f"{owner}: the commutators of {names} break the identity of Jacobi, so that "
+                    "no frame has them"
+                )
 
 
 def _given(frame: Frame, owner: str) -> Coefficients:

@@ -22,6 +22,7 @@ from typing import Any
 
 import sympy as sp
 
+from ..errors import InputError
 from ..notation import text
 from ..statements import Integral, Law
 from ..system import Motion, Observable, System, flat
@@ -90,15 +91,22 @@ def equations(mechanism: Mechanism) -> System:
     kept = _kept(found)
     lost = _lost(parts, kept)
     laws = (*_energy_law(found), *_momenta(parts), *mechanism.laws)
-    observables = (*_recorded(found), *mechanism.observables)
-    relations = (*mechanism.frame.relations, *mechanism.F)
+    observables = tuple(
+        replace(o, value=_opened(parts, lost, o.value))
+        for o in (*_recorded(found), *mechanism.observables)
+    )
+    relations = tuple(_opened(parts, lost, f) for f in (*mechanism.frame.relations, *mechanism.F))
+    following = {
+        name: _opened(parts, lost, rate) for name, rate in mechanism.frame.rates if name not in kept
+    }
     unsolved = [f for i, f in enumerate(parts.constraints) if i not in parts.solved.values()]
     rates = _velocity_rates(mechanism, found.solution)
     names = named(
         parts,
         [
             *(f for _, f in rates),
-            *(rate for _, rate in mechanism.frame.rates),
+            *(rate for name, rate in mechanism.frame.rates if name in kept),
+            *following.values(),
             *(o.value for o in observables),
             *(g.value for g in mechanism.guards),
             *(law.value for law in laws if isinstance(law, Integral)),
@@ -109,6 +117,10 @@ def equations(mechanism: Mechanism) -> System:
     observables = tuple(replace(o, value=names(o.value)) for o in observables)
     here = tuple(o for o in observables if not _depends(parts, [o.value], lost))
     timed = _depends(parts, _driving(found), (TIME,))
+    if not (kept or rates or timed):
+        raise InputError(
+            f"{mechanism.name}: the constraints leave nothing free to move, and no place matters"
+        )
     return System(
         name=mechanism.name,
         title=mechanism.title,
@@ -129,7 +141,13 @@ def equations(mechanism: Mechanism) -> System:
         ),
         observables=here,
         guards=mechanism.guards,
-        motion=_reconstruction(parts, kept, relations, [o for o in observables if o not in here]),
+        motion=Motion(
+            field={name: names(rate) for name, rate in following.items()},
+            relations=tuple(f for f in relations if _depends(parts, [f], lost)),
+            observables=tuple(o for o in observables if o not in here),
+        )
+        if following
+        else None,
         source=mechanism.source or "(1.9)",
         summary=" ".join(filter(None, (mechanism.summary, *_warned(found.energy)))),
     )
@@ -149,7 +167,11 @@ def _driving(found: Derived) -> list[sp.Expr]:
         *parts.constraints,
         *parts.solved,
         *(explicit(g.value) for g in mechanism.guards),
-        *(explicit(law.value) for law in mechanism.laws if isinstance(law, Integral)),
+        *(
+            explicit(law.value)
+            for law in (*mechanism.laws, *_momenta(parts))
+            if isinstance(law, Integral)
+        ),
     ]
     return values
 
@@ -182,6 +204,18 @@ def _kept(found: Derived) -> set[Name]:
 
 def _lost(parts: Balance, kept: set[Name]) -> tuple[sp.Symbol, ...]:
     return flat(name for name, _ in parts.mechanism.frame.rates if name not in kept)
+
+
+def _opened(parts: Balance, lost: Sequence[sp.Symbol], formula: Any) -> Any:
+    """A formula with the definitions written out that depend on coordinates that matter not."""
+    steps = parts.tape.steps([explicit(formula)])
+    far = {s: value for s, value in steps if _depends(parts, [value], lost)}
+    if not far:
+        return formula
+    written = explicit(formula)
+    while written.free_symbols & far.keys():
+        written = written.xreplace(far)
+    return written
 
 
 # --- laws and observables ------------------------------------------------------------------
@@ -244,20 +278,3 @@ def _velocity_rates(mechanism: Mechanism, solution: Solution) -> Pairs:
         else:
             pairs.extend((s, solution.rates[s]) for s in parts)
     return tuple(pairs)
-
-
-def _reconstruction(
-    parts: Balance,
-    kept: set[Name],
-    relations: Sequence[sp.Expr],
-    observables: Sequence[Observable],
-) -> Motion | None:
-    frame = parts.mechanism.frame
-    lost = _lost(parts, kept)
-    if not lost:
-        return None
-    return Motion(
-        field=tuple((name, rate) for name, rate in frame.rates if name not in kept),
-        relations=tuple(f for f in relations if _depends(parts, [f], lost)),
-        observables=tuple(observables),
-    )

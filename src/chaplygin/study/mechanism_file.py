@@ -12,6 +12,7 @@ from sympy.matrices.expressions import MatrixExpr
 from ..errors import InputError
 from ..expressions import Named, nearest
 from ..mechanics.quasivelocity import TIME, Frame, Mechanism, euclidean, rotations
+from ..mechanics.structure import check_structure
 from ..statements import Integral, Law, Measure, Symmetry
 from ..system import Guard, Observable, Parameter, System
 from ..vectors import Diagonal, Vector, explicit
@@ -45,7 +46,7 @@ def mechanism_of(experiment: MechanismExperiment) -> Mechanism:
         lagrangian = names.scalar(table.kinetic or "0", "lagrangian", "kinetic")
         lagrangian -= names.scalar(table.potential or "0", "lagrangian", "potential")
     constraints = experiment.constraints
-    return Mechanism(
+    made = Mechanism(
         name=identifier(experiment),
         frame=frame,
         lagrangian=lagrangian,
@@ -60,6 +61,27 @@ def mechanism_of(experiment: MechanismExperiment) -> Mechanism:
         title=experiment.title or UNTITLED,
         summary=experiment.summary,
     )
+    _check_overrides(experiment, made)
+    return made
+
+
+def _check_overrides(experiment: MechanismExperiment, made: Mechanism) -> None:
+    """Refuse an option that sets a parameter which no formula uses: a slip of the keyboard."""
+    formulas = [made.L, *made.f, *made.F, *made.Q.values(), *made.frame.qdot]
+    formulas += [*made.frame.relations, *(value for _, value in made.steps)]
+    formulas += [explicit(o.value) for o in made.observables]
+    formulas += [explicit(law.value) for law in made.laws if isinstance(law, Integral)]
+    used = {str(s) for formula in formulas for s in formula.free_symbols}
+    for option in experiment.overrides:
+        path = option.partition("=")[0].strip().split(".")
+        if path[0] == "parameters" and len(path) > 1:
+            name = path[1]
+            if not any(s == name or s.startswith(f"{name}_") for s in used):
+                known = sorted({str(p.symbol) for p in made.parameters} & used)
+                raise InputError(
+                    f"no formula uses the parameter {name}; the file's are {', '.join(known)}",
+                    f"--set parameters.{name}",
+                )
 
 
 def system_of(experiment: EquationsExperiment) -> System:
@@ -194,11 +216,18 @@ def _frame(names: Names, experiment: MechanismExperiment) -> Frame:
         rates = _rates(names, coordinates, table.rates, "frame", "rates")
     structure = _structure(names, experiment, velocities)
     try:
-        return Frame(rates, tuple(velocities), relations, structure)
+        frame = Frame(rates, tuple(velocities), relations, structure)
     except InputError as error:
         match = re.match(r"frame: the rate of (\w+?)(_\w)?,", error.message)
         place = ("frame", "rates", match[1]) if match else ("frame",)
         raise names.error(error.message.removeprefix("frame: "), *place) from None
+    if structure is not None:
+        try:
+            check_structure(frame)
+        except InputError as error:
+            kind = "structure" if table.structure is not None else "commutators"
+            raise names.error(error.message.removeprefix("frame: "), "frame", kind) from None
+    return frame
 
 
 def _positions(
