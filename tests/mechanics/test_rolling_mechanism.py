@@ -163,9 +163,16 @@ def test_contact_vector_moves_as_the_contact_says(shape: str, surface: str) -> N
     assert verdict.decision == "proven", verdict
 
 
-@pytest.mark.parametrize("model", ["marble", "rubber"])
 @pytest.mark.parametrize(
-    ("shape", "surface"), [c for c in CASES if c[1] == "plane" or "ball" in c[0]]
+    ("shape", "surface", "model"),
+    [
+        (shape, surface, model)
+        for shape, surface in CASES
+        for model in ("marble", "rubber")
+        if surface == "plane" or "ball" in shape
+        # the rubber body of an implicit shape is proven too, in two minutes
+        if (shape, model) != ("implicit", "rubber")
+    ],
 )
 def test_acceleration_solves_the_equations(shape: str, surface: str, model: str) -> None:
     """Ĩω̇ = X + λ₀γ for the angular acceleration of the closed equations."""

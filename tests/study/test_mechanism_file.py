@@ -258,8 +258,8 @@ MISTAKES = [
     (SLEIGH, "[start]\n", '[system]\nname = "euler"\n[start]\n', "system: must be absent, as [lag"),
     (SUSLOV, '"cross(gamma, omega)"', '"dot(gamma, omega)"', "line 14, frame.rates.gamma: must be "
      "a vector of 3, as gamma is"),
-    (SUSLOV, '"cross(gamma, omega)"', '"cross(gamma, omega) + omega"', "line 11, frame: the field "
-     "of omega_1 is not tangent to the relation"),
+    (SUSLOV, '"cross(gamma, omega)"', '"cross(gamma, omega) + omega"', "frame.structure: "
+     "the commutator of omega_1 and omega_2"),
     (SUSLOV, '"rotations(omega)"', '"rotation(omega)"', 'frame.structure: must be "rotations('),
     (SUSLOV, '"rotations(omega)"', '"rotations(gamma)"', "frame.structure: unknown name 'gamma'"),
     (SUSLOV, 'structure = "rotations(omega)"', "", "line 11, frame: the frame does not span"),
