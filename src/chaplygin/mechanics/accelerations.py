@@ -26,7 +26,7 @@ class Solution:
     rates : mapping of velocity to Expr
         ẇ of the free velocities.
     multipliers : tuple of (Symbol, Expr)
-        λ_μ in the order of the constraints, position constraints first.
+        λ_μ in the order of the constraints, those of the positions last.
     """
 
     rates: Mapping[sp.Symbol, sp.Expr]
