@@ -43,7 +43,7 @@ def structure(frame: Frame, owner: str = "frame") -> Coefficients:
     """The structure functions of a frame.
 
     Constants are recognised at generic points; others come from solving the equations of as
-    many coordinates as there are fields.  :func:`identities` states what is to be proved of them.
+    many coordinates as there are fields, and are tried on the rest at generic points.
 
     Raises
     ------
