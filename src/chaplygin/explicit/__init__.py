@@ -1,0 +1,1 @@
+"""Closed forms: the state of an integrable system at any time, without integrating its way there."""

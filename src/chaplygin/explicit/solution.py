@@ -1,0 +1,127 @@
+"""What solving leaves behind: a motion known at every time."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from ..system import System
+
+__all__ = ["ClosedForm", "Figure", "Solution", "States"]
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A number that belongs to a closed form.
+
+    Attributes
+    ----------
+    symbol : str
+        As it is written, such as ``"Omega_1"``.
+    value : flint.arb
+        With its error bound.
+    meaning, unit : str
+    """
+
+    symbol: str
+    value: Any
+    meaning: str
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class ClosedForm:
+    """What a closed form looks like.
+
+    Attributes
+    ----------
+    title : str
+        Which system it is, in words.
+    motion : str
+        The kind of motion: "two-frequency motion on a torus", "periodic", "asymptotic to a
+        permanent rotation", …
+    equations : tuple of (left, right)
+        SymPy formulas: the curve, the differential equations, the clock.
+    figures : tuple of Figure
+        Constants, roots, frequencies, periods, rotation number.
+    ovals : tuple of (low, high)
+        Where the separated variables live (floats).
+    source : str
+    """
+
+    title: str
+    motion: str
+    equations: tuple[tuple[Any, Any], ...]
+    figures: tuple[Figure, ...]
+    ovals: tuple[tuple[float, float], ...] = ()
+    source: str = ""
+
+
+@dataclass(frozen=True)
+class States:
+    """States at chosen times, by name.
+
+    Attributes
+    ----------
+    system : System
+        Lifted to space where it has a motion.
+    times : array (n,)
+    values : array (n, size)
+        In the flat order of ``system.symbols``.
+    """
+
+    system: System
+    times: Any
+    values: Any
+
+    def __getitem__(self, name: str) -> Any:
+        """A state variable by name, (n, components) or (n,)."""
+        first = 0
+        for variable in self.system.state:
+            width = 1 if isinstance(variable, sp.Symbol) else len(variable.symbols)
+            if str(variable) == name:
+                block = self.values[:, first : first + width]
+                return block[:, 0] if isinstance(variable, sp.Symbol) else block
+            first += width
+        raise KeyError(name)
+
+
+class Solution(ABC):
+    """A motion in closed form.
+
+    Attributes
+    ----------
+    system : System
+        Lifted to space where it has a motion.
+    parameters : mapping of Symbol to number
+    form : ClosedForm
+    """
+
+    system: System
+    parameters: Mapping[sp.Symbol, Any]
+    form: ClosedForm
+
+    @abstractmethod
+    def states(self, times: Any) -> Any:
+        """Lifted states at `times` (n,), as an array (n, size), in double precision."""
+
+    @abstractmethod
+    def rigorous(self, time: Any, digits: int = 30) -> tuple[Any, ...]:
+        """The lifted state at one time as balls (``flint.arb``) that contain the exact one.
+
+        Parameters
+        ----------
+        time : float, int, str, Fraction or arb
+        digits : int
+            Relative accuracy aimed at; the radii of the balls say what was reached.
+        """
+
+    def __call__(self, times: Any) -> States:
+        """States at `times`, by name."""
+        moments = np.atleast_1d(np.asarray(times, dtype=float))
+        return States(self.system, moments, self.states(moments))
