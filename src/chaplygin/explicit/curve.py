@@ -1,0 +1,96 @@
+"""Real hyperelliptic curves of genus two whose branch points are all real.
+
+The curve is y² = R(z) = leading ∏ (z − root) with five or six roots.  They cut the real line, closed at
+infinity, into six intervals on which R is positive (*ovals*) and negative (*gaps*) in turn.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from flint import arb
+
+__all__ = ["Curve", "DegenerateError"]
+
+
+class DegenerateError(ValueError):
+    """Two branch points cannot be told apart: the curve has a smaller genus."""
+
+
+@dataclass(frozen=True)
+class Curve:
+    """y² = leading ∏ (z − root).
+
+    Attributes
+    ----------
+    leading : arb
+    roots : tuple of arb
+        Five or six, increasing.
+    """
+
+    leading: Any
+    roots: tuple[Any, ...]
+
+    @classmethod
+    def of(cls, leading: Any, roots: Sequence[Any]) -> Curve:
+        """The curve with these roots in any order.
+
+        Raises
+        ------
+        DegenerateError
+            If two of them overlap.
+        """
+        ordered = tuple(sorted(roots, key=lambda root: root.mid()))
+        for low, high in zip(ordered, ordered[1:], strict=False):
+            if not low < high:
+                raise DegenerateError
+        return cls(leading, ordered)
+
+    def __call__(self, z: Any) -> Any:
+        """R(z)."""
+        value = self.leading
+        for root in self.roots:
+            value = value * (z - root)
+        return value
+
+    def rest(self, left: int, z: Any) -> Any:
+        """|R| / ((z − l)(r − z)) on the interval between roots number `left` and `left` + 1.
+
+        It is positive on the closed interval and analytic around it.
+        """
+        value = abs(self.leading)
+        for place, root in enumerate(self.roots):
+            if place < left:
+                value = value * (z - root)
+            elif place > left + 1:
+                value = value * (root - z)
+        return value
+
+    @cached_property
+    def first_oval(self) -> int:
+        """0 or 1: the parity of the numbers `left` of those intervals on which R > 0."""
+        # to the right of all roots R has the sign of its leading coefficient
+        last = len(self.roots) - 1
+        return last % 2 if self.leading > 0 else (last + 1) % 2
+
+    @property
+    def ovals(self) -> tuple[int, ...]:
+        """Numbers of the left ends of the bounded ovals."""
+        return tuple(range(self.first_oval, len(self.roots) - 1, 2))
+
+    def oval_of(self, z: Any) -> int:
+        """The bounded oval nearest to z, as the number of its left end."""
+        middle = z.mid()
+
+        def distance(left: int) -> Any:
+            low, high = self.roots[left].mid(), self.roots[left + 1].mid()
+            return max(low - middle, middle - high, arb(0))
+
+        return min(self.ovals, key=distance)
+
+    def ends(self, left: int) -> tuple[Any, Any]:
+        """The two roots that bound an interval."""
+        return self.roots[left], self.roots[left + 1]
