@@ -5,18 +5,31 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 import sympy as sp
 from flint import acb, arb, fmpq
+from sympy.printing.pycode import PythonCodePrinter
 
 from ..vectors import explicit
 
-__all__ = ["Values", "array_function", "ball", "components", "evaluated", "midpoint", "number"]
+__all__ = [
+    "Steps",
+    "Values",
+    "array_function",
+    "ball",
+    "ball_function",
+    "components",
+    "evaluated",
+    "needed",
+    "number",
+]
 
 #: Numbers by the symbol that names them.
-Values = Mapping[sp.Symbol, Any]
+Values: TypeAlias = Mapping[sp.Symbol, Any]
+#: Named intermediate quantities, in order.
+Steps: TypeAlias = tuple[tuple[sp.Symbol, sp.Expr], ...]
 
 
 def ball(value: Any) -> Any:
@@ -46,11 +59,6 @@ def number(value: Any) -> float:
     return float(value.mid()) if isinstance(value, arb) else float(value)
 
 
-def midpoint(value: Any) -> Any:
-    """The middle of a ball as an exact number."""
-    return value.mid()
-
-
 def components(formula: Any) -> tuple[sp.Expr, ...]:
     """A scalar or vector formula as scalar formulas."""
     value = explicit(sp.sympify(formula))
@@ -70,57 +78,95 @@ def evaluated(formulas: Iterable[Any], values: Values) -> tuple[Any, ...]:
     tuple of arb or acb
         Not finite where a formula has no value.
     """
-    return tuple(program(values) for program in map(_program, formulas))
+    wanted = tuple(sp.sympify(formula) for formula in formulas)
+    used = set[Any]().union(*(formula.free_symbols for formula in wanted))
+    names = tuple(sorted(used, key=str))
+    function = ball_function(names, wanted)
+    return function(*(values[name] for name in names))
 
 
-@lru_cache(maxsize=4096)
-def _program(formula: sp.Expr) -> Callable[[Values], Any]:
-    """A formula as a list of steps: what stands twice is computed once."""
-    shared, (last,) = sp.cse([sp.sympify(formula)])
+class _BallPrinter(PythonCodePrinter):
+    """Formulas as Python code for balls: fractions exact, roots as square roots."""
 
-    def run(values: Values) -> Any:
-        known = dict(values)
-        for name, part in shared:
-            known[name] = _value(part, known)
-        return _value(last, known)
+    def _print_Rational(self, expr: Any) -> str:
+        return f"_fraction({expr.p}, {expr.q})"
 
-    return run
+    def _print_Float(self, expr: Any) -> str:
+        return f"_float({float(expr)!r})"
 
-
-def _value(formula: sp.Expr, known: Mapping[Any, Any]) -> Any:
-    if formula.is_Symbol:
-        return known[formula]
-    if formula.is_Rational:
-        return arb(fmpq(int(formula.p), int(formula.q)))
-    if formula.is_Float:
-        return arb(float(formula))
-    if formula.is_Add:
-        first, *rest = (_value(term, known) for term in formula.args)
-        return sum(rest, first)
-    if formula.is_Mul:
-        product = None
-        for factor in formula.args:
-            value = _value(factor, known)
-            product = value if product is None else product * value
-        return product
-    if formula.is_Pow:
-        base, exponent = _value(formula.base, known), formula.exp
+    def _print_Pow(self, expr: Any, **settings: Any) -> str:
+        base = f"({self._print(expr.base)})"
+        exponent = expr.exp
         if exponent.is_Integer:
-            return base ** int(exponent)
+            return f"{base}**{int(exponent)}" if exponent > 0 else f"(1/{base}**{-int(exponent)})"
         if exponent.is_Rational and exponent.q == 2:
-            return base.sqrt() ** int(exponent.p)
-        return base ** _value(exponent, known)
-    method = {sp.cos: "cos", sp.sin: "sin", sp.exp: "exp", sp.log: "log", sp.Abs: "__abs__"}
-    return getattr(_value(formula.args[0], known), method[formula.func])()
+            root = f"{base}.sqrt()**{abs(int(exponent.p))}"
+            return root if exponent > 0 else f"(1/{root})"
+        return f"{base}**{self._print(exponent)}"
+
+    def _print_Function(self, expr: Any) -> str:
+        names = {sp.cos: "cos", sp.sin: "sin", sp.exp: "exp", sp.log: "log", sp.Abs: "__abs__"}
+        return f"({self._print(expr.args[0])}).{names[expr.func]}()"
+
+    _print_cos = _print_sin = _print_exp = _print_log = _print_Abs = _print_Function
+
+
+@lru_cache(maxsize=512)
+def ball_function(
+    names: tuple[sp.Symbol, ...], formulas: tuple[sp.Expr, ...], steps: Steps = ()
+) -> Callable[..., tuple[Any, ...]]:
+    """Scalar formulas as a function of balls.
+
+    Parameters
+    ----------
+    names : tuple of Symbol
+        The arguments.
+    formulas : tuple of sympy.Expr
+    steps : tuple of (Symbol, sympy.Expr), optional
+        Intermediate quantities that the formulas use, in order.
+    """
+    made = sp.lambdify(
+        names,
+        tuple(formulas),
+        [{"_fraction": lambda p, q: arb(fmpq(p, q)), "_float": arb}],
+        printer=_BallPrinter({"fully_qualified_modules": False, "user_functions": {}}),
+        cse=lambda expressions: (list(steps), list(expressions)) if steps else _shared(expressions),
+    )
+
+    def function(*values: Any) -> tuple[Any, ...]:
+        # a constant formula prints as a Python number
+        return tuple(ball(value) for value in made(*values))
+
+    return function
+
+
+def _shared(expressions: Any) -> Any:
+    return sp.cse(expressions, list=False)
 
 
 def array_function(
-    names: Sequence[sp.Symbol], formulas: Sequence[sp.Expr]
+    names: Sequence[sp.Symbol], formulas: Sequence[sp.Expr], steps: Steps = ()
 ) -> Callable[..., tuple[Any, ...]]:
-    """Scalar formulas as a function of arrays, common parts computed once."""
-    made = sp.lambdify(tuple(names), tuple(formulas), "numpy", cse=True)
+    """The same as a function of NumPy arrays."""
+    made = sp.lambdify(
+        tuple(names),
+        tuple(formulas),
+        "numpy",
+        cse=lambda expressions: (list(steps), list(expressions)) if steps else _shared(expressions),
+    )
 
     def function(*arrays: Any) -> tuple[Any, ...]:
         return tuple(made(*arrays))
 
     return function
+
+
+def needed(steps: Steps, formulas: Iterable[sp.Expr]) -> Steps:
+    """Those steps alone on which the formulas depend."""
+    wanted = set[Any]().union(*(formula.free_symbols for formula in formulas))
+    kept = []
+    for name, formula in reversed(steps):
+        if name in wanted:
+            kept.append((name, formula))
+            wanted |= formula.free_symbols
+    return tuple(reversed(kept))

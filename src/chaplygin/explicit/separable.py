@@ -58,6 +58,9 @@ class Separable:
         Of the curve, five or six, the poles first; in parameters and constants.
     speeds : two formulas
         a and b, in parameters and constants.
+    along : two formulas, optional
+        The speeds of the flow along which ν′ is the derivative of ν, where that is another flow on
+        the same torus.
     clock : formula
         dt/dτ > 0 in ν, ν′, parameters and constants.
     state : pairs of state name to formula
@@ -85,5 +88,6 @@ class Separable:
     clock: Any
     state: tuple[tuple[Any, Any], ...]
     fixed: tuple[Any, ...] = ()
+    along: tuple[Any, Any] | None = None
     laws: tuple[Law, ...] = ()
     source: str = ""

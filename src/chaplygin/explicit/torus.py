@@ -86,6 +86,8 @@ class Torus:
         Turns around the ovals in a unit of τ.
     v_0 : (arb, arb)
         Phases at τ = 0.
+    along : (arb, arb)
+        The direction on the torus in which ν′ is the derivative of ν; usually V.
     """
 
     lattice: Lattice
@@ -93,10 +95,11 @@ class Torus:
     factors: Triple
     V: Pair
     v_0: Pair
+    along: Pair
 
     def ball(self, v: Sequence[Any]) -> tuple[Triple, Triple]:
         """ν and ν′ at the phases v, as balls."""
-        pairs = [theta.ball(v, self.V) for theta in self.thetas]
+        pairs = [theta.ball(v, self.along) for theta in self.thetas]
         N = [c * pair[0] for c, pair in zip(self.factors, pairs, strict=True)]
         rate = [c * pair[1] for c, pair in zip(self.factors, pairs, strict=True)]
         square = sum((x**2 for x in N), arb(0))
@@ -110,13 +113,13 @@ class Torus:
     def _numbers(self) -> tuple[Any, Any]:
         return (
             np.array([number(c) for c in self.factors]),
-            np.array([number(x) for x in self.V]),
+            np.array([number(x) for x in self.along]),
         )
 
     def values(self, v: Any) -> tuple[Any, Any]:
         """ν and ν′ at phases v (n, 2), as arrays (3, n)."""
-        factors, V = self._numbers
-        pairs = [theta.values(v, V) for theta in self.thetas]
+        factors, along = self._numbers
+        pairs = [theta.values(v, along) for theta in self.thetas]
         N = np.array([c * pair[0] for c, pair in zip(factors, pairs, strict=True)])
         rate = np.array([c * pair[1] for c, pair in zip(factors, pairs, strict=True)])
         square = np.sum(N * N, axis=0)
@@ -132,6 +135,7 @@ def torus(
     speeds: Sequence[Any],
     nu: Sequence[Any],
     nuprime: Sequence[Any],
+    along: Sequence[Any] | None = None,
 ) -> Torus:
     """The motion through ν, ν′ at τ = 0.
 
@@ -144,6 +148,8 @@ def torus(
         a and b.
     nu, nuprime : three arb each
         Body axes; ν of unit length.
+    along : two arb, optional
+        The speeds of the flow along which ν′ is the derivative of ν, if not `speeds`.
 
     Raises
     ------
@@ -152,10 +158,11 @@ def torus(
     ArithmeticError
         If ν does not fit the curve.
     """
-    start = divisor_of(nu, nuprime, poles, weights, speeds)
+    start = divisor_of(nu, nuprime, poles, weights, speeds if along is None else along)
     ovals = (curve.oval_of(start.z[0]), curve.oval_of(start.z[1]))
     periods = lattice(curve, ovals)
     V = periods.normalised((speeds[0], speeds[1]))
+    turning = V if along is None else periods.normalised((along[0], along[1]))
     v_0 = _phases(periods, [_angle(curve, left, z, y) for left, z, y in
                             zip(ovals, start.z, start.y, strict=True)])
     places = [_place(curve, pole) for pole in poles]
@@ -175,14 +182,14 @@ def torus(
         thetas, poles, weights, nu, nuprime, strict=True
     ):
         square = weight * (pole - z[0]) * (pole - z[1])
-        height, _ = theta.ball(middle, V)
+        height, _ = theta.ball(middle, turning)
         factor = abs(square).sqrt() / abs(height)
-        value, slope = theta.ball(v_0, V)
+        value, slope = theta.ball(v_0, turning)
         # a component that vanishes shows its sign in its rate
         agrees = value * own > 0 if abs(own) > arb(2) ** -40 else slope * rate > 0
         factors.append(factor if agrees else -factor)
     made = Torus(periods, (thetas[0], thetas[1], thetas[2]),
-                 (factors[0], factors[1], factors[2]), V, v_0)
+                 (factors[0], factors[1], factors[2]), V, v_0, turning)
     for found, given in zip(sum(made.ball(v_0), ()), (*nu, *nuprime), strict=True):
         if not abs(found - given) < arb(2) ** -30 * (1 + abs(given)):
             raise ArithmeticError("the closed form does not pass through its start")
