@@ -163,8 +163,10 @@ def torus(
     periods = lattice(curve, ovals)
     V = periods.normalised((speeds[0], speeds[1]))
     turning = V if along is None else periods.normalised((along[0], along[1]))
-    v_0 = _phases(periods, [_angle(curve, left, z, y) for left, z, y in
-                            zip(ovals, start.z, start.y, strict=True)])
+    v_0 = _phases(
+        periods,
+        [_angle(curve, left, z, y) for left, z, y in zip(ovals, start.z, start.y, strict=True)],
+    )
     places = [_place(curve, pole) for pole in poles]
     halves = periods.halves
     # on the real motion v has the constant imaginary part iYη: it moves the characteristics
@@ -178,9 +180,7 @@ def torus(
     middle = _phases(periods, [quarter, quarter])
     z = [_at(curve, left, quarter) for left in ovals]
     factors = []
-    for theta, pole, weight, own, rate in zip(
-        thetas, poles, weights, nu, nuprime, strict=True
-    ):
+    for theta, pole, weight, own, rate in zip(thetas, poles, weights, nu, nuprime, strict=True):
         square = weight * (pole - z[0]) * (pole - z[1])
         height, _ = theta.ball(middle, turning)
         factor = abs(square).sqrt() / abs(height)
@@ -188,8 +188,14 @@ def torus(
         # a component that vanishes shows its sign in its rate
         agrees = value * own > 0 if abs(own) > arb(2) ** -40 else slope * rate > 0
         factors.append(factor if agrees else -factor)
-    made = Torus(periods, (thetas[0], thetas[1], thetas[2]),
-                 (factors[0], factors[1], factors[2]), V, v_0, turning)
+    made = Torus(
+        periods,
+        (thetas[0], thetas[1], thetas[2]),
+        (factors[0], factors[1], factors[2]),
+        V,
+        v_0,
+        turning,
+    )
     for found, given in zip(sum(made.ball(v_0), ()), (*nu, *nuprime), strict=True):
         if not abs(found - given) < arb(2) ** -30 * (1 + abs(given)):
             raise ArithmeticError("the closed form does not pass through its start")
