@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import sympy as sp
 
 from .errors import InputError
 from .statements import Integral, Law
 from .vectors import Diagonal, Symmetric, Vector, explicit
+
+if TYPE_CHECKING:
+    from .explicit.solution import Solution
 
 __all__ = ["Guard", "Motion", "Observable", "Parameter", "System", "flat", "flat_pairs"]
 
@@ -287,6 +290,29 @@ class System:
             observables=self.observables + motion.observables,
             motion=None,
         )
+
+    # --- motion in closed form ---------------------------------------------------------------
+
+    def solve(self, start: Sequence[Any], parameters: Mapping[Any, Any] | None = None) -> Solution:
+        """The motion from a start in closed form, at any time; see :mod:`chaplygin.explicit`.
+
+        Parameters
+        ----------
+        start : sequence of numbers
+            State at time 0 in flat order, lifted to space where the system has a motion, as
+            :func:`chaplygin.mechanics.start.starting_state` gives it.
+        parameters : mapping of Symbol or name to number, optional
+            Values that replace the defaults.
+
+        Raises
+        ------
+        InputError
+            If start or parameters cannot be used; and if no closed form is known, when the
+            message says what is.
+        """
+        from .explicit.solve import solve
+
+        return solve(self, start, parameters)
 
     # --- other tools and print -------------------------------------------------------------
 

@@ -7,7 +7,7 @@ import sys
 
 import typer
 
-from . import audit, find, list_, prove, run, show, study
+from . import audit, find, list_, prove, run, show, solve, study
 from .common import complain
 
 __all__ = ["app", "main"]
@@ -24,6 +24,7 @@ app.command("list")(list_.command)
 app.command("show")(show.command)
 app.command("run")(run.command)
 app.command("study")(study.command)
+app.command("solve")(solve.command)
 app.command("find")(find.command)
 app.command("prove")(prove.command)
 app.command("audit")(audit.command)

@@ -8,6 +8,7 @@ from pathlib import Path
 from ..errors import InputError, RunError
 from ..flow.trajectory import Trajectory
 from . import figures, report
+from .closed_form import solved_if_known
 from .dataset import write
 from .derivation import recorded_of, variables_of
 from .files import completed
@@ -76,10 +77,13 @@ def write_study(
         pictures = figures.state_figures(smooth, names, recorded_of(study))
     else:
         pictures = figures.all_figures(smooth, scene_of(study), weight_of(study))
+    solution = solved_if_known(study)
+    if solution is not None:
+        pictures["closed_form"] = figures.closed_form(study.system.title, solution.form)
     for name, figure in pictures.items():
         for suffix in ("svg", "png"):
             figures.save(figure, folder / "figures" / f"{name}.{suffix}")
-    text = report.render(study, trajectory, dataset, pictures, failure)
+    text = report.render(study, trajectory, dataset, pictures, failure, solution)
     with completed(folder / "report.html") as temporary:
         temporary.write_text(text, encoding="utf-8")
     return trajectory, failure

@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 from .._version import __version__
 from ..claims import heading
 from ..errors import RunError
+from ..explicit.solution import Solution
 from ..explore.hierarchy import Place, place
 from ..explore.proofs import Patience
 from ..explore.telling import rows
@@ -22,6 +23,7 @@ from ..statements import Law
 from ..typeset import claims_html, latex, mathml, motion_html, system_html
 from . import figures
 from .ball import setting as ball_setting
+from .closed_form import section
 from .derivation import is_described, told
 from .experiment import BallExperiment
 from .prepare import Study, shape_name
@@ -63,6 +65,7 @@ def render(
     dataset: xr.Dataset,
     pictures: Mapping[str, Figure],
     failure: RunError | None = None,
+    solution: Solution | None = None,
 ) -> str:
     """The page as text.
 
@@ -77,6 +80,8 @@ def render(
         By name, as :func:`chaplygin.study.figures.all_figures` returns them.
     failure : RunError, optional
         Why the run ended early, if it failed.
+    solution : Solution, optional
+        The same motion in closed form, where one is known.
 
     Returns
     -------
@@ -126,6 +131,8 @@ def render(
             }
             for law in system.integrals
         ],
+        closed=None if solution is None else section(solution, trajectory),
+        closed_figure=drawn.get("closed_form"),
         claims=Markup(claims_html(replace(study.system, laws=_unobserved(study)))),
         proofs=[
             (law.name, _named(law), law.source, verdicts[law.name]) for law in _unobserved(study)

@@ -16,6 +16,7 @@ from ..drawing import Ground, Outline
 from ..surface_ground import SurfaceGround
 from .ball_scene import ball_scene
 from .charts import angular_velocity, conserved, drift, normal_force, relative_drift
+from .closed_form import closed_form
 from .curves import contact_path, normal_on_sphere
 from .files import FORMATS, save, svg_text
 from .scenes import scene
@@ -30,6 +31,7 @@ __all__ = [
     "angular_velocity",
     "ball_figures",
     "ball_scene",
+    "closed_form",
     "contact_path",
     "drift",
     "normal_force",

@@ -1,0 +1,304 @@
+"""``chaplygin solve``: the state at any time, in closed form."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from .common import Force, Json, Override, What, complain, inform, print_json, study_of
+
+if TYPE_CHECKING:
+    from ..explicit.solution import Solution
+    from ..study.prepare import Study
+
+__all__ = ["command"]
+
+#: So many times are printed at most, and so many of a longer list.
+MANY, FEW = 12, 5
+#: Digits that `--digits` may ask for.
+MOST_DIGITS = 1000
+
+#: Endings of figures.
+FORMATS = (".png", ".svg", ".pdf")
+
+#: Name, unit, label of a component, and its values at the times.
+Row = tuple[str, str, list[str]]
+
+
+def command(
+    what: What,
+    at: Annotated[
+        str | None,
+        typer.Option(metavar="TIMES", help="Times, as in 0,1,1e6; those of the run if left out."),
+    ] = None,
+    digits: Annotated[
+        int | None,
+        typer.Option(help="Evaluate rigorously, to so many digits with error bars."),
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", help="NetCDF file to write.")
+    ] = None,
+    figure: Annotated[
+        Path | None, typer.Option(help="Figure of the closed form to write: .png, .svg, .pdf.")
+    ] = None,
+    overrides: Override = None,
+    force: Force = False,
+    json: Json = False,
+) -> None:
+    """The state at any time, in closed form; exit 1 where none is known."""
+    from ..errors import InputError
+    from ..explicit.refusals import NoClosedFormError
+    from ..study.closed_form import solved
+    from ..study.files import check_target
+
+    moments = None if at is None else _times(at)
+    if digits is not None and not 1 <= digits <= MOST_DIGITS:
+        raise InputError(f"--digits {digits}: it must be from 1 to {MOST_DIGITS}")
+    for target in (output, figure):
+        if target is not None:
+            check_target(target, force)
+            if target.exists() and Path(what).exists() and target.samefile(what):
+                raise InputError(f"{target} is the experiment file itself: choose another name")
+    if figure is not None and figure.suffix not in FORMATS:
+        raise InputError(f"--figure {figure}: its name must end in {', '.join(FORMATS)}")
+    study = study_of(what, overrides)
+    if moments is None:
+        moments = [Fraction(float(t)) for t in study.times]
+    try:
+        solution = solved(study)
+    except NoClosedFormError as refused:
+        complain(str(refused))
+        raise typer.Exit(1) from None
+    if json:
+        print_json(_record(study, solution, moments, digits))
+    else:
+        _print(study, solution, moments, digits)
+    if output is not None:
+        _write(study, solution, moments, output, force)
+    if figure is not None:
+        _draw(study, solution, figure)
+
+
+def _times(text: str) -> list[Fraction]:
+    """Times as the user wrote them, exactly.
+
+    Raises
+    ------
+    InputError
+        If one of them is not a finite number.
+    """
+    from ..errors import InputError
+
+    try:
+        times = [Fraction(word.strip()) for word in text.split(",")]
+        # a time must be a double too
+        _ = [float(time) for time in times]
+    except (ValueError, ZeroDivisionError, OverflowError):
+        raise InputError(
+            f"--at {text}: it must be finite numbers separated by commas, such as 0,1,1e6"
+        ) from None
+    return times
+
+
+# --- what is printed -----------------------------------------------------------------------
+
+
+def _print(study: Study, solution: Solution, moments: list[Fraction], digits: int | None) -> None:
+    from rich import box
+    from rich.console import Console
+    from rich.markup import escape
+    from rich.table import Table
+
+    from ..study.closed_form import number
+
+    form = solution.form
+    typer.echo(f"{study.system.title}: {form.title}, {form.source}".rstrip(", "))
+    typer.echo(f"{form.motion[:1].upper()}{form.motion[1:]}")
+    console = Console()
+    facts = Table(box=None, pad_edge=False, show_header=False)
+    facts.add_column(style="bold", no_wrap=True)
+    facts.add_column(no_wrap=True)
+    facts.add_column(style="dim")
+    for item in form.figures:
+        facts.add_row(escape(_letter(item.symbol)), number(item), escape(item.meaning))
+    console.print(facts)
+    shown = _chosen(moments)
+    rows = list(_rows(study, solution, shown, digits))
+    for some in _blocks(shown, rows, console.width):
+        table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
+        table.add_column("", style="bold", no_wrap=True)
+        table.add_column("", style="dim", no_wrap=True)
+        for index in some:
+            table.add_column(f"t = {_plain(shown[index])}", justify="right", no_wrap=True)
+        for name, unit, values in rows:
+            table.add_row(escape(name), escape(unit), *(values[index] for index in some))
+        typer.echo()
+        console.print(table)
+    if len(shown) < len(moments):
+        inform(
+            f"{len(shown)} of {len(moments)} times are shown; --json prints and -o writes all "
+            "of them"
+        )
+
+
+def _chosen(moments: list[Fraction]) -> list[Fraction]:
+    """All times, or a few of many."""
+    if len(moments) <= MANY:
+        return moments
+    last = len(moments) - 1
+    return [moments[round(last * i / (FEW - 1))] for i in range(FEW)]
+
+
+def _blocks(shown: Sequence[Fraction], rows: Sequence[Row], width: int) -> Iterator[range]:
+    """The times in blocks that fit a terminal."""
+    head = sum(max(len(row[column]) for row in rows) + 2 for column in (0, 1))
+    cells = [len(text) for _, _, values in rows for text in values]
+    heads = [len(f"t = {_plain(time)}") for time in shown]
+    each = max(cells + heads, default=1) + 2
+    count = max(1, (width - head) // each)
+    for first in range(0, len(shown), count):
+        yield range(first, min(first + count, len(shown)))
+
+
+def _letter(symbol: str) -> str:
+    """A symbol as text: Ω₁ for Omega_1."""
+    from ..notation import text
+    from ..vectors import scalar
+
+    return text(scalar(symbol))
+
+
+def _plain(time: Fraction) -> str:
+    """A time as one would write it."""
+    return f"{float(time):.15g}"
+
+
+def _rows(
+    study: Study, solution: Solution, moments: Sequence[Fraction], digits: int | None
+) -> Iterator[Row]:
+    """What is known at the times, one row for each component."""
+    if digits is not None:
+        yield from _balls(study, solution, moments, digits)
+        return
+    from ..study.closed_form import dataset, evaluated
+
+    made = dataset(study, evaluated(study, solution, _doubles(moments)), solution)
+    for name in map(str, made.data_vars):
+        if name == "energy":  # the same as law_energy
+            continue
+        variable = made[name]
+        unit = "" if variable.units in ("1", "unknown") else str(variable.units)
+        label = name.removeprefix("law_")
+        if variable.ndim == 1:
+            yield label, unit, [_double(x) for x in variable.values]
+            continue
+        (dim,) = (d for d in variable.dims if d != "time")
+        indices = made[dim].values if dim in made.coords else range(1, variable.shape[1] + 1)
+        for index, column in zip(indices, variable.transpose(dim, "time").values, strict=True):
+            yield f"{label}_{index}", unit, [_double(x) for x in column]
+
+
+def _double(value: float) -> str:
+    return f"{value:.12g}"
+
+
+def _doubles(moments: Sequence[Fraction]) -> list[float]:
+    return [float(time) for time in moments]
+
+
+def _balls(
+    study: Study, solution: Solution, moments: Sequence[Fraction], digits: int
+) -> Iterator[Row]:
+    """The state with error bars."""
+    from ..study.closed_form import ball, units
+
+    states = [solution.rigorous(time, digits) for time in moments]
+    unit = units(study, solution)
+    for symbol, values in zip(solution.system.symbols, zip(*states, strict=True), strict=True):
+        parts = [ball(value, digits) for value in values]
+        yield (
+            str(symbol),
+            unit[symbol],
+            [middle if radius == "0" else f"{middle} ± {radius}" for middle, radius in parts],
+        )
+
+
+# --- what other programs read --------------------------------------------------------------
+
+
+def _record(
+    study: Study, solution: Solution, moments: list[Fraction], digits: int | None
+) -> dict[str, Any]:
+    from ..study.closed_form import ball
+    from ..typeset import latex
+
+    form = solution.form
+    values = []
+    for figure in form.figures:
+        middle, radius = ball(figure.value, digits or 17)
+        values.append(
+            {
+                "symbol": figure.symbol,
+                "value": middle,
+                "error": radius,
+                "meaning": figure.meaning,
+                "unit": figure.unit,
+            }
+        )
+    return {
+        "system": study.system.name,
+        "title": form.title,
+        "motion": form.motion,
+        "equations": [f"{latex(left)} = {latex(right)}" for left, right in form.equations],
+        "figures": values,
+        "ovals": [list(oval) for oval in form.ovals],
+        "source": form.source,
+        "states": list(_states(study, solution, moments, digits)),
+    }
+
+
+def _states(
+    study: Study, solution: Solution, moments: list[Fraction], digits: int | None
+) -> Iterator[dict[str, Any]]:
+    """One object for each time: the variables by name."""
+    if digits is not None:
+        from ..study.closed_form import ball
+
+        names = [str(symbol) for symbol in solution.system.symbols]
+        for time in moments:
+            balls = [ball(value, digits) for value in solution.rigorous(time, digits)]
+            parts = [{"value": middle, "error": radius} for middle, radius in balls]
+            yield {"time": float(time), **dict(zip(names, parts, strict=True))}
+        return
+    from ..study.closed_form import dataset, evaluated
+
+    made = dataset(study, evaluated(study, solution, _doubles(moments)), solution)
+    for index, time in enumerate(moments):
+        at = made.isel(time=index)
+        yield {
+            "time": float(time),
+            **{str(name): at[name].values.tolist() for name in made.data_vars},
+        }
+
+
+def _write(
+    study: Study, solution: Solution, moments: list[Fraction], output: Path, force: bool
+) -> None:
+    from ..study.closed_form import dataset, evaluated
+    from ..study.dataset import write
+
+    trajectory = evaluated(study, solution, _doubles(moments))
+    write(dataset(study, trajectory, solution), output, force)
+    inform(f"written to {output}")
+
+
+def _draw(study: Study, solution: Solution, path: Path) -> None:
+    from ..study.figures import save
+    from ..study.figures.closed_form import closed_form
+
+    save(closed_form(study.system.title, solution.form), path)
+    inform(f"figure: {path}")

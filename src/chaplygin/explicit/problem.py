@@ -1,0 +1,163 @@
+"""A motion asked for, and when two systems are one: their fields compared in exact numbers."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+import sympy as sp
+from flint import arb, fmpq
+
+from ..laws.errors import NotExactError, OutOfReachError, UnknownSymbolError
+from ..laws.jets import Evaluator, Jet
+from ..laws.numbers import Rationals
+from ..mechanics.rolling import Rolling
+from ..mechanics.start import DIGITS, SLACK, evaluate
+from ..system import System
+from ..vectors import explicit
+
+__all__ = ["Problem", "exact", "same_field"]
+
+#: Points at which two fields are compared.
+POINTS = 3
+
+Numbers = Mapping[sp.Symbol, Fraction]
+
+
+@dataclass(frozen=True)
+class Problem:
+    """A motion that is asked for in closed form.
+
+    Attributes
+    ----------
+    system : System
+        Not lifted.
+    parameters : mapping of Symbol to number
+        A value for every parameter of the system.
+    start : tuple of numbers
+        The state at time 0, lifted to space where the system has a motion, in flat order.
+    rolling : Rolling or None
+        What rolls on what, where that is known.
+    """
+
+    system: System
+    parameters: Mapping[sp.Symbol, Any]
+    start: tuple[Any, ...]
+    rolling: Rolling | None = None
+
+    @property
+    def numbers(self) -> dict[str, Fraction]:
+        """The parameters by name, decimals taken at their word."""
+        return {str(symbol): exact(value) for symbol, value in self.parameters.items()}
+
+    def values(self, formulas: Sequence[Any]) -> list[Any]:
+        """Scalar formulas of the system at the start, to 50 digits."""
+        with mpmath.workdps(DIGITS):
+            lifted = self.system.lifted() if self.system.motion else self.system
+            known = {
+                **{s: _long(value) for s, value in self.parameters.items()},
+                **{s: _long(x) for s, x in zip(lifted.symbols, self.start, strict=True)},
+            }
+            return evaluate(lifted, [explicit(formula) for formula in formulas], known)
+
+    def vanish(self, formulas: Sequence[Any]) -> bool:
+        """Whether scalar formulas of the system vanish at the start, but for rounding."""
+        size = 1 + max(abs(float(x)) for x in self.start)
+        return all(abs(value) <= SLACK * size**2 for value in self.values(formulas))
+
+
+def exact(number: Any) -> Fraction:
+    """A number as a fraction: the decimal that a double is written as, the middle of a ball."""
+    if isinstance(number, arb):
+        mantissa, exponent = number.mid().man_exp()
+        return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    if isinstance(number, mpmath.mpf):
+        sign, mantissa, exponent, _ = number._mpf_
+        return Fraction((-1) ** sign * int(mantissa)) * Fraction(2) ** int(exponent)
+    if isinstance(number, sp.Rational):
+        return Fraction(int(number.p), int(number.q))
+    return number if isinstance(number, Fraction) else Fraction(str(number))
+
+
+def _long(number: Any) -> Any:
+    if isinstance(number, mpmath.mpf):
+        return number
+    fraction = exact(number)
+    return mpmath.mpf(fraction.numerator) / fraction.denominator
+
+
+def same_field(
+    first: System,
+    first_numbers: Numbers,
+    second: System,
+    second_numbers: Numbers,
+) -> bool:
+    """Whether two systems with these parameters have one field, their states taken in order.
+
+    Both fields are computed in rational numbers at random points on the relations of the second;
+    rational functions that differ agree at all of them by an accident that can be left out of
+    account, and nothing is rounded.
+
+    Parameters
+    ----------
+    first, second : System
+        Of equally long states.
+    first_numbers, second_numbers : mapping of Symbol to Fraction
+        A value for every parameter.
+    """
+    if len(first.symbols) != len(second.symbols):
+        return False
+    points = list(_points(second, second_numbers))
+    try:
+        return bool(points) and all(
+            _rates(first, point, first_numbers) == _rates(second, point, second_numbers)
+            for point in points
+        )
+    except (NotExactError, OutOfReachError, UnknownSymbolError, ZeroDivisionError):
+        # a field with roots or functions, or singular elsewhere, is none of those that are known
+        return False
+
+
+def _evaluator(system: System, point: Sequence[fmpq], numbers: Numbers) -> Evaluator:
+    known = dict(zip(system.symbols, point, strict=True))
+    known |= {s: fmpq(x.numerator, x.denominator) for s, x in numbers.items()}
+    seeds = {s: Jet(value, {}) for s, value in known.items()}
+    return Evaluator(Rationals({}), seeds.get, dict(system.steps))
+
+
+def _rates(system: System, point: Sequence[fmpq], numbers: Numbers) -> list[Any]:
+    evaluate = _evaluator(system, point, numbers)
+    return [evaluate.value(rate) for rate in system.rates]
+
+
+def _points(system: System, numbers: Numbers) -> Iterator[list[fmpq]]:
+    """Rational points of a phase space of two vectors u and n, n² = 1, and perhaps (u, n) = 0."""
+    generator = random.Random(system.name)
+    relations = [explicit(relation) for relation in system.relations]
+    found = 0
+    for _ in range(20 * POINTS):
+        p, q = (fmpq(generator.randint(-9, 9), generator.randint(7, 13)) for _ in range(2))
+        square = 1 + p * p + q * q
+        n = [2 * p / square, 2 * q / square, (square - 2) / square]
+        u = [fmpq(generator.randint(-20, 20), generator.randint(7, 13)) for _ in range(3)]
+        along = sum((a * b for a, b in zip(u, n, strict=True)), fmpq(0))
+        level = [a - along * b for a, b in zip(u, n, strict=True)]
+        for first in (u, level):
+            point = [*first, *n]
+            if len(point) != len(system.symbols):
+                return
+            values = _evaluator(system, point, numbers)
+            try:
+                on_it = all(values.value(relation) == 0 for relation in relations)
+                if on_it and _rates(system, point, numbers):
+                    yield point
+                    found += 1
+                    break
+            except ZeroDivisionError:
+                continue
+        if found == POINTS:
+            return

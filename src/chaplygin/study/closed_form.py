@@ -1,0 +1,217 @@
+"""A study solved in closed form: its motion at any times, and what a report says of it."""
+
+from __future__ import annotations
+
+import time as clock
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy as sp
+import xarray as xr
+from markupsafe import Markup
+
+from ..explicit.problem import Problem
+from ..explicit.recognise import solution_of
+from ..explicit.refusals import NoClosedFormError
+from ..explicit.solution import Figure, Solution
+from ..flow.record import Statistics, Trajectory
+from ..system import System
+from ..typeset import latex, mathml
+from ..vectors import explicit
+from .prepare import Study, dataset_of
+
+__all__ = [
+    "Section",
+    "ball",
+    "dataset",
+    "evaluated",
+    "number",
+    "section",
+    "solved",
+    "solved_if_known",
+    "units",
+]
+
+
+def solved(study: Study) -> Solution:
+    """The motion of a study in closed form.
+
+    Raises
+    ------
+    InputError
+        If the start is not admissible.
+    NoClosedFormError
+        If no closed form of this motion is known.
+    """
+    system = study.system
+    return solution_of(Problem(system, system.defaults, study.start, study.rolling))
+
+
+def solved_if_known(study: Study) -> Solution | None:
+    """The motion of a study in closed form, None where none is known."""
+    try:
+        return solved(study)
+    except NoClosedFormError:
+        return None
+
+
+def evaluated(study: Study, solution: Solution, times: Any) -> Trajectory:
+    """A motion at chosen times, with all that a run records.
+
+    Parameters
+    ----------
+    study : Study
+    solution : Solution
+        Of this study.
+    times : array (n,)
+
+    Returns
+    -------
+    Trajectory
+        In double precision.
+    """
+    began = clock.perf_counter()
+    moments = np.asarray(times, dtype=float)
+    states = solution.states(moments)
+    seconds = clock.perf_counter() - began
+    system = study.watched.lifted() if study.watched.motion else study.watched
+    return Trajectory(
+        system,
+        system.defaults,
+        moments,
+        states,
+        _recorded(system, states),
+        (),
+        Statistics(
+            steps=0,
+            order=0,
+            tolerance=float(np.finfo(float).eps),
+            precision="double",
+            corrections=0,
+            seconds=seconds,
+            from_cache=False,
+        ),
+    )
+
+
+def _recorded(system: System, states: Any) -> dict[str, Any]:
+    """Observables and integrals of a lifted system along states (n, size)."""
+    wanted = {item.name: explicit(item.value) for item in system.observables}
+    wanted |= {f"law_{law.name}": explicit(law.value) for law in system.integrals}
+    scalars = [s for value in wanted.values() for s in _scalars(value)]
+    steps = list(system.needed(scalars))
+    function = sp.lambdify(
+        [*system.symbols, *system.defaults], scalars, "numpy", cse=lambda e: (steps, e)
+    )
+    columns = (np.broadcast_to(x, len(states)) for x in function(*states.T, *_doubles(system)))
+    recorded: dict[str, Any] = {}
+    for name, value in wanted.items():
+        parts = [next(columns) for _ in _scalars(value)]
+        recorded[name] = np.stack(parts, axis=1) if _is_vector(value) else np.array(parts[0])
+    return recorded
+
+
+def _doubles(system: System) -> list[float]:
+    return [float(value) for value in system.defaults.values()]
+
+
+def _is_vector(value: Any) -> bool:
+    return isinstance(value, sp.MatrixBase)
+
+
+def _scalars(value: Any) -> list[sp.Expr]:
+    return list(value) if _is_vector(value) else [value]
+
+
+def dataset(study: Study, trajectory: Trajectory, solution: Solution) -> xr.Dataset:
+    """States of a closed form as a dataset, with the names of an integrated trajectory."""
+    made = dataset_of(study, trajectory)
+    start = zip(trajectory.system.symbols, study.start, strict=True)
+    return made.assign_attrs(
+        start="; ".join(f"{symbol} = {float(value)!r}" for symbol, value in start),
+        integrator=f"none: closed form, {solution.form.title}",
+        motion=solution.form.motion,
+    )
+
+
+def units(study: Study, solution: Solution) -> dict[sp.Symbol, str]:
+    """The unit of every component of the lifted state, where it is known."""
+    made = dataset(study, evaluated(study, solution, [0.0]), solution)
+    found: dict[sp.Symbol, str] = {}
+    for name in solution.system.state:
+        unit = str(made[str(name)].units) if str(name) in made else "m"
+        for symbol in (name,) if isinstance(name, sp.Symbol) else name.symbols:
+            found[symbol] = "" if unit in ("1", "unknown") else unit
+    return found
+
+
+# --- the section of a report ---------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Section:
+    """What a report says of a closed form, ready for the page.
+
+    Attributes
+    ----------
+    title, motion, source : str
+    equations : tuple of Markup
+        The curve, the differential equations and the clock.
+    rows : tuple of (symbol, value, meaning)
+        Constants, roots, frequencies, with error bounds and units.
+    ovals : tuple of str
+        The intervals on which the separated variables live.
+    difference : str
+        The largest distance of any component of the state from the integrated trajectory.
+    """
+
+    title: str
+    motion: str
+    source: str
+    equations: tuple[Markup, ...]
+    rows: tuple[tuple[Markup, str, str], ...]
+    ovals: tuple[str, ...]
+    difference: str
+
+
+def section(solution: Solution, trajectory: Trajectory) -> Section:
+    """The words and formulas of a closed form, and how far an integration is from it.
+
+    Parameters
+    ----------
+    solution : Solution
+    trajectory : Trajectory
+        The same motion, integrated.
+    """
+    form = solution.form
+    states = solution.states(trajectory.times.astype(float))
+    distance = np.abs(states - trajectory.states.astype(float)).max()
+    return Section(
+        title=form.title,
+        motion=form.motion,
+        source=form.source,
+        equations=tuple(
+            Markup(mathml(f"{latex(left)} = {latex(right)}", "block"))
+            for left, right in form.equations
+        ),
+        rows=tuple(
+            (Markup(mathml(latex(sp.Symbol(figure.symbol)))), number(figure), figure.meaning)
+            for figure in form.figures
+        ),
+        ovals=tuple(f"[{low:.12g}, {high:.12g}]" for low, high in form.ovals),
+        difference=f"{distance:.1e}",
+    )
+
+
+def number(figure: Figure, digits: int = 15) -> str:
+    """The value of a figure with its error bound and unit."""
+    middle, radius = ball(figure.value, digits)
+    unit = "" if figure.unit in ("", "1") else f" {figure.unit}"
+    return f"{middle}{unit}" if radius == "0" else f"{middle} ± {radius}{unit}"
+
+
+def ball(value: Any, digits: int) -> tuple[str, str]:
+    """Midpoint and radius of a ball, in so many digits; the printed ball contains the given one."""
+    middle, _, radius = value.str(digits).strip("[]").partition("+/-")
+    return middle.strip() or "0", radius.strip() or "0"
