@@ -1,0 +1,261 @@
+"""Quadratures along a degenerate motion, in double precision: the clock, and whatever else grows.
+
+Along a periodic motion ∫ f dτ is its mean times τ and a Fourier series.  Along an asymptotic one it
+is that of the limit on either side of a window outside of which the difference has died out, and a
+polynomial on each of many panels within.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from .degenerate_motion import Asymptotic, Numerators, Periodic, direction_array
+
+__all__ = ["Moment", "Quadratures", "Window", "quadratures", "remainder"]
+
+#: The integrands at ν, ν′ (3, n): an array (m, n), the clock first.
+Integrands = Callable[[Any, Any], Any]
+
+#: |κ| beyond which e^{−2κ} is lost in a double.
+FADED = 20.0
+#: Nodes on a panel, and the phases (U, κ) that it may cover.
+NODES = 24
+SPAN = 0.4
+
+
+class Moment(NamedTuple):
+    """Where a motion is: τ = rest + turns · period, and the other quadratures up to there."""
+
+    rest: Any
+    turns: Any
+    integrals: Any
+
+
+def remainder(times: Any, period: tuple[float, float]) -> tuple[Any, Any]:
+    """Times modulo a period given as a sum of two doubles, and how many periods were taken off.
+
+    The product with the first double is split into two doubles by Dekker's method, so that the
+    remainder is as exact as the period and the time themselves.
+    """
+    high, low = period
+    turns = np.floor(times / high)
+    product = turns * high
+    parts = [_split(turns), _split(np.asarray(high))]
+    (a, b), (c, d) = parts
+    error = ((a * c - product) + a * d + b * c) + b * d
+    return ((times - product) - error) - turns * low, turns
+
+
+def _split(number: Any) -> tuple[Any, Any]:
+    wide = 134217729.0 * number
+    high = wide - (wide - number)
+    return high, number - high
+
+
+@dataclass(frozen=True)
+class Quadratures:
+    """∫ f dτ from τ = 0 along a periodic motion.
+
+    Attributes
+    ----------
+    period : float
+        In τ.
+    turn : (float, float)
+        What the clock gains in a period, as a sum of two doubles.
+    means : array (m,)
+        Of the integrands.
+    waves : array (m, k) of complex numbers
+        Fourier coefficients of the integrands, from the first harmonic on.
+    """
+
+    period: float
+    turn: tuple[float, float]
+    means: Any
+    waves: Any
+
+    def _sums(self, tau: Any, coefficients: Any) -> Any:
+        order = np.arange(1, coefficients.shape[-1] + 1)
+        phases = np.exp(2j * np.pi / self.period * np.multiply.outer(order, tau))
+        return 2 * (coefficients @ phases).real
+
+    @cached_property
+    def _risen(self) -> Any:
+        order = np.arange(1, self.waves.shape[-1] + 1)
+        return self.waves / (2j * np.pi / self.period * order)
+
+    def up_to(self, tau: Any) -> Any:
+        """The quadratures (m, n) at τ."""
+        start = 2 * self._risen.real.sum(-1)[:, None]
+        return np.multiply.outer(self.means, tau) + self._sums(tau, self._risen) - start
+
+    @cached_property
+    def _table(self) -> tuple[Any, Any]:
+        tau = np.linspace(0.0, self.period, 4 * self.waves.shape[-1] + 65)
+        return tau, self.up_to(tau)[0]
+
+    def clock_inverted(self, times: Any) -> Any:
+        """τ at which the clock stands at `times`, between 0 and its gain in a period."""
+        tau, stands = self._table
+        found = np.interp(times, stands, tau)
+        for _ in range(4):
+            rate = self.means[0] + self._sums(found, self.waves[:1])[0]
+            risen = self._sums(found, self._risen[:1])[0] - 2 * self._risen[0].real.sum()
+            found = found - (self.means[0] * found + risen - times) / rate
+        return found
+
+    def when(self, times: Any, offset: float = 0.0) -> Moment:
+        """Where the motion is when the clock stands at `times` + `offset`."""
+        rest, turns = remainder(times, self.turn)
+        total = sum(self.turn)
+        more = np.floor((rest + offset) / total)
+        rest = self.clock_inverted(rest + offset - more * total)
+        integrals = self.up_to(rest)[1:]
+        turns = turns + more
+        whole = np.multiply.outer(self.means[1:] * self.period, turns)
+        return Moment(rest, turns, integrals + whole)
+
+
+def quadratures(motion: Periodic, integrands: Integrands, turn: Any) -> Quadratures:
+    """Means and Fourier series along a periodic motion.
+
+    Parameters
+    ----------
+    motion : Periodic
+    integrands : callable
+    turn : arb
+        What the clock gains in a period.
+    """
+    period = float(motion.period)
+    count = 64
+    while True:
+        tau = np.arange(count) * (period / count)
+        nu, rate = direction_array(*motion.array(tau, 0.0))
+        waves = np.fft.rfft(integrands(nu, rate)) / count
+        size = np.abs(waves).max(-1, keepdims=True)
+        last = (np.abs(waves[:, -(count // 8) :]) / size).max()
+        if last < 1e-16 or count >= 1 << 14:
+            break
+        count *= 2
+    kept = waves[:, 1:-1]
+    needed = np.nonzero((np.abs(kept) > 1e-17 * size).any(0))[0]
+    kept = kept[:, : (needed[-1] + 1 if len(needed) else 1)]
+    high = float(turn.mid())
+    return Quadratures(period, (high, float((turn - high).mid())), waves[:, 0].real, kept)
+
+
+@dataclass(frozen=True)
+class Window:
+    """∫ f dτ from τ = 0 along an asymptotic motion.
+
+    Attributes
+    ----------
+    period : float
+        In τ, of the periodic motions on either side.
+    edges : array (p + 1,)
+        Of the panels, in τ.
+    sums : array (m, p + 1)
+        The quadratures at the edges, from τ = 0.
+    panels : array (NODES + 1, m, p)
+        Legendre coefficients of the quadratures from the left edge of each panel.
+    before, after : Quadratures
+        Of the limits.
+    """
+
+    period: float
+    edges: Any
+    sums: Any
+    panels: Any
+    before: Quadratures
+    after: Quadratures
+
+    def within(self, tau: Any) -> Any:
+        """The quadratures (m, n) at τ inside the window."""
+        place = np.clip(np.searchsorted(self.edges, tau) - 1, 0, len(self.edges) - 2)
+        low, high = self.edges[place], self.edges[place + 1]
+        x = (2 * tau - low - high) / (high - low)
+        found = np.polynomial.legendre.legval(x, self.panels[:, :, place], tensor=False)
+        return self.sums[:, place] + found
+
+    @cached_property
+    def _table(self) -> tuple[Any, Any]:
+        tau = np.linspace(self.edges[0], self.edges[-1], 16 * len(self.edges))
+        return tau, self.within(tau)[0]
+
+    def when(self, times: Any) -> Moment:
+        """Where the motion is at `times`."""
+        inside = np.clip(times, self.sums[0, 0], self.sums[0, -1])
+        tau, stands = self._table
+        found = np.interp(inside, stands, tau)
+        rates = np.gradient(stands, tau)
+        for _ in range(8):
+            found = found - (self.within(found)[0] - inside) / np.interp(found, tau, rates)
+            found = np.clip(found, self.edges[0], self.edges[-1])
+        moment = Moment(found, np.zeros_like(found), self.within(found)[1:])
+        for chosen, side, edge in (
+            (times < self.sums[0, 0], self.before, 0),
+            (times > self.sums[0, -1], self.after, -1),
+        ):
+            if chosen.any():
+                self._continue(moment, chosen, times, side, edge)
+        return moment
+
+    def _continue(
+        self, moment: Moment, chosen: Any, times: Any, side: Quadratures, edge: int
+    ) -> None:
+        """Put the moments beyond an edge where the limit has them."""
+        start = float(self.edges[edge])
+        turns = np.floor(start / side.period)
+        reached = side.up_to(np.array([start - turns * side.period]))[:, 0]
+        reached = reached + turns * side.means * side.period
+        offset = reached - self.sums[:, edge]
+        beyond = side.when(times[chosen], float(offset[0]))
+        moment.rest[chosen] = beyond.rest
+        moment.turns[chosen] = beyond.turns
+        moment.integrals[:, chosen] = beyond.integrals - offset[1:, None]
+
+
+def window(motion: Asymptotic, integrands: Integrands, turn: Any) -> Window:
+    """Quadratures along an asymptotic motion.
+
+    Parameters
+    ----------
+    motion : Asymptotic
+    integrands : callable
+    turn : arb
+        What the clock gains in a period of the limits.
+    """
+    growth, offset = float(motion.growth), float(motion.offset)
+    ends = np.sort([(-FADED - offset) / growth, (FADED - offset) / growth])
+    ends = np.array([min(ends[0], 0.0), max(ends[1], 0.0)])
+    step = SPAN / max(abs(float(motion.speed)), abs(growth))
+    edges = np.linspace(*ends, int(np.ceil((ends[1] - ends[0]) / step)) + 1)
+    nodes, weights = np.polynomial.legendre.leggauss(NODES)
+    half = np.diff(edges) / 2
+    tau = (edges[:-1] + half) + np.multiply.outer(nodes, half)
+    nu, rate = direction_array(*motion.array(tau.ravel(), 0.0))
+    values = integrands(nu, rate).reshape(-1, *tau.shape)
+    order = np.arange(NODES)
+    basis = np.polynomial.legendre.legvander(nodes, NODES - 1)
+    inverse = (basis * weights[:, None]).T * (order[:, None] + 0.5)
+    coefficients = np.einsum("kn,mnp->kmp", inverse, values)
+    panels = np.polynomial.legendre.legint(coefficients, lbnd=-1) * half
+    gains = panels.sum(0)
+    sums = np.concatenate([np.zeros((len(gains), 1)), np.cumsum(gains, axis=1)], axis=1)
+    sides = [quadratures(motion.limit(side), integrands, turn) for side in (-1, 1)]
+    if growth < 0:
+        sides.reverse()
+    made = Window(float(motion.period), edges, sums, panels, sides[0], sides[1])
+    return Window(made.period, edges, sums - made.within(np.zeros(1)), panels, sides[0], sides[1])
+
+
+def along(motion: Numerators, integrands: Integrands, turn: Any) -> Quadratures | Window:
+    """Quadratures along any degenerate motion."""
+    if isinstance(motion, Periodic):
+        return quadratures(motion, integrands, turn)
+    assert isinstance(motion, Asymptotic)
+    return window(motion, integrands, turn)
