@@ -1,8 +1,8 @@
-"""Separable systems along motions that were integrated with 34 digits."""
+"""Separable systems put to the test: along motions of 34 digits, and with slips in them."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -10,9 +10,11 @@ import mpmath
 import sympy as sp
 
 from chaplygin.explicit.separable import Separable, nu, nuprime
+from chaplygin.explicit.stated import stated
 from chaplygin.flow.trajectory import integrate
+from chaplygin.statements import Law
 from chaplygin.system import System
-from chaplygin.vectors import explicit
+from chaplygin.vectors import cross, explicit
 
 DIGITS = 34
 
@@ -83,6 +85,43 @@ def abel_sums(separable: Separable, known: Values) -> tuple[Any, Any]:
         sums[0] += rate / y
         sums[1] += z * rate / y
     return sums[0], sums[1]
+
+
+def follows(
+    separable: Separable, start: Sequence[Any], parameters: Mapping[str, Any], error: float
+) -> None:
+    """Assert all that a Separable says, along a motion, up to `error`."""
+    motion = states(separable.system, start, parameters)
+    with mpmath.workdps(DIGITS):
+        begin = located(separable, motion[0])
+        for values in motion:
+            known = located(separable, values)
+            for found, speed in zip(abel_sums(separable, known), separable.speeds, strict=True):
+                assert abs(found - at(speed, known)) < error
+            for symbol, _ in separable.constants:
+                assert abs(known[symbol] - begin[symbol]) < error
+            for symbol, value in restored(separable, known).items():
+                assert abs(value - known[symbol]) < error
+            assert at(separable.clock, known) > 0
+
+
+def slips(separable: Separable) -> Iterator[tuple[str, Law]]:
+    """What a Separable would claim with one formula wrong; every one of the claims is false."""
+    roots, (a, b), weights = separable.roots, separable.speeds, separable.weights
+    wrong: dict[str, tuple[str, dict[str, Any]]] = {
+        "leading": ("separation", {"leading": 2 * separable.leading}),
+        "root": ("separation", {"roots": (*roots[:-1], 2 * roots[-1])}),
+        "weight": ("separation", {"weights": (2 * weights[0], *weights[1:])}),
+        "speed": ("separation", {"speeds": (a, 2 * b)}),
+        "clock": ("direction", {"clock": 2 * separable.clock}),
+        "state": ("reconstruction", {"state": tuple((n, 2 * v) for n, v in separable.state)}),
+    }
+    if separable.fixed:
+        moving = cross(separable.fixed[0], separable.system.symbols[0] * separable.fixed[-1])
+        wrong["fixed"] = ("fixed_1", {"fixed": (moving + separable.fixed[-1],)})
+    for slip, (name, changes) in wrong.items():
+        (law,) = (law for law in stated(replace(separable, **changes)) if law.name == name)
+        yield slip, law
 
 
 def restored(separable: Separable, known: Values) -> Values:

@@ -143,7 +143,8 @@ def _separated(separable: Separable) -> tuple[Any, Any]:
     moving = (totalprime, -productprime)
     other = (a, b - a * total)
     curve: Linear = (sp.S.Zero, separable.leading)
-    for root in separable.roots:
+    # the poles last: roots of a quadratic meet first, and their square root is gone
+    for root in reversed(separable.roots):
         curve = _times(curve, (sp.S.One, -root))
     left = _times(moving, moving)
     right = _times(_times(other, other), curve)
