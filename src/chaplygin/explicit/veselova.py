@@ -11,37 +11,62 @@ F = 0 is rest: then Iω is parallel to γ, and 2h = (Iω, ω) = 0 with it.
 
 from __future__ import annotations
 
+from typing import Any
+
 import sympy as sp
 
 from ..systems import from_catalogue
-from ..systems.veselova import DENSITY, DET_I, KINETIC, A, F, I, gamma, h, omega
-from ..vectors import cross, dot, normed
+from ..systems.veselova import A, F, I, gamma, h, omega
+from ..vectors import Diagonal, cross, dot, normed
 from .poles import gaps
 from .separable import Separable, nu, nuprime
 from .stated import with_laws
 
-__all__ = ["veselova"]
+__all__ = ["separated", "veselova"]
 
 
 def veselova() -> Separable:
     """The Veselova system with any three different principal moments."""
+    return separated(
+        "veselova", "Veselova system without a field", I, I.symbols, "Remark 16, (6.4)"
+    )
+
+
+def separated(
+    name: str, title: str, tensor: Diagonal, moments: tuple[Any, ...], source: str
+) -> Separable:
+    """A system of the catalogue that moves as the Veselova system.
+
+    Parameters
+    ----------
+    name, title : str
+        Of the system; its state is ω, γ, and its definition A the inverse of `tensor`.
+    tensor : Diagonal
+        What stands for the inertia tensor I, as the system names it.
+    moments : three formulas
+        Its diagonal, in the parameters.
+    source : str
+    """
     clock = sp.sqrt(dot(nu, A * nu))
     return with_laws(
         Separable(
-            name="veselova",
-            title="Veselova system without a field",
-            system=from_catalogue("veselova"),
-            constants=((h, KINETIC), (F, normed(cross(I * omega, gamma)))),
+            name=name,
+            title=title,
+            system=from_catalogue(name),
+            constants=(
+                (h, dot(tensor * omega, omega) / 2),
+                (F, normed(cross(tensor * omega, gamma))),
+            ),
             direction=gamma,
-            turning=DENSITY * cross(gamma, omega),
-            poles=I.symbols,
-            weights=tuple(1 / gap for gap in gaps(I.symbols)),
-            leading=-8 * h / DET_I,
-            roots=(*I.symbols, sp.S.Zero, F / (2 * h)),
+            turning=sp.sqrt(dot(gamma, A * gamma)) * cross(gamma, omega),
+            poles=moments,
+            weights=tuple(1 / gap for gap in gaps(moments)),
+            leading=-8 * h / sp.Mul(*moments),
+            roots=(*moments, sp.S.Zero, F / (2 * h)),
             speeds=(sp.S.Zero, sp.S.One),
             clock=clock,
             state=((omega, cross(nuprime, nu) / clock), (gamma, nu)),
-            fixed=(gamma, cross(I * omega, gamma)),
-            source="Remark 16, (6.4)",
+            fixed=(gamma, cross(tensor * omega, gamma)),
+            source=source,
         )
     )
