@@ -14,9 +14,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .degenerate_motion import Asymptotic, Numerators, Periodic, direction_array
+from .degenerate_motion import Asymptotic, Periodic, direction_array
+from .phases import halves, turned
 
-__all__ = ["Moment", "Quadratures", "Window", "quadratures", "remainder"]
+__all__ = ["Moment", "Quadratures", "Window", "along"]
 
 #: The integrands at ν, ν′ (3, n): an array (m, n), the clock first.
 Integrands = Callable[[Any, Any], Any]
@@ -36,27 +37,6 @@ class Moment(NamedTuple):
     integrals: Any
 
 
-def remainder(times: Any, period: tuple[float, float]) -> tuple[Any, Any]:
-    """Times modulo a period given as a sum of two doubles, and how many periods were taken off.
-
-    The product with the first double is split into two doubles by Dekker's method, so that the
-    remainder is as exact as the period and the time themselves.
-    """
-    high, low = period
-    turns = np.floor(times / high)
-    product = turns * high
-    parts = [_split(turns), _split(np.asarray(high))]
-    (a, b), (c, d) = parts
-    error = ((a * c - product) + a * d + b * c) + b * d
-    return ((times - product) - error) - turns * low, turns
-
-
-def _split(number: Any) -> tuple[Any, Any]:
-    wide = 134217729.0 * number
-    high = wide - (wide - number)
-    return high, number - high
-
-
 @dataclass(frozen=True)
 class Quadratures:
     """∫ f dτ from τ = 0 along a periodic motion.
@@ -65,8 +45,10 @@ class Quadratures:
     ----------
     period : float
         In τ.
-    turn : (float, float)
-        What the clock gains in a period, as a sum of two doubles.
+    turn : float
+        What the clock gains in a period.
+    frequency : (float, float)
+        Periods in a unit of time, as a sum of two doubles.
     means : array (m,)
         Of the integrands.
     waves : array (m, k) of complex numbers
@@ -74,7 +56,8 @@ class Quadratures:
     """
 
     period: float
-    turn: tuple[float, float]
+    turn: float
+    frequency: tuple[float, float]
     means: Any
     waves: Any
 
@@ -110,17 +93,18 @@ class Quadratures:
 
     def when(self, times: Any, offset: float = 0.0) -> Moment:
         """Where the motion is when the clock stands at `times` + `offset`."""
-        rest, turns = remainder(times, self.turn)
-        total = sum(self.turn)
-        more = np.floor((rest + offset) / total)
-        rest = self.clock_inverted(rest + offset - more * total)
-        integrals = self.up_to(rest)[1:]
+        part = turned(self.frequency, times, 1.0)
+        turns = np.rint(times * self.frequency[0] - part)
+        stands = part * self.turn + offset
+        more = np.floor(stands / self.turn)
+        rest = self.clock_inverted(stands - more * self.turn)
         turns = turns + more
+        integrals = self.up_to(rest)[1:]
         whole = np.multiply.outer(self.means[1:] * self.period, turns)
         return Moment(rest, turns, integrals + whole)
 
 
-def quadratures(motion: Periodic, integrands: Integrands, turn: Any) -> Quadratures:
+def _periodic(motion: Periodic, integrands: Integrands, turn: Any) -> Quadratures:
     """Means and Fourier series along a periodic motion.
 
     Parameters
@@ -144,8 +128,9 @@ def quadratures(motion: Periodic, integrands: Integrands, turn: Any) -> Quadratu
     kept = waves[:, 1:-1]
     needed = np.nonzero((np.abs(kept) > 1e-17 * size).any(0))[0]
     kept = kept[:, : (needed[-1] + 1 if len(needed) else 1)]
-    high = float(turn.mid())
-    return Quadratures(period, (high, float((turn - high).mid())), waves[:, 0].real, kept)
+    return Quadratures(
+        period, float(turn.mid()), halves(1 / turn), waves[:, 0].real, kept
+    )
 
 
 @dataclass(frozen=True)
@@ -207,19 +192,21 @@ class Window:
     def _continue(
         self, moment: Moment, chosen: Any, times: Any, side: Quadratures, edge: int
     ) -> None:
-        """Put the moments beyond an edge where the limit has them."""
+        """Put the moments beyond an edge where the limit has them, within a period of the edge."""
         start = float(self.edges[edge])
-        turns = np.floor(start / side.period)
-        reached = side.up_to(np.array([start - turns * side.period]))[:, 0]
-        reached = reached + turns * side.means * side.period
-        offset = reached - self.sums[:, edge]
+        first = np.floor(start / side.period)
+        reached = side.up_to(np.array([start - first * side.period]))[:, 0]
+        offset = reached + first * side.means * side.period - self.sums[:, edge]
         beyond = side.when(times[chosen], float(offset[0]))
-        moment.rest[chosen] = beyond.rest
-        moment.turns[chosen] = beyond.turns
+        near = beyond.rest + first * side.period
+        near = near + side.period * ((edge == -1) & (near < start))
+        near = near - side.period * ((edge == 0) & (near > start))
+        moment.rest[chosen] = near
+        moment.turns[chosen] = beyond.turns + np.rint((beyond.rest - near) / side.period)
         moment.integrals[:, chosen] = beyond.integrals - offset[1:, None]
 
 
-def window(motion: Asymptotic, integrands: Integrands, turn: Any) -> Window:
+def _asymptotic(motion: Asymptotic, integrands: Integrands, turn: Any) -> Window:
     """Quadratures along an asymptotic motion.
 
     Parameters
@@ -230,10 +217,10 @@ def window(motion: Asymptotic, integrands: Integrands, turn: Any) -> Window:
         What the clock gains in a period of the limits.
     """
     growth, offset = float(motion.growth), float(motion.offset)
-    ends = np.sort([(-FADED - offset) / growth, (FADED - offset) / growth])
-    ends = np.array([min(ends[0], 0.0), max(ends[1], 0.0)])
+    crossings = ((-FADED - offset) / growth, (FADED - offset) / growth)
+    low, high = min(*crossings, 0.0), max(*crossings, 0.0)
     step = SPAN / max(abs(float(motion.speed)), abs(growth))
-    edges = np.linspace(*ends, int(np.ceil((ends[1] - ends[0]) / step)) + 1)
+    edges = np.linspace(low, high, int(np.ceil((high - low) / step)) + 1)
     nodes, weights = np.polynomial.legendre.leggauss(NODES)
     half = np.diff(edges) / 2
     tau = (edges[:-1] + half) + np.multiply.outer(nodes, half)
@@ -246,16 +233,17 @@ def window(motion: Asymptotic, integrands: Integrands, turn: Any) -> Window:
     panels = np.polynomial.legendre.legint(coefficients, lbnd=-1) * half
     gains = panels.sum(0)
     sums = np.concatenate([np.zeros((len(gains), 1)), np.cumsum(gains, axis=1)], axis=1)
-    sides = [quadratures(motion.limit(side), integrands, turn) for side in (-1, 1)]
+    sides = [_periodic(motion.limit(side), integrands, turn) for side in (-1, 1)]
     if growth < 0:
         sides.reverse()
     made = Window(float(motion.period), edges, sums, panels, sides[0], sides[1])
     return Window(made.period, edges, sums - made.within(np.zeros(1)), panels, sides[0], sides[1])
 
 
-def along(motion: Numerators, integrands: Integrands, turn: Any) -> Quadratures | Window:
+def along(
+    motion: Periodic | Asymptotic, integrands: Integrands, turn: Any
+) -> Quadratures | Window:
     """Quadratures along any degenerate motion."""
     if isinstance(motion, Periodic):
-        return quadratures(motion, integrands, turn)
-    assert isinstance(motion, Asymptotic)
-    return window(motion, integrands, turn)
+        return _periodic(motion, integrands, turn)
+    return _asymptotic(motion, integrands, turn)

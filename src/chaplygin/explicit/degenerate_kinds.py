@@ -9,7 +9,7 @@ import numpy as np
 from flint import arb, arb_mat
 
 from .degenerate_curve import Oval, oval_around
-from .degenerate_motion import Asymptotic, Numerators, Periodic, direction, direction_array
+from .degenerate_motion import Asymptotic, Periodic, direction, direction_array
 from .degenerate_start import Beginning
 
 __all__ = ["COLLIDED", "double_roots", "motion"]
@@ -34,28 +34,27 @@ def double_roots(beginning: Beginning) -> list[tuple[Any, list[Any]]]:
     return found
 
 
-def motion(beginning: Beginning, e: Any, others: list[Any]) -> Numerators | None:
+def motion(beginning: Beginning, e: Any, others: list[Any]) -> Periodic | Asymptotic | None:
     """The motion on the curve with the double root e.
 
     Returns
     -------
-    Numerators or None
+    Periodic, Asymptotic or None
         None when both variables move away from e, or the curve degenerates further.
     """
-    a, b = beginning.speeds
-    drift = b - a * e
     if abs(beginning.separating(e).mid()) < COLLIDED * beginning.size**2:
         z = beginning.total[0] - e
         oval = oval_around(beginning.leading, others, z)
-        return None if oval is None else _one_frequency(beginning, e, z, oval, drift / oval.scale)
+        return None if oval is None else _one_frequency(beginning, e, z, oval)
     oval = oval_around(beginning.leading, others, e)
     if oval is None or not beginning.separating(e) < 0:
         return None
-    return _between(beginning, e, oval, drift / oval.scale)
+    return _between(beginning, e, oval)
 
 
-def _one_frequency(beginning: Beginning, e: Any, z: Any, oval: Oval, speed: Any) -> Periodic:
-    phase = oval.phase(z, beginning.total[1] / speed)
+def _one_frequency(beginning: Beginning, e: Any, z: Any, oval: Oval) -> Periodic:
+    speed, turn = ((b - a * e) / oval.scale for a, b in (beginning.speeds, beginning.along))
+    phase = oval.phase(z, beginning.total[1] / turn)
     indices, amplitudes = [], []
     parts = zip(beginning.poles, beginning.weights, beginning.nu, beginning.nuprime, strict=True)
     for pole, weight, nu, rate in parts:
@@ -67,20 +66,22 @@ def _one_frequency(beginning: Beginning, e: Any, z: Any, oval: Oval, speed: Any)
         size = abs(weight * (pole - e) * oval.factor(pole)).sqrt()
         value, slope = oval.thetas.pair(index, phase)
         # the sign is read off the component, or off its rate where the component is small
-        slope = slope * speed
-        seen = nu * value if abs(nu) > abs(rate / speed) else rate * slope
+        seen = nu * value if abs(nu) > abs(rate / turn) else rate * slope * turn
         indices.append(index)
         amplitudes.append(size if seen > 0 else -size)
-    return Periodic(oval.thetas, tuple(indices), tuple(amplitudes), phase.mid(), speed)
+    return Periodic(oval.thetas, tuple(indices), tuple(amplitudes), phase.mid(), speed, turn)
 
 
-def _between(beginning: Beginning, e: Any, oval: Oval, speed: Any) -> Asymptotic | None:
-    a = beginning.speeds[0]
+def _between(beginning: Beginning, e: Any, oval: Oval) -> Asymptotic:
     slope = oval.square(e).sqrt()
     s = oval.phase(e, slope * oval.scale)
     value, rate = oval.thetas.pair(1, s)
     constant = slope * oval.scale / (oval.ends[0] - e) + 2 * rate / value
-    growth = (a * slope - constant * speed) / 2
+    (speed, growth), turn = (
+        (U, (a * slope - constant * U) / 2)
+        for a, b in (beginning.speeds, beginning.along)
+        for U in [(b - a * e) / oval.scale]
+    )
     indices, amplitudes = [], []
     for pole, weight in zip(beginning.poles, beginning.weights, strict=True):
         index = oval.index(pole)
@@ -93,7 +94,7 @@ def _between(beginning: Beginning, e: Any, oval: Oval, speed: Any) -> Asymptotic
             size = oval.factor(pole) * oval.thetas.value(index, s)
         amplitudes.append(root * abs(size))
     made = Asymptotic(
-        oval.thetas, s, tuple(indices), tuple(amplitudes), arb(0), speed, arb(0), growth
+        oval.thetas, s, tuple(indices), tuple(amplitudes), arb(0), speed, arb(0), growth, turn
     )
     return _begun(made, beginning)
 
@@ -101,8 +102,8 @@ def _between(beginning: Beginning, e: Any, oval: Oval, speed: Any) -> Asymptotic
 def _begun(made: Asymptotic, beginning: Beginning) -> Asymptotic:
     """The motion with the phases U, κ and the reflections that the start has."""
     target = np.array([[float(x) for x in beginning.nu], [float(x) for x in beginning.nuprime]])
-    speed, growth, s = float(made.speed), float(made.growth), float(made.shift)
-    unit = np.abs([[1.0], [max(abs(speed), abs(growth))]]) * np.ones((2, 3))
+    rate = max(abs(float(x)) for x in made.turn)
+    unit = np.array([[1.0], [rate]]) * np.ones((2, 3))
     dying = made.indices.index(0)
     small = np.hypot(target[0, dying], target[1, dying] / unit[1, dying])
     unit[:, dying] *= small
@@ -111,12 +112,12 @@ def _begun(made: Asymptotic, beginning: Beginning) -> Asymptotic:
         np.linspace(0, 2 * np.pi, 121)[:-1], np.arange(-reach, reach, 0.1), indexing="ij"
     )
     phases = (U.ravel(), kappa.ravel())
-    nu, rate = direction_array(*made.with_phases(*phases, speed, growth, s))
+    nu, rates = direction_array(*made.with_phases(*phases))
     guesses = []
     for signs in product((1, -1), repeat=3):
         turned = np.array(signs)[:, None]
         gap = (turned * nu - target[0][:, None]) / unit[0][:, None]
-        rate_gap = (turned * rate - target[1][:, None]) / unit[1][:, None]
+        rate_gap = (turned * rates - target[1][:, None]) / unit[1][:, None]
         miss = (gap**2 + rate_gap**2).sum(0)
         best = int(np.argmin(miss))
         guesses.append((miss[best], phases[0][best], phases[1][best], signs))

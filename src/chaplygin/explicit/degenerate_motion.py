@@ -32,7 +32,10 @@ Triples = tuple[list[Any], list[Any]]
 
 
 class Numerators(ABC):
-    """N(τ) and N′(τ), both up to one common factor."""
+    """N and N′ as functions of τ, both up to one common factor.
+
+    N′ is the derivative along the flow that makes ν′, which may be another one than that of τ.
+    """
 
     @property
     @abstractmethod
@@ -61,6 +64,8 @@ class Periodic(Numerators):
         c_i, with signs; zero for a component that vanishes.
     phase, speed : arb
         v₀ and Ω.
+    turn : arb
+        dv for the flow along which N′ is taken.
     """
 
     thetas: Thetas
@@ -68,6 +73,7 @@ class Periodic(Numerators):
     amplitudes: tuple[Any, ...]
     phase: Any
     speed: Any
+    turn: Any
 
     @property
     def period(self) -> Any:
@@ -76,7 +82,7 @@ class Periodic(Numerators):
     def at(self, tau: Any) -> Triples:
         v = self.phase + self.speed * tau
         pairs = [
-            (c * value, c * self.speed * slope)
+            (c * value, c * self.turn * slope)
             for c, (value, slope) in zip(
                 self.amplitudes, (self.thetas.pair(i, v) for i in self.indices), strict=True
             )
@@ -84,13 +90,13 @@ class Periodic(Numerators):
         return [value for value, _ in pairs], [slope for _, slope in pairs]
 
     def array(self, tau: Any, turns: Any) -> tuple[Any, Any]:
-        speed = float(self.speed)
-        v = float(self.phase) + speed * tau
+        turn = float(self.turn)
+        v = float(self.phase) + float(self.speed) * tau
         values, slopes = [], []
         for c, index in zip(self.amplitudes, self.indices, strict=True):
             value, slope = self.thetas.array(index, v)
             values.append(float(c) * value)
-            slopes.append(float(c) * speed * slope)
+            slopes.append(float(c) * turn * slope)
         return np.array(values), np.array(slopes)
 
 
@@ -111,6 +117,8 @@ class Asymptotic(Numerators):
         U = phase + speed · τ.
     offset, growth : arb
         κ = offset + growth · τ.
+    turn : (arb, arb)
+        dU and dκ for the flow along which N′ is taken.
     """
 
     thetas: Thetas
@@ -121,6 +129,7 @@ class Asymptotic(Numerators):
     speed: Any
     offset: Any
     growth: Any
+    turn: tuple[Any, Any]
 
     @property
     def period(self) -> Any:
@@ -138,31 +147,32 @@ class Asymptotic(Numerators):
 
     def _combined(self, U: Any, down: Any, up: Any, middle: Any) -> Triples:
         pair, s = self.thetas.pair, self.shift
+        speed, growth = self.turn
         values, slopes = [], []
         for c, index in zip(self.amplitudes, self.indices, strict=True):
             if index == 0:
                 value, slope = pair(1, U)
-                value, slope = middle * value, middle * self.speed * slope
+                value, slope = middle * value, middle * speed * slope
             else:
                 sign = -1 if index == 1 else 1
                 (one, one_slope), (two, two_slope) = pair(index, U - s), pair(index, U + s)
                 value = down * one + sign * up * two
-                slope = down * (self.speed * one_slope - self.growth * one)
-                slope += sign * up * (self.speed * two_slope + self.growth * two)
+                slope = down * (speed * one_slope - growth * one)
+                slope += sign * up * (speed * two_slope + growth * two)
             values.append(c * value)
             slopes.append(c * slope)
         return values, slopes
 
     def array(self, tau: Any, turns: Any) -> tuple[Any, Any]:
-        speed, growth, s = float(self.speed), float(self.growth), float(self.shift)
-        U = float(self.phase) + speed * tau
+        growth = float(self.growth)
+        U = float(self.phase) + float(self.speed) * tau
         kappa = float(self.offset) + growth * tau + growth * float(self.period) * turns
-        return self.with_phases(U, kappa, speed, growth, s)
+        return self.with_phases(U, kappa)
 
-    def with_phases(
-        self, U: Any, kappa: Any, speed: float, growth: float, s: float
-    ) -> tuple[Any, Any]:
+    def with_phases(self, U: Any, kappa: Any) -> tuple[Any, Any]:
         """N and N′ (3, n) for given U and κ (arrays)."""
+        speed, growth = (float(x) for x in self.turn)
+        s = float(self.shift)
         size = np.abs(kappa)
         down, up, middle = np.exp(-kappa - size), np.exp(kappa - size), np.exp(-size)
         values, slopes = [], []
@@ -189,7 +199,7 @@ class Asymptotic(Numerators):
         )
         indices = tuple(index or 1 for index in self.indices)
         phase = self.phase + side * self.shift
-        return Periodic(self.thetas, indices, amplitudes, phase, self.speed)
+        return Periodic(self.thetas, indices, amplitudes, phase, self.speed, self.turn[0])
 
     def begun(self, phase: Any, offset: Any, signs: Sequence[int]) -> Asymptotic:
         """The same motion begun elsewhere, with components reflected."""

@@ -1,7 +1,7 @@
 """Where a motion of a separated system begins, in numbers of high precision.
 
 A start is a row of numbers that are taken exactly and moved onto the phase space (and onto the
-level of the separation) by Newton's method, to far more digits than are asked of the motion.
+level of the separation) to far more digits than are asked of the motion.
 """
 
 from __future__ import annotations
@@ -12,19 +12,16 @@ from typing import Any
 
 import mpmath
 import sympy as sp
-from flint import arb, arb_mat, ctx
+from flint import arb, ctx
 
-from ..system import System
-from ..vectors import explicit
 from .numbers import ball, components, evaluated
 from .separable import Separable
+from .start import on_phase_space
 
-__all__ = ["PRECISION", "Beginning", "begin", "constants_of", "exact_ball", "on_phase_space"]
+__all__ = ["PRECISION", "Beginning", "begin", "constants_of", "exact_ball"]
 
 #: Bits in which starts are worked out.
 PRECISION = 420
-#: What is left of a relation after normalising counts as zero.
-SETTLED = arb(2) ** (-380)
 
 
 @dataclass(frozen=True)
@@ -40,9 +37,11 @@ class Beginning:
     nu, nuprime : tuples of three arb
         ν and ν′.
     poles, weights, roots, speeds : tuples of arb
+    along : (arb, arb)
+        The speeds of the flow along which ν′ is the derivative.
     leading : arb
     total, product : (arb, arb)
-        z₁ + z₂ and z₁z₂, each with its derivative in τ.
+        z₁ + z₂ and z₁z₂, each with its derivative along that flow.
     """
 
     values: Mapping[sp.Symbol, Any]
@@ -53,6 +52,7 @@ class Beginning:
     weights: tuple[Any, ...]
     roots: tuple[Any, ...]
     speeds: tuple[Any, ...]
+    along: tuple[Any, ...]
     leading: Any
     total: tuple[Any, Any]
     product: tuple[Any, Any]
@@ -83,51 +83,15 @@ def constants_of(separable: Separable, state: Sequence[Any], values: Mapping[Any
     separable : Separable
     state : sequence of arb
         The reduced state.
-    values : mapping of Symbol to number
+    values : mapping of Symbol to arb
         The parameters.
     """
-    known = {symbol: exact_ball(value) for symbol, value in values.items()}
-    known |= dict(zip(separable.system.symbols, state, strict=True))
+    known = {**values, **dict(zip(separable.system.symbols, state, strict=True))}
     for symbol, formula in separable.system.steps:
         (known[symbol],) = evaluated([formula], known)
     for symbol, formula in separable.constants:
         (known[symbol],) = evaluated(components(formula), known)
     return known
-
-
-def on_phase_space(
-    system: System, relations: Sequence[Any], state: Sequence[Any], values: Mapping[Any, Any]
-) -> tuple[Any, ...]:
-    """The state moved onto the relations, by the shortest way to first order.
-
-    Parameters
-    ----------
-    system : System
-        Its definitions may occur in the relations.
-    relations : sequence of scalar formulas
-        Vanish on the phase space.
-    state : sequence of arb
-    values : mapping of Symbol to number
-
-    Returns
-    -------
-    tuple of arb
-        Exact numbers.
-    """
-    plain = [explicit(relation).subs(system.steps[::-1]) for relation in relations]
-    slopes = [[sp.diff(relation, s) for s in system.symbols] for relation in plain]
-    kept = [(r, row) for r, row in zip(plain, slopes, strict=True) if any(row)]
-    point = [x.mid() for x in state]
-    parameters = {symbol: exact_ball(value) for symbol, value in values.items()}
-    while kept:
-        known = parameters | dict(zip(system.symbols, point, strict=True))
-        missed = arb_mat([[x] for x in evaluated([r for r, _ in kept], known)])
-        if all(abs(x.mid()) < SETTLED for x in missed.entries()):
-            break
-        slope = arb_mat([list(evaluated(row, known)) for _, row in kept])
-        step = slope.transpose() * (slope * slope.transpose()).solve(missed)
-        point = [(x - d).mid() for x, d in zip(point, step.entries(), strict=True)]
-    return tuple(point)
 
 
 def begin(separable: Separable, values: Mapping[Any, Any], start: Sequence[Any]) -> Beginning:
@@ -141,19 +105,16 @@ def begin(separable: Separable, values: Mapping[Any, Any], start: Sequence[Any])
     start : sequence of numbers
         The state, reduced or lifted, in flat order; floats are taken as exact binary numbers.
     """
-    before = ctx.prec
-    ctx.prec = PRECISION
-    try:
+    with ctx.workprec(PRECISION):
         return _begin(separable, values, start)
-    finally:
-        ctx.prec = before
 
 
 def _begin(separable: Separable, values: Mapping[Any, Any], start: Sequence[Any]) -> Beginning:
     system = separable.system
     given = [exact_ball(x) for x in start[: len(system.symbols)]]
-    state = on_phase_space(system, (*system.relations, *separable.level), given, values)
-    known = constants_of(separable, state, values)
+    exact = {symbol: exact_ball(value) for symbol, value in values.items()}
+    state = on_phase_space(system, separable.level, given, exact)
+    known = constants_of(separable, state, exact)
 
     def numbers(formulas: Any) -> tuple[Any, ...]:
         return tuple(evaluated(components(sp.Matrix(list(formulas))), known))
@@ -173,6 +134,7 @@ def _begin(separable: Separable, values: Mapping[Any, Any], start: Sequence[Any]
         weights,
         numbers(separable.roots),
         numbers(separable.speeds),
+        numbers(separable.along or separable.speeds),
         leading,
         total,
         product,

@@ -1,0 +1,70 @@
+"""The sign of a quaternion followed along a motion that is periodic, or so on either side."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+__all__ = ["Signs", "signs"]
+
+#: Points in a period at which the quaternion is remembered.
+POINTS = 512
+
+
+@dataclass(frozen=True)
+class Signs:
+    """Quaternions with continuous signs on a grid in τ.
+
+    Attributes
+    ----------
+    low, step : float
+        The grid.
+    table : array (n, 4)
+        From a period before the first edge to a period after the last.
+    flips : (±1, ±1)
+        By what the quaternion is multiplied over a period before and after.
+    """
+
+    low: float
+    step: float
+    table: Any
+    flips: tuple[float, float]
+
+    def signed(self, tau: Any, turns: Any, quaternions: Any) -> Any:
+        """Quaternions (n, 4) at τ on the grid, `turns` periods later, with their signs."""
+        place = np.clip(np.rint((tau - self.low) / self.step), 0, len(self.table) - 1)
+        near = self.table[place.astype(int)]
+        agree = np.sum(near * quaternions, axis=1) < 0
+        flip = np.where(turns < 0, self.flips[0], self.flips[1])
+        sign = np.where(agree, -1.0, 1.0) * np.where(turns % 2 == 1, flip, 1.0)
+        return sign[:, None] * quaternions
+
+
+def signs(
+    attitude: Callable[[Any], Any], first: float, last: float, period: float, start: Any
+) -> Signs:
+    """Follow the sign of a quaternion.
+
+    Parameters
+    ----------
+    attitude : callable
+        τ (n,) ↦ quaternions (n, 4) with any signs.
+    first, last : float
+        Before and after them the attitude is periodic, but for the sign.
+    period : float
+    start : array (4,)
+        The quaternion at τ = 0, with its sign.
+    """
+    step = period / POINTS
+    count = int(np.ceil((last - first) / step)) + 2 * POINTS
+    tau = first - period + step * np.arange(count + 1)
+    table = attitude(tau)
+    change = np.where(np.sum(table[1:] * table[:-1], axis=1) < 0, -1.0, 1.0)
+    table = table * np.concatenate([[1.0], np.cumprod(change)])[:, None]
+    zero = round(-tau[0] / step)
+    table = table * (1.0 if float(table[zero] @ start) > 0 else -1.0)
+    flips = [np.sign(float(table[k] @ table[k + POINTS])) for k in (0, count - POINTS)]
+    return Signs(float(tau[0]), step, table, (float(flips[0]), float(flips[1])))
