@@ -1,0 +1,230 @@
+"""Planes of two integrals, and over each point the curve of genus two of that level.
+
+Most come from a :class:`.separable.Separable`; the Chaplygin ball with any area constant has three
+integrals, of which the plane shows two.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+
+from ..errors import InputError
+from ..system import System
+from ..systems import from_catalogue
+from ..systems.chaplygin_bracket import D, I
+from ..vectors import dot, explicit, normed, scalar, vectors
+from . import ball_sphere, rubber_sphere
+from .bruns import rubber_ball_in_bruns_field, veselova_in_bruns_field
+from .bruns_ball import chaplygin_ball_in_bruns_field
+from .chaplygin_ball import chaplygin_ball
+from .clebsch import clebsch_case
+from .fedorov import fedorov
+from .neumann import neumann_system
+from .problem import exact
+from .rubber_ball_plane import rubber_ball_plane
+from .separable import Separable
+from .veselova import veselova
+
+__all__ = ["PLANES", "Axis", "Bound", "Plane", "numbers", "plane_named", "plane_of"]
+
+#: The variable of the curve.
+Z = scalar("z")
+M, gamma, omega = vectors("M gamma omega")
+
+#: What moves where ν_i vanishes, {} being the number i.
+ROTATION = "permanent rotation about axis {}"
+PENDULUM = "turning or swinging about axis {}, which stays horizontal"
+GREAT_CIRCLE = "motion on the great circle Γ_{} = 0"
+UNSAID = "motion with ν_{} = 0"
+
+
+@dataclass(frozen=True)
+class Axis:
+    """One axis of a diagram.
+
+    Attributes
+    ----------
+    symbol : sympy.Symbol
+    value : sympy expression
+        The integral, in state, definitions and parameters of the system.
+    """
+
+    symbol: sp.Symbol
+    value: Any
+
+
+@dataclass(frozen=True)
+class Bound:
+    """A formula that is positive on the level of every motion but those that `words` describe.
+
+    On these it vanishes; they are periodic and tori surround them.
+    """
+
+    formula: sp.Expr
+    words: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Plane:
+    """A plane of integrals, and its curves y² = ∏(z − e_i) · rest(z).
+
+    Attributes
+    ----------
+    name, title : str
+    system : System
+    level : tuple of sympy.Expr
+        What must vanish for the curve to hold.
+    axes : (Axis, Axis)
+    poles : three formulas
+        e_i, in parameters; the i-th belongs to the body axis i.
+    rest : formula
+        In parameters, the symbols of the axes and :data:`Z`.
+    bounds : tuple of Bound
+    held : pairs of Symbol to float
+        Constants of the motion that the plane holds fixed, with the values they have by default.
+    resting : str
+        What a motion with νᵢ = 0 is, with a place for the number of the axis.
+    """
+
+    name: str
+    title: str
+    system: System
+    level: tuple[Any, ...] = ()
+    axes: tuple[Axis, Axis]
+    poles: tuple[Any, Any, Any]
+    rest: Any
+    bounds: tuple[Bound, ...] = ()
+    held: tuple[tuple[sp.Symbol, float], ...] = ()
+    resting: str = UNSAID
+
+
+def plane_of(separable: Separable, resting: str = UNSAID) -> Plane:
+    """The plane of the two constants of a separated system.
+
+    Raises
+    ------
+    InputError
+        If it has another number of constants.
+    """
+    known = {symbol for symbol, _ in separable.constants} | set(separable.system.defaults)
+    # some constants only abbreviate what is made of others
+    made = [(s, value) for s, value in separable.constants if _symbols(value) <= known]
+    own = [pair for pair in separable.constants if pair not in made]
+    if len(own) != 2:
+        raise InputError(
+            f"{separable.name}: a diagram needs two constants of the motion, and this separation "
+            f"has {len(own)}"
+        )
+    (x, first), (y, second) = own
+    movable = sp.Mul(*(Z - root for root in separable.roots[3:]))
+    return Plane(
+        name=separable.name,
+        title=separable.title,
+        system=separable.system,
+        level=separable.level,
+        axes=(Axis(x, first), Axis(y, second)),
+        poles=separable.poles,
+        rest=(separable.leading * movable).subs(made[::-1]),
+        resting=resting,
+    )
+
+
+def _symbols(formula: Any) -> set[sp.Symbol]:
+    return set(explicit(sp.sympify(formula)).free_symbols)
+
+
+def chaplygin_ball_with_area() -> Plane:
+    """The Chaplygin ball with any area constant g = (M, γ), at a fixed f = M².
+
+    With J = I + D and 1/κ a root x of Q(x) = (2hx − f)(x − D) − Dg² the ball moves as one with
+    x in place of D, the same J and zero area constant (Chaplygin 1903).  The other root of Q takes
+    the place of f/2h, so that in z = w + x the curve is y² = z Q(z) ∏(J_i − z), in which h, f and
+    g² are polynomial and neither root is preferred.  f = g² where M is vertical.
+    """
+    h, f, g = scalar("h"), scalar("f"), scalar("g")
+    ball = from_catalogue("chaplygin-ball")
+    poles = tuple(s + D for s in I.symbols)
+    return Plane(
+        name="chaplygin-ball-area",
+        title="Chaplygin ball with any area constant",
+        system=ball,
+        level=(f - normed(M),),
+        axes=(Axis(h, dot(M, omega) / 2), Axis(g, dot(M, gamma))),
+        poles=(poles[0], poles[1], poles[2]),
+        rest=-4 * Z * ((2 * h * Z - f) * (Z - D) - D * g**2),
+        bounds=(Bound(f - g**2, "motion with the momentum M vertical"),),
+        held=((f, 1.0),),
+        resting=ROTATION,
+    )
+
+
+def bruns_problem() -> Plane:
+    """The Clebsch case with α = 0 and β = 1, on its plane of the two integrals."""
+    found = plane_of(clebsch_case(), GREAT_CIRCLE)
+    system = from_catalogue("clebsch", alpha=0.0, beta=1.0)
+    return replace(found, name="bruns", title="Bruns problem at zero area constant", system=system)
+
+
+PLANES: Mapping[str, Callable[[], Plane]] = {
+    "veselova": lambda: plane_of(veselova(), ROTATION),
+    "veselova-bruns": lambda: plane_of(veselova_in_bruns_field(), PENDULUM),
+    "chaplygin-ball": lambda: plane_of(chaplygin_ball(), ROTATION),
+    "chaplygin-ball-area": chaplygin_ball_with_area,
+    "chaplygin-ball-bruns": lambda: plane_of(chaplygin_ball_in_bruns_field(), PENDULUM),
+    "chaplygin-ball-fedorov": lambda: plane_of(fedorov(), GREAT_CIRCLE),
+    "rubber-chaplygin-ball": lambda: plane_of(rubber_ball_plane(), ROTATION),
+    "rubber-chaplygin-ball-bruns": lambda: plane_of(rubber_ball_in_bruns_field(), PENDULUM),
+    "rubber-ball-of-ratio": lambda: plane_of(rubber_sphere.of_ratio(), ROTATION),
+    "rubber-ball-around-sphere": lambda: plane_of(rubber_sphere.hollow_ball(), ROTATION),
+    "ball-around-sphere": lambda: plane_of(ball_sphere.hollow_ball(), ROTATION),
+    "ball-around-sphere-zero-area": lambda: plane_of(ball_sphere.of_tensor(), ROTATION),
+    "neumann": lambda: plane_of(neumann_system(), GREAT_CIRCLE),
+    "clebsch": lambda: plane_of(clebsch_case(), GREAT_CIRCLE),
+    "bruns": bruns_problem,
+}
+"""The planes that have a name, each made when it is asked for."""
+
+
+def plane_named(name: str) -> Plane:
+    """The plane of that name.
+
+    Raises
+    ------
+    InputError
+        If there is none; the sentence lists the names.
+    """
+    if name not in PLANES:
+        raise InputError(f"no bifurcation diagram {name!r}; there are {', '.join(PLANES)}")
+    return PLANES[name]()
+
+
+def numbers(plane: Plane, given: Mapping[Any, Any]) -> dict[sp.Symbol, Fraction]:
+    """All parameters and held constants, the given ones replacing the defaults; exact.
+
+    Raises
+    ------
+    InputError
+        If a name is unknown, a value is no number, or a held constant is not positive.
+    """
+    known = {str(s): (s, value) for s, value in plane.system.defaults.items()}
+    known |= {str(s): (s, value) for s, value in plane.held}
+    values = dict(known.values())
+    for name, value in given.items():
+        if str(name) not in known:
+            raise InputError(f"{plane.name}: no parameter {name}; it has {', '.join(known)}")
+        values[known[str(name)][0]] = value
+    try:
+        found = {symbol: exact(value) for symbol, value in values.items()}
+    except (ValueError, ZeroDivisionError) as problem:
+        raise InputError(
+            f"{plane.name}: the parameters must be numbers, decimal or rational"
+        ) from problem
+    for symbol, _ in plane.held:
+        if found[symbol] <= 0:
+            raise InputError(f"{plane.name}: {symbol} = {found[symbol]}: it must be positive")
+    return found

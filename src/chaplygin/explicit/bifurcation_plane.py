@@ -1,0 +1,263 @@
+"""The plane cut into cells by algebraic curves, exactly: a cylindrical decomposition.
+
+The curves are polynomials with rational coefficients in two variables x and y.  Over the open
+intervals (columns) between the critical values of x they do not meet and have no vertical
+tangents, so that they lie above each other in a fixed order: arcs, and between them cells.  A cell
+is known by a rational point.  Cells that touch along an open piece of a critical vertical are
+joined.  Curves that are themselves vertical only divide columns.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import combinations, pairwise
+from typing import Any, TypeAlias
+
+from flint import Ordering, arb, ctx, fmpq, fmpq_mpoly_ctx, fmpq_poly
+
+__all__ = [
+    "RING",
+    "Arrangement",
+    "arrangement",
+    "between",
+    "fraction",
+    "irreducible",
+    "isolated",
+    "rational",
+    "separated",
+    "stack",
+    "straight",
+]
+
+#: Polynomials in the two coordinates of the plane and the variable of the curve y² = P(z).
+RING = fmpq_mpoly_ctx.get(("x", "y", "z"), Ordering.lex)
+X, Y, _Z = RING.gens()
+
+Polynomial: TypeAlias = Any
+Cell: TypeAlias = tuple[int, int]
+
+#: Binary digits with which roots are isolated at first; doubled until they are apart.
+FIRST_PRECISION = 64
+
+
+@dataclass(frozen=True)
+class Arrangement:
+    """Curves in the plane, and the cells into which they cut it.
+
+    Attributes
+    ----------
+    curves : tuple of fmpq_mpoly
+        Irreducible, none of them vertical, none twice.
+    abscissae : tuple of arb
+        Critical values of x, increasing.
+    samples : tuple of fmpq
+        One x in every column, one more than there are abscissae.
+    orders : tuple of tuple of int
+        For every column the curves over it, by number, from below.
+    joints : frozenset of pairs of cells
+        Cells of neighbouring columns that touch.  A cell is (column, rank from below).
+    """
+
+    curves: tuple[Polynomial, ...]
+    abscissae: tuple[Any, ...]
+    samples: tuple[fmpq, ...]
+    orders: tuple[tuple[int, ...], ...]
+    joints: frozenset[tuple[Cell, Cell]]
+
+    @property
+    def cells(self) -> Iterator[Cell]:
+        """All cells, column by column, from below."""
+        for column, order in enumerate(self.orders):
+            for rank in range(len(order) + 1):
+                yield column, rank
+
+    @property
+    def arcs(self) -> Iterator[Cell]:
+        """All arcs, as (column, rank): the arc lies above the cell of the same numbers."""
+        for column, order in enumerate(self.orders):
+            for rank in range(len(order)):
+                yield column, rank
+
+    def ordinates(self, column: int, x: fmpq) -> list[Any]:
+        """The heights y (balls) of the arcs over an x of that column."""
+        return [y for y, _ in stack(self.curves, x)]
+
+    def sample(self, cell: Cell) -> tuple[fmpq, fmpq]:
+        """A rational point of a cell."""
+        column, rank = cell
+        x = self.samples[column]
+        return x, _gaps([y for y, _ in stack(self.curves, x)])[rank]
+
+    def cell(self, x: fmpq, y: fmpq) -> Cell | None:
+        """The cell of a point; None on a curve or on a critical vertical."""
+        if any(straight(curve, y=y)(x) == 0 for curve in self.curves):
+            return None
+        column = 0
+        for abscissa in self.abscissae:
+            if abscissa.overlaps(arb(x)):
+                return None
+            column += bool(abscissa < x)
+        return column, _rank(self.curves, x, y)
+
+
+def arrangement(curves: Iterable[Polynomial]) -> Arrangement:
+    """Cut the plane along curves.
+
+    Parameters
+    ----------
+    curves : iterable of fmpq_mpoly
+        In x and y alone; factors are found and counted once.
+    """
+    factors: dict[str, Polynomial] = {}
+    for curve in curves:
+        for factor, _ in curve.factor()[1]:
+            factors.setdefault(str(factor), factor)
+    standing = tuple(f for f in factors.values() if f.degrees()[1] == 0)
+    lying = tuple(f for f in factors.values() if f.degrees()[1] > 0)
+    critical = _critical(lying, standing)
+    roots = separated(critical)
+    samples = tuple(_gaps([root for root, _ in roots]))
+    orders = tuple(tuple(number for _, number in stack(lying, x)) for x in samples)
+    abscissae = tuple(root for root, _ in roots)
+    joints: set[tuple[Cell, Cell]] = set()
+    for place, (_, number) in enumerate(roots):
+        for y in _heights(lying, critical[number]):
+            left, right = _beside(lying, critical, place, y)
+            joints.add(((place, _rank(lying, left, y)), (place + 1, _rank(lying, right, y))))
+    return Arrangement(lying, abscissae, samples, orders, frozenset(joints))
+
+
+def _critical(lying: Sequence[Polynomial], standing: Sequence[Polynomial]) -> list[fmpq_poly]:
+    """Irreducible polynomials in x whose roots are the critical values."""
+    found = list(standing)
+    for curve in lying:
+        height = curve.degrees()[1]
+        found.append(_coefficient(curve, height))
+        if height > 1:
+            found.append(curve.discriminant("y"))
+    found += [one.resultant(other, "y") for one, other in combinations(lying, 2)]
+    return irreducible(map(_in_x, found))
+
+
+def _coefficient(curve: Polynomial, power: int) -> Polynomial:
+    """What stands before a power of y."""
+    return RING.from_dict(
+        {(i, 0, 0): value for (i, j, _), value in curve.to_dict().items() if j == power}
+    )
+
+
+def _in_x(polynomial: Polynomial) -> fmpq_poly:
+    """A polynomial in x alone."""
+    found = fmpq_poly()
+    for (power, _, _), value in polynomial.to_dict().items():
+        found[power] = value
+    return found
+
+
+def straight(curve: Polynomial, *, x: fmpq | None = None, y: fmpq | None = None) -> fmpq_poly:
+    """A curve on the vertical through x or on the horizontal through y, in what is left."""
+    found = fmpq_poly()
+    for (i, j, _), value in curve.to_dict().items():
+        power, factor = (j, x**i) if x is not None else (i, y**j)
+        found[power] = found[power] + value * factor
+    return found
+
+
+def isolated(polynomial: fmpq_poly) -> list[Any]:
+    """The real roots of a polynomial, as balls apart from each other, in no order."""
+    if polynomial.degree() < 1:
+        return []
+    roots: Any = polynomial.complex_roots()
+    return [root.real for root, _ in roots if isinstance(root, arb) or root.imag == 0]
+
+
+def separated(polynomials: Sequence[fmpq_poly]) -> list[tuple[Any, int]]:
+    """The real roots of coprime polynomials, increasing, each with its polynomial's number."""
+    precision = FIRST_PRECISION
+    while True:
+        with ctx.workprec(precision):
+            roots = [(root, n) for n, p in enumerate(polynomials) for root in isolated(p)]
+            roots.sort(key=lambda pair: float(pair[0].mid()))
+            if all(low < high for (low, _), (high, _) in pairwise(roots)):
+                return roots
+        precision *= 2
+
+
+def stack(curves: Sequence[Polynomial], x: fmpq) -> list[tuple[Any, int]]:
+    """The heights of the curves over an x that is not critical, each with its curve's number."""
+    return separated([straight(curve, x=x) for curve in curves])
+
+
+def _rank(curves: Sequence[Polynomial], x: fmpq, y: fmpq) -> int:
+    """How many arcs lie below a point over an x that is not critical."""
+    line = fmpq_poly([-y, 1])
+    roots = separated([*(straight(curve, x=x) for curve in curves), line])
+    return [number for _, number in roots].index(len(curves))
+
+
+def _heights(curves: Sequence[Polynomial], critical: fmpq_poly) -> list[fmpq]:
+    """Rational heights, at least one in every gap between the curves over a critical x."""
+    at = RING.from_dict({(n, 0, 0): value for n, value in enumerate(critical.coeffs()) if value})
+    shadows = []
+    for curve in curves:
+        shadow = fmpq_poly()
+        for (_, power, _), value in curve.resultant(at, "x").to_dict().items():
+            shadow[power] = value
+        shadows.append(shadow)
+    return _gaps([root for root, _ in separated(irreducible(shadows))])
+
+
+def _beside(
+    curves: Sequence[Polynomial], critical: Sequence[fmpq_poly], place: int, y: fmpq
+) -> tuple[fmpq, fmpq]:
+    """An x left and one right of a critical one, with no curve on the horizontal in between."""
+    crossings = irreducible(straight(curve, y=y) for curve in curves)
+    known = {str(factor) for factor in critical}
+    others = [factor for factor in crossings if str(factor) not in known]
+    roots = separated([*critical, *others])
+    here = [n for n, (_, number) in enumerate(roots) if number < len(critical)][place]
+    gaps = _gaps([root for root, _ in roots])
+    return gaps[here], gaps[here + 1]
+
+
+def irreducible(polynomials: Iterable[fmpq_poly]) -> list[fmpq_poly]:
+    """The irreducible factors of polynomials, each once, without constants."""
+    factors: dict[str, fmpq_poly] = {}
+    for polynomial in polynomials:
+        for factor, _ in polynomial.factor()[1]:
+            factors.setdefault(str(factor), factor)
+    return list(factors.values())
+
+
+def _gaps(roots: Sequence[Any]) -> list[fmpq]:
+    """A short rational number below, between and above increasing real numbers."""
+    if not roots:
+        return [fmpq(0)]
+    low, high = fraction(roots[0].lower()), fraction(roots[-1].upper())
+    inner = [between(fraction(a.upper()), fraction(b.lower())) for a, b in pairwise(roots)]
+    below, above = Fraction(math.floor(low) - 1), Fraction(math.ceil(high) + 1)
+    return [rational(value) for value in (below, *inner, above)]
+
+
+def between(low: Fraction, high: Fraction) -> Fraction:
+    """A rational number strictly between two others, of small denominator, near the middle."""
+    middle = (low + high) / 2
+    limit = 1
+    while not low < middle.limit_denominator(limit) < high:
+        limit *= 2
+    return middle.limit_denominator(limit)
+
+
+def fraction(number: Any) -> Fraction:
+    """The middle of a ball (exact if its radius is zero)."""
+    mantissa, exponent = number.mid().man_exp()
+    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+
+
+def rational(number: Fraction | int) -> fmpq:
+    """A rational number for FLINT."""
+    exact = Fraction(number)
+    return fmpq(exact.numerator, exact.denominator)
