@@ -22,8 +22,10 @@ __all__ = ["Moment", "Quadratures", "Window", "along"]
 #: The integrands at ν, ν′ (3, n): an array (m, n), the clock first.
 Integrands = Callable[[Any, Any], Any]
 
-#: |κ| beyond which e^{−2κ} is lost in a double.
-FADED = 20.0
+#: |κ| beyond which e^{−|κ|} is lost in a double.
+FADED = 38.0
+#: An integrand so much smaller than the largest one vanishes but for rounding.
+TINY = 1e-6
 #: Nodes on a panel, and the phases (U, κ) that it may cover.
 NODES = 24
 SPAN = 0.4
@@ -121,6 +123,7 @@ def _periodic(motion: Periodic, integrands: Integrands, turn: Any) -> Quadrature
         nu, rate = direction_array(*motion.array(tau, 0.0))
         waves = np.fft.rfft(integrands(nu, rate)) / count
         size = np.abs(waves).max(-1, keepdims=True)
+        size = np.maximum(size, TINY * size.max())
         last = (np.abs(waves[:, -(count // 8) :]) / size).max()
         if last < 1e-16 or count >= 1 << 14:
             break

@@ -131,11 +131,11 @@ class Degenerate(Solution):
         doubled until it does not change any more.
         """
         motion = self.motion
-        periodic = motion.limit(1) if isinstance(motion, Asymptotic) else motion
         arguments, steps = chain(self.separable, components(self.separable.clock))
         made = ball_function(arguments, components(self.separable.clock), steps)
         fixed = [self.beginning.values[s] for s in arguments[6:]]
         with ctx.workprec(BITS):
+            periodic = motion.limit(1) if isinstance(motion, Asymptotic) else motion
             period = periodic.period
 
             def total(places: range, count: int) -> Any:
