@@ -6,7 +6,8 @@ derivatives by h and f give
 
     Σ dz/y = −β dt,   Σ z dz/y = α dt
 
-on one and the same curve.
+on one and the same curve.  So every such flow runs on the tori of the Neumann system, and M follows
+from the derivative of Γ along Neumann's own flow there: Γ×M.
 """
 
 from __future__ import annotations
@@ -15,38 +16,64 @@ from dataclasses import replace
 
 import sympy as sp
 
+from ..statements import Rate, Reduction
 from ..systems import from_catalogue
 from ..systems.clebsch import alpha, beta
 from ..systems.e3 import Gamma, I, M
-from ..vectors import constant, cross, dot
+from ..vectors import dot, scalar
 from .neumann import neumann_system
 from .separable import Separable, nu, nuprime
-from .stated import with_laws
+from .stated import stated
 
 __all__ = ["clebsch_case"]
 
-_widths = tuple(alpha + beta * s for s in I.symbols)
-#: B = α + βI, with Γ̇ = Γ×BM, and its adjugate.
-B = constant(sp.diag(*_widths))
-ADJUGATE = constant(sp.diag(*(sp.Mul(*_widths[:i], *_widths[i + 1 :]) for i in range(3))))
+#: z₁ + z₂, z₁z₂ and their derivatives along Neumann's flow.
+total, product, total_slope, product_slope = (
+    scalar(f"separation_{s}") for s in ("S", "P", "Sprime", "Pprime")
+)
 
 
 def clebsch_case() -> Separable:
-    """The Clebsch case (6.14) at (M, Γ) = 0, with τ = t and ν = Γ; α = 0 is the Bruns problem.
+    """The Clebsch case (6.14) at (M, Γ) = 0 with any α, β; α = 0 is the Bruns problem.
 
-    M = Bν′×ν/(ν, adj(B) ν); the denominator is (α + βz₁)(α + βz₂), without zeros where B is
-    definite.
+    τ = t and ν = Γ; ν′ is the derivative along Neumann's flow.
     """
-    return with_laws(
-        replace(
-            neumann_system(),
-            name="clebsch",
-            title="Clebsch case at zero area constant",
-            system=from_catalogue("clebsch"),
-            level=(dot(M, Gamma),),
-            turning=cross(Gamma, B * M),
-            speeds=(-beta, alpha),
-            state=((M, cross(B * nuprime, nu) / dot(nu, ADJUGATE * nu)), (Gamma, nu)),
-            source="Proposition 6",
-        )
+    neumann = neumann_system()
+    separable = replace(
+        neumann,
+        name="clebsch",
+        title="Clebsch case at zero area constant",
+        system=from_catalogue("clebsch"),
+        level=(dot(M, Gamma),),
+        speeds=(-beta, alpha),
+        along=neumann.speeds,
+        source="Proposition 6",
+    )
+    on_curve = stated(replace(separable, speeds=neumann.speeds))
+    kept = tuple(law for law in on_curve if law.name != "direction")
+    return replace(separable, laws=(_flow(separable), *kept))
+
+
+def _flow(separable: Separable) -> Reduction:
+    """żₖ (b′ − a′z) = zₖ′ (b − az), z being the other coordinate, for (a′, b′) = (0, 1)."""
+    a, b = separable.speeds
+    inverse = sp.Mul(*I.symbols) * I**-1
+    return Reduction(
+        "flow",
+        {
+            nu: separable.direction,
+            nuprime: separable.turning,
+            total: sp.Add(*I.symbols) - dot(nu, I * nu),
+            product: dot(nu, inverse * nu),
+            total_slope: -2 * dot(nu, I * nuprime),
+            product_slope: 2 * dot(nu, inverse * nuprime),
+        },
+        (
+            dot(nu, nu) - 1,
+            Rate(total) - b * total_slope + a * product_slope,
+            Rate(product) - b * product_slope + a * (total * product_slope - product * total_slope),
+        ),
+        "both flows on one torus",
+        on=separable.level,
+        source=separable.source,
     )
