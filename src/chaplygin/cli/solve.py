@@ -116,7 +116,8 @@ def _print(study: Study, solution: Solution, moments: list[Fraction], digits: in
     from ..study.closed_form import number
 
     form = solution.form
-    typer.echo(f"{study.system.title}: {form.title}, {form.source}".rstrip(", "))
+    titles = dict.fromkeys((study.system.title, form.title))
+    typer.echo(f"{': '.join(titles)}, {form.source}".rstrip(", "))
     typer.echo(f"{form.motion[:1].upper()}{form.motion[1:]}")
     console = Console()
     facts = Table(box=None, pad_edge=False, show_header=False)

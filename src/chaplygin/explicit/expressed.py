@@ -60,6 +60,7 @@ def expressed(
         leading=told(separable.leading),
         roots=each(separable.roots),
         speeds=each(separable.speeds),
+        along=None if separable.along is None else each(separable.along),
         clock=told(separable.clock),
         state=tuple(
             (names[symbol], told(part))

@@ -9,8 +9,10 @@ a ball on a sphere is solved for those ratios of the radii for which a separatio
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
+from importlib import import_module
 from itertools import permutations
 from typing import Any, TypeAlias
 
@@ -25,16 +27,19 @@ from ..vectors import Diagonal, scalar
 from .expressed import expressed
 from .principal import in_principal_axes, told_back
 from .problem import Problem, exact, same_field
-from .refusals import refusal
+from .refusals import Condition, refusal
 from .separable import Separable
 from .solution import Solution
 
-__all__ = ["RECOGNISERS", "separated", "solution_of"]
+__all__ = ["RECOGNISERS", "Likeness", "likeness", "solution_of"]
 
 #: A motion in closed form, or None where it is not of this kind.
 Recogniser: TypeAlias = Callable[[Problem], Solution | None]
 #: Parameters of one system as formulas in those of another.
 Formulas: TypeAlias = Mapping[sp.Symbol, Any]
+
+#: Directions in space by which an attitude is known.
+DIRECTIONS = 2
 
 #: Parameters that are tried in every order, at most.
 FEW = 5
@@ -52,56 +57,93 @@ def solution_of(problem: Problem) -> Solution:
         solution = recogniser(problem)
         if solution is not None:
             return solution
-    raise refusal(problem)
+    near = likeness(problem)
+    raise refusal(problem, () if near is None else near.level)
 
 
 # --- systems that separate -----------------------------------------------------------------
 
 
-@lru_cache(maxsize=1)
-def separable_systems() -> tuple[Separable, ...]:
-    """The systems that separate on a curve of genus two, those without a field first."""
-    from . import bruns, chaplygin_ball, clebsch, neumann, rubber_sphere, veselova
+#: Where the systems that separate on a curve of genus two are told of, module and function.
+SEPARABLE = (
+    ("rubber_ball_plane", "rubber_ball_plane"),
+    ("rubber_sphere", "on_plane"),
+    ("veselova", "veselova"),
+    ("chaplygin_ball", "chaplygin_ball"),
+    ("rubber_sphere", "hollow_ball"),
+    ("rubber_sphere", "of_ratio"),
+    ("ball_sphere", "hollow_ball"),
+    ("ball_sphere", "of_tensor"),
+    ("neumann", "neumann_system"),
+    ("clebsch", "clebsch_case"),
+    ("fedorov", "fedorov"),
+    ("bruns", "veselova_in_bruns_field"),
+    ("bruns", "rubber_ball_in_bruns_field"),
+    ("bruns_ball", "chaplygin_ball_in_bruns_field"),
+)
 
-    return (
-        veselova.veselova(),
-        chaplygin_ball.chaplygin_ball(),
-        rubber_sphere.hollow_ball(),
-        rubber_sphere.of_ratio(),
-        neumann.neumann_system(),
-        clebsch.clebsch_case(),
-        bruns.veselova_in_bruns_field(),
-        bruns.chaplygin_ball_in_bruns_field(),
-        bruns.rubber_ball_in_bruns_field(),
-    )
+
+@lru_cache(maxsize=len(SEPARABLE))
+def _told(module: str, function: str) -> Separable:
+    made: Separable = getattr(import_module(f".{module}", __package__), function)()
+    return made
 
 
-def separated(
-    problem: Problem,
-) -> tuple[Separable, Mapping[sp.Symbol, Any], tuple[Any, ...]] | None:
-    """The separation of a motion, in its own symbols, with values and start.
+@dataclass(frozen=True)
+class Likeness:
+    """A system that separates and has the field of a problem.
 
-    Parameters
+    Attributes
     ----------
-    problem : Problem
+    known : Separable
+        As it is told of.
+    own : Separable
+        The same in the symbols of the problem.
+    level : tuple of Condition
+        What must vanish for it to hold and does not; empty where the start and the parameters
+        are on its level.
+    """
 
-    Returns
-    -------
-    tuple of Separable, values by symbol, start; or None
-        The start is the lifted state, as the problem has it.
+    known: Separable
+    own: Separable
+    level: tuple[Condition, ...]
+
+
+def likeness(problem: Problem) -> Likeness | None:
+    """The system that separates and has the field of a problem.
+
+    What depends on parameters alone must vanish exactly; what depends on the start, but for the
+    rounding of a start.
     """
     numbers = {symbol: exact(value) for symbol, value in problem.parameters.items()}
-    values = {s: x if isinstance(x, arb) else numbers[s] for s, x in problem.parameters.items()}
-    for known in separable_systems():
+    missed: Likeness | None = None
+    for place in SEPARABLE:
+        known = _told(*place)
         if len(known.system.symbols) != len(problem.system.symbols):
             continue
         for formulas in _matches(problem, known.system):
             if _agree(problem.system, numbers, known.system, formulas):
-                made = expressed(known, problem.system, formulas)
-                if problem.vanish(made.level):
-                    return made, values, problem.start
+                found = _like(problem, known, expressed(known, problem.system, formulas))
+                if not found.level:
+                    return found
+                missed = missed or found
                 break
-    return None
+    return missed
+
+
+def _like(problem: Problem, known: Separable, own: Separable) -> Likeness:
+    numbers = {s: sp.Rational(str(exact(x))) for s, x in problem.parameters.items()}
+    state = set(problem.system.symbols)
+    missed, moving = [], []
+    for formula, told in zip(own.level, known.level, strict=True):
+        if formula.free_symbols & state:
+            moving.append(formula)
+            holds = problem.vanish([formula])
+        else:
+            holds = sp.sympify(formula).xreplace(numbers) == 0
+        if not holds:
+            missed.append(Condition(told, formula))
+    return Likeness(known, replace(own, level=tuple(moving)), tuple(missed))
 
 
 def _matches(problem: Problem, target: System) -> Iterator[Formulas]:
@@ -158,10 +200,22 @@ def _agree(
 
 
 def _genus_two(problem: Problem) -> Solution | None:
+    from .curve import DegenerateError
+    from .degenerate import solved_degenerate
     from .genus_two import solved
 
-    found = separated(problem)
-    return None if found is None else solved(*found)
+    found = likeness(problem)
+    if found is None or found.level:
+        return None
+    values = {s: x if isinstance(x, arb) else exact(x) for s, x in problem.parameters.items()}
+    own, start = found.own, problem.start
+    if problem.system.motion is not None and len(own.fixed) < DIRECTIONS:
+        own = replace(own, system=replace(problem.system, motion=None))
+        start = start[: len(problem.system.symbols)]
+    try:
+        return solved(own, values, start)
+    except DegenerateError:
+        return solved_degenerate(own, values, start)
 
 
 def _principal(problem: Problem) -> Solution | None:

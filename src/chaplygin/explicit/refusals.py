@@ -2,18 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from ..errors import InputError
 from ..mechanics.rolling import Rolling
 from ..mechanics.shapes import Ball
 from ..mechanics.surfaces import Sphere
+from ..notation import text
 from ..statements import ConformallyHamiltonian, Integral, Law, Measure
+from ..systems import rubber_ball_ratio
 from ..systems.ball_on_sphere import ratio
 from .problem import Problem
 
-__all__ = ["NoClosedFormError", "refusal"]
+__all__ = ["Condition", "NoClosedFormError", "refusal"]
+
+
+#: A condition so short is written out, and numbers so close are the same.
+SHORT, SAME = 30, 1e-30
 
 
 class NoClosedFormError(InputError):
@@ -36,15 +43,34 @@ class _Obstacle:
     solvable: str
 
 
-def refusal(problem: Problem) -> NoClosedFormError:
+@dataclass(frozen=True)
+class Condition:
+    """A level that a motion is not on.
+
+    Attributes
+    ----------
+    written : sympy.Expr
+        As it is written on paper.
+    formula : sympy.Expr
+        The same in state and parameters of the problem.
+    """
+
+    written: Any
+    formula: Any
+
+
+def refusal(problem: Problem, level: Sequence[Condition] = ()) -> NoClosedFormError:
     """Why a motion cannot be solved, in one sentence that says what is known of it.
 
     Parameters
     ----------
     problem : Problem
         Which no recogniser has recognised.
+    level : sequence of Condition
+        What does not vanish, where a closed form would be known if it did.
     """
-    obstacle = _obstacle(problem)
+    start = any(c.formula.free_symbols & set(problem.system.symbols) for c in level)
+    obstacle = _off(problem, level) if start else _obstacle(problem)
     sentence = f"{obstacle.subject} has no known closed form: {_known(problem)}"
     if obstacle.solvable:
         sentence += f"; solvable {obstacle.solvable}"
@@ -69,15 +95,35 @@ _FORMS: dict[type[Law], str] = {
 }
 
 
-def _obstacle(problem: Problem) -> _Obstacle:
-    rolling = problem.rolling
-    if rolling is None:
-        return _Obstacle(f"the {_lowered(problem.system.title)}", "")
-    found = (rule(problem, rolling) for rule in _RULES)
-    return next(
-        (obstacle for obstacle in found if obstacle is not None),
-        _Obstacle(f"the {_lowered(problem.system.title)}", ""),
+def _off(problem: Problem, level: Sequence[Condition]) -> _Obstacle:
+    """A start off the level on which the system is solvable."""
+    conditions = " and ".join(f"{_named(problem, condition)}" for condition in level)
+    return _Obstacle(
+        f"this motion of the {_lowered(problem.system.title)}",
+        f"are its motions on which {conditions}",
     )
+
+
+def _named(problem: Problem, condition: Condition) -> str:
+    """A condition by its formula, or by the integral that it is where the formula is long."""
+    written = text(condition.written)
+    if len(written) <= SHORT:
+        return f"{written} = 0"
+    laws = [law for law in problem.system.integrals if problem.vanish(law.on)]
+    value, *others = problem.values([condition.formula, *(law.value for law in laws)])
+    same = [law for law, other in zip(laws, others, strict=True) if abs(value - other) < SAME]
+    return f"the {same[0].meaning} vanishes" if same else f"{written} = 0"
+
+
+def _obstacle(problem: Problem) -> _Obstacle:
+    found = (rule(problem, problem.rolling) for rule in _RULES if problem.rolling is not None)
+    plain = _Obstacle(f"the {_lowered(problem.system.title)}", _family(problem))
+    return next((obstacle for obstacle in found if obstacle is not None), plain)
+
+
+def _family(problem: Problem) -> str:
+    """What is solvable of the family of rubber balls in the ratio k."""
+    return "are k = 1 and k = −1" if problem.system.name == rubber_ball_ratio.NAME else ""
 
 
 def _lowered(title: str) -> str:
@@ -132,23 +178,12 @@ def _ratio(problem: Problem, rolling: Rolling) -> _Obstacle | None:
         return None
     further = " with zero linear integral" if rolling.contact == "marble" else ""
     return _Obstacle(
-        f"the ball on a sphere with k = {k:.9g}, {_contact(rolling)},",
+        f"the ball on a sphere with k = {k:.15g}, {_contact(rolling)},",
         f"are k = 1 (a plane) and k = −1 (a hollow ball of twice the sphere's radius){further}",
     )
 
 
-def _linear(problem: Problem, rolling: Rolling) -> _Obstacle | None:
-    laws = [law for law in problem.system.integrals if law.name == "linear"]
-    if not laws:
-        return None
-    (value,) = problem.values([laws[0].value])
-    return _Obstacle(
-        f"the ball on a sphere with k = −1 whose linear integral is {float(value):.6g}, not 0,",
-        "are its motions on which the linear integral vanishes",
-    )
-
-
-_RULES: tuple[Rule, ...] = (_shape, _rotors, _potential, _gravity_on_sphere, _ratio, _linear)
+_RULES: tuple[Rule, ...] = (_shape, _rotors, _potential, _gravity_on_sphere, _ratio)
 
 
 def _body(rolling: Rolling) -> str:

@@ -56,6 +56,12 @@ def solved_if_known(study: Study) -> Solution | None:
         return None
 
 
+def in_space(study: Study, solution: Solution) -> bool:
+    """Whether a solution holds the motion in space, where the system has one."""
+    moves = study.system.motion is not None
+    return moves and len(solution.system.symbols) > len(study.system.symbols)
+
+
 def evaluated(study: Study, solution: Solution, times: Any) -> Trajectory:
     """A motion at chosen times, with all that a run records.
 
@@ -75,7 +81,7 @@ def evaluated(study: Study, solution: Solution, times: Any) -> Trajectory:
     moments = np.asarray(times, dtype=float)
     states = solution.states(moments)
     seconds = clock.perf_counter() - began
-    system = study.watched.lifted() if study.watched.motion else study.watched
+    system = study.watched.lifted() if in_space(study, solution) else study.watched
     return Trajectory(
         system,
         system.defaults,
@@ -127,7 +133,7 @@ def _scalars(value: Any) -> list[sp.Expr]:
 def dataset(study: Study, trajectory: Trajectory, solution: Solution) -> xr.Dataset:
     """States of a closed form as a dataset, with the names of an integrated trajectory."""
     made = dataset_of(study, trajectory)
-    start = zip(trajectory.system.symbols, study.start, strict=True)
+    start = zip(trajectory.system.symbols, study.start, strict=False)
     return made.assign_attrs(
         start="; ".join(f"{symbol} = {float(value)!r}" for symbol, value in start),
         integrator=f"none: closed form, {solution.form.title}",
@@ -186,7 +192,8 @@ def section(solution: Solution, trajectory: Trajectory) -> Section:
     """
     form = solution.form
     states = solution.states(trajectory.times.astype(float))
-    distance = np.abs(states - trajectory.states.astype(float)).max()
+    integrated = trajectory.states[:, : states.shape[1]].astype(float)
+    distance = np.abs(states - integrated).max()
     return Section(
         title=form.title,
         motion=form.motion,
