@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -36,8 +36,8 @@ FAST = 19
 
 #: (x, x′) ↦ rates of the quadratures.
 Rates = Callable[[Any, Any], Sequence[Any]]
-#: (chart, σ, dt/dσ, the integrals before) ↦ derivatives by σ of further quadratures.
-Nested = Callable[[Chart, Any, Any, Sequence[Any]], Sequence[Any]]
+#: (chart, σ, derivatives of t and the quadratures by σ, their values) ↦ derivatives of further ones.
+Nested = Callable[[Chart, Any, Sequence[Any], Sequence[Any]], Sequence[Any]]
 
 
 @dataclass(frozen=True)
@@ -142,8 +142,8 @@ class Course:
     rates : callable
         (x, x′) ↦ rates q′ of the quadratures, in complex balls.
     nested : callable, optional
-        (chart, σ, dt/dσ, integrals) ↦ dq/dσ of further quadratures, which may use t and the
-        quadratures before them, in this order.
+        (chart, σ, derivatives of t and of the quadratures by σ, their values) ↦ the derivatives by
+        σ of further quadratures.
     """
 
     chart: Chart
@@ -179,13 +179,9 @@ class Course:
         rates = self.rates(x, self.chart.slope(BALLS, sigma) / clock)
         return [clock, *(clock * rate for rate in rates)]
 
-    def _nested_forms(self, sigma: Any, totals: Sequence[Any]) -> Sequence[Any]:
-        assert self.nested is not None
-        return self.nested(self.chart, sigma, self.chart.clock(sigma), totals)
-
     def _build(self, digits: int) -> Integrals:
         """The integrals, computed anew."""
-        nested = self._nested_forms if self.nested else None
+        nested = self.nested and partial(self.nested, self.chart)
         with ctx.workprec(working_bits(digits)):
             end = self.horizon(digits)
             return integrals(self._forms, -end, end, digits, nested)

@@ -1,9 +1,8 @@
 """Integrals of analytic functions along the real line, with proven error bounds.
 
 The line is cut into panels.  On each, a function is interpolated at n + 1 Chebyshev points; if it
-is analytic and smaller than M in a rectangle around the ellipse with the ends of the panel as foci
-and with half-axes (ρ ± 1/ρ)/2 half-widths, the interpolant is wrong by 4Mρ⁻ⁿ/(ρ − 1) at most.  A
-panel on which no such M is found, or one too large, is halved: near a singularity panels shrink
+is analytic and smaller than M in boxes that cover the ellipse with the ends of the panel as foci and
+with half-axes (ρ ± 1/ρ)/2 half-widths, the interpolant is wrong by 4Mρ⁻ⁿ/(ρ − 1) at most.  A panel on which no such M is found, or one too large, is halved: near a singularity panels shrink
 geometrically, so that almost singular integrals cost little more than others.
 """
 
@@ -26,13 +25,21 @@ __all__ = ["Integrals", "Panel", "Table", "integrals", "working_bits"]
 RHO = 4
 ALONG, ACROSS = arb("2.125"), arb("1.875")
 
+#: Boxes that cover the upper half of the ellipse (the functions are real on the real axis): middle
+#: along the axis, half-width, height.
+BOXES = tuple(
+    (arb(sign * middle), arb(ALONG / 8), ACROSS * (1 - arb(start) ** 2).sqrt())
+    for start, middle in ((0, ALONG / 8), (0.25, 3 * ALONG / 8), (0.5, 5 * ALONG / 8), (0.75, 7 * ALONG / 8))
+    for sign in (-1, 1)
+)
+
 #: A panel may not become narrower than this.
 NARROWEST = 1e-60
 
 #: σ ↦ the functions to be integrated, complex balls to complex balls.
 Rates = Callable[[Any], Sequence[Any]]
-#: (σ, the integrals of the first functions) ↦ further functions.
-Nested = Callable[[Any, Sequence[Any]], Sequence[Any]]
+#: (σ, the first functions, their integrals) ↦ further functions.
+Nested = Callable[[Any, Sequence[Any], Sequence[Any]], Sequence[Any]]
 
 
 def degree(digits: int) -> int:
@@ -58,6 +65,36 @@ def _transform(n: int, bits: int) -> tuple[tuple[Any, ...], Any]:
 
 
 @dataclass(frozen=True)
+class Series:
+    """A Chebyshev series on [−1, 1].
+
+    The coefficients are exact and their errors summed up beside them, since |T_k| ≤ 1: so errors do
+    not grow with the number of terms when the series is summed in balls.
+
+    Attributes
+    ----------
+    coefficients : list of arb
+    error : arb
+    """
+
+    coefficients: list[Any]
+    error: Any
+
+    @classmethod
+    def of(cls, coefficients: Sequence[Any], error: Any = 0) -> Series:
+        """From coefficients with errors, and a further error of the sum."""
+        radius = sum((c.rad() for c in coefficients), arb(error))
+        return cls([c.mid() for c in coefficients], arb(radius.upper()))
+
+    def at(self, x: Any) -> Any:
+        """The sum at an exact number (Clenshaw)."""
+        first = second = arb(0)
+        for coefficient in reversed(self.coefficients[1:]):
+            first, second = 2 * x * first - second + coefficient, first
+        return x * first - second + self.coefficients[0] + arb(0, self.error)
+
+
+@dataclass(frozen=True)
 class Panel:
     """One interval with the integrals of all functions over it.
 
@@ -65,8 +102,8 @@ class Panel:
     ----------
     low, high : flint.arb
         Exact.
-    series : tuple of lists of arb
-        Chebyshev coefficients of every integral, the error bound in the first of them.
+    series : tuple of Series
+        Of every integral.
     first : list of arb
         Chebyshev coefficients of the first function itself.
     bounds : tuple of arb
@@ -75,7 +112,7 @@ class Panel:
 
     low: Any
     high: Any
-    series: tuple[list[Any], ...]
+    series: tuple[Series, ...]
     first: list[Any]
     bounds: tuple[Any, ...]
 
@@ -84,14 +121,7 @@ class Panel:
         nearest = place.mid().max(self.low).min(self.high).mid()
         x = (2 * nearest - self.low - self.high) / (self.high - self.low)
         error = self.bounds[index] * abs(place - nearest)
-        return _clenshaw(self.series[index], x) + arb(0, error.upper())
-
-
-def _clenshaw(series: Sequence[Any], x: Any) -> Any:
-    first = second = arb(0)
-    for coefficient in reversed(series[1:]):
-        first, second = 2 * x * first - second + coefficient, first
-    return x * first - second + series[0]
+        return self.series[index].at(x) + arb(0, error.upper())
 
 
 @dataclass(frozen=True)
@@ -137,7 +167,7 @@ def integrals(
         The error bound is 10^−digits relative to each function on each panel, or absolute where
         functions are smaller than one.
     nested : callable, optional
-        Further functions, of σ and the integrals of the first ones.
+        Further functions, of σ, the first ones and their integrals.
 
     Raises
     ------
@@ -173,67 +203,78 @@ class _Build:
                 continue
             made.append(panel)
             start = waiting.pop()
-            totals = [_clenshaw(s, arb(1 if start == panel.high else -1)) for s in panel.series]
+            totals = [s.at(arb(1 if start == panel.high else -1)) for s in panel.series]
         return made
 
     def _panel(self, start: Any, stop: Any, totals: Sequence[Any]) -> Panel | None:
         low, high = (start, stop) if start < stop else (stop, start)
         half, centre = (high - low) / 2, (high + low) / 2
-        box = acb(arb(centre, ALONG * half), arb(0, ACROSS * half))
-        bounds = self._bounds(self.rates(box), self.rates(acb(centre)))
+        boxes = [
+            acb(arb(centre + half * x, half * reach), half * height.union(arb(0)))
+            for x, reach, height in BOXES
+        ]
+        middle = self.rates(acb(centre))
+        bounds = _bounds([self.rates(box) for box in boxes], middle)
         if bounds is None:
             return None
-        nodes, matrix = _transform(degree(self.digits), ctx.prec)
-        places = [centre + half * node for node in nodes]
-        known = matrix * arb_mat([[f.real for f in self.rates(acb(p))] for p in places])
-        series = _integrated(known, bounds, half, start == low, totals)
+        n = degree(self.digits)
+        nodes, matrix = _transform(n, ctx.prec)
+        known = [self.rates(acb(centre + half * node)) for node in nodes]
+        values = matrix * arb_mat([[f.real for f in row] for row in known])
+        anchor = -1 if start == low else 1
+        series = _integrated(values, bounds, half, anchor, totals)
         if self.nested is not None:
             around = [_around(s, m, half) for s, m in zip(series, bounds, strict=True)]
-            middle = [acb(_clenshaw(s, arb(0))) for s in series]
-            further = self._bounds(self.nested(box, around), self.nested(acb(centre), middle))
+            inside = self.nested(acb(centre), middle, [acb(s.at(arb(0))) for s in series])
+            every = [self.nested(box, self.rates(box), around) for box in boxes]
+            further = _bounds(every, inside)
             if further is None:
                 return None
             rows = [
-                [f.real for f in self.nested(acb(p), [acb(_clenshaw(s, x)) for s in series])]
-                for p, x in zip(places, nodes, strict=True)
+                self.nested(acb(centre + half * x), row, [acb(s.at(x)) for s in series])
+                for x, row in zip(nodes, known, strict=True)
             ]
-            rest = totals[len(series) :]
-            series += _integrated(matrix * arb_mat(rows), further, half, start == low, rest)
+            rest = matrix * arb_mat([[f.real for f in row] for row in rows])
+            series += _integrated(rest, further, half, anchor, totals[len(series) :])
             bounds = [*bounds, *further]
-        first = [known[k, 0] for k in range(known.nrows())]
+        first = [values[k, 0] for k in range(n + 1)]
         return Panel(low, high, tuple(series), first, tuple(bounds))
 
-    def _bounds(self, around: Sequence[Any], middle: Sequence[Any]) -> list[Any] | None:
-        """Bounds of functions in the rectangle, if they are not too large."""
-        if not all(f.is_finite() for f in around):
+
+def _bounds(around: Sequence[Sequence[Any]], middle: Sequence[Any]) -> list[Any] | None:
+    """Bounds of functions in all boxes, if they are not too large beside those in the middle."""
+    if not all(f.is_finite() for box in around for f in box):
+        return None
+    bounds = []
+    for index, inside in enumerate(middle):
+        bound = max((arb(box[index].abs_upper()) for box in around), key=float)
+        if float(bound) > 10 * RHO**6 * max(1.0, float(inside.abs_upper())):
             return None
-        bounds = [arb(f.abs_upper()) for f in around]
-        sizes = [max(1.0, float(f.abs_upper())) for f in middle]
-        small = all(float(m) < 10 * RHO**6 * s for m, s in zip(bounds, sizes, strict=True))
-        return bounds if small else None
+        bounds.append(bound)
+    return bounds
 
 
-def _around(series: Sequence[Any], bound: Any, half: Any) -> Any:
-    """An integral in the rectangle."""
+def _around(series: Series, bound: Any, half: Any) -> Any:
+    """An integral in the boxes."""
     across = ACROSS * half * bound
     along = (ALONG + ACROSS) * half * bound
-    return acb(_clenshaw(series, arb(0)) + arb(0, along), arb(0, across))
+    return acb(series.at(arb(0)) + arb(0, along.upper()), arb(0, across.upper()))
 
 
 def _integrated(
-    known: Any, bounds: Sequence[Any], half: Any, from_left: bool, totals: Sequence[Any]
-) -> list[list[Any]]:
-    """Chebyshev series of the integrals that continue `totals`, from the functions' own."""
+    known: Any, bounds: Sequence[Any], half: Any, anchor: int, totals: Sequence[Any]
+) -> list[Series]:
+    """The integrals that continue `totals` from the end `anchor`, by the functions' coefficients."""
     n = known.nrows() - 1
     made = []
     for index, bound in enumerate(bounds):
         c = [known[k, index] for k in range(n + 1)] + [arb(0), arb(0)]
-        series = [arb(0), half * (c[0] - c[2] / 2)]
-        series += [half * (c[k - 1] - c[k + 1]) / (2 * k) for k in range(2, n + 2)]
+        integral = [arb(0), half * (c[0] - c[2] / 2)]
+        integral += [half * (c[k - 1] - c[k + 1]) / (2 * k) for k in range(2, n + 2)]
+        begin = Series.of(integral).at(arb(anchor))
+        integral[0] = (totals[index] if totals else 0) - begin
         error = 4 * bound / arb(RHO) ** n / (RHO - 1) * 2 * half
-        begin = _clenshaw(series, arb(-1 if from_left else 1))
-        series[0] = (totals[index] if totals else 0) - begin + arb(0, error)
-        made.append(series)
+        made.append(Series.of(integral, error))
     return made
 
 
@@ -249,7 +290,7 @@ class Table:
         panels = exact.panels
         self.breaks = np.array([float(p.low) for p in panels] + [float(panels[-1].high)])
         self._series = np.array(
-            [[[float(c.mid()) for c in s] for s in p.series] for p in panels]
+            [[[float(c) for c in s.coefficients] for s in p.series] for p in panels]
         ).transpose(1, 2, 0)
         self._first = np.array([[float(c.mid()) for c in p.first] for p in panels]).T
         self._half = np.diff(self.breaks) / 2

@@ -129,16 +129,15 @@ def turning_rates(level: Level) -> Any:
 
 
 def path_rates(level: Level) -> Any:
-    """(chart, σ, dt/dσ, (t, φ, ψ)) ↦ derivatives by σ of the place, in complex balls."""
+    """(chart, σ, derivatives of t, φ, ψ, their values) ↦ derivatives by σ of the place."""
 
-    def rates(chart: Chart, sigma: Any, clock: Any, totals: Sequence[Any]) -> list[Any]:
-        u = chart.place(BALLS, sigma)
-        p = level.body.p(u)
+    def rates(chart: Chart, sigma: Any, slopes: Sequence[Any], totals: Sequence[Any]) -> list[Any]:
+        p = level.body.p(chart.place(BALLS, sigma))
         sideways = p * chart.lean(BALLS, sigma)
         if level.K == 0:
             return [acb(0), sideways]
         low, high = chart.roots(BALLS, sigma)
-        along = -p * level.K * clock / (level.body.A(u) * low * high)
+        along = -p * slopes[1] * low * high
         sin, cos = totals[2].sin_cos()
         return [cos * along - sin * sideways, sin * along + cos * sideways]
 
