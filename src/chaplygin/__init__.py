@@ -18,6 +18,8 @@ from ._version import __version__
 
 if TYPE_CHECKING:
     from .errors import InputError, RunError
+    from .explicit.solution import Solution
+    from .explicit.solve import solve
     from .explore.hierarchy import place
     from .flow.linearise import linearise
     from .flow.trajectory import Trajectory, integrate
@@ -81,6 +83,7 @@ _HOME = {
     "RollingBall": "mechanics.rolling_ball",
     "RunError": "errors",
     "Separation": "statements",
+    "Solution": "explicit.solution",
     "Sphere": "mechanics.surfaces",
     "Study": "study.prepare",
     "Symmetry": "statements",
@@ -107,6 +110,7 @@ _HOME = {
     "read": "study.dataset",
     "roll": "mechanics.rolling",
     "rolling_mechanism": "mechanics.rolling_mechanism",
+    "solve": "explicit.solve",
     "starting_state": "mechanics.start",
     "to_dataset": "study.dataset",
     "write": "study.dataset",
@@ -138,6 +142,7 @@ __all__ = [
     "RollingBall",
     "RunError",
     "Separation",
+    "Solution",
     "Sphere",
     "Study",
     "Symmetry",
@@ -165,6 +170,7 @@ __all__ = [
     "read",
     "roll",
     "rolling_mechanism",
+    "solve",
     "starting_state",
     "to_dataset",
     "write",

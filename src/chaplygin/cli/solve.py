@@ -113,7 +113,7 @@ def _print(study: Study, solution: Solution, moments: list[Fraction], digits: in
     from rich.markup import escape
     from rich.table import Table
 
-    from ..study.closed_form import number
+    from ..study.closed_form import in_space, letters, number
 
     form = solution.form
     titles = dict.fromkeys((study.system.title, form.title))
@@ -125,7 +125,7 @@ def _print(study: Study, solution: Solution, moments: list[Fraction], digits: in
     facts.add_column(no_wrap=True)
     facts.add_column(style="dim")
     for item in form.figures:
-        facts.add_row(escape(_letter(item.symbol)), number(item), escape(item.meaning))
+        facts.add_row(escape(letters(item.symbol)), number(item), escape(letters(item.meaning)))
     console.print(facts)
     shown = _chosen(moments)
     rows = list(_rows(study, solution, shown, digits))
@@ -139,6 +139,8 @@ def _print(study: Study, solution: Solution, moments: list[Fraction], digits: in
             table.add_row(escape(name), escape(unit), *(values[index] for index in some))
         typer.echo()
         console.print(table)
+    if study.system.motion is not None and not in_space(study, solution):
+        inform("the attitude and the place in space are not part of this closed form")
     if len(shown) < len(moments):
         inform(
             f"{len(shown)} of {len(moments)} times are shown; --json prints and -o writes all "
@@ -163,14 +165,6 @@ def _blocks(shown: Sequence[Fraction], rows: Sequence[Row], width: int) -> Itera
     count = max(1, (width - head) // each)
     for first in range(0, len(shown), count):
         yield range(first, min(first + count, len(shown)))
-
-
-def _letter(symbol: str) -> str:
-    """A symbol as text: Ω₁ for Omega_1."""
-    from ..notation import text
-    from ..vectors import scalar
-
-    return text(scalar(symbol))
 
 
 def _plain(time: Fraction) -> str:
@@ -234,8 +228,7 @@ def _balls(
 def _record(
     study: Study, solution: Solution, moments: list[Fraction], digits: int | None
 ) -> dict[str, Any]:
-    from ..study.closed_form import ball
-    from ..typeset import latex
+    from ..study.closed_form import ball, equation
 
     form = solution.form
     values = []
@@ -254,7 +247,7 @@ def _record(
         "system": study.system.name,
         "title": form.title,
         "motion": form.motion,
-        "equations": [f"{latex(left)} = {latex(right)}" for left, right in form.equations],
+        "equations": [equation(left, right) for left, right in form.equations],
         "figures": values,
         "ovals": [list(oval) for oval in form.ovals],
         "source": form.source,

@@ -24,6 +24,7 @@ from ..statements import Isomorphism
 from ..system import System, flat_pairs
 from ..systems.entry import bruns_factor
 from ..vectors import Diagonal, scalar
+from .bodies import rolling_of
 from .expressed import expressed
 from .principal import in_principal_axes, told_back
 from .problem import Problem, exact, same_field
@@ -53,6 +54,8 @@ def solution_of(problem: Problem) -> Solution:
     NoClosedFormError
         If none is known; the message says what is.
     """
+    if problem.rolling is None:
+        problem = replace(problem, rolling=rolling_of(problem.system, problem.parameters))
     for recogniser in RECOGNISERS:
         solution = recogniser(problem)
         if solution is not None:
@@ -223,4 +226,12 @@ def _principal(problem: Problem) -> Solution | None:
     return None if found is None else told_back(problem, solution_of(found[0]), found[1])
 
 
-RECOGNISERS: tuple[Recogniser, ...] = (_principal, _genus_two)
+def _revolution(problem: Problem) -> Solution | None:
+    from .revolution import solve_rolling
+
+    if problem.rolling is None:
+        return None
+    return solve_rolling(problem.rolling, problem.system, problem.start, problem.parameters)
+
+
+RECOGNISERS: tuple[Recogniser, ...] = (_revolution, _principal, _genus_two)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import time as clock
 from dataclasses import dataclass
 from typing import Any
@@ -16,9 +17,10 @@ from ..explicit.recognise import solution_of
 from ..explicit.refusals import NoClosedFormError
 from ..explicit.solution import Figure, Solution
 from ..flow.record import Statistics, Trajectory
+from ..notation import text
 from ..system import System
 from ..typeset import latex, mathml
-from ..vectors import explicit
+from ..vectors import explicit, scalar
 from .prepare import Study, dataset_of
 
 __all__ = [
@@ -176,7 +178,7 @@ class Section:
     motion: str
     source: str
     equations: tuple[Markup, ...]
-    rows: tuple[tuple[Markup, str, str], ...]
+    rows: tuple[tuple[str, str, str], ...]
     ovals: tuple[str, ...]
     difference: str
 
@@ -199,16 +201,34 @@ def section(solution: Solution, trajectory: Trajectory) -> Section:
         motion=form.motion,
         source=form.source,
         equations=tuple(
-            Markup(mathml(f"{latex(left)} = {latex(right)}", "block"))
-            for left, right in form.equations
+            Markup(mathml(equation(left, right), "block")) for left, right in form.equations
         ),
         rows=tuple(
-            (Markup(mathml(latex(sp.Symbol(figure.symbol)))), number(figure), figure.meaning)
+            (_symbol(figure.symbol), number(figure), letters(figure.meaning))
             for figure in form.figures
         ),
         ovals=tuple(f"[{low:.12g}, {high:.12g}]" for low, high in form.ovals),
         difference=f"{distance:.1e}",
     )
+
+
+def equation(left: Any, right: Any) -> str:
+    """An equation in LaTeX, symbols such as dz and dtau as differentials."""
+
+    def differential(found: re.Match[str]) -> str:
+        return rf"\mathrm{{d}}{latex(sp.Symbol(found[1]))}"
+
+    return re.sub(r"\\text\{d([a-z]+)\}", differential, f"{latex(left)} = {latex(right)}")
+
+
+def _symbol(written: str) -> str:
+    """A symbol as a formula; what is no name, such as V_1/V_2, as words."""
+    return Markup(mathml(latex(scalar(written)))) if written.isidentifier() else letters(written)
+
+
+def letters(words: str) -> str:
+    """Words with z_1 and tau in them as z₁ and τ."""
+    return re.sub(r"[A-Za-z]+_\d+|tau", lambda found: text(scalar(found[0])), words)
 
 
 def number(figure: Figure, digits: int = 15) -> str:

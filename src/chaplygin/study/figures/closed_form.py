@@ -18,11 +18,15 @@ __all__ = ["closed_form"]
 #: Points with which half an oval is drawn.
 _POINTS = 300
 
+#: Turns of the faster phase that are drawn.
+TURNS = 9
+
 
 def closed_form(title: str, form: ClosedForm) -> Figure:
-    """The real ovals of a curve y² = ∏ (z − root) with those on which the motion lives filled.
+    """The ovals of a curve y² = ∏ (z − root) on which the motion lives, and the motion on them.
 
-    Ovals are drawn to the same height, each in the shape that the curve has there.
+    Ovals are drawn to the same height, each in the shape that the curve has there.  A motion of
+    two frequencies is drawn beside them on the square of its two phases, for some turns.
 
     Parameters
     ----------
@@ -30,27 +34,65 @@ def closed_form(title: str, form: ClosedForm) -> Figure:
         Of the system, for the description.
     form : ClosedForm
     """
-    roots = roots_of(form)
     with mpl.rc_context(STYLE):
-        figure = Figure(figsize=(WIDTH, 1.7), layout="constrained")
+        figure = Figure(figsize=(WIDTH, 1.75), layout="constrained")
         figure.set_label(f"The curve of the closed form: {title}")
-        axes = figure.add_subplot()
-        ends = [*roots, *(end for oval in form.ovals for end in oval)]
-        low, high = min(ends), max(ends)
-        room = 0.06 * (high - low) or 1.0
-        axes.axhline(0.0, color=QUIET, linewidth=0.6, zorder=1)
-        for number, (left, right) in enumerate(form.ovals):
-            _oval(axes, left, right, roots, COMPONENTS[number % len(COMPONENTS)], number)
-        axes.plot(roots, np.zeros(len(roots)), "o", color=INK, markersize=3.5, zorder=4)
-        axes.set_xlim(low - room, high + room)
-        axes.set_ylim(-1.25, 1.25)
-        axes.set_yticks([])
-        axes.spines["left"].set_visible(False)
-        axes.grid(axis="x", color=FAINT, linewidth=0.4)
-        axes.set_axisbelow(True)
-        axes.set_xlabel("$z$")
-        axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=max(1, len(form.ovals)))
+        turns = frequencies_of(form)
+        if turns is None:
+            _curve(figure.add_subplot(), form)
+        else:
+            curve, torus = figure.subplots(1, 2, width_ratios=(3.6, 1.0))
+            _curve(curve, form)
+            _torus(torus, *turns)
     return figure
+
+
+def _curve(axes: Axes, form: ClosedForm) -> None:
+    """The line of z with the roots and the ovals of the motion."""
+    roots = roots_of(form)
+    ends = [*roots, *(end for oval in form.ovals for end in oval)]
+    low, high = min(ends, default=0.0), max(ends, default=1.0)
+    room = 0.06 * (high - low) or 1.0
+    axes.axhline(0.0, color=QUIET, linewidth=0.6, zorder=1)
+    for number, (left, right) in enumerate(form.ovals):
+        _oval(axes, left, right, roots, COMPONENTS[number % len(COMPONENTS)], number)
+    axes.plot(roots, np.zeros(len(roots)), "o", color=INK, markersize=3.5, zorder=4)
+    axes.set_xlim(low - room, high + room)
+    axes.set_ylim(-1.25, 1.25)
+    axes.set_yticks([])
+    axes.spines["left"].set_visible(False)
+    axes.grid(axis="x", color=FAINT, linewidth=0.4)
+    axes.set_axisbelow(True)
+    axes.set_xlabel("$z$")
+    axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=max(1, len(form.ovals)))
+
+
+def _torus(axes: Axes, first: float, second: float) -> None:
+    """A straight line on the square of the two phases, its turns from light to dark."""
+    speed = max(abs(first), abs(second))
+    phase = np.linspace(0.0, TURNS, 400 * TURNS + 1)
+    x, y = ((phase * rate / speed) % 1.0 for rate in (first, second))
+    # the line is cut where it leaves the square
+    cut = (np.abs(np.diff(x)) > 0.5) | (np.abs(np.diff(y)) > 0.5)
+    places = np.flatnonzero(cut) + 1
+    pieces = zip(np.split(x, places), np.split(y, places), strict=True)
+    for piece in pieces:
+        axes.plot(*piece, color=INK, linewidth=0.6)
+    axes.set_aspect("equal")
+    axes.set_xlim(0.0, 1.0)
+    axes.set_ylim(0.0, 1.0)
+    axes.set_xticks([0.0, 1.0])
+    axes.set_yticks([0.0, 1.0])
+    axes.set_xlabel("turns of $z_1$", labelpad=-6)
+    axes.set_ylabel("turns of $z_2$", labelpad=-4)
+
+
+def frequencies_of(form: ClosedForm) -> tuple[float, float] | None:
+    """The two frequencies among the figures of a closed form."""
+    found = {f.symbol: float(f.value.mid()) for f in form.figures}
+    if "Omega_1" not in found or "Omega_2" not in found:
+        return None
+    return found["Omega_1"], found["Omega_2"]
 
 
 def roots_of(form: ClosedForm) -> list[float]:
