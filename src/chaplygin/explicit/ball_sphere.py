@@ -16,7 +16,8 @@ where e₂, e₃ are the symmetric functions of A, 2h = (M, ω) and f = M².  Ba
 
     ω = Bn×ṅ/(n, Bn),      B = I_Q A,      M = I_Q ω,
 
-and (n, Bn) > 0 for a rigid body.  M stays in space; n does not.
+and (n, Bn) > 0 for a rigid body.  M stays in space; n does not, and is never parallel to M, since
+(AM, n) = 0 with A > 0.
 
 L is positive where z lies between the poles, since e₃/e₂ is smaller than each A_i.  So the
 quadratic 2hzL − fQ is not positive at the smaller and not negative at the larger of z₁, z₂: its
