@@ -52,10 +52,14 @@ class Axis:
     symbol : sympy.Symbol
     value : sympy expression
         The integral, in state, definitions and parameters of the system.
+    meaning, unit : str
+        In words, and the SI unit; empty where the system does not say.
     """
 
     symbol: sp.Symbol
     value: Any
+    meaning: str = ""
+    unit: str = ""
 
 
 @dataclass(frozen=True)
@@ -127,11 +131,19 @@ def plane_of(separable: Separable, resting: str = UNSAID) -> Plane:
         title=separable.title,
         system=separable.system,
         level=separable.level,
-        axes=(Axis(x, first), Axis(y, second)),
+        axes=(_axis(x, first, separable.system), _axis(y, second, separable.system)),
         poles=separable.poles,
         rest=(separable.leading * movable).subs(made[::-1]),
         resting=resting,
     )
+
+
+def _axis(symbol: sp.Symbol, value: Any, system: System) -> Axis:
+    """An axis with the meaning that the system gives to this integral."""
+    for law in system.integrals:
+        if sp.expand(explicit(law.value) - explicit(value)) == 0:
+            return Axis(symbol, value, law.meaning, law.unit)
+    return Axis(symbol, value)
 
 
 def _symbols(formula: Any) -> set[sp.Symbol]:
@@ -154,7 +166,7 @@ def chaplygin_ball_with_area() -> Plane:
         title="Chaplygin ball with any area constant",
         system=ball,
         level=(f - normed(M),),
-        axes=(Axis(h, dot(M, omega) / 2), Axis(g, dot(M, gamma))),
+        axes=(_axis(h, dot(M, omega) / 2, ball), _axis(g, dot(M, gamma), ball)),
         poles=(poles[0], poles[1], poles[2]),
         rest=-4 * Z * ((2 * h * Z - f) * (Z - D) - D * g**2),
         bounds=(Bound(f - g**2, "motion with the momentum M vertical"),),

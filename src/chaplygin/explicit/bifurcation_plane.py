@@ -180,7 +180,7 @@ def separated(polynomials: Sequence[fmpq_poly]) -> list[tuple[Any, int]]:
     while True:
         with ctx.workprec(precision):
             roots = [(root, n) for n, p in enumerate(polynomials) for root in isolated(p)]
-            roots.sort(key=lambda pair: float(pair[0].mid()))
+            roots.sort(key=lambda pair: fraction(pair[0]))
             if all(low < high for (low, _), (high, _) in pairwise(roots)):
                 return roots
         precision *= 2
