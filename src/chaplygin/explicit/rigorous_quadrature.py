@@ -26,8 +26,8 @@ from ..errors import InputError
 from .numbers import number
 from .rigorous_formula import Branch, direction
 from .rigorous_strip import least, lines_of, strip_bound
-from .rigorous_theta import Numerators
-from .rigorous_winding import Winding
+from .rigorous_theta import Numerators, numerators_at
+from .torus import Torus
 
 __all__ = ["RigorousQuadrature", "bits_for", "quadratures"]
 
@@ -48,7 +48,7 @@ class RigorousQuadrature:
 
     Attributes
     ----------
-    winding : Winding
+    torus : Torus
     branch : Branch
     place : int
         Which of the formulas of `branch` is f.
@@ -62,7 +62,7 @@ class RigorousQuadrature:
         Working precision.
     """
 
-    winding: Winding
+    torus: Torus
     branch: Branch
     place: int
     period: int
@@ -83,13 +83,13 @@ class RigorousQuadrature:
     def rate(self, tau: Any) -> Any:
         """f at one τ (arb), from its formula."""
         with ctx.workprec(self.bits):
-            return self.branch.at(*direction(*self.winding.at(tau)))[self.place]
+            return self.branch.at(*direction(*numerators_at(self.torus, tau)))[self.place]
 
     @cached_property
     def _divided(self) -> tuple[Any, list[tuple[Any, Any]]]:
         """g_k/(2πi k·V/p) as a matrix, and the slow terms (g_k exp(2πi k·v₀/p), π k·V/p)."""
         one, two = self._reach
-        V, v_0, p = self.winding.V, self.winding.v_0, self.period
+        V, v_0, p = self.torus.V, self.torus.v_0, self.period
         limit = _SLOW * (abs(number(V[0])) + abs(number(V[1])))
         slow, rows = [], []
         for j in range(-one, one + 1):
@@ -110,7 +110,7 @@ class RigorousQuadrature:
     def _waved(self, tau: Any) -> Any:
         """Σ g_k/(2πi k·V/p) exp(2πi k·v/p) at v = v₀ + Vτ."""
         waves = []
-        for start, speed, reach in zip(self.winding.v_0, self.winding.V, self._reach, strict=True):
+        for start, speed, reach in zip(self.torus.v_0, self.torus.V, self._reach, strict=True):
             turn = 2 * (start + speed * tau) / self.period
             waves.append([acb(k * turn).exp_pi_i() for k in range(-reach, reach + 1)])
         table, _ = self._divided
@@ -140,7 +140,7 @@ class RigorousQuadrature:
 
     @cached_property
     def _least(self) -> Any:
-        return least(self.winding, self.branch, self.period)
+        return least(self.torus, self.branch, self.period)
 
     def inverse(self, value: Any) -> Any:
         """The τ at which the integral of a positive f has a given value, as a ball.
@@ -179,13 +179,13 @@ def _sums(half: float, period: int, reach: int) -> tuple[Any, Any]:
 
 
 def quadratures(
-    winding: Winding, branch: Branch, digits: int, reach: float
+    torus: Torus, branch: Branch, digits: int, reach: float
 ) -> tuple[RigorousQuadrature, ...]:
-    """Integrals of formulas in ν and ν′ along a winding.
+    """Integrals of formulas in ν and ν′ along a torus.
 
     Parameters
     ----------
-    winding : Winding
+    torus : Torus
         Known to `bits_for(digits, reach)` bits and some more.
     branch : Branch
     digits : int
@@ -200,9 +200,9 @@ def quadratures(
     """
     bits = bits_for(digits, reach)
     with ctx.workprec(bits):
-        branch.learn(*direction(*winding.at(0)))
-        period = 1 if branch.repeats(winding.characteristics) else 2
-        strip = strip_bound(winding, branch, period)
+        branch.learn(*direction(*numerators_at(torus, 0)))
+        period = 1 if branch.repeats([theta.characteristic for theta in torus.thetas]) else 2
+        strip = strip_bound(torus, branch, period)
         wanted = digits * log(10) + log(1 + abs(reach)) + 3
         wanted += max(log(1 + number(bound)) for bound in strip.bounds)
         wanted += sum(max(0.0, log(period / (2 * pi * r))) for r in strip.half)
@@ -215,11 +215,11 @@ def quadratures(
             _sums(r, period, half) for r, half in zip(strip.half, halves, strict=True)
         )
         outside = out_1 * all_2 + all_1 * out_2
-        points = Numerators(winding, (0, 0)).real(lines_of(counts, period))
+        points = Numerators(torus, (0, 0)).real(lines_of(counts, period))
         values = [branch.at(*direction(N, rate)) for N, rate in points]
         return tuple(
             RigorousQuadrature(
-                winding,
+                torus,
                 branch,
                 place,
                 period,

@@ -17,8 +17,8 @@ from flint import arb, ctx
 from ..errors import InputError
 from .rigorous_affine import Affine
 from .rigorous_formula import Branch, LeavesBranchError, direction
-from .rigorous_theta import Line, Numerators
-from .rigorous_winding import Winding, complex_numerators
+from .rigorous_theta import Line, Numerators, complex_numerators
+from .torus import Torus
 
 __all__ = ["Strip", "least", "lines_of", "strip_bound"]
 
@@ -55,7 +55,7 @@ def lines_of(count: Sequence[int], period: int) -> tuple[Line, Line]:
 
 
 def _sizes(
-    winding: Winding,
+    torus: Torus,
     branch: Branch,
     heights: Sequence[Any],
     period: int,
@@ -70,7 +70,7 @@ def _sizes(
     LeavesBranchError
         If even the smallest do not help.
     """
-    numerators = Numerators(winding, heights)
+    numerators = Numerators(torus, heights)
     count = _COARSE * period
     wanted: set[tuple[int, int]] | None = None
     while True:
@@ -113,12 +113,10 @@ def _positive(value: Affine) -> bool:
     return bool(value.middle.real > 2 * value.spread)
 
 
-def _bounds(
-    winding: Winding, branch: Branch, half: Sequence[float], period: int
-) -> tuple[Any, ...]:
+def _bounds(torus: Torus, branch: Branch, half: Sequence[float], period: int) -> tuple[Any, ...]:
     largest: list[Any] = []
     for heights in (half, (half[0], -half[1])):
-        for values in _sizes(winding, branch, heights, period, _moderate):
+        for values in _sizes(torus, branch, heights, period, _moderate):
             sizes = [value.size for value in values]
             largest = [max(pair) for pair in zip(largest or sizes, sizes, strict=True)]
     if not all(size.is_finite() for size in largest):
@@ -126,25 +124,25 @@ def _bounds(
     return tuple(largest)
 
 
-def _promising(winding: Winding, branch: Branch, half: Sequence[float], period: int) -> bool:
+def _promising(torus: Torus, branch: Branch, half: Sequence[float], period: int) -> bool:
     """Whether the formulas keep well to their branch at some points of the tori: a quick trial."""
     line = np.arange(_TRIAL * period) / _TRIAL
     x = np.array(np.meshgrid(line, line)).reshape(2, -1)
     try:
         for heights in (half, (half[0], -half[1])):
             v = x + 1j * np.array(heights)[:, None]
-            branch.continued(*direction(*complex_numerators(winding, v)))
+            branch.continued(*direction(*complex_numerators(torus, v)))
     except LeavesBranchError:
         return False
     return True
 
 
-def strip_bound(winding: Winding, branch: Branch, period: int) -> Strip:
+def strip_bound(torus: Torus, branch: Branch, period: int) -> Strip:
     """A strip on which formulas are proven analytic, nearly as wide as it can be.
 
     Parameters
     ----------
-    winding : Winding
+    torus : Torus
     branch : Branch
         Its signs learned.
     period : int
@@ -159,25 +157,25 @@ def strip_bound(winding: Winding, branch: Branch, period: int) -> Strip:
         low, high = _NARROWEST, _WIDEST
         while high / low > 1.1:
             middle = (low * high) ** 0.5
-            if _promising(winding, branch, (middle, middle), period):
+            if _promising(torus, branch, (middle, middle), period):
                 low = middle
             else:
                 high = middle
         half = (low, low)
         for stretch in (1.3,) * 4:
             for wider in ((half[0] * stretch, half[1]), (half[0], half[1] * stretch)):
-                if _promising(winding, branch, wider, period):
+                if _promising(torus, branch, wider, period):
                     half = wider
         while min(half) > _NARROWEST / 2:
             half = (half[0] * _ROOM, half[1] * _ROOM)
             try:
-                return Strip(half, _bounds(winding, branch, half, period))
+                return Strip(half, _bounds(torus, branch, half, period))
             except LeavesBranchError:
                 continue
     raise InputError("start: too close to a separatrix for error bounds")
 
 
-def least(winding: Winding, branch: Branch, period: int) -> Any:
+def least(torus: Torus, branch: Branch, period: int) -> Any:
     """A positive lower bound of formulas that are positive on the real torus (arb).
 
     Raises
@@ -187,6 +185,6 @@ def least(winding: Winding, branch: Branch, period: int) -> Any:
     """
     with ctx.workprec(BITS):
         bounds = []
-        for values in _sizes(winding, branch, (arb(0), arb(0)), period, _positive):
+        for values in _sizes(torus, branch, (arb(0), arb(0)), period, _positive):
             bounds += [(value.middle.real - value.spread).lower() for value in values]
         return min(bounds)

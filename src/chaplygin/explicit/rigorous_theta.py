@@ -15,12 +15,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
 from flint import acb, acb_mat, arb, ctx, fmpq
 
+from .numbers import number
 from .rigorous_affine import Affine
-from .rigorous_winding import Winding
+from .torus import Torus
 
-__all__ = ["Line", "Numerators"]
+__all__ = ["Line", "Numerators", "complex_numerators", "numerators_at"]
 
 _DEGREES = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
 #: Orders of derivatives that the bounds of what is left out allow for.
@@ -85,36 +87,36 @@ class Numerators:
 
     Parameters
     ----------
-    winding : Winding
+    torus : Torus
     heights : two numbers
         y.
     """
 
-    def __init__(self, winding: Winding, heights: Sequence[Any]) -> None:
-        self._winding = winding
+    def __init__(self, torus: Torus, heights: Sequence[Any]) -> None:
+        self._torus = torus
         self._y = tuple(arb(y) for y in heights)
-        Y = winding.Y
+        Y = torus.lattice.Y
         room = 1 - abs(Y[0, 1]) / (Y[0, 0] * Y[1, 1]).sqrt()
         decays = [(Y[j, j] * room).lower() for j in (0, 1)]
         self._sums = [
-            [_Sum.over(decays[j], self._y[j], own[0][j]) for j in (0, 1)]
-            for own in winding.characteristics
+            [_Sum.over(decays[j], self._y[j], theta.characteristic[0][j]) for j in (0, 1)]
+            for theta in torus.thetas
         ]
 
     def _left_out(self, i: int) -> Any:
         """A bound of all terms of N_i left out, times (1 + 2π|m₁|)³(1 + 2π|m₂|)³."""
         one, two = self._sums[i]
         both = one.outside * two.everything + one.everything * two.outside
-        return (abs(self._winding.factors[i]) * both).upper()
+        return (abs(self._torus.factors[i]) * both).upper()
 
     def _amplitudes(self, i: int) -> list[list[Any]]:
         """c_i exp(−π mᵀY m − 2π m·y) for all m that are summed."""
-        Y, (y_1, y_2) = self._winding.Y, self._y
+        Y, (y_1, y_2) = self._torus.lattice.Y, self._y
         rows, columns = (part.indices for part in self._sums[i])
 
         def amplitude(m: Any, n: Any) -> Any:
             form = Y[0, 0] * m * m + 2 * Y[0, 1] * m * n + Y[1, 1] * n * n
-            return self._winding.factors[i] * (-arb.pi() * (form + 2 * (m * y_1 + n * y_2))).exp()
+            return self._torus.factors[i] * (-arb.pi() * (form + 2 * (m * y_1 + n * y_2))).exp()
 
         return [[amplitude(m, n) for n in columns] for m in rows]
 
@@ -123,7 +125,7 @@ class Numerators:
     ) -> list[list[Any]]:
         """∂₁^p ∂₂^q N_i for (p, q) in `degrees`, as entries of the grid, row by row."""
         rows, columns = (part.indices for part in self._sums[i])
-        shift = self._winding.characteristics[i][1]
+        shift = self._torus.thetas[i].characteristic[1]
         left = _waves(lines[0], rows, shift[0])
         right = _waves(lines[1], columns, shift[1]).transpose()
         amplitudes = self._amplitudes(i)
@@ -143,7 +145,7 @@ class Numerators:
 
     def real(self, lines: Sequence[Line]) -> list[tuple[list[Any], list[Any]]]:
         """N and N′ (arb) at every point of a grid of the real torus, row by row."""
-        W = self._winding.along
+        W = self._torus.along
         values, rates = [], []
         for i in range(3):
             plain, first, second = self._tables(i, lines, _DEGREES[:3])
@@ -153,7 +155,7 @@ class Numerators:
 
     def boxes(self, lines: Sequence[Line], half: Sequence[Any]) -> list[tuple[list[Any], ...]]:
         """N and N′ on boxes |x_j − grid point| ≤ half_j ≤ ½, as affine functions, row by row."""
-        W = self._winding.along
+        W = self._torus.along
         h = (arb(half[0]), arb(half[1]))
         values, rates = [], []
         for i in range(3):
@@ -171,7 +173,7 @@ class Numerators:
 
     def _rests(self, i: int, half: Sequence[Any]) -> tuple[Any, Any]:
         """Bounds of ½ Σ |term| (2π(|m₁|h₁ + |m₂|h₂))², for N_i and for its derivative N_i′."""
-        W = self._winding.along
+        W = self._torus.along
         left_out = self._left_out(i)
         plain, turned = left_out, left_out * (abs(W[0]) + abs(W[1]))
         rows, columns = (part.indices for part in self._sums[i])
@@ -193,3 +195,28 @@ def _waves(places: Line, indices: Sequence[Any], shift: int) -> Any:
 def _by_point(values: list[list[Any]], rates: list[list[Any]]) -> list[tuple[list[Any], ...]]:
     points = zip(zip(*values, strict=True), zip(*rates, strict=True), strict=True)
     return [(list(value), list(rate)) for value, rate in points]
+
+
+def numerators_at(torus: Torus, tau: Any) -> tuple[list[Any], list[Any]]:
+    """N and N′ at one τ (arb)."""
+    v = [start + speed * tau for start, speed in zip(torus.v_0, torus.V, strict=True)]
+    pairs = [theta.ball(v, torus.along) for theta in torus.thetas]
+    N = [c * value for c, (value, _) in zip(torus.factors, pairs, strict=True)]
+    return N, [c * rate for c, (_, rate) in zip(torus.factors, pairs, strict=True)]
+
+
+def complex_numerators(torus: Torus, v: Any) -> tuple[Any, Any]:
+    """N and N′ at complex phases v (2, n), as arrays (3, n), in double precision."""
+    Y = np.array([[number(torus.lattice.Y[i, j]) for j in (0, 1)] for i in (0, 1)])
+    along = np.array([number(x) for x in torus.along])
+    reach = np.ceil(np.sqrt(13 / np.diag(Y - abs(Y[0, 1]) * np.eye(2))) + 1 + np.abs(v.imag).max())
+    N, rate = [], []
+    for c, theta in zip(torus.factors, torus.thetas, strict=True):
+        a, b = theta.characteristic
+        lines = [np.arange(-r, r + 1) + half / 2 for r, half in zip(reach, a, strict=True)]
+        m = np.array(np.meshgrid(*lines)).reshape(2, -1)
+        turned = 2j * np.pi * (m.T @ (v + np.array(b)[:, None] / 2))
+        terms = number(c) * np.exp(turned - np.pi * np.sum(m * (Y @ m), axis=0)[:, None])
+        N.append(terms.sum(axis=0))
+        rate.append((2j * np.pi * (along @ m)) @ terms)
+    return np.array(N), np.array(rate)

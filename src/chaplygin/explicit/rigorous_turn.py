@@ -1,0 +1,124 @@
+"""Attitude and path in space, in formulas of ν and ν′ and with error bounds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+from flint import arb, arb_mat
+
+from ..mechanics.attitude import attitude
+from ..system import flat_pairs
+from ..vectors import scalar
+from .numbers import Values, components
+from .prepared import Prepared, chain
+from .rigorous_formula import Branch
+
+__all__ = ["Turn", "path_rates"]
+
+_AXES = sp.Matrix(3, 3, lambda k, s: scalar(f"axis_{k + 1}{s + 1}"))
+_TRIAD = sp.Matrix(3, 3, lambda k, b: scalar(f"triad_{k + 1}{b + 1}"))
+
+
+@dataclass(frozen=True)
+class Turn:
+    """A triad that stands still in space, and its vectors seen from the body.
+
+    Attributes
+    ----------
+    body : Branch
+        The triad in body axes, nine formulas, row by row.
+    axes : arb_mat (3, 3)
+        The triad in space axes, as rows.
+    """
+
+    body: Branch
+    axes: Any
+
+    @classmethod
+    def through(cls, prepared: Prepared, there: Sequence[Any], quaternion: Sequence[Any]) -> Turn:
+        """From ν and ν′ and the attitude (w, x, y, z, body to space) at the start."""
+        formulas = list(_triad(prepared))
+        _, steps = chain(prepared.separable, formulas)
+        body = Branch(formulas, prepared.values, steps)
+        rows = arb_mat(3, 3, body.at(*there))
+        length = sum((x * x for x in quaternion), arb(0)).sqrt()
+        return cls(body, rows * _matrix([x / length for x in quaternion]).transpose())
+
+    def matrix(self, there: Sequence[Any]) -> Any:
+        """The matrix from body to space components (arb_mat), at ν and ν′."""
+        return self.axes.transpose() * arb_mat(3, 3, self.body.at(*there))
+
+    def quaternion(self, there: Sequence[Any], rough: Sequence[float]) -> list[Any]:
+        """The quaternion (w, x, y, z) at ν and ν′, next to a rough one."""
+        squares = _products(self.matrix(there).table())
+        # the largest component is safe to divide by
+        place = max(range(4), key=lambda i: abs(rough[i]))
+        largest = squares[place][place].sqrt() * (1 if rough[place] > 0 else -1)
+        return [squares[place][i] / largest if i != place else largest for i in range(4)]
+
+    @property
+    def values(self) -> Values:
+        """The axes by the symbols used in :func:`path_rates`."""
+        return {_AXES[k, s]: self.axes[k, s] for k in range(3) for s in range(3)}
+
+
+def _triad(prepared: Prepared) -> Any:
+    """Orthonormal: along the first fixed vector, across both, and the third."""
+    first, second = (sp.Matrix(components(vector)) for vector in prepared.separable.fixed)
+    normal = first.cross(second)
+    one, three = (u / sp.sqrt(u.dot(u)) for u in (first, normal))
+    return sp.Matrix([one.T, three.cross(one).T, three.T])
+
+
+def _matrix(q: Sequence[Any]) -> Any:
+    """Body to space, of a unit quaternion."""
+    w, x, y, z = q
+    return arb_mat(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+
+
+def _products(R: Any) -> list[list[Any]]:
+    """q_i q_j of the quaternion of a rotation matrix (nested rows; numbers or formulas)."""
+    (a, b, c), (d, e, f), (g, h, i) = R
+    four = [
+        [1 + a + e + i, h - f, c - g, d - b],
+        [h - f, 1 + a - e - i, b + d, c + g],
+        [c - g, b + d, 1 - a + e - i, f + h],
+        [d - b, c + g, f + h, 1 - a - e + i],
+    ]
+    return [[x / 4 for x in row] for row in four]
+
+
+def path_rates(prepared: Prepared, turn: Turn) -> Branch | None:
+    """Derivatives in τ of the coordinates in space beside the attitude; None if there are none.
+
+    Quaternions enter the rates of a path in products of two, which are linear in the matrix.
+    """
+    motion = prepared.separable.system.motion
+    if motion is None:
+        return None
+    names = attitude.symbols
+    rates = [formula for name, formula in flat_pairs(motion.field) if name not in names]
+    if not rates:
+        return None
+    products = _products((_AXES.T * _TRIAD).tolist())
+    clock = components(prepared.separable.clock)[0]
+    formulas = []
+    for rate in rates:
+        total = sp.S.Zero
+        for powers, coefficient in sp.Poly(rate, *names).terms():
+            pair = [i for i, power in enumerate(powers) for _ in range(power)]
+            total += coefficient * (products[pair[0]][pair[1]] if pair else 1)
+        formulas.append(clock * total)
+    triad = list(zip(_TRIAD, _triad(prepared), strict=True))
+    needed = [*formulas, *(formula for _, formula in triad)]
+    _, steps = chain(prepared.separable, needed)
+    return Branch(formulas, {**prepared.values, **turn.values}, (*steps, *triad))
