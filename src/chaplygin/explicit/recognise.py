@@ -26,6 +26,7 @@ from ..systems.entry import bruns_factor
 from ..vectors import Diagonal, scalar
 from .bodies import rolling_of
 from .expressed import expressed
+from .numbers import ball, evaluated
 from .principal import in_principal_axes, told_back
 from .problem import Problem, exact, same_field
 from .refusals import Condition, refusal
@@ -41,6 +42,10 @@ Formulas: TypeAlias = Mapping[sp.Symbol, Any]
 
 #: Directions in space by which an attitude is known.
 DIRECTIONS = 2
+
+#: Systems by the name of their separation whose bodies may have two equal moments.
+TURNING = ("veselova", "rubber-chaplygin-ball")
+ROLLING = ("chaplygin-ball", "chaplygin-ball-area")
 
 #: Parameters that are tried in every order, at most.
 FEW = 5
@@ -73,6 +78,7 @@ SEPARABLE = (
     ("rubber_sphere", "on_plane"),
     ("veselova", "veselova"),
     ("chaplygin_ball", "chaplygin_ball"),
+    ("chaplygin_area", "chaplygin_area"),
     ("rubber_sphere", "hollow_ball"),
     ("rubber_sphere", "of_ratio"),
     ("ball_sphere", "hollow_ball"),
@@ -83,6 +89,7 @@ SEPARABLE = (
     ("bruns", "veselova_in_bruns_field"),
     ("bruns", "rubber_ball_in_bruns_field"),
     ("bruns_ball", "chaplygin_ball_in_bruns_field"),
+    ("bruns_sphere", "hollow_ball_in_bruns_field"),
 )
 
 
@@ -202,15 +209,18 @@ def _agree(
     return same_field(system, values, target, there)
 
 
-def _genus_two(problem: Problem) -> Solution | None:
+def _separated(problem: Problem) -> Solution | None:
     from .curve import DegenerateError
     from .degenerate import solved_degenerate
     from .genus_two import solved
 
     found = likeness(problem)
-    if found is None or found.level:
+    if found is None:
         return None
     values = {s: x if isinstance(x, arb) else exact(x) for s, x in problem.parameters.items()}
+    axial = _axial(problem, found, values)
+    if axial is not None or found.level:
+        return axial
     own, start = found.own, problem.start
     if problem.system.motion is not None and len(own.fixed) < DIRECTIONS:
         own = replace(own, system=replace(problem.system, motion=None))
@@ -219,6 +229,21 @@ def _genus_two(problem: Problem) -> Solution | None:
         return solved(own, values, start)
     except DegenerateError:
         return solved_degenerate(own, values, start)
+
+
+def _axial(problem: Problem, found: Likeness, values: Mapping[sp.Symbol, Any]) -> Solution | None:
+    """Bodies with two equal moments, and those that turn uniformly."""
+    from .degenerate_revolution import chaplygin_of_revolution, veselova_of_revolution
+
+    own, name = found.own, found.known.name
+    if problem.system.motion is None or name not in (*TURNING, *ROLLING):
+        return None
+    numbers = {symbol: ball(value) for symbol, value in values.items()}
+    moments = evaluated(own.poles, numbers)
+    if name in TURNING:
+        return veselova_of_revolution(problem.system, values, problem.start, moments)
+    m, R = (numbers[scalar(s)] for s in ("m", "R"))
+    return chaplygin_of_revolution(problem.system, values, problem.start, moments, m * R * R, R)
 
 
 def _principal(problem: Problem) -> Solution | None:
@@ -234,4 +259,4 @@ def _revolution(problem: Problem) -> Solution | None:
     return solve_rolling(problem.rolling, problem.system, problem.start, problem.parameters)
 
 
-RECOGNISERS: tuple[Recogniser, ...] = (_revolution, _principal, _genus_two)
+RECOGNISERS: tuple[Recogniser, ...] = (_revolution, _principal, _separated)

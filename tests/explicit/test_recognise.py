@@ -1,0 +1,212 @@
+"""A motion is recognised by what it is, whatever it is called."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+import sympy as sp
+from flint import arb
+
+from chaplygin.explicit.bodies import rolling_of
+from chaplygin.explicit.problem import Problem, exact, same_field
+from chaplygin.explicit.recognise import likeness, solution_of
+from chaplygin.flow.trajectory import integrate
+from chaplygin.mechanics.body import Body
+from chaplygin.mechanics.rolling import Field, Rolling
+from chaplygin.mechanics.shapes import Ball
+from chaplygin.mechanics.start import starting_state
+from chaplygin.mechanics.surfaces import Sphere
+from chaplygin.study.experiment import loads
+from chaplygin.study.prepare import prepare
+from chaplygin.system import Parameter, System
+from chaplygin.systems import from_catalogue
+from chaplygin.vectors import scalar, vectors
+
+GAMMA = (0.36, -0.48, 0.8)
+NO_SPIN = (0.8, -0.4, -0.6)
+MOMENTS = (1.0, 1.5, 2.1)
+FULL = ((1.0, 0.1, 0.05), (0.1, 1.5, -0.2), (0.05, -0.2, 2.1))
+
+
+def problem_of(rolling: Rolling, omega: Any = NO_SPIN, told: bool = True) -> Problem:
+    """A rolling body with a start; `told` whether what rolls on what is known."""
+    system = rolling.system()
+    start = starting_state(system, omega, GAMMA)
+    return Problem(system, system.defaults, start, rolling if told else None)
+
+
+def catalogue(name: str, **parameters: float) -> Problem:
+    """A system of the catalogue with its start."""
+    options = [f"system.parameters.{key}={value}" for key, value in parameters.items()]
+    study = prepare(loads(f'[system]\nname = "{name}"\n', name, options))
+    return Problem(study.system, study.system.defaults, study.start, study.rolling)
+
+
+BALL = Rolling(Body(1.3, MOMENTS, Ball(0.9)))
+
+
+@pytest.mark.parametrize(
+    ("rolling", "name"),
+    [
+        (BALL, "chaplygin-ball-area"),
+        (replace(BALL, field=Field(9.81)), "chaplygin-ball-area"),
+        (replace(BALL, contact="rubber"), "rubber-chaplygin-ball"),
+        (replace(BALL, contact="rubber", field=Field(9.81)), "rubber-chaplygin-ball"),
+        (
+            Rolling(Body(1.3, MOMENTS, Ball(0.9, hollow=True)), Sphere(0.45), "rubber"),
+            "rubber-ball-around-sphere",
+        ),
+    ],
+    ids=["ball", "heavy ball", "rubber ball", "heavy rubber ball", "around a sphere, k = −1"],
+)
+def test_rolling_bodies(rolling: Rolling, name: str) -> None:
+    found = likeness(problem_of(rolling))
+    assert found is not None
+    assert (found.known.name, found.level) == (name, ())
+    assert set(found.own.leading.free_symbols) <= {
+        *rolling.system().defaults,
+        *(symbol for symbol, _ in found.own.constants),
+    }
+
+
+@pytest.mark.parametrize(
+    ("name", "parameters", "separation"),
+    [
+        ("veselova", {}, "veselova"),
+        ("neumann", {}, "neumann"),
+        ("veselova-bruns", {}, "veselova-bruns"),
+        ("rubber-chaplygin-ball-bruns", {}, "rubber-chaplygin-ball-bruns"),
+        ("rubber-ball-of-ratio", {"k": -1.0}, "rubber-ball-of-ratio"),
+    ],
+)
+def test_systems_of_the_catalogue(name: str, parameters: dict[str, float], separation: str) -> None:
+    found = likeness(catalogue(name, **parameters))
+    assert found is not None
+    assert (found.known.name, found.level) == (separation, ())
+
+
+def test_the_area_constant_chooses_the_separation() -> None:
+    # (Iω, γ) = 0.36 − 0.72·… is made zero by the third component
+    still = problem_of(BALL, (1.0, 1.0, (0.72 - 0.36) / (2.1 * 0.8)))
+    found = likeness(still)
+    assert found is not None
+    assert found.known.name == "chaplygin-ball"
+
+
+@pytest.mark.parametrize("radius", [0.45, 0.4500001])
+def test_the_ratio_of_radii_is_taken_exactly(radius: float) -> None:
+    ball = Rolling(Body(1.3, MOMENTS, Ball(0.9, hollow=True)), Sphere(radius), "rubber")
+    found = likeness(problem_of(ball))
+    assert found is not None
+    assert (not found.level) == (radius == 0.45)
+
+
+def own_system() -> System:
+    """The Veselova system as somebody else would write it: other letters, no lift, no laws."""
+    from chaplygin.vectors import cross, dot
+
+    w, n, A, B, C = *vectors("w n"), *(scalar(s) for s in "ABC")
+    momentum = [a * x for a, x in zip((A, B, C), w.symbols, strict=True)]
+    x, y, z = w.symbols
+    p, q, r = momentum
+    torque = (q * z - r * y, r * x - p * z, p * y - q * x)
+    pull = sum(t * s / a for t, s, a in zip(torque, n.symbols, (A, B, C), strict=True))
+    size = sum(s**2 / a for s, a in zip(n.symbols, (A, B, C), strict=True))
+    rates = [
+        (t - pull / size * s) / a for t, s, a in zip(torque, n.symbols, (A, B, C), strict=True)
+    ]
+    return System(
+        name="mine",
+        title="My own",
+        field=[*zip(w.symbols, rates, strict=True), (n, cross(n, w))],
+        parameters=tuple(
+            Parameter(s, "moment", value)
+            for s, value in zip((C, A, B), (2.1, 1.0, 1.5), strict=True)
+        ),
+        relations=(dot(n, n) - 1, dot(w, n)),
+    )
+
+
+def test_a_system_in_other_letters() -> None:
+    system = own_system()
+    start = (0.8, -0.4, -0.6, *GAMMA)
+    found = likeness(Problem(system, system.defaults, start))
+    assert found is not None
+    assert found.known.name == "veselova"
+    assert found.own.poles == tuple(scalar(s) for s in "ABC")
+    solution = solution_of(Problem(system, system.defaults, start))
+    trajectory = integrate(system, start, np.linspace(0.0, 20.0, 5))
+    assert np.abs(solution.states(trajectory.times) - trajectory.states).max() < 1e-12
+
+
+def test_a_full_inertia_tensor() -> None:
+    ball = Rolling(Body(1.3, FULL, Ball(0.9)), contact="rubber", field=Field(9.81))
+    problem = problem_of(ball)
+    solution = solution_of(problem)
+    trajectory = integrate(problem.system, problem.start, np.linspace(0.0, 20.0, 5))
+    assert solution.system.symbols == trajectory.system.symbols
+    assert np.abs(solution.states(trajectory.times) - trajectory.states).max() < 1e-12
+
+
+@pytest.mark.parametrize(
+    "rolling",
+    [
+        BALL,
+        replace(BALL, contact="rubber", field=Field(9.81)),
+        Rolling(Body(1.3, FULL, Ball(0.9)), contact="rubber"),
+        Rolling(Body(1.3, MOMENTS, Ball(0.9, hollow=True)), Sphere(0.45)),
+        Rolling(Body(1.3, MOMENTS, Ball(0.9, centre=(0.1, 0.2, 0.3)))),
+    ],
+    ids=["ball", "heavy rubber ball", "full tensor", "around a sphere", "displaced"],
+)
+def test_bodies_are_found_in_their_equations(rolling: Rolling) -> None:
+    system = rolling.system()
+    found = rolling_of(system, system.defaults)
+    assert found is not None
+    assert found.system().field == system.field
+    assert found.body.inertia == rolling.body.inertia
+
+
+def test_no_body_is_found_where_none_rolls() -> None:
+    system = from_catalogue("veselova")
+    assert rolling_of(system, system.defaults) is None
+
+
+def test_fields_are_compared_exactly() -> None:
+    system = from_catalogue("veselova")
+    numbers = {s: exact(x) for s, x in system.defaults.items()}
+    assert same_field(system, numbers, system, numbers)
+    (first, *_) = numbers
+    near = numbers | {first: numbers[first] + Fraction(1, 10**40)}
+    assert not same_field(system, near, system, numbers)
+
+
+def test_fields_with_functions_are_none_of_the_known() -> None:
+    known = from_catalogue("veselova")
+    numbers = {s: exact(x) for s, x in known.defaults.items()}
+    other = replace(
+        known, field=tuple((name, sp.sin(1) * rate) for name, rate in known.field), motion=None
+    )
+    assert not same_field(other, numbers, known, numbers)
+
+
+@pytest.mark.parametrize(
+    ("number", "value"),
+    [
+        (0.1, Fraction(1, 10)),
+        ("1/3", Fraction(1, 3)),
+        (7, Fraction(7)),
+        (sp.Rational(2, 3), Fraction(2, 3)),
+        (mpmath.mpf(-0.5), Fraction(-1, 2)),
+        (arb(0.25), Fraction(1, 4)),
+        (np.float64(0.3), Fraction(3, 10)),
+    ],
+    ids=str,
+)
+def test_numbers_are_taken_at_their_word(number: Any, value: Fraction) -> None:
+    assert exact(number) == value
