@@ -65,6 +65,11 @@ class Axial(ABC):
     def velocity(self, F: Any, u: Any, rate: Any) -> list[Any] | None:
         """Rate of the place, three components; None for a body with a fixed point."""
 
+    @property
+    @abstractmethod
+    def rising(self) -> Any:
+        """u̇ at the start."""
+
     @abstractmethod
     def frame(self) -> list[list[Any]]:
         """k₁, k₂, k₃ at the start, body axes with e last."""
@@ -99,13 +104,13 @@ class VeselovaAxial(Axial):
         """The motion through a state on the phase space."""
         Iomega = [A * omega[0], A * omega[1], C * omega[2]]
         L = cross(Iomega, gamma)
-        G = C + (A - C) * gamma[2] ** 2
+        G = C + (A - C) * gamma[2] * gamma[2]
         return cls(A, C, omega[2] * G.sqrt(), dot(Iomega, omega), dot(L, L), (omega, gamma))
 
     @property
     def equation(self) -> Equation:
         def numerator(u: Any) -> Any:
-            return self.energy * (1 - u * u) - self.spin**2
+            return self.energy * (1 - u * u) - self.spin * self.spin
 
         # beyond ±1 the square is negative: the edges are no roots
         return Equation(numerator, lambda u: 0 * u + self.A, arb(-1.5), arb(1.5))
@@ -129,6 +134,11 @@ class VeselovaAxial(Axial):
 
     def velocity(self, F: Any, u: Any, rate: Any) -> list[Any] | None:
         return None
+
+    @property
+    def rising(self) -> Any:
+        omega, gamma = self.start
+        return gamma[0] * omega[1] - gamma[1] * omega[0]
 
     def frame(self) -> list[list[Any]]:
         omega, gamma = self.start
@@ -182,7 +192,7 @@ class ChaplyginAxial(Axial):
     @property
     def across(self) -> Any:
         """m."""
-        return (self.square - self.area**2).sqrt()
+        return (self.square - self.area * self.area).sqrt()
 
     def _W(self, u: Any) -> Any:
         return 1 - self.D / self.a - self.D * self._epsilon * u * u
@@ -233,6 +243,11 @@ class ChaplyginAxial(Axial):
     def velocity(self, F: Any, u: Any, rate: Any) -> list[Any] | None:
         omega, R = self.omega(F, u, rate), F.number(self.R)
         return [R * omega[1], -R * omega[0], 0 * u]
+
+    @property
+    def rising(self) -> Any:
+        M, gamma = self.start
+        return (gamma[0] * M[1] - gamma[1] * M[0]) / self.a
 
     def frame(self) -> list[list[Any]]:
         M, gamma = self.start

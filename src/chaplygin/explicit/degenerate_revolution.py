@@ -72,19 +72,11 @@ def _solved(
         first, second = (scene.with_axis_last(state[k : k + 3]) for k in (0, 3))
         axial = made(moments[(axis + 1) % 3], moments[axis], first, second)
         u = second[2]
-        rate = second[0] * _omega(axial)[1] - second[1] * _omega(axial)[0]
+        rate = axial.rising
         chart = chart_of(axial.equation, u, rate)
         if isinstance(chart, Steady):
             return None
         return AxialSolution(scene, axial, chart, u, rate)
-
-
-def _omega(axial: Axial) -> Sequence[Any]:
-    """ω at the start, body axes with e last, up to a multiple of γ and e."""
-    first, second = axial.start
-    if isinstance(axial, ChaplyginAxial):
-        return [x / axial.a for x in first]
-    return first
 
 
 def veselova_of_revolution(

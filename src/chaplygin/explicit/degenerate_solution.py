@@ -140,11 +140,11 @@ class Degenerate(Solution):
 
             def total(places: range, count: int) -> Any:
                 points = (arb(k) / count * period for k in places)
-                rates = (made(*nu, *rate, *fixed)[0] for nu, rate in map(at, points))
-                return sum(rates, arb(0))
+                return sum((made(*at(tau), *fixed)[0] for tau in points), arb(0))
 
-            def at(tau: Any) -> Any:
-                return direction(*periodic.at(tau))
+            def at(tau: Any) -> list[Any]:
+                # exact numbers: a ball around zero has no even power in python-flint
+                return [x.mid() for vector in direction(*periodic.at(tau)) for x in vector]
 
             count = 16
             found = total(range(count), count)
@@ -158,7 +158,8 @@ class Degenerate(Solution):
     @cached_property
     def clock(self) -> Quadratures | Window:
         """t as a function of τ and back, and the quadratures of the places."""
-        return along(self.motion, self._integrands, self.turn)
+        with ctx.workprec(BITS):
+            return along(self.motion, self._integrands, self.turn)
 
     @cached_property
     def _signs(self) -> Signs:

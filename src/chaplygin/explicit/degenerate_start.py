@@ -148,7 +148,7 @@ def _symmetric(poles: Any, weights: Any, nu: Any, nuprime: Any) -> tuple[Any, An
         gap = weights[i]
         for other in (*poles[:i], *poles[i + 1 :]):
             gap = gap * (own - other)
-        shares.append(nu[i] ** 2 / gap)
+        shares.append(nu[i] * nu[i] / gap)
         rates.append(2 * nu[i] * nuprime[i] / gap)
     sums = [sum(poles, arb(0)) - own for own in poles]
     products = [poles[1] * poles[2], poles[2] * poles[0], poles[0] * poles[1]]

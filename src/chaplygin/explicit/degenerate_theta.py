@@ -60,7 +60,7 @@ class Thetas:
         return (-value, -slope) if flips else (value, slope)
 
     def _waves(self, index: int, zeta: Any) -> Pair:
-        moved, odd = _CENTRES[index]
+        odd = _CENTRES[index][1]
         pi = arb.pi()
         shifted = zeta + (pi / 2 if index in (2, 4) else 0)
         height = _height(zeta)
@@ -99,7 +99,7 @@ class Thetas:
             if not distance > 1:
                 continue
             reach = distance + height + 4
-            bound = reach * ((height**2 - distance**2) / (pi * self.y)).exp() * 4 / (pi * self.y)
+            bound = reach * ((height * height - distance * distance) / (pi * self.y)).exp() * 4 / (pi * self.y)
             ratio = (-(2 * distance + pi) / self.y).exp() * (reach + pi) / reach
             if ratio < 0.5 and bound < arb(2) ** (-ctx.prec - 8):
                 # two terms a step, and the terms left out at most double the first ones

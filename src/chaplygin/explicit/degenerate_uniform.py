@@ -173,7 +173,7 @@ def _helix(axis: Sequence[Any], velocity: Sequence[Any], t: Any) -> list[Any]:
     """∫ e^{t axis×} velocity dt from 0."""
     half = dot(axis, axis).sqrt() * t / 2
     # sin x/x and (1 − cos x)/x² at x = |axis| t, and what they leave of the part along the axis
-    first, second = (2 * half).sinc() * t, half.sinc() ** 2 * t**2 / 2
+    first, second = (2 * half).sinc() * t, half.sinc() * half.sinc() * t * t / 2
     once = cross(axis, velocity)
     square = dot(axis, axis)
     if square.contains(0):
@@ -255,8 +255,7 @@ def _made(
     turn: tuple[Any, ...] = ()
     velocity: tuple[Any, ...] = ()
     if system.motion is not None:
-        length = dot(start[size : size + 4], start[size : size + 4])
-        length = (length + start[size + 3] ** 2).sqrt()
+        length = sum((q * q for q in start[size : size + 4]), arb(0)).sqrt()
         turn = tuple(q / length for q in start[size : size + 4])
         velocity = _velocity(system, values, start)
     lifted = system.lifted() if system.motion is not None else system
