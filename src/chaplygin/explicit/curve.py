@@ -56,17 +56,27 @@ class Curve:
             value = value * (z - root)
         return value
 
-    def rest(self, left: int, z: Any) -> Any:
-        """|R| / ((z − l)(r − z)) on the interval between roots number `left` and `left` + 1.
+    def rest(self, left: int, s: Any) -> Any:
+        """|R| / ((z − l)(r − z)) at the place s of the interval from l, the root number `left`, to r.
 
-        It is positive on the closed interval and analytic around it.
+        There z = ½(l + r) − ½(r − l) cos s.  The rest is positive on the closed interval and analytic
+        around it; it is a product of positive sums, so that nothing cancels near other roots.
+
+        Parameters
+        ----------
+        left : int
+        s : arb or acb
+            In radians; 0 at l and π at r.
         """
+        low, high = self.ends(left)
+        half = s / 2
+        from_low, to_high = (high - low) * half.sin() ** 2, (high - low) * half.cos() ** 2
         value = abs(self.leading)
         for place, root in enumerate(self.roots):
             if place < left:
-                value = value * (z - root)
+                value = value * (low - root + from_low)
             elif place > left + 1:
-                value = value * (root - z)
+                value = value * (root - high + to_high)
         return value
 
     @cached_property

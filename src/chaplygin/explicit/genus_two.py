@@ -42,7 +42,7 @@ class Clock:
     mean : arb
         The mean of dt/dτ.
     Omega : pair of (float, float)
-        Turns around the ovals in a unit of t, each as a sum of two doubles.
+        Mean velocity of the phases in t, each as a sum of two doubles.
     V, v_0 : array (2,)
         Velocity in τ and start of the phases.
     """
@@ -69,8 +69,8 @@ class Clock:
             step = -miss / (mean_clock + rate)
             following = delta + step
             outside = (following <= low) | (following >= high)
-            bounded = np.isfinite(low) & np.isfinite(high)
-            following = np.where(outside & bounded, (low + high) / 2, following)
+            outside &= np.isfinite(low) & np.isfinite(high)
+            following[outside] = (low[outside] + high[outside]) / 2
             settled = np.abs(following - delta) <= 4e-16 * np.maximum(1.0, np.abs(delta))
             delta = following
             if settled.all():
@@ -244,6 +244,7 @@ class GenusTwo(Solution):
 def _form(solution: GenusTwo) -> ClosedForm:
     motion, separable = solution.prepared, solution.separable
     torus = motion.torus
+    turns = torus.turns
     y, z, tau, t = sp.symbols("y z tau t")
     z_1, z_2, y_1, y_2 = sp.symbols("z_1 z_2 y_1 y_2")
     d = [sp.Symbol(f"d{name}") for name in ("z_1", "z_2", "tau", "t")]
@@ -252,8 +253,8 @@ def _form(solution: GenusTwo) -> ClosedForm:
     figures = [
         *(Figure(str(name), motion.values[name], "constant") for name, _ in separable.constants),
         *(Figure(f"e_{i}", root, "branch point") for i, root in enumerate(motion.curve.roots, 1)),
-        *(Figure(f"V_{i}", x, f"turns of z_{i} per unit of τ") for i, x in enumerate(torus.V, 1)),
-        Figure("V_1/V_2", torus.V[0] / torus.V[1], "rotation number"),
+        *(Figure(f"V_{i}", x, f"turns of z_{i} per unit of τ") for i, x in enumerate(turns, 1)),
+        Figure("V_1/V_2", turns[0] / turns[1], "rotation number"),
         *(
             Figure(f"Y_{i + 1}{j + 1}", torus.lattice.Y[i, j], "period matrix iY")
             for i, j in ((0, 0), (0, 1), (1, 1))
@@ -261,7 +262,7 @@ def _form(solution: GenusTwo) -> ClosedForm:
         Figure("mean dt/dtau", clock.mean, "mean rate of the clock"),
         *(
             Figure(f"Omega_{i}", x / clock.mean, f"frequency of z_{i}", "1/s")
-            for i, x in enumerate(torus.V, 1)
+            for i, x in enumerate(turns, 1)
         ),
     ]
     ends = [motion.curve.ends(left) for left in torus.lattice.ovals]

@@ -16,7 +16,7 @@ __all__ = ["BITS", "mean"]
 #: Working precision of a mean.
 BITS = 128
 #: Points of the grid beyond which the mean is left to doubles.
-_MOST = 40_000
+_MOST = 70_000
 
 
 def mean(torus: Torus, function: Callable[..., Any], rough: Series) -> Any | None:

@@ -7,6 +7,7 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Any, TypeAlias
 
+import mpmath
 import numpy as np
 import sympy as sp
 from flint import acb, arb, fmpq
@@ -33,7 +34,7 @@ Steps: TypeAlias = tuple[tuple[sp.Symbol, sp.Expr], ...]
 
 
 def ball(value: Any) -> Any:
-    """A number as a ball: floats, integers and fractions exactly, texts as decimals.
+    """A number as a ball: doubles as the decimals that they are written as, the rest exactly.
 
     Parameters
     ----------
@@ -45,13 +46,12 @@ def ball(value: Any) -> Any:
         return arb(fmpq(value.numerator, value.denominator))
     if isinstance(value, sp.Rational):
         return arb(fmpq(int(value.p), int(value.q)))
-    if isinstance(value, float | np.floating):
-        # a NumPy float may be wider than a double: its two halves are exact
-        high = float(value)
-        return arb(high) + arb(float(value - high))
     if isinstance(value, int | np.integer):
         return arb(int(value))
-    return arb(str(value))
+    if isinstance(value, mpmath.mpf):
+        mantissa, exponent = abs(value).man_exp
+        return arb(mantissa if value > 0 else -mantissa) * arb(2) ** exponent
+    return arb(str(float(value)) if isinstance(value, np.floating) else str(value))
 
 
 def number(value: Any) -> float:

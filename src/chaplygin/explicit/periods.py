@@ -13,10 +13,12 @@ from typing import Any
 from flint import acb, arb, arb_mat
 
 from .curve import Curve, DegenerateError
+from .numbers import number
 
 __all__ = ["Lattice", "abelian", "lattice"]
 
 Pair = tuple[Any, Any]
+Basis = tuple[tuple[int, int], tuple[int, int]]
 
 
 def abelian(curve: Curve, left: int, end: Any = None) -> Pair:
@@ -37,7 +39,7 @@ def abelian(curve: Curve, left: int, end: Any = None) -> Pair:
     def integrated(power: int) -> Any:
         def integrand(s: Any, analytic: bool) -> Any:
             z = middle - half * s.cos()
-            return z**power / curve.rest(left, z).sqrt(analytic=analytic)
+            return z**power / curve.rest(left, s).sqrt(analytic=analytic)
 
         # the relative accuracy aimed at is that of the working precision
         return acb.integral(integrand, acb(0), acb(stop)).real
@@ -49,8 +51,9 @@ def abelian(curve: Curve, left: int, end: Any = None) -> Pair:
 class Lattice:
     """Periods of the curve for a motion on two of its ovals.
 
-    The normalised differentials ω = P⁻¹ (dz/y, z dz/y) have ∮ ω_j = δ_jk around the two ovals, and
-    the period matrix is iY.
+    The normalised differentials ω = P⁻¹ (dz/y, z dz/y) have integrals δ_jk over two cycles, whole
+    combinations of the two ovals, and the period matrix is iY.  Of all such pairs of cycles the one
+    is taken whose form Y is reduced, |2Y₁₂| ≤ Y₁₁ ≤ Y₂₂: there theta series are shortest.
 
     Attributes
     ----------
@@ -59,10 +62,10 @@ class Lattice:
         The left ends of the ovals of z₁ and z₂.
     inverse : arb_mat (2, 2)
         P⁻¹.
-    periods : arb_mat (2, 2)
-        P: its columns are the integrals of dz/y and z dz/y around the two ovals.
+    basis : ((int, int), (int, int))
+        The unimodular matrix that turns phases counted around the ovals into phases v.
     Y : arb_mat (2, 2)
-        Symmetric, positive definite.
+        Symmetric, positive definite, reduced.
     halves : tuple of ((x_1, x_2), (y_1, y_2))
         The Abelian image of every branch point from the first root, x + iY y, in units of one
         half (integers), for the roots in increasing order and for infinity when it is one.
@@ -71,13 +74,19 @@ class Lattice:
     curve: Curve
     ovals: tuple[int, int]
     inverse: Any
-    periods: Any
+    basis: Basis
     Y: Any
     halves: tuple[tuple[tuple[int, int], tuple[int, int]], ...]
 
     def normalised(self, pair: Pair) -> Pair:
         """P⁻¹ applied to a pair of integrals."""
         return _applied(self.inverse, pair)
+
+    def around_ovals(self, v: Pair) -> Pair:
+        """Phases, or their rates, counted around the ovals of z₁ and z₂."""
+        (p, q), (r, s) = self.basis
+        determinant = p * s - q * r
+        return (s * v[0] - q * v[1]) * determinant, (p * v[1] - r * v[0]) * determinant
 
     def characteristic(self, root: int) -> tuple[tuple[int, int], tuple[int, int]]:
         """The odd characteristic (a, b) of a branch point, in units of one half, modulo 2."""
@@ -127,8 +136,27 @@ def lattice(curve: Curve, ovals: tuple[int, int]) -> Lattice:
         row = _applied(normal, _scaled(steps[between], 2))
         rows.append(row if row[index] > 0 else _scaled(row, -1))
     shared = rows[0][1].intersection(rows[1][0])
-    Y = arb_mat([[rows[0][0], shared], [shared, rows[1][1]]])
-    return Lattice(curve, ovals, normal, P, Y, _halves(curve, steps, normal, Y))
+    basis, Y = _reduced(arb_mat([[rows[0][0], shared], [shared, rows[1][1]]]))
+    normal = arb_mat([list(row) for row in basis]) * normal
+    return Lattice(curve, ovals, normal, basis, Y, _halves(curve, steps, normal, Y))
+
+
+def _reduced(Y: Any) -> tuple[Basis, Any]:
+    """Lagrange's reduction of a positive definite form: the basis, and the form in it."""
+    first, second = (1, 0), (0, 1)
+
+    def form(one: tuple[int, int], other: tuple[int, int]) -> Any:
+        return sum((one[i] * other[j] * Y[i, j] for i in (0, 1) for j in (0, 1)), arb(0))
+
+    while True:
+        if form(second, second).mid() < form(first, first).mid():
+            first, second = second, first
+        nearest = round(number(form(first, second)) / number(form(first, first)))
+        if nearest == 0:
+            break
+        second = (second[0] - nearest * first[0], second[1] - nearest * first[1])
+    off = form(first, second)
+    return (first, second), arb_mat([[form(first, first), off], [off, form(second, second)]])
 
 
 def _sign(left: int) -> int:

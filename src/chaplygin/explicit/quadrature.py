@@ -23,8 +23,10 @@ __all__ = ["Quadrature", "Series", "quadrature", "series"]
 
 #: Coefficients below this part of the largest one are rounding.
 _LEVEL = 2e-16
-#: Grid points per period 2, from the first try to the last.
-_GRIDS = (32, 64, 128, 256, 512, 1024)
+#: Grid points per period 2 at first.
+_GRID = 32
+#: Points of the grid at most.
+_POINTS = 2**18
 #: A term is slow when it is so much larger after integration than the mean.
 _SLOW = 100.0
 
@@ -77,7 +79,7 @@ def series(function: Callable[[Any], Any]) -> tuple[Series, ...]:
     RunError
         If they are not resolved by the finest grid.
     """
-    sizes = [_GRIDS[0], _GRIDS[0]]
+    sizes = [_GRID, _GRID]
     while True:
         grids = [2.0 * np.arange(size) / size for size in sizes]
         v = np.array(np.meshgrid(*grids, indexing="ij")).reshape(2, -1).T
@@ -87,10 +89,11 @@ def series(function: Callable[[Any], Any]) -> tuple[Series, ...]:
         if not any(rough):
             return tuple(_trimmed(spectrum, sizes) for spectrum in spectra)
         sizes = [2 * size if more else size for size, more in zip(sizes, rough, strict=True)]
-        if max(sizes) > _GRIDS[-1]:
+        if sizes[0] * sizes[1] > _POINTS:
             raise RunError(
                 "the motion is so near a separatrix that its clock is not resolved by "
-                f"{_GRIDS[-1]} points around the torus"
+                f"{_POINTS} points of the torus",
+                0.0,
             )
 
 

@@ -21,6 +21,9 @@ from .numbers import number
 
 __all__ = ["Theta"]
 
+#: Points that are computed at once.
+_BLOCK = 16384
+
 Characteristic = tuple[tuple[int, int], tuple[int, int]]
 
 
@@ -108,9 +111,15 @@ class Theta:
     def values(self, v: Any, V: Sequence[float]) -> tuple[Any, Any]:
         """θ and its derivative along V at v (n, 2), as arrays (n,)."""
         p, weights = self._arrays
-        phases = pi * (v + np.array(self.characteristic[1]) / 2) @ p.T
         rates = pi * (p @ np.asarray(V, dtype=float))
-        return np.cos(phases) @ weights, -np.sin(phases) @ (weights * rates)
+        both = np.empty((2, len(v)))
+        # in blocks, so that memory stays bounded
+        for first in range(0, len(v), _BLOCK):
+            block = slice(first, first + _BLOCK)
+            phases = pi * (v[block] + np.array(self.characteristic[1]) / 2) @ p.T
+            both[0, block] = np.cos(phases) @ weights
+            both[1, block] = -np.sin(phases) @ (weights * rates)
+        return both[0], both[1]
 
     @cached_property
     def _arrays(self) -> tuple[Any, Any]:

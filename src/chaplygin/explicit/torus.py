@@ -1,7 +1,7 @@
 """Motion of the unit vector ν on the torus: theta functions of phases that grow linearly.
 
 ν = N/|N| with N_i = c_i θ[δ_i](v), v = v₀ + Vτ, where δ_i belongs to the i-th pole of the curve.
-The phases v count turns around the two ovals; ν has the period 2 in each of them.
+ν has the period 2 in each of the two phases.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ class Torus:
     factors : tuple of arb
         c_i, with their signs.
     V : (arb, arb)
-        Turns around the ovals in a unit of τ.
+        Velocity of the phases in τ.
     v_0 : (arb, arb)
         Phases at τ = 0.
     along : (arb, arb)
@@ -108,6 +108,11 @@ class Torus:
         nu = [x / length for x in N]
         nuprime = [(r - pull * x) / length for x, r in zip(N, rate, strict=True)]
         return (nu[0], nu[1], nu[2]), (nuprime[0], nuprime[1], nuprime[2])
+
+    @property
+    def turns(self) -> Pair:
+        """How often z₁ and z₂ go around their ovals in a unit of τ."""
+        return self.lattice.around_ovals(self.V)
 
     @cached_property
     def _numbers(self) -> tuple[Any, Any]:
@@ -217,7 +222,11 @@ def _angle(curve: Curve, left: int, z: Any, y: Any) -> Any:
     """The place s of a point on its oval, from −π to π, accurate at the turning points too."""
     low, high = curve.ends(left)
     half = (high - low) / 2
-    sine = y / (half * curve.rest(left, z).sqrt())
+    others = abs(curve.leading)
+    for place, root in enumerate(curve.roots):
+        if place not in (left, left + 1):
+            others = others * abs(z - root)
+    sine = y / (half * others.sqrt())
     cosine = ((low + high) / 2 - z) / half
     return arb.atan2(sine, cosine)
 

@@ -1,0 +1,56 @@
+"""The door to closed forms: a system, a start, and the motion at every time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import sympy as sp
+
+from ..errors import InputError
+from ..system import System
+from .problem import Problem
+from .recognise import solution_of
+from .solution import Solution
+
+__all__ = ["solve"]
+
+
+def solve(
+    system: System, start: Sequence[Any], parameters: Mapping[Any, Any] | None = None
+) -> Solution:
+    """Solve an integrable system from a start.
+
+    Parameters
+    ----------
+    system : System
+        One of those that have a closed form, under whatever name and in whatever symbols.
+    start : sequence of numbers
+        The state at t = 0 in flat order, lifted to space where the system has a motion; see
+        :func:`chaplygin.mechanics.start.starting_state`.
+    parameters : mapping of Symbol or name to number, optional
+        Values that replace the system's defaults.
+
+    Returns
+    -------
+    Solution
+        ``solution(t)`` gives the state at any times; see
+        :class:`chaplygin.explicit.solution.Solution`.
+
+    Raises
+    ------
+    NoClosedFormError
+        If no closed form is known; the sentence says what is known instead.
+    InputError
+        If start or parameters do not fit the system.
+    """
+    values = dict(system.defaults)
+    names = {str(symbol): symbol for symbol in values}
+    for key, number in (parameters or {}).items():
+        symbol = key if isinstance(key, sp.Symbol) else names.get(str(key))
+        if symbol not in values:
+            raise InputError(
+                f"{system.name} has no parameter {key}; it has {', '.join(names) or 'none'}"
+            )
+        values[symbol] = number
+    return solution_of(Problem(system, values, tuple(start)))
