@@ -30,7 +30,7 @@ from .rubber_ball_plane import rubber_ball_plane
 from .separable import Separable
 from .veselova import veselova
 
-__all__ = ["PLANES", "Axis", "Bound", "Plane", "numbers", "plane_named", "plane_of"]
+__all__ = ["PLANES", "SEPARATED", "Axis", "Bound", "Plane", "numbers", "plane_named", "plane_of"]
 
 #: The variable of the curve.
 Z = scalar("z")
@@ -40,7 +40,7 @@ M, gamma, omega = vectors("M gamma omega")
 ROTATION = "permanent rotation about axis {}"
 PENDULUM = "turning or swinging about axis {}, which stays horizontal"
 GREAT_CIRCLE = "motion on the great circle Γ_{} = 0"
-UNSAID = "motion with ν_{} = 0"
+UNSAID = "motion in the plane ν_{} = 0"
 
 
 @dataclass(frozen=True)
@@ -140,8 +140,10 @@ def plane_of(separable: Separable, resting: str = UNSAID) -> Plane:
 
 def _axis(symbol: sp.Symbol, value: Any, system: System) -> Axis:
     """An axis with the meaning that the system gives to this integral."""
+    steps = dict(system.steps)
     for law in system.integrals:
-        if sp.expand(explicit(law.value) - explicit(value)) == 0:
+        told = explicit(law.value)
+        if sp.expand(steps.get(told, told) - explicit(value)) == 0:
             return Axis(symbol, value, law.meaning, law.unit)
     return Axis(symbol, value)
 
@@ -182,24 +184,28 @@ def bruns_problem() -> Plane:
     return replace(found, name="bruns", title="Bruns problem at zero area constant", system=system)
 
 
+SEPARATED: Mapping[str, tuple[Callable[[], Separable], str]] = {
+    "veselova": (veselova, ROTATION),
+    "veselova-bruns": (veselova_in_bruns_field, PENDULUM),
+    "chaplygin-ball": (chaplygin_ball, ROTATION),
+    "chaplygin-ball-bruns": (chaplygin_ball_in_bruns_field, PENDULUM),
+    "chaplygin-ball-fedorov": (fedorov, UNSAID),
+    "rubber-chaplygin-ball": (rubber_ball_plane, ROTATION),
+    "rubber-chaplygin-ball-bruns": (rubber_ball_in_bruns_field, PENDULUM),
+    "rubber-ball-of-ratio": (rubber_sphere.of_ratio, ROTATION),
+    "rubber-ball-around-sphere": (rubber_sphere.hollow_ball, ROTATION),
+    "ball-around-sphere": (ball_sphere.hollow_ball, ROTATION),
+    "ball-around-sphere-zero-area": (ball_sphere.of_tensor, ROTATION),
+    "neumann": (neumann_system, GREAT_CIRCLE),
+    "clebsch": (clebsch_case, GREAT_CIRCLE),
+}
+"""Separated systems by the names of their systems, and what rests where ν_i vanishes."""
+
 PLANES: Mapping[str, Callable[[], Plane]] = {
-    "veselova": lambda: plane_of(veselova(), ROTATION),
-    "veselova-bruns": lambda: plane_of(veselova_in_bruns_field(), PENDULUM),
-    "chaplygin-ball": lambda: plane_of(chaplygin_ball(), ROTATION),
     "chaplygin-ball-area": chaplygin_ball_with_area,
-    "chaplygin-ball-bruns": lambda: plane_of(chaplygin_ball_in_bruns_field(), PENDULUM),
-    "chaplygin-ball-fedorov": lambda: plane_of(fedorov(), GREAT_CIRCLE),
-    "rubber-chaplygin-ball": lambda: plane_of(rubber_ball_plane(), ROTATION),
-    "rubber-chaplygin-ball-bruns": lambda: plane_of(rubber_ball_in_bruns_field(), PENDULUM),
-    "rubber-ball-of-ratio": lambda: plane_of(rubber_sphere.of_ratio(), ROTATION),
-    "rubber-ball-around-sphere": lambda: plane_of(rubber_sphere.hollow_ball(), ROTATION),
-    "ball-around-sphere": lambda: plane_of(ball_sphere.hollow_ball(), ROTATION),
-    "ball-around-sphere-zero-area": lambda: plane_of(ball_sphere.of_tensor(), ROTATION),
-    "neumann": lambda: plane_of(neumann_system(), GREAT_CIRCLE),
-    "clebsch": lambda: plane_of(clebsch_case(), GREAT_CIRCLE),
     "bruns": bruns_problem,
 }
-"""The planes that have a name, each made when it is asked for."""
+"""Further planes."""
 
 
 def plane_named(name: str) -> Plane:
@@ -210,9 +216,13 @@ def plane_named(name: str) -> Plane:
     InputError
         If there is none; the sentence lists the names.
     """
-    if name not in PLANES:
-        raise InputError(f"no bifurcation diagram {name!r}; there are {', '.join(PLANES)}")
-    return PLANES[name]()
+    if name in SEPARATED:
+        made, resting = SEPARATED[name]
+        return plane_of(made(), resting)
+    if name in PLANES:
+        return PLANES[name]()
+    known = ", ".join(sorted((*SEPARATED, *PLANES)))
+    raise InputError(f"no bifurcation diagram {name!r}; there are {known}")
 
 
 def numbers(plane: Plane, given: Mapping[Any, Any]) -> dict[sp.Symbol, Fraction]:

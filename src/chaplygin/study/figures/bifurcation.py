@@ -16,7 +16,7 @@ from matplotlib.lines import Line2D
 from ...errors import InputError
 from ...explicit.bifurcation import Boundary, Diagram, Region
 from ..drawing import FloatArray
-from .bifurcation_places import Grid, Heights, heights, places, window
+from .bifurcation_places import Grid, Heights, Window, heights, places, window
 from .style import ALARM, COMPONENTS, FAINT, INK, QUIET, STYLE, WIDTH
 
 __all__ = ["draw"]
@@ -58,17 +58,17 @@ def draw(diagram: Diagram, mark: tuple[float, float] | None = None) -> Figure:
         axes = figure.add_subplot()
         axes.set(xlim=frame.across, ylim=frame.upward)
         axes.set_xlabel(_named(diagram, 0))
-        axes.set_ylabel(_named(diagram, 1))
+        axes.set_ylabel(_named(diagram, 1) + _less(diagram, frame))
         _fill(axes, diagram, lines)
         for boundary in diagram.boundaries:
             _line(axes, boundary, lines)
         grid = Grid(diagram, frame, lines)
         _label(axes, diagram, grid)
         for corner in diagram.equilibria:
-            _dot(axes, corner.place, "s", "white", INK)
+            _dot(axes, frame.drawn(corner.place), "s", "white", INK)
         handles = [*_boundary_key(diagram), *_corner_key(diagram)]
         if mark is not None:
-            _dot(axes, mark, "o", ALARM, "white", 8.0)
+            _dot(axes, frame.drawn(mark), "o", ALARM, "white", 8.0)
             style: dict[str, Any] = {"marker": "o", "color": "none", "markerfacecolor": ALARM}
             handles.append(
                 Line2D([], [], markeredgecolor="white", markersize=7, label="this motion", **style)
@@ -88,6 +88,15 @@ def _named(diagram: Diagram, number: int) -> str:
         if name in held
     )
     return f"{text}  ({unit}){fixed}" if unit else f"{text}{fixed}"
+
+
+def _less(diagram: Diagram, frame: Window) -> str:
+    """What is taken away from the ordinates."""
+    if not frame.slope and not frame.offset:
+        return ""
+    slope, offset = (float(value) for value in (frame.slope, frame.offset))
+    sign = "-" if offset < 0 else "+"
+    return f",  less $({slope:.4g}\\,{diagram.axes[0].symbol} {sign} {abs(offset):.4g})$"
 
 
 def _fill(axes: Axes, diagram: Diagram, lines: Mapping[int, Heights]) -> None:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import pairwise
 from typing import TypeAlias
 
 import numpy as np
+from flint import fmpq
 from scipy.ndimage import distance_transform_edt
 
 from ...explicit.bifurcation import Diagram, Region
@@ -27,14 +28,43 @@ LABEL = (0.055, 0.026)
 
 @dataclass(frozen=True)
 class Window:
-    """The part of the plane that is shown."""
+    """The part of the plane that is shown, and the sloping line from which ordinates are taken.
+
+    Attributes
+    ----------
+    across, upward : (float, float)
+        Limits.
+    slope, offset : Fraction
+        Drawn upward is y less slope·x + offset.
+    """
 
     across: tuple[float, float]
     upward: tuple[float, float]
+    slope: Fraction
+    offset: Fraction
+
+    def drawn(self, place: Sequence[Fraction | float]) -> Place:
+        """Where a point of the plane is drawn."""
+        x, y = map(float, place)
+        return x, y - float(self.slope) * x - float(self.offset)
+
+
+def _base(diagram: Diagram) -> tuple[Fraction, Fraction]:
+    """Slope and offset of the line of the middle axis, from which a field's diagram is drawn.
+
+    In a field the boundaries run close to each other along this line.  Without one they are rays
+    that need no such help.
+    """
+    terms = diagram.rest.subs({"z": diagram.poles[1]}).to_dict()
+    if not diagram.equilibria or terms.get((0, 1, 0), 0) == 0:
+        return Fraction(0), Fraction(0)
+    slope, offset = (-terms.get(p, fmpq(0)) / terms[0, 1, 0] for p in ((1, 0, 0), (0, 0, 0)))
+    return Fraction(int(slope.p), int(slope.q)), Fraction(int(offset.p), int(offset.q))
 
 
 def window(diagram: Diagram, mark: tuple[float, float] | None) -> Window:
     """A window on all corners of the diagram, and on a marked point."""
+    base = _base(diagram)
     orders: dict[int, list[tuple[int, int]]] = {}
     for number, boundary in enumerate(diagram.boundaries):
         for column, rank in boundary.arcs:
@@ -50,22 +80,26 @@ def window(diagram: Diagram, mark: tuple[float, float] | None) -> Window:
     across = (left - 0.12 * room, right + (0.12 if closed else 0.4) * room)
     shown = [
         ys[:, rank]
-        for column, (_, ys) in _levels(diagram, across).items()
+        for column, (_, ys) in _levels(diagram, across, base).items()
         for rank in range(ys.shape[1])
         if rank in [place for place, _ in orders.get(column, [])]
     ]
-    values = np.concatenate([*shown, [] if mark is None else [mark[1]]])
+    bare = Window(across, (0.0, 0.0), *base)
+    values = np.concatenate([*shown, [] if mark is None else [bare.drawn(mark)[1]]])
     low, high = float(values.min()), float(values.max())
     tall = (high - low) or 1.0
-    return Window(across, (low - 0.1 * tall, high + 0.1 * tall))
+    return replace(bare, upward=(low - 0.1 * tall, high + 0.1 * tall))
 
 
 def heights(diagram: Diagram, frame: Window) -> Mapping[int, Heights]:
-    """The arcs over every column that the window shows."""
-    return _levels(diagram, frame.across)
+    """The arcs over every column that the window shows, as they are drawn."""
+    return _levels(diagram, frame.across, (frame.slope, frame.offset))
 
 
-def _levels(diagram: Diagram, across: tuple[float, float]) -> dict[int, Heights]:
+def _levels(
+    diagram: Diagram, across: tuple[float, float], base: tuple[Fraction, Fraction]
+) -> dict[int, Heights]:
+    slope, offset = map(float, base)
     ends = [-np.inf, *(float(a) for a in diagram.arrangement.abscissae), np.inf]
     found: dict[int, Heights] = {}
     for column, (start, end) in enumerate(pairwise(ends)):
@@ -76,7 +110,8 @@ def _levels(diagram: Diagram, across: tuple[float, float]) -> dict[int, Heights]
         turns = np.linspace(1e-4, np.pi - 1e-4, POINTS)
         xs = low + (high - low) * (1 - np.cos(turns)) / 2
         rows = [diagram.arrangement.ordinates(column, rational(Fraction(float(x)))) for x in xs]
-        found[column] = (xs, np.array([[float(y) for y in row] for row in rows]))
+        ys = np.array([[float(y) for y in row] for row in rows])
+        found[column] = (xs, ys - (slope * xs + offset)[:, np.newaxis])
     return found
 
 
