@@ -29,8 +29,7 @@ class Level:
         self.place = (float(x), float(y))
         known = {s: sp.Rational(str(v)) for s, v in diagram.parameters.items()}
         known |= {
-            axis.symbol: sp.Rational(str(v))
-            for axis, v in zip(diagram.axes, (x, y), strict=True)
+            axis.symbol: sp.Rational(str(v)) for axis, v in zip(diagram.axes, (x, y), strict=True)
         }
         self.known: dict[Any, Any] = {**known}
         for symbol, value in self.system.steps:
