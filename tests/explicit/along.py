@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 import mpmath
@@ -42,8 +43,7 @@ def states(
 
 def at(formula: Any, values: Mapping[sp.Symbol, Any]) -> Any:
     """A scalar formula with numbers put in."""
-    symbols = sorted(explicit(sp.sympify(formula)).free_symbols, key=str)
-    function = sp.lambdify(symbols, explicit(sp.sympify(formula)), "mpmath")
+    symbols, function = _function(sp.sympify(formula))
     return mpmath.mpf(function(*(values[s] for s in symbols)))
 
 
@@ -140,6 +140,13 @@ def _parabola(places: Sequence[Any], values: Sequence[Any]) -> tuple[Any, Any, A
     matrix = mpmath.matrix([[e**2, e, 1] for e in places])
     solution = mpmath.lu_solve(matrix, mpmath.matrix(values))
     return solution[0], solution[1], solution[2]
+
+
+@cache
+def _function(formula: Any) -> tuple[list[sp.Symbol], Any]:
+    written = explicit(formula)
+    symbols = sorted(written.free_symbols, key=str)
+    return symbols, sp.lambdify(symbols, written, "mpmath")
 
 
 def _number(value: Any) -> Any:

@@ -1,14 +1,14 @@
 """The Chaplygin ball at any area constant, by Chaplygin's reduction (1903) to (M, γ) = 0.
 
-M and γ both stay in space.  The vector w = λM + μγ with ω = Aw, A = (I + D)⁻¹, D = mR², λ = 1, obeys
-(Aw, M) = 2hλ and (Aw, γ) = μ/D: the energy, and what μ = D(ω, γ) means.  Both stay as they are in
-any other basis of the plane of M and γ that keeps the forms diag(2h, 1/D) and
-diag(M², 1) diagonal, so with
+M and γ both stay in space.  With D = mR², A = (I + D)⁻¹ and ω = Aw the vector w = λM + μγ, λ = 1,
+obeys (Aw, M) = 2hλ and (Aw, γ) = μ/D: the energy, and what μ = D(ω, γ) means.  Both keep their form
+in any other basis of the plane of M and γ in which diag(2h, 1/D) is still diagonal, and one such
+basis is orthogonal:
 
     γ′ = (γ + βM)/n,    M′ = M − 2hDβγ,    (M′, γ′) = 0,    |γ′| = 1,
 
-and w = λ′M′ + μ′γ′ the ball moves, in the time dt′ = λ′ dt, as one at zero area constant with D′ for
-D, I′ = I + D − D′ for I (so that A is the same) and ω′ = ω/λ′.  With h the energy, f = M² and
+With w = λ′M′ + μ′γ′ the ball moves, in the time dt′ = λ′ dt, as one at zero area constant with D′
+for D, I′ = I + D − D′ for I (so that A is the same) and ω′ = ω/λ′.  With h the energy, f = M² and
 g = (M, γ),
 
     σ = (s + (s² + 8hDg²)^(1/2))/2,  s = f − 2hD,      β = −g/σ,      δ = Dg²/σ,
@@ -19,7 +19,8 @@ D′ = D − δ lies between 0 and D, and I′ = I + δ.  In the variable z = w�
 
     y² = 4 (z + δ)(z + D)(2hz − σ) e p(z),        p(z) = ∏(Iᵢ − z).
 
-For g = 0 this is :mod:`.chaplygin_ball`.  λ′ never vanishes, since w = γ′ would give
+For g = 0 this is :mod:`.chaplygin_ball`.  What is claimed here is proven in parts in
+:mod:`.chaplygin_chart`, which goes the other way.  λ′ never vanishes, since w = γ′ would give
 (Aγ′, γ′) = 1/D′, but D′A < 1; so it is positive as it is at g = 0, and
 
     dt/dt′ = 1/λ′ = 1 + (β/n) D′(ω′, γ′).
@@ -34,6 +35,7 @@ free body: elliptic functions.  h = 0 is rest.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
@@ -43,8 +45,9 @@ from ..systems.chaplygin_bracket import DET_J, A, D, I
 from ..vectors import constant, cross, dot, normed, scalar, vectors
 from .poles import gaps
 from .separable import Separable, nu, nuprime
+from .stated import stated
 
-__all__ = ["chaplygin_area", "even_clock"]
+__all__ = ["chaplygin_area", "even_clock", "returned"]
 
 M, gamma, omega = vectors("M gamma omega")
 h, f, g, sigma, delta, e, n = (scalar(s) for s in ("h", "f", "g", "sigma", "delta", "e", "n"))
@@ -72,6 +75,14 @@ SPIN = -dot(I_ZERO * TURN, nu) / dot(nu, I_ZERO * nu)
 MOMENTUM = I_ZERO * (TURN + SPIN * nu) + D_ZERO * TURN
 
 
+def returned(momentum: Any, normal: Any) -> tuple[tuple[Any, Any], ...]:
+    """M and γ, with their formulas in M′ and γ′."""
+    return (
+        (M, (momentum + 2 * h * D * BETA * n * normal) / e),
+        (gamma, (n * normal - BETA * momentum) / e),
+    )
+
+
 def even_clock() -> Any:
     """The part of the clock that is even in ν′: a formula in ν, ν′, parameters and constants.
 
@@ -84,7 +95,7 @@ def chaplygin_area() -> Separable:
     """The Chaplygin ball with any three different principal moments, M not parallel to γ."""
     moments = I.symbols
     scale = sp.sqrt(det_iq(NORMAL)) * e / (1 - BETA * D * dot(omega, gamma))
-    return Separable(
+    made = Separable(
         name="chaplygin-ball-area",
         title="Chaplygin ball",
         system=from_catalogue("chaplygin-ball"),
@@ -107,10 +118,9 @@ def chaplygin_area() -> Separable:
         roots=(*moments, -delta, -D, sigma / (2 * h)),
         speeds=(sp.S.Zero, sp.S.One),
         clock=EVEN * (1 + BETA / n * D_ZERO * SPIN),
-        state=(
-            (M, (MOMENTUM + 2 * h * D * BETA * n * nu) / e),
-            (gamma, (n * nu - BETA * MOMENTUM) / e),
-        ),
+        state=returned(MOMENTUM, nu),
         fixed=(M, gamma),
         source="§7, Chaplygin (1903)",
     )
+    own = ("constants", "fixed_1", "fixed_2")
+    return replace(made, laws=tuple(law for law in stated(made) if law.name in own))

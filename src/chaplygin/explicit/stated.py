@@ -50,6 +50,9 @@ def stated(separable: Separable) -> tuple[Law, ...]:
         equations hold, `reconstruction` that the state is what its formulas in ν, ν′ give.
     """
     constants = dict(separable.constants)
+    # those given by parameters and other constants alone need no proof
+    given_by = {*constants, *(p.symbol for p in separable.system.parameters)}
+    moving = [s for s, value in constants.items() if explicit(value).free_symbols - given_by]
     known = {**constants, nu: separable.direction, nuprime: separable.turning}
     common: dict[str, Any] = {"on": separable.level, "source": separable.source}
     clock = explicit(separable.clock)
@@ -76,7 +79,7 @@ def stated(separable: Separable) -> tuple[Law, ...]:
         Reduction(
             "constants",
             constants,
-            tuple(Rate(symbol) for symbol in constants),
+            tuple(Rate(symbol) for symbol in moving),
             "constants of the motion",
             **common,
         ),
