@@ -1,7 +1,7 @@
 """Real hyperelliptic curves of genus two whose branch points are all real.
 
-The curve is y² = R(z) = leading ∏ (z − root) with five or six roots.  They cut the real line, closed at
-infinity, into six intervals on which R is positive (*ovals*) and negative (*gaps*) in turn.
+The curve is y² = R(z) = leading ∏ (z − root) with five or six roots.  They cut the real line, closed
+at infinity, into six intervals on which R is positive (*ovals*) and negative (*gaps*) in turn.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import Any
 
 from flint import arb
@@ -44,7 +45,7 @@ class Curve:
             If two of them overlap.
         """
         ordered = tuple(sorted(roots, key=lambda root: root.mid()))
-        for low, high in zip(ordered, ordered[1:], strict=False):
+        for low, high in pairwise(ordered):
             if not low < high:
                 raise DegenerateError
         return cls(leading, ordered)
@@ -57,10 +58,10 @@ class Curve:
         return value
 
     def rest(self, left: int, s: Any) -> Any:
-        """|R| / ((z − l)(r − z)) at the place s of the interval from l, the root number `left`, to r.
+        """|R| / ((z − l)(r − z)) at the place s of the interval from root number `left` = l to r.
 
-        There z = ½(l + r) − ½(r − l) cos s.  The rest is positive on the closed interval and analytic
-        around it; it is a product of positive sums, so that nothing cancels near other roots.
+        There z = ½(l + r) − ½(r − l) cos s.  The rest is positive on the closed interval and
+        analytic around it, a product of positive sums: nothing cancels near other roots.
 
         Parameters
         ----------

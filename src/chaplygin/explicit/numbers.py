@@ -98,17 +98,16 @@ class _BallPrinter(PythonCodePrinter):
         base = f"({self._print(expr.base)})"
         exponent = expr.exp
         if exponent.is_Integer:
-            return f"{base}**{int(exponent)}" if exponent > 0 else f"(1/{base}**{-int(exponent)})"
+            # a whole power of a ball that contains zero is none; a product is
+            product = "*".join([base] * abs(int(exponent)))
+            return f"({product})" if exponent > 0 else f"(1/({product}))"
         if exponent.is_Rational and exponent.q == 2:
-            root = f"{base}.sqrt()**{abs(int(exponent.p))}"
-            return root if exponent > 0 else f"(1/{root})"
+            root = "*".join([f"{base}.sqrt()"] * abs(int(exponent.p)))
+            return f"({root})" if exponent > 0 else f"(1/({root}))"
         return f"{base}**{self._print(exponent)}"
 
-    def _print_Function(self, expr: Any) -> str:
-        names = {sp.cos: "cos", sp.sin: "sin", sp.exp: "exp", sp.log: "log", sp.Abs: "__abs__"}
-        return f"({self._print(expr.args[0])}).{names[expr.func]}()"
-
-    _print_cos = _print_sin = _print_exp = _print_log = _print_Abs = _print_Function
+    def _print_Abs(self, expr: Any) -> str:
+        return f"abs({self._print(expr.args[0])})"
 
 
 @lru_cache(maxsize=512)

@@ -73,7 +73,9 @@ def _conditions(
     system: System, level: tuple[Any, ...], names: tuple[sp.Symbol, ...]
 ) -> tuple[Any, Any, int]:
     """The conditions and their gradients in the state, as functions of balls."""
-    conditions = tuple(_plain(system, formula) for formula in (*system.relations, *level))
+    plain = (_plain(system, formula) for formula in (*system.relations, *level))
+    # what depends on parameters alone is no condition on the state
+    conditions = tuple(formula for formula in plain if formula.free_symbols & set(system.symbols))
     gradients = tuple(sp.diff(f, x) for f in conditions for x in system.symbols)
     return ball_function(names, conditions), ball_function(names, gradients), len(conditions)
 

@@ -43,18 +43,17 @@ def divisor_of(
 
     κ(x − z₁)(x − z₂) is the quadratic that takes the value ν_i²/weights_i at each pole x = e_i.
     """
-    heights = [x**2 / w for x, w in zip(nu, weights, strict=True)]
+    heights = [x * x / w for x, w in zip(nu, weights, strict=True)]
     rates = [2 * x * p / w for x, p, w in zip(nu, nuprime, weights, strict=True)]
     kappa, linear, constant = _through(poles, heights)
     change = _through(poles, rates)
     total, product = -linear / kappa, constant / kappa
-    # the discriminant in a form that does not cancel at a double root between the poles
-    gap = (total**2 - 4 * product).sqrt()
+    gap = (total * total - 4 * product).sqrt()
     z = ((total - gap) / 2, (total + gap) / 2)
     a, b = speeds
 
     def height(own: Any, other: Any) -> Any:
-        return -(change[0] * own**2 + change[1] * own + change[2]) / (kappa * (b - a * other))
+        return -(change[0] * own * own + change[1] * own + change[2]) / (kappa * (b - a * other))
 
     return Divisor(z, (height(z[0], z[1]), height(z[1], z[0])))
 
@@ -102,7 +101,7 @@ class Torus:
         pairs = [theta.ball(v, self.along) for theta in self.thetas]
         N = [c * pair[0] for c, pair in zip(self.factors, pairs, strict=True)]
         rate = [c * pair[1] for c, pair in zip(self.factors, pairs, strict=True)]
-        square = sum((x**2 for x in N), arb(0))
+        square = sum((x * x for x in N), arb(0))
         length = square.sqrt()
         pull = sum((x * r for x, r in zip(N, rate, strict=True)), arb(0)) / square
         nu = [x / length for x in N]
