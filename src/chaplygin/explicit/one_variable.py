@@ -36,7 +36,7 @@ FAST = 19
 
 #: (x, x′) ↦ rates of the quadratures.
 Rates = Callable[[Any, Any], Sequence[Any]]
-#: (chart, σ, derivatives of t and the quadratures by σ, their values) ↦ derivatives of further ones.
+#: (chart, σ, derivatives of t and of the quadratures by σ, their values) ↦ those of further ones.
 Nested = Callable[[Chart, Any, Sequence[Any], Sequence[Any]], Sequence[Any]]
 
 
@@ -122,12 +122,15 @@ class Places:
         negative in the tail of the past.
     values : tuple of arrays or arb
         Every quadrature between σ = 0 and `phase`, not counting the tail.
+    rate : array or arb
+        dσ/dt.
     """
 
     periods: Any
     phase: Any
     beyond: Any
     values: tuple[Any, ...]
+    rate: Any
 
 
 @dataclass(frozen=True)
@@ -144,6 +147,8 @@ class Course:
     nested : callable, optional
         (chart, σ, derivatives of t and of the quadratures by σ, their values) ↦ the derivatives by
         σ of further quadratures.
+    parities : tuple of 1 and −1
+        Of the time (odd) and all quadratures as functions of σ, where they have one.
     """
 
     chart: Chart
@@ -151,6 +156,7 @@ class Course:
     rate: Any
     rates: Rates
     nested: Nested | None = None
+    parities: tuple[int, ...] = ()
 
     # --- quadratures -----------------------------------------------------------------------
 
@@ -184,7 +190,7 @@ class Course:
         nested = self.nested and partial(self.nested, self.chart)
         with ctx.workprec(working_bits(digits)):
             end = self.horizon(digits)
-            return integrals(self._forms, -end, end, digits, nested)
+            return integrals(self._forms, -end, end, digits, nested, self.parities)
 
     def advances(self, digits: int) -> tuple[Any, ...]:
         """The period, and what every quadrature gains in it (arb); for a periodic motion."""
@@ -237,11 +243,12 @@ class Course:
             else:
                 phase = self._phase(known, moment)
         count = len(known.panels[0].series)
-        return Places(periods, phase, beyond, tuple(known.value(i, phase) for i in range(1, count)))
+        values = tuple(known.value(i, phase) for i in range(1, count))
+        return Places(periods, phase, beyond, values, 1 / self.chart.clock(acb(phase)).real)
 
     def _phase(self, known: Integrals, moment: Any) -> Any:
         """σ with t(σ) = moment: Newton's method, then one step of it in intervals as a proof."""
-        sigma = arb(float(self.fast.invert(np.array([float(moment.mid())]))[0]))
+        sigma = arb(self.fast.phase(moment))
         for _ in range(8):
             step = (known.value(0, sigma) - moment) / self.chart.clock(acb(sigma)).real
             sigma = (sigma - step).mid()
@@ -277,24 +284,11 @@ class Fast:
         self._offset = pair(known.value(0, course.chart.phase(course.x, course.rate)))
         if self._periodic:
             self._period = pair(course.advances(FAST)[0])
-        fractions = np.linspace(0.0, 1.0, 24, endpoint=False)
-        breaks = self._table.breaks
-        grid = (breaks[:-1, None] + np.diff(breaks)[:, None] * fractions).ravel()
-        self._grid = np.append(grid, breaks[-1])
-        self._times = self._table.value(0, self._grid)
 
-    def invert(self, moments: Any) -> Any:
-        """σ with t(σ) = moments."""
-        low, high = self._grid[0], self._grid[-1]
-        sigma = np.interp(moments, self._times, self._grid)
-        for _ in range(4):
-            step = (self._table.value(0, sigma) - moments) / self._table.rate(sigma)
-            sigma = np.clip(sigma - step, low, high)
-        return sigma
-
-    def rate(self, phase: Any) -> Any:
-        """dσ/dt."""
-        return 1 / self._table.rate(np.clip(phase, self._grid[0], self._grid[-1]))
+    def phase(self, moment: Any) -> float:
+        """σ at one moment (arb) counted from σ = 0."""
+        place = self._table.inverse(np.array([float(moment.mid())]))
+        return float(self._table.phase(place)[0])
 
     def place(self, times: Any) -> Places:
         """Where the motion is at `times` (n,)."""
@@ -303,8 +297,9 @@ class Fast:
             periods, moments = reduced(times, self._offset, self._period)
         else:
             periods, moments = beyond, times + self._offset[0]
-            inside = np.clip(moments, self._times[0], self._times[-1])
+            inside = np.clip(moments, *self._table.span)
             beyond, moments = moments - inside, inside
-        sigma = self.invert(moments)
-        values = tuple(self._table.value(i, sigma) for i in range(1, self._count))
-        return Places(periods, sigma + beyond * self.rate(sigma), beyond, values)
+        place = self._table.inverse(moments)
+        values = tuple(self._table.value(i, place) for i in range(1, self._count))
+        rate = 1 / self._table.rate(place)
+        return Places(periods, self._table.phase(place) + beyond * rate, beyond, values, rate)

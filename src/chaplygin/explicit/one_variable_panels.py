@@ -1,15 +1,16 @@
 """Integrals of analytic functions along the real line, with proven error bounds.
 
 The line is cut into panels.  On each, a function is interpolated at n + 1 Chebyshev points; if it
-is analytic and smaller than M in boxes that cover the ellipse with the ends of the panel as foci and
-with half-axes (ρ ± 1/ρ)/2 half-widths, the interpolant is wrong by 4Mρ⁻ⁿ/(ρ − 1) at most.  A panel on which no such M is found, or one too large, is halved: near a singularity panels shrink
+is analytic and smaller than M in boxes that cover the ellipse with the ends of the panel as foci
+and with half-axes (ρ ± 1/ρ)/2 half-widths, the interpolant is wrong by 4Mρ⁻ⁿ/(ρ − 1) at most.  A
+panel on which no such M is found, or one too large, is halved: near a singularity panels shrink
 geometrically, so that almost singular integrals cost little more than others.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -29,9 +30,20 @@ ALONG, ACROSS = arb("2.125"), arb("1.875")
 #: along the axis, half-width, height.
 BOXES = tuple(
     (arb(sign * middle), arb(ALONG / 8), ACROSS * (1 - arb(start) ** 2).sqrt())
-    for start, middle in ((0, ALONG / 8), (0.25, 3 * ALONG / 8), (0.5, 5 * ALONG / 8), (0.75, 7 * ALONG / 8))
+    for start, middle in (
+        (0, ALONG / 8),
+        (0.25, 3 * ALONG / 8),
+        (0.5, 5 * ALONG / 8),
+        (0.75, 7 * ALONG / 8),
+    )
     for sign in (-1, 1)
 )
+
+#: Places on a panel at which its table knows the time.
+KNOTS = 24
+
+#: The number of a panel, and a coordinate from −1 to 1 in it; arrays.
+Place = tuple[Any, Any]
 
 #: A panel may not become narrower than this.
 NARROWEST = 1e-60
@@ -93,6 +105,11 @@ class Series:
             first, second = 2 * x * first - second + coefficient, first
         return x * first - second + self.coefficients[0] + arb(0, self.error)
 
+    def mirrored(self, sign: int) -> Series:
+        """sign · f(−x)."""
+        signed = [-sign * c if k % 2 else sign * c for k, c in enumerate(self.coefficients)]
+        return Series(signed, self.error)
+
 
 @dataclass(frozen=True)
 class Panel:
@@ -122,6 +139,12 @@ class Panel:
         x = (2 * nearest - self.low - self.high) / (self.high - self.low)
         error = self.bounds[index] * abs(place - nearest)
         return self.series[index].at(x) + arb(0, error.upper())
+
+    def mirrored(self, parities: Sequence[int]) -> Panel:
+        """The panel on the other side of zero, the integrals being even (1) or odd (−1)."""
+        series = tuple(s.mirrored(sign) for s, sign in zip(self.series, parities, strict=True))
+        first = [-c if k % 2 else c for k, c in enumerate(self.first)]
+        return Panel(-self.high, -self.low, series, first, self.bounds)
 
 
 @dataclass(frozen=True)
@@ -153,7 +176,12 @@ class Integrals:
 
 
 def integrals(
-    rates: Rates, low: Any, high: Any, digits: int, nested: Nested | None = None
+    rates: Rates,
+    low: Any,
+    high: Any,
+    digits: int,
+    nested: Nested | None = None,
+    parities: Sequence[int] = (),
 ) -> Integrals:
     """Integrals from zero along [low, high].
 
@@ -168,6 +196,9 @@ def integrals(
         functions are smaller than one.
     nested : callable, optional
         Further functions, of σ, the first ones and their integrals.
+    parities : sequence of 1 and −1, optional
+        Of all integrals, if the interval is symmetric and each is even or odd, the first being odd;
+        only one half of them is then computed.
 
     Raises
     ------
@@ -176,7 +207,10 @@ def integrals(
     """
     build = _Build(rates, nested, digits)
     right = build.side(arb(0), high.mid())
-    left = build.side(arb(0), low.mid()) if low < 0 else []
+    if parities:
+        left = [panel.mirrored(parities) for panel in right]
+    else:
+        left = build.side(arb(0), low.mid()) if low < 0 else []
     return Integrals((*reversed(left), *right))
 
 
@@ -214,7 +248,7 @@ class _Build:
             for x, reach, height in BOXES
         ]
         middle = self.rates(acb(centre))
-        bounds = _bounds([self.rates(box) for box in boxes], middle)
+        bounds = _bounds((self.rates(box) for box in boxes), middle)
         if bounds is None:
             return None
         n = degree(self.digits)
@@ -226,7 +260,7 @@ class _Build:
         if self.nested is not None:
             around = [_around(s, m, half) for s, m in zip(series, bounds, strict=True)]
             inside = self.nested(acb(centre), middle, [acb(s.at(arb(0))) for s in series])
-            every = [self.nested(box, self.rates(box), around) for box in boxes]
+            every = (self.nested(box, self.rates(box), around) for box in boxes)
             further = _bounds(every, inside)
             if further is None:
                 return None
@@ -241,16 +275,16 @@ class _Build:
         return Panel(low, high, tuple(series), first, tuple(bounds))
 
 
-def _bounds(around: Sequence[Sequence[Any]], middle: Sequence[Any]) -> list[Any] | None:
+def _bounds(around: Iterable[Sequence[Any]], middle: Sequence[Any]) -> list[Any] | None:
     """Bounds of functions in all boxes, if they are not too large beside those in the middle."""
-    if not all(f.is_finite() for box in around for f in box):
-        return None
-    bounds = []
-    for index, inside in enumerate(middle):
-        bound = max((arb(box[index].abs_upper()) for box in around), key=float)
-        if float(bound) > 10 * RHO**6 * max(1.0, float(inside.abs_upper())):
-            return None
-        bounds.append(bound)
+    limits = [10 * RHO**6 * max(1.0, float(f.abs_upper())) for f in middle]
+    bounds = [arb(0)] * len(middle)
+    for box in around:
+        for index, (f, limit) in enumerate(zip(box, limits, strict=True)):
+            size = arb(f.abs_upper())
+            if not size < limit:
+                return None
+            bounds[index] = bounds[index].max(size)
     return bounds
 
 
@@ -264,7 +298,7 @@ def _around(series: Series, bound: Any, half: Any) -> Any:
 def _integrated(
     known: Any, bounds: Sequence[Any], half: Any, anchor: int, totals: Sequence[Any]
 ) -> list[Series]:
-    """The integrals that continue `totals` from the end `anchor`, by the functions' coefficients."""
+    """The integrals that continue `totals` from the end `anchor`, by coefficients."""
     n = known.nrows() - 1
     made = []
     for index, bound in enumerate(bounds):
@@ -281,31 +315,53 @@ def _integrated(
 class Table:
     """Integrals in double precision, for many places at once.
 
-    Attributes
-    ----------
-    breaks : array (panels + 1,)
+    A place is the number of its panel and the coordinate in it, from −1 to 1: so it is known to
+    full relative accuracy on the narrowest panel.
     """
 
     def __init__(self, exact: Integrals) -> None:
         panels = exact.panels
-        self.breaks = np.array([float(p.low) for p in panels] + [float(panels[-1].high)])
+        self._centre = np.array([float((p.low + p.high) / 2) for p in panels])
+        self._half = np.array([float((p.high - p.low) / 2) for p in panels])
         self._series = np.array(
             [[[float(c) for c in s.coefficients] for s in p.series] for p in panels]
         ).transpose(1, 2, 0)
         self._first = np.array([[float(c.mid()) for c in p.first] for p in panels]).T
-        self._half = np.diff(self.breaks) / 2
+        offsets = np.linspace(-1.0, 1.0, KNOTS, endpoint=False)
+        count = len(panels)
+        panel, x = np.repeat(np.arange(count), KNOTS), np.tile(offsets, count)
+        times = self.value(0, (panel, x))
+        last = self.value(0, (np.array([count - 1]), np.array([1.0])))
+        self._times = np.append(times, last)
+        self._begins = times[::KNOTS]
 
-    def locate(self, places: Any) -> tuple[Any, Any]:
-        """The panel of every place, and where in it, from −1 to 1."""
-        panel = np.clip(np.searchsorted(self.breaks, places) - 1, 0, len(self._half) - 1)
-        return panel, (places - self.breaks[panel]) / self._half[panel] - 1
+    @property
+    def span(self) -> tuple[float, float]:
+        """The first integral at both ends."""
+        return float(self._times[0]), float(self._times[-1])
 
-    def value(self, index: int, places: Any) -> Any:
-        """An integral at places (n,)."""
-        panel, x = self.locate(places)
+    def phase(self, place: Place) -> Any:
+        """σ at places."""
+        panel, x = place
+        return self._centre[panel] + self._half[panel] * x
+
+    def value(self, index: int, place: Place) -> Any:
+        """An integral at places."""
+        panel, x = place
         return np.polynomial.chebyshev.chebval(x, self._series[index][:, panel], tensor=False)
 
-    def rate(self, places: Any) -> Any:
-        """The first function at places (n,)."""
-        panel, x = self.locate(places)
+    def rate(self, place: Place) -> Any:
+        """The first function at places."""
+        panel, x = place
         return np.polynomial.chebyshev.chebval(x, self._first[:, panel], tensor=False)
+
+    def inverse(self, values: Any) -> Place:
+        """Where the first integral, which increases, has these values (n,)."""
+        panel = np.clip(np.searchsorted(self._begins, values, side="right") - 1, 0, None)
+        knots = np.interp(values, self._times, np.arange(len(self._times)) / KNOTS)
+        x = np.clip(2 * (knots - panel) - 1, -1.0, 1.0)
+        for _ in range(4):
+            place = (panel, x)
+            step = (self.value(0, place) - values) / (self.rate(place) * self._half[panel])
+            x = np.clip(x - step, -1.0, 1.0)
+        return panel, x

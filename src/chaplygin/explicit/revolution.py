@@ -30,6 +30,7 @@ from .revolution_state import (
     angles_of,
     assembled,
     begin_of,
+    path_parities,
     path_rates,
     path_speed,
     turning_rates,
@@ -161,8 +162,14 @@ class RevolutionSolution(Solution):
         chart: Chart,
     ) -> None:
         self.system, self.parameters, self.level, self.begin = system, parameters, level, begin
-        rates, path = turning_rates(level), path_rates(level)
-        self.course = Course(chart, begin.normal[2], begin.rate, rates, path)
+        self.course = Course(
+            chart,
+            begin.normal[2],
+            begin.rate,
+            turning_rates(level),
+            path_rates(level),
+            path_parities(chart),
+        )
         with ctx.workprec(working_bits(FAST)):
             self.form = form_of(level, self.course)
 
@@ -218,7 +225,7 @@ class RevolutionSolution(Solution):
             phi, psi, x, y = at.values
             place = walk(count, frame.turn, frame.step) + turned(count * frame.turn) * acb(x, y)
             sine, cosine = self._halves(BALLS, sigma)
-            lean = -(self.course.chart.lean(BALLS, sigma) / self.course.chart.clock(sigma)).real
+            lean = -self.course.chart.lean(BALLS, sigma) * at.rate
             if at.beyond != 0:
                 end = self.course.tails[1 if at.beyond > 0 else 0]
                 own, precession = self.course.limits(work, end)

@@ -97,7 +97,7 @@ class FastRevolution:
             phi, psi, path = tail.replaced(times, at, (phi, psi, path))
         place = self._origin + self._facing * path
         low, high = chart.roots(DOUBLES, at.phase)
-        lean = -chart.lean(DOUBLES, at.phase) * self._course.fast.rate(at.phase)
+        lean = -chart.lean(DOUBLES, at.phase) * at.rate
         flips = [np.where(passed & (count % 2 != 0), -1.0, 1.0) for passed in self._frame.passes]
         sine, cosine = (
             flip * root / np.sqrt(2) for flip, root in zip(flips, (high, low), strict=True)

@@ -20,7 +20,7 @@ from typing import Any
 from flint import acb, arb
 
 from ..errors import InputError
-from .one_variable_charts import BALLS, Chart
+from .one_variable_charts import BALLS, Chart, Connecting, Oscillating
 from .revolution_body import Body, Level, level_of
 
 __all__ = [
@@ -142,6 +142,17 @@ def path_rates(level: Level) -> Any:
         return [cos * along - sin * sideways, sin * along + cos * sideways]
 
     return rates
+
+
+def path_parities(chart: Chart) -> tuple[int, ...]:
+    """Parities of t, φ, ψ, x and y as functions of σ; none for a motion without a turning point.
+
+    Where a turning point lies on the vertical, the axis passes it and goes on to the other side.
+    """
+    if isinstance(chart, Connecting):
+        return ()
+    turning = chart.second if isinstance(chart, Oscillating) else chart.first
+    return (-1, -1, -1, -1, -1 if turning.edge else 1)
 
 
 def assembled(
