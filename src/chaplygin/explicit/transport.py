@@ -18,6 +18,7 @@ from ..errors import InputError
 from ..statements import Identity, Isomorphism
 from ..system import System, flat_pairs
 from ..vectors import Vector, constant, explicit, normed, scalar
+from .problem import exact
 from .separable import Separable
 
 __all__ = ["inverse", "pulled_back", "pushed_forward", "there_and_back"]
@@ -181,7 +182,7 @@ def pushed_forward(
     separable : Separable
         Of `system`.
     values : mapping of Symbol to number
-        The parameters of `system`.
+        The parameters of `system`; they are put in, but for those that the target shares.
 
     Returns
     -------
@@ -195,9 +196,10 @@ def pushed_forward(
         If the map has no explicit inverse.
     """
     target = law.target
-    settled = {p for p, formula in law.constants if explicit(formula).is_number}
-    taken = (*(p.symbol for p in system.parameters), *(s for s, _ in separable.constants))
-    names = _fresh(taken, target, settled)
+    named = {p for p, _ in law.constants}
+    kept = {p.symbol for p in target.parameters if p.symbol not in named}
+    names = _fresh((s for s, _ in separable.constants), target)
+    names |= {p: sp.Rational(str(exact(x))) for p, x in values.items() if p not in kept}
     back = {s: _put(f, names) for s, f in inverse(system, law).items()}
 
     def told(formula: Any) -> Any:
@@ -212,10 +214,7 @@ def pushed_forward(
         title=target.title,
         system=target,
         level=tuple(told(explicit(condition)) for condition in law.on),
-        constants=(
-            *((names[p], sp.sympify(value)) for p, value in values.items()),
-            *((names[s], told(explicit(formula))) for s, formula in separable.constants),
-        ),
+        constants=tuple((names[s], told(explicit(formula))) for s, formula in separable.constants),
         clock=_put(_written_out(system, explicit(separable.clock)), names) * rate,
         state=tuple((s, _put(_put(f, names), state)) for s, f in image.items()),
         fixed=(),
@@ -243,13 +242,11 @@ def _renamed(separable: Separable, told: Any, names: Formulas) -> Separable:
     )
 
 
-def _fresh(
-    symbols: Iterable[sp.Symbol], system: System, free: Iterable[sp.Symbol] = ()
-) -> Formulas:
+def _fresh(symbols: Iterable[sp.Symbol], system: System) -> Formulas:
     """Names for symbols in a system that may use the same ones."""
     taken = {p.symbol for p in system.parameters} | set(system.symbols)
     taken |= {s for s, _ in system.steps}
-    return {s: _tilde(s) if s in taken - set(free) else s for s in symbols}
+    return {s: _tilde(s) if s in taken else s for s in symbols}
 
 
 def _tilde(symbol: sp.Symbol) -> sp.Symbol:
