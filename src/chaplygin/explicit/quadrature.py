@@ -67,7 +67,7 @@ def _combined(waves: tuple[Any, Any], coefficients: Any) -> Any:
 
 
 def series(function: Callable[[Any], Any]) -> tuple[Series, ...]:
-    """Fourier series of smooth functions on the torus, to rounding.
+    """Fourier series of smooth functions on the torus, to the rounding of the largest.
 
     Parameters
     ----------
@@ -85,9 +85,11 @@ def series(function: Callable[[Any], Any]) -> tuple[Series, ...]:
         v = np.array(np.meshgrid(*grids, indexing="ij")).reshape(2, -1).T
         values = function(v)
         spectra = [np.fft.rfft2(block.reshape(sizes)) / block.size for block in values]
-        rough = [any(not _resolved(spectrum, axis) for spectrum in spectra) for axis in (0, 1)]
+        # one of them may be rounding altogether: the largest sets the scale
+        scale = max(float(np.max(np.abs(spectrum))) for spectrum in spectra)
+        rough = [not all(_resolved(f, axis, scale) for f in spectra) for axis in (0, 1)]
         if not any(rough):
-            return tuple(_trimmed(spectrum, sizes) for spectrum in spectra)
+            return tuple(_trimmed(spectrum, sizes, scale) for spectrum in spectra)
         sizes = [2 * size if more else size for size, more in zip(sizes, rough, strict=True)]
         if sizes[0] * sizes[1] > _POINTS:
             raise RunError(
@@ -97,19 +99,19 @@ def series(function: Callable[[Any], Any]) -> tuple[Series, ...]:
             )
 
 
-def _resolved(spectrum: Any, axis: int) -> bool:
+def _resolved(spectrum: Any, axis: int, scale: float) -> bool:
     """Whether the highest quarter of the wave numbers along one axis is rounding."""
     size = spectrum.shape[0] if axis == 0 else 2 * (spectrum.shape[1] - 1)
     waves = np.abs(np.fft.fftfreq(size, 1 / size)) if axis == 0 else np.arange(size // 2 + 1)
     high = np.abs(np.take(spectrum, np.flatnonzero(waves > 3 * size // 8), axis=axis))
-    return bool(np.max(high) <= 8 * _LEVEL * np.max(np.abs(spectrum)) + 1e-300)
+    return bool(np.max(high) <= 8 * _LEVEL * scale)
 
 
-def _trimmed(spectrum: Any, sizes: Sequence[int]) -> Series:
+def _trimmed(spectrum: Any, sizes: Sequence[int], scale: float) -> Series:
     doubled = spectrum.copy()
     # the other half of the wave numbers is the complex conjugate
     doubled[:, 1:] *= 2
-    high = np.abs(doubled) > _LEVEL / 8 * np.max(np.abs(doubled))
+    high = np.abs(doubled) > _LEVEL / 8 * scale
     rows, columns = np.flatnonzero(high.any(axis=1)), np.flatnonzero(high.any(axis=0))
     first = np.fft.fftfreq(sizes[0], 1 / sizes[0]).round().astype(int)
     return Series(
