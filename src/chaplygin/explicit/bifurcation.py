@@ -13,17 +13,21 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+import mpmath
 import sympy as sp
 from flint import fmpq, fmpq_mpoly
 
 from ..errors import InputError
 from ..mechanics.body import check_inertia
+from ..mechanics.start import DIGITS, SLACK, evaluate
+from ..vectors import explicit
 from .bifurcation_families import Axis, Plane, Z, numbers, plane_named, plane_of
 from .bifurcation_plane import RING, Arrangement, arrangement, rational
 from .bifurcation_regions import Boundary, Equilibrium, Kinds, Region
+from .problem import exact
 from .separable import Separable
 
-__all__ = ["Boundary", "Diagram", "Equilibrium", "Region", "bifurcation_diagram"]
+__all__ = ["Boundary", "Diagram", "Equilibrium", "Region", "bifurcation_diagram", "located"]
 
 
 @dataclass(frozen=True)
@@ -73,6 +77,41 @@ class Diagram:
         """
         cell = self.arrangement.cell(rational(Fraction(x)), rational(Fraction(y)))
         return next((region for region in self.regions if cell in region.cells), None)
+
+
+def located(diagram: Diagram, state: Mapping[Any, Any]) -> tuple[float, float]:
+    """The point of a diagram that a motion belongs to.
+
+    Parameters
+    ----------
+    diagram : Diagram
+    state : mapping of Symbol or name to number
+        A state of ``diagram.plane.system``, all of its variables.
+
+    Raises
+    ------
+    InputError
+        If a variable is missing, or the state is not on the level that the plane is
+        made for.
+    """
+    system, plane = diagram.plane.system, diagram.plane
+    given = {str(name): value for name, value in state.items()}
+    missing = [str(symbol) for symbol in system.symbols if str(symbol) not in given]
+    if missing:
+        raise InputError(f"{plane.name}: the state gives no value for {', '.join(missing)}")
+    with mpmath.workdps(DIGITS):
+        known = {s: exact(given[str(s)]) for s in system.symbols} | dict(diagram.parameters)
+        numbers = {s: mpmath.mpf(v.numerator) / v.denominator for s, v in known.items()}
+        conditions = [*system.relations, *plane.level]
+        formulas = [*conditions, *(axis.value for axis in plane.axes)]
+        *level, x, y = evaluate(system, [explicit(formula) for formula in formulas], numbers)
+    for condition, value in zip(conditions, level, strict=True):
+        if abs(value) > SLACK * (1 + max(abs(v) for v in numbers.values())) ** 2:
+            raise InputError(
+                f"{plane.name}: {condition} is {mpmath.nstr(value, 5)} in this state and must "
+                "vanish"
+            )
+    return float(x), float(y)
 
 
 def bifurcation_diagram(

@@ -17,12 +17,14 @@ from ...errors import InputError
 from ...explicit.bifurcation import Boundary, Diagram, Region
 from ..drawing import FloatArray
 from .bifurcation_places import Grid, Heights, Window, heights, places, window
-from .style import ALARM, COMPONENTS, FAINT, INK, QUIET, STYLE, WIDTH
+from .style import COMPONENTS, FAINT, INK, QUIET, STYLE, WIDTH
 
 __all__ = ["draw"]
 
 #: Pale colours of regions with 1–2, 3–4 and more tori.
 TONES = {2: "#e6eef5", 4: "#f6ecd2", 8: "#f3dfe2"}
+#: Colour of the given motion.
+MARK = "#117733"
 #: Height of the plane, and of a line of the key, in inches.
 TALL, LINE = 4.3, 0.19
 
@@ -62,17 +64,17 @@ def draw(diagram: Diagram, mark: tuple[float, float] | None = None) -> Figure:
         _fill(axes, diagram, lines)
         for boundary in diagram.boundaries:
             _line(axes, boundary, lines)
-        grid = Grid(diagram, frame, lines)
+        taken = [] if mark is None else [frame.drawn(mark)]
+        grid = Grid(diagram, frame, lines, taken)
         _label(axes, diagram, grid)
         for corner in diagram.equilibria:
             _dot(axes, frame.drawn(corner.place), "s", "white", INK)
         handles = [*_boundary_key(diagram), *_corner_key(diagram)]
         if mark is not None:
-            _dot(axes, frame.drawn(mark), "o", ALARM, "white", 8.0)
-            style: dict[str, Any] = {"marker": "o", "color": "none", "markerfacecolor": ALARM}
-            handles.append(
-                Line2D([], [], markeredgecolor="white", markersize=7, label="this motion", **style)
-            )
+            _dot(axes, frame.drawn(mark), "*", MARK, "white", 13.0)
+            star: dict[str, Any] = {"marker": "*", "color": "none", "markerfacecolor": MARK}
+            star |= {"markeredgecolor": "white", "markersize": 11}
+            handles.append(Line2D([], [], label="the given motion", **star))
         _key(figure, axes, handles)
     return figure
 
@@ -96,7 +98,7 @@ def _less(diagram: Diagram, frame: Window) -> str:
         return ""
     slope, offset = (float(value) for value in (frame.slope, frame.offset))
     sign = "-" if offset < 0 else "+"
-    return f",  less $({slope:.4g}\\,{diagram.axes[0].symbol} {sign} {abs(offset):.4g})$"
+    return f"\nless $({slope:.4g}\\,{diagram.axes[0].symbol} {sign} {abs(offset):.4g})$"
 
 
 def _fill(axes: Axes, diagram: Diagram, lines: Mapping[int, Heights]) -> None:
@@ -209,7 +211,7 @@ def _key(figure: Figure, axes: Axes, handles: Sequence[Line2D]) -> None:
     foot = 0.62 + LINE * len(handles)
     tall = TALL + foot - 0.5
     figure.set_size_inches(WIDTH, tall)
-    left, right = 0.72 / WIDTH, 1 - 0.12 / WIDTH
+    left, right = 0.86 / WIDTH, 1 - 0.12 / WIDTH
     axes.set_position((left, foot / tall, right - left, 1 - (foot + 0.12) / tall))
     axes.spines[["left", "bottom"]].set_color(FAINT)
     figure.legend(

@@ -121,10 +121,16 @@ class Grid:
     Attributes
     ----------
     members : array (columns, rows) of int
-        Place of the region in the diagram's list.
+        Place of the region in the diagram's list; −1 where something else is drawn.
     """
 
-    def __init__(self, diagram: Diagram, frame: Window, lines: Mapping[int, Heights]) -> None:
+    def __init__(
+        self,
+        diagram: Diagram,
+        frame: Window,
+        lines: Mapping[int, Heights],
+        taken: Sequence[Place] = (),
+    ) -> None:
         wide, tall = GRID
         self.frame = frame
         self.xs = np.linspace(*frame.across, wide)
@@ -141,6 +147,12 @@ class Grid:
             stack = [np.interp(x, grid, level) for level in levels.T]
             ranks = np.searchsorted(np.sort(stack), self.ys)
             self.members[i] = [numbers[column, int(rank)] for rank in ranks]
+        for x, y in taken:
+            wide, tall = (
+                abs(steps - place) < part / 2 * (steps[-1] - steps[0])
+                for steps, place, part in zip((self.xs, self.ys), (x, y), LABEL, strict=True)
+            )
+            self.members[np.outer(wide, tall)] = -1
 
     def of(self, regions: Sequence[Region]) -> BoolArray:
         """Where some regions lie."""
