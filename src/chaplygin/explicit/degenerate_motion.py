@@ -143,9 +143,10 @@ class Asymptotic(Numerators):
         small = (-2 * kappa if after else 2 * kappa).exp()
         middle = (-kappa if after else kappa).exp()
         down, up = (small, arb(1)) if after else (arb(1), small)
-        return self._combined(U, down, up, middle)
+        return self.combined(U, down, up, middle)
 
-    def _combined(self, U: Any, down: Any, up: Any, middle: Any) -> Triples:
+    def combined(self, U: Any, down: Any, up: Any, middle: Any) -> Triples:
+        """N and N′ with the factors of θ(U − s), θ(U + s) and of the component that dies out."""
         pair, s = self.thetas.pair, self.shift
         speed, growth = self.turn
         values, slopes = [], []
