@@ -7,14 +7,14 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from flint import ctx
+from flint import arb, ctx
 
 from .numbers import ball, components, number
 from .prepared import Prepared, chain, prepared
 from .rigorous_formula import Branch, direction
 from .rigorous_quadrature import RigorousQuadrature, bits_for, quadratures
 from .rigorous_theta import numerators_at
-from .rigorous_turn import Turn, path_rates
+from .rigorous_turn import PathRates, Turn, path_rates
 
 if TYPE_CHECKING:
     from .genus_two import GenusTwo
@@ -64,13 +64,22 @@ class RigorousMotion:
             )
 
     @cached_property
-    def _paths(self) -> tuple[RigorousQuadrature, ...]:
-        """Integrals of what the motion has in space beside the attitude."""
+    def _paths(self) -> tuple[PathRates, tuple[RigorousQuadrature, ...]] | None:
+        """Rates of what the motion has in space beside the attitude, and the integrals in them."""
         with ctx.workprec(self.clock.bits):
-            found = path_rates(self.prepared, self._turn)
+            found = path_rates(self.prepared)
             if found is None:
-                return ()
-            return quadratures(self.prepared.torus, found, self.digits, self.reach)
+                return None
+            torus = self.prepared.torus
+            return found, quadratures(torus, found.functions, self.digits, self.reach)
+
+    def _moved(self, tau: Any) -> list[Any]:
+        """By how much the coordinates in space beside the attitude have changed."""
+        if self._paths is None:
+            return []
+        rates, integrals = self._paths
+        values, axes = [path.at(tau) for path in integrals], self._turn.axes
+        return [sum((axes[k] * values[i] for i, k in own), arb(0)) for own in rates.shares]
 
     def reduced(self, tau: Any) -> tuple[list[Any], tuple[list[Any], list[Any]]]:
         """The reduced state, and ν and ν′, at one τ."""
@@ -97,10 +106,8 @@ class RigorousMotion:
             rough = self.solution.states([number(moment)])[0]
             first = len(reduced)
             turn = self._turn.quaternion(there, rough[first : first + 4])
-            places = [
-                ball(x) + path.at(tau)
-                for x, path in zip(self.solution.start[first + 4 :], self._paths, strict=True)
-            ]
+            origin = self.solution.start[first + 4 :]
+            places = [ball(x) + y for x, y in zip(origin, self._moved(tau), strict=True)]
             return (*reduced, *turn, *places)
 
 

@@ -11,13 +11,12 @@ from collections.abc import Iterable, Sequence
 from math import prod
 from typing import Any
 
-import numpy as np
 import sympy as sp
+from flint import arb
 
-from .numbers import Steps, Values, ball, number
-from .rigorous_affine import Affine, clear
+from .numbers import Steps, Values, ball
+from .rigorous_affine import Affine
 from .separable import nu, nuprime
-from .theta import Characteristic
 
 __all__ = ["Branch", "LeavesBranchError", "direction"]
 
@@ -27,19 +26,21 @@ class LeavesBranchError(Exception):
 
 
 def _root(x: Any) -> Any:
-    if not clear(x):
+    if isinstance(x, arb) and not x > 0:
         raise LeavesBranchError
-    return np.sqrt(x) if isinstance(x, np.ndarray) else x.sqrt()
+    return x.sqrt()
 
 
 def _inverse(x: Any, sign: int) -> Any:
-    if not clear(x, sign):
+    if isinstance(x, Affine):
+        return x.inverse(sign)
+    if not x * sign > 0:
         raise LeavesBranchError
-    return x.inverse() if isinstance(x, Affine) else 1 / x
+    return 1 / x
 
 
 def direction(N: Sequence[Any], rate: Sequence[Any]) -> tuple[list[Any], list[Any]]:
-    """ν = N/|N| and ν′ from N and N′, all of one kind: arb, affine or complex arrays.
+    """ν = N/|N| and ν′ from N and N′, both arb or both affine.
 
     Raises
     ------
@@ -119,31 +120,25 @@ class Branch:
         self._signs = {}
         self._run(vector, rate, self._signs)
 
-    def continued(self, vector: Sequence[Any], rate: Sequence[Any]) -> list[Any]:
-        """Values on boxes (affine numbers, or arrays for a trial), after :meth:`learn`.
+    def continued(self, vector: Sequence[Affine], rate: Sequence[Affine]) -> list[Any]:
+        """Values on boxes, after :meth:`learn`; rests are infinite where a branch may be left.
 
-        Where this succeeds on boxes that cover the four tori Im v = (±r₁, ±r₂), every radicand
-        and every denominator has a single-valued argument there, so by the argument principle,
-        first in v₁ and then in v₂, no zero inside, and the formulas are analytic for
+        Where the rests are finite on boxes that cover the four tori Im v = (±r₁, ±r₂), every
+        radicand and every denominator has a single-valued argument there, so by the argument
+        principle, first in v₁ and then in v₂, no zero inside, and the formulas are analytic for
         |Im v₁| ≤ r₁, |Im v₂| ≤ r₂.  (The argument is harmonic along every line and its bound
         passes from the tori to the inside, so that the branch is the principal one there too.)
-
-        Raises
-        ------
-        LeavesBranchError
-            If a radicand, or a denominator times its sign, may meet the negative real axis or zero.
         """
         return self._run(vector, rate, self._signs)
 
-    def repeats(self, characteristics: Sequence[Characteristic]) -> bool:
-        """Whether all formulas have the period 1 in both phases, as their form shows.
+    def parities(self, flips: Sequence[int]) -> list[int]:
+        """How the formulas change when ν_i and ν_i′ are multiplied by flips_i = ±1.
 
-        When v_j grows by 1, N_i and N_i′ change their sign where a_i has the j-th entry ½.
+        Returns
+        -------
+        list of int
+            1 or −1 for every formula, as its form shows; 0 where it shows neither.
         """
-        return all(self._kept([-1 if a[j] % 2 else 1 for a, _ in characteristics]) for j in (0, 1))
-
-    def _kept(self, flips: list[int]) -> bool:
-        """Whether the formulas are even when ν and ν′ change these signs; 0 for neither."""
         signs = [*flips, *flips]
         for operation, operand in self._tape:
             if operation == "constant":
@@ -159,14 +154,13 @@ class Branch:
                 signs.append(1 if signs[operand] == 1 else 0)
             else:
                 signs.append(signs[operand])
-        return all(signs[place] == 1 for place in self._results)
+        return [signs[place] for place in self._results]
 
     def _run(self, vector: Sequence[Any], rate: Sequence[Any], signs: dict[int, int]) -> list[Any]:
         values = [*vector, *rate]
-        exact = not isinstance(values[0], np.ndarray)
         for place, (operation, operand) in enumerate(self._tape):
             if operation == "constant":
-                value = operand if exact else np.array([number(operand)])
+                value = operand
             elif operation == "sum":
                 value = values[operand[0]]
                 for term in operand[1:]:

@@ -7,7 +7,7 @@ coefficients of f bounded by M exp(−2π(r₁|k₁| + r₂|k₂|)/p) on the str
 
 everywhere on the real torus, and ∫ g dτ is a finite sum,
 
-    g₀τ + Σ g_k exp(2πi k·v₀/p) τ exp(ix/2) sin(x/2)/(x/2),        x = 2π k·V τ/p,
+    g₀τ + Σ g_κ exp(2πi κ·v₀) τ exp(ix/2) sin(x/2)/(x/2),        x = 2π κ·V τ,   κ_j = k_j/p_j,
 
 without small denominators where x is small.
 """
@@ -20,13 +20,13 @@ from functools import cached_property
 from math import ceil, log, pi, sqrt
 from typing import Any
 
-from flint import acb, acb_mat, arb, ctx
+from flint import acb, acb_mat, arb, ctx, fmpq
 
 from ..errors import InputError
 from .numbers import number
 from .rigorous_formula import Branch, direction
 from .rigorous_strip import least, lines_of, strip_bound
-from .rigorous_theta import Numerators, numerators_at
+from .rigorous_theta import Line, Numerators, numerators_at
 from .torus import Torus
 
 __all__ = ["RigorousQuadrature", "bits_for", "quadratures"]
@@ -52,8 +52,10 @@ class RigorousQuadrature:
     branch : Branch
     place : int
         Which of the formulas of `branch` is f.
-    period : int
-        p.
+    periods : two of 1, 2
+        p_j: f, up to its sign, has this period in v_j.
+    shift : two of 0, 1
+        1 where f changes its sign with the period: there wave numbers are (k_j + ½)/p_j.
     coefficients : acb_mat (N₁, N₂)
         g_k, k_j from −(N_j − 1)/2.
     doubt : arb
@@ -65,7 +67,8 @@ class RigorousQuadrature:
     torus: Torus
     branch: Branch
     place: int
-    period: int
+    periods: tuple[int, int]
+    shift: tuple[int, int]
     coefficients: Any
     doubt: Any
     bits: int
@@ -77,46 +80,53 @@ class RigorousQuadrature:
     @property
     def mean(self) -> Any:
         """The mean of f on the torus (arb)."""
+        return self._level + arb(0, self.doubt)
+
+    @property
+    def _level(self) -> Any:
         one, two = self._reach
-        return self.coefficients[one, two].real + arb(0, self.doubt)
+        return arb(0) if any(self.shift) else self.coefficients[one, two].real
 
     def rate(self, tau: Any) -> Any:
         """f at one τ (arb), from its formula."""
         with ctx.workprec(self.bits):
             return self.branch.at(*direction(*numerators_at(self.torus, tau)))[self.place]
 
+    def _numbers(self, axis: int) -> list[Any]:
+        """The wave numbers in one phase."""
+        reach, shift = self._reach[axis], self.shift[axis]
+        return [fmpq(2 * k + shift, 2 * self.periods[axis]) for k in range(-reach, reach + 1)]
+
     @cached_property
     def _divided(self) -> tuple[Any, list[tuple[Any, Any]]]:
-        """g_k/(2πi k·V/p) as a matrix, and the slow terms (g_k exp(2πi k·v₀/p), π k·V/p)."""
-        one, two = self._reach
-        V, v_0, p = self.torus.V, self.torus.v_0, self.period
+        """g_κ/(2πi κ·V) as a matrix, and the slow terms (g_κ exp(2πi κ·v₀), π κ·V)."""
+        V, v_0 = self.torus.V, self.torus.v_0
         limit = _SLOW * (abs(number(V[0])) + abs(number(V[1])))
         slow, rows = [], []
-        for j in range(-one, one + 1):
+        for j, one in enumerate(self._numbers(0)):
             row = []
-            for k in range(-two, two + 1):
-                g = self.coefficients[j + one, k + two]
-                speed = (j * V[0] + k * V[1]) / p
+            for k, two in enumerate(self._numbers(1)):
+                g = self.coefficients[j, k]
+                speed = one * V[0] + two * V[1]
                 if abs(number(speed)) > limit:
                     row.append(g / acb(0, 2 * arb.pi() * speed))
                     continue
                 row.append(acb(0))
-                if (j, k) != (0, 0):
-                    phase = acb(2 * (j * v_0[0] + k * v_0[1]) / p).exp_pi_i()
+                if one != 0 or two != 0:
+                    phase = acb(2 * (one * v_0[0] + two * v_0[1])).exp_pi_i()
                     slow.append((g * phase, arb.pi() * speed))
             rows.append(row)
         return acb_mat(rows), slow
 
     def _waved(self, tau: Any) -> Any:
-        """Σ g_k/(2πi k·V/p) exp(2πi k·v/p) at v = v₀ + Vτ."""
-        waves = []
-        for start, speed, reach in zip(self.torus.v_0, self.torus.V, self._reach, strict=True):
-            turn = 2 * (start + speed * tau) / self.period
-            waves.append([acb(k * turn).exp_pi_i() for k in range(-reach, reach + 1)])
+        """Σ g_κ/(2πi κ·V) exp(2πi κ·v) at v = v₀ + Vτ."""
+        v = [start + speed * tau for start, speed in zip(self.torus.v_0, self.torus.V, strict=True)]
+        left, right = (
+            [acb(2 * kappa * x).exp_pi_i() for kappa in self._numbers(axis)]
+            for axis, x in enumerate(v)
+        )
         table, _ = self._divided
-        left = acb_mat([waves[0]])
-        right = acb_mat([[x] for x in waves[1]])
-        return (left * table * right)[0, 0].real
+        return (acb_mat([left]) * table * acb_mat([[x] for x in right]))[0, 0].real
 
     @cached_property
     def _origin(self) -> Any:
@@ -131,8 +141,7 @@ class RigorousQuadrature:
         """
         with ctx.workprec(self.bits):
             tau = arb(tau)
-            one, two = self._reach
-            total = self.coefficients[one, two].real * tau + self._waved(tau) - self._origin
+            total = self._level * tau + self._waved(tau) - self._origin
             for g, speed in self._divided[1]:
                 x = speed * tau
                 total += (g * tau * acb(0, x).exp() * x.sinc()).real
@@ -140,7 +149,7 @@ class RigorousQuadrature:
 
     @cached_property
     def _least(self) -> Any:
-        return least(self.torus, self.branch, self.period)
+        return least(self.torus, self.branch, self.periods)
 
     def inverse(self, value: Any) -> Any:
         """The τ at which the integral of a positive f has a given value, as a ball.
@@ -173,15 +182,30 @@ class RigorousQuadrature:
 
 
 def _sums(half: float, period: int, reach: int) -> tuple[Any, Any]:
-    """Σ exp(−2πr|k|/p) over |k| > reach, and over all k."""
+    """Bounds of Σ exp(−2πr|κ|) over the wave numbers beyond k = ±reach, and over all."""
     q = (-2 * arb.pi() * arb(half) / period).exp()
-    return 2 * q ** (reach + 1) / (1 - q), (1 + q) / (1 - q)
+    return 2 * q**reach * q.sqrt() / (1 - q), 2 / (1 - q)
+
+
+def _symmetry(torus: Torus, branch: Branch) -> tuple[tuple[int, int], list[tuple[int, int]]]:
+    """Periods in both phases, and for every formula whether it changes its sign with them.
+
+    When v_j grows by 1, N_i and N_i′ change their sign where a_i has the j-th entry ½.
+    """
+    halves = [theta.characteristic[0] for theta in torus.thetas]
+    parities = [branch.parities([1 - 2 * (a[axis] % 2) for a in halves]) for axis in (0, 1)]
+    periods = [1 if all(kinds) else 2 for kinds in parities]
+    shifts = [
+        [1 if period == 1 and kind == -1 else 0 for kind in kinds]
+        for period, kinds in zip(periods, parities, strict=True)
+    ]
+    return (periods[0], periods[1]), list(zip(*shifts, strict=True))
 
 
 def quadratures(
     torus: Torus, branch: Branch, digits: int, reach: float
 ) -> tuple[RigorousQuadrature, ...]:
-    """Integrals of formulas in ν and ν′ along a torus.
+    """Integrals of formulas in ν and ν′ along a motion on a torus.
 
     Parameters
     ----------
@@ -200,41 +224,49 @@ def quadratures(
     """
     bits = bits_for(digits, reach)
     with ctx.workprec(bits):
-        branch.learn(*direction(*numerators_at(torus, 0)))
-        period = 1 if branch.repeats([theta.characteristic for theta in torus.thetas]) else 2
-        strip = strip_bound(torus, branch, period)
-        wanted = digits * log(10) + log(1 + abs(reach)) + 3
-        wanted += max(log(1 + number(bound)) for bound in strip.bounds)
-        wanted += sum(max(0.0, log(period / (2 * pi * r))) for r in strip.half)
-        halves = [ceil(wanted * period / (2 * pi * r)) for r in strip.half]
+        branch.learn(*direction(*numerators_at(torus, arb(0))))
+        periods, shifts = _symmetry(torus, branch)
+        strip = strip_bound(torus, branch, periods)
+        rates = [2 * pi * r / p for r, p in zip(strip.half, periods, strict=True)]
+        wanted = digits * log(10) + log(1 + abs(reach)) + log(1 + max(strip.bounds)) + 5
+        wanted -= sum(min(0.0, log(rate)) for rate in rates)
+        halves = [ceil(wanted / rate) for rate in rates]
         counts = [2 * half + 1 for half in halves]
         if counts[0] * counts[1] > _MOST:
             most = int(digits * sqrt(_MOST / (counts[0] * counts[1])))
             raise InputError(f"digits: {digits} are too many so close to a separatrix; ask {most}")
         (out_1, all_1), (out_2, all_2) = (
-            _sums(r, period, half) for r, half in zip(strip.half, halves, strict=True)
+            _sums(r, p, half) for r, p, half in zip(strip.half, periods, halves, strict=True)
         )
         outside = out_1 * all_2 + all_1 * out_2
-        points = Numerators(torus, (0, 0)).real(lines_of(counts, period))
+        lines = lines_of(counts, periods)
+        points = Numerators(torus, (0, 0)).real(lines)
         values = [branch.at(*direction(N, rate)) for N, rate in points]
         return tuple(
             RigorousQuadrature(
                 torus,
                 branch,
                 place,
-                period,
-                _transformed([value[place] for value in values], counts),
-                (2 * bound * outside).upper(),
+                periods,
+                shift,
+                _transformed([value[place] for value in values], lines, shift),
+                (2 * arb(bound) * outside).upper(),
                 bits,
             )
-            for place, bound in enumerate(strip.bounds)
+            for place, (bound, shift) in enumerate(zip(strip.bounds, shifts, strict=True))
         )
 
 
-def _transformed(values: Sequence[Any], counts: Sequence[int]) -> Any:
+def _transformed(values: Sequence[Any], lines: tuple[Line, Line], shift: Sequence[int]) -> Any:
     """Fourier coefficients of values on a grid, lowest wave numbers first."""
-    n, m = counts
-    rows = [acb.dft([acb(x) for x in values[j * m : (j + 1) * m]]) for j in range(n)]
+    n, m = lines[0].count, lines[1].count
+    turns = [
+        [acb(-arb(half * k) / line.count).exp_pi_i() for k in range(line.count)]
+        for line, half in zip(lines, shift, strict=True)
+    ]
+    rows = [
+        acb.dft([turns[0][j] * turns[1][k] * values[j * m + k] for k in range(m)]) for j in range(n)
+    ]
     columns = [acb.dft([row[k] for row in rows]) for k in range(m)]
     size = n * m
     return acb_mat(

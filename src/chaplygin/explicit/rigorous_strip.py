@@ -7,29 +7,26 @@ the four tori Im v = (±r₁, ±r₂), and so its Fourier coefficients on (R/pZ)
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from flint import arb, ctx
 
 from ..errors import InputError
 from .rigorous_affine import Affine
-from .rigorous_formula import Branch, LeavesBranchError, direction
-from .rigorous_theta import Line, Numerators, complex_numerators
+from .rigorous_formula import Branch, direction
+from .rigorous_theta import Line, Numerators
 from .torus import Torus
 
 __all__ = ["Strip", "least", "lines_of", "strip_bound"]
 
-#: Bits for bounds.
+#: Bits of the theta series that are turned into doubles.
 BITS = 64
-#: Boxes in each direction: at first, at most, and the points of a trial.
-_COARSE, _FINE, _TRIAL = 24, 96, 24
+#: Boxes in each direction for the period 1: in the search, and for the bounds.
+_SEARCH, _BOXES = 64, 128
 #: Half-widths between which the strip is looked for.
-_WIDEST, _NARROWEST = 0.6, 0.004
-#: By how much a strip that looked right is made narrower, for a bound with some room.
-_ROOM = 0.85
+_WIDEST, _NARROWEST = 0.6, 0.003
 
 
 @dataclass(frozen=True)
@@ -40,104 +37,42 @@ class Strip:
     ----------
     half : (float, float)
         r₁, r₂.
-    bounds : tuple of arb
+    bounds : tuple of float
         M for each formula.
     """
 
     half: tuple[float, float]
-    bounds: tuple[Any, ...]
+    bounds: tuple[float, ...]
 
 
-def lines_of(count: Sequence[int], period: int) -> tuple[Line, Line]:
-    """`count` equidistant points over the period in both directions."""
-    one, two = (Line(arb(0), arb(period) / n, n) for n in count)
+def lines_of(counts: Sequence[int], periods: Sequence[int]) -> tuple[Line, Line]:
+    """So many equidistant points over the periods of the two phases."""
+    one, two = (Line(arb(0), arb(period) / n, n) for n, period in zip(counts, periods, strict=True))
     return one, two
 
 
-def _sizes(
-    torus: Torus,
-    branch: Branch,
-    heights: Sequence[Any],
-    period: int,
-    accepted: Callable[[Affine], bool],
-) -> Iterator[tuple[Any, ...]]:
-    """Enclosures of the formulas on boxes that cover the torus Im v = heights.
-
-    Boxes on which a formula may leave its branch, or is not accepted, are divided.
-
-    Raises
-    ------
-    LeavesBranchError
-        If even the smallest do not help.
-    """
-    numerators = Numerators(torus, heights)
-    count = _COARSE * period
-    wanted: set[tuple[int, int]] | None = None
-    while True:
-        half = arb(period) / (2 * count)
-        failed = set()
-        boxes = numerators.boxes(lines_of((count, count), period), (half, half))
-        for place, (N, rate) in enumerate(boxes):
-            cell = divmod(place, count)
-            if wanted is None or cell in wanted:
-                try:
-                    values = branch.continued(*direction(N, rate))
-                except LeavesBranchError:
-                    failed.add(cell)
-                    continue
-                if all(map(accepted, values)):
-                    yield tuple(values)
-                else:
-                    failed.add(cell)
-        if not failed:
-            return
-        if count == _FINE * period:
-            raise LeavesBranchError
-        # boxes of the next grid that meet one that failed; its boxes are centred on their points
-        count *= 2
-        wanted = {
-            ((2 * j + a) % count, (2 * k + b) % count)
-            for j, k in failed
-            for a in (-1, 0, 1)
-            for b in (-1, 0, 1)
-        }
+def _values(
+    torus: Torus, branch: Branch, heights: Sequence[float], periods: Sequence[int], boxes: int
+) -> list[Affine]:
+    """The formulas on boxes that cover the torus Im v = heights."""
+    counts = [boxes * period for period in periods]
+    half = 0.5 / boxes
+    with np.errstate(all="ignore"):
+        N, rate = Numerators(torus, heights).boxes(lines_of(counts, periods), (half, half))
+        return branch.continued(*direction(N, rate))
 
 
-def _moderate(value: Affine) -> bool:
-    """Whether a box adds little to the bound."""
-    return bool(value.spread < 10 + 3 * abs(value.middle))
+def _bounds(
+    torus: Torus, branch: Branch, half: Sequence[float], periods: Sequence[int], boxes: int
+) -> tuple[float, ...]:
+    """Upper bounds of the moduli on the strip; infinite or not a number where none is proven."""
+    tori = [
+        _values(torus, branch, heights, periods, boxes) for heights in (half, (half[0], -half[1]))
+    ]
+    return tuple(float(max(one.size.max(), two.size.max())) for one, two in zip(*tori, strict=True))
 
 
-def _positive(value: Affine) -> bool:
-    """Whether a real function is positive on a box, and known to a factor."""
-    return bool(value.middle.real > 2 * value.spread)
-
-
-def _bounds(torus: Torus, branch: Branch, half: Sequence[float], period: int) -> tuple[Any, ...]:
-    largest: list[Any] = []
-    for heights in (half, (half[0], -half[1])):
-        for values in _sizes(torus, branch, heights, period, _moderate):
-            sizes = [value.size for value in values]
-            largest = [max(pair) for pair in zip(largest or sizes, sizes, strict=True)]
-    if not all(size.is_finite() for size in largest):
-        raise LeavesBranchError
-    return tuple(largest)
-
-
-def _promising(torus: Torus, branch: Branch, half: Sequence[float], period: int) -> bool:
-    """Whether the formulas keep well to their branch at some points of the tori: a quick trial."""
-    line = np.arange(_TRIAL * period) / _TRIAL
-    x = np.array(np.meshgrid(line, line)).reshape(2, -1)
-    try:
-        for heights in (half, (half[0], -half[1])):
-            v = x + 1j * np.array(heights)[:, None]
-            branch.continued(*direction(*complex_numerators(torus, v)))
-    except LeavesBranchError:
-        return False
-    return True
-
-
-def strip_bound(torus: Torus, branch: Branch, period: int) -> Strip:
+def strip_bound(torus: Torus, branch: Branch, periods: Sequence[int]) -> Strip:
     """A strip on which formulas are proven analytic, nearly as wide as it can be.
 
     Parameters
@@ -145,46 +80,44 @@ def strip_bound(torus: Torus, branch: Branch, period: int) -> Strip:
     torus : Torus
     branch : Branch
         Its signs learned.
-    period : int
-        Of the formulas in both phases: 1 or 2.
+    periods : two of 1, 2
+        Periods of the moduli of the formulas in the two phases.
 
     Raises
     ------
     InputError
         If there is none of reasonable width: the motion is next to a separatrix.
     """
+
+    def proven(half: tuple[float, float], boxes: int = _SEARCH) -> bool:
+        return bool(np.all(np.isfinite(_bounds(torus, branch, half, periods, boxes))))
+
     with ctx.workprec(BITS):
         low, high = _NARROWEST, _WIDEST
         while high / low > 1.1:
             middle = (low * high) ** 0.5
-            if _promising(torus, branch, (middle, middle), period):
-                low = middle
-            else:
-                high = middle
+            low, high = (middle, high) if proven((middle, middle)) else (low, middle)
         half = (low, low)
-        for stretch in (1.3,) * 4:
+        for stretch in (1.6, 1.6, 1.25, 1.25):
             for wider in ((half[0] * stretch, half[1]), (half[0], half[1] * stretch)):
-                if _promising(torus, branch, wider, period):
-                    half = wider
-        while min(half) > _NARROWEST / 2:
-            half = (half[0] * _ROOM, half[1] * _ROOM)
-            try:
-                return Strip(half, _bounds(torus, branch, half, period))
-            except LeavesBranchError:
-                continue
-    raise InputError("start: too close to a separatrix for error bounds")
+                half = wider if max(wider) < _WIDEST and proven(wider) else half
+        bounds = _bounds(torus, branch, half, periods, _BOXES)
+    if not np.all(np.isfinite(bounds)):
+        raise InputError("start: too close to a separatrix for error bounds")
+    return Strip(half, bounds)
 
 
-def least(torus: Torus, branch: Branch, period: int) -> Any:
-    """A positive lower bound of formulas that are positive on the real torus (arb).
+def least(torus: Torus, branch: Branch, periods: Sequence[int]) -> float:
+    """A lower bound of formulas that are positive on the real torus.
 
     Raises
     ------
-    LeavesBranchError
-        If no box proves it.
+    InputError
+        If the boxes prove none above zero: the motion is next to a separatrix.
     """
     with ctx.workprec(BITS):
-        bounds = []
-        for values in _sizes(torus, branch, (arb(0), arb(0)), period, _positive):
-            bounds += [(value.middle.real - value.spread).lower() for value in values]
-        return min(bounds)
+        values = _values(torus, branch, (0.0, 0.0), periods, _BOXES)
+    bound = min(float((value.middle.real - value.spread).min()) for value in values)
+    if not bound > 0:
+        raise InputError("start: too close to a separatrix for error bounds")
+    return bound

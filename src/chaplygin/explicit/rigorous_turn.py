@@ -12,11 +12,11 @@ from flint import arb, arb_mat
 from ..mechanics.attitude import attitude
 from ..system import flat_pairs
 from ..vectors import scalar
-from .numbers import Values, components
+from .numbers import components
 from .prepared import Prepared, chain
 from .rigorous_formula import Branch
 
-__all__ = ["Turn", "path_rates"]
+__all__ = ["PathRates", "Turn", "path_rates"]
 
 _AXES = sp.Matrix(3, 3, lambda k, s: scalar(f"axis_{k + 1}{s + 1}"))
 _TRIAD = sp.Matrix(3, 3, lambda k, b: scalar(f"triad_{k + 1}{b + 1}"))
@@ -59,11 +59,6 @@ class Turn:
         largest = squares[place][place].sqrt() * (1 if rough[place] > 0 else -1)
         return [squares[place][i] / largest if i != place else largest for i in range(4)]
 
-    @property
-    def values(self) -> Values:
-        """The axes by the symbols used in :func:`path_rates`."""
-        return {_AXES[k, s]: self.axes[k, s] for k in range(3) for s in range(3)}
-
 
 def _triad(prepared: Prepared) -> Any:
     """Orthonormal: along the first fixed vector, across both, and the third."""
@@ -97,10 +92,28 @@ def _products(R: Any) -> list[list[Any]]:
     return [[x / 4 for x in row] for row in four]
 
 
-def path_rates(prepared: Prepared, turn: Turn) -> Branch | None:
-    """Derivatives in τ of the coordinates in space beside the attitude; None if there are none.
+@dataclass(frozen=True)
+class PathRates:
+    """Rates of coordinates in space, in τ: sums of functions on the torus times components of axes.
 
-    Quaternions enter the rates of a path in products of two, which are linear in the matrix.
+    Attributes
+    ----------
+    functions : Branch
+        What is to be integrated, in ν and ν′.
+    shares : tuple of tuples of (int, (int, int))
+        For every coordinate, which functions, and the entry of `Turn.axes` that multiplies each.
+    """
+
+    functions: Branch
+    shares: tuple[tuple[tuple[int, tuple[int, int]], ...], ...]
+
+
+def path_rates(prepared: Prepared) -> PathRates | None:
+    """Derivatives of the coordinates in space beside the attitude; None if there are none.
+
+    Quaternions enter the rates of a path in products of two, which are linear in the matrix, and
+    the matrix is Σ axis_k triad_kᵀ.  The coefficient of each component of an axis is a function on
+    the torus that at most changes its sign with the periods, which the rate itself need not.
     """
     motion = prepared.separable.system.motion
     if motion is None:
@@ -111,14 +124,23 @@ def path_rates(prepared: Prepared, turn: Turn) -> Branch | None:
         return None
     products = _products((_AXES.T * _TRIAD).tolist())
     clock = components(prepared.separable.clock)[0]
-    formulas = []
+    functions: list[Any] = []
+    shares = []
     for rate in rates:
         total = sp.S.Zero
         for powers, coefficient in sp.Poly(rate, *names).terms():
             pair = [i for i, power in enumerate(powers) for _ in range(power)]
             total += coefficient * (products[pair[0]][pair[1]] if pair else 1)
-        formulas.append(clock * total)
+        linear = sp.Poly(total, *_AXES)
+        own = []
+        for place, axis in enumerate(_AXES):
+            function = clock * linear.coeff_monomial(axis)
+            if function != 0:
+                if function not in functions:
+                    functions.append(function)
+                own.append((functions.index(function), divmod(place, 3)))
+        shares.append(tuple(own))
     triad = list(zip(_TRIAD, _triad(prepared), strict=True))
-    needed = [*formulas, *(formula for _, formula in triad)]
+    needed = [*functions, *(formula for _, formula in triad)]
     _, steps = chain(prepared.separable, needed)
-    return Branch(formulas, {**prepared.values, **turn.values}, (*steps, *triad))
+    return PathRates(Branch(functions, prepared.values, (*steps, *triad)), tuple(shares))
