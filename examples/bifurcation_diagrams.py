@@ -24,7 +24,7 @@ SHOWN: Mapping[str, tuple[str, tuple[str, ...]]] = {
         "veselova-bruns",
         ("-0.21", "0.3", "0.72", "0.96", "0", "0.28"),
     ),
-    "bifurcation_ball": ("chaplygin-ball-area", ("0.8", "0", "0.6", "0.96", "0", "-0.28")),
+    "bifurcation_ball": ("chaplygin-ball-area", ("0.48", "0.6", "0.64", "0.6", "-0.8", "0")),
 }
 
 
