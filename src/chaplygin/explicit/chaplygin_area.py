@@ -28,9 +28,10 @@ For g = 0 this is :mod:`.chaplygin_ball`.  What is claimed here is proven in par
 The second term is odd under ν′ → −ν′, which on the torus is v → −v up to a half period; its mean is
 zero, and the mean of dt/dτ is that of :func:`even_clock`.
 
-It fails where M is parallel to γ, g² = f: there σ = f, D′ = 0, n = 0 and M′ = 0.  Then M and γ stay
-parallel, ω = A(g + D(ω, γ))γ with (ω, γ) = 2h/g constant, and γ moves as the momentum of Euler's
-free body: elliptic functions.  h = 0 is rest.
+It fails where M is parallel to γ, g² = f: there σ = f, D′ = 0, n = 0, and any unit vector across M
+may be taken for γ′.  The ball then turns as a free body with the tensor I + D and the momentum
+M′ = (1 + 2hD/f)M: elliptic functions.  h = 0 is rest.  The directions given as fixed in space are M
+and γ′, which stay apart when M and γ nearly coincide.
 """
 
 from __future__ import annotations
@@ -54,8 +55,9 @@ h, f, g, sigma, delta, e, n = (scalar(s) for s in ("h", "f", "g", "sigma", "delt
 
 SLOPE = f - 2 * h * D
 BETA = -g / sigma
-#: D′, and the inertia tensor I′, of the ball at zero area constant.
-D_ZERO = D - delta
+#: D′, a constant by itself since D − δ loses digits near M ∥ γ, and the inertia tensor I′, of the
+#: ball at zero area constant.
+D_ZERO = scalar("D_0")
 I_ZERO = constant(sp.diag(*(moment + delta for moment in I.symbols)))
 #: γ′ in the state.
 NORMAL = (gamma + BETA * M) / n
@@ -105,6 +107,7 @@ def chaplygin_area() -> Separable:
             (g, dot(M, gamma)),
             (sigma, (SLOPE + sp.sqrt(SLOPE**2 + 8 * h * D * g**2)) / 2),
             (delta, D * g**2 / sigma),
+            (D_ZERO, D - delta),
             (e, 1 + 2 * h * D * BETA**2),
             (n, sp.sqrt((1 - g**2 / sigma) * e)),
         ),
@@ -119,8 +122,8 @@ def chaplygin_area() -> Separable:
         speeds=(sp.S.Zero, sp.S.One),
         clock=EVEN * (1 + BETA / n * D_ZERO * SPIN),
         state=returned(MOMENTUM, nu),
-        fixed=(M, gamma),
+        fixed=(M, nu),
         source="§7, Chaplygin (1903)",
     )
-    own = ("constants", "fixed_1", "fixed_2")
+    own = ("constants", "fixed_1")
     return replace(made, laws=tuple(law for law in stated(made) if law.name in own))

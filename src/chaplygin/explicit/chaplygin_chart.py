@@ -12,7 +12,7 @@ Here nothing but N is a root, and what is claimed there comes in parts that can 
   energy, square and area constant.  So M and γ, which like M′ and γ′ stay in space, move as those
   of a ball.
 - :func:`frozen`: for all values of h′ and f′ the constants of :mod:`.chaplygin_area` are
-  δ = D − D′, β/n = b, …, its formulas lead from M, γ to γ′ and from γ′, M′ back, and its curve,
+  D′, β/n = b, …, its formulas lead from M, γ to γ′ and from γ′, M′ back, and its curve,
   clock and momentum M′ are those of :mod:`.chaplygin_ball` with I′, D′, h′, f′, the curve shifted
   by δ.
 """
@@ -30,6 +30,7 @@ from ..systems.chaplygin_bracket import A, D, I, J, R, m
 from ..vectors import Diagonal, cross, dot, explicit, identity, normed, scalar, vectors
 from .chaplygin_area import (
     BETA,
+    D_ZERO,
     MOMENTUM,
     NORMAL,
     chaplygin_area,
@@ -164,14 +165,21 @@ def _still() -> tuple[Law, ...]:
     separable, zero = chaplygin_area(), chaplygin_ball()
     computed = {**LEVELS, **dict(separable.constants[len(LEVELS) :])}
     # as the first of the laws gives them
-    known = {**LEVELS, sigma: -g * N / (b * e), delta: D - Dprime, stretch: e, n: e / N}
+    known = {
+        **LEVELS,
+        sigma: -g * N / (b * e),
+        delta: D - Dprime,
+        D_ZERO: Dprime,
+        stretch: e,
+        n: e / N,
+    }
     # any two vectors may stand for ν and ν′
     known |= {nu: gammaprime, nuprime: Mprime}
     constants = Reduction(
         "constants",
         computed,
-        (delta - D + Dprime, stretch - e, n - e / N, BETA / n - b),
-        "δ = D − D′, e, n and β/n = b",
+        (D_ZERO - Dprime, stretch - e, n - e / N, BETA / n - b),
+        "D′, e, n and β/n = b",
         source=SOURCE,
     )
     claims = {
