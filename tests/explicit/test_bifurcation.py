@@ -10,7 +10,7 @@ import pytest
 import sympy as sp
 
 from chaplygin.errors import InputError
-from chaplygin.explicit.bifurcation import Diagram, bifurcation_diagram
+from chaplygin.explicit.bifurcation import Diagram, bifurcation_diagram, located
 from chaplygin.explicit.bifurcation_families import PLANES, SEPARATED
 from chaplygin.explicit.chaplygin_area import chaplygin_area
 from chaplygin.explicit.veselova import veselova
@@ -167,8 +167,48 @@ def test_regions_cover_the_plane_once(diagrams, name):
         assert found is None or found in diagram.regions
 
 
-def test_a_point_on_a_boundary_has_no_region(diagrams):
+def test_points_on_curves(diagrams):
+    """On a boundary there is no region; elsewhere on its curve, and on verticals, there is."""
+    diagram = diagrams["neumann"]
+    # Γ₁ = 0: f = h − 1.44, real from h = 0.6 on; 0.5 lies beyond
+    assert diagram.region("0.7", "-0.74") is None
+    assert diagram.region("0.5", "-0.94").tori == 0
+    # above h = 0.6 a boundary ends, and others run through the vertical
+    assert diagram.region("0.6", "-0.9").tori == 2
     assert diagrams["veselova"].region(1, 3) is None
+    assert diagrams["veselova"].region(0, 3).tori == 0
+
+
+# --- where a motion lies ---------------------------------------------------------------------
+
+
+def test_located(diagrams):
+    diagram = diagrams["chaplygin-ball-area"]
+    state = dict(zip(diagram.plane.system.symbols, ("0.6", "0", "0.8", "0", "0", "1"), strict=True))
+    x, y = located(diagram, state)
+    # 2h = (AM, M) + D (ω, γ)², (ω, γ) = (AM, γ)/(1 − (γ, Aγ)), with J = (2, 2.5, 3.1)
+    spin = (0.8 / 3.1) / (1 - 1 / 3.1)
+    assert x == pytest.approx((0.36 / 2 + 0.64 / 3.1 + spin * 0.8 / 3.1) / 2)
+    assert y == pytest.approx(0.8)
+
+
+@pytest.mark.parametrize(
+    ("name", "state", "words"),
+    [
+        ("chaplygin-ball-area", ("1", "1", "0", "0", "0", "1"), "in this state and must vanish"),
+        ("veselova", ("1", "0", "1", "0", "0", "1"), "must vanish"),
+        ("chaplygin-ball", ("1", "0", "1", "0", "0", "1"), "must vanish"),
+    ],
+)
+def test_a_state_off_the_level_is_refused(diagrams, name, state, words):
+    symbols = diagrams[name].plane.system.symbols
+    with pytest.raises(InputError, match=words):
+        located(diagrams[name], dict(zip(symbols, state, strict=True)))
+
+
+def test_a_missing_variable_is_refused(diagrams):
+    with pytest.raises(InputError, match="no value for omega_2"):
+        located(diagrams["veselova"], {"omega_1": 1, "omega_3": 0})
 
 
 # --- what is refused ------------------------------------------------------------------------

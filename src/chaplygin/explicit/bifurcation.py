@@ -20,6 +20,7 @@ from flint import fmpq, fmpq_mpoly
 from ..errors import InputError
 from ..mechanics.body import check_inertia
 from ..mechanics.start import DIGITS, SLACK, evaluate
+from ..notation import text
 from ..vectors import explicit
 from .bifurcation_families import Axis, Plane, Z, numbers, plane_named, plane_of
 from .bifurcation_plane import RING, Arrangement, arrangement, rational
@@ -68,14 +69,20 @@ class Diagram:
         return self.plane.axes
 
     def region(self, x: Any, y: Any) -> Region | None:
-        """The region of a point; None if it lies on a boundary (or on a critical vertical).
+        """The region of a point; None on a boundary.
 
         Parameters
         ----------
         x, y : float, int, str or Fraction
             Values of the two integrals; a double counts as the number that it is.
         """
-        cell = self.arrangement.cell(rational(Fraction(x)), rational(Fraction(y)))
+        point = rational(Fraction(x)), rational(Fraction(y))
+        cell = self.arrangement.cell(*point)
+        if cell is None:
+            # some pieces of the curves are no boundaries
+            cell = self.arrangement.arc(*point)
+            if any(cell in boundary.arcs for boundary in self.boundaries):
+                return None
         return next((region for region in self.regions if cell in region.cells), None)
 
 
@@ -108,7 +115,7 @@ def located(diagram: Diagram, state: Mapping[Any, Any]) -> tuple[float, float]:
     for condition, value in zip(conditions, level, strict=True):
         if abs(value) > SLACK * (1 + max(abs(v) for v in numbers.values())) ** 2:
             raise InputError(
-                f"{plane.name}: {condition} is {mpmath.nstr(value, 5)} in this state and must "
+                f"{plane.name}: {text(condition)} is {mpmath.nstr(value, 5)} in this state and must "
                 "vanish"
             )
     return float(x), float(y)
@@ -177,7 +184,7 @@ def _poles(
     for condition in plane.level:
         if set(condition.free_symbols) <= set(values) and _number(plane, condition, values) != 0:
             raise InputError(
-                f"{plane.name}: {condition} must vanish; the system is not known to separate "
+                f"{plane.name}: {text(condition)} must vanish; the system is not known to separate "
                 "otherwise"
             )
     axes = sorted((1, 2, 3), key=lambda axis: exact[axis - 1])

@@ -41,6 +41,8 @@ Cell: TypeAlias = tuple[int, int]
 
 #: Binary digits with which roots are isolated at first; doubled until they are apart.
 FIRST_PRECISION = 64
+#: Digits beyond which roots are taken to be equal, against the promise that they are not.
+MOST_PRECISION = 1 << 16
 
 
 @dataclass(frozen=True)
@@ -92,15 +94,35 @@ class Arrangement:
         return x, _gaps([y for y, _ in stack(self.curves, x)])[rank]
 
     def cell(self, x: fmpq, y: fmpq) -> Cell | None:
-        """The cell of a point; None on a curve or on a critical vertical."""
+        """The cell of a point; on a critical vertical the one to the right; None on a curve."""
         if any(straight(curve, y=y)(x) == 0 for curve in self.curves):
             return None
-        column = 0
-        for abscissa in self.abscissae:
-            if abscissa.overlaps(arb(x)):
-                return None
-            column += bool(abscissa < x)
-        return column, _rank(self.curves, x, y)
+        crossings = irreducible(straight(curve, y=y) for curve in self.curves)
+        roots = separated([*crossings, fmpq_poly([-x, 1])])
+        here = [number for _, number in roots].index(len(crossings))
+        # to the right of the point, before any curve and any other critical vertical
+        ends = [root for root, _ in roots[here + 1 :]]
+        ends += [abscissa for abscissa in self.abscissae if abscissa > x]
+        low = Fraction(int(x.p), int(x.q))
+        high = min((fraction(end.lower()) for end in ends), default=low + 1)
+        beside = rational(between(low, high))
+        column = sum(bool(abscissa < beside) for abscissa in self.abscissae)
+        return column, _rank(self.curves, beside, y)
+
+    def arc(self, x: fmpq, y: fmpq) -> Cell | None:
+        """The arc of a point; None on a critical vertical or off the curves."""
+        if any(abscissa.overlaps(arb(x)) for abscissa in self.abscissae):
+            return None
+        numbers = [n for n, curve in enumerate(self.curves) if straight(curve, y=y)(x) == 0]
+        if not numbers:
+            return None
+        column = sum(bool(abscissa < x) for abscissa in self.abscissae)
+        (rank,) = (
+            place
+            for place, (height, number) in enumerate(stack(self.curves, x))
+            if number == numbers[0] and height.overlaps(arb(y))
+        )
+        return column, rank
 
 
 def arrangement(curves: Iterable[Polynomial]) -> Arrangement:
@@ -177,13 +199,14 @@ def isolated(polynomial: fmpq_poly) -> list[Any]:
 def separated(polynomials: Sequence[fmpq_poly]) -> list[tuple[Any, int]]:
     """The real roots of coprime polynomials, increasing, each with its polynomial's number."""
     precision = FIRST_PRECISION
-    while True:
+    while precision <= MOST_PRECISION:
         with ctx.workprec(precision):
             roots = [(root, n) for n, p in enumerate(polynomials) for root in isolated(p)]
             roots.sort(key=lambda pair: fraction(pair[0]))
             if all(low < high for (low, _), (high, _) in pairwise(roots)):
                 return roots
         precision *= 2
+    raise ArithmeticError("polynomials without a common root were expected")
 
 
 def stack(curves: Sequence[Polynomial], x: fmpq) -> list[tuple[Any, int]]:
