@@ -115,8 +115,8 @@ def located(diagram: Diagram, state: Mapping[Any, Any]) -> tuple[float, float]:
     for condition, value in zip(conditions, level, strict=True):
         if abs(value) > SLACK * (1 + max(abs(v) for v in numbers.values())) ** 2:
             raise InputError(
-                f"{plane.name}: {text(condition)} is {mpmath.nstr(value, 5)} in this state and must "
-                "vanish"
+                f"{plane.name}: {text(condition)} is {mpmath.nstr(value, 5)} in this state and "
+                "must vanish"
             )
     return float(x), float(y)
 
