@@ -39,7 +39,8 @@ def test_the_shell_lines_run(
     assert len(lines) == 10
     proofs = [line for line in block("sh", "chaplygin prove").splitlines() if line]
     first = [line for line in block("sh", "sleigh.toml").splitlines() if line]
-    for line in [*lines, *proofs, *first]:
+    solved = [line for line in block("sh", "chaplygin solve").splitlines() if line]
+    for line in [*lines, *proofs, *first, *solved]:
         command = shlex.split(line.split("#")[0].split(">")[0])
         monkeypatch.setattr(sys, "argv", command)
         with pytest.raises(SystemExit) as end:

@@ -1,0 +1,33 @@
+"""The page on closed forms: its steps run, and end where an integration ends."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+PAGE = (Path(__file__).parents[1] / "docs" / "closed-forms.md").read_text()
+
+
+def test_the_steps_run(capsys: pytest.CaptureFixture[str]) -> None:
+    names: dict[str, Any] = {}
+    for step in re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL):
+        exec(compile(step, "closed-forms.md", "exec"), names)
+    told = capsys.readouterr().out
+    assert "two-frequency motion on a torus" in told
+    assert "refuted" not in told
+    assert "undecided" not in told
+    assert (
+        np.abs(names["solution"].states([10.0]) - np.float64(names["path"].states[-1])).max()
+        < 1e-13
+    )
+    # γ at τ = 0.7, from the theta functions alone, is of length one
+    assert 1 in sum(x * x for x in names["torus"].ball(names["v"])[0])
+
+
+def test_links_lead_somewhere() -> None:
+    for target in re.findall(r"\]\(([^)#]+\.md)\)", PAGE):
+        assert (Path(__file__).parents[1] / "docs" / target).exists(), target
