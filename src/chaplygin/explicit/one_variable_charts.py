@@ -39,6 +39,8 @@ BALLS = SimpleNamespace(
     sech=lambda x: x.sech(),
     step=lambda x: 1 / (1 + (-2 * x).exp()),
     sqrt=_ball_root,
+    # a power of a ball that contains zero has no value
+    square=lambda x: x * x,
 )
 
 #: The same of arrays.
@@ -50,6 +52,7 @@ DOUBLES = SimpleNamespace(
     sech=lambda x: 1 / np.cosh(np.clip(x, -350.0, 350.0)),
     step=lambda x: 1 / (1 + np.exp(-2 * np.clip(x, -350.0, 350.0))),
     sqrt=np.sqrt,
+    square=np.square,
 )
 
 
@@ -186,11 +189,11 @@ class Asymptotic(Chart):
 
     def place(self, F: Any, sigma: Any) -> Any:
         """a + (e − a) tanh² σ."""
-        return F.number(self.first.place) + F.number(self.reach) * F.tanh(sigma) ** 2
+        return F.number(self.first.place) + F.number(self.reach) * F.square(F.tanh(sigma))
 
     def slope(self, F: Any, sigma: Any) -> Any:
         """2(e − a) tanh σ sech² σ."""
-        return 2 * F.number(self.reach) * F.tanh(sigma) * F.sech(sigma) ** 2
+        return 2 * F.number(self.reach) * F.tanh(sigma) * F.square(F.sech(sigma))
 
     def roots(self, F: Any, sigma: Any) -> tuple[Any, Any]:
         """By |x − a| = |e − a| tanh² σ and |e − x| = |e − a| sech² σ."""
@@ -245,7 +248,7 @@ class Connecting(Chart):
 
     def slope(self, F: Any, sigma: Any) -> Any:
         """ρ sech² σ."""
-        return F.number(self.reach) * F.sech(sigma) ** 2
+        return F.number(self.reach) * F.square(F.sech(sigma))
 
     def roots(self, F: Any, sigma: Any) -> tuple[Any, Any]:
         """By |x − a| = 2|ρ|/(1 + e^−2σ) and |b − x| = 2|ρ|/(1 + e^2σ)."""
@@ -272,4 +275,4 @@ def _root(F: Any, end: End, gap: Any, width: Any, factor: Any) -> Any:
     """√(gap + width · factor²), with the sign of the factor where the gap is none."""
     if end.edge:
         return F.number(width.sqrt()) * factor
-    return F.sqrt(F.number(gap) + F.number(width) * factor**2)
+    return F.sqrt(F.number(gap) + F.number(width) * F.square(factor))

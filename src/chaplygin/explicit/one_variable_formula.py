@@ -65,7 +65,7 @@ def _built(formula: sp.Expr) -> Program:
         return lambda known: _product([part(known) for part in parts])
     if formula.is_Pow and formula.exp.is_Rational and formula.exp.q in (1, 2):
         base, power, root = parts[0], int(formula.exp.p), formula.exp.q == 2
-        return lambda known: (base(known).sqrt() if root else base(known)) ** power
+        return lambda known: _power(base(known).sqrt() if root else base(known), power)
     if formula.func in _METHODS:
         method = _METHODS[formula.func]
         return lambda known: getattr(parts[0](known), method)()
@@ -79,3 +79,9 @@ def _product(factors: list[Any]) -> Any:
     for factor in factors[1:]:
         result = result * factor
     return result
+
+
+def _power(base: Any, exponent: int) -> Any:
+    # by products, since python-flint gives no value to a power of a ball that contains zero
+    result = _product([base] * abs(exponent))
+    return result if exponent > 0 else 1 / result

@@ -148,7 +148,9 @@ def _last(function: Formula, points: Sequence[Any]) -> Any:
 
 def value(function: Formula, point: Any) -> Any:
     """The function at a point (acb), not finite where it may not be analytic."""
-    return _last(function, (point,))
+    if isinstance(point, acb) and not point.imag.is_zero():
+        return _last(function, (point,))
+    return acb(function(point.real))
 
 
 def slope(function: Formula, *points: Any) -> Any:

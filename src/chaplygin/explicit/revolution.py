@@ -108,7 +108,7 @@ def solve_rolling(
 
 def _chart(level: Level, begin: Begin) -> Chart | Steady:
     flat = level.body.flat
-    if flat and not begin.normal[2] ** 2 < 1 - arb(1e-12):
+    if flat and not abs(begin.normal[2]) < 1 - arb(5e-13):
         raise InputError("the body lies flat, where the equations of a body on its edge end")
     try:
         return chart_of(level.equation, begin.normal[2], begin.rate)
@@ -246,7 +246,7 @@ class RevolutionSolution(Solution):
                 frame.phi + count * frame.own + phi,
                 frame.psi + count * frame.precession + psi,
             )
-            spin = self._spin(cosine**2 - sine**2, 2 * sine * cosine)
+            spin = self._spin(cosine * cosine - sine * sine, 2 * sine * cosine)
             place = frame.origin + turned(frame.psi) * place
             return tuple(assembled(BALLS, (sine, cosine), (lean, spin), (phi, psi), place))
 

@@ -201,7 +201,7 @@ def _support(shape: Shape, numbers: Mapping[sp.Symbol, Any]) -> sp.Expr | None:
 
 def level_of(body: Body, omega: Any, normal: Any) -> Level:
     """The integrals at a state on the phase space (three balls each)."""
-    x, sine_square = normal[2], normal[0] ** 2 + normal[1] ** 2
+    x, sine_square = normal[2], normal[0] * normal[0] + normal[1] * normal[1]
     spin, turn = omega[2], normal[1] * omega[0] - normal[0] * omega[1]
     size = sum((abs(w) for w in omega), arb(0))
     if vanishes(spin, size) or size == 0:
@@ -211,5 +211,5 @@ def level_of(body: Body, omega: Any, normal: Any) -> Level:
     reach = body.at(body.principal, x)
     energy = body.at(body.energy, x)
     if sine_square > 0:
-        return Level(body, (reach * turn**2 + K**2) / (2 * sine_square) + energy, K)
-    return Level(body, reach * (omega[0] ** 2 + omega[1] ** 2) / 2 + energy, K)
+        return Level(body, (reach * turn * turn + K * K) / (2 * sine_square) + energy, K)
+    return Level(body, reach * (omega[0] * omega[0] + omega[1] * omega[1]) / 2 + energy, K)

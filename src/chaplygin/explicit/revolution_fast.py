@@ -103,7 +103,7 @@ class FastRevolution:
             flip * root / np.sqrt(2) for flip, root in zip(flips, (high, low), strict=True)
         )
         lean = lean * flips[0] * flips[1]
-        spin = self._spin(cosine**2 - sine**2, 2 * sine * cosine)
+        spin = self._spin(cosine * cosine - sine * sine, 2 * sine * cosine)
         angles = (self._begin[0] + phi, self._begin[1] + psi)
         return np.stack(assembled(DOUBLES, (sine, cosine), (lean, spin), angles, place), axis=1)
 

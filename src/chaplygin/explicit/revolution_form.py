@@ -46,10 +46,8 @@ def _constants(level: Level) -> tuple[Figure, ...]:
     )
 
 
-def kind_of(chart: Chart | Steady) -> str:
-    """The kind of a motion, in words."""
-    if isinstance(chart, Steady):
-        return _steady(chart)
+def kind_of(chart: Chart) -> str:
+    """The kind of a motion on which θ changes, in words."""
     if isinstance(chart, Connecting):
         return "asymptotic to one permanent rotation in the past and to another in the future"
     if isinstance(chart, Asymptotic):
@@ -62,10 +60,11 @@ def kind_of(chart: Chart | Steady) -> str:
     return "periodic in shape: the axis nods while it precesses, with two frequencies"
 
 
-def _steady(chart: Steady) -> str:
+def _steady(chart: Steady, turning: bool = True) -> str:
+    name = "permanent rotation" if turning else "equilibrium"
     if chart.stable is None:
-        return "permanent rotation, on the border of stability"
-    return f"permanent rotation, {'stable' if chart.stable else 'unstable'}"
+        return f"{name}, on the border of stability"
+    return f"{name}, {'stable' if chart.stable else 'unstable'}"
 
 
 def form_of(level: Level, course: Course) -> ClosedForm:
@@ -102,4 +101,6 @@ def steady_form(level: Level, rest: Steady, rates: tuple[Any, Any]) -> ClosedFor
         Figure("w^2", rest.rigidity, "square of the frequency of small nutations", "rad^2/s^2"),
     )
     where = float(rest.place)
-    return ClosedForm(TITLE, kind_of(rest), _equations(level), figures, ((where, where),), SOURCE)
+    return ClosedForm(
+        TITLE, _steady(rest, level.K != 0), _equations(level), figures, ((where, where),), SOURCE
+    )

@@ -169,7 +169,7 @@ def assembled(
     place : x + iy
     """
     (sine, cosine), (lean, spin), (phi, psi) = halves, rates, angles
-    across, along = 2 * sine * cosine, cosine**2 - sine**2
+    across, along = 2 * sine * cosine, cosine * cosine - sine * sine
     sin, cos = F.sin(phi), F.cos(phi)
     plus, minus = (psi + phi) / 2, (psi - phi) / 2
     return [
