@@ -224,7 +224,7 @@ class AxialSolution(Solution):
     # --- what it looks like ----------------------------------------------------------------
 
     @cached_property
-    def form(self) -> ClosedForm:  # type: ignore[override]
+    def form(self) -> ClosedForm:
         """The equation of u, its turning points, period and mean rates."""
         u = sp.Symbol("u")
         with ctx.workprec(working_bits(FAST)):

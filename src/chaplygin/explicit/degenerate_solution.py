@@ -193,6 +193,6 @@ class Degenerate(Solution):
         return rigorous_state(self, time, digits)
 
     @cached_property
-    def form(self) -> ClosedForm:  # type: ignore[override]
+    def form(self) -> ClosedForm:
         """The curve, its double root, the frequencies."""
         return form_of(self.separable, self.beginning, self.motion, self.e, self.turn)

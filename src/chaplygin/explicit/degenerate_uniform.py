@@ -1,8 +1,10 @@
 """Uniform motions: rest, permanent rotations, steady precession, bodies with three equal moments.
 
 The vectors of the reduced state turn rigidly in the body, x(t) = e^{−tΩ×} x(0), with a constant Ω: zero
-for an equilibrium of the reduced system, along the axis of symmetry of a body of revolution, ω when
-all moments are equal.  Then, with ω at the start,
+for an equilibrium of the reduced system, along the axis of symmetry of a body of revolution, ω itself
+for a permanent rotation (about a principal axis, or about any axis when all moments are equal).  The
+first two follow from the rates at the start by symmetry; the third is checked along the turn.  Then,
+with ω at the start,
 
     Q(t) = Q(0) e^{t(ω − Ω)×} e^{tΩ×},
 
@@ -34,6 +36,8 @@ __all__ = ["UniformSolution", "uniform"]
 
 #: What is left of a rate, relative to the velocities of the motion, counts as zero.
 STILL = arb("1e-40")
+#: Places along a turn about ω at which the field is compared with that turn.
+ANGLES = 7
 
 _OMEGA = Vector("omega").symbols
 
@@ -127,7 +131,7 @@ class UniformSolution(Solution):
         return np.concatenate(columns, axis=1)
 
     @property
-    def form(self) -> ClosedForm:  # type: ignore[override]
+    def form(self) -> ClosedForm:
         """What it looks like."""
         moving = any(not x.contains(0) for x in self.omega)
         lengths = [dot(x, x).sqrt() for x in (self.turning, self._apart)]
@@ -213,21 +217,49 @@ def uniform(
     changes = [rates[k : k + 3] for k in range(0, size, 3)]
     omega = [known[symbol] for symbol in _OMEGA]
     scale = abs(sum((abs(x) for x in (*start[:size], *omega)), arb(1)))
-    for turning in _candidates(vectors, changes, omega, moments):
-        missed = [
-            x + y
-            for vector, change in zip(vectors, changes, strict=True)
-            for x, y in zip(change, cross(turning, vector), strict=True)
-        ]
-        if all(abs(x.mid()) < STILL * scale for x in missed):
+    for turning in (*_allowed(vectors, changes, moments), omega):
+        angles = [arb(0)] if turning is not omega else [arb(k) for k in range(ANGLES)]
+        if all(
+            _turns(system, values, _turned(vectors, turning, angle), turning, scale)
+            for angle in angles
+        ):
             return _made(system, values, start, vectors, turning, omega)
     return None
 
 
-def _candidates(
-    vectors: Sequence[Any], changes: Sequence[Any], omega: Sequence[Any], moments: Sequence[Any]
+def _turned(vectors: Sequence[Any], turning: Sequence[Any], angle: Any) -> list[Any]:
+    """The reduced state after a turn by e^{−angle·Ω×/|Ω|}."""
+    length = dot(turning, turning).sqrt()
+    if angle == 0:
+        return list(vectors)
+    back = _turn([-x / length for x in turning], angle)
+    return [product(back, vector) for vector in vectors]
+
+
+def _turns(
+    system: System,
+    values: Mapping[sp.Symbol, Any],
+    vectors: Sequence[Any],
+    turning: Sequence[Any],
+    scale: Any,
+) -> bool:
+    """Whether the rates of all vectors x are −Ω×x, and ω is the same, at a state."""
+    known = {**values, **dict(zip(system.symbols, _flat(vectors), strict=True))}
+    for symbol, formula in system.steps:
+        (known[symbol],) = evaluated([formula], known)
+    rates = evaluated(system.rates, known)
+    sides = _flat([cross(turning, vector) for vector in vectors])
+    return all(abs((x + y).mid()) < STILL * scale for x, y in zip(rates, sides, strict=True))
+
+
+def _flat(vectors: Sequence[Any]) -> list[Any]:
+    return [x.mid() for vector in vectors for x in vector]
+
+
+def _allowed(
+    vectors: Sequence[Any], changes: Sequence[Any], moments: Sequence[Any]
 ) -> list[list[Any]]:
-    """Ω that the symmetry allows."""
+    """Ω along an axis of symmetry, or zero."""
     near = arb("1e-40") * max(abs(moment) for moment in moments)
     found = [[arb(0)] * 3]
     equal = [
@@ -240,7 +272,7 @@ def _candidates(
         if square.mid() > near:
             share = sum((dot(c, s) for c, s in zip(changes, sides, strict=True)), arb(0)) / square
             found.append([-share * x for x in axis])
-    return [*found, list(omega)] if all(equal) else found
+    return found
 
 
 def _made(

@@ -79,9 +79,10 @@ class GenusTwo(Solution):
         return rigorous_state(self, time, digits)
 
     @cached_property
-    def form(self) -> ClosedForm:  # type: ignore[override]
+    def form(self) -> ClosedForm:
         """The curve, its ovals, frequencies."""
-        return _form(self)
+        with ctx.workprec(BITS):
+            return _form(self)
 
 
 def _form(solution: GenusTwo) -> ClosedForm:

@@ -14,6 +14,7 @@ import sympy as sp
 from ..errors import InputError
 from ..mechanics.attitude import attitude
 from ..system import flat_pairs
+from ..vectors import vectors
 from .attitude import Cover, Triad, cover
 from .clock import Clock, Moment
 from .numbers import array_function, components, number
@@ -21,9 +22,10 @@ from .prepared import Prepared, chain
 from .quadrature import Quadrature, quadrature, series
 from .separable import Separable
 from .spin import farthest, references, spinning
+from .spin_reduction import Reduction, reduction
 from .waves import Turning, turning
 
-__all__ = ["Held", "Lift", "Spun", "lift", "on_arrays"]
+__all__ = ["Held", "Lift", "Reduced", "Spun", "lift", "on_arrays"]
 
 #: Points per phase at which the directions of two vectors are compared.
 _COARSE = 24
@@ -248,6 +250,26 @@ class Spun(Lift):
         return np.concatenate([whole, np.array(places).reshape(-1, len(moment.tau))])
 
 
+@dataclass(frozen=True)
+class Reduced(Lift):
+    """The attitude where no fixed vector is known: reduced to a uniform rotation, in numbers."""
+
+    @cached_property
+    def _reduction(self) -> Reduction:
+        omega = on_arrays(self.prepared, vectors("omega")[0].symbols)
+
+        def turning(v: Any) -> Any:
+            there = self._torus(v)
+            return self._clock_rate(*there) * omega(*there)
+
+        V = [number(x) for x in self.prepared.torus.V]
+        return reduction(turning, V, self.clock.v_0, self.start[:4])
+
+    def at(self, moment: Moment) -> Any:
+        """The attitude, (4, n)."""
+        return self._reduction.attitude(moment.v, moment.tau).T
+
+
 def _turned(axis: Any, psi: Any, turns: Any) -> Any:
     """Quaternions (4, n) after a further turn by ψ (n,) about an axis in space."""
     w, vector = np.cos(psi / 2), np.sin(psi / 2) * np.asarray(axis)[:, None]
@@ -265,16 +287,16 @@ def lift(motion: Prepared, clock: Clock, start: Sequence[float]) -> Lift | None:
     Raises
     ------
     InputError
-        If no direction that stays in space is known for the system.
+        If the system has places in space and no direction that stays there.
     """
     of = motion.separable
     if of.system.motion is None:
         return None
     given = np.array([float(x) for x in start])
-    if not of.fixed:
+    if not of.fixed and len(given) > 4:
         raise InputError(
-            f"{of.title}: no direction is known that stays in space, so that the attitude has no "
+            f"{of.title}: no direction is known that stays in space, so that the path has no "
             "closed form; solve the reduced system alone"
         )
-    kind = Spun if len(of.fixed) == 1 else Held
-    return kind(motion, clock, given)
+    kinds: dict[int, type[Lift]] = {0: Reduced, 1: Spun}
+    return kinds.get(len(of.fixed), Held)(motion, clock, given)

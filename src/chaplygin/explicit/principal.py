@@ -34,7 +34,6 @@ class Turned(Solution):
     system : System
         Lifted to space.
     parameters : mapping of Symbol to number
-    form : ClosedForm
     inner : Solution
         The motion in the other axes.
     matrix : arb_mat (size, size)
@@ -43,9 +42,13 @@ class Turned(Solution):
 
     system: System
     parameters: Mapping[sp.Symbol, Any]
-    form: ClosedForm
     inner: Solution
     matrix: Any
+
+    @property
+    def form(self) -> ClosedForm:
+        """That of the motion in the other axes."""
+        return self.inner.form
 
     def states(self, times: Any) -> Any:
         """Lifted states at `times` (n,), as an array (n, size), in double precision."""
@@ -93,7 +96,7 @@ def in_principal_axes(problem: Problem) -> tuple[Problem, Any] | None:
 def told_back(problem: Problem, inner: Solution, matrix: Any) -> Turned:
     """A solution in principal axes as one in the axes of the problem."""
     lifted = problem.system.lifted() if problem.system.motion else problem.system
-    return Turned(lifted, problem.parameters, inner.form, inner, matrix)
+    return Turned(lifted, problem.parameters, inner, matrix)
 
 
 def _turned(rolling: Rolling, moments: Sequence[float], axes: Any) -> Rolling:

@@ -35,7 +35,7 @@ from .revolution_state import (
     path_speed,
     turning_rates,
 )
-from .solution import Solution
+from .solution import ClosedForm, Solution
 
 __all__ = ["RevolutionSolution", "SteadySolution", "recognised", "solve_rolling"]
 
@@ -171,7 +171,12 @@ class RevolutionSolution(Solution):
             path_parities(chart),
         )
         with ctx.workprec(working_bits(FAST)):
-            self.form = form_of(level, self.course)
+            self._form = form_of(level, self.course)
+
+    @property
+    def form(self) -> ClosedForm:
+        """The quadrature, its roots and rates."""
+        return self._form
 
     # --- constants -------------------------------------------------------------------------
 
@@ -299,7 +304,12 @@ class SteadySolution(Solution):
         self._rates = (own, precession)
         self._speed = turned(self._angles[1]) * path_speed(level, acb(u))
         self._spin = own * 2 * sine * cosine
-        self.form = steady_form(level, rest, self._rates)
+        self._form = steady_form(level, rest, self._rates)
+
+    @property
+    def form(self) -> ClosedForm:
+        """The equilibrium of θ and its rates."""
+        return self._form
 
     def rigorous(self, time: Any, digits: int = 30) -> tuple[Any, ...]:
         """The lifted state at one time as balls that contain the exact one."""

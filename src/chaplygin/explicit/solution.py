@@ -99,12 +99,15 @@ class Solution(ABC):
     system : System
         Lifted to space where it has a motion.
     parameters : mapping of Symbol to number
-    form : ClosedForm
     """
 
     system: System
     parameters: Mapping[sp.Symbol, Any]
-    form: ClosedForm
+
+    @property
+    @abstractmethod
+    def form(self) -> ClosedForm:
+        """What the closed form looks like."""
 
     @abstractmethod
     def states(self, times: Any) -> Any:
