@@ -129,7 +129,9 @@ class Branch:
         |Im v₁| ≤ r₁, |Im v₂| ≤ r₂.  (The argument is harmonic along every line and its bound
         passes from the tori to the inside, so that the branch is the principal one there too.)
         """
-        return self._run(vector, rate, self._signs)
+        zero = vector[0] * 0
+        # a constant is a function on the torus too
+        return [zero + value for value in self._run(vector, rate, self._signs)]
 
     def parities(self, flips: Sequence[int]) -> list[int]:
         """How the formulas change when ν_i and ν_i′ are multiplied by flips_i = ±1.
