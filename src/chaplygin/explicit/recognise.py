@@ -40,8 +40,8 @@ Recogniser: TypeAlias = Callable[[Problem], Solution | None]
 #: Parameters of one system as formulas in those of another.
 Formulas: TypeAlias = Mapping[sp.Symbol, Any]
 
-#: Directions in space by which an attitude is known.
-DIRECTIONS = 2
+#: Directions in space that must be known for the attitude.
+DIRECTIONS = 1
 
 #: Systems by the name of their separation whose bodies may have two equal moments.
 TURNING = ("veselova", "rubber-chaplygin-ball")
