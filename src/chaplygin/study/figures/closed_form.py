@@ -64,7 +64,8 @@ def _curve(axes: Axes, form: ClosedForm) -> None:
     axes.grid(axis="x", color=FAINT, linewidth=0.4)
     axes.set_axisbelow(True)
     axes.set_xlabel("$z$")
-    axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=max(1, len(form.ovals)))
+    if form.ovals:
+        axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=len(form.ovals))
 
 
 def _torus(axes: Axes, first: float, second: float) -> None:
