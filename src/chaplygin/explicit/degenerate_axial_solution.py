@@ -33,7 +33,7 @@ __all__ = ["AxialSolution", "Scene"]
 
 FAST = 19
 #: Points of σ at which signs of quaternions are remembered.
-POINTS = 4096
+POINTS = 512
 
 
 @dataclass(frozen=True)
@@ -270,7 +270,9 @@ class FastAxial:
         self._origin = np.array([float(x.mid()) for x in whole.scene.place])
         limit = np.pi if self._periodic else float(course.horizon(FAST).mid())
         self._low, self._step = -limit, 2 * limit / POINTS
-        table = self._frames(self._low + self._step * np.arange(POINTS + 1))[0]
+        sigma = self._low + self._step * np.arange(POINTS + 1)
+        clock = [float(whole.chart.clock(acb(x)).real.mid()) for x in sigma]
+        table = self._frames(sigma, 1 / np.array(clock))[0]
         change = np.where(np.sum(table[1:] * table[:-1], axis=1) < 0, -1.0, 1.0)
         self._table = table * np.concatenate([[1.0], np.cumprod(change)])[:, None]
         self._flip = float(np.sign(self._table[0] @ self._table[-1])) if self._periodic else 1.0
@@ -280,12 +282,15 @@ class FastAxial:
         first = self(np.zeros(1))[0, size : size + 4]
         self._sign = 1.0 if float(first @ start) > 0 else -1.0
 
-    def _frames(self, sigma: Any) -> tuple[Any, Any, Any]:
-        """Quaternions (scalar first) of f₁, f₂, e in space, with any signs; u and u̇."""
+    def _frames(self, sigma: Any, pace: Any) -> tuple[Any, Any, Any]:
+        """Quaternions (scalar first) of f₁, f₂, e in space, with any signs; u and u̇.
+
+        `pace` is dσ/dt.
+        """
         whole = self._whole
         u = whole.chart.place(DOUBLES, sigma)
-        rate = whole.chart.slope(DOUBLES, sigma) * whole.course.fast.rate(sigma)
-        axes = np.array([np.broadcast_arrays(*axis) for axis in whole._axes(DOUBLES, u, rate)])
+        rate = whole.chart.slope(DOUBLES, sigma) * pace
+        axes = [np.array(np.broadcast_arrays(*axis)) for axis in whole._axes(DOUBLES, u, rate)]
         given = np.array(whole.scene.as_given(axes))
         matrices = np.einsum("ikn,ks->nsi", given, self._stand)
         return np.roll(Rotation.from_matrix(matrices).as_quat(), 1, axis=1), u, rate
@@ -293,7 +298,7 @@ class FastAxial:
     def __call__(self, times: Any) -> Any:
         whole = self._whole
         at = whole.course.fast.place(times)
-        turns, u, rate = self._frames(at.phase)
+        turns, u, rate = self._frames(at.phase, at.rate)
         place = np.clip(np.rint((at.phase - self._low) / self._step), 0, POINTS).astype(int)
         sign = np.where(np.sum(self._table[place] * turns, axis=1) < 0, -1.0, 1.0)
         phi, *path = at.values
