@@ -80,7 +80,8 @@ class RigorousQuadrature:
     @property
     def mean(self) -> Any:
         """The mean of f on the torus (arb)."""
-        return self._level + arb(0, self.doubt)
+        with ctx.workprec(self.bits):
+            return self._level + arb(0, self.doubt)
 
     @property
     def _level(self) -> Any:

@@ -1,0 +1,272 @@
+"""Error bounds of closed forms: they hold, and they are small."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from flint import acb, acb_mat, arb, ctx
+
+from chaplygin.errors import InputError
+from chaplygin.explicit.genus_two import solved
+from chaplygin.explicit.numbers import components
+from chaplygin.explicit.prepared import Prepared, chain, prepared
+from chaplygin.explicit.rigorous import rigorous_motion
+from chaplygin.explicit.rigorous_affine import Affine
+from chaplygin.explicit.rigorous_formula import Branch, LeavesBranchError, direction
+from chaplygin.explicit.rigorous_quadrature import RigorousQuadrature, quadratures
+from chaplygin.explicit.rigorous_strip import least, lines_of, strip_bound
+from chaplygin.explicit.rigorous_theta import Numerators, numerators_at
+from chaplygin.explicit.separable import nu, nuprime
+from chaplygin.explicit.veselova import veselova
+
+BITS = 300
+VESELOVA = veselova()
+BODY = dict(
+    zip(
+        (p.symbol for p in VESELOVA.system.parameters),
+        map(Fraction, ("1", "3/2", "17/8")),
+        strict=True,
+    )
+)
+START = tuple(map(Fraction, ("11/15", "-2/15", "-2/3", "2/3", "1/3", "2/3")))
+
+
+@pytest.fixture(scope="module")
+def motion() -> Prepared:
+    with ctx.workprec(BITS):
+        return prepared(VESELOVA, BODY, START)
+
+
+def clock(motion: Prepared) -> Branch:
+    rate = components(VESELOVA.clock)
+    return Branch(rate, motion.values, chain(VESELOVA, rate)[1])
+
+
+@pytest.fixture(scope="module")
+def quadrature(motion: Prepared) -> RigorousQuadrature:
+    (found,) = quadratures(motion.torus, clock(motion), 22, 1e6)
+    return found
+
+
+def summed(quadrature: RigorousQuadrature, until: int) -> Any:
+    """The integral by Gauss's rule with 36 nodes on every unit of τ."""
+    with ctx.workprec(130):
+        total = arb(0)
+        for k in range(36):
+            node, weight = arb.legendre_p_root(36, k, weight=True)
+            for first in range(until):
+                total += weight / 2 * quadrature.rate((first + (node + 1) / 2).mid())
+        return total
+
+
+# --- affine numbers ------------------------------------------------------------------------
+
+
+def boxes(generator: np.random.Generator, count: int = 50) -> Affine:
+    def drawn(*shape: int) -> Any:
+        return generator.normal(size=shape) + 1j * generator.normal(size=shape)
+
+    return Affine(2 + drawn(count), drawn(2, count), 1e-3 * np.ones(count), (0.02, 0.03))
+
+
+OPERATIONS = {
+    "sum": lambda x, y: x + y,
+    "difference": lambda x, y: x - y,
+    "product": lambda x, y: x * y,
+    "multiple": lambda x, _: x * 3,
+    "root": lambda x, _: x.sqrt() if isinstance(x, Affine) else np.sqrt(x),
+    "inverse": lambda x, _: x.inverse() if isinstance(x, Affine) else 1 / x,
+}
+
+
+@pytest.mark.parametrize("name", OPERATIONS)
+def test_affine_operations_contain_the_values(name: str) -> None:
+    generator = np.random.default_rng(7)
+    x, y = boxes(generator), boxes(generator)
+    result = OPERATIONS[name](x, y)
+    for _ in range(200):
+        place = generator.uniform(-1, 1, size=2) * np.array(x.half)
+        turn = np.exp(2j * np.pi * generator.uniform(size=2))
+        values = [
+            z.middle + place @ z.slopes + t * z.rest for z, t in zip((x, y), turn, strict=True)
+        ]
+        gap = np.abs(OPERATIONS[name](*values) - result.middle - place @ result.slopes)
+        assert np.all(gap <= result.rest)
+
+
+@pytest.mark.parametrize("middle", [-1.0, 0.01, -1 + 0.01j])
+def test_affine_root_knows_where_it_does_not_exist(middle: complex) -> None:
+    number = Affine(np.array([middle]), np.ones((2, 1), complex), np.zeros(1), (0.02, 0.02))
+    with np.errstate(all="ignore"):
+        assert not np.isfinite(number.sqrt().size).any()
+
+
+# --- formulas ------------------------------------------------------------------------------
+
+
+def test_formulas_leave_their_branch() -> None:
+    x = nu.symbols[0]
+    with pytest.raises(LeavesBranchError):
+        Branch([sp.sqrt(x - 2)], {}).at([arb(1)] * 3, [arb(0)] * 3)
+    with pytest.raises(LeavesBranchError):
+        Branch([1 / x], {}).at([arb(0, 1)] * 3, [arb(0)] * 3)
+
+
+def test_formulas_of_other_kinds_are_refused() -> None:
+    with pytest.raises(ValueError, match="neither a sum, a product nor a root"):
+        Branch([sp.sin(nu.symbols[0])], {})
+
+
+def test_parities_are_read_off_the_formulas() -> None:
+    x, y, _ = nu.symbols
+    dx = nuprime.symbols[0]
+    formulas = [x * y, sp.sqrt(x**2 + y**2), x**3 / y**2, x + y, x * dx + 1, sp.sqrt(x + 2)]
+    assert Branch(formulas, {}).parities([-1, 1, 1]) == [-1, 1, -1, 0, 1, 0]
+
+
+# --- theta functions -----------------------------------------------------------------------
+
+
+def test_numerators_are_theta_functions(motion: Prepared) -> None:
+    torus, Y = motion.torus, motion.torus.lattice.Y
+    with ctx.workprec(120):
+        points = Numerators(torus, (0, 0)).real(lines_of((3, 5), (1, 1)))
+        matrix = acb_mat([[acb(0, Y[i, j]) for j in (0, 1)] for i in (0, 1)])
+        for place, (N, _) in enumerate(points):
+            j, k = divmod(place, 5)
+            values = matrix.theta(acb_mat([[arb(j) / 3], [arb(k) / 5]])).entries()
+            for n, c, theta in zip(N, torus.factors, torus.thetas, strict=True):
+                (a, b), (e, f) = ((x % 2, y % 2) for x, y in theta.characteristic)
+                known = c * values[8 * a + 4 * b + 2 * e + f].real
+                # characteristics are classes modulo 2, up to the sign
+                assert n.overlaps(known) or n.overlaps(-known)
+                assert n.rad() < 1e-30
+
+
+def test_rates_are_derivatives(motion: Prepared) -> None:
+    torus = motion.torus
+    with ctx.workprec(200):
+        step = arb(2) ** -40
+        moving = replace(torus, V=torus.along)
+        before, after = (numerators_at(moving, t)[0] for t in (-step, step))
+        _, rate = numerators_at(moving, arb(0))
+        for a, b, r in zip(before, after, rate, strict=True):
+            assert abs((b - a) / (2 * step) - r) < 1e-20
+
+
+def test_boxes_contain_the_numerators(motion: Prepared) -> None:
+    torus, heights = motion.torus, (0.05, -0.03)
+    with ctx.workprec(64):
+        numerators = Numerators(torus, heights)
+        rough = numerators.boxes(lines_of((8, 8), (1, 1)), (1 / 16, 1 / 16))
+        fine = numerators.boxes(lines_of((32, 32), (1, 1)), (0.0, 0.0))
+    for coarse, points in zip((*rough[0], *rough[1]), (*fine[0], *fine[1]), strict=True):
+        middle = coarse.middle.reshape(8, 8)
+        for i in (-1, 0, 1):
+            for j in (-1, 0, 1):
+                at = points.middle.reshape(32, 32)
+                at = np.roll(at, (-i, -j), axis=(0, 1))[::4, ::4]
+                line = np.tensordot([i / 32, j / 32], coarse.slopes, 1).reshape(8, 8)
+                inner = slice(1, 7)
+                gap = np.abs(at - middle - line)[inner, inner]
+                assert np.all(gap <= coarse.rest.reshape(8, 8)[inner, inner])
+
+
+# --- the strip -----------------------------------------------------------------------------
+
+
+def test_strip_bound_holds_inside(motion: Prepared) -> None:
+    torus, branch = motion.torus, clock(motion)
+    with ctx.workprec(64):
+        branch.learn(*direction(*numerators_at(torus, arb(0))))
+        strip = strip_bound(torus, branch, (1, 1))
+        generator = np.random.default_rng(3)
+        assert min(strip.half) > 0.03
+        for _ in range(6):
+            heights = generator.uniform(-1, 1, size=2) * strip.half
+            N, rate = Numerators(torus, heights).boxes(lines_of((20, 20), (1, 1)), (0.0, 0.0))
+            (values,) = branch.continued(*direction(N, rate))
+            assert np.abs(values.middle).max() < strip.bounds[0]
+
+
+def test_least_is_below_all_values(motion: Prepared, quadrature: RigorousQuadrature) -> None:
+    bound = least(motion.torus, quadrature.branch, (1, 1))
+    assert 0 < bound < min(float(quadrature.rate(arb(t)).mid()) for t in range(200))
+
+
+def test_next_to_a_separatrix_there_are_no_bounds() -> None:
+    near = tuple(map(Fraction, ("1/10000000", "1", "0", "1", "-1/10000000", "0")))
+    with ctx.workprec(BITS):
+        torus = prepared(VESELOVA, BODY, near).torus
+        branch = Branch([sp.Integer(1) + nu.symbols[0] ** 2], {})
+        with pytest.raises(InputError, match="separatrix"):
+            quadratures(torus, branch, 20, 1.0)
+
+
+# --- quadratures ---------------------------------------------------------------------------
+
+
+def test_quadrature_agrees_with_gauss(quadrature: RigorousQuadrature) -> None:
+    assert abs(quadrature.at(3) - summed(quadrature, 3)) < 1e-21
+
+
+def test_bounds_of_a_coarse_quadrature_hold(
+    motion: Prepared, quadrature: RigorousQuadrature
+) -> None:
+    (coarse,) = quadratures(motion.torus, clock(motion), 3, 100.0)
+    assert coarse.coefficients.nrows() < quadrature.coefficients.nrows()
+    for tau in (0, 0.5, 7, 100, -33):
+        assert coarse.at(tau).contains(quadrature.at(tau))
+        assert coarse.at(tau).rad() < 1e-3
+
+
+def test_mean_is_the_mean(quadrature: RigorousQuadrature) -> None:
+    assert abs(quadrature.at(1e6) / 1e6 - quadrature.mean) < 1e-6
+    assert quadrature.mean.rad() < 1e-26
+
+
+@pytest.mark.parametrize("tau", [0, 1, -12.5, 1e6])
+def test_inverse_contains_where_it_came_from(quadrature: RigorousQuadrature, tau: float) -> None:
+    found = quadrature.inverse(quadrature.at(tau))
+    assert found.contains(arb(tau))
+    assert found.rad() < 1e-20
+
+
+def test_odd_functions_are_integrated_on_the_same_grid(motion: Prepared) -> None:
+    (found,) = quadratures(motion.torus, Branch(nu.symbols[:1], {}), 22, 10.0)
+    assert any(found.shift)
+    assert found.periods == (1, 1)
+    assert found.mean.contains(0)
+    assert abs(found.at(3) - summed(found, 3)) < 1e-21
+
+
+def test_resonant_motion(motion: Prepared) -> None:
+    with ctx.workprec(BITS):
+        torus = replace(motion.torus, V=(arb(2) / 7, arb(1) / 7))
+    (found,) = quadratures(torus, clock(motion), 22, 10.0)
+    assert abs(found.at(3) - summed(found, 3)) < 1e-21
+
+
+# --- states --------------------------------------------------------------------------------
+
+
+def test_states_keep_the_integrals_and_agree_with_doubles() -> None:
+    system = replace(VESELOVA.system, motion=None, observables=())
+    solution = solved(replace(VESELOVA, system=system), BODY, START)
+    motion = rigorous_motion(solution, 20, 1e6)
+    state = motion.state("1e6")
+    with ctx.workprec(200):
+        omega, gamma = state[:3], state[3:]
+        moments = [arb(x.numerator) / x.denominator for x in BODY.values()]
+        energy = sum((i * w * w for i, w in zip(moments, omega, strict=True)), arb(0))
+        before = sum(i * x * x for i, x in zip(BODY.values(), START, strict=False))
+        assert energy.contains(arb(before.numerator) / before.denominator)
+        assert sum((g * w for g, w in zip(gamma, omega, strict=True)), arb(0)).contains(0)
+    assert max(float(x.rad()) for x in state) < 1e-19
+    rough = solution.states(np.array([1e6]))[0]
+    assert max(abs(float(x.mid()) - y) for x, y in zip(state, rough, strict=True)) < 1e-11
