@@ -8,7 +8,7 @@ SOURCES := pyproject.toml constraints.txt scripts/setup.sh
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help demo test check lint types format pictures bench clean
+.PHONY: help demo test slow check lint types format pictures bench clean
 
 # A virtual environment knows its own address: in a folder that was moved or copied it is made anew.
 ifneq ($(shell cat $(VENV)/address 2>/dev/null),$(CURDIR))
@@ -27,6 +27,9 @@ demo: $(VENV)/core ## study a rattleback, from its shape to a report in demo/
 
 test: $(VENV)/dev ## run the tests; PYTEST_FLAGS="-n 0 -k ball" chooses among them
 	@$(BIN)/python -m pytest $(PYTEST_FLAGS)
+
+slow: $(VENV)/dev ## run the slow tests, of which `make test` runs a tenth
+	@$(BIN)/python -m pytest $(PYTEST_FLAGS) --slow -m slow
 
 check: lint types test ## all that a change must pass: format, lint, types, tests
 
