@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -12,6 +13,7 @@ import pytest
 import sympy as sp
 from flint import arb
 
+from chaplygin.errors import InputError
 from chaplygin.explicit.bodies import rolling_of
 from chaplygin.explicit.problem import Problem, exact, same_field
 from chaplygin.explicit.recognise import likeness, solution_of
@@ -170,6 +172,44 @@ def test_bodies_are_found_in_their_equations(rolling: Rolling) -> None:
     assert found is not None
     assert found.system().field == system.field
     assert found.body.inertia == rolling.body.inertia
+
+
+def veselova_start() -> tuple[System, tuple[Any, ...]]:
+    system = from_catalogue("veselova")
+    return system, starting_state(system, omega=NO_SPIN, gamma=GAMMA)
+
+
+def test_a_reduced_start_gives_the_reduced_motion() -> None:
+    system, start = veselova_start()
+    whole, reduced = system.solve(start), system.solve(start[:6])
+    assert len(reduced.system.symbols) == 6
+    assert np.abs(whole.states([3.0])[:, :6] - reduced.states([3.0])).max() < 1e-14
+
+
+def test_parameters_may_be_given_by_name() -> None:
+    system, start = veselova_start()
+    other = from_catalogue("veselova", I_2=1.4)
+    assert np.array_equal(
+        system.solve(start, {"I_2": 1.4}).states([3.0]), other.solve(start).states([3.0])
+    )
+
+
+@pytest.mark.parametrize(
+    ("change", "parameters", "sentence"),
+    [
+        (lambda start: start[:5], {}, "start has 5 numbers: 10 are needed"),
+        (lambda start: [float("nan"), *start[1:]], {}, "omega_1 = nan: it must be a finite number"),
+        (lambda start: [1.0] * 10, {}, "it misses the constraints"),
+        (lambda start: start, {"q": 1.0}, "veselova has no parameter q; it has I_1, I_2, I_3"),
+        (lambda start: start, {"I_1": float("inf")}, "I_1 = inf: it must be a finite number"),
+        (lambda start: start, {"I_1": -1.0}, "I_1 = -1.0 is not admissible; I_1 > 0 must hold"),
+    ],
+    ids=["short", "nan", "off", "unknown", "infinite", "negative"],
+)
+def test_mistakes(change: Any, parameters: dict[str, float], sentence: str) -> None:
+    system, start = veselova_start()
+    with pytest.raises(InputError, match=re.escape(sentence)):
+        system.solve(change(start), parameters)
 
 
 def test_no_body_is_found_where_none_rolls() -> None:

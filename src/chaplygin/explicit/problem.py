@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -12,6 +13,7 @@ import mpmath
 import sympy as sp
 from flint import arb, fmpq
 
+from ..errors import InputError
 from ..laws.errors import NotExactError, OutOfReachError, UnknownSymbolError
 from ..laws.jets import Evaluator, Jet
 from ..laws.numbers import Rationals
@@ -48,6 +50,42 @@ class Problem:
     parameters: Mapping[sp.Symbol, Any]
     start: tuple[Any, ...]
     rolling: Rolling | None = None
+
+    def checked(self) -> Problem:
+        """The same problem if it is one; of a reduced start, without the motion in space.
+
+        Raises
+        ------
+        InputError
+            If the start has not as many numbers as the state, or one that is not finite; if a
+            parameter is not finite or not admissible.
+        """
+        lifted = self.system.lifted() if self.system.motion else self.system
+        reduced, whole = self.system.symbols, lifted.symbols
+        if len(self.start) not in (len(reduced), len(whole)):
+            names = ", ".join(map(str, whole))
+            fewer = f", or the first {len(reduced)} of them" if whole != reduced else ""
+            raise InputError(
+                f"start has {len(self.start)} numbers: {len(whole)} are needed ({names}){fewer}"
+            )
+        for name, number in (*zip(whole, self.start, strict=False), *self.parameters.items()):
+            if not math.isfinite(float(number)):
+                raise InputError(f"{name} = {number}: it must be a finite number")
+        self._check_admissible()
+        if len(self.start) < len(whole):
+            return replace(self, system=replace(self.system, motion=None))
+        return self
+
+    def _check_admissible(self) -> None:
+        values = {s: sp.Rational(str(exact(value))) for s, value in self.parameters.items()}
+        for parameter in self.system.parameters:
+            for condition in parameter.admissible:
+                if condition.subs(values) == sp.false:
+                    raise InputError(
+                        f"{self.system.name}: {parameter.symbol} = "
+                        f"{self.parameters[parameter.symbol]} is not admissible; {condition} must "
+                        "hold"
+                    )
 
     @property
     def numbers(self) -> dict[str, Fraction]:

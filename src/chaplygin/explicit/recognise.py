@@ -56,9 +56,12 @@ def solution_of(problem: Problem) -> Solution:
 
     Raises
     ------
+    InputError
+        If start or parameters are not numbers of the system.
     NoClosedFormError
         If none is known; the message says what is.
     """
+    problem = problem.checked()
     if problem.rolling is None:
         problem = replace(problem, rolling=rolling_of(problem.system, problem.parameters))
     for recogniser in RECOGNISERS:
