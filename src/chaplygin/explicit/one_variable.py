@@ -83,15 +83,18 @@ def chart_of(equation: Equation, x: Any, rate: Any) -> Chart | Steady:
         If the motion leaves the domain, or roots are too close together to be told apart.
     """
     inner = equation.inner or equation.numerator
-    closed = equation.inner is not None
+    edges = (equation.low, equation.high)
     size = abs(slope(inner, x, x).real) + abs(slope(inner, x, x, x).real)
-    at_edge = [closed and vanishes(x - edge, arb(1)) for edge in (equation.low, equation.high)]
+    at_edge = [
+        closed and vanishes(x - edge, arb(1))
+        for edge, closed in zip(edges, equation.closed, strict=True)
+    ]
     still = vanishes(value(inner, x).real, size)
     drift = slope(inner, x, x).real
     if still and (any(at_edge) or vanishes(drift, size)):
         return Steady(equation, x)
     ends = []
-    for edge, sign, there in zip((equation.low, equation.high), (-1, 1), at_edge, strict=True):
+    for edge, sign, there, closed in zip(edges, (-1, 1), at_edge, equation.closed, strict=True):
         if there:
             ends.append(End(edge, edge=True))
         elif still and drift * sign < 0:

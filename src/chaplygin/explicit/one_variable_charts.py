@@ -67,8 +67,9 @@ class Equation:
     low, high : arb
         Edges of the domain.
     inner : formula, optional
-        N/((x − low)(high − x)), where the edges are roots of N by construction; without it N is
-        negative near the edges.
+        N divided by the factors x − low, high − x that it has by construction.
+    closed : two bools
+        Whether it has them; N is negative near an edge whose factor it does not have.
     """
 
     numerator: Formula
@@ -76,6 +77,7 @@ class Equation:
     low: Any
     high: Any
     inner: Formula | None = None
+    closed: tuple[bool, bool] = (False, False)
 
     def square(self, x: Any) -> Any:
         """x′² at a point (arb)."""

@@ -71,7 +71,7 @@ class Slopes:
         return Slopes(self.matrix - matrix)
 
     def __rsub__(self, other: Any) -> Slopes:
-        return -self + other
+        return Slopes(self._constant(other) - self.matrix)
 
     def __mul__(self, other: Any) -> Slopes:
         return Slopes(self.matrix * (other.matrix if isinstance(other, Slopes) else acb(other)))
@@ -95,8 +95,7 @@ class Slopes:
         return self * (other.inverse() if isinstance(other, Slopes) else 1 / acb(other))
 
     def __rtruediv__(self, other: Any) -> Slopes:
-        inverse: Slopes = self.inverse()
-        return inverse * other
+        return Slopes(self.inverse().matrix * acb(other))
 
     def __pow__(self, exponent: int) -> Slopes:
         if exponent < 0:
@@ -126,15 +125,13 @@ class Slopes:
 
     def cos(self) -> Slopes:
         """The cosine of the function."""
-        turned = self * acb(0, 1)
-        twice: Slopes = turned.exp() + (-turned).exp()
-        return twice * acb(0.5)
+        turned = self.matrix * acb(0, 1)
+        return Slopes((turned.exp() + (-turned).exp()) * acb(0.5))
 
     def sin(self) -> Slopes:
         """The sine of the function."""
-        turned = self * acb(0, 1)
-        twice: Slopes = turned.exp() - (-turned).exp()
-        return twice * acb(0, -0.5)
+        turned = self.matrix * acb(0, 1)
+        return Slopes((turned.exp() - (-turned).exp()) * acb(0, -0.5))
 
 
 def _last(function: Formula, points: Sequence[Any]) -> Any:

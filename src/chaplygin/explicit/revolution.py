@@ -282,6 +282,7 @@ class SteadySolution(Solution):
 
     Attributes
     ----------
+    level : Level
     rest : Steady
         With its stability.
     """

@@ -150,8 +150,9 @@ class Level:
         def denominator(x: Any) -> Any:
             return body.at(body.principal, x)
 
-        closed = None if K != 0 or body.flat else inner
-        return Equation(numerator, denominator, arb(-1), arb(1), closed)
+        if K != 0 or body.flat:
+            return Equation(numerator, denominator, arb(-1), arb(1))
+        return Equation(numerator, denominator, arb(-1), arb(1), inner, (True, True))
 
 
 def body_of(rolling: Rolling, parameters: Mapping[sp.Symbol, Any]) -> Body | None:
