@@ -21,7 +21,7 @@ from ..vectors import Vector, constant, explicit, normed, scalar
 from .problem import exact
 from .separable import Separable
 
-__all__ = ["inverse", "pulled_back", "pushed_forward", "there_and_back"]
+__all__ = ["inverse", "pulled_back", "pushed_forward", "there_and_back", "written_out"]
 
 #: Scalar symbols with what is put in for them.
 Formulas: TypeAlias = dict[sp.Symbol, sp.Expr]
@@ -46,7 +46,7 @@ def inverse(system: System, law: Isomorphism) -> Formulas:
     InputError
         If the map is of another kind.
     """
-    images = [(name, _written_out(system, explicit(formula))) for name, formula in law.map]
+    images = [(name, written_out(system, explicit(formula))) for name, formula in law.map]
     vectors = [name for name in system.state if isinstance(name, Vector)]
     if len(vectors) == len(system.state) == len(images):
         for unit in (v for v in vectors if normed(v) - 1 in system.relations):
@@ -146,11 +146,11 @@ def pulled_back(
     image = dict(flat_pairs(law.map))
 
     def told(formula: Any) -> Any:
-        return _put(_written_out(target, formula), names | image)
+        return _put(written_out(target, formula), names | image)
 
     state = {s: _put(f, names) for s, f in flat_pairs(separable.state)}
     back = {s: _put(f, state) for s, f in inverse(system, law).items()}
-    rate = _put(_written_out(system, explicit(law.time)), back)
+    rate = _put(written_out(system, explicit(law.time)), back)
     return replace(
         _renamed(separable, told, names),
         name=system.name,
@@ -203,11 +203,11 @@ def pushed_forward(
     back = {s: _put(f, names) for s, f in inverse(system, law).items()}
 
     def told(formula: Any) -> Any:
-        return _put(_written_out(system, formula), names | back)
+        return _put(written_out(system, formula), names | back)
 
-    state = {s: _put(_written_out(system, f), names) for s, f in flat_pairs(separable.state)}
-    rate = _put(_put(_written_out(system, explicit(law.time)), names), state)
-    image = {s: _written_out(system, f) for s, f in flat_pairs(law.map)}
+    state = {s: _put(written_out(system, f), names) for s, f in flat_pairs(separable.state)}
+    rate = _put(_put(written_out(system, explicit(law.time)), names), state)
+    image = {s: written_out(system, f) for s, f in flat_pairs(law.map)}
     return replace(
         _renamed(separable, told, names),
         name=target.name,
@@ -215,7 +215,7 @@ def pushed_forward(
         system=target,
         level=tuple(told(explicit(condition)) for condition in law.on),
         constants=tuple((names[s], told(explicit(formula))) for s, formula in separable.constants),
-        clock=_put(_written_out(system, explicit(separable.clock)), names) * rate,
+        clock=_put(written_out(system, explicit(separable.clock)), names) * rate,
         state=tuple((s, _put(_put(f, names), state)) for s, f in image.items()),
         fixed=(),
         laws=(),
@@ -258,7 +258,7 @@ def _put(formula: Any, values: Mapping[sp.Symbol, Any]) -> Any:
     return formula.xreplace(dict(values))
 
 
-def _written_out(system: System, formula: Any) -> Any:
+def written_out(system: System, formula: Any) -> Any:
     """A formula of a system with its definitions put in."""
     value = explicit(sp.sympify(formula))
     for name, meaning in reversed(system.needed([value])):
