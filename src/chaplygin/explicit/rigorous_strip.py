@@ -23,10 +23,11 @@ __all__ = ["Strip", "least", "lines_of", "strip_bound"]
 
 #: Bits of the theta series that are turned into doubles.
 BITS = 64
-#: Boxes in each direction for the period 1: in the search, and for the bounds.
-_SEARCH, _BOXES = 64, 128
+#: Numbers of boxes in each direction, for the period 1, that are tried.
+_BOXES = (64, 128, 256, 512)
 #: Half-widths between which the strip is looked for.
-_WIDEST, _NARROWEST = 0.6, 0.003
+_WIDEST, _NARROWEST = 0.6, 0.001
+_CLOSE = "start: too close to a separatrix for error bounds"
 
 
 @dataclass(frozen=True)
@@ -72,6 +73,13 @@ def _bounds(
     return tuple(float(max(one.size.max(), two.size.max())) for one, two in zip(*tori, strict=True))
 
 
+def _holds(
+    torus: Torus, branch: Branch, half: Sequence[float], periods: Sequence[int], boxes: int
+) -> bool:
+    """Whether so many boxes prove the formulas analytic in the strip."""
+    return bool(np.all(np.isfinite(_bounds(torus, branch, half, periods, boxes))))
+
+
 def strip_bound(torus: Torus, branch: Branch, periods: Sequence[int]) -> Strip:
     """A strip on which formulas are proven analytic, nearly as wide as it can be.
 
@@ -89,10 +97,14 @@ def strip_bound(torus: Torus, branch: Branch, periods: Sequence[int]) -> Strip:
         If there is none of reasonable width: the motion is next to a separatrix.
     """
 
-    def proven(half: tuple[float, float], boxes: int = _SEARCH) -> bool:
-        return bool(np.all(np.isfinite(_bounds(torus, branch, half, periods, boxes))))
+    def proven(half: tuple[float, float]) -> bool:
+        return _holds(torus, branch, half, periods, boxes)
 
     with ctx.workprec(BITS):
+        narrow = (_NARROWEST, _NARROWEST)
+        boxes = next((n for n in _BOXES if _holds(torus, branch, narrow, periods, n)), 0)
+        if boxes == 0:
+            raise InputError(_CLOSE)
         low, high = _NARROWEST, _WIDEST
         while high / low > 1.1:
             middle = (low * high) ** 0.5
@@ -101,10 +113,7 @@ def strip_bound(torus: Torus, branch: Branch, periods: Sequence[int]) -> Strip:
         for stretch in (1.6, 1.6, 1.25, 1.25):
             for wider in ((half[0] * stretch, half[1]), (half[0], half[1] * stretch)):
                 half = wider if max(wider) < _WIDEST and proven(wider) else half
-        bounds = _bounds(torus, branch, half, periods, _BOXES)
-    if not np.all(np.isfinite(bounds)):
-        raise InputError("start: too close to a separatrix for error bounds")
-    return Strip(half, bounds)
+        return Strip(half, _bounds(torus, branch, half, periods, boxes))
 
 
 def least(torus: Torus, branch: Branch, periods: Sequence[int]) -> float:
@@ -116,8 +125,9 @@ def least(torus: Torus, branch: Branch, periods: Sequence[int]) -> float:
         If the boxes prove none above zero: the motion is next to a separatrix.
     """
     with ctx.workprec(BITS):
-        values = _values(torus, branch, (0.0, 0.0), periods, _BOXES)
-    bound = min(float((value.middle.real - value.spread).min()) for value in values)
-    if not bound > 0:
-        raise InputError("start: too close to a separatrix for error bounds")
-    return bound
+        for boxes in _BOXES:
+            values = _values(torus, branch, (0.0, 0.0), periods, boxes)
+            bound = min(float((value.middle.real - value.spread).min()) for value in values)
+            if bound > 0:
+                return bound
+    raise InputError(_CLOSE)
