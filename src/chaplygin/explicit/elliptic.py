@@ -12,36 +12,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
 from typing import Any
 
-from flint import acb, acb_poly
+from flint import acb
 
-__all__ = ["Cubic", "Elliptic"]
-
-
-@dataclass(frozen=True)
-class Cubic:
-    """The polynomial lead·u³ + square·u² + linear·u + constant; balls."""
-
-    lead: Any
-    square: Any
-    linear: Any
-    constant: Any
-
-    def elliptic(self) -> Elliptic | None:
-        """u(t), or None unless λ > 0 and there are three roots that are told apart."""
-        if not self.lead > 0:
-            return None
-        parts = [self.constant, self.linear, self.square, self.lead]
-        try:
-            found = acb_poly(parts).complex_roots()
-        except ValueError:
-            return None
-        real = sorted((root.real for root in found if root.imag.contains(0)), key=float)
-        if len(real) < 3 or any(a.overlaps(b) for a, b in pairwise(real)):
-            return None
-        return Elliptic(self.lead, *real)
+__all__ = ["Elliptic"]
 
 
 @dataclass(frozen=True)
@@ -50,7 +25,7 @@ class Elliptic:
 
     Attributes
     ----------
-    lead : arb
+    lead : flint.arb
         λ.
     first, second, third : arb
         u₁ < u₂ < u₃.

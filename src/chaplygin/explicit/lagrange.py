@@ -23,7 +23,7 @@ from flint import acb, arb, ctx, fmpq
 from ..errors import InputError
 from ..system import System
 from ..systems.lagrange_top import I_1, I_3, P
-from .elliptic import Cubic
+from .elliptic import Elliptic
 from .lagrange_form import form_of
 from .one_variable import Course, Steady, chart_of
 from .one_variable_charts import BALLS, DOUBLES, Chart, Equation
@@ -58,7 +58,9 @@ class Top:
     across, axial, weight : arb
         I₁, I₃ and P.
     h, s, c : arb
-        Energy, M₃ and (M, Γ); c = ±s exactly where they cannot be told apart.
+        Energy, M₃ and (M, Γ).
+    upright : two bools
+        Whether the axis can point down, and up: whether c cannot be told from −s, and from s.
     """
 
     across: Any
@@ -67,6 +69,7 @@ class Top:
     h: Any
     s: Any
     c: Any
+    upright: tuple[bool, bool]
 
     @property
     def equation(self) -> Equation:
@@ -87,22 +90,15 @@ class Top:
         }
         return Equation(numerator, lambda u: I, arb(-1), arb(1), inner[self.upright], self.upright)
 
-    @property
-    def upright(self) -> tuple[bool, bool]:
-        """Whether the axis can point down, and up: c = −s, c = s."""
-        return bool((self.c + self.s).is_zero()), bool((self.c - self.s).is_zero())
-
-    @property
-    def cubic(self) -> Cubic:
-        """The numerator by its coefficients, over I₁."""
-        level, lift = 2 * self.h - self.s * self.s / self.axial, 2 * self.weight
-        s, c, I = self.s, self.c, self.across
-        return Cubic(
-            lift / I,
-            -(level + s * s / I) / I,
-            (2 * c * s / I - lift) / I,
-            (level - c * c / I) / I,
-        )
+    def elliptic(self, chart: Chart) -> Elliptic | None:
+        """u as an elliptic function between the ends of its motion; None for another motion."""
+        s, I = self.s, self.across
+        level = 2 * self.h - s * s / self.axial
+        first, second = sorted((chart.first.place, chart.second.place), key=float)
+        # the sum of the roots, by the coefficients of u³ and u²
+        third = (level + s * s / I) / (2 * self.weight) - first - second
+        apart = self.weight > 0 and third > second
+        return Elliptic(2 * self.weight / I, first, second, third) if apart else None
 
     def rates(self, u: Any, rate: Any) -> list[Any]:
         """φ̇, in complex balls."""
@@ -169,10 +165,9 @@ def _top(numbers: Sequence[Any], momentum: Sequence[Any], vertical: Sequence[Any
     size = sum((abs(x) for x in momentum), arb(0))
     if vanishes(s, size) or size.is_zero():
         s = arb(0)
-    for value in (s, -s):
-        if vanishes(c - value, size) or size.is_zero():
-            c = value
-    return Top(across, axial, weight, energy + weight * vertical[2], s, c)
+    down, up = (vanishes(c - value, size) or bool(size.is_zero()) for value in (-s, s))
+    c = s if up else -s if down else c
+    return Top(across, axial, weight, energy + weight * vertical[2], s, c, (down, up))
 
 
 class LagrangeSolution(Solution):

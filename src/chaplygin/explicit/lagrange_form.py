@@ -51,7 +51,7 @@ def form_of(top: Top, chart: Chart | Steady, course: Course | None) -> ClosedFor
         assert isinstance(chart, Asymptotic)
         words = "asymptotic to a permanent rotation, in the past and in the future (separatrix)"
         return _form(words, equations, figures, (low, high))
-    elliptic = top.cubic.elliptic()
+    elliptic = top.elliptic(chart)
     if elliptic is not None:
         equations.append((u, u_1 + (u_2 - u_1) * sn(w * (t - scalar("t_0")), k) ** 2))
         figures += [
