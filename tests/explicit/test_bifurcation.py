@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -239,6 +240,8 @@ def test_three_constants_are_refused():
 
 
 def test_a_separable_by_itself():
-    named, unnamed = bifurcation_diagram("veselova"), bifurcation_diagram(veselova())
+    named = bifurcation_diagram("veselova")
+    unnamed = bifurcation_diagram(replace(veselova(), name="own"))
     assert [b.curve for b in named.boundaries] == [b.curve for b in unnamed.boundaries]
+    assert named.boundaries[0].words == "permanent rotation about axis 1"
     assert unnamed.boundaries[0].words == "motion in the plane ν_1 = 0"

@@ -31,14 +31,14 @@ def _agrees(separable, diagram):
 
 @pytest.mark.parametrize("name", QUICK)
 def test_tori_followed(name):
-    separable = SEPARATED[name][0]()
+    separable = SEPARATED[name]()
     _agrees(separable, bifurcation_diagram(separable))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", SLOW)
 def test_more_tori_followed(name):
-    separable = SEPARATED[name][0]()
+    separable = SEPARATED[name]()
     _agrees(separable, bifurcation_diagram(separable))
 
 

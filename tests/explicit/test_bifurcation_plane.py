@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 import pytest
 from flint import arb, fmpq, fmpq_poly
 from hypothesis import given
@@ -13,7 +11,9 @@ from chaplygin.explicit.bifurcation_plane import (
     RING,
     arrangement,
     between,
-    fraction,
+    highest,
+    lowest,
+    middle,
     rational,
     separated,
     stack,
@@ -110,7 +110,26 @@ def test_between(first, second):
         assert found.denominator <= 4 * max(1, round(1 / (high - low)))
 
 
-@given(st.fractions(max_denominator=1 << 20))
-def test_fractions_of_balls(value):
-    dyadic = Fraction(value.numerator, 1 << 7)
-    assert fraction(arb(rational(dyadic))) == dyadic
+@given(st.fractions())
+def test_ends_of_balls(value):
+    ball = arb(rational(value))
+    assert lowest(ball) <= value <= highest(ball)
+    assert highest(ball) - lowest(ball) <= abs(value) / 2**50
+    assert middle(ball) == (lowest(ball) + highest(ball)) / 2
+
+
+def test_a_gap_beyond_doubles():
+    """The cell between two lines 1e-30 apart."""
+    gap = fmpq(1, 10**30)
+    cut = arrangement([y - 1, y - 1 - gap])
+    assert len(list(cut.cells)) == 3
+    _, height = cut.sample((0, 1))
+    assert 1 < height < 1 + gap
+    assert cut.cell(fmpq(7), 1 + gap / 2) == (0, 1)
+    # and a critical vertical as close to the point
+    crossed = arrangement([x + y * 10**30])
+    assert crossed.cell(fmpq(1), -gap / 2) == (0, 1)
+    cornered = arrangement([x**2 + y**2 - 1])
+    assert cornered.cell(1 - gap, fmpq(0)) == (1, 1)
+    assert cornered.cell(1 + gap, fmpq(0)) == (2, 0)
+    assert cornered.cell(-1 - gap, fmpq(0)) == (0, 0)

@@ -14,7 +14,7 @@ from typing import Any
 from flint import acb, arb, arb_poly, ctx, fmpq, fmpq_mpoly
 
 from .bifurcation_ovals import SHEETS, Oval, group, ovals
-from .bifurcation_plane import FIRST_PRECISION, Polynomial, fraction, stack
+from .bifurcation_plane import FIRST_PRECISION, Polynomial, middle, stack
 
 __all__ = ["Circles", "circles_at_a_double_root", "circles_at_a_pole"]
 
@@ -208,7 +208,7 @@ def _allowed(
     for root in _real_roots(rest):
         if _positive(root - arb(low)) and not _positive(root - arb(high)):
             roots.append((root, 0))
-    roots.sort(key=lambda pair: fraction(pair[0]))
+    roots.sort(key=lambda pair: middle(pair[0]))
     if not all(_positive(b - a) for (a, _), (b, _) in pairwise(roots)):
         raise UndecidedError
     return ovals(roots, lambda z: _positive(sign(arb(z))))

@@ -36,11 +36,25 @@ __all__ = ["PLANES", "SEPARATED", "Axis", "Bound", "Plane", "numbers", "plane_na
 Z = scalar("z")
 M, gamma, omega = vectors("M gamma omega")
 
-#: What moves where ν_i vanishes, {} being the number i.
+#: What a motion with ν_i = 0 is, {} being the number i.
+UNSAID = "motion in the plane ν_{} = 0"
 ROTATION = "permanent rotation about axis {}"
 PENDULUM = "turning or swinging about axis {}, which stays horizontal"
 GREAT_CIRCLE = "motion on the great circle Γ_{} = 0"
-UNSAID = "motion in the plane ν_{} = 0"
+RESTING: Mapping[str, str] = {
+    "veselova": ROTATION,
+    "veselova-bruns": PENDULUM,
+    "chaplygin-ball": ROTATION,
+    "chaplygin-ball-bruns": PENDULUM,
+    "rubber-chaplygin-ball": ROTATION,
+    "rubber-chaplygin-ball-bruns": PENDULUM,
+    "rubber-ball-of-ratio": ROTATION,
+    "rubber-ball-around-sphere": ROTATION,
+    "ball-around-sphere": ROTATION,
+    "ball-around-sphere-zero-area": ROTATION,
+    "neumann": GREAT_CIRCLE,
+    "clebsch": GREAT_CIRCLE,
+}
 
 
 @dataclass(frozen=True)
@@ -107,7 +121,7 @@ class Plane:
     resting: str = UNSAID
 
 
-def plane_of(separable: Separable, resting: str = UNSAID) -> Plane:
+def plane_of(separable: Separable) -> Plane:
     """The plane of the two constants of a separated system.
 
     Raises
@@ -134,7 +148,7 @@ def plane_of(separable: Separable, resting: str = UNSAID) -> Plane:
         axes=(_axis(x, first, separable.system), _axis(y, second, separable.system)),
         poles=separable.poles,
         rest=(separable.leading * movable).subs(made[::-1]),
-        resting=resting,
+        resting=RESTING.get(separable.name, UNSAID),
     )
 
 
@@ -179,27 +193,27 @@ def chaplygin_ball_with_area() -> Plane:
 
 def bruns_problem() -> Plane:
     """The Clebsch case with α = 0 and β = 1, on its plane of the two integrals."""
-    found = plane_of(clebsch_case(), GREAT_CIRCLE)
+    found = plane_of(clebsch_case())
     system = from_catalogue("clebsch", alpha=0.0, beta=1.0)
     return replace(found, name="bruns", title="Bruns problem at zero area constant", system=system)
 
 
-SEPARATED: Mapping[str, tuple[Callable[[], Separable], str]] = {
-    "veselova": (veselova, ROTATION),
-    "veselova-bruns": (veselova_in_bruns_field, PENDULUM),
-    "chaplygin-ball": (chaplygin_ball, ROTATION),
-    "chaplygin-ball-bruns": (chaplygin_ball_in_bruns_field, PENDULUM),
-    "chaplygin-ball-fedorov": (fedorov, UNSAID),
-    "rubber-chaplygin-ball": (rubber_ball_plane, ROTATION),
-    "rubber-chaplygin-ball-bruns": (rubber_ball_in_bruns_field, PENDULUM),
-    "rubber-ball-of-ratio": (rubber_sphere.of_ratio, ROTATION),
-    "rubber-ball-around-sphere": (rubber_sphere.hollow_ball, ROTATION),
-    "ball-around-sphere": (ball_sphere.hollow_ball, ROTATION),
-    "ball-around-sphere-zero-area": (ball_sphere.of_tensor, ROTATION),
-    "neumann": (neumann_system, GREAT_CIRCLE),
-    "clebsch": (clebsch_case, GREAT_CIRCLE),
+SEPARATED: Mapping[str, Callable[[], Separable]] = {
+    "veselova": veselova,
+    "veselova-bruns": veselova_in_bruns_field,
+    "chaplygin-ball": chaplygin_ball,
+    "chaplygin-ball-bruns": chaplygin_ball_in_bruns_field,
+    "chaplygin-ball-fedorov": fedorov,
+    "rubber-chaplygin-ball": rubber_ball_plane,
+    "rubber-chaplygin-ball-bruns": rubber_ball_in_bruns_field,
+    "rubber-ball-of-ratio": rubber_sphere.of_ratio,
+    "rubber-ball-around-sphere": rubber_sphere.hollow_ball,
+    "ball-around-sphere": ball_sphere.hollow_ball,
+    "ball-around-sphere-zero-area": ball_sphere.of_tensor,
+    "neumann": neumann_system,
+    "clebsch": clebsch_case,
 }
-"""Separated systems by the names of their systems, and what rests where ν_i vanishes."""
+"""Separated systems of two constants, by their names."""
 
 PLANES: Mapping[str, Callable[[], Plane]] = {
     "chaplygin-ball-area": chaplygin_ball_with_area,
@@ -217,8 +231,7 @@ def plane_named(name: str) -> Plane:
         If there is none; the sentence lists the names.
     """
     if name in SEPARATED:
-        made, resting = SEPARATED[name]
-        return plane_of(made(), resting)
+        return plane_of(SEPARATED[name]())
     if name in PLANES:
         return PLANES[name]()
     known = ", ".join(sorted((*SEPARATED, *PLANES)))

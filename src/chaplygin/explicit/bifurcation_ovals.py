@@ -23,7 +23,7 @@ from typing import Any
 
 from flint import fmpq, fmpq_poly
 
-from .bifurcation_plane import between, fraction, rational, separated
+from .bifurcation_plane import between, highest, lowest, rational, separated
 
 __all__ = ["Family", "Oval", "families", "group", "ovals"]
 
@@ -134,5 +134,5 @@ def ovals(roots: Sequence[tuple[Any, int]], allowed: Any) -> tuple[Oval, ...]:
     return tuple(
         Oval(low, high)
         for (below, low), (above, high) in pairwise(roots)
-        if allowed(rational(between(fraction(below.upper()), fraction(above.lower()))))
+        if allowed(rational(between(highest(below), lowest(above))))
     )

@@ -24,8 +24,11 @@ __all__ = [
     "arrangement",
     "between",
     "fraction",
+    "highest",
     "irreducible",
     "isolated",
+    "lowest",
+    "middle",
     "rational",
     "separated",
     "stack",
@@ -53,8 +56,10 @@ class Arrangement:
     ----------
     curves : tuple of fmpq_mpoly
         Irreducible, none of them vertical, none twice.
+    critical : tuple of fmpq_poly
+        Irreducible; their real roots are the critical values of x.
     abscissae : tuple of arb
-        Critical values of x, increasing.
+        These values, increasing.
     samples : tuple of fmpq
         One x in every column, one more than there are abscissae.
     orders : tuple of tuple of int
@@ -64,6 +69,7 @@ class Arrangement:
     """
 
     curves: tuple[Polynomial, ...]
+    critical: tuple[fmpq_poly, ...]
     abscissae: tuple[Any, ...]
     samples: tuple[fmpq, ...]
     orders: tuple[tuple[int, ...], ...]
@@ -95,32 +101,32 @@ class Arrangement:
 
     def cell(self, x: fmpq, y: fmpq) -> Cell | None:
         """The cell of a point; on a critical vertical the one to the right; None on a curve."""
-        if any(straight(curve, y=y)(x) == 0 for curve in self.curves):
+        crossings = [straight(curve, y=y) for curve in self.curves]
+        if any(polynomial(x) == 0 for polynomial in crossings):
             return None
-        crossings = irreducible(straight(curve, y=y) for curve in self.curves)
-        roots = separated([*crossings, fmpq_poly([-x, 1])])
-        here = [number for _, number in roots].index(len(crossings))
+        (line,) = irreducible([fmpq_poly([-x, 1])])
+        others = [p for p in irreducible(crossings) if str(p) not in map(str, self.critical)]
+        factors = [*self.critical, *others]
+        if line not in factors:
+            factors.append(line)
+        roots = separated(factors)
+        here = next(n for n, (_, number) in enumerate(roots) if factors[number] == line)
         # to the right of the point, before any curve and any other critical vertical
-        ends = [root for root, _ in roots[here + 1 :]]
-        ends += [abscissa for abscissa in self.abscissae if abscissa > x]
-        low = Fraction(int(x.p), int(x.q))
-        high = min((fraction(end.lower()) for end in ends), default=low + 1)
-        beside = rational(between(low, high))
-        column = sum(bool(abscissa < beside) for abscissa in self.abscissae)
+        beside = _gaps([root for root, _ in roots])[here + 1]
+        column = sum(number < len(self.critical) for _, number in roots[: here + 1])
         return column, _rank(self.curves, beside, y)
 
     def arc(self, x: fmpq, y: fmpq) -> Cell | None:
         """The arc of a point; None on a critical vertical or off the curves."""
-        if any(abscissa.overlaps(arb(x)) for abscissa in self.abscissae):
+        here = [n for n, curve in enumerate(self.curves) if straight(curve, y=y)(x) == 0]
+        if not here or any(polynomial(x) == 0 for polynomial in self.critical):
             return None
-        numbers = [n for n, curve in enumerate(self.curves) if straight(curve, y=y)(x) == 0]
-        if not numbers:
-            return None
-        column = sum(bool(abscissa < x) for abscissa in self.abscissae)
+        roots = separated([*self.critical, fmpq_poly([-x, 1])])
+        column = [number for _, number in roots].index(len(self.critical))
         (rank,) = (
             place
             for place, (height, number) in enumerate(stack(self.curves, x))
-            if number == numbers[0] and height.overlaps(arb(y))
+            if number == here[0] and lowest(height) <= fraction(y) <= highest(height)
         )
         return column, rank
 
@@ -149,7 +155,7 @@ def arrangement(curves: Iterable[Polynomial]) -> Arrangement:
         for y in _heights(lying, critical[number]):
             left, right = _beside(lying, critical, place, y)
             joints.add(((place, _rank(lying, left, y)), (place + 1, _rank(lying, right, y))))
-    return Arrangement(lying, abscissae, samples, orders, frozenset(joints))
+    return Arrangement(lying, tuple(critical), abscissae, samples, orders, frozenset(joints))
 
 
 def _critical(lying: Sequence[Polynomial], standing: Sequence[Polynomial]) -> list[fmpq_poly]:
@@ -202,7 +208,7 @@ def separated(polynomials: Sequence[fmpq_poly]) -> list[tuple[Any, int]]:
     while precision <= MOST_PRECISION:
         with ctx.workprec(precision):
             roots = [(root, n) for n, p in enumerate(polynomials) for root in isolated(p)]
-            roots.sort(key=lambda pair: fraction(pair[0]))
+            roots.sort(key=lambda pair: middle(pair[0]))
             if all(low < high for (low, _), (high, _) in pairwise(roots)):
                 return roots
         precision *= 2
@@ -259,8 +265,8 @@ def _gaps(roots: Sequence[Any]) -> list[fmpq]:
     """A short rational number below, between and above increasing real numbers."""
     if not roots:
         return [fmpq(0)]
-    low, high = fraction(roots[0].lower()), fraction(roots[-1].upper())
-    inner = [between(fraction(a.upper()), fraction(b.lower())) for a, b in pairwise(roots)]
+    low, high = lowest(roots[0]), highest(roots[-1])
+    inner = [between(highest(a), lowest(b)) for a, b in pairwise(roots)]
     below, above = Fraction(math.floor(low) - 1), Fraction(math.ceil(high) + 1)
     return [rational(value) for value in (below, *inner, above)]
 
@@ -274,10 +280,25 @@ def between(low: Fraction, high: Fraction) -> Fraction:
     return middle.limit_denominator(limit)
 
 
-def fraction(number: Any) -> Fraction:
-    """The middle of a ball (exact if its radius is zero)."""
-    mantissa, exponent = number.mid().man_exp()
+def middle(ball: Any) -> Fraction:
+    """The middle of a ball, exactly."""
+    mantissa, exponent = ball.mid().man_exp()
     return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+
+
+def lowest(ball: Any) -> Fraction:
+    """The lower end of a ball, exactly."""
+    return middle(ball) - middle(ball.rad())
+
+
+def highest(ball: Any) -> Fraction:
+    """The upper end of a ball, exactly."""
+    return middle(ball) + middle(ball.rad())
+
+
+def fraction(number: fmpq) -> Fraction:
+    """A rational number of FLINT as one of Python."""
+    return Fraction(int(number.p), int(number.q))
 
 
 def rational(number: Fraction | int) -> fmpq:

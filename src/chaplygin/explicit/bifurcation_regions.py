@@ -15,7 +15,7 @@ from ..errors import InputError
 from .bifurcation_critical import Arc, Circles, circles_at_a_double_root, circles_at_a_pole
 from .bifurcation_families import Plane
 from .bifurcation_ovals import Family, families
-from .bifurcation_plane import Arrangement, Cell
+from .bifurcation_plane import Arrangement, Cell, fraction
 
 __all__ = ["Boundary", "Equilibrium", "Kinds", "Region"]
 
@@ -203,7 +203,7 @@ class Kinds:
         regions = []
         for number, cells in enumerate(found, 1):
             kind = self.tori[cells[0]]
-            x, y = map(_fraction, self.cut.sample(cells[0]))
+            x, y = map(fraction, self.cut.sample(cells[0]))
             regions.append(Region(number if kind else 0, kind, frozenset(cells), (x, y)))
         return tuple(regions)
 
@@ -244,12 +244,8 @@ class Kinds:
         signs = [(poles[n] - poles[third]) * left(poles[n]) for n in (first, second)]
         if any(sign == 0 for sign in signs):
             return None
-        x, y = map(_fraction, place)
+        x, y = map(fraction, place)
         return Equilibrium((x, y), self.order[third], sum(bool(sign < 0) for sign in signs))
-
-
-def _fraction(number: fmpq) -> Fraction:
-    return Fraction(int(number.p), int(number.q))
 
 
 def _at(polynomial: fmpq_mpoly, z: fmpq) -> fmpq_mpoly:
