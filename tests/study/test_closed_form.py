@@ -12,6 +12,7 @@ import pytest
 import sympy as sp
 from flint import arb
 
+from chaplygin.errors import InputError
 from chaplygin.explicit.solution import ClosedForm, Figure, Solution
 from chaplygin.study.closed_form import (
     ball,
@@ -138,8 +139,14 @@ def test_the_figure(figures: tuple[Figure, ...]) -> None:
     assert "The curve of the closed form: A turning ball" in svg_text(drawn)
 
 
-def test_a_form_without_roots_or_ovals_can_be_drawn() -> None:
-    assert svg_text(closed_form("x", ClosedForm("t", "m", (), ())))
+def test_a_motion_of_one_variable_can_be_drawn() -> None:
+    form = ClosedForm("t", "m", (), (), ((0.2, 0.7),))
+    assert closed_form("x", form).axes[0].get_xlabel() == "$u$"
+
+
+def test_a_motion_without_ovals_has_no_figure() -> None:
+    with pytest.raises(InputError, match="no curve to draw of this motion: uniform rotation"):
+        closed_form("x", ClosedForm("t", "uniform rotation", (), ()))
 
 
 def test_the_report_has_the_section(tmp_path: Path) -> None:

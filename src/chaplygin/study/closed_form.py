@@ -170,6 +170,8 @@ class Section:
         Constants, roots, frequencies, with error bounds and units.
     ovals : tuple of str
         The intervals on which the separated variables live.
+    caption : str
+        Of the figure.
     difference : str
         The largest distance of any component of the state from the integrated trajectory.
     """
@@ -180,7 +182,15 @@ class Section:
     equations: tuple[Markup, ...]
     rows: tuple[tuple[str, str, str], ...]
     ovals: tuple[str, ...]
+    caption: str
     difference: str
+
+
+_CAPTION = (
+    "The curve over the real line: its roots, and where the separated variables move; and nine "
+    "turns on the torus of the two phases."
+)
+_CAPTION_OF_ONE = "Where the separated variable moves."
 
 
 def section(solution: Solution, trajectory: Trajectory) -> Section:
@@ -208,6 +218,7 @@ def section(solution: Solution, trajectory: Trajectory) -> Section:
             for figure in form.figures
         ),
         ovals=tuple(f"[{low:.12g}, {high:.12g}]" for low, high in form.ovals),
+        caption=_CAPTION if len(form.ovals) > 1 else _CAPTION_OF_ONE,
         difference=f"{distance:.1e}",
     )
 

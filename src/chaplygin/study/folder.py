@@ -78,7 +78,7 @@ def write_study(
     else:
         pictures = figures.all_figures(smooth, scene_of(study), weight_of(study))
     solution = solved_if_known(study)
-    if solution is not None:
+    if solution is not None and solution.form.ovals:
         pictures["closed_form"] = figures.closed_form(study.system.title, solution.form)
     for name, figure in pictures.items():
         for suffix in ("svg", "png"):

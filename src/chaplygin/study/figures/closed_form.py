@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ...errors import InputError
 from ...explicit.solution import ClosedForm
 from ..drawing import FloatArray
 from .style import COMPONENTS, FAINT, INK, QUIET, STYLE, WIDTH
@@ -33,7 +34,14 @@ def closed_form(title: str, form: ClosedForm) -> Figure:
     title : str
         Of the system, for the description.
     form : ClosedForm
+
+    Raises
+    ------
+    InputError
+        If the motion has no ovals, as uniform rotations have none.
     """
+    if not form.ovals:
+        raise InputError(f"there is no curve to draw of this motion: {form.motion}")
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(WIDTH, 1.75), layout="constrained")
         figure.set_label(f"The curve of the closed form: {title}")
@@ -51,7 +59,7 @@ def _curve(axes: Axes, form: ClosedForm) -> None:
     """The line of z with the roots and the ovals of the motion."""
     roots = roots_of(form)
     ends = [*roots, *(end for oval in form.ovals for end in oval)]
-    low, high = min(ends, default=0.0), max(ends, default=1.0)
+    low, high = min(ends), max(ends)
     room = 0.06 * (high - low) or 1.0
     axes.axhline(0.0, color=QUIET, linewidth=0.6, zorder=1)
     for number, (left, right) in enumerate(form.ovals):
@@ -63,9 +71,8 @@ def _curve(axes: Axes, form: ClosedForm) -> None:
     axes.spines["left"].set_visible(False)
     axes.grid(axis="x", color=FAINT, linewidth=0.4)
     axes.set_axisbelow(True)
-    axes.set_xlabel("$z$")
-    if form.ovals:
-        axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=len(form.ovals))
+    axes.set_xlabel("$z$" if roots else "$u$")
+    axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=len(form.ovals))
 
 
 def _torus(axes: Axes, first: float, second: float) -> None:
@@ -115,5 +122,5 @@ def _oval(
     y = y / y.max()
     corners = (np.concatenate([z, z[::-1]]), np.concatenate([y, -y[::-1]]))
     axes.fill(*corners, facecolor=colour, alpha=0.14, linewidth=0.0, zorder=2)
-    label = f"$z_{number + 1}$ moves here"
-    axes.plot(*corners, color=colour, linewidth=1.3, zorder=3, label=label)
+    name = f"z_{number + 1}" if roots else "u"
+    axes.plot(*corners, color=colour, linewidth=1.3, zorder=3, label=f"${name}$ moves here")
