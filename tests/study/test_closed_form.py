@@ -116,6 +116,8 @@ def test_numbers_with_error_bars() -> None:
 def test_letters_and_equations() -> None:
     assert letters("turns of z_1 per unit of tau") == "turns of z₁ per unit of τ"
     assert letters("mean dt/dtau") == "mean dt/dτ"
+    assert letters("<phi'>") == "<φ'>"
+    assert letters("theta_min") == "θₘᵢₙ"
     dtau, dz = sp.symbols("dtau dz_1")
     assert equation(dz, dtau) == r"\mathrm{d}z_{1} = \mathrm{d}\tau"
 

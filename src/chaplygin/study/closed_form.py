@@ -238,8 +238,9 @@ def _symbol(written: str) -> str:
 
 
 def letters(words: str) -> str:
-    """Words with z_1 and tau in them as z₁ and τ."""
-    return re.sub(r"[A-Za-z]+_\d+|tau", lambda found: text(scalar(found[0])), words)
+    """Words with z_1, dtau and Omega in them as z₁, dτ and Ω."""
+    named = r"(?<=\bd)tau\b|\b(?:tau|theta|phi|psi|rho|omega|Omega|lambda|Lambda)\b|[A-Za-z]+_\w+"
+    return re.sub(named, lambda found: text(scalar(found[0])), words)
 
 
 def number(figure: Figure, digits: int = 15) -> str:
