@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 from flint import acb, arb
 
-from .degenerate_quaternion import cross, dot
+from .degenerate_quaternion import cross
 from .numbers import Steps, ball
 
 __all__ = ["analytic", "root", "triad"]
@@ -34,47 +34,87 @@ def analytic(
         Intermediate quantities, in order.
     """
 
+    tape = _Tape(names)
+    for name, formula in steps:
+        tape.places[name] = tape.place(formula)
+    results = [tape.place(sp.sympify(formula)) for formula in formulas]
+
     def function(*arguments: Any) -> list[Any]:
-        known: dict[Any, Any] = dict(zip(names, arguments, strict=True))
-        for name, formula in steps:
-            known[name] = _value(formula, known)
-        return [_value(sp.sympify(formula), known) for formula in formulas]
+        values = tape.run(arguments)
+        return [values[place] for place in results]
 
     return function
 
 
-def _value(node: Any, known: dict[Any, Any]) -> Any:
-    if node not in known:
-        known[node] = _computed(node, known)
-    return known[node]
+class _Tape:
+    """Operations in order, each on the results of earlier ones."""
+
+    def __init__(self, names: Sequence[sp.Symbol]) -> None:
+        self.places: dict[Any, int] = {name: place for place, name in enumerate(names)}
+        self._length = len(names)
+        self._operations: list[tuple[Callable[..., Any], tuple[int, ...]]] = []
+
+    def place(self, node: Any) -> int:
+        """Where the value of a formula will be."""
+        if node not in self.places:
+            self.places[node] = self._add(*self._operation(node))
+        return self.places[node]
+
+    def _add(self, operation: Callable[..., Any], operands: tuple[int, ...]) -> int:
+        self._operations.append((operation, operands))
+        return self._length + len(self._operations) - 1
+
+    def _operation(self, node: Any) -> tuple[Callable[..., Any], tuple[int, ...]]:
+        if node.is_Number:
+            constant = ball(node)
+            return (lambda: constant), ()
+        if node.is_Add:
+            return _sum, tuple(self.place(part) for part in node.args)
+        if node.is_Mul:
+            return _product, tuple(self.place(part) for part in node.args)
+        base, power = self.place(node.base), int(2 * node.exp)
+        if power % 2:
+            base = self._add(root, (base,))
+        else:
+            power //= 2
+        # a ball around zero has no power in python-flint, but it has a product
+        if abs(power) > 1:
+            base = self._add(_product, (base,) * abs(power))
+        return (_inverse if power < 0 else _product), (base,)
+
+    def run(self, arguments: Sequence[Any]) -> list[Any]:
+        """All values."""
+        values = list(arguments)
+        for operation, operands in self._operations:
+            values.append(operation(*[values[k] for k in operands]))
+        return values
 
 
-def _computed(node: Any, known: dict[Any, Any]) -> Any:
-    if node.is_Number:
-        return ball(node)
-    if node.is_Add:
-        return sum((_value(part, known) for part in node.args), arb(0))
-    if node.is_Mul:
-        product: Any = arb(1)
-        for part in node.args:
-            product = product * _value(part, known)
-        return product
-    base, power = _value(node.base, known), int(2 * node.exp)
-    if power % 2:
-        base = root(base)
-    else:
-        power //= 2
-    # a ball around zero has no power in python-flint, but it has a product
-    value: Any = arb(1)
-    for _ in range(abs(power)):
-        value = value * base
-    return value if power > 0 else 1 / value
+def _sum(first: Any, *others: Any) -> Any:
+    for other in others:
+        first = first + other
+    return first
 
 
-def triad(first: Sequence[Any], second: Sequence[Any]) -> list[list[Any]]:
-    """Orthonormal vectors: along the first one, across it, and across both."""
-    normal = cross(first, second)
-    one, three = ([x / root(dot(v, v)) for x in v] for v in (first, normal))
+def _product(first: Any, *others: Any) -> Any:
+    for other in others:
+        first = first * other
+    return first
+
+
+def _inverse(value: Any) -> Any:
+    return 1 / value
+
+
+def triad(
+    first: Sequence[Any], second: Sequence[Any], sizes: tuple[Any, Any]
+) -> list[list[Any]]:
+    """Orthonormal vectors: along the first one, across it, and across both.
+
+    `sizes` are the lengths of the first and of the vector product, constants of the motion.
+    """
+    one = [x / sizes[0] for x in first]
+    three = [x / sizes[1] for x in cross(first, second)]
     return [one, cross(three, one), three]
 
 

@@ -20,7 +20,7 @@ from ..mechanics.attitude import attitude
 from ..system import flat_pairs
 from .degenerate_analytic import analytic, root, triad, velocity
 from .degenerate_motion import Asymptotic
-from .degenerate_quaternion import dot, product, quaternion
+from .degenerate_quaternion import cross, dot, product, quaternion
 from .degenerate_start import exact_ball
 from .numbers import components
 from .one_variable_panels import Integrals, integrals, working_bits
@@ -36,6 +36,10 @@ __all__ = ["rigorous_state"]
 Numerators = Callable[[Any], tuple[list[Any], list[Any]]]
 #: How far, in σ, the boxes reach from a panel inside which functions are bounded.
 REACH = 4
+#: Balls smaller than this are points; larger ones are boxes, on which only bounds are wanted.
+POINTLIKE, BOX_BITS = 1e-6, 64
+#: Boxes smaller than this are not divided any further.
+SMALLEST = 0.02
 
 
 def rigorous_state(solution: Degenerate, time: Any, digits: int) -> tuple[Any, ...]:
@@ -131,9 +135,13 @@ class Rigorous:
             [c for vector in self.solution.separable.fixed for c in components(vector)]
         )
 
+        six = vectors(self.solution.beginning.nu, self.solution.beginning.nuprime)
+        normal = cross(six[:3], six[3:])
+        sizes = (root(dot(six[:3], six[:3])), root(dot(normal, normal)))
+
         def found(nu: Any, nuprime: Any) -> list[list[Any]]:
             six = vectors(nu, nuprime)
-            return triad(six[:3], six[3:])
+            return triad(six[:3], six[3:], sizes)
 
         return found
 
@@ -159,6 +167,21 @@ class Rigorous:
         """Derivatives by σ of the clock and the places."""
 
         def rates(sigma: Any) -> list[Any]:
+            size = max(float(sigma.real.rad()), float(sigma.imag.rad()))
+            if size < POINTLIKE:
+                return at(sigma)
+            with ctx.workprec(BOX_BITS):
+                return bound(sigma, size)
+
+        def bound(sigma: Any, size: float) -> list[Any]:
+            """On a box that is too large for its dependent terms: the union over its quarters."""
+            found = at(sigma)
+            if size < SMALLEST or all(f.is_finite() for f in found):
+                return found
+            quarters = [bound(quarter, size / 2) for quarter in _quarters(sigma)]
+            return [a.union(b).union(c).union(d) for a, b, c, d in zip(*quarters, strict=True)]
+
+        def at(sigma: Any) -> list[Any]:
             nu, nuprime = _direction(*numerators(sigma))
             clock, *moved = self._rates(nu, nuprime)
             found = [clock]
@@ -182,9 +205,22 @@ class Rigorous:
         ends = [(k * faded - motion.offset) / motion.growth * self._speed for k in (-1, 1)]
         return min(*ends, arb(-1), key=float).mid(), max(*ends, arb(1), key=float).mid()
 
+    def _window(self, sigma: Any) -> Integrals:
+        """The integrals at least from 0 to σ."""
+        low, high = self._edges
+        pieces = 4 * (1 + abs(int(float(sigma.mid()))) // 4)
+        if sigma < 0:
+            ends = (max(low, arb(-pieces), key=float), arb("0.5"))
+        else:
+            ends = (arb(0), min(high, arb(pieces), key=float))
+        key = (float(ends[0]), float(ends[1]))
+        if key not in self._windows:
+            self._windows[key] = integrals(self._integrands(self._exactly), *ends, self.digits)
+        return self._windows[key]
+
     @cached_property
-    def _window(self) -> Integrals:
-        return integrals(self._integrands(self._exactly), *self._edges, self.digits)
+    def _windows(self) -> dict[tuple[float, float], Integrals]:
+        return {}
 
     def _tail(self, side: int) -> Tail:
         motion = self.solution.motion
@@ -225,8 +261,8 @@ class Rigorous:
         """An integral from τ = 0 to σ."""
         tail = self._beyond(sigma.mid())
         if tail is None:
-            return self._window.value(index, sigma)
-        return self._window.value(index, tail.edge) + tail.value(index, sigma)
+            return self._window(sigma).value(index, sigma)
+        return self._window(tail.edge).value(index, tail.edge) + tail.value(index, sigma)
 
     # --- answers ---------------------------------------------------------------------------
 
@@ -277,6 +313,15 @@ class Rigorous:
             for index, x in enumerate(self.solution.start[size + 4 :], 1)
         ]
         return (*reduced, *turn, *places)
+
+
+def _quarters(box: Any) -> list[Any]:
+    """Four boxes that cover a box."""
+    halves = []
+    for side in (box.real, box.imag):
+        half = side.rad() / 2
+        halves.append([arb(side.mid() - half, half), arb(side.mid() + half, half)])
+    return [acb(x, y) for x in halves[0] for y in halves[1]]
 
 
 def _direction(values: Sequence[Any], slopes: Sequence[Any]) -> tuple[list[Any], list[Any]]:
