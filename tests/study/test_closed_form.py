@@ -37,8 +37,8 @@ FORM = ClosedForm(
     motion="periodic",
     equations=((sp.Symbol("y") ** 2, sp.Symbol("z") - 1),),
     figures=(
-        Figure("e_1", arb(1), "branch point"),
-        Figure("e_2", arb(2, 1e-20), "branch point"),
+        Figure("e_1", arb(1), "root of the curve"),
+        Figure("e_2", arb(2, 1e-20), "root of the curve"),
         Figure("Omega_1", arb(0.25), "frequency of z_1", "1/s"),
         Figure("V_1/V_2", arb(1) / 3, "rotation number"),
     ),

@@ -40,9 +40,6 @@ Recogniser: TypeAlias = Callable[[Problem], Solution | None]
 #: Parameters of one system as formulas in those of another.
 Formulas: TypeAlias = Mapping[sp.Symbol, Any]
 
-#: Directions in space that must be known for the attitude.
-DIRECTIONS = 1
-
 #: Systems by the name of their separation whose bodies may have two equal moments.
 TURNING = ("veselova", "rubber-chaplygin-ball")
 ROLLING = ("chaplygin-ball", "chaplygin-ball-area")
@@ -224,14 +221,10 @@ def _separated(problem: Problem) -> Solution | None:
     axial = _axial(problem, found, values)
     if axial is not None or found.level:
         return axial
-    own, start = found.own, problem.start
-    if problem.system.motion is not None and len(own.fixed) < DIRECTIONS:
-        own = replace(own, system=replace(problem.system, motion=None))
-        start = start[: len(problem.system.symbols)]
     try:
-        return solved(own, values, start)
+        return solved(found.own, values, problem.start)
     except DegenerateError:
-        return solved_degenerate(own, values, start)
+        return solved_degenerate(found.own, values, problem.start)
 
 
 def _axial(problem: Problem, found: Likeness, values: Mapping[sp.Symbol, Any]) -> Solution | None:

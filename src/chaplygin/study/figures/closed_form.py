@@ -105,7 +105,7 @@ def frequencies_of(form: ClosedForm) -> tuple[float, float] | None:
 
 def roots_of(form: ClosedForm) -> list[float]:
     """The roots of the curve among the figures of a closed form."""
-    return sorted(float(f.value.mid()) for f in form.figures if f.meaning == "branch point")
+    return sorted(float(f.value.mid()) for f in form.figures if f.meaning.startswith("root"))
 
 
 def _oval(
