@@ -21,6 +21,7 @@ from ..vectors import dot, explicit, normed, scalar, vectors
 from . import ball_sphere, rubber_sphere
 from .bruns import rubber_ball_in_bruns_field, veselova_in_bruns_field
 from .bruns_ball import chaplygin_ball_in_bruns_field
+from .bruns_sphere import hollow_ball_in_bruns_field
 from .chaplygin_ball import chaplygin_ball
 from .clebsch import clebsch_case
 from .fedorov import fedorov
@@ -39,7 +40,7 @@ M, gamma, omega = vectors("M gamma omega")
 #: What a motion with ν_i = 0 is, {} being the number i.
 UNSAID = "motion in the plane ν_{} = 0"
 ROTATION = "permanent rotation about axis {}"
-PENDULUM = "turning or swinging about axis {}, which stays horizontal"
+PENDULUM = "turning or swinging about axis {} alone"
 GREAT_CIRCLE = "motion on the great circle Γ_{} = 0"
 RESTING: Mapping[str, str] = {
     "veselova": ROTATION,
@@ -48,10 +49,12 @@ RESTING: Mapping[str, str] = {
     "chaplygin-ball-bruns": PENDULUM,
     "rubber-chaplygin-ball": ROTATION,
     "rubber-chaplygin-ball-bruns": PENDULUM,
+    "rubber-ball-on-plane": ROTATION,
     "rubber-ball-of-ratio": ROTATION,
     "rubber-ball-around-sphere": ROTATION,
     "ball-around-sphere": ROTATION,
     "ball-around-sphere-zero-area": ROTATION,
+    "ball-around-sphere-bruns": PENDULUM,
     "neumann": GREAT_CIRCLE,
     "clebsch": GREAT_CIRCLE,
 }
@@ -206,10 +209,12 @@ SEPARATED: Mapping[str, Callable[[], Separable]] = {
     "chaplygin-ball-fedorov": fedorov,
     "rubber-chaplygin-ball": rubber_ball_plane,
     "rubber-chaplygin-ball-bruns": rubber_ball_in_bruns_field,
+    "rubber-ball-on-plane": rubber_sphere.on_plane,
     "rubber-ball-of-ratio": rubber_sphere.of_ratio,
     "rubber-ball-around-sphere": rubber_sphere.hollow_ball,
     "ball-around-sphere": ball_sphere.hollow_ball,
     "ball-around-sphere-zero-area": ball_sphere.of_tensor,
+    "ball-around-sphere-bruns": hollow_ball_in_bruns_field,
     "neumann": neumann_system,
     "clebsch": clebsch_case,
 }
