@@ -72,6 +72,12 @@ def test_bodies_from_a_file() -> None:
     assert "in this potential" in refused(HEAVY, *potential)
 
 
+def test_curves_that_are_not_solved() -> None:
+    moments = ["system.parameters.I_2=1.0", "system.parameters.I_3=1.6"]
+    sentence = refused('[system]\nname = "neumann"\n', *moments)
+    assert "roots of its curve coincide, as they do for equal moments: known are" in sentence
+
+
 OWN = """
 [equations]
 state = ["x", "v"]

@@ -29,7 +29,7 @@ from .expressed import expressed
 from .numbers import ball, evaluated
 from .principal import in_principal_axes, told_back
 from .problem import Problem, exact, same_field
-from .refusals import Condition, refusal
+from .refusals import Condition, degenerate, refusal
 from .separable import Separable
 from .solution import Solution
 
@@ -224,7 +224,10 @@ def _separated(problem: Problem) -> Solution | None:
     try:
         return solved(found.own, values, problem.start)
     except DegenerateError:
-        return solved_degenerate(found.own, values, problem.start)
+        solution = solved_degenerate(found.own, values, problem.start)
+    if solution is None:
+        raise degenerate(problem)
+    return solution
 
 
 def _axial(problem: Problem, found: Likeness, values: Mapping[sp.Symbol, Any]) -> Solution | None:

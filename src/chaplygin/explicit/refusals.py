@@ -16,7 +16,7 @@ from ..systems import rubber_ball_ratio
 from ..systems.ball_on_sphere import ratio
 from .problem import Problem
 
-__all__ = ["Condition", "NoClosedFormError", "refusal"]
+__all__ = ["Condition", "NoClosedFormError", "degenerate", "refusal"]
 
 
 #: A condition so short is written out, and numbers so close are the same.
@@ -75,6 +75,14 @@ def refusal(problem: Problem, level: Sequence[Condition] = ()) -> NoClosedFormEr
     if obstacle.solvable:
         sentence += f"; solvable {obstacle.solvable}"
     return NoClosedFormError(sentence)
+
+
+def degenerate(problem: Problem) -> NoClosedFormError:
+    """A motion of a solvable system whose curve has double roots of a kind that is not solved."""
+    return NoClosedFormError(
+        f"this motion of the {_lowered(problem.system.title)} is not solved, since roots of its "
+        f"curve coincide, as they do for equal moments: {_known(problem)}"
+    )
 
 
 def _known(problem: Problem) -> str:
