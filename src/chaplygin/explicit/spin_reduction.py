@@ -23,6 +23,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from scipy.linalg import solve_triangular
 from scipy.spatial.transform import Rotation
 
 from ..errors import RunError
@@ -217,11 +218,23 @@ def _still(A: Any, alpha: float) -> tuple[Any, float]:
     moved = waves * np.exp(2j * np.pi * k * alpha)
     for i in range(3):
         matrix[:, i, :, i] -= moved
-    _, values, rows = np.linalg.svd(matrix.reshape(3 * places, -1), full_matrices=False)
-    K = np.einsum("nk,kj->nj", waves, rows[-1].conj().reshape(len(k), 3))
+    coefficients, residual = _null(matrix.reshape(3 * places, -1))
+    K = np.einsum("nk,kj->nj", waves, coefficients.reshape(len(k), 3))
     largest = K.ravel()[np.argmax(np.abs(K))]
     real = (K * (np.conj(largest) / abs(largest))).real
-    return real / np.linalg.norm(real, axis=1, keepdims=True), float(values[-1])
+    return real / np.linalg.norm(real, axis=1, keepdims=True), residual
+
+
+def _null(matrix: Any) -> tuple[Any, float]:
+    """The unit vector that a tall matrix shortens most, and to what: by inverse iteration."""
+    upper = np.linalg.qr(matrix, mode="r")
+    diagonal = np.einsum("ii->i", upper)
+    diagonal[diagonal == 0] = np.finfo(float).eps
+    found = np.ones(len(upper), dtype=complex)
+    for _ in range(4):
+        found = solve_triangular(upper, solve_triangular(upper, found, trans="C"))
+        found /= np.linalg.norm(found)
+    return found, float(np.linalg.norm(upper @ found))
 
 
 def _uniform(planes: Any, K: Any, speeds: tuple[float, float]) -> tuple[float, Any]:
