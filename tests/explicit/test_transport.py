@@ -15,6 +15,7 @@ from chaplygin.explicit.fedorov import fedorov
 from chaplygin.explicit.genus_two import solved
 from chaplygin.explicit.neumann import neumann_system
 from chaplygin.explicit.numbers import ball, evaluated, number
+from chaplygin.explicit.stated import stated
 from chaplygin.explicit.transport import inverse, pulled_back, pushed_forward, there_and_back
 from chaplygin.explicit.veselova import veselova
 from chaplygin.flow.trajectory import integrate
@@ -82,6 +83,20 @@ def test_another_inverse_is_refuted():
     wrong = {**inverse(system, law), system.symbols[3]: law.target.symbols[3]}
     claim = Identity("wrong", tuple(wrong[s].xreplace(images) - s for s in system.symbols))
     assert prove(system, claim).decision == "refuted"
+
+
+VESELOVA = pulled_back(*given("Theorem 8")[:3])
+
+
+@pytest.mark.parametrize("law", stated(VESELOVA), ids=lambda law: law.name)
+def test_veselova_by_way_of_neumann_is_proven(law):
+    assert prove(VESELOVA.system, law).decision == "proven"
+
+
+def test_another_clock_is_refuted():
+    wrong = replace(VESELOVA, clock=1 / VESELOVA.clock)
+    (law,) = (each for each in stated(wrong) if each.name == "direction")
+    assert prove(VESELOVA.system, law).decision == "refuted"
 
 
 @pytest.mark.parametrize("case", CASES)
