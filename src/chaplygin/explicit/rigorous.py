@@ -14,7 +14,7 @@ from .prepared import Prepared, chain, prepared
 from .rigorous_formula import Branch, direction
 from .rigorous_quadrature import RigorousQuadrature, bits_for, quadratures
 from .rigorous_theta import numerators_at
-from .rigorous_turn import PathRates, Turn, path_rates
+from .rigorous_turn import Pair, PathRates, Turn, path_rates
 
 if TYPE_CHECKING:
     from .genus_two import GenusTwo
@@ -54,32 +54,56 @@ class RigorousMotion:
         return Branch(symbols, self.prepared.values, chain(self.prepared.separable, symbols)[1])
 
     @cached_property
-    def _turn(self) -> Turn:
-        start = self.solution.start
+    def _pair(self) -> Pair | None:
+        return Pair.of(self.prepared)
+
+    def _turn(self, pair: Pair) -> Turn:
+        """The triad at the start."""
         place = len(self.prepared.separable.system.symbols)
+        quaternion = [ball(x) for x in self.solution.start[place : place + 4]]
+        at_start = direction(*numerators_at(self.prepared.torus, arb(0)))
+        return Turn.through(self.prepared, pair, at_start, quaternion)
+
+    @cached_property
+    def _angle(self) -> RigorousQuadrature | None:
+        """The angle by which the triad turns about its first vector."""
+        if self._pair is None or self._pair.rate is None:
+            return None
         with ctx.workprec(self.clock.bits):
-            at_start = direction(*numerators_at(self.prepared.torus, 0))
-            return Turn.through(
-                self.prepared, at_start, [ball(x) for x in start[place : place + 4]]
-            )
+            rate = self._pair.turning(self.prepared)
+        return quadratures(self.prepared.torus, rate, self.digits, self.reach)[0]
 
     @cached_property
     def _paths(self) -> tuple[PathRates, tuple[RigorousQuadrature, ...]] | None:
         """Rates of what the motion has in space beside the attitude, and the integrals in them."""
+        if self._pair is None or self._pair.rate is not None:
+            return None
         with ctx.workprec(self.clock.bits):
-            found = path_rates(self.prepared)
+            found = path_rates(self.prepared, self._pair)
             if found is None:
                 return None
             torus = self.prepared.torus
             return found, quadratures(torus, found.functions, self.digits, self.reach)
 
-    def _moved(self, tau: Any) -> list[Any]:
-        """By how much the coordinates in space beside the attitude have changed."""
-        if self._paths is None:
-            return []
-        rates, integrals = self._paths
-        values, axes = [path.at(tau) for path in integrals], self._turn.axes
-        return [sum((axes[k] * values[i] for i, k in own), arb(0)) for own in rates.shares]
+    def _lifted(
+        self, tau: Any, there: tuple[list[Any], list[Any]], rough: Sequence[float]
+    ) -> list[Any]:
+        """Attitude and places; balls of radius 1 and ∞ where nothing better is known."""
+        start = self.solution.start[-len(rough) :]
+        places = [arb(0, arb("inf")) for _ in start[4:]]
+        if self._pair is None:
+            return [arb(0, 1)] * 4 + places
+        turn = self._turn(self._pair)
+        if self._paths is not None:
+            rates, integrals = self._paths
+            values = [path.at(tau) for path in integrals]
+            moved = [
+                sum((turn.axes[k] * values[i] for i, k in own), arb(0)) for own in rates.shares
+            ]
+            places = [ball(x) + y for x, y in zip(start[4:], moved, strict=True)]
+        if self._angle is not None:
+            turn = turn.turned(self._angle.at(tau))
+        return turn.quaternion(there, rough) + places
 
     def reduced(self, tau: Any) -> tuple[list[Any], tuple[list[Any], list[Any]]]:
         """The reduced state, and ν and ν′, at one τ."""
@@ -90,7 +114,8 @@ class RigorousMotion:
         """The lifted state at one time, as balls (arb).
 
         The sign of the quaternion, which the attitude leaves open, is that of the evaluation in
-        double precision.
+        double precision.  Where no direction is known to stay in space the attitude is left open
+        (balls of radius 1), and where less than two are, so is the place (infinite balls).
 
         Parameters
         ----------
@@ -103,12 +128,8 @@ class RigorousMotion:
             reduced, there = self.reduced(tau)
             if self.prepared.separable.system.motion is None:
                 return tuple(reduced)
-            rough = self.solution.states([number(moment)])[0]
-            first = len(reduced)
-            turn = self._turn.quaternion(there, rough[first : first + 4])
-            origin = self.solution.start[first + 4 :]
-            places = [ball(x) + y for x, y in zip(origin, self._moved(tau), strict=True)]
-            return (*reduced, *turn, *places)
+            rough = self.solution.states([number(moment)])[0, len(reduced) :]
+            return (*reduced, *self._lifted(tau, there, rough))
 
 
 def rigorous_motion(solution: GenusTwo, digits: int, until: Any) -> RigorousMotion:

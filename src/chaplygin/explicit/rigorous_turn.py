@@ -6,20 +6,62 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
 import sympy as sp
 from flint import arb, arb_mat
 
 from ..mechanics.attitude import attitude
-from ..system import flat_pairs
 from ..vectors import scalar
+from .lift import on_arrays, place_rates
 from .numbers import components
 from .prepared import Prepared, chain
 from .rigorous_formula import Branch
+from .spin import farthest, references, spinning, turned
 
-__all__ = ["PathRates", "Turn", "path_rates"]
+__all__ = ["Pair", "PathRates", "Turn", "path_rates"]
 
+#: Points per phase at which the directions of two vectors are compared.
+_COARSE = 24
 _AXES = sp.Matrix(3, 3, lambda k, s: scalar(f"axis_{k + 1}{s + 1}"))
 _TRIAD = sp.Matrix(3, 3, lambda k, b: scalar(f"triad_{k + 1}{b + 1}"))
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Two vectors in body axes by which an attitude is known.
+
+    Attributes
+    ----------
+    first, second : vectors
+        The first is fixed in space.
+    rate : formula or None
+        At which the second turns about the first, in t; None where it is fixed too.
+    """
+
+    first: Any
+    second: Any
+    rate: Any
+
+    @classmethod
+    def of(cls, prepared: Prepared) -> Pair | None:
+        """Two fixed vectors, or one and another that stays away from it; None if none is fixed."""
+        separable, torus = prepared.separable, prepared.torus
+        if not separable.fixed:
+            return None
+        first, *others = separable.fixed
+        if others:
+            return cls(first, others[0], None)
+        choice = references(separable)
+        parts = [c for vector in (first, *(e.vector for e in choice)) for c in components(vector)]
+        places = 2.0 * np.indices((_COARSE, _COARSE)).reshape(2, -1).T / _COARSE
+        values = on_arrays(prepared, parts)(*torus.values(places)).reshape(-1, 3, _COARSE**2)
+        best = choice[farthest(values[0], list(values[1:]))]
+        return cls(first, best.vector, spinning(separable, best))
+
+    def turning(self, prepared: Prepared) -> Branch:
+        """The rate in τ, as a function of ν and ν′."""
+        formula = components(prepared.separable.clock)[0] * self.rate
+        return Branch([formula], prepared.values, chain(prepared.separable, [formula])[1])
 
 
 @dataclass(frozen=True)
@@ -38,14 +80,21 @@ class Turn:
     axes: Any
 
     @classmethod
-    def through(cls, prepared: Prepared, there: Sequence[Any], quaternion: Sequence[Any]) -> Turn:
+    def through(
+        cls, prepared: Prepared, pair: Pair, there: Sequence[Any], quaternion: Sequence[Any]
+    ) -> Turn:
         """From ν and ν′ and the attitude (w, x, y, z, body to space) at the start."""
-        formulas = list(_triad(prepared))
+        formulas = list(_triad(pair.first, pair.second))
         _, steps = chain(prepared.separable, formulas)
         body = Branch(formulas, prepared.values, steps)
         rows = arb_mat(3, 3, body.at(*there))
         length = sum((x * x for x in quaternion), arb(0)).sqrt()
         return cls(body, rows * _matrix([x / length for x in quaternion]).transpose())
+
+    def turned(self, angle: Any) -> Turn:
+        """The triad turned in space by an angle (arb) about its first vector."""
+        rows = turned(self.axes.table(), angle.cos(), angle.sin())
+        return Turn(self.body, arb_mat([list(row) for row in rows]))
 
     def matrix(self, there: Sequence[Any]) -> Any:
         """The matrix from body to space components (arb_mat), at ν and ν′."""
@@ -60,11 +109,11 @@ class Turn:
         return [squares[place][i] / largest if i != place else largest for i in range(4)]
 
 
-def _triad(prepared: Prepared) -> Any:
-    """Orthonormal: along the first fixed vector, across both, and the third."""
-    first, second = (sp.Matrix(components(vector)) for vector in prepared.separable.fixed)
-    normal = first.cross(second)
-    one, three = (u / sp.sqrt(u.dot(u)) for u in (first, normal))
+def _triad(first: Any, second: Any) -> Any:
+    """Orthonormal: along the first vector, the part of the second across it, and across both."""
+    along, other = (sp.Matrix(components(vector)) for vector in (first, second))
+    normal = along.cross(other)
+    one, three = (u / sp.sqrt(u.dot(u)) for u in (along, normal))
     return sp.Matrix([one.T, three.cross(one).T, three.T])
 
 
@@ -108,18 +157,15 @@ class PathRates:
     shares: tuple[tuple[tuple[int, tuple[int, int]], ...], ...]
 
 
-def path_rates(prepared: Prepared) -> PathRates | None:
+def path_rates(prepared: Prepared, pair: Pair) -> PathRates | None:
     """Derivatives of the coordinates in space beside the attitude; None if there are none.
 
     Quaternions enter the rates of a path in products of two, which are linear in the matrix, and
     the matrix is Σ axis_k triad_kᵀ.  The coefficient of each component of an axis is a function on
     the torus that at most changes its sign with the periods, which the rate itself need not.
     """
-    motion = prepared.separable.system.motion
-    if motion is None:
-        return None
     names = attitude.symbols
-    rates = [formula for name, formula in flat_pairs(motion.field) if name not in names]
+    rates = place_rates(prepared.separable)
     if not rates:
         return None
     products = _products((_AXES.T * _TRIAD).tolist())
@@ -129,8 +175,8 @@ def path_rates(prepared: Prepared) -> PathRates | None:
     for rate in rates:
         total = sp.S.Zero
         for powers, coefficient in sp.Poly(rate, *names).terms():
-            pair = [i for i, power in enumerate(powers) for _ in range(power)]
-            total += coefficient * (products[pair[0]][pair[1]] if pair else 1)
+            both = [i for i, power in enumerate(powers) for _ in range(power)]
+            total += coefficient * (products[both[0]][both[1]] if both else 1)
         linear = sp.Poly(total, *_AXES)
         own = []
         for place, axis in enumerate(_AXES):
@@ -140,7 +186,7 @@ def path_rates(prepared: Prepared) -> PathRates | None:
                     functions.append(function)
                 own.append((functions.index(function), divmod(place, 3)))
         shares.append(tuple(own))
-    triad = list(zip(_TRIAD, _triad(prepared), strict=True))
+    triad = list(zip(_TRIAD, _triad(pair.first, pair.second), strict=True))
     needed = [*functions, *(formula for _, formula in triad)]
     _, steps = chain(prepared.separable, needed)
     return PathRates(Branch(functions, prepared.values, (*steps, *triad)), tuple(shares))
