@@ -146,8 +146,18 @@ def test_a_system_in_other_letters() -> None:
     assert np.abs(solution.states(trajectory.times) - trajectory.states).max() < 1e-12
 
 
-def test_a_full_inertia_tensor() -> None:
-    ball = Rolling(Body(1.3, FULL, Ball(0.9)), contact="rubber", field=Field(9.81))
+@pytest.mark.parametrize(
+    "ball",
+    [
+        # its parameter g is gravity, and the constant g of the separation is another one
+        replace(BALL, field=Field(9.81)),
+        Rolling(Body(1.3, FULL, Ball(0.9)), contact="rubber", field=Field(9.81)),
+        Rolling(Body(1.3, (1.0, 1.5, 1.5), Ball(0.9)), contact="rubber"),
+        Rolling(Body(1.3, (1.5, 1.0, 1.5), Ball(0.9)), contact="rubber"),
+    ],
+    ids=["heavy", "full tensor", "symmetric about axis 1", "symmetric about axis 2"],
+)
+def test_solutions_are_told_in_the_axes_of_the_body(ball: Rolling) -> None:
     problem = problem_of(ball)
     solution = solution_of(problem)
     trajectory = integrate(problem.system, problem.start, np.linspace(0.0, 20.0, 5))
@@ -172,6 +182,12 @@ def test_bodies_are_found_in_their_equations(rolling: Rolling) -> None:
     assert found is not None
     assert found.system().field == system.field
     assert found.body.inertia == rolling.body.inertia
+
+
+def test_axes_that_a_tensor_does_not_determine() -> None:
+    tensor = ((1.5, 0.5, 0.0), (0.5, 1.5, 0.0), (0.0, 0.0, 1.0))
+    with pytest.raises(InputError, match="give the body in principal axes"):
+        solution_of(problem_of(Rolling(Body(1.3, tensor, Ball(0.9)), contact="rubber")))
 
 
 def veselova_start() -> tuple[System, tuple[Any, ...]]:

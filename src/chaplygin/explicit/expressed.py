@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from ..system import System
-from ..vectors import constant, explicit
+from ..vectors import constant, explicit, scalar
 from .separable import Separable
 
 __all__ = ["expressed"]
@@ -36,7 +36,7 @@ def expressed(
     """
     home = separable.system
     names = dict(zip(home.symbols, system.symbols, strict=True))
-    known: dict[sp.Symbol, sp.Expr] = {**names, **parameters}
+    known: dict[sp.Symbol, sp.Expr] = {**names, **parameters, **_constants(separable, system)}
     for symbol, value in home.steps:
         known[symbol] = value.xreplace(known)
 
@@ -52,7 +52,9 @@ def expressed(
         separable,
         system=system,
         level=each(separable.level),
-        constants=tuple((symbol, told(formula)) for symbol, formula in separable.constants),
+        constants=tuple(
+            (known.get(symbol, symbol), told(formula)) for symbol, formula in separable.constants
+        ),
         direction=told(separable.direction),
         turning=told(separable.turning),
         poles=each(separable.poles),
@@ -70,6 +72,13 @@ def expressed(
         fixed=each(separable.fixed),
         laws=(),
     )
+
+
+def _constants(separable: Separable, system: System) -> dict[sp.Symbol, sp.Symbol]:
+    """New names for constants whose letters mean something else in a system."""
+    taken = {*system.symbols, *system.defaults, *(symbol for symbol, _ in system.steps)}
+    clashes = [symbol for symbol, _ in separable.constants if symbol in taken]
+    return {symbol: scalar(f"{symbol}_const") for symbol in clashes}
 
 
 def _parts(name: Any, formula: Any) -> list[tuple[sp.Symbol, Any]]:

@@ -10,6 +10,7 @@ import numpy as np
 import sympy as sp
 from flint import acb_mat, arb, arb_mat, ctx
 
+from ..errors import InputError
 from ..mechanics.rolling import Rolling
 from ..mechanics.shapes import Ball
 from ..system import System
@@ -63,21 +64,33 @@ class Turned(Solution):
 
 
 def in_principal_axes(problem: Problem) -> tuple[Problem, Any] | None:
-    """A ball with a full inertia tensor as one with principal moments.
+    """A ball in other axes: those of its inertia, its axis of symmetry last if it is a rubber ball.
 
     Returns
     -------
     Problem, arb_mat
-        The same motion in principal axes, its parameters and start as balls, and the orthogonal
-        matrix that takes its lifted states back; None where the axes are principal, or the body
-        is no ball and has axes of its own.
+        The same motion in those axes, and the orthogonal matrix that takes its lifted states
+        back; None where the axes are such already, or the body is no ball and has axes of its
+        own.
+
+    Raises
+    ------
+    InputError
+        If two principal moments of a full tensor are so near that they do not tell the axes.
     """
     rolling = problem.rolling
-    if rolling is None or rolling.body.principal or not isinstance(rolling.body.shape, Ball):
+    if rolling is None or not isinstance(rolling.body.shape, Ball):
+        return None
+    order = _order(problem, rolling) if rolling.body.principal else None
+    if rolling.body.principal and order is None:
         return None
     with ctx.workdps(DIGITS):
-        entries = [ball(exact(problem.parameters[s])) for s in Symmetric("I").symbols]
-        moments, axes = _axes(entries)
+        if order is not None:
+            moments = [problem.parameters[Diagonal("I").symbols[i]] for i in order]
+            axes = arb_mat([[int(i == row) for i in order] for row in range(SPACE)])
+        else:
+            entries = [ball(exact(problem.parameters[s])) for s in Symmetric("I").symbols]
+            moments, axes = _axes(entries)
         lifted = problem.system.lifted() if problem.system.motion else problem.system
         matrix = _blocks(lifted, axes)
         column = arb_mat([[ball(exact(x))] for x in problem.start])
@@ -85,12 +98,24 @@ def in_principal_axes(problem: Problem) -> tuple[Problem, Any] | None:
         turn = [[number(x) for x in row] for row in axes.tolist()]
         made = _turned(rolling, [number(x) for x in moments], np.array(turn))
         system = made.system(problem.system.name, problem.system.title)
+        if problem.system.motion is None:
+            system = replace(system, motion=None)
         parameters = {
             **system.defaults,
             **{s: x for s, x in problem.parameters.items() if s in system.defaults},
             **dict(zip(Diagonal("I").symbols, moments, strict=True)),
         }
         return Problem(system, parameters, start, made), matrix
+
+
+def _order(problem: Problem, rolling: Rolling) -> tuple[int, int, int] | None:
+    """The axes of a rubber ball with two equal moments, its axis of symmetry last."""
+    if rolling.contact != "rubber":
+        return None
+    first, second, third = (exact(problem.parameters[s]) for s in Diagonal("I").symbols)
+    if first == second or third not in (first, second):
+        return None
+    return (1, 2, 0) if second == third else (2, 0, 1)
 
 
 def told_back(problem: Problem, inner: Solution, matrix: Any) -> Turned:
@@ -122,7 +147,13 @@ def _axes(entries: Sequence[Any]) -> tuple[list[Any], Any]:
     """Principal moments, increasing, and the matrix whose columns are the axes, right-handed."""
     a, b, c, d, e, f = entries
     tensor = acb_mat([[a, b, c], [b, d, e], [c, e, f]])
-    values, vectors = tensor.eig(right=True)
+    try:
+        values, vectors = tensor.eig(right=True)
+    except ValueError:
+        raise InputError(
+            "inertia: two principal moments of this tensor coincide, so that its axes are not "
+            "determined; give the body in principal axes"
+        ) from None
     order = sorted(range(SPACE), key=lambda i: number(values[i].real))
     columns = []
     for i in order:

@@ -258,4 +258,10 @@ def _revolution(problem: Problem) -> Solution | None:
     return solve_rolling(problem.rolling, problem.system, problem.start, problem.parameters)
 
 
-RECOGNISERS: tuple[Recogniser, ...] = (_revolution, _principal, _separated)
+def _top(problem: Problem) -> Solution | None:
+    from .lagrange import solve_top
+
+    return solve_top(problem.system, problem.start, problem.parameters)
+
+
+RECOGNISERS: tuple[Recogniser, ...] = (_top, _revolution, _principal, _separated)
