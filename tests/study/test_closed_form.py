@@ -108,7 +108,7 @@ def test_numbers_with_error_bars() -> None:
     assert ball(arb(1) / 4, 15) == ("0.250000000000000", "0")
     assert ball(arb(0, 1e-20), 15)[0] == "0"
     assert number(FORM.figures[1]).startswith("2.0000000000000")
-    assert number(FORM.figures[2]) == "0.250000000000000 1/s"
+    assert number(FORM.figures[2]) == "0.25000000000000000000 1/s"
     value, radius = ball(arb(2).sqrt(), 10)
     assert arb(value, radius).contains(arb(2).sqrt())
 

@@ -15,7 +15,7 @@ from ..errors import InputError
 from ..system import System
 from .clock import Clock, clock_of
 from .lift import Lift, lift, on_arrays
-from .numbers import components, number
+from .numbers import components, evaluated, number
 from .prepared import Prepared, prepared
 from .separable import Separable
 from .solution import ClosedForm, Figure, Solution
@@ -95,7 +95,10 @@ def _form(solution: GenusTwo) -> ClosedForm:
     a, b = separable.speeds
     clock = solution.clock
     figures = [
-        *(Figure(str(name), motion.values[name], "constant") for name, _ in separable.constants),
+        *(
+            Figure(str(name), motion.values[name], *_told(motion, motion.values[name]))
+            for name, _ in separable.constants
+        ),
         *(
             Figure(f"e_{i}", root, "root of the curve")
             for i, root in enumerate(motion.curve.roots, 1)
@@ -126,6 +129,18 @@ def _form(solution: GenusTwo) -> ClosedForm:
         ovals=tuple((number(low), number(high)) for low, high in ends),
         source=separable.source,
     )
+
+
+def _told(motion: Prepared, value: Any) -> tuple[str, str]:
+    """Meaning and unit of a constant: those of the integral whose value it is, if there is one."""
+    system = motion.separable.system
+    known = {**motion.values, **dict(zip(system.symbols, motion.state, strict=True))}
+    for name, formula in system.steps:
+        known[name] = evaluated([formula], known)[0]
+    for law in system.integrals:
+        if evaluated(components(law.value), known)[0].overlaps(value):
+            return law.meaning or law.name, law.unit
+    return "constant", ""
 
 
 def solved(separable: Separable, values: Mapping[sp.Symbol, Any], start: Sequence[Any]) -> GenusTwo:

@@ -243,7 +243,7 @@ def letters(words: str) -> str:
     return re.sub(named, lambda found: text(scalar(found[0])), words)
 
 
-def number(figure: Figure, digits: int = 15) -> str:
+def number(figure: Figure, digits: int = 20) -> str:
     """The value of a figure with its error bound and unit."""
     middle, radius = ball(figure.value, digits)
     unit = "" if figure.unit in ("", "1") else f" {figure.unit}"
