@@ -12,7 +12,7 @@ import sympy as sp
 
 from chaplygin.errors import InputError
 from chaplygin.explicit.bifurcation import Diagram, bifurcation_diagram, located
-from chaplygin.explicit.bifurcation_families import PLANES, SEPARATED
+from chaplygin.explicit.bifurcation_families import PLANES, SEPARATED, plane_named
 from chaplygin.explicit.chaplygin_area import chaplygin_area
 from chaplygin.explicit.veselova import veselova
 from chaplygin.vectors import scalar
@@ -232,6 +232,15 @@ def test_a_missing_variable_is_refused(diagrams):
 def test_refused(name, parameters, words):
     with pytest.raises(InputError, match=words):
         bifurcation_diagram(name, parameters)
+
+
+def test_a_vertical_boundary_is_refused():
+    """With f = x + I₁y and h = y the motions with Γ₁ = 0 lie on a line x = const."""
+    plane = plane_named("neumann")
+    first = sp.Symbol("I_1", real=True)
+    sheared = plane.rest.subs({f: h + first * f, h: f}, simultaneous=True)
+    with pytest.raises(InputError, match="across a vertical line"):
+        bifurcation_diagram(replace(plane, rest=sheared))
 
 
 def test_three_constants_are_refused():

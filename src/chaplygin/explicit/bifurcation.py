@@ -198,7 +198,7 @@ def _number(plane: Plane, formula: Any, values: Mapping[sp.Symbol, Fraction]) ->
     for symbol, value in plane.system.steps:
         if not value.free_symbols - set(known):
             known[symbol] = value.xreplace(known)
-    return sp.sympify(formula).subs(known)
+    return sp.sympify(formula).xreplace(known)
 
 
 def _curve(plane: Plane, formula: Any, values: Mapping[sp.Symbol, Fraction]) -> fmpq_mpoly:

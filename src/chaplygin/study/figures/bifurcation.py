@@ -98,7 +98,7 @@ def _less(diagram: Diagram, frame: Window) -> str:
         return ""
     slope, offset = (float(value) for value in (frame.slope, frame.offset))
     sign = "-" if offset < 0 else "+"
-    return f"\nless $({slope:.4g}\\,{diagram.axes[0].symbol} {sign} {abs(offset):.4g})$"
+    return f"\nless $({slope:.6g}\\,{diagram.axes[0].symbol} {sign} {abs(offset):.6g})$"
 
 
 def _fill(axes: Axes, diagram: Diagram, lines: Mapping[int, Heights]) -> None:
