@@ -106,9 +106,7 @@ def _inverse(value: Any) -> Any:
     return 1 / value
 
 
-def triad(
-    first: Sequence[Any], second: Sequence[Any], sizes: tuple[Any, Any]
-) -> list[list[Any]]:
+def triad(first: Sequence[Any], second: Sequence[Any], sizes: tuple[Any, Any]) -> list[list[Any]]:
     """Orthonormal vectors: along the first one, across it, and across both.
 
     `sizes` are the lengths of the first and of the vector product, constants of the motion.

@@ -128,9 +128,7 @@ class AxialSolution(Solution):
     @cached_property
     def _stand(self) -> list[list[Any]]:
         """k₁, k₂, k₃ in space axes."""
-        return [
-            product(self.scene.attitude, self.scene.as_given(k)) for k in self.axial.frame()
-        ]
+        return [product(self.scene.attitude, self.scene.as_given(k)) for k in self.axial.frame()]
 
     def _begin(self, digits: int) -> tuple[Any, list[Any]]:
         """φ at σ = 0 and the place there, in the frame k."""
@@ -321,4 +319,3 @@ class FastAxial:
         if len(self._origin):
             columns.append((path.T @ self._stand)[:, :2] + self._origin)
         return np.concatenate(columns, axis=1)
-

@@ -131,9 +131,7 @@ def _periodic(motion: Periodic, integrands: Integrands, turn: Any) -> Quadrature
     kept = waves[:, 1:-1]
     needed = np.nonzero((np.abs(kept) > 1e-17 * size).any(0))[0]
     kept = kept[:, : (needed[-1] + 1 if len(needed) else 1)]
-    return Quadratures(
-        period, float(turn.mid()), halves(1 / turn), waves[:, 0].real, kept
-    )
+    return Quadratures(period, float(turn.mid()), halves(1 / turn), waves[:, 0].real, kept)
 
 
 @dataclass(frozen=True)
@@ -243,9 +241,7 @@ def _asymptotic(motion: Asymptotic, integrands: Integrands, turn: Any) -> Window
     return Window(made.period, edges, sums - made.within(np.zeros(1)), panels, sides[0], sides[1])
 
 
-def along(
-    motion: Periodic | Asymptotic, integrands: Integrands, turn: Any
-) -> Quadratures | Window:
+def along(motion: Periodic | Asymptotic, integrands: Integrands, turn: Any) -> Quadratures | Window:
     """Quadratures along any degenerate motion."""
     if isinstance(motion, Periodic):
         return _periodic(motion, integrands, turn)

@@ -138,7 +138,9 @@ def oval_around(leading: Any, roots: Sequence[Any], z: Any) -> Oval | None:
         low, high = ordered[place], ordered[place + 1]
         middle = (low + high) / 2
         made = _oval(leading, ordered, place)
-        inside = (z - low).mid() >= -low.rad() - z.rad() and (high - z).mid() >= -high.rad() - z.rad()
+        inside = (z - low).mid() >= -low.rad() - z.rad() and (
+            high - z
+        ).mid() >= -high.rad() - z.rad()
         if inside and made.square(middle) > 0:
             return made
     return None

@@ -8,7 +8,7 @@ import sympy as sp
 from flint import arb
 
 from .degenerate_motion import Asymptotic, Periodic
-from .degenerate_start import Beginning
+from .degenerate_start import COLLIDED, Beginning
 from .numbers import components, number
 from .separable import Separable
 from .solution import ClosedForm, Figure
@@ -61,7 +61,9 @@ def form_of(
         kind = "asymptotic in both directions of time to a permanent rotation"
         figures.append(Figure("lambda", abs(motion.growth), "rate of approach in τ"))
         figures.append(
-            Figure("Lambda", abs(motion.growth) * motion.period / turn, "mean rate of approach", "1/s")
+            Figure(
+                "Lambda", abs(motion.growth) * motion.period / turn, "mean rate of approach", "1/s"
+            )
         )
     return ClosedForm(
         title=separable.title,
@@ -83,7 +85,10 @@ def _ovals(
 ) -> tuple[tuple[Any, Any], ...]:
     """Where z₁ and z₂ live."""
     z = beginning.total[0] - e
-    others = sorted((r for r in beginning.roots if abs((r - e).mid()) > 0), key=lambda r: r.mid())
+    near = COLLIDED * beginning.size
+    others = sorted(
+        (r for r in beginning.roots if abs((r - e).mid()) > near), key=lambda r: r.mid()
+    )
     if isinstance(motion, Asymptotic):
         low = max((r for r in others if r < e), key=lambda r: r.mid())
         high = min((r for r in others if r > e), key=lambda r: r.mid())

@@ -10,12 +10,10 @@ from flint import arb, arb_mat
 
 from .degenerate_curve import Oval, oval_around
 from .degenerate_motion import Asymptotic, Periodic, direction, direction_array
-from .degenerate_start import Beginning
+from .degenerate_start import COLLIDED, Beginning
 
-__all__ = ["COLLIDED", "double_roots", "motion"]
+__all__ = ["double_roots", "motion"]
 
-#: Roots nearer to each other than this, relative to the largest, have collided.
-COLLIDED = arb("1e-40")
 #: Step of difference quotients at the working precision.
 STEP = arb(2) ** (-140)
 
@@ -42,14 +40,29 @@ def motion(beginning: Beginning, e: Any, others: list[Any]) -> Periodic | Asympt
     Periodic, Asymptotic or None
         None when both variables move away from e, or the curve degenerates further.
     """
-    if abs(beginning.separating(e).mid()) < COLLIDED * beginning.size**2:
+    if _stays(beginning, e):
         z = beginning.total[0] - e
         oval = oval_around(beginning.leading, others, z)
         return None if oval is None else _one_frequency(beginning, e, z, oval)
     oval = oval_around(beginning.leading, others, e)
-    if oval is None or not beginning.separating(e) < 0:
+    apart = beginning.separating(e).mid()
+    if oval is None or apart > COLLIDED * beginning.size * beginning.size:
         return None
     return _between(beginning, e, oval)
+
+
+def _stays(beginning: Beginning, e: Any) -> bool:
+    """Whether one of the variables stays at the double root.
+
+    At a pole it does where the component and its rate vanish: both variables may pass it together.
+    """
+    parts = zip(beginning.poles, beginning.nu, beginning.nuprime, strict=True)
+    scale = 1 + sum((abs(x.mid()) for x in beginning.nuprime), arb(0))
+    near = COLLIDED * beginning.size
+    for pole, nu, rate in parts:
+        if abs((pole - e).mid()) < near:
+            return bool(abs(nu.mid()) + abs(rate.mid()) / scale < COLLIDED)
+    return bool(abs(beginning.separating(e).mid()) < near * beginning.size)
 
 
 def _one_frequency(beginning: Beginning, e: Any, z: Any, oval: Oval) -> Periodic:
@@ -127,7 +140,9 @@ def _begun(made: Asymptotic, beginning: Beginning) -> Asymptotic:
     weights = [1 / arb(float(x)) for x in unit.ravel()]
     for _ in range(60):
         step = _gauss_newton(begun, wanted, weights)
-        begun = begun.begun((begun.phase + step[0]).mid(), (begun.offset + step[1]).mid(), (1, 1, 1))
+        begun = begun.begun(
+            (begun.phase + step[0]).mid(), (begun.offset + step[1]).mid(), (1, 1, 1)
+        )
         if all(abs(x.mid()) < STEP**2 for x in step):
             return begun
     raise ArithmeticError("the phases of an asymptotic motion were not found")

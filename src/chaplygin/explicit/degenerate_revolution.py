@@ -15,8 +15,7 @@ from flint import arb, ctx
 from ..system import System
 from .degenerate_axial import Axial, ChaplyginAxial, VeselovaAxial
 from .degenerate_axial_solution import AxialSolution, Scene
-from .degenerate_kinds import COLLIDED
-from .degenerate_start import PRECISION, exact_ball
+from .degenerate_start import COLLIDED, PRECISION, exact_ball
 from .degenerate_uniform import uniform
 from .one_variable import Steady, chart_of
 from .solution import Solution

@@ -304,7 +304,10 @@ class Rigorous:
         size = len(reduced)
         near = self.solution.states(np.array([float(time.mid())]))[0]
         axes = self._triad(nu, nuprime)
-        rows = [[dot([k[i] for k in self._stand], [a[j] for a in axes]) for j in range(3)] for i in range(3)]
+        rows = [
+            [dot([k[i] for k in self._stand], [a[j] for a in axes]) for j in range(3)]
+            for i in range(3)
+        ]
         turn = quaternion(rows, near[size : size + 4])
         places = [
             exact_ball(x) + self._total(index, sigma) + turns * self._total(index, 2 * arb.pi())

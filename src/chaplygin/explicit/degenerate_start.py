@@ -18,10 +18,12 @@ from .numbers import ball, components, evaluated
 from .separable import Separable
 from .start import on_phase_space
 
-__all__ = ["PRECISION", "Beginning", "begin", "constants_of", "exact_ball"]
+__all__ = ["COLLIDED", "PRECISION", "Beginning", "begin", "constants_of", "exact_ball"]
 
 #: Bits in which starts are worked out.
 PRECISION = 420
+#: Roots nearer to each other than this, relative to the largest, have collided.
+COLLIDED = arb("1e-40")
 
 
 @dataclass(frozen=True)

@@ -99,7 +99,12 @@ class Thetas:
             if not distance > 1:
                 continue
             reach = distance + height + 4
-            bound = reach * ((height * height - distance * distance) / (pi * self.y)).exp() * 4 / (pi * self.y)
+            bound = (
+                reach
+                * ((height * height - distance * distance) / (pi * self.y)).exp()
+                * 4
+                / (pi * self.y)
+            )
             ratio = (-(2 * distance + pi) / self.y).exp() * (reach + pi) / reach
             if ratio < 0.5 and bound < arb(2) ** (-ctx.prec - 8):
                 # two terms a step, and the terms left out at most double the first ones

@@ -138,9 +138,7 @@ class UniformSolution(Solution):
         return ClosedForm(
             title=self.system.title,
             motion="uniform rotation" if moving else "rest",
-            equations=(
-                (sp.Symbol("x"), sp.Symbol("exp(-t*Omega)") * sp.Symbol("x_0")),
-            ),
+            equations=((sp.Symbol("x"), sp.Symbol("exp(-t*Omega)") * sp.Symbol("x_0")),),
             figures=(
                 Figure("Omega", lengths[0], "rate at which vectors turn in the body", "rad/s"),
                 Figure("omega_0", lengths[1], "rate at which that frame turns in space", "rad/s"),
@@ -184,8 +182,7 @@ def _helix(axis: Sequence[Any], velocity: Sequence[Any], t: Any) -> list[Any]:
         return [v * t for v in velocity]
     along = [a * dot(axis, velocity) / square for a in axis]
     return [
-        a * t + first * (v - a) + second * c
-        for a, v, c in zip(along, velocity, once, strict=True)
+        a * t + first * (v - a) + second * c for a, v, c in zip(along, velocity, once, strict=True)
     ]
 
 
@@ -262,9 +259,7 @@ def _allowed(
     """Ω along an axis of symmetry, or zero."""
     near = arb("1e-40") * max(abs(moment) for moment in moments)
     found = [[arb(0)] * 3]
-    equal = [
-        abs((moments[(i + 1) % 3] - moments[(i + 2) % 3]).mid()) < near for i in range(3)
-    ]
+    equal = [abs((moments[(i + 1) % 3] - moments[(i + 2) % 3]).mid()) < near for i in range(3)]
     for i in (i for i in range(3) if equal[i]):
         axis = [arb(int(k == i)) for k in range(3)]
         sides = [cross(axis, vector) for vector in vectors]
