@@ -8,12 +8,12 @@ import mpmath
 import pytest
 import sympy as sp
 
-from chaplygin.explicit.rubber_sphere import hollow_ball, of_ratio, on_plane
+from chaplygin.explicit.rubber_sphere import hollow_ball, of_ratio, on_e3, on_plane
 from chaplygin.explicit.stated import stated
 from chaplygin.laws.prove import prove
 from explicit.along import abel_sums, at, located, restored, states
 
-FAMILY, BALL, ON_PLANE = of_ratio(), hollow_ball(), on_plane()
+FAMILY, BALL, ON_PLANE, ON_E3 = of_ratio(), hollow_ball(), on_plane(), on_e3()
 LAWS = {law.name: law for law in FAMILY.laws}
 PLANE = {law.name: law for law in ON_PLANE.laws}
 #: The separated equations in m, R and I take longer than those in J.
@@ -46,6 +46,11 @@ def test_of_the_ball(name):
 @pytest.mark.parametrize("name", PLANE)
 def test_on_the_plane(name):
     assert prove(ON_PLANE.system, PLANE[name]).decision == "proven"
+
+
+@pytest.mark.parametrize("law", ON_E3.laws, ids=lambda law: law.name)
+def test_on_e3(law):
+    assert prove(ON_E3.system, law).decision == "proven"
 
 
 @pytest.mark.slow

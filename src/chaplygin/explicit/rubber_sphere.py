@@ -36,9 +36,9 @@ from .separable import Separable, nu, nuprime
 from .stated import with_laws
 from .veselova import veselova as without_field
 
-__all__ = ["hollow_ball", "of_ratio", "on_plane"]
+__all__ = ["hollow_ball", "of_ratio", "on_e3", "on_plane"]
 
-omega, gamma, n = vectors("omega gamma n")
+omega, gamma, n, M = vectors("omega gamma n M")
 h, F = scalar("h"), scalar("F")
 HALF = sp.Rational(1, 2)
 
@@ -96,6 +96,32 @@ def of_ratio() -> Separable:
     return _around(
         "rubber-ball-of-ratio", family, n, rubber_ball_ratio.J.symbols, rubber_ball_ratio.k + 1
     )
+
+
+def on_e3() -> Separable:
+    """The Hamiltonian form (9.14) on e(3), at k = −1: γ = ν, M = −det J (ν×ν′), dt/dτ = (ν, Jν)."""
+    system = from_catalogue("rubber-ball-on-e3", k=-1.0)
+    moments = rubber_ball_ratio.J.symbols
+    det = sp.Mul(*moments)
+    J, A = (_tensor(moments, sp.Integer(power)) for power in (1, -1))
+    stiffness = dot(gamma, J * gamma)
+    known = of_ratio()
+    made = replace(
+        known,
+        name="rubber-ball-on-e3",
+        title="Hollow rubber ball around a sphere of half its radius, on e(3)",
+        system=system,
+        constants=(
+            (h, normed(M) / (2 * det * stiffness)),
+            (F, dot(M, J * M) / det + normed(M) * dot(gamma, A * gamma) / stiffness),
+        ),
+        direction=gamma,
+        turning=cross(gamma, M) / det,
+        clock=dot(nu, J * nu),
+        state=((M, -det * cross(nu, nuprime)), (gamma, nu)),
+        source="§9.3, (9.14)",
+    )
+    return with_laws(made)
 
 
 def on_plane() -> Separable:
