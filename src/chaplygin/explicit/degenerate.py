@@ -1,14 +1,16 @@
 """Degenerate curves: two roots have collided, and a motion needs elliptic functions alone.
 
-The curve y² = leading ∏ (z − root) with a double root e leaves w = y/(z − e), an elliptic curve.  Either
-one of the variables z₁, z₂ stays at e and the other one runs around an oval of w (permanent
-rotations, bodies that turn about an axis of theirs), or e has closed the gap between the two variables
-and the motion runs from one such motion to another (separatrices).
+The curve y² = leading ∏ (z − root) with a double root e leaves w = y/(z − e), an elliptic curve.
+Either one of the variables z₁, z₂ stays at e and the other one runs around an oval of w (permanent
+rotations), or e has closed the gap between the two variables and the motion runs from one such
+motion to another (separatrices).
 
-Starts are floats.  They are taken as exact binary numbers, moved onto the phase space in many
-digits, and a collision is recognised when it is exact to within 1e-40 of the largest root: nothing
-is rounded off towards a degenerate motion.  A start that is merely near to one belongs to the generic
-case, whose roots are as many digits apart as they are.
+The numbers of a start are taken exactly (a float as the binary number that it is, a fraction as it
+stands), moved onto the phase space in many digits, and a collision is recognised when it is exact
+to within 1e-40 of the largest root: nothing is rounded off towards a degenerate motion.  A start
+that is merely near to one belongs to the generic case, whose roots are as many digits apart as they
+are.  Every collision between the two variables, or of one of them with the end of its oval, is
+covered; where two pairs of roots have collided at once the answer is None.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import sympy as sp
-from flint import acb, arb
+from flint import acb
 
 from .degenerate_quaternion import cross
 from .numbers import Steps, ball
@@ -33,7 +33,6 @@ def analytic(
     steps : pairs of Symbol and formula
         Intermediate quantities, in order.
     """
-
     tape = _Tape(names)
     for name, formula in steps:
         tape.places[name] = tape.place(formula)

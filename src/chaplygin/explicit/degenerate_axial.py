@@ -11,8 +11,8 @@ Both systems have two vectors that stand still in space, and e is known in the f
         k₃ = γ, k₁ ∥ M − gγ, m² = f − g²,      e = ((M₃ − gu)/m, a u̇/m, u),
         ω = (M + Dsγ)/a + ε(M₃ + Dsu)e,      s = (ω, γ) = (g/a + εM₃u)/W.
 
-c and K are constants of the motion that only these bodies have.  :data:`laws` states all this as laws
-of the systems.
+c and K are constants of the motion that only these bodies have; :mod:`.degenerate_laws` states them
+and the equations of u as laws of the systems.
 """
 
 from __future__ import annotations
@@ -109,6 +109,8 @@ class VeselovaAxial(Axial):
 
     @property
     def equation(self) -> Equation:
+        """That of u."""
+
         def numerator(u: Any) -> Any:
             return self.energy * (1 - u * u) - self.spin * self.spin
 
@@ -116,6 +118,7 @@ class VeselovaAxial(Axial):
         return Equation(numerator, lambda u: 0 * u + self.A, arb(-1.5), arb(1.5))
 
     def axis(self, F: Any, u: Any, rate: Any) -> list[Any]:
+        """e at u, u̇."""
         size = F.number(self.momentum.sqrt())
         return [-F.number(self.A) / size * rate, F.number(self.spin) * self._G(F, u) / size, u]
 
@@ -124,23 +127,28 @@ class VeselovaAxial(Axial):
         return F.sqrt(F.number(self.C) + F.number(self.A - self.C) * u * u)
 
     def omega(self, F: Any, u: Any, rate: Any) -> list[Any]:
+        """ω at u, u̇."""
         e, size = self.axis(F, u, rate), F.number(self.momentum.sqrt())
         own = F.number((self.C - self.A) * self.spin) / self._G(F, u)
         A = F.number(self.A)
         return [-own * e[0] / A, (size - own * e[1]) / A, 0 * u]
 
     def vectors(self, F: Any, u: Any, rate: Any) -> list[list[Any]]:
+        """The vectors of the reduced state."""
         return [self.omega(F, u, rate), [0 * u, 0 * u, 0 * u + 1]]
 
     def velocity(self, F: Any, u: Any, rate: Any) -> list[Any] | None:
+        """Rate of the place."""
         return None
 
     @property
     def rising(self) -> Any:
+        """u̇ at the start."""
         omega, gamma = self.start
         return gamma[0] * omega[1] - gamma[1] * omega[0]
 
     def frame(self) -> list[list[Any]]:
+        """k₁, k₂, k₃ at the start, body axes with e last."""
         omega, gamma = self.start
         L = cross([self.A * omega[0], self.A * omega[1], self.C * omega[2]], gamma)
         first = [x / self.momentum.sqrt() for x in L]
@@ -199,6 +207,7 @@ class ChaplyginAxial(Axial):
 
     @property
     def equation(self) -> Equation:
+        """That of u."""
         g, f = self.area, self.square
 
         def numerator(u: Any) -> Any:
@@ -220,11 +229,13 @@ class ChaplyginAxial(Axial):
         return W, M, (F.number(self.area / self.a) + epsilon * M * u) / W
 
     def axis(self, F: Any, u: Any, rate: Any) -> list[Any]:
+        """e at u, u̇."""
         _, M, _ = self._M(F, u)
         m = F.number(self.across)
         return [(M - F.number(self.area) * u) / m, F.number(self.a) * rate / m, u]
 
     def omega(self, F: Any, u: Any, rate: Any) -> list[Any]:
+        """ω at u, u̇."""
         _, M, s = self._M(F, u)
         e = self.axis(F, u, rate)
         a, D = F.number(self.a), F.number(self.D)
@@ -236,20 +247,24 @@ class ChaplyginAxial(Axial):
         ]
 
     def vectors(self, F: Any, u: Any, rate: Any) -> list[list[Any]]:
+        """The vectors of the reduced state."""
         zero = 0 * u
         M = [zero + F.number(self.across), zero, zero + F.number(self.area)]
         return [M, [zero, zero, zero + 1]]
 
     def velocity(self, F: Any, u: Any, rate: Any) -> list[Any] | None:
+        """Rate of the place."""
         omega, R = self.omega(F, u, rate), F.number(self.R)
         return [R * omega[1], -R * omega[0], 0 * u]
 
     @property
     def rising(self) -> Any:
+        """u̇ at the start."""
         M, gamma = self.start
         return (gamma[0] * M[1] - gamma[1] * M[0]) / self.a
 
     def frame(self) -> list[list[Any]]:
+        """k₁, k₂, k₃ at the start, body axes with e last."""
         M, gamma = self.start
         first = [(x - self.area * n) / self.across for x, n in zip(M, gamma, strict=True)]
         return [first, cross(gamma, first), list(gamma)]

@@ -10,7 +10,7 @@ and the axes next to e are f₁ and f₂ turned by φ.  k_r is taken such that e
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -82,16 +82,12 @@ class AxialSolution(Solution):
     chart: Chart
     u: Any
     rate: Any
+    system: System = field(init=False)
+    parameters: Mapping[sp.Symbol, Any] = field(init=False)
 
-    @property
-    def system(self) -> System:  # type: ignore[override]
-        """Lifted to space."""
-        return self.scene.system
-
-    @property
-    def parameters(self) -> Mapping[sp.Symbol, Any]:  # type: ignore[override]
-        """As given."""
-        return self.scene.parameters
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "system", self.scene.system)
+        object.__setattr__(self, "parameters", self.scene.parameters)
 
     # --- along the motion ------------------------------------------------------------------
 
@@ -226,7 +222,7 @@ class AxialSolution(Solution):
         """The equation of u, its turning points, period and mean rates."""
         u = sp.Symbol("u")
         with ctx.workprec(working_bits(FAST)):
-            ends = sorted((float(x.place.mid()) for x in (self.chart.first, self.chart.second)))
+            ends = sorted(float(x.place.mid()) for x in (self.chart.first, self.chart.second))
             figures = [
                 Figure("u_1", self.chart.first.place, "turning point of u = (γ, e)"),
                 Figure("u_2", self.chart.second.place, "turning point of u"),

@@ -35,7 +35,7 @@ def form_of(
     turn : arb
         What the clock gains in a period.
     """
-    w, z, y, e_, tau, t = sp.symbols("w z y e tau t")
+    w, z, y, e_ = sp.symbols("w z y e")
     z_1, z_2, w_1, w_2 = sp.symbols("z_1 z_2 w_1 w_2")
     d = [sp.Symbol(f"d{name}") for name in ("z", "z_1", "z_2", "tau", "t")]
     a, b = (sp.sympify(speed) for speed in separable.speeds)

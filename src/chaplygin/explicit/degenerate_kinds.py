@@ -1,4 +1,4 @@
-"""Which degenerate motion it is: colliding roots found, and the motion's constants from its start."""
+"""Which degenerate motion it is: roots that collide, and constants of the motion from its start."""
 
 from __future__ import annotations
 

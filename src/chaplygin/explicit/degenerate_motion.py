@@ -4,8 +4,8 @@ Both kinds of motion have ν = N/|N|.  When one variable stays at the double roo
 
     N_i = c_i θ_i(v),        v = v₀ + Ωτ,
 
-a motion of one frequency, with N_i = 0 when e is the pole e_i.  When e closes the gap between the two
-variables, with e = z(s) and U = v₁ + v₂,
+a motion of one frequency, with N_i = 0 when e is the pole e_i.  When e closes the gap between the
+two variables, with e = z(s) and U = v₁ + v₂,
 
     N_i = c_i (e^{−κ} θ_i(U − s) ± e^{κ} θ_i(U + s)),       N_e = c_e θ₁(U),
 
@@ -77,9 +77,11 @@ class Periodic(Numerators):
 
     @property
     def period(self) -> Any:
+        """The time τ in which U grows by 2π."""
         return 2 * arb.pi() / abs(self.speed)
 
     def at(self, tau: Any) -> Triples:
+        """N and N′ at an arb or acb."""
         v = self.phase + self.speed * tau
         pairs = [
             (c * value, c * self.turn * slope)
@@ -90,6 +92,7 @@ class Periodic(Numerators):
         return [value for value, _ in pairs], [slope for _, slope in pairs]
 
     def array(self, tau: Any, turns: Any) -> tuple[Any, Any]:
+        """N and N′ (3, n) in double precision."""
         turn = float(self.turn)
         v = float(self.phase) + float(self.speed) * tau
         values, slopes = [], []
@@ -133,9 +136,11 @@ class Asymptotic(Numerators):
 
     @property
     def period(self) -> Any:
+        """The time τ in which U grows by 2π."""
         return 2 * arb.pi() / abs(self.speed)
 
     def at(self, tau: Any) -> Triples:
+        """N and N′ at an arb or acb."""
         U, kappa = self.phase + self.speed * tau, self.offset + self.growth * tau
         real = kappa.real if isinstance(kappa, acb) else kappa
         # the common factor keeps the larger exponential at one
@@ -165,6 +170,7 @@ class Asymptotic(Numerators):
         return values, slopes
 
     def array(self, tau: Any, turns: Any) -> tuple[Any, Any]:
+        """N and N′ (3, n) in double precision."""
         growth = float(self.growth)
         U = float(self.phase) + float(self.speed) * tau
         kappa = float(self.offset) + growth * tau + growth * float(self.period) * turns

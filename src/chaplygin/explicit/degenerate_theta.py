@@ -4,10 +4,10 @@ With q = exp(−πy), y > 0,
 
     θ₁ = 2 Σ (−1)ⁿ q^{(n+½)²} sin (2n+1)ζ,      θ₃ = 1 + 2 Σ q^{n²} cos 2nζ,
 
-θ₂(ζ) = θ₁(ζ + ½π), θ₄(ζ) = θ₃(ζ + ½π).  For y < 1 the same functions are taken as sums of Gaussians,
-√y θ₃ = Σ exp(−(ζ − nπ)²/(πy)) over all integers n, in which nothing cancels and which needs few terms
-where the first series needs many.  A motion is a ratio of theta functions, so the common factor √y
-is left out there.
+θ₂(ζ) = θ₁(ζ + ½π), θ₄(ζ) = θ₃(ζ + ½π).  For y < 1 the same functions are taken as sums of
+Gaussians, √y θ₃ = Σ exp(−(ζ − nπ)²/(πy)) over all integers n, in which nothing cancels and which
+needs few terms where the first series needs many.  A motion is a ratio of theta functions, so the
+common factor √y is left out there.
 """
 
 from __future__ import annotations
