@@ -22,8 +22,9 @@ from flint import arb
 from ..mechanics.rolling import Rolling
 from ..statements import Isomorphism
 from ..system import System, flat_pairs
+from ..systems import entry
 from ..systems.entry import bruns_factor
-from ..vectors import Diagonal, scalar
+from ..vectors import scalar
 from .bodies import rolling_of
 from .expressed import expressed
 from .numbers import ball, evaluated
@@ -72,30 +73,62 @@ def solution_of(problem: Problem) -> Solution:
 # --- systems that separate -----------------------------------------------------------------
 
 
-#: Where the systems that separate on a curve of genus two are told of, module and function.
+@dataclass(frozen=True)
+class Place:
+    """Where a system that separates on a curve of genus two is told of.
+
+    Attributes
+    ----------
+    module, function : str
+    state : str
+        The vectors of its state.
+    letters : str
+        Its parameters but for the inertia, where it is a rolling body.
+    """
+
+    module: str
+    function: str
+    state: str
+    letters: str | None = None
+
+    def fits(self, problem: Problem) -> bool:
+        """Whether its state is named as that of the problem."""
+        return self.state == " ".join(map(str, problem.system.state))
+
+    def may_be(self, problem: Problem) -> bool:
+        """Whether it is worth a comparison; rolling bodies always have the same letters."""
+        if problem.rolling is None:
+            return True
+        field = {"K"} if problem.rolling.field.potential != 0 else set()
+        known = {str(symbol) for symbol in problem.parameters} | field
+        return self.fits(problem) and self.letters is not None and set(self.letters) <= known
+
+
+#: In the order in which they are tried, but for those with the letters of a problem.
 SEPARABLE = (
-    ("rubber_ball_plane", "rubber_ball_plane"),
-    ("rubber_sphere", "on_plane"),
-    ("veselova", "veselova"),
-    ("chaplygin_ball", "chaplygin_ball"),
-    ("chaplygin_area", "chaplygin_area"),
-    ("rubber_sphere", "hollow_ball"),
-    ("rubber_sphere", "of_ratio"),
-    ("ball_sphere", "hollow_ball"),
-    ("ball_sphere", "of_tensor"),
-    ("neumann", "neumann_system"),
-    ("clebsch", "clebsch_case"),
-    ("fedorov", "fedorov"),
-    ("bruns", "veselova_in_bruns_field"),
-    ("bruns", "rubber_ball_in_bruns_field"),
-    ("bruns_ball", "chaplygin_ball_in_bruns_field"),
-    ("bruns_sphere", "hollow_ball_in_bruns_field"),
+    Place("rubber_ball_plane", "rubber_ball_plane", "omega gamma", "mR"),
+    Place("rubber_sphere", "on_plane", "omega n"),
+    Place("veselova", "veselova", "omega gamma"),
+    Place("chaplygin_ball", "chaplygin_ball", "M gamma", "mR"),
+    Place("chaplygin_area", "chaplygin_area", "M gamma", "mR"),
+    Place("rubber_sphere", "hollow_ball", "omega gamma", "mRa"),
+    Place("rubber_sphere", "of_ratio", "omega n"),
+    Place("ball_sphere", "hollow_ball", "M gamma", "mRa"),
+    Place("ball_sphere", "of_tensor", "M n"),
+    Place("neumann", "neumann_system", "M Gamma"),
+    Place("clebsch", "clebsch_case", "M Gamma"),
+    Place("fedorov", "fedorov", "K gamma"),
+    Place("bruns", "veselova_in_bruns_field", "omega gamma"),
+    Place("bruns", "rubber_ball_in_bruns_field", "omega gamma", "mRK"),
+    Place("bruns_ball", "chaplygin_ball_in_bruns_field", "M gamma", "mRK"),
+    Place("bruns_sphere", "hollow_ball_in_bruns_field", "M gamma", "mRaK"),
 )
 
 
 @lru_cache(maxsize=len(SEPARABLE))
-def _told(module: str, function: str) -> Separable:
-    made: Separable = getattr(import_module(f".{module}", __package__), function)()
+def _told(place: Place) -> Separable:
+    module = import_module(f".{place.module}", __package__)
+    made: Separable = getattr(module, place.function)()
     return made
 
 
@@ -127,8 +160,9 @@ def likeness(problem: Problem) -> Likeness | None:
     """
     numbers = {symbol: exact(value) for symbol, value in problem.parameters.items()}
     missed: Likeness | None = None
-    for place in SEPARABLE:
-        known = _told(*place)
+    places = [place for place in SEPARABLE if place.may_be(problem)]
+    for place in sorted(places, key=lambda place: not place.fits(problem)):
+        known = _told(place)
         if len(known.system.symbols) != len(problem.system.symbols):
             continue
         for formulas in _matches(problem, known.system):
@@ -168,15 +202,9 @@ def _matches(problem: Problem, target: System) -> Iterator[Formulas]:
             told = _written_out(problem.system, law)
             if all(s in told for s in wanted):
                 yield {s: told[s] for s in wanted}
-    if set(_ROLLING) <= set(own) and set(wanted) == set(_INERTIA):
-        yield {s: s + own["m"] * own["R"] ** 2 for s in wanted}
-    if len(wanted) <= len(own) <= FEW:
+    if problem.rolling is None and len(wanted) <= len(own) <= FEW:
         for chosen in permutations(problem.parameters, len(wanted)):
             yield dict(zip(wanted, chosen, strict=True))
-
-
-_INERTIA = Diagonal("I").symbols
-_ROLLING = ("m", "R", *map(str, _INERTIA))
 
 
 def _field(rolling: Rolling | None) -> dict[sp.Symbol, Any]:
@@ -261,6 +289,9 @@ def _revolution(problem: Problem) -> Solution | None:
 def _top(problem: Problem) -> Solution | None:
     from .lagrange import solve_top
 
+    top = entry("lagrange-top").system()
+    if problem.system.field != top.field or problem.system.definitions != top.definitions:
+        return None
     return solve_top(problem.system, problem.start, problem.parameters)
 
 
