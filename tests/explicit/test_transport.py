@@ -7,14 +7,15 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from flint import ctx
 
 from chaplygin.errors import InputError
 from chaplygin.explicit.chaplygin_ball import chaplygin_ball
 from chaplygin.explicit.clebsch import clebsch_case
 from chaplygin.explicit.fedorov import fedorov
-from chaplygin.explicit.genus_two import solved
+from chaplygin.explicit.genus_two import BITS, solved
 from chaplygin.explicit.neumann import neumann_system
-from chaplygin.explicit.numbers import ball, evaluated, number
+from chaplygin.explicit.numbers import ball, evaluated
 from chaplygin.explicit.stated import stated
 from chaplygin.explicit.transport import inverse, pulled_back, pushed_forward, there_and_back
 from chaplygin.explicit.veselova import veselova
@@ -62,13 +63,14 @@ def given(case):
 
 def image(system, law, start):
     """The parameters of the target, and the image of a start, as balls."""
-    known = {symbol: ball(Fraction(str(x))) for symbol, x in system.defaults.items()}
-    known |= {s: ball(Fraction(str(x))) for s, x in zip(system.symbols, start, strict=True)}
-    for symbol, formula in system.steps:
-        known[symbol] = evaluated([formula], known)[0]
-    constants = {p: evaluated([explicit(f)], known)[0] for p, f in law.constants}
-    shared = {p.symbol: known.get(p.symbol) for p in law.target.parameters}
-    return {**shared, **constants}, evaluated([f for _, f in flat_pairs(law.map)], known)
+    with ctx.workprec(BITS):
+        known = {symbol: ball(Fraction(str(x))) for symbol, x in system.defaults.items()}
+        known |= {s: ball(Fraction(str(x))) for s, x in zip(system.symbols, start, strict=True)}
+        for symbol, formula in system.steps:
+            known[symbol] = evaluated([formula], known)[0]
+        constants = {p: evaluated([explicit(f)], known)[0] for p, f in law.constants}
+        shared = {p.symbol: known.get(p.symbol) for p in law.target.parameters}
+        return {**shared, **constants}, evaluated([f for _, f in flat_pairs(law.map)], known)
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -107,21 +109,20 @@ def test_back_from_the_target(case):
     assert np.abs(found - motion.states).max() < 1e-12
 
 
-@pytest.mark.parametrize("case", ["Theorem 8", "Fedorov"])
+@pytest.mark.parametrize(
+    "case", ["Theorem 8", "Theorem 10", pytest.param("Fedorov", marks=pytest.mark.slow)]
+)
 def test_forth_to_the_target(case):
     system, law, target, start = given(case)
     near = replace(FORTH[case](), system=system)
     parameters, begin = image(system, law, start)
-    pushed = pushed_forward(system, law, near, system.defaults)
-    found = solved(pushed, parameters, begin).states(TIMES)
+    pushed = pushed_forward(system, law, near)
+    found = solved(pushed, {**pushed.system.defaults, **parameters}, begin).states(TIMES)
     own = solved(replace(target, system=bare(target.system)), parameters, begin).states(TIMES)
     assert np.abs(found - own).max() < 1e-12
-    numbers = {str(symbol): number(x) for symbol, x in parameters.items()}
-    motion = integrate(bare(law.target), [number(x) for x in begin], TIMES, parameters=numbers)
-    assert np.abs(found - motion.states).max() < 1e-12
 
 
-@pytest.mark.parametrize("case", FORTH)
+@pytest.mark.parametrize("case", ["Theorem 8", "Theorem 10"])
 def test_both_sides_agree(case):
     system, law, target, start = given(case)
     near = solved(replace(FORTH[case](), system=system), system.defaults, start)

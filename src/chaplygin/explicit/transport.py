@@ -18,7 +18,6 @@ from ..errors import InputError
 from ..statements import Identity, Isomorphism
 from ..system import System, flat_pairs
 from ..vectors import Vector, constant, explicit, normed, scalar
-from .problem import exact
 from .separable import Separable
 
 __all__ = ["inverse", "pulled_back", "pushed_forward", "there_and_back", "written_out"]
@@ -169,9 +168,7 @@ def pulled_back(
     )
 
 
-def pushed_forward(
-    system: System, law: Isomorphism, separable: Separable, values: Mapping[sp.Symbol, Any]
-) -> Separable:
+def pushed_forward(system: System, law: Isomorphism, separable: Separable) -> Separable:
     """The target of an isomorphism as a system that separates because the other side does.
 
     Parameters
@@ -181,25 +178,38 @@ def pushed_forward(
     law : Isomorphism
     separable : Separable
         Of `system`.
-    values : mapping of Symbol to number
-        The parameters of `system`; they are put in, but for those that the target shares.
 
     Returns
     -------
     Separable
         Of the target, for motions that are images: the parameters that the isomorphism gives as
-        integrals must have the values of these on the motion.
+        integrals must have the values of these on the motion.  Parameters of `system` that the
+        target does not share become its parameters too; a name that it has gets a tilde.
 
     Raises
     ------
     InputError
         If the map has no explicit inverse.
     """
-    target = law.target
     named = {p for p, _ in law.constants}
-    kept = {p.symbol for p in target.parameters if p.symbol not in named}
-    names = _fresh((s for s, _ in separable.constants), target)
-    names |= {p: sp.Rational(str(exact(x))) for p, x in values.items() if p not in kept}
+    shared = {p.symbol for p in law.target.parameters} - named
+    further = [p for p in system.parameters if p.symbol not in shared]
+    constants = (s for s, _ in separable.constants)
+    names = _fresh((*(p.symbol for p in further), *constants), law.target)
+    target = replace(
+        law.target,
+        parameters=(
+            *law.target.parameters,
+            *(
+                replace(
+                    p,
+                    symbol=names[p.symbol],
+                    admissible=tuple(_put(relation, names) for relation in p.admissible),
+                )
+                for p in further
+            ),
+        ),
+    )
     back = {s: _put(f, names) for s, f in inverse(system, law).items()}
 
     def told(formula: Any) -> Any:
