@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import random
+from fractions import Fraction
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -44,6 +47,26 @@ def test_more_tori_followed(name):
 
 def test_tori_of_the_ball_with_any_area():
     _agrees(chaplygin_area(), bifurcation_diagram("chaplygin-ball-area"))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize(
+    "name", ["neumann", "veselova-bruns", "chaplygin-ball-bruns", "chaplygin-ball-area"]
+)
+def test_tori_of_other_bodies(name, seed):
+    generator = random.Random(f"{name} {seed}")
+    separable = chaplygin_area() if name == "chaplygin-ball-area" else SEPARATED[name]()
+    moments = generator.sample(range(100, 200), 3)
+    values = {f"I_{i}": Fraction(moment, 100) for i, moment in enumerate(moments, 1)}
+    strength = Fraction(generator.choice([-1, 1]) * generator.randint(3, 20), 10)
+    values |= {s: strength for s in ("c", "K") if s in map(str, separable.system.defaults)}
+    diagram = bifurcation_diagram(name, values)
+    for region in diagram.regions:
+        wanted = [family.tori for family in region.families]
+        # near resonances and separatrices a motion takes long to go everywhere
+        reached = (counted(separable, diagram, region, until) for until in (40.0, 400.0))
+        assert wanted in reached if wanted else not region.tori
 
 
 # --- existence -----------------------------------------------------------------------------
