@@ -1,9 +1,9 @@
 """States of a degenerate motion in balls, with proven bounds of all errors.
 
 The clock and the places are integrated in the phase σ = |dU/dτ| τ, over one period of a periodic
-motion, or over as much as is asked for of the window outside of which an asymptotic one agrees with
-its limits to the digits wanted.  Beyond it the numerators are those of the limit with balls for what
-still differs, so that one period of them bounds every period to come.
+motion, or over as much as is asked for of the window outside of which an asymptotic one agrees
+with its limits to the digits wanted.  Beyond it the numerators are those of the limit with balls
+for what still differs, so that one period of them bounds every period to come.
 """
 
 from __future__ import annotations

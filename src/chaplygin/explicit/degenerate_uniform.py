@@ -3,8 +3,8 @@
 The vectors of the reduced state turn rigidly in the body, x(t) = e^{−tΩ×} x(0), with a constant Ω:
 zero for an equilibrium of the reduced system, along the axis of symmetry of a body of revolution, ω
 itself for a permanent rotation (about a principal axis, or about any axis when all moments are
-equal).  The first two follow from the rates at the start by symmetry; the third is checked along the
-turn.  Then, with ω at the start,
+equal).  The first two follow from the rates at the start by symmetry; the third is checked along
+the turn.  Then, with ω at the start,
 
     Q(t) = Q(0) e^{t(ω − Ω)×} e^{tΩ×},
 
