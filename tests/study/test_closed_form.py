@@ -119,6 +119,8 @@ def test_letters_and_equations() -> None:
     assert letters("<phi'>") == "<φ'>"
     assert letters("theta_min") == "θₘᵢₙ"
     dtau, dz = sp.symbols("dtau dz_1")
+    angle = sp.Function("varphi")(sp.Symbol("t"))
+    assert equation(angle, dtau).startswith(r"\varphi\left(t\right) = ")
     assert equation(dz, dtau) == r"\mathrm{d}z_{1} = \mathrm{d}\tau"
 
 

@@ -224,12 +224,13 @@ def section(solution: Solution, trajectory: Trajectory) -> Section:
 
 
 def equation(left: Any, right: Any) -> str:
-    """An equation in LaTeX, symbols such as dz and dtau as differentials."""
+    """An equation in LaTeX, symbols such as dz and dtau as differentials, varphi as a letter."""
 
     def differential(found: re.Match[str]) -> str:
         return rf"\mathrm{{d}}{latex(sp.Symbol(found[1]))}"
 
-    return re.sub(r"\\text\{d([a-z]+)\}", differential, f"{latex(left)} = {latex(right)}")
+    written = f"{latex(left)} = {latex(right)}".replace(r"\text{varphi}", r"\varphi")
+    return re.sub(r"\\text\{d([a-z]+)\}", differential, written)
 
 
 def _symbol(written: str) -> str:
