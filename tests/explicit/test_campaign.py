@@ -34,6 +34,10 @@ from chaplygin.vectors import explicit
 DIGITS, SLACK = 20, 1e-25
 
 
+#: Where the systems of genus two are told of.
+PLACES = [(place.module, place.function) for place in SEPARABLE]
+
+
 @dataclass(frozen=True)
 class Outcome:
     """What one case came to.
@@ -142,20 +146,20 @@ def case(separable: Separable, seed: str, until: float, bounds: bool) -> Outcome
         return Outcome(fast, max(0.0, *beyond), max(float(ball.rad()) for ball in balls))
 
 
-@pytest.mark.parametrize("place", SEPARABLE, ids="-".join)
+@pytest.mark.parametrize("place", PLACES, ids="-".join)
 def test_fast_evaluation_agrees_with_integration(place: tuple[str, str]) -> None:
-    outcome = case(told(*place), "quick", 20.0, bounds=False)
+    outcome = case(told(*place), "quick", 5.0, bounds=False)
     assert outcome.fast < 1e-13
 
 
 def test_balls_contain_the_integrated_state() -> None:
-    outcome = case(told("veselova", "veselova"), "quick", 20.0, bounds=True)
+    outcome = case(told("veselova", "veselova"), "quick", 5.0, bounds=True)
     assert outcome.missed < SLACK
     assert outcome.radius < 1e-19
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("place", SEPARABLE, ids="-".join)
+@pytest.mark.parametrize("place", PLACES, ids="-".join)
 def test_two_hundred_motions(place: tuple[str, str]) -> None:
     count: Counter[str] = Counter()
     for number in range(200):
