@@ -22,6 +22,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import sympy as sp
 from flint import acb, arb
 
 from .degenerate_quaternion import cross, dot
@@ -64,6 +65,16 @@ class Axial(ABC):
     @abstractmethod
     def velocity(self, F: Any, u: Any, rate: Any) -> list[Any] | None:
         """Rate of the place, three components; None for a body with a fixed point."""
+
+    @property
+    @abstractmethod
+    def shown(self) -> tuple[tuple[Any, Any], ...]:
+        """The equations, for a reader."""
+
+    @property
+    @abstractmethod
+    def constants(self) -> tuple[tuple[str, Any, str], ...]:
+        """Symbol, value and meaning of the constants in them."""
 
     @property
     @abstractmethod
@@ -116,6 +127,21 @@ class VeselovaAxial(Axial):
 
         # beyond ±1 the square is negative: the edges are no roots
         return Equation(numerator, lambda u: 0 * u + self.A, arb(-1.5), arb(1.5))
+
+    @property
+    def shown(self) -> tuple[tuple[Any, Any], ...]:
+        """A u̇² = 2h(1 − u²) − c²."""
+        A, h, c, u, udot = sp.symbols("A h c u udot")
+        return ((A * udot**2, 2 * h * (1 - u**2) - c**2),)
+
+    @property
+    def constants(self) -> tuple[tuple[str, Any, str], ...]:
+        """A, h and c."""
+        return (
+            ("A", self.A, "moment across the axis"),
+            ("h", self.energy / 2, "energy"),
+            ("c", self.spin, "constant of the body of revolution"),
+        )
 
     def axis(self, F: Any, u: Any, rate: Any) -> list[Any]:
         """e at u, u̇."""
@@ -220,6 +246,28 @@ class ChaplyginAxial(Axial):
             end = ((1 - self.D / self.a) / (self.D * self._epsilon)).sqrt()
             high = high.min((1 + end) / 2)
         return Equation(numerator, lambda u: 0 * u + self.a**2, -high, high)
+
+    @property
+    def shown(self) -> tuple[tuple[Any, Any], ...]:
+        """a²u̇² and M₃ in u."""
+        a, b, D, K, f, g, u, udot, M = sp.symbols("a b D K f g u udot M_3")
+        W = 1 - D / a - D * (1 / b - 1 / a) * u**2
+        return (
+            (a**2 * udot**2, f * (1 - u**2) - g**2 + 2 * g * u * M - M**2),
+            (M, K * sp.sqrt(W) - D * g * u / (a - D)),
+        )
+
+    @property
+    def constants(self) -> tuple[tuple[str, Any, str], ...]:
+        """a, b, D, f, g and K."""
+        return (
+            ("a", self.a, "moment about the contact, across the axis"),
+            ("b", self.b, "moment about the contact, along the axis"),
+            ("D", self.D, "mR²"),
+            ("f", self.square, "square of the momentum"),
+            ("g", self.area, "area integral"),
+            ("K", self.own, "constant of the ball of revolution"),
+        )
 
     def _M(self, F: Any, u: Any) -> tuple[Any, Any, Any]:
         """W, M₃ and s."""

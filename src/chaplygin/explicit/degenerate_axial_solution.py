@@ -5,6 +5,10 @@ The axes of the body follow from e by an angle φ: with k_r one of the vectors t
     f₁ ∥ k_r − (k_r, e)e,  f₂ = e×f₁,        φ̇ = (ω₃ − (k_r, e)(k_r, ω))/(1 − (k_r, e)²),
 
 and the axes next to e are f₁ and f₂ turned by φ.  k_r is taken such that e stays away from it.
+
+the unit sphere and, by the formula of M₃, on a conic cylinder about its centre, one eigenvalue of
+the unit sphere and, by the formula of M₃, on a conic cylinder about its centre whose form has an
+eigenvalue below 1: where the two touch, at a vertex of the conic, they meet nowhere near.
 """
 
 from __future__ import annotations
@@ -22,8 +26,8 @@ from scipy.spatial.transform import Rotation
 from ..system import System
 from .degenerate_axial import Axial
 from .degenerate_quaternion import cross, dot, product, quaternion, times_array
-from .one_variable import Course, Places
-from .one_variable_charts import BALLS, DOUBLES, Chart
+from .one_variable import Course
+from .one_variable_charts import BALLS, DOUBLES, Oscillating
 from .one_variable_panels import working_bits
 from .revolution import balls_of, needed
 from .revolution_angles import Turning
@@ -79,7 +83,7 @@ class AxialSolution(Solution):
 
     scene: Scene
     axial: Axial
-    chart: Chart
+    chart: Oscillating
     u: Any
     rate: Any
     system: System = field(init=False)
@@ -166,29 +170,11 @@ class AxialSolution(Solution):
             u = self.chart.place(BALLS, at.phase)
             rate = self.chart.slope(BALLS, at.phase) / self.chart.clock(acb(at.phase)).real
             phi, path = self._begin(work)
-            gains = self.course.advances(work)[1:] if self.course.periodic else ()
-            tail = self._tail(at, work, u)
-            totals = [
-                value + sum(more, arb(0))
-                for value, *more in zip(
-                    at.values,
-                    [at.periods * gain for gain in gains] or [arb(0)] * len(at.values),
-                    tail,
-                    strict=True,
-                )
-            ]
-            if at.beyond != 0:
-                end = self.course.tails[1 if at.beyond > 0 else 0]
-                u, rate = u.union(end.place), rate.union(arb(0))
+            gains = self.course.advances(work)[1:]
+            totals = [x + at.periods * gain for x, gain in zip(at.values, gains, strict=True)]
             turned = self._turned(u, rate, phi + totals[0])
             place = [a + b for a, b in zip(path, totals[1:], strict=True)]
             return self._assembled(u, rate, turned, place, near)
-
-    def _tail(self, at: Places, work: int, u: Any) -> list[Any]:
-        if at.beyond == 0:
-            return [arb(0)] * len(at.values)
-        end = self.course.tails[1 if at.beyond > 0 else 0]
-        return [rate * at.beyond for rate in self.course.limits(work, end)]
 
     def _turned(self, u: Any, rate: Any, phi: Any) -> list[list[Any]]:
         """The body's axes, e last, in the frame k."""
@@ -220,24 +206,21 @@ class AxialSolution(Solution):
     @cached_property
     def form(self) -> ClosedForm:
         """The equation of u, its turning points, period and mean rates."""
-        u = sp.Symbol("u")
         with ctx.workprec(working_bits(FAST)):
             ends = sorted(float(x.place.mid()) for x in (self.chart.first, self.chart.second))
-            figures = [
+            period, turn, *_ = self.course.advances(FAST)
+            figures = (
+                *(Figure(*line) for line in self.axial.constants),
                 Figure("u_1", self.chart.first.place, "turning point of u = (γ, e)"),
                 Figure("u_2", self.chart.second.place, "turning point of u"),
-            ]
-            motion = "asymptotic to a steady rotation"
-            if self.course.periodic:
-                period, turn, *_ = self.course.advances(FAST)
-                figures.append(Figure("T", period, "period of u", "s"))
-                figures.append(Figure("phi", turn / period, "mean rate of φ", "rad/s"))
-                motion = "the axis of symmetry is periodic in space, the body turns about it"
+                Figure("T", period, "period of u", "s"),
+                Figure("phi", turn / period, "mean rate of the angle φ about e", "rad/s"),
+            )
         return ClosedForm(
             title=self.scene.title + ", two equal moments",
-            motion=motion,
-            equations=((sp.Symbol("udot") ** 2, sp.Function("P")(u)),),
-            figures=tuple(figures),
+            motion="the axis of symmetry is periodic in space, the body turns about it",
+            equations=self.axial.shown,
+            figures=figures,
             ovals=((ends[0], ends[1]),),
             source=self.scene.source,
         )
@@ -251,25 +234,17 @@ class FastAxial:
         course = whole.course
         phi, path = whole._begin(FAST)
         self._path = np.array([float(x.mid()) for x in path])
-        self._phi = Turning.of(arb(0), phi)
-        self._periodic = course.periodic
-        if self._periodic:
-            _, turn, *gains = course.advances(FAST)
-            self._phi = Turning.of(turn, phi)
-            self._gains = np.array([float(x.mid()) for x in gains])
-        else:
-            ends = [course.limits(FAST, end) for end in course.tails]
-            self._tails = np.array([[float(x.mid()) for x in end] for end in ends])
+        _, turn, *gains = course.advances(FAST)
+        self._phi = Turning.of(turn, phi)
+        self._gains = np.array([float(x.mid()) for x in gains])
         self._stand = np.array([[float(x.mid()) for x in k] for k in whole._stand])
         self._origin = np.array([float(x.mid()) for x in whole.scene.place])
-        limit = np.pi if self._periodic else float(course.horizon(FAST).mid())
-        self._low, self._step = -limit, 2 * limit / POINTS
-        sigma = self._low + self._step * np.arange(POINTS + 1)
+        sigma = np.linspace(-np.pi, np.pi, POINTS + 1)
         clock = [float(whole.chart.clock(acb(x)).real.mid()) for x in sigma]
         table = self._frames(sigma, 1 / np.array(clock))[0]
         change = np.where(np.sum(table[1:] * table[:-1], axis=1) < 0, -1.0, 1.0)
         self._table = table * np.concatenate([[1.0], np.cumprod(change)])[:, None]
-        self._flip = float(np.sign(self._table[0] @ self._table[-1])) if self._periodic else 1.0
+        self._flip = float(np.sign(self._table[0] @ self._table[-1]))
         self._sign = 1.0
         start = np.array([float(x.mid()) for x in whole.scene.attitude])
         size = len(whole.scene.system.symbols) - 4 - len(self._origin)
@@ -293,18 +268,13 @@ class FastAxial:
         whole = self._whole
         at = whole.course.fast.place(times)
         turns, u, rate = self._frames(at.phase, at.rate)
-        place = np.clip(np.rint((at.phase - self._low) / self._step), 0, POINTS).astype(int)
+        place = np.clip(np.rint((at.phase / np.pi + 1) * POINTS / 2), 0, POINTS).astype(int)
         sign = np.where(np.sum(self._table[place] * turns, axis=1) < 0, -1.0, 1.0)
         phi, *path = at.values
         path = np.array(path).reshape(-1, len(times)) + self._path[:, None]
-        if self._periodic:
-            sign = sign * np.where(at.periods % 2 == 1, self._flip, 1.0)
-            phi = phi + self._phi(at.periods)
-            path = path + np.multiply.outer(self._gains, at.periods)
-        else:
-            rates = np.where(at.beyond < 0, self._tails[0][:, None], self._tails[1][:, None])
-            phi = phi + self._phi(np.zeros_like(phi)) + rates[0] * at.beyond
-            path = path + rates[1:] * at.beyond
+        sign = sign * np.where(at.periods % 2 == 1, self._flip, 1.0)
+        phi = phi + self._phi(at.periods)
+        path = path + np.multiply.outer(self._gains, at.periods)
         half = np.zeros((len(times), 4))
         half[:, 0], half[:, 1 + whole.scene.symmetry] = np.cos(phi / 2), np.sin(phi / 2)
         turns = (self._sign * sign)[:, None] * times_array(turns, half)

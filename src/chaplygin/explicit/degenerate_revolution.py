@@ -17,7 +17,8 @@ from .degenerate_axial import Axial, ChaplyginAxial, VeselovaAxial
 from .degenerate_axial_solution import AxialSolution, Scene
 from .degenerate_start import COLLIDED, PRECISION, exact_ball
 from .degenerate_uniform import uniform
-from .one_variable import Steady, chart_of
+from .one_variable import chart_of
+from .one_variable_charts import Oscillating
 from .solution import Solution
 from .start import on_phase_space
 
@@ -73,7 +74,7 @@ def _solved(
         u = second[2]
         rate = axial.rising
         chart = chart_of(axial.equation, u, rate)
-        if isinstance(chart, Steady):
+        if not isinstance(chart, Oscillating):
             return None
         return AxialSolution(scene, axial, chart, u, rate)
 
