@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -12,6 +13,8 @@ import sympy as sp
 from flint import acb, acb_mat, arb, ctx
 
 from chaplygin.errors import InputError
+from chaplygin.explicit.bruns import veselova_in_bruns_field
+from chaplygin.explicit.chaplygin_ball import chaplygin_ball
 from chaplygin.explicit.genus_two import solved
 from chaplygin.explicit.numbers import components
 from chaplygin.explicit.prepared import Prepared, chain, prepared
@@ -21,8 +24,10 @@ from chaplygin.explicit.rigorous_formula import Branch, LeavesBranchError, direc
 from chaplygin.explicit.rigorous_quadrature import RigorousQuadrature, quadratures
 from chaplygin.explicit.rigorous_strip import least, lines_of, strip_bound
 from chaplygin.explicit.rigorous_theta import Numerators, numerators_at
-from chaplygin.explicit.separable import nu, nuprime
+from chaplygin.explicit.rubber_sphere import hollow_ball
+from chaplygin.explicit.separable import Separable, nu, nuprime
 from chaplygin.explicit.veselova import veselova
+from chaplygin.mechanics.start import starting_state
 
 BITS = 300
 VESELOVA = veselova()
@@ -270,3 +275,29 @@ def test_states_keep_the_integrals_and_agree_with_doubles() -> None:
     assert max(float(x.rad()) for x in state) < 1e-19
     rough = solution.states(np.array([1e6]))[0]
     assert max(abs(float(x.mid()) - y) for x, y in zip(state, rough, strict=True)) < 1e-11
+
+
+@pytest.mark.parametrize("make", [chaplygin_ball, veselova_in_bruns_field])
+def test_motion_in_space_agrees_with_doubles(make: Callable[[], Separable]) -> None:
+    """Two fixed directions and a path, and one fixed direction."""
+    separable = make()
+    values = {p.symbol: p.default for p in separable.system.parameters}
+    start = starting_state(separable.system, (1.0, 0.5, 0.0), (0.0, 0.0, 1.0))
+    solution = solved(separable, values, start)
+    balls = rigorous_motion(solution, 8, 30.0).state(30.0)
+    assert max(float(x.rad()) for x in balls) < 1e-8
+    rough = solution.states(np.array([30.0]))[0]
+    assert len(balls) == len(rough)
+    assert max(abs(float((x - float(y)).mid())) for x, y in zip(balls, rough, strict=True)) < 1e-12
+
+
+def test_without_fixed_directions_the_attitude_is_left_open() -> None:
+    separable = hollow_ball()
+    values = {p.symbol: p.default for p in separable.system.parameters}
+    start = starting_state(separable.system, (1.0, 0.5, 0.0), (0.0, 0.0, 1.0))
+    solution = solved(separable, values, start)
+    balls = rigorous_motion(solution, 8, 30.0).state(30.0)
+    assert max(float(x.rad()) for x in balls[:6]) < 1e-8
+    rough = solution.states(np.array([30.0]))[0]
+    for ball, number in zip(balls[6:], rough[6:], strict=True):
+        assert ball.contains(arb(float(number)))
