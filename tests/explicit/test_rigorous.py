@@ -273,6 +273,8 @@ def test_states_keep_the_integrals_and_agree_with_doubles() -> None:
         assert energy.contains(arb(before.numerator) / before.denominator)
         assert sum((g * w for g, w in zip(gamma, omega, strict=True)), arb(0)).contains(0)
     assert max(float(x.rad()) for x in state) < 1e-19
+    again = solution.rigorous(1e6, 20)
+    assert all(x.overlaps(y) for x, y in zip(state, again, strict=True))
     rough = solution.states(np.array([1e6]))[0]
     assert max(abs(float(x.mid()) - y) for x, y in zip(state, rough, strict=True)) < 1e-11
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
+from math import ceil, log10
 from typing import TYPE_CHECKING, Any
 
 from flint import arb, ctx
@@ -23,6 +24,8 @@ __all__ = ["RigorousMotion", "rigorous_motion", "rigorous_state"]
 
 #: Bits lost between the start and the phases, at most on motions that are not nearly degenerate.
 _LOST = 100
+#: Times are prepared for up to whole powers of 10 to this.
+_DECADES = 6
 
 
 @dataclass(frozen=True)
@@ -176,4 +179,25 @@ def rigorous_state(solution: GenusTwo, time: Any, digits: int) -> tuple[Any, ...
     InputError
         See :func:`rigorous_motion`.
     """
-    return rigorous_motion(solution, digits, time).state(time)
+    length = abs(number(ball(time)))
+    steps = ceil(log10(max(length, 1.0)) / _DECADES)
+    return _ready(_Itself(solution), digits, _DECADES * max(1, steps)).state(time)
+
+
+class _Itself:
+    """A solution, equal to itself alone."""
+
+    def __init__(self, solution: GenusTwo) -> None:
+        self.solution = solution
+
+    def __hash__(self) -> int:
+        return id(self.solution)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Itself) and other.solution is self.solution
+
+
+@lru_cache(maxsize=4)
+def _ready(itself: _Itself, digits: int, decades: int) -> RigorousMotion:
+    """A motion prepared for all times up to a power of ten, kept for the next time asked."""
+    return rigorous_motion(itself.solution, digits, 10**decades)
