@@ -214,6 +214,16 @@ def _newton(function: Callable[[Any], tuple[Any, Any]], guess: Any, width: Any) 
     image = guess - value / function(ball)[1]
     if not (image.is_finite() and ball.contains(image) and abs(image - guess) < width):
         return None
-    for _ in range(2):
-        image = guess - value / function(image)[1]
-    return image
+    return _narrowed(function, image)
+
+
+def _narrowed(function: Callable[[Any], tuple[Any, Any]], ball: Any) -> Any:
+    """A ball that contains exactly one root, as small as the precision allows."""
+    for _ in range(HALVINGS):
+        middle = ball.mid()
+        # the derivative over the whole ball, which holds both the middle and the root
+        image = (middle - function(middle)[0] / function(ball)[1]).intersection(ball)
+        if not image.rad() < ball.rad() / 2:
+            return image if image.rad() < ball.rad() else ball
+        ball = image
+    return ball
