@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.study.prepare import catalogue_experiment, prepare
 from chaplygin.vectors import explicit
+from systems import built
 
 
 @pytest.mark.parametrize(
@@ -15,7 +15,7 @@ from chaplygin.vectors import explicit
 )
 def test_integrals_leave_two_dimensions(name: str, cyclic: int) -> None:
     """Relations and integrals are independent; the place along the line is a cyclic variable."""
-    made = prepare(catalogue_experiment(name))
+    made = built.study(name)
     system = made.system
     state = list(system.symbols)
     functions = [explicit(law.value) for law in system.integrals]

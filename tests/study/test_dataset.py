@@ -19,8 +19,8 @@ from chaplygin.study.dataset import read, to_dataset, write
 from chaplygin.study.experiment import loads
 from chaplygin.study.prepare import catalogue_experiment, dataset_of, prepare
 from chaplygin.systems import CATALOGUE
-
-ROLLING = tuple(name for name, item in CATALOGUE.items() if item.rolling() is not None)
+from systems import built
+from systems.built import ROLLING
 
 DIMENSIONS = {
     "omega": ("time", "axis"),
@@ -66,7 +66,7 @@ def test_a_rolling_body_has_all_of_its_variables(name):
     made = short(name)
     for variable, dimensions in DIMENSIONS.items():
         assert made[variable].dims == dimensions, variable
-    for law in CATALOGUE[name].system().integrals:
+    for law in built.system(name).integrals:
         assert made[f"law_{law.name}"].dims == ("time",)
     assert dict(made.sizes) == {"time": 5, "axis": 3, "space": 3, "quaternion": 4}
     assert made["axis"].values.tolist() == [1, 2, 3]
@@ -92,7 +92,7 @@ def test_every_variable_says_what_it_is(name):
             assert variable.attrs["frame"] == "body axes"
         if "space" in variable.dims[1:]:
             assert variable.attrs["frame"] == "space axes"
-    for law in prepare(catalogue_experiment(name)).watched.integrals:
+    for law in built.study(name).watched.integrals:
         assert made[f"law_{law.name}"].attrs["source"] == law.source
         assert made[f"law_{law.name}"].attrs["long_name"] == law.meaning
 

@@ -8,11 +8,12 @@ import mpmath
 import numpy as np
 
 from chaplygin.study.experiment import StateExperiment, SystemExperiment
-from chaplygin.study.prepare import Study, catalogue_experiment, prepare
+from chaplygin.study.prepare import Study, prepare
 from chaplygin.system import System
 from chaplygin.systems import Entry
 from chaplygin.vectors import explicit, vectors
 from evaluation import on_conditions, parameter_values
+from systems import built
 
 #: A hollow ball of twice the radius of its sphere: the case k = −1 is kept.
 TWICE = ("ball-around-sphere", "ball-around-sphere-bruns", "rubber-ball-around-sphere")
@@ -69,7 +70,7 @@ def _random_velocity(
 
 def _random_state(system: System, entry: Entry, rng: np.random.Generator) -> dict[str, Any]:
     """The variables of the state, on the phase space."""
-    example = prepare(catalogue_experiment(entry.name)).start[: len(system.symbols)]
+    example = built.study(entry.name).start[: len(system.symbols)]
     size = max(map(abs, map(float, example)))
     known = {
         symbol: float(x) + 0.05 * size * rng.uniform(-1, 1)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from chaplygin.statements import Law
 from chaplygin.system import System
 from chaplygin.systems import CATALOGUE
+from systems.built import system
 
 
 @dataclass(frozen=True)
@@ -24,13 +25,13 @@ class Claimed:
 def _claimed() -> tuple[Claimed, ...]:
     found = []
     for name, entry in CATALOGUE.items():
-        systems = {name: entry.system()}
+        systems = {name: system(name)}
         if entry.general is not None:
             systems[f"{name} (general)"] = entry.general()
         found += [
-            Claimed(system, law, f"{label} {law.name}")
-            for label, system in systems.items()
-            for law in system.laws
+            Claimed(one, law, f"{label} {law.name}")
+            for label, one in systems.items()
+            for law in one.laws
         ]
     return tuple(found)
 

@@ -9,9 +9,9 @@ import sympy as sp
 from chaplygin.errors import InputError
 from chaplygin.flow.trajectory import integrate
 from chaplygin.mechanics.rolling import Rolling
-from chaplygin.study.prepare import catalogue_experiment, prepare
 from chaplygin.system import System
 from chaplygin.systems import CATALOGUE, entry, from_catalogue
+from systems import built
 
 
 def whole(system: System) -> System:
@@ -21,8 +21,7 @@ def whole(system: System) -> System:
 
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_an_entry_describes_itself(name):
-    item = CATALOGUE[name]
-    system = item.system()
+    item, system = CATALOGUE[name], built.system(name)
     assert item.name == name == system.name
     assert item.title and system.title == item.title
     assert item.summary.endswith(".") and system.summary == item.summary
@@ -38,7 +37,7 @@ def test_an_entry_describes_itself(name):
 
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_names_are_unique(name):
-    system = whole(CATALOGUE[name].system())
+    system = whole(built.system(name))
     for group in (system.laws, system.observables):
         names = [item.name for item in group]
         assert len(set(names)) == len(names)
@@ -49,8 +48,7 @@ def test_names_are_unique(name):
 
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_defaults_are_admissible(name):
-    item = CATALOGUE[name]
-    system = item.system()
+    item, system = CATALOGUE[name], built.system(name)
     for parameter in system.parameters:
         for condition in parameter.admissible:
             assert condition.subs(system.defaults) == sp.true, condition
@@ -61,7 +59,7 @@ def test_defaults_are_admissible(name):
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_the_example_runs_to_its_end(name):
     item = CATALOGUE[name]
-    made = prepare(catalogue_experiment(name))
+    made = built.study(name)
     motion = integrate(made.watched, made.start, np.linspace(0.0, item.start.until, 11))
     assert motion.times[-1] == item.start.until
     assert motion.happenings == ()

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from chaplygin.flow.trajectory import integrate
-from chaplygin.study.prepare import catalogue_experiment, prepare
 from chaplygin.systems import entry
+from systems import built
 
 STEP = 2e-3
 #: Weights of the eighth-order central difference of a first derivative.
@@ -47,7 +47,7 @@ class Seen:
 
 def seen(name: str) -> Seen:
     """Follow a disk of the catalogue for a short time."""
-    made = prepare(catalogue_experiment(name))
+    made = built.study(name)
     numbers = entry(name).defaults
     motion = integrate(made.system, made.start, np.arange(0, 1.0, STEP))
     turn = turns(motion["attitude"])

@@ -21,11 +21,11 @@ from chaplygin.mechanics.shapes import Ball, Disk, Revolution, Torus
 from chaplygin.mechanics.start import starting_state
 from chaplygin.mechanics.surfaces import Sphere
 from chaplygin.statements import Integral
-from chaplygin.study.prepare import catalogue_experiment, prepare
 from chaplygin.system import System
 from chaplygin.systems import CATALOGUE, known_laws_of
 from chaplygin.vectors import dot, explicit, normed, vectors
 from evaluation import is_rational, on_conditions, parameter_values, rates_of_change
+from systems import built
 
 M, omega, gamma = vectors("M omega gamma")
 
@@ -89,7 +89,7 @@ def derivatives(
 
 def example(name: str) -> tuple[System, Any]:
     """A system of the catalogue with its start."""
-    made = prepare(catalogue_experiment(name))
+    made = built.study(name)
     return made.system, made.start
 
 
@@ -102,7 +102,7 @@ def test_integrals_of_the_catalogue(name, seed):
 
 
 @pytest.mark.parametrize("seed", range(SEEDS))
-@pytest.mark.parametrize("name", [n for n in CATALOGUE if CATALOGUE[n].system().relations])
+@pytest.mark.parametrize("name", [n for n in CATALOGUE if built.system(n).relations])
 def test_relations_are_kept(name, seed):
     system, start = example(name)
     claims = tuple(

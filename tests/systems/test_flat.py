@@ -10,22 +10,19 @@ import pytest
 import sympy as sp
 
 from chaplygin.flow.trajectory import Trajectory, integrate
-from chaplygin.study.prepare import Study, catalogue_experiment, prepare
+from chaplygin.study.prepare import Study
 from chaplygin.study.summary import drift
 from chaplygin.system import System
 from chaplygin.systems import CATALOGUE
 from chaplygin.vectors import explicit
 from evaluation import numeric
 from planted import moving_symbols
+from systems import built
 from systems.admissible import random_parameters, random_study
+from systems.built import NAMES, ROLLING
 
-NAMES = tuple(CATALOGUE)
-#: Bodies on a surface, which may be followed for as long as one likes.
-ROLLING = tuple(name for name in NAMES if CATALOGUE[name].rolling())
 #: Charts that a motion leaves in the end.
-CHARTS = tuple(
-    name for name in NAMES if {g.name for g in CATALOGUE[name].system().guards} & {"octant"}
-)
+CHARTS = tuple(name for name in NAMES if {g.name for g in built.system(name).guards} & {"octant"})
 
 
 def drifts(motion: Trajectory) -> dict[str, float]:
@@ -45,7 +42,7 @@ def drifts(motion: Trajectory) -> dict[str, float]:
 
 def example(name: str) -> Study:
     """The example of the catalogue; all of its integrals hold at its start."""
-    made = prepare(catalogue_experiment(name))
+    made = built.study(name)
     assert made.watched.integrals == made.system.integrals
     return made
 
@@ -82,7 +79,7 @@ def test_every_integral_is_flat_for_random_bodies(name, seed):
     entry, rng = CATALOGUE[name], np.random.default_rng((seed, crc32(name.encode())))
     made = random_study(entry, rng, random_parameters(entry, rng))
     assert max(drifts(follow(made, 20.0, 41)).values()) < 5e-14
-    named = [law.name for law in entry.system().integrals]
+    named = [law.name for law in built.system(name).integrals]
     assert [law.name for law in made.watched.integrals] == named
 
 

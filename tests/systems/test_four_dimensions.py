@@ -10,9 +10,9 @@ import pytest
 import sympy as sp
 
 from chaplygin.flow.trajectory import integrate
-from chaplygin.study.prepare import catalogue_experiment, prepare
 from chaplygin.system import System
 from chaplygin.systems import entry
+from systems import built
 
 PAIRS = tuple(combinations(range(4), 2))
 STEP = 1e-5
@@ -110,7 +110,7 @@ def test_reactions_of_the_veselova_system_lie_across_the_direction() -> None:
 
 @pytest.mark.parametrize("name", ["chaplygin-ball-4d", "veselova-4d"])
 def test_integrals_stay(name: str) -> None:
-    made = prepare(catalogue_experiment(name))
+    made = built.study(name)
     motion = integrate(made.system, made.start, np.linspace(0.0, 20.0, 41))
     for law in made.system.integrals:
         values = motion[f"law_{law.name}"]
