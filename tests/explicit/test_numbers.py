@@ -31,6 +31,7 @@ def test_formulas_agree_in_balls_and_arrays() -> None:
         (x + sp.Rational(1, 3)) ** 3 / sp.sqrt(y),
         sp.Abs(x) ** sp.Rational(-3, 2) + y**-2,
         sp.Integer(2),
+        sp.sqrt(2) * y / sp.sqrt(3),
         sp.Float(0.5) * x,
     )
     known = {x: arb("-0.7"), y: arb("1.9")}

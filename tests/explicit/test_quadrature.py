@@ -68,3 +68,10 @@ def test_a_third_frequency(omega: float) -> None:
 
         found = made.at(V_0 + np.outer([t], V), np.array([t]))[0]
         assert found == pytest.approx(by_trapezoids(rate, V, t), abs=1e-12)
+
+
+def test_a_function_that_vanishes_beside_one_that_does_not() -> None:
+    _, nothing = series(lambda v: [smooth(v)[0], 1e-18 * np.sin(np.pi * v[:, 0])])
+    made = quadrature(nothing, (arb(1), arb(0.62)), V_0)
+    value, rate = made.quasi(V_0[None, :], np.array([3.0]))
+    assert (made.mean, value[0], rate[0]) == (0.0, 0.0, 0.0)

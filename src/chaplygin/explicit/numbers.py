@@ -95,7 +95,9 @@ class _BallPrinter(PythonCodePrinter):
         return f"_float({float(expr)!r})"
 
     def _print_Pow(self, expr: Any, **settings: Any) -> str:
-        base = f"({self._print(expr.base)})"
+        # a whole number would stay a Python number, without a root
+        whole = expr.base.is_Integer
+        base = f"_fraction({expr.base}, 1)" if whole else f"({self._print(expr.base)})"
         exponent = expr.exp
         if exponent.is_Integer:
             # a whole power of a ball that contains zero is none; a product is

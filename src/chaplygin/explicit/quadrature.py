@@ -181,8 +181,8 @@ def quadrature(
     """
     k_1, k_2 = np.meshgrid(function.first, function.second, indexing="ij")
     speeds = np.pi * np.array(
-        [[number(int(k) * V[0] + int(m) * V[1]) for m in function.second] for k in function.first]
-    )
+        [number(int(k) * V[0] + int(m) * V[1]) for k, m in zip(k_1.flat, k_2.flat, strict=True)]
+    ).reshape(k_1.shape)
     coefficients = function.coefficients.copy()
     still = (k_1 == 0) & (k_2 == 0)
     own = float(coefficients[still].real.sum())
@@ -191,7 +191,8 @@ def quadrature(
     divided = np.where(
         speeds == 0, np.inf, np.abs(coefficients) / np.maximum(np.abs(speeds), 1e-300)
     )
-    scale = np.max(np.abs(function.coefficients))
+    # of a function that is rounding altogether nothing is left
+    scale = np.max(np.abs(function.coefficients), initial=0.0)
     apart = ~still & (np.abs(coefficients) > 0) & (divided > _SLOW * scale)
     phases = np.exp(1j * np.pi * (k_1 * v_0[0] + k_2 * v_0[1]))
     slow = np.array([(coefficients * phases)[apart], speeds[apart].astype(complex)]).T

@@ -41,7 +41,7 @@ class Turning:
     def at(self, v: Any, tau: Any) -> Any:
         """Values at phases v (n, 2), modulo 2, and τ (n,)."""
         # a term with a small divisor is left as it is: τ sin(x)/x
-        slow = np.abs(self.speeds) < 1e-3 * np.max(np.abs(self.speeds))
+        slow = np.abs(self.speeds) < 1e-3 * np.max(np.abs(self.speeds), initial=0.0)
         divided = np.where(slow, 0.0, self.coefficients / (1j * np.where(slow, 1.0, self.speeds)))
         waves = [
             np.exp(1j * np.pi * np.outer(v[:, axis], k))
@@ -85,10 +85,9 @@ def turning(
         whole[np.ix_(rows, columns)] += half
         rows, columns = np.searchsorted(first, -part.first), np.searchsorted(second, -part.second)
         whole[np.ix_(rows, columns)] += conjugate
+    k_1, k_2 = np.meshgrid(first, second, indexing="ij")
     speeds = np.pi * np.array(
-        [[number(int(k) * V[0] + int(m) * V[1]) for m in second] for k in first]
-    )
-    start = np.exp(
-        1j * np.pi * (np.multiply.outer(first * v_0[0], np.ones(len(second))) + second * v_0[1])
-    )
+        [number(int(k) * V[0] + int(m) * V[1]) for k, m in zip(k_1.flat, k_2.flat, strict=True)]
+    ).reshape(k_1.shape)
+    start = np.exp(1j * np.pi * (k_1 * v_0[0] + k_2 * v_0[1]))
     return Turning(first, second, whole * np.exp(1j * phase), speeds + omega, start, omega)

@@ -1,4 +1,4 @@
-"""Balls in Bruns' field whose equations are not solved in quadratures (§12, problem 1).
+"""Balls in Bruns' field for which §12, problem 1, asks for a solution in quadratures.
 
 A Chaplygin ball with rotors as well; and the hollow ball around a sphere of Borisov and Fedorov,
 where the field leaves the linear integral of k = −1 and changes the momentum integral as it does
@@ -92,7 +92,7 @@ ENTRIES = (
         title="Hollow ball around a sphere in Bruns' field",
         summary="The hollow ball that rolls around a sphere, in the potential U = ½K(γ, Iγ): the "
         "field changes the momentum integral as it does on a plane, and leaves the linear integral "
-        "of the case k = −1, for which no solution in quadratures is known.",
+        "of the case k = −1; at its value zero the equations separate.",
         source=SOURCE,
         defaults={**_INERTIA, "R": 2.0, "a": 1.0, "K": 0.5},
         build=around,
