@@ -6,10 +6,10 @@ The axes of the body follow from e by an angle φ: with k_r one of the vectors t
 
 and the axes next to e are f₁ and f₂ turned by φ.  k_r is taken such that e stays away from it.
 
-u always oscillates.  For the Veselova system u̇² is a quadratic in u.  For the Chaplygin ball e is on
-the unit sphere and, by the formula of M₃, on a conic cylinder about its centre whose quadratic form
-has an eigenvalue below 1: so where a vertex of the conic touches the sphere from within, it is the
-only place of the conic inside, and e rests there.
+u always oscillates.  For the Veselova system u̇² is a quadratic in u.  For the Chaplygin ball e is
+on the unit sphere and, by the formula of M₃, on a conic cylinder about its centre whose quadratic
+form has an eigenvalue below 1: so where a vertex of the conic touches the sphere from within, it is
+the only place of the conic inside, and e rests there.
 """
 
 from __future__ import annotations

@@ -221,7 +221,10 @@ def _asymptotic(motion: Asymptotic, integrands: Integrands, turn: Any) -> Window
     crossings = ((-FADED - offset) / growth, (FADED - offset) / growth)
     low, high = min(*crossings, 0.0), max(*crossings, 0.0)
     step = SPAN / max(abs(float(motion.speed)), abs(growth))
-    edges = np.linspace(low, high, int(np.ceil((high - low) / step)) + 1)
+    before, after = (int(np.ceil(abs(end) / step)) for end in (low, high))
+    edges = np.concatenate(
+        [np.linspace(low, 0.0, before + 1), np.linspace(0.0, high, after + 1)[1:]]
+    )
     nodes, weights = np.polynomial.legendre.leggauss(NODES)
     half = np.diff(edges) / 2
     tau = (edges[:-1] + half) + np.multiply.outer(nodes, half)
@@ -233,12 +236,14 @@ def _asymptotic(motion: Asymptotic, integrands: Integrands, turn: Any) -> Window
     coefficients = np.einsum("kn,mnp->kmp", inverse, values)
     panels = np.polynomial.legendre.legint(coefficients, lbnd=-1) * half
     gains = panels.sum(0)
-    sums = np.concatenate([np.zeros((len(gains), 1)), np.cumsum(gains, axis=1)], axis=1)
+    # summed up outwards from τ = 0, where they vanish
+    left = -np.cumsum(gains[:, :before][:, ::-1], axis=1)[:, ::-1]
+    right = np.cumsum(gains[:, before:], axis=1)
+    sums = np.concatenate([left, np.zeros((len(gains), 1)), right], axis=1)
     sides = [_periodic(motion.limit(side), integrands, turn) for side in (-1, 1)]
     if growth < 0:
         sides.reverse()
-    made = Window(float(motion.period), edges, sums, panels, sides[0], sides[1])
-    return Window(made.period, edges, sums - made.within(np.zeros(1)), panels, sides[0], sides[1])
+    return Window(float(motion.period), edges, sums, panels, sides[0], sides[1])
 
 
 def along(motion: Periodic | Asymptotic, integrands: Integrands, turn: Any) -> Quadratures | Window:

@@ -50,7 +50,8 @@ def form_of(
         equations = ((d[0] / w, (b - a * e_) * d[3]),)
     figures = [
         *(Figure(str(s), beginning.values[s], "constant") for s, _ in separable.constants),
-        Figure("e", e, "double root"),
+        Figure("e", e, "root of the curve, double"),
+        *(Figure(f"r_{i}", r, "root of the curve") for i, r in enumerate(_others(beginning, e), 1)),
         Figure("y", motion.thetas.y, "period ratio iy of the elliptic curve"),
         Figure("P", motion.period, "period in τ"),
         Figure("T", turn, "period in t", "s"),
@@ -58,7 +59,7 @@ def form_of(
     ]
     kind = "periodic in the body: one variable stays at a double root of the curve"
     if isinstance(motion, Asymptotic):
-        kind = "asymptotic in both directions of time to a permanent rotation"
+        kind = "separatrix: asymptotic to a periodic motion in both directions of time"
         figures.append(Figure("lambda", abs(motion.growth), "rate of approach in τ"))
         figures.append(
             Figure(
@@ -85,10 +86,7 @@ def _ovals(
 ) -> tuple[tuple[Any, Any], ...]:
     """Where z₁ and z₂ live."""
     z = beginning.total[0] - e
-    near = COLLIDED * beginning.size
-    others = sorted(
-        (r for r in beginning.roots if abs((r - e).mid()) > near), key=lambda r: r.mid()
-    )
+    others = _others(beginning, e)
     if isinstance(motion, Asymptotic):
         low = max((r for r in others if r < e), key=lambda r: r.mid())
         high = min((r for r in others if r > e), key=lambda r: r.mid())
@@ -97,3 +95,9 @@ def _ovals(
     high = min((r for r in others if r.mid() > z.mid()), key=lambda r: r.mid(), default=z)
     moving = (low, high)
     return ((e, e), moving) if e < z else (moving, (e, e))
+
+
+def _others(beginning: Beginning, e: Any) -> list[Any]:
+    """The roots that have not collided, in increasing order."""
+    near = COLLIDED * beginning.size
+    return sorted((r for r in beginning.roots if abs((r - e).mid()) > near), key=lambda r: r.mid())
