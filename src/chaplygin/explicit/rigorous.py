@@ -153,11 +153,9 @@ def rigorous_motion(solution: GenusTwo, digits: int, until: Any) -> RigorousMoti
     """
     own = solution.prepared
     reach = 10 + 1.1 * abs(number(ball(until))) / number(solution.clock.mean)
-    system = own.separable.system
-    values = {p.symbol: own.values[p.symbol] for p in system.parameters}
-    start: Sequence[Any] = solution.start[: len(system.symbols)]
+    start: Sequence[Any] = solution.start[: len(own.separable.system.symbols)]
     with ctx.workprec(bits_for(digits, reach) + _LOST):
-        exact = prepared(own.separable, values, start)
+        exact = prepared(own.separable, solution.parameters, start)
         rate = components(own.separable.clock)
         branch = Branch(rate, exact.values, chain(own.separable, rate)[1])
     (clock,) = quadratures(exact.torus, branch, digits, reach)
