@@ -92,6 +92,16 @@ def test_systems_of_the_catalogue(name: str, parameters: dict[str, float], separ
     assert (found.known.name, found.level) == (separation, ())
 
 
+def test_a_relation_of_the_known_system_is_a_condition_on_the_start() -> None:
+    system = from_catalogue("veselova-spinning")
+    start = starting_state(system, NO_SPIN, GAMMA)
+    found = likeness(Problem(system, system.defaults, start))
+    assert found is not None
+    assert (found.known.name, found.level) == ("veselova", ())
+    trajectory = integrate(system, start, np.linspace(0.0, 5.0, 3))
+    assert np.abs(system.solve(start).states(trajectory.times) - trajectory.states).max() < 1e-12
+
+
 def test_the_area_constant_chooses_the_separation() -> None:
     # (Iω, γ) = 0.36 − 0.72·… is made zero by the third component
     still = problem_of(BALL, (1.0, 1.0, (0.72 - 0.36) / (2.1 * 0.8)))

@@ -36,6 +36,7 @@ def refused(text: str, *overrides: str) -> str:
         ("chaplygin-ball-bruns", ["this motion of the Chaplygin ball", "(M, γ) = 0"]),
         ("clebsch", ["this motion of the Clebsch case", "on which (M, Γ) = 0"]),
         ("chaplygin-sleigh", ["the Chaplygin sleigh has no known closed form"]),
+        ("veselova-spinning", ["this motion of the generalised Veselova", "on which (ω, γ) = 0"]),
         ("marble-ball", ["the homogeneous marble ball has no known closed form"]),
     ],
 )

@@ -12,7 +12,7 @@ from ..system import System
 from ..vectors import constant, explicit, scalar
 from .separable import Separable
 
-__all__ = ["expressed"]
+__all__ = ["expressed", "translation"]
 
 
 def expressed(
@@ -34,11 +34,11 @@ def expressed(
         With all formulas in state and parameters of `system`, definitions written out; its laws
         are left out, since they are claimed of the other system.
     """
-    home = separable.system
-    names = dict(zip(home.symbols, system.symbols, strict=True))
-    known: dict[sp.Symbol, sp.Expr] = {**names, **parameters, **_constants(separable, system)}
-    for symbol, value in home.steps:
-        known[symbol] = value.xreplace(known)
+    known = {
+        **translation(separable.system, system, parameters),
+        **_constants(separable, system),
+    }
+    names = dict(zip(separable.system.symbols, system.symbols, strict=True))
 
     def told(formula: Any) -> Any:
         value = explicit(sp.sympify(formula))
@@ -72,6 +72,17 @@ def expressed(
         fixed=each(separable.fixed),
         laws=(),
     )
+
+
+def translation(
+    home: System, system: System, parameters: Mapping[sp.Symbol, Any]
+) -> dict[sp.Symbol, sp.Expr]:
+    """State, parameters and definitions of one system in the symbols of another."""
+    known: dict[sp.Symbol, sp.Expr] = dict(zip(home.symbols, system.symbols, strict=True))
+    known |= parameters
+    for symbol, value in home.steps:
+        known[symbol] = value.xreplace(known)
+    return known
 
 
 def _constants(separable: Separable, system: System) -> dict[sp.Symbol, sp.Symbol]:

@@ -24,9 +24,9 @@ from ..statements import Isomorphism
 from ..system import System, flat_pairs
 from ..systems import entry
 from ..systems.entry import bruns_factor
-from ..vectors import scalar
+from ..vectors import explicit, scalar
 from .bodies import rolling_of
-from .expressed import expressed
+from .expressed import expressed, translation
 from .numbers import ball, evaluated
 from .principal import in_principal_axes, told_back
 from .problem import Problem, exact, same_field
@@ -167,7 +167,7 @@ def likeness(problem: Problem) -> Likeness | None:
             continue
         for formulas in _matches(problem, known.system):
             if _agree(problem.system, numbers, known.system, formulas):
-                found = _like(problem, known, expressed(known, problem.system, formulas))
+                found = _like(problem, known, formulas)
                 if not found.level:
                     return found
                 missed = missed or found
@@ -175,11 +175,24 @@ def likeness(problem: Problem) -> Likeness | None:
     return missed
 
 
-def _like(problem: Problem, known: Separable, own: Separable) -> Likeness:
+def _like(problem: Problem, known: Separable, formulas: Formulas) -> Likeness:
+    own = expressed(known, problem.system, formulas)
+    names = translation(known.system, problem.system, formulas)
     numbers = {s: sp.Rational(str(exact(x))) for s, x in problem.parameters.items()}
     state = set(problem.system.symbols)
+    # what the known system has as a relation may be a condition on the start in the problem's
+    kept = {
+        sp.expand(sign * explicit(relation))
+        for relation in problem.system.relations
+        for sign in (1, -1)
+    }
+    relations = [(r, explicit(r).xreplace(names)) for r in known.system.relations]
+    conditions = [
+        *zip(known.level, own.level, strict=True),
+        *(pair for pair in relations if sp.expand(pair[1]) not in kept),
+    ]
     missed, moving = [], []
-    for formula, told in zip(own.level, known.level, strict=True):
+    for told, formula in conditions:
         if formula.free_symbols & state:
             moving.append(formula)
             holds = problem.vanish([formula])
