@@ -69,7 +69,7 @@ class Equation:
     inner : formula, optional
         N divided by the factors x − low, high − x that it has by construction.
     closed : two bools
-        Whether it has them; N is negative near an edge whose factor it does not have.
+        Whether it has them; the motion must turn before an edge whose factor N does not have.
     """
 
     numerator: Formula
@@ -143,8 +143,12 @@ class Oscillating(Chart):
         return (self.first.place + self.second.place) / 2
 
     def place(self, F: Any, sigma: Any) -> Any:
-        """m + ρ cos σ."""
-        return F.number(self.middle) + F.number(self.width / 2) * F.cos(sigma)
+        """m + ρ cos σ, counted from the nearer end: tight on balls around it."""
+        if F is DOUBLES:
+            return F.number(self.middle) + F.number(self.width / 2) * F.cos(sigma)
+        if abs(sigma.real.mid()) < arb.pi() / 2:
+            return self.second.place - self.width * F.square(F.sin(sigma / 2))
+        return self.first.place + self.width * F.square(F.cos(sigma / 2))
 
     def slope(self, F: Any, sigma: Any) -> Any:
         """−ρ sin σ."""

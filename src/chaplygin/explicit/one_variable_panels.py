@@ -46,7 +46,7 @@ KNOTS = 24
 Place = tuple[Any, Any]
 
 #: A panel may not become narrower than this.
-NARROWEST = 1e-60
+NARROWEST = 1e-25
 
 #: σ ↦ the functions to be integrated, complex balls to complex balls.
 Rates = Callable[[Any], Sequence[Any]]

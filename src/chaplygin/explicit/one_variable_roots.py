@@ -66,7 +66,8 @@ def next_end(
     leaving : bool
         Whether it is zero at the start.
     closed : bool
-        Whether it is analytic and positive or zero at the edge; otherwise it is negative near it.
+        Whether the edge itself is a turning point where no root comes before it; otherwise the
+        function has a root, or is singular at the edge and negative near it.
 
     Returns
     -------
@@ -101,9 +102,10 @@ def next_end(
                 return None
             found = nearest
     else:
-        nearest = _first(jets, _beyond(jets, length))
+        regular = all(part.is_finite() for part in jets(length))
+        nearest = _first(jets, length if regular else _beyond(jets, length))
         if nearest is None:
-            raise InputError("no turning point was found before the edge of the domain")
+            raise InputError("the motion reaches the edge of its domain")
         found = nearest
     if found.edge:
         return End(edge, double=True, edge=True)
