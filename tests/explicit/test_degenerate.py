@@ -135,6 +135,7 @@ def test_form_tells_curve_and_frequencies() -> None:
     assert (low, middle, again, high) == (1.0, 2.0, 2.0, 2.25)
 
 
+@pytest.mark.slow
 def test_error_bounds_contain_the_integrated_state() -> None:
     found, start, values = solved(veselova(), (1.0, 1.5, 2.0), (0.5, 0, 0), (0, 0.6, 0.8))
     run = integrate(veselova().system, start, [0.0, 1.0], parameters=values, precision="quad")

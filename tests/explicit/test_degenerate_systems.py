@@ -72,6 +72,20 @@ def test_separatrix_through_a_focal_point(name: str) -> None:
     assert slip(made, start, Asymptotic) < 1e-13
 
 
+def test_error_bounds_contain_the_integrated_state() -> None:
+    made = SYSTEMS["neumann.neumann_system"]
+    numbers = {symbol: exact(value) for symbol, value in made.system.defaults.items()}
+    with ctx.workprec(300):
+        start = focal(made, (0.3, 0.7, -0.4))
+    found = solved_degenerate(made, numbers, start)
+    assert isinstance(found, Degenerate)
+    run = integrate(made.system, start, [0.0, 3.0], precision="quad")
+    with ctx.workprec(150):
+        for ball, wanted in zip(found.rigorous(3.0, 12), run.states[1], strict=True):
+            assert ball.rad() < 1e-20
+            assert abs(ball - arb(str(wanted))) < 1e-20
+
+
 def focal(made: Separable, push: tuple[float, float, float]) -> list[Any]:
     """A state where both variables are at the middle pole: it is on a separatrix whatever ν′ is."""
     system = made.system
