@@ -13,10 +13,12 @@ import sympy as sp
 from flint import arb
 
 from chaplygin.errors import InputError
+from chaplygin.explicit.problem import Problem
 from chaplygin.explicit.solution import ClosedForm, Figure, Solution
 from chaplygin.study.closed_form import (
     ball,
     dataset,
+    diagram_if_known,
     equation,
     evaluated,
     letters,
@@ -173,3 +175,21 @@ def test_a_study_is_solved_as_its_system_is() -> None:
     solution = solved(study)
     direct = study.system.solve(study.start)
     assert solution.states([3.0]).tolist() == direct.states([3.0]).tolist()
+
+
+def test_the_diagram_of_a_ball_and_none_of_a_symmetric_one():
+    ball_ = prepare(loads('[system]\nname = "chaplygin-ball"\n'))
+    placed = diagram_if_known(ball_)
+    assert placed is not None
+    diagram, (h, g) = placed
+    energy, area = (law.value for law in ball_.system.integrals[:2])
+    assert (h, g) == pytest.approx([float(x) for x in values(ball_, energy, area)], rel=1e-12)
+    assert diagram.region(h, g).tori == 2
+    symmetric = prepare(
+        loads('[system]\nname = "chaplygin-ball"\n[system.parameters]\nI_1 = 1.5\nI_2 = 1.5\n')
+    )
+    assert diagram_if_known(symmetric) is None
+
+
+def values(study, *formulas):
+    return Problem(study.system, study.system.defaults, study.start).values(formulas)

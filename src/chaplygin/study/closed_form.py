@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import re
 import time as clock
 from dataclasses import dataclass
@@ -12,6 +13,9 @@ import sympy as sp
 import xarray as xr
 from markupsafe import Markup
 
+from ..errors import InputError
+from ..explicit.bifurcation import Diagram
+from ..explicit.bifurcation_given import diagram_of
 from ..explicit.problem import Problem
 from ..explicit.recognise import solution_of
 from ..explicit.refusals import NoClosedFormError
@@ -27,6 +31,7 @@ __all__ = [
     "Section",
     "ball",
     "dataset",
+    "diagram_if_known",
     "evaluated",
     "number",
     "section",
@@ -56,6 +61,17 @@ def solved_if_known(study: Study) -> Solution | None:
         return solved(study)
     except NoClosedFormError:
         return None
+
+
+def diagram_if_known(study: Study) -> tuple[Diagram, tuple[float, float]] | None:
+    """The bifurcation diagram of a study's integrals and its place there; None where none is known.
+
+    A body with two equal moments, for one, has none on a plane of two integrals.
+    """
+    system = study.system
+    with contextlib.suppress(InputError):
+        return diagram_of(Problem(system, system.defaults, study.start, study.rolling))
+    return None
 
 
 def in_space(study: Study, solution: Solution) -> bool:

@@ -8,7 +8,7 @@ from pathlib import Path
 from ..errors import InputError, RunError
 from ..flow.trajectory import Trajectory
 from . import figures, report
-from .closed_form import solved_if_known
+from .closed_form import diagram_if_known, solved_if_known
 from .dataset import write
 from .derivation import recorded_of, variables_of
 from .files import completed
@@ -80,6 +80,9 @@ def write_study(
     solution = solved_if_known(study)
     if solution is not None and solution.form.ovals:
         pictures["closed_form"] = figures.closed_form(study.system.title, solution.form)
+        placed = diagram_if_known(study)
+        if placed is not None:
+            pictures["bifurcation"] = figures.bifurcation_diagram(*placed)
     for name, figure in pictures.items():
         for suffix in ("svg", "png"):
             figures.save(figure, folder / "figures" / f"{name}.{suffix}")

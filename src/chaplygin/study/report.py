@@ -133,6 +133,7 @@ def render(
         ],
         closed=None if solution is None else section(solution, trajectory),
         closed_figure=drawn.get("closed_form"),
+        diagram=drawn.get("bifurcation"),
         claims=Markup(claims_html(replace(study.system, laws=_unobserved(study)))),
         proofs=[
             (law.name, _named(law), law.source, verdicts[law.name]) for law in _unobserved(study)

@@ -15,6 +15,7 @@ from matplotlib.figure import Figure
 from ..drawing import Ground, Outline
 from ..surface_ground import SurfaceGround
 from .ball_scene import ball_scene
+from .bifurcation import draw as bifurcation_diagram
 from .charts import angular_velocity, conserved, drift, normal_force, relative_drift
 from .closed_form import closed_form
 from .curves import contact_path, normal_on_sphere
@@ -31,6 +32,7 @@ __all__ = [
     "angular_velocity",
     "ball_figures",
     "ball_scene",
+    "bifurcation_diagram",
     "closed_form",
     "contact_path",
     "drift",
