@@ -14,6 +14,7 @@ from chaplygin.laws.numbers import precise
 from chaplygin.system import Parameter, System
 from chaplygin.systems import CATALOGUE, from_catalogue
 from chaplygin.vectors import Vector, cross, dot, explicit, normed, scalar, vectors
+from systems import built
 
 M, gamma, omega = vectors("M gamma omega")
 I_1, I_2, I_3, R, a, m = (scalar(n) for n in ("I_1", "I_2", "I_3", "R", "a", "m"))
@@ -21,7 +22,7 @@ I_1, I_2, I_3, R, a, m = (scalar(n) for n in ("I_1", "I_2", "I_3", "R", "a", "m"
 
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_points_lie_on_the_phase_space(name):
-    system = CATALOGUE[name].system()
+    system = built.system(name)
     ground = Ground(system)
     with precise():
         for seed in range(3):

@@ -18,6 +18,7 @@ from chaplygin.study.folder import write_study
 from chaplygin.study.prepare import catalogue_experiment, dataset_of, prepare
 from chaplygin.study.summary import legend
 from chaplygin.study.tables import BallTable, BodyTable
+from spread import spread
 
 BALL = """\
 [body]
@@ -194,7 +195,7 @@ def test_what_is_made_in_python_is_checked_too():
         CylinderTable()
 
 
-@pytest.mark.parametrize("made", ["file", "catalogue"])
+@pytest.mark.parametrize("made", spread(["file", "catalogue"], 2))
 def test_a_study_draws_the_ball(made, tmp_path):
     experiment = loads(BALL) if made == "file" else catalogue_experiment("marble-ball-on-cone")
     study = prepare(experiment)

@@ -19,6 +19,7 @@ from chaplygin.study.dataset import read, to_dataset, write
 from chaplygin.study.experiment import loads
 from chaplygin.study.prepare import catalogue_experiment, dataset_of, prepare
 from chaplygin.systems import CATALOGUE
+from spread import spread
 from systems import built
 from systems.built import ROLLING
 
@@ -81,7 +82,7 @@ def test_a_body_about_a_fixed_point_has_no_place():
     assert not {"centre", "contact", "normal_force"} & set(made)
 
 
-@pytest.mark.parametrize("name", CATALOGUE)
+@pytest.mark.parametrize("name", spread(CATALOGUE))
 def test_every_variable_says_what_it_is(name):
     made = short(name)
     for label, variable in made.variables.items():

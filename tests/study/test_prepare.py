@@ -11,10 +11,12 @@ from chaplygin.mechanics.shapes import Ball, Disk, Ellipsoid, Implicit, Revoluti
 from chaplygin.mechanics.surfaces import Plane, Sphere
 from chaplygin.study.dataset import to_dataset
 from chaplygin.study.experiment import loads
-from chaplygin.study.prepare import Study, catalogue_experiment, dataset_of, prepare
+from chaplygin.study.prepare import Study, dataset_of, prepare
 from chaplygin.study.summary import drift
 from chaplygin.system import System
 from chaplygin.systems import CATALOGUE
+from spread import spread
+from systems import built
 
 BODY = """\
 [body]
@@ -172,10 +174,10 @@ def test_a_potential_acts():
 
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_a_name_is_enough(name):
-    made = prepare(catalogue_experiment(name))
+    made = built.study(name)
     item = CATALOGUE[name]
     assert not made.own
-    assert made.system == item.system()
+    assert made.system == built.system(name)
     assert (made.given, made.until) == (item.start.values, item.start.until)
     assert (made.rolling is None) == isinstance(item.build(item.numbers()), System)
     assert made.times[-1] == item.start.until
@@ -277,9 +279,9 @@ def test_a_dense_trajectory_on_request():
 # --- the complete file -----------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", CATALOGUE)
+@pytest.mark.parametrize("name", spread(CATALOGUE))
 def test_the_complete_file_of_the_catalogue_makes_the_same_study(name):
-    made = prepare(catalogue_experiment(name))
+    made = built.study(name)
     again = prepare(loads(made.complete_toml()))
     assert again.system == made.system
     assert again.start == made.start

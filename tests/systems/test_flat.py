@@ -17,6 +17,7 @@ from chaplygin.systems import CATALOGUE
 from chaplygin.vectors import explicit
 from evaluation import numeric
 from planted import moving_symbols
+from spread import spread
 from systems import built
 from systems.admissible import random_parameters, random_study
 from systems.built import NAMES, ROLLING
@@ -69,11 +70,12 @@ def test_every_integral_is_flat_for_long(name):
     assert max(drifts(follow(example(name), 1000.0)).values()) < 1e-13
 
 
+@pytest.mark.slow
 def test_chaplygin_ball_at_a_hundred_thousand():
     assert max(drifts(follow(example("chaplygin-ball"), 1e5)).values()) < 1e-12
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", spread(range(3), 3))
 @pytest.mark.parametrize("name", ROLLING)
 def test_every_integral_is_flat_for_random_bodies(name, seed):
     entry, rng = CATALOGUE[name], np.random.default_rng((seed, crc32(name.encode())))
@@ -83,7 +85,7 @@ def test_every_integral_is_flat_for_random_bodies(name, seed):
     assert [law.name for law in made.watched.integrals] == named
 
 
-@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("seed", spread(range(2), 2))
 @pytest.mark.parametrize("name", [name for name in NAMES if name not in ROLLING])
 def test_every_integral_is_flat_from_random_starts(name, seed):
     entry, rng = CATALOGUE[name], np.random.default_rng((seed, crc32(name.encode())))
