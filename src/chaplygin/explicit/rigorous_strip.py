@@ -23,8 +23,9 @@ __all__ = ["Strip", "least", "lines_of", "strip_bound"]
 
 #: Bits of the theta series that are turned into doubles.
 BITS = 64
-#: Numbers of boxes in each direction, for the period 1, that are tried.
-_BOXES = (64, 128, 256, 512)
+#: Numbers of boxes in each direction, for the period 1, that are tried; and the most for both
+#: directions together, which is a matter of memory.
+_BOXES, _MOST = (64, 128, 256), 256**2
 #: Half-widths between which the strip is looked for.
 _WIDEST, _NARROWEST = 0.6, 0.001
 _CLOSE = "start: too close to a separatrix for error bounds"
@@ -80,6 +81,10 @@ def _holds(
     return bool(np.all(np.isfinite(_bounds(torus, branch, half, periods, boxes))))
 
 
+def _sizes(periods: Sequence[int]) -> list[int]:
+    return [n for n in _BOXES if n**2 * periods[0] * periods[1] <= _MOST]
+
+
 def strip_bound(torus: Torus, branch: Branch, periods: Sequence[int]) -> Strip:
     """A strip on which formulas are proven analytic, nearly as wide as it can be.
 
@@ -102,7 +107,7 @@ def strip_bound(torus: Torus, branch: Branch, periods: Sequence[int]) -> Strip:
 
     with ctx.workprec(BITS):
         narrow = (_NARROWEST, _NARROWEST)
-        boxes = next((n for n in _BOXES if _holds(torus, branch, narrow, periods, n)), 0)
+        boxes = next((n for n in _sizes(periods) if _holds(torus, branch, narrow, periods, n)), 0)
         if boxes == 0:
             raise InputError(_CLOSE)
         low, high = _NARROWEST, _WIDEST
@@ -125,7 +130,7 @@ def least(torus: Torus, branch: Branch, periods: Sequence[int]) -> float:
         If the boxes prove none above zero: the motion is next to a separatrix.
     """
     with ctx.workprec(BITS):
-        for boxes in _BOXES:
+        for boxes in _sizes(periods):
             values = _values(torus, branch, (0.0, 0.0), periods, boxes)
             bound = min(float((value.middle.real - value.spread).min()) for value in values)
             if bound > 0:
