@@ -113,6 +113,7 @@ SEPARABLE = (
     Place("chaplygin_area", "chaplygin_area", "M gamma", "mR"),
     Place("rubber_sphere", "hollow_ball", "omega gamma", "mRa"),
     Place("rubber_sphere", "of_ratio", "omega n"),
+    Place("rubber_sphere", "on_e3", "M gamma"),
     Place("ball_sphere", "hollow_ball", "M gamma", "mRa"),
     Place("ball_sphere", "of_tensor", "M n"),
     Place("neumann", "neumann_system", "M Gamma"),
