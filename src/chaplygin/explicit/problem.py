@@ -149,8 +149,8 @@ def same_field(
     """
     if len(first.symbols) != len(second.symbols):
         return False
-    points = list(_points(second, second_numbers))
     try:
+        points = list(_points(second, second_numbers))
         return bool(points) and all(
             _rates(first, point, first_numbers) == _rates(second, point, second_numbers)
             for point in points

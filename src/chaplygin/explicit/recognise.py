@@ -263,13 +263,14 @@ def _separated(problem: Problem) -> Solution | None:
     axial = _axial(problem, found, values)
     if axial is not None or found.level:
         return axial
+    # a start has fifty digits: roots that coincide differ by as little, and are told first
+    solution = solved_degenerate(found.own, values, problem.start)
+    if solution is not None:
+        return solution
     try:
         return solved(found.own, values, problem.start)
     except DegenerateError:
-        solution = solved_degenerate(found.own, values, problem.start)
-    if solution is None:
-        raise degenerate(problem)
-    return solution
+        raise degenerate(problem) from None
 
 
 def _axial(problem: Problem, found: Likeness, values: Mapping[sp.Symbol, Any]) -> Solution | None:
