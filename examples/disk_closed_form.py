@@ -19,7 +19,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from chaplygin.explicit.revolution import solve_rolling
-from chaplygin.explicit.revolution_diagram import revolution_diagram
+from chaplygin.explicit.revolution.diagram import revolution_diagram
 from chaplygin.explicit.solution import Solution
 from chaplygin.mechanics.body import Body
 from chaplygin.mechanics.rolling import Field, Rolling

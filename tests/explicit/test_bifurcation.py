@@ -12,7 +12,7 @@ import sympy as sp
 
 from chaplygin.errors import InputError
 from chaplygin.explicit.bifurcation import Diagram, bifurcation_diagram, located
-from chaplygin.explicit.bifurcation_families import PLANES, SEPARATED, plane_named
+from chaplygin.explicit.bifurcation.families import PLANES, SEPARATED, plane_named
 from chaplygin.explicit.chaplygin_area import chaplygin_area
 from chaplygin.explicit.veselova import veselova
 from chaplygin.vectors import scalar

@@ -10,8 +10,8 @@ import pytest
 from chaplygin.explicit.chaplygin_area import chaplygin_area
 from chaplygin.explicit.chaplygin_ball import chaplygin_ball
 from chaplygin.explicit.degenerate import solved_degenerate
-from chaplygin.explicit.degenerate_motion import Asymptotic, Periodic
-from chaplygin.explicit.degenerate_solution import Degenerate
+from chaplygin.explicit.degenerate.motion import Asymptotic, Periodic
+from chaplygin.explicit.degenerate.solution import Degenerate
 from chaplygin.explicit.rubber_sphere import of_ratio
 from chaplygin.explicit.separable import Separable
 from chaplygin.explicit.veselova import veselova

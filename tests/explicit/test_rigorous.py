@@ -19,11 +19,11 @@ from chaplygin.explicit.genus_two import solved
 from chaplygin.explicit.numbers import components
 from chaplygin.explicit.prepared import Prepared, chain, prepared
 from chaplygin.explicit.rigorous import rigorous_motion
-from chaplygin.explicit.rigorous_affine import Affine
-from chaplygin.explicit.rigorous_formula import Branch, LeavesBranchError, direction
-from chaplygin.explicit.rigorous_quadrature import RigorousQuadrature, quadratures
-from chaplygin.explicit.rigorous_strip import least, lines_of, strip_bound
-from chaplygin.explicit.rigorous_theta import Numerators, numerators_at
+from chaplygin.explicit.rigorous.affine import Affine
+from chaplygin.explicit.rigorous.formula import Branch, LeavesBranchError, direction
+from chaplygin.explicit.rigorous.quadrature import RigorousQuadrature, quadratures
+from chaplygin.explicit.rigorous.strip import least, lines_of, strip_bound
+from chaplygin.explicit.rigorous.theta import Numerators, numerators_at
 from chaplygin.explicit.rubber_sphere import hollow_ball
 from chaplygin.explicit.separable import Separable, nu, nuprime
 from chaplygin.explicit.veselova import veselova

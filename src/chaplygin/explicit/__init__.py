@@ -1,1 +1,1 @@
-"""Closed forms: the state of an integrable system at any time, without integrating its way there."""
+"""Closed forms: the state of an integrable system at any time, not integrated step by step."""

@@ -94,8 +94,8 @@ def cover(attitude: Callable[[Any], Any], grid: Sequence[int]) -> Cover:
     v = np.array(np.meshgrid(*lines, indexing="ij")).reshape(2, -1).T
     table = attitude(v).reshape(*sizes, 4)
     table[:, 0] *= _signs(table[:, 0])[:, None]
-    for row in table:
-        row *= _signs(row)[:, None]
+    for place in range(len(table)):
+        table[place] *= _signs(table[place])[:, None]
     turns = (_sign(table[-1, 0], table[0, 0]), _sign(table[0, -1], table[0, 0]))
     return Cover(table[:-1, :-1], turns)
 

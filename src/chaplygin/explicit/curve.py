@@ -1,7 +1,8 @@
 """Real hyperelliptic curves of genus two whose branch points are all real.
 
-The curve is y² = R(z) = leading ∏ (z − root) with five or six roots.  They cut the real line, closed
-at infinity, into six intervals on which R is positive (*ovals*) and negative (*gaps*) in turn.
+The curve is y² = R(z) = leading ∏ (z − root) with five or six roots.  They cut the real line,
+closed at infinity, into six intervals on which R is positive (*ovals*) and negative (*gaps*) in
+turn.
 """
 
 from __future__ import annotations

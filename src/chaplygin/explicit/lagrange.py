@@ -26,13 +26,13 @@ from ..systems.lagrange_top import I_1, I_3, P
 from .elliptic import Elliptic
 from .lagrange_form import form_of
 from .one_variable import Course, Steady, chart_of
-from .one_variable_charts import BALLS, DOUBLES, Chart, Equation
-from .one_variable_panels import working_bits
-from .one_variable_roots import vanishes
+from .one_variable.charts import BALLS, DOUBLES, Chart, Equation
+from .one_variable.panels import working_bits
+from .one_variable.roots import vanishes
 from .problem import exact
 from .revolution import balls_of, needed
-from .revolution_angles import Turning
-from .revolution_body import BITS
+from .revolution.angles import Turning
+from .revolution.body import BITS
 from .solution import ClosedForm, Solution
 
 __all__ = ["LagrangeSolution", "Top", "recognised", "solve_top"]

@@ -9,7 +9,7 @@ import sympy as sp
 from ..systems.lagrange_top import I_1, I_3, P
 from ..vectors import scalar
 from .one_variable import Course, Steady
-from .one_variable_charts import Asymptotic, Chart
+from .one_variable.charts import Asymptotic, Chart
 from .solution import ClosedForm, Figure
 
 if TYPE_CHECKING:

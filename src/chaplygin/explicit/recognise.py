@@ -275,7 +275,7 @@ def _separated(problem: Problem) -> Solution | None:
 
 def _axial(problem: Problem, found: Likeness, values: Mapping[sp.Symbol, Any]) -> Solution | None:
     """Bodies with two equal moments, and those that turn uniformly."""
-    from .degenerate_revolution import chaplygin_of_revolution, veselova_of_revolution
+    from .degenerate.revolution import chaplygin_of_revolution, veselova_of_revolution
 
     own, name = found.own, found.known.name
     if problem.system.motion is None or name not in (*TURNING, *ROLLING):

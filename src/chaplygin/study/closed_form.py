@@ -15,7 +15,7 @@ from markupsafe import Markup
 
 from ..errors import InputError
 from ..explicit.bifurcation import Diagram
-from ..explicit.bifurcation_given import diagram_of
+from ..explicit.bifurcation.given import diagram_of
 from ..explicit.problem import Problem
 from ..explicit.recognise import solution_of
 from ..explicit.refusals import NoClosedFormError

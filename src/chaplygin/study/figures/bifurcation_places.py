@@ -13,7 +13,7 @@ from flint import fmpq
 from scipy.ndimage import distance_transform_edt
 
 from ...explicit.bifurcation import Diagram, Region
-from ...explicit.bifurcation_plane import rational
+from ...explicit.bifurcation.plane import rational
 from ..drawing import BoolArray, FloatArray
 
 #: Abscissae (n,) in a column and the heights of its arcs there (n, arcs).

@@ -8,7 +8,7 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from ...explicit.revolution_diagram import Diagram
+from ...explicit.revolution.diagram import Diagram
 from .style import ALARM, COMPONENTS, INK, QUIET, STYLE, WIDTH
 
 __all__ = ["diagram_of_revolution"]

@@ -1,0 +1,214 @@
+"""Bifurcation diagrams: which motions lie over each point of the plane of two integrals.
+
+The roots of the curve y² = P(z) over a point decide the motions there (:mod:`.bifurcation.ovals`);
+they change only where roots meet: on the discriminant of P.  Its factors are computed exactly, the
+plane is cut along them (:mod:`.bifurcation.plane`), every cell is examined at a rational point and
+every arc at an algebraic one (:mod:`.bifurcation.critical`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+import sympy as sp
+from flint import fmpq, fmpq_mpoly
+
+from ...errors import InputError
+from ...mechanics.body import check_inertia
+from ...mechanics.start import DIGITS, SLACK, evaluate
+from ...notation import text
+from ...vectors import explicit
+from ..problem import exact
+from ..separable import Separable
+from .families import Axis, Plane, Z, numbers, plane_named, plane_of
+from .plane import RING, Arrangement, arrangement, rational
+from .regions import Boundary, Equilibrium, Kinds, Region
+
+__all__ = ["Boundary", "Diagram", "Equilibrium", "Region", "bifurcation_diagram", "located"]
+
+
+@dataclass(frozen=True)
+class Diagram:
+    """The bifurcation diagram of a system in the plane of two integrals.
+
+    Attributes
+    ----------
+    plane : Plane
+        The system, the integrals and their curves, in formulas.
+    parameters : dict of Symbol to Fraction
+    poles : three fmpq
+        Increasing.
+    order : three int
+        The body axes that they belong to.
+    rest : fmpq_mpoly
+        The curve is y² = ∏(z − e_i) · rest, in x, y (the integrals) and z.
+    arrangement : Arrangement
+    regions : tuple of Region
+        Those with motions first, in the order of their numbers; then those without.
+    boundaries : tuple of Boundary
+    equilibria : tuple of Equilibrium
+    """
+
+    plane: Plane
+    parameters: Mapping[sp.Symbol, Fraction]
+    poles: tuple[fmpq, fmpq, fmpq]
+    order: tuple[int, int, int]
+    rest: fmpq_mpoly
+    arrangement: Arrangement
+    regions: tuple[Region, ...]
+    boundaries: tuple[Boundary, ...]
+    equilibria: tuple[Equilibrium, ...]
+
+    @property
+    def axes(self) -> tuple[Axis, Axis]:
+        """The two integrals."""
+        return self.plane.axes
+
+    def region(self, x: Any, y: Any) -> Region | None:
+        """The region of a point; None on a boundary.
+
+        Parameters
+        ----------
+        x, y : float, int, str or Fraction
+            Values of the two integrals; a double counts as the number that it is.
+        """
+        point = rational(Fraction(x)), rational(Fraction(y))
+        cell = self.arrangement.cell(*point)
+        if cell is None:
+            # some pieces of the curves are no boundaries
+            cell = self.arrangement.arc(*point)
+            if any(cell in boundary.arcs for boundary in self.boundaries):
+                return None
+        return next((region for region in self.regions if cell in region.cells), None)
+
+
+def located(diagram: Diagram, state: Mapping[Any, Any]) -> tuple[float, float]:
+    """The point of a diagram that a motion belongs to.
+
+    Parameters
+    ----------
+    diagram : Diagram
+    state : mapping of Symbol or name to number
+        A state of ``diagram.plane.system``, all of its variables.
+
+    Raises
+    ------
+    InputError
+        If a variable is missing, or the state is not on the level that the plane is
+        made for.
+    """
+    system, plane = diagram.plane.system, diagram.plane
+    given = {str(name): value for name, value in state.items()}
+    missing = [str(symbol) for symbol in system.symbols if str(symbol) not in given]
+    if missing:
+        raise InputError(f"{plane.name}: the state gives no value for {', '.join(missing)}")
+    with mpmath.workdps(DIGITS):
+        known = {s: exact(given[str(s)]) for s in system.symbols} | dict(diagram.parameters)
+        numbers = {s: mpmath.mpf(v.numerator) / v.denominator for s, v in known.items()}
+        conditions = [*system.relations, *plane.level]
+        formulas = [*conditions, *(axis.value for axis in plane.axes)]
+        *level, x, y = evaluate(system, [explicit(formula) for formula in formulas], numbers)
+    for condition, value in zip(conditions, level, strict=True):
+        if abs(value) > SLACK * (1 + max(abs(v) for v in numbers.values())) ** 2:
+            raise InputError(
+                f"{plane.name}: {text(condition)} is {mpmath.nstr(value, 5)} in this state and "
+                "must vanish"
+            )
+    return float(x), float(y)
+
+
+def bifurcation_diagram(
+    subject: str | Separable | Plane, parameters: Mapping[Any, Any] | None = None
+) -> Diagram:
+    """The bifurcation diagram of a separated system, exactly.
+
+    Parameters
+    ----------
+    subject : str, Separable or Plane
+        A name of :data:`.bifurcation_families.PLANES`, or formulas.
+    parameters : mapping of Symbol or name to number, optional
+        Values that replace the system's defaults, and of constants that the plane holds fixed;
+        a float means the shortest decimal that gives it.
+
+    Raises
+    ------
+    InputError
+        If the name or a parameter is unknown, two moments are equal, no body has these moments,
+        or the parameters are not those for which the system separates into genus two.
+    """
+    if isinstance(subject, str):
+        plane = plane_named(subject)
+    else:
+        plane = plane_of(subject) if isinstance(subject, Separable) else subject
+    values = numbers(plane, parameters or {})
+    poles, order = _poles(plane, values)
+    rest = _curve(plane, plane.rest, values)
+    bounds = tuple(_curve(plane, bound.formula, values) for bound in plane.bounds)
+    discriminant = rest.discriminant("z")
+    at_poles = [rest.subs({"z": pole}) for pole in poles]
+    if discriminant.is_zero() or any(value.is_zero() for value in at_poles):
+        raise InputError(
+            f"{plane.name}: with these parameters two roots of the curve coincide on every level; "
+            "a diagram needs others"
+        )
+    cut = arrangement([discriminant, *at_poles, *bounds])
+    kinds = Kinds(plane, poles, order, rest, bounds, cut)
+    return Diagram(
+        plane=plane,
+        parameters=values,
+        poles=poles,
+        order=order,
+        rest=rest,
+        arrangement=cut,
+        regions=kinds.regions(),
+        boundaries=kinds.boundaries(),
+        equilibria=kinds.equilibria(),
+    )
+
+
+def _poles(
+    plane: Plane, values: Mapping[sp.Symbol, Fraction]
+) -> tuple[tuple[fmpq, fmpq, fmpq], tuple[int, int, int]]:
+    """The poles, increasing, and the body axes that they belong to."""
+    exact = [Fraction(str(_number(plane, pole, values))) for pole in plane.poles]
+    if len(set(exact)) < 3:
+        raise InputError(
+            f"{plane.name}: the moments {', '.join(map(str, exact))} must be three different "
+            "numbers; with two equal ones the curve loses its genus"
+        )
+    check_inertia([float(moment) for moment in exact])
+    for condition in plane.level:
+        if set(condition.free_symbols) <= set(values) and _number(plane, condition, values) != 0:
+            raise InputError(
+                f"{plane.name}: {text(condition)} must vanish; the system is not known to separate "
+                "otherwise"
+            )
+    axes = sorted((1, 2, 3), key=lambda axis: exact[axis - 1])
+    first, second, third = (rational(exact[axis - 1]) for axis in axes)
+    return (first, second, third), (axes[0], axes[1], axes[2])
+
+
+def _number(plane: Plane, formula: Any, values: Mapping[sp.Symbol, Fraction]) -> Any:
+    """A formula with the definitions and parameters filled in."""
+    known = {s: sp.Rational(x.numerator, x.denominator) for s, x in values.items()}
+    for symbol, value in plane.system.steps:
+        if not value.free_symbols - set(known):
+            known[symbol] = value.xreplace(known)
+    return sp.sympify(formula).xreplace(known)
+
+
+def _curve(plane: Plane, formula: Any, values: Mapping[sp.Symbol, Fraction]) -> fmpq_mpoly:
+    """A polynomial in the two integrals and z with rational coefficients."""
+    filled = sp.cancel(sp.expand(_number(plane, formula, values)))
+    names = (*(axis.symbol for axis in plane.axes), Z)
+    whole = sp.Poly(filled, *names) if filled.is_polynomial(*names) else None
+    if whole is None or not all(c.is_Rational for c in whole.coeffs()):
+        raise InputError(
+            f"{plane.name}: with these parameters the curve is no polynomial of genus two with "
+            "rational coefficients; a field needs a strength other than 0"
+        )
+    return RING.from_dict({powers: fmpq(int(c.p), int(c.q)) for powers, c in whole.terms()})

@@ -1,0 +1,281 @@
+"""Regions, boundaries and corners of a bifurcation diagram, from the curve over its plane."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from itertools import combinations
+from typing import Any
+
+import sympy as sp
+from flint import fmpq, fmpq_mpoly, fmpq_poly
+
+from ...errors import InputError
+from .critical import Arc, Circles, circles_at_a_double_root, circles_at_a_pole
+from .families import Plane
+from .ovals import Family, families
+from .plane import Arrangement, Cell, fraction
+
+__all__ = ["Boundary", "Equilibrium", "Kinds", "Region"]
+
+
+@dataclass(frozen=True)
+class Region:
+    """A part of the plane over which the motions are of one kind.
+
+    Attributes
+    ----------
+    number : int
+        0 where there are no motions, else counted from 1.
+    families : tuple of Family
+        The tori over each pair of ovals.
+    cells : frozenset of cells
+        Of the arrangement.
+    sample : two Fractions
+        A point of the region.
+    """
+
+    number: int
+    families: tuple[Family, ...]
+    cells: frozenset[Cell]
+    sample: tuple[Fraction, Fraction]
+
+    @property
+    def tori(self) -> int:
+        """Number of tori in the phase space on every level of the region."""
+        return sum(family.tori for family in self.families)
+
+
+@dataclass(frozen=True)
+class Boundary:
+    """A curve of the plane over which there are motions on circles.
+
+    Attributes
+    ----------
+    curve : sympy expression
+        In the symbols of the axes; it vanishes there.
+    words : str
+        What the motions are.
+    circles : int
+        Number of circles in the phase space, on every level of the boundary.
+    stable : bool
+        Stable within their levels' neighbours: tori surround them; if not, they have separatrices.
+    pole : int
+        Body axis i if ν_i vanishes on them, else 0.
+    arcs : tuple of cells
+        Of the arrangement: pieces of the curve.
+    """
+
+    curve: Any
+    words: str
+    circles: int
+    stable: bool
+    pole: int
+    arcs: tuple[Cell, ...]
+
+
+@dataclass(frozen=True)
+class Equilibrium:
+    """A corner of the diagram over which ν rests at ± a body axis.
+
+    Attributes
+    ----------
+    place : two Fractions
+    axis : int
+    centres : int
+        2: a minimum or maximum, stable; 1: a saddle and a centre; 0: a saddle twice.
+    """
+
+    place: tuple[Fraction, Fraction]
+    axis: int
+    centres: int
+
+    @property
+    def words(self) -> str:
+        """The kind of equilibrium, in words."""
+        return ("saddle–saddle", "saddle–centre", "centre–centre")[self.centres]
+
+
+@dataclass(frozen=True)
+class Kinds:
+    """The kinds of motion over the cells and arcs of a plane.
+
+    Attributes
+    ----------
+    plane : Plane
+    poles : three fmpq
+        Increasing.
+    order : three int
+        The body axes that they belong to.
+    rest : fmpq_mpoly
+        The curve is y² = ∏(z − e_i) · rest.
+    bounds : tuple of fmpq_mpoly
+        Positive over the motions.
+    cut : Arrangement
+        Along the discriminant, the values of `rest` at the poles and the bounds.
+    """
+
+    plane: Plane
+    poles: tuple[fmpq, fmpq, fmpq]
+    order: tuple[int, int, int]
+    rest: fmpq_mpoly
+    bounds: tuple[fmpq_mpoly, ...]
+    cut: Arrangement
+
+    @cached_property
+    def tori(self) -> dict[Cell, tuple[Family, ...]]:
+        """The tori over every cell."""
+        return {cell: self._tori(*self.cut.sample(cell)) for cell in self.cut.cells}
+
+    def _tori(self, x: fmpq, y: fmpq) -> tuple[Family, ...]:
+        if any(_above(bound, x, y)(0) < 0 for bound in self.bounds):
+            return ()
+        return families(self.poles, _above(self.rest, x, y))
+
+    @cached_property
+    def motions(self) -> dict[Cell, frozenset[tuple[str, int, bool, int]]]:
+        """The motions on circles over every arc: words, number, stability and axis."""
+        return {arc: frozenset(self._motions(arc)) for arc in self.cut.arcs}
+
+    def _motions(self, arc: Cell) -> set[tuple[str, int, bool, int]]:
+        column, rank = arc
+        beside = (self.tori[column, rank], self.tori[column, rank + 1])
+        if not any(beside):
+            # beyond a bound; elsewhere a circle has tori beside it
+            return set()
+        curve = self.cut.curves[self.cut.orders[column][rank]]
+        for bound, told in zip(self.bounds, self.plane.bounds, strict=True):
+            if _divides(curve, bound):
+                # every torus shrinks to one circle
+                count = sum(family.tori for families in beside for family in families)
+                return {(told.words, count, True, 0)}
+        found: dict[tuple[str, bool, int], int] = {}
+        for circles in self._circles(arc, curve):
+            axis = self.order[circles.pole - 1] if circles.pole else 0
+            words = (
+                self.plane.resting.format(axis)
+                if axis
+                else f"motion with constant z_{circles.coordinate}"
+            )
+            key = (words, circles.stable, axis)
+            found[key] = found.get(key, 0) + circles.count
+        return {(words, count, stable, axis) for (words, stable, axis), count in found.items()}
+
+    def _circles(self, arc: Cell, curve: fmpq_mpoly) -> list[Circles]:
+        column, rank = arc
+        place = Arc(self.cut.curves, self.cut.samples[column], rank)
+        found: list[Circles] = []
+        for number, pole in enumerate(self.poles, 1):
+            if _divides(curve, _at(self.rest, pole)):
+                found += circles_at_a_pole(place, self.poles, self.rest, number)
+        if _divides(curve, self.rest.discriminant("z")):
+            found += circles_at_a_double_root(place, self.poles, self.rest)
+        return found
+
+    def regions(self) -> tuple[Region, ...]:
+        """Cells put together wherever no motion changes its kind in between.
+
+        Raises
+        ------
+        InputError
+            If kinds change across a vertical line.
+        """
+        parent = {cell: cell for cell in self.cut.cells}
+
+        def root(cell: Cell) -> Cell:
+            while parent[cell] != cell:
+                cell = parent[cell]
+            return cell
+
+        open_arcs = [arc for arc, motions in self.motions.items() if not motions]
+        for one, other in (*self.cut.joints, *((a, (a[0], a[1] + 1)) for a in open_arcs)):
+            if self.tori[one] != self.tori[other]:
+                raise InputError(
+                    f"{self.plane.name}: the motions change across a vertical line of the diagram; "
+                    "exchange the two integrals"
+                )
+            parent[root(one)] = root(other)
+        classes: dict[Cell, list[Cell]] = {}
+        for cell in self.cut.cells:
+            classes.setdefault(root(cell), []).append(cell)
+        found = sorted(classes.values(), key=lambda cells: (not self.tori[cells[0]], cells[0]))
+        regions = []
+        for number, cells in enumerate(found, 1):
+            kind = self.tori[cells[0]]
+            x, y = map(fraction, self.cut.sample(cells[0]))
+            regions.append(Region(number if kind else 0, kind, frozenset(cells), (x, y)))
+        return tuple(regions)
+
+    def boundaries(self) -> tuple[Boundary, ...]:
+        """Arcs put together that lie on one curve and have the same motions."""
+        found: dict[tuple[int, tuple[str, int, bool, int]], list[Cell]] = {}
+        for (column, rank), motions in self.motions.items():
+            for kind in motions:
+                found.setdefault((self.cut.orders[column][rank], kind), []).append((column, rank))
+        return tuple(
+            Boundary(self._shown(curve), *kind, tuple(arcs))
+            for (curve, kind), arcs in sorted(found.items())
+        )
+
+    def _shown(self, number: int) -> Any:
+        """A curve of the arrangement in the symbols of the axes."""
+        x, y = (axis.symbol for axis in self.plane.axes)
+        terms = self.cut.curves[number].to_dict().items()
+        return sp.Add(*(sp.Rational(str(c)) * x**i * y**j for (i, j, _), c in terms))
+
+    def equilibria(self) -> tuple[Equilibrium, ...]:
+        """Levels on which the curve has double roots at two poles, both of them straight lines."""
+        return tuple(
+            found
+            for pair in combinations(range(3), 2)
+            if (found := self._equilibrium(*pair)) is not None
+        )
+
+    def _equilibrium(self, first: int, second: int) -> Equilibrium | None:
+        poles = self.poles
+        place = _crossing(*(_at(self.rest, poles[n]) for n in (first, second)))
+        if place is None:
+            return None
+        left = _above(self.rest, *place)
+        for n in (first, second):
+            left //= fmpq_poly([-poles[n], 1])
+        third = 3 - first - second
+        signs = [(poles[n] - poles[third]) * left(poles[n]) for n in (first, second)]
+        if any(sign == 0 for sign in signs):
+            return None
+        x, y = map(fraction, place)
+        return Equilibrium((x, y), self.order[third], sum(bool(sign < 0) for sign in signs))
+
+
+def _at(polynomial: fmpq_mpoly, z: fmpq) -> fmpq_mpoly:
+    """A polynomial at a value of z."""
+    found: fmpq_mpoly = polynomial.subs({"z": z})
+    return found
+
+
+def _above(polynomial: fmpq_mpoly, x: fmpq, y: fmpq) -> fmpq_poly:
+    """A polynomial over a point of the plane, in z."""
+    found = fmpq_poly()
+    for (i, j, power), value in polynomial.to_dict().items():
+        found[power] = found[power] + value * x**i * y**j
+    return found
+
+
+def _divides(factor: fmpq_mpoly, polynomial: fmpq_mpoly) -> bool:
+    """Whether an irreducible polynomial is a factor of another one."""
+    return bool(factor.gcd(polynomial).total_degree() == factor.total_degree())
+
+
+def _crossing(one: fmpq_mpoly, other: fmpq_mpoly) -> tuple[fmpq, fmpq] | None:
+    """The point where two straight lines cross; None for parallel or curved ones."""
+    if one.total_degree() != 1 or other.total_degree() != 1:
+        return None
+    (a, b, c), (d, e, f) = (
+        [line.to_dict().get(powers, fmpq(0)) for powers in ((1, 0, 0), (0, 1, 0), (0, 0, 0))]
+        for line in (one, other)
+    )
+    determinant = a * e - b * d
+    if determinant == 0:
+        return None
+    return (b * f - c * e) / determinant, (c * d - a * f) / determinant

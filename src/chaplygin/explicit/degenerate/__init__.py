@@ -1,0 +1,68 @@
+"""Degenerate curves: two roots have collided, and a motion needs elliptic functions alone.
+
+The curve y² = leading ∏ (z − root) with a double root e leaves w = y/(z − e), an elliptic curve.
+Either one of the variables z₁, z₂ stays at e and the other one runs around an oval of w (permanent
+rotations), or e has closed the gap between the two variables and the motion runs from one such
+motion to another (separatrices).
+
+The numbers of a start are taken exactly (a float as the binary number that it is, a fraction as it
+stands), moved onto the phase space in many digits, and a collision is recognised when it is exact
+to within 1e-40 of the largest root: nothing is rounded off towards a degenerate motion.  A start
+that is merely near to one belongs to the generic case, whose roots are as many digits apart as they
+are.  Every collision between the two variables, or of one of them with the end of its oval, is
+covered; where two pairs of roots have collided at once the answer is None.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+from flint import ctx
+
+from ..separable import Separable
+from ..solution import Solution
+from .kinds import double_roots, motion
+from .solution import Degenerate
+from .start import PRECISION, begin, exact_ball
+
+__all__ = ["solved_degenerate"]
+
+
+def solved_degenerate(
+    separable: Separable, values: Mapping[sp.Symbol, Any], start: Sequence[Any]
+) -> Solution | None:
+    """Solve a motion whose curve is degenerate.
+
+    Parameters
+    ----------
+    separable : Separable
+        With three different poles at these values.
+    values : mapping of Symbol to number
+        The parameters of its system, taken as exact numbers.
+    start : sequence of numbers
+        The lifted state at t = 0, in flat order (the reduced one where there is no motion).
+
+    Returns
+    -------
+    Solution or None
+        None when the curve is not degenerate where the motion goes on.
+
+    Raises
+    ------
+    InputError
+        If the start is off the phase space or off the level.
+    """
+    system = separable.system
+    with ctx.workprec(PRECISION):
+        beginning = begin(separable, values, start)
+        for e, others in double_roots(beginning):
+            found = motion(beginning, e, others)
+            if found is not None:
+                lifted = system.motion is not None and len(separable.fixed) == 2
+                whole = system.lifted() if lifted else replace(system, motion=None)
+                numbers = {s: exact_ball(x) for s, x in values.items()}
+                return Degenerate(whole, numbers, tuple(start), separable, beginning, found, e)
+    return None

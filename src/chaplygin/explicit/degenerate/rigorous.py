@@ -1,0 +1,335 @@
+"""States of a degenerate motion in balls, with proven bounds of all errors.
+
+The clock and the places are integrated in the phase σ = |dU/dτ| τ, over one period of a periodic
+motion, or over as much as is asked for of the window outside of which an asymptotic one agrees
+with its limits to the digits wanted.  Beyond it the numerators are those of the limit with balls
+for what still differs, so that one period of them bounds every period to come.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from flint import acb, arb, ctx
+
+from ...mechanics.attitude import attitude
+from ...system import flat_pairs
+from ..numbers import components
+from ..one_variable.panels import Integrals, integrals, working_bits
+from ..prepared import chain
+from ..revolution import balls_of, needed
+from .analytic import analytic, root, triad, velocity
+from .motion import Asymptotic
+from .quaternion import cross, dot, product, quaternion
+from .start import exact_ball
+
+if TYPE_CHECKING:
+    from .solution import Degenerate
+
+__all__ = ["rigorous_state"]
+
+#: σ ↦ N and N′ in complex balls.
+Numerators = Callable[[Any], tuple[list[Any], list[Any]]]
+#: How far, in σ, the boxes reach from a panel inside which functions are bounded.
+REACH = 4
+#: Balls smaller than this are points; larger ones are boxes, on which only bounds are wanted.
+POINTLIKE, BOX_BITS = 1e-6, 64
+#: Boxes smaller than this are not divided any further.
+SMALLEST = 0.02
+
+
+def rigorous_state(solution: Degenerate, time: Any, digits: int) -> tuple[Any, ...]:
+    """The lifted state at one time as balls that contain the exact one.
+
+    Parameters
+    ----------
+    solution : Degenerate
+    time : float, int, str, Fraction or arb
+    digits : int
+
+    Raises
+    ------
+    InputError
+        If more digits are needed than the start is carried with.
+    """
+    moment = balls_of(time)
+    work = needed(time, digits, 1)
+    with ctx.workprec(working_bits(work)):
+        return Rigorous(solution, work).state(moment)
+
+
+@dataclass(frozen=True)
+class Tail:
+    """All periods beyond one end of the window.
+
+    Attributes
+    ----------
+    edge : arb
+        σ where they begin.
+    integrals : Integrals
+        Over one period from there, outwards; what it encloses holds for every period.
+    side : int
+        1 after the window, −1 before it.
+    """
+
+    edge: Any
+    integrals: Integrals
+    side: int
+
+    def value(self, index: int, sigma: Any) -> Any:
+        """An integral from the edge to σ beyond it."""
+        turns = self.turns(sigma)
+        rest = sigma - self.edge - turns * 2 * arb.pi()
+        whole = self.integrals.value(index, self.side * 2 * arb.pi())
+        return abs(turns) * whole + self.integrals.value(index, rest)
+
+    def turns(self, sigma: Any) -> int:
+        """Whole periods from the edge to σ, with the sign of the side."""
+        return self.side * int(abs(float((sigma - self.edge).mid())) / (2 * np.pi))
+
+
+@dataclass(frozen=True)
+class Rigorous:
+    """A degenerate motion with proven bounds.
+
+    Attributes
+    ----------
+    solution : Degenerate
+    digits : int
+    """
+
+    solution: Degenerate
+    digits: int
+
+    # --- formulas --------------------------------------------------------------------------
+
+    def _function(self, formulas: Sequence[Any]) -> Callable[..., list[Any]]:
+        """Formulas of the system as a function of ν and ν′."""
+        arguments, steps = chain(self.solution.separable, formulas)
+        made = analytic(arguments, formulas, steps)
+        fixed = [self.solution.beginning.values[s] for s in arguments[6:]]
+        return lambda nu, nuprime: made(*nu, *nuprime, *fixed)
+
+    @cached_property
+    def _reduced(self) -> Callable[..., list[Any]]:
+        return self._function(self.solution.separable.system.symbols)
+
+    @cached_property
+    def _rates(self) -> Callable[..., list[Any]]:
+        """The clock, then the velocity in body axes."""
+        clock = components(self.solution.separable.clock)
+        motion = self.solution.separable.system.motion
+        if motion is None or not self.solution.lifted:
+            return self._function(clock)
+        pairs = flat_pairs(motion.field)
+        places = [formula for name, formula in pairs if name not in attitude.symbols]
+        return self._function([*clock, *(velocity(places, attitude.symbols) if places else ())])
+
+    @cached_property
+    def _triad(self) -> Callable[..., list[list[Any]]]:
+        vectors = self._function(
+            [c for vector in self.solution.separable.fixed for c in components(vector)]
+        )
+
+        six = vectors(self.solution.beginning.nu, self.solution.beginning.nuprime)
+        normal = cross(six[:3], six[3:])
+        sizes = (root(dot(six[:3], six[:3])), root(dot(normal, normal)))
+
+        def found(nu: Any, nuprime: Any) -> list[list[Any]]:
+            six = vectors(nu, nuprime)
+            return triad(six[:3], six[3:], sizes)
+
+        return found
+
+    @cached_property
+    def _stand(self) -> list[list[Any]]:
+        """The triad in space axes."""
+        beginning = self.solution.beginning
+        size = len(beginning.state)
+        turn = [exact_ball(x) for x in self.solution.start[size : size + 4]]
+        length = sum((q * q for q in turn), arb(0)).sqrt()
+        return [
+            product([q / length for q in turn], v)
+            for v in self._triad(beginning.nu, beginning.nuprime)
+        ]
+
+    # --- along the motion ------------------------------------------------------------------
+
+    @property
+    def _speed(self) -> Any:
+        return abs(self.solution.motion.speed)
+
+    def _integrands(self, numerators: Numerators) -> Callable[[Any], list[Any]]:
+        """Derivatives by σ of the clock and the places."""
+
+        def rates(sigma: Any) -> list[Any]:
+            size = max(float(sigma.real.rad()), float(sigma.imag.rad()))
+            if size < POINTLIKE:
+                return at(sigma)
+            with ctx.workprec(BOX_BITS):
+                return bound(sigma, size)
+
+        def bound(sigma: Any, size: float) -> list[Any]:
+            """On a box that is too large for its dependent terms: the union over its quarters."""
+            found = at(sigma)
+            if size < SMALLEST or all(f.is_finite() for f in found):
+                return found
+            quarters = [bound(quarter, size / 2) for quarter in _quarters(sigma)]
+            return [a.union(b).union(c).union(d) for a, b, c, d in zip(*quarters, strict=True)]
+
+        def at(sigma: Any) -> list[Any]:
+            nu, nuprime = _direction(*numerators(sigma))
+            clock, *moved = self._rates(nu, nuprime)
+            found = [clock]
+            if moved:
+                along = [dot(axis, moved) for axis in self._triad(nu, nuprime)]
+                found += [clock * dot(along, [k[i] for k in self._stand]) for i in (0, 1)]
+            return [acb(f / self._speed) for f in found]
+
+        return rates
+
+    def _exactly(self, sigma: Any) -> tuple[list[Any], list[Any]]:
+        return self.solution.motion.at(sigma / self._speed)
+
+    @cached_property
+    def _edges(self) -> tuple[Any, Any]:
+        """σ at the ends of what is integrated."""
+        motion = self.solution.motion
+        if not isinstance(motion, Asymptotic):
+            return arb(0), 2 * arb.pi() + arb(2) ** -20
+        faded = arb(self.digits) * arb(10).log() + 3
+        ends = [(k * faded - motion.offset) / motion.growth * self._speed for k in (-1, 1)]
+        return min(*ends, arb(-1), key=float).mid(), max(*ends, arb(1), key=float).mid()
+
+    def _window(self, sigma: Any) -> Integrals:
+        """The integrals at least from 0 to σ."""
+        low, high = self._edges
+        pieces = 4 * (1 + abs(int(float(sigma.mid()))) // 4)
+        if sigma < 0:
+            ends = (max(low, arb(-pieces), key=float), arb("0.5"))
+        else:
+            ends = (arb(0), min(high, arb(pieces), key=float))
+        key = (float(ends[0]), float(ends[1]))
+        if key not in self._windows:
+            self._windows[key] = integrals(self._integrands(self._exactly), *ends, self.digits)
+        return self._windows[key]
+
+    @cached_property
+    def _windows(self) -> dict[tuple[float, float], Integrals]:
+        return {}
+
+    def _tail(self, side: int) -> Tail:
+        motion = self.solution.motion
+        assert isinstance(motion, Asymptotic)
+        edge = self._edges[0 if side < 0 else 1]
+        kappa = motion.offset + motion.growth * edge / self._speed
+        slack = abs(motion.growth) / self._speed * REACH * 2
+        faint = (slack - abs(kappa)).exp().upper()
+        after = bool(kappa > 0)
+
+        def numerators(sigma: Any) -> tuple[list[Any], list[Any]]:
+            if not abs(sigma.real - side * arb.pi()) < arb.pi() + 2 * REACH:
+                return [acb("nan")] * 3, [acb("nan")] * 3
+            doubt = arb(0, faint)
+            small = acb(doubt * faint, doubt * faint)
+            U = motion.phase + motion.speed * (edge + sigma) / self._speed
+            down, up = (small, acb(1)) if after else (acb(1), small)
+            return motion.combined(U, down, up, acb(doubt, doubt))
+
+        low, high = (arb(-7), arb("0.5")) if side < 0 else (arb(0), arb(7))
+        return Tail(edge, integrals(self._integrands(numerators), low, high, self.digits), side)
+
+    @cached_property
+    def _tails(self) -> dict[int, Tail]:
+        return {}
+
+    def _beyond(self, sigma: Any) -> Tail | None:
+        """The tail in which σ lies."""
+        low, high = self._edges
+        if not isinstance(self.solution.motion, Asymptotic) or low <= sigma <= high:
+            return None
+        side = 1 if sigma > high else -1
+        if side not in self._tails:
+            self._tails[side] = self._tail(side)
+        return self._tails[side]
+
+    def _total(self, index: int, sigma: Any) -> Any:
+        """An integral from τ = 0 to σ."""
+        tail = self._beyond(sigma.mid())
+        if tail is None:
+            return self._window(sigma).value(index, sigma)
+        return self._window(tail.edge).value(index, tail.edge) + tail.value(index, sigma)
+
+    # --- answers ---------------------------------------------------------------------------
+
+    def _phase(self, time: Any) -> tuple[Any, int]:
+        """σ at a time, less whole periods of a periodic motion, and how many these are."""
+        rough = self.solution.clock.when(np.array([float(time.mid())]))
+        turns = 0
+        sigma = (arb(float(rough.rest[0])) * self._speed).mid()
+        if isinstance(self.solution.motion, Asymptotic):
+            sigma = (sigma + 2 * arb.pi() * int(rough.turns[0])).mid()
+        else:
+            turns = int(rough.turns[0])
+            time = time - turns * self._total(0, 2 * arb.pi())
+        for _ in range(8):
+            step = (self._total(0, sigma) - time) / self._rate(sigma)
+            sigma = (sigma - step).mid()
+            if abs(step) < arb(2) ** (-ctx.prec // 2):
+                break
+        # one step of Newton's method in intervals proves the root
+        defect = time - self._total(0, sigma)
+        reach = 2 * abs(defect / self._rate(sigma)).upper()
+        for _ in range(40):
+            image = sigma + defect / self._rate(arb(sigma, reach))
+            if image.is_finite() and arb(sigma, reach).contains(image):
+                return image, turns
+            reach = 2 * reach
+        return arb(sigma, arb("inf")), turns
+
+    def _rate(self, sigma: Any) -> Any:
+        return self._integrands(self._exactly)(acb(sigma))[0].real
+
+    def state(self, time: Any) -> tuple[Any, ...]:
+        """The lifted state at a time (arb)."""
+        sigma, turns = self._phase(time)
+        nu, nuprime = _direction(*self._exactly(sigma))
+        reduced = self._reduced(nu, nuprime)
+        if not self.solution.lifted:
+            return tuple(reduced)
+        size = len(reduced)
+        near = self.solution.states(np.array([float(time.mid())]))[0]
+        axes = self._triad(nu, nuprime)
+        rows = [
+            [dot([k[i] for k in self._stand], [a[j] for a in axes]) for j in range(3)]
+            for i in range(3)
+        ]
+        turn = quaternion(rows, near[size : size + 4])
+        places = [
+            exact_ball(x) + self._total(index, sigma) + turns * self._total(index, 2 * arb.pi())
+            if turns
+            else exact_ball(x) + self._total(index, sigma)
+            for index, x in enumerate(self.solution.start[size + 4 :], 1)
+        ]
+        return (*reduced, *turn, *places)
+
+
+def _quarters(box: Any) -> list[Any]:
+    """Four boxes that cover a box."""
+    halves = []
+    for side in (box.real, box.imag):
+        half = side.rad() / 2
+        halves.append([arb(side.mid() - half, half), arb(side.mid() + half, half)])
+    return [acb(x, y) for x in halves[0] for y in halves[1]]
+
+
+def _direction(values: Sequence[Any], slopes: Sequence[Any]) -> tuple[list[Any], list[Any]]:
+    """ν and ν′ from N and N′."""
+    length = root(dot(values, values))
+    nu = [n / length for n in values]
+    along = dot(nu, slopes)
+    return nu, [(d - v * along) / length for v, d in zip(nu, slopes, strict=True)]

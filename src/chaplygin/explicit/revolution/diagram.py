@@ -1,0 +1,246 @@
+"""The bifurcation diagram of a rubber body of revolution on the plane of its integrals (h, K).
+
+A motion lives where V_K(u) = U(u) + K²/2(1 − u²) ≤ h.  Permanent rotations are the critical points
+of V_K, the zeros of
+
+    G(u) = (1 − u²)² U′(u) + K²u,
+
+stable where G′ > 0; every one is isolated by the signs of G and G′ in ball arithmetic.  By Morse's
+theory of functions on a line, the number of separate motions with the same (h, K) grows by one
+where h passes the value of a minimum and falls by one where it passes that of a maximum.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from flint import arb, ctx, fmpq
+
+from ...errors import InputError
+from ...mechanics.rolling import Rolling
+from ..one_variable.slopes import jet
+from ..problem import exact
+from .body import Body, body_of, u
+
+__all__ = ["Column", "Diagram", "Rest", "columns_at", "motions_at", "revolution_diagram"]
+
+#: Bits to compute with.
+BITS = 120
+
+#: Permanent rotations closer than this to the vertical (in cos θ) are left out.
+MARGIN = 2.0**-20
+
+#: Points (h, K, cos θ) of a curve.
+Points = list[tuple[float, float, float]]
+
+#: Intervals are not halved below this width.
+NARROWEST = 1e-14
+
+
+@dataclass(frozen=True)
+class Rest:
+    """A permanent rotation at given K.
+
+    Attributes
+    ----------
+    u : flint.arb
+        cos θ.
+    h : flint.arb
+        Its energy.
+    stable : bool
+    """
+
+    u: Any
+    h: Any
+    stable: bool
+
+
+@dataclass(frozen=True)
+class Column:
+    """All motions with one value of K, but for those within MARGIN of the vertical.
+
+    Attributes
+    ----------
+    K : float
+    rests : tuple of Rest
+        In order of their energy.
+    counts : tuple of int
+        How many separate motions there are below the first rest (none), between the first and
+        the second, …, above the last.
+    """
+
+    K: float
+    rests: tuple[Rest, ...]
+    counts: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Diagram:
+    """The bifurcation diagram.
+
+    Attributes
+    ----------
+    columns : tuple of Column
+        By increasing K.
+    curves : tuple of arrays (n, 3)
+        Families of permanent rotations: rows (h, K, cos θ), for K ≥ 0; the diagram is symmetric.
+    stable : tuple of bool
+        Of each curve.
+    """
+
+    columns: tuple[Column, ...]
+    curves: tuple[Any, ...]
+    stable: tuple[bool, ...]
+
+
+def revolution_diagram(
+    rolling: Rolling,
+    spins: Sequence[float],
+    parameters: Mapping[sp.Symbol, Any] | None = None,
+) -> Diagram:
+    """The diagram of a body, on columns of constant K.
+
+    Parameters
+    ----------
+    rolling : Rolling
+        A rubber body of revolution on a plane.
+    spins : sequence of float
+        Positive values of K, increasing.
+    parameters : mapping of Symbol to number, optional
+        Values that replace the body's.
+
+    Raises
+    ------
+    InputError
+        If the body is another one, or K is not positive.
+    """
+    body = body_of(rolling, {**rolling.system().defaults, **(parameters or {})})
+    if body is None:
+        raise InputError("the diagram of (h, K) belongs to a rubber body of revolution on a plane")
+    columns = tuple(columns_at(body, K) for K in spins)
+    curves = _joined(columns)
+    return Diagram(columns, tuple(c for c, _ in curves), tuple(stable for _, stable in curves))
+
+
+def columns_at(body: Body, K: float) -> Column:
+    """The permanent rotations at one K > 0, and the number of motions between them.
+
+    Raises
+    ------
+    InputError
+        If K is not positive, or two permanent rotations are too close together to be told apart.
+    """
+    if not K > 0:
+        raise InputError(
+            f"K = {K}: it must be positive; the diagram is symmetric, and at K = 0 it ends"
+        )
+    with ctx.workprec(BITS):
+        value = exact(K)
+        square = arb(fmpq(value.numerator, value.denominator))
+        square = square * square
+        slope = _slope(body)
+
+        def G(x: Any) -> Any:
+            return body.at(slope, x) + square * x
+
+        rests = []
+        for place, rising in _zeros(G):
+            energy = body.at(body.energy, place) + square / (2 * (1 - place * place))
+            rests.append(Rest(place, energy, rising))
+        rests.sort(key=lambda rest: float(rest.h))
+        counts = [0]
+        for rest in rests:
+            counts.append(counts[-1] + (1 if rest.stable else -1))
+        return Column(float(K), tuple(rests), tuple(counts))
+
+
+def motions_at(column: Column, h: float) -> int | None:
+    """How many separate motions have the energy h; None where this is not decided."""
+    with ctx.workprec(BITS):
+        value = exact(h)
+        energy = arb(fmpq(value.numerator, value.denominator))
+        if any(rest.h.overlaps(energy) for rest in column.rests):
+            return None
+        return column.counts[sum(bool(rest.h < energy) for rest in column.rests)]
+
+
+def _slope(body: Body) -> sp.Expr:
+    """(1 − u²)² U′ as a formula without a denominator that vanishes upright."""
+    return _cleared(body.energy)
+
+
+@lru_cache(maxsize=64)
+def _cleared(energy: sp.Expr) -> sp.Expr:
+    return sp.expand_mul((1 - u**2) ** 2 * energy.diff(u))
+
+
+def _zeros(G: Any) -> list[tuple[Any, bool]]:
+    """The zeros of G between the poles, in order, and whether G rises there."""
+    found: list[tuple[Any, bool]] = []
+    waiting = [(arb(-1 + MARGIN), arb(1 - MARGIN))]
+    while waiting:
+        left, right = waiting.pop()
+        value, rate, _ = jet(G, left.union(right))
+        if value > 0 or value < 0:
+            continue
+        first, last = jet(G, left)[0], jet(G, right)[0]
+        apart = (first > 0 or first < 0) and (last > 0 or last < 0)
+        if apart and (rate > 0 or rate < 0):
+            if (first > 0) != (last > 0):
+                found.append((_refined(G, left, right), bool(rate > 0)))
+            continue
+        if right - left < NARROWEST:
+            raise InputError(
+                f"near cos(theta) = {float(left):.6g} two permanent rotations merge at this K: it "
+                "lies on the border of two regions"
+            )
+        # not in the middle, where symmetric bodies have a zero
+        middle = (left + (right - left) * arb("0.4871")).mid()
+        waiting += [(middle, right), (left, middle)]
+    return sorted(found, key=lambda pair: float(pair[0]))
+
+
+def _refined(G: Any, left: Any, right: Any) -> Any:
+    """The zero of a monotone function, by interval Newton steps."""
+    ball = left.union(right)
+    for _ in range(60):
+        middle = ball.mid()
+        value = jet(G, middle)[0]
+        image = middle - value / jet(G, ball)[1]
+        narrower = image.intersection(ball)
+        if not narrower.rad() < ball.rad() / 2:
+            return narrower
+        ball = narrower
+    return ball
+
+
+def _joined(columns: Sequence[Column]) -> list[tuple[Any, bool]]:
+    """Permanent rotations of neighbouring columns joined to curves of one stability.
+
+    Each goes on with the nearest rotation of the next column; a curve without a partner ends, as
+    where a stable and an unstable rotation merge.
+    """
+    running: list[tuple[Points, bool]] = []
+    done: list[tuple[Points, bool]] = []
+    for column in columns:
+        free = [((float(rest.h), column.K, float(rest.u)), rest.stable) for rest in column.rests]
+        pairs = sorted(
+            (abs(points[-1][2] - point[2]), i, j)
+            for i, (points, stable) in enumerate(running)
+            for j, (point, kind) in enumerate(free)
+            if kind == stable
+        )
+        partner: dict[int, int] = {}
+        for _, i, j in pairs:
+            if i not in partner and j not in partner.values():
+                partner[i] = j
+        done += [curve for i, curve in enumerate(running) if i not in partner]
+        kept = [([*running[i][0], free[j][0]], free[j][1]) for i, j in partner.items()]
+        fresh = [k for k in range(len(free)) if k not in partner.values()]
+        running = [*kept, *(([free[k][0]], free[k][1]) for k in fresh)]
+    return [(np.array(points), stable) for points, stable in (*done, *running)]

@@ -1,0 +1,201 @@
+"""States of a motion on a torus as balls that contain the exact ones."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from math import ceil, log10
+from typing import TYPE_CHECKING, Any
+
+from flint import arb, ctx
+
+from ..numbers import ball, components, number
+from ..prepared import Prepared, chain, prepared
+from .formula import Branch, direction
+from .quadrature import RigorousQuadrature, bits_for, quadratures
+from .theta import numerators_at
+from .turn import Pair, PathRates, Turn, path_rates
+
+if TYPE_CHECKING:
+    from ..genus_two import GenusTwo
+
+__all__ = ["RigorousMotion", "rigorous_motion", "rigorous_state"]
+
+#: Bits lost between the start and the phases, at most on motions that are not nearly degenerate.
+_LOST = 100
+#: Times are prepared for up to whole powers of 10 to this.
+_DECADES = 6
+
+
+@dataclass(frozen=True)
+class RigorousMotion:
+    """A motion on a torus with error bounds.
+
+    Attributes
+    ----------
+    solution : GenusTwo
+        The same motion in double precision.
+    prepared : Prepared
+        Constants, curve and torus at the precision that is needed.
+    clock : RigorousQuadrature
+        ∫ (dt/dτ) dτ.
+    digits : int
+    reach : float
+        The largest |τ|.
+    """
+
+    solution: GenusTwo
+    prepared: Prepared
+    clock: RigorousQuadrature
+    digits: int
+    reach: float
+
+    @cached_property
+    def _state(self) -> Branch:
+        symbols = self.prepared.separable.system.symbols
+        return Branch(symbols, self.prepared.values, chain(self.prepared.separable, symbols)[1])
+
+    @cached_property
+    def _pair(self) -> Pair | None:
+        return Pair.of(self.prepared)
+
+    def _turn(self, pair: Pair) -> Turn:
+        """The triad at the start."""
+        place = len(self.prepared.separable.system.symbols)
+        quaternion = [ball(x) for x in self.solution.start[place : place + 4]]
+        at_start = direction(*numerators_at(self.prepared.torus, arb(0)))
+        return Turn.through(self.prepared, pair, at_start, quaternion)
+
+    @cached_property
+    def _angle(self) -> RigorousQuadrature | None:
+        """The angle by which the triad turns about its first vector."""
+        if self._pair is None or self._pair.rate is None:
+            return None
+        with ctx.workprec(self.clock.bits):
+            rate = self._pair.turning(self.prepared)
+        return quadratures(self.prepared.torus, rate, self.digits, self.reach)[0]
+
+    @cached_property
+    def _paths(self) -> tuple[PathRates, tuple[RigorousQuadrature, ...]] | None:
+        """Rates of what the motion has in space beside the attitude, and the integrals in them."""
+        if self._pair is None or self._pair.rate is not None:
+            return None
+        with ctx.workprec(self.clock.bits):
+            found = path_rates(self.prepared, self._pair)
+            if found is None:
+                return None
+            torus = self.prepared.torus
+            return found, quadratures(torus, found.functions, self.digits, self.reach)
+
+    def _lifted(
+        self, tau: Any, there: tuple[list[Any], list[Any]], rough: Sequence[float]
+    ) -> list[Any]:
+        """Attitude and places; balls of radius 1 and ∞ where nothing better is known."""
+        start = self.solution.start[-len(rough) :]
+        places = [arb(0, arb("inf")) for _ in start[4:]]
+        if self._pair is None:
+            return [arb(0, 1)] * 4 + places
+        turn = self._turn(self._pair)
+        if self._paths is not None:
+            rates, integrals = self._paths
+            values = [path.at(tau) for path in integrals]
+            moved = [
+                sum((turn.axes[k] * values[i] for i, k in own), arb(0)) for own in rates.shares
+            ]
+            places = [ball(x) + y for x, y in zip(start[4:], moved, strict=True)]
+        if self._angle is not None:
+            turn = turn.turned(self._angle.at(tau))
+        return turn.quaternion(there, rough) + places
+
+    def reduced(self, tau: Any) -> tuple[list[Any], tuple[list[Any], list[Any]]]:
+        """The reduced state, and ν and ν′, at one τ."""
+        there = direction(*numerators_at(self.prepared.torus, tau))
+        return self._state.at(*there), there
+
+    def state(self, time: Any) -> tuple[Any, ...]:
+        """The lifted state at one time, as balls (arb).
+
+        The sign of the quaternion, which the attitude leaves open, is that of the evaluation in
+        double precision.  Where no direction is known to stay in space the attitude is left open
+        (balls of radius 1), and where less than two are, so is the place (infinite balls).
+
+        Parameters
+        ----------
+        time : float, int, str, Fraction or arb
+            With |τ| ≤ reach there.
+        """
+        with ctx.workprec(self.clock.bits):
+            moment = ball(time)
+            tau = self.clock.inverse(moment)
+            reduced, there = self.reduced(tau)
+            if self.prepared.separable.system.motion is None:
+                return tuple(reduced)
+            rough = self.solution.states([number(moment)])[0, len(reduced) :]
+            return (*reduced, *self._lifted(tau, there, rough))
+
+
+def rigorous_motion(solution: GenusTwo, digits: int, until: Any) -> RigorousMotion:
+    """Prepare a motion for evaluation with error bounds.
+
+    Parameters
+    ----------
+    solution : GenusTwo
+    digits : int
+        Decimal places after the point that are wanted.
+    until : number
+        The largest |time| at which they are wanted.
+
+    Raises
+    ------
+    InputError
+        If the motion is so close to a separatrix that the bounds would take too long.
+    """
+    own = solution.prepared
+    reach = 10 + 1.1 * abs(number(ball(until))) / number(solution.clock.mean)
+    start: Sequence[Any] = solution.start[: len(own.separable.system.symbols)]
+    with ctx.workprec(bits_for(digits, reach) + _LOST):
+        exact = prepared(own.separable, solution.parameters, start)
+        rate = components(own.separable.clock)
+        branch = Branch(rate, exact.values, chain(own.separable, rate)[1])
+    (clock,) = quadratures(exact.torus, branch, digits, reach)
+    return RigorousMotion(solution, exact, clock, digits, reach)
+
+
+def rigorous_state(solution: GenusTwo, time: Any, digits: int) -> tuple[Any, ...]:
+    """The lifted state of a motion at one time as balls that contain the exact one.
+
+    Parameters
+    ----------
+    solution : GenusTwo
+    time : float, int, str, Fraction or arb
+    digits : int
+        Decimal places aimed at; the radii of the balls say what was reached.
+
+    Raises
+    ------
+    InputError
+        See :func:`rigorous_motion`.
+    """
+    length = abs(number(ball(time)))
+    steps = ceil(log10(max(length, 1.0)) / _DECADES)
+    return _ready(_Itself(solution), digits, _DECADES * max(1, steps)).state(time)
+
+
+class _Itself:
+    """A solution, equal to itself alone."""
+
+    def __init__(self, solution: GenusTwo) -> None:
+        self.solution = solution
+
+    def __hash__(self) -> int:
+        return id(self.solution)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Itself) and other.solution is self.solution
+
+
+@lru_cache(maxsize=4)
+def _ready(itself: _Itself, digits: int, decades: int) -> RigorousMotion:
+    """A motion prepared for all times up to a power of ten, kept for the next time asked."""
+    return rigorous_motion(itself.solution, digits, 10**decades)

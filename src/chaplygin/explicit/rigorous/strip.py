@@ -1,0 +1,138 @@
+"""How far functions on a torus continue to complex phases, and how large they are there.
+
+A function f analytic for |Im v_j| ≤ r_j is, by the maximum principle, at most as large there as on
+the four tori Im v = (±r₁, ±r₂), and so its Fourier coefficients on (R/pZ)² obey
+|f_k| ≤ M exp(−2π(r₁|k₁| + r₂|k₂|)/p).  For real f two of the four tori suffice.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from flint import arb, ctx
+
+from ...errors import InputError
+from ..torus import Torus
+from .affine import Affine
+from .formula import Branch, direction
+from .theta import Line, Numerators
+
+__all__ = ["Strip", "least", "lines_of", "strip_bound"]
+
+#: Bits of the theta series that are turned into doubles.
+BITS = 64
+#: Numbers of boxes in each direction, for the period 1, that are tried; and the most for both
+#: directions together, which is a matter of memory.
+_BOXES, _MOST = (64, 128, 256), 256**2
+#: Half-widths between which the strip is looked for.
+_WIDEST, _NARROWEST = 0.6, 0.001
+_CLOSE = "start: too close to a separatrix for error bounds"
+
+
+@dataclass(frozen=True)
+class Strip:
+    """Where formulas are analytic.
+
+    Attributes
+    ----------
+    half : (float, float)
+        r₁, r₂.
+    bounds : tuple of float
+        M for each formula.
+    """
+
+    half: tuple[float, float]
+    bounds: tuple[float, ...]
+
+
+def lines_of(counts: Sequence[int], periods: Sequence[int]) -> tuple[Line, Line]:
+    """So many equidistant points over the periods of the two phases."""
+    one, two = (Line(arb(0), arb(period) / n, n) for n, period in zip(counts, periods, strict=True))
+    return one, two
+
+
+def _values(
+    torus: Torus, branch: Branch, heights: Sequence[float], periods: Sequence[int], boxes: int
+) -> list[Affine]:
+    """The formulas on boxes that cover the torus Im v = heights."""
+    counts = [boxes * period for period in periods]
+    half = 0.5 / boxes
+    with np.errstate(all="ignore"):
+        N, rate = Numerators(torus, heights).boxes(lines_of(counts, periods), (half, half))
+        return branch.continued(*direction(N, rate))
+
+
+def _bounds(
+    torus: Torus, branch: Branch, half: Sequence[float], periods: Sequence[int], boxes: int
+) -> tuple[float, ...]:
+    """Upper bounds of the moduli on the strip; infinite or not a number where none is proven."""
+    tori = [
+        _values(torus, branch, heights, periods, boxes) for heights in (half, (half[0], -half[1]))
+    ]
+    return tuple(float(max(one.size.max(), two.size.max())) for one, two in zip(*tori, strict=True))
+
+
+def _holds(
+    torus: Torus, branch: Branch, half: Sequence[float], periods: Sequence[int], boxes: int
+) -> bool:
+    """Whether so many boxes prove the formulas analytic in the strip."""
+    return bool(np.all(np.isfinite(_bounds(torus, branch, half, periods, boxes))))
+
+
+def _sizes(periods: Sequence[int]) -> list[int]:
+    return [n for n in _BOXES if n**2 * periods[0] * periods[1] <= _MOST]
+
+
+def strip_bound(torus: Torus, branch: Branch, periods: Sequence[int]) -> Strip:
+    """A strip on which formulas are proven analytic, nearly as wide as it can be.
+
+    Parameters
+    ----------
+    torus : Torus
+    branch : Branch
+        Its signs learned.
+    periods : two of 1, 2
+        Periods of the moduli of the formulas in the two phases.
+
+    Raises
+    ------
+    InputError
+        If there is none of reasonable width: the motion is next to a separatrix.
+    """
+
+    def proven(half: tuple[float, float]) -> bool:
+        return _holds(torus, branch, half, periods, boxes)
+
+    with ctx.workprec(BITS):
+        narrow = (_NARROWEST, _NARROWEST)
+        boxes = next((n for n in _sizes(periods) if _holds(torus, branch, narrow, periods, n)), 0)
+        if boxes == 0:
+            raise InputError(_CLOSE)
+        low, high = _NARROWEST, _WIDEST
+        while high / low > 1.1:
+            middle = (low * high) ** 0.5
+            low, high = (middle, high) if proven((middle, middle)) else (low, middle)
+        half = (low, low)
+        for stretch in (1.6, 1.6, 1.25, 1.25):
+            for wider in ((half[0] * stretch, half[1]), (half[0], half[1] * stretch)):
+                half = wider if max(wider) < _WIDEST and proven(wider) else half
+        return Strip(half, _bounds(torus, branch, half, periods, boxes))
+
+
+def least(torus: Torus, branch: Branch, periods: Sequence[int]) -> float:
+    """A lower bound of formulas that are positive on the real torus.
+
+    Raises
+    ------
+    InputError
+        If the boxes prove none above zero: the motion is next to a separatrix.
+    """
+    with ctx.workprec(BITS):
+        for boxes in _sizes(periods):
+            values = _values(torus, branch, (0.0, 0.0), periods, boxes)
+            bound = min(float((value.middle.real - value.spread).min()) for value in values)
+            if bound > 0:
+                return bound
+    raise InputError(_CLOSE)
