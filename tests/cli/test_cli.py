@@ -17,6 +17,7 @@ from chaplygin.study.dataset import read
 from chaplygin.study.experiment import load
 from chaplygin.systems import CATALOGUE
 from named_states import named_states
+from spread import spread
 from systems import built
 
 __all__ = ["named_states"]
@@ -249,7 +250,7 @@ def test_importing_the_command_line_imports_nothing_heavy() -> None:
     assert result.stdout.strip() == "[]"
 
 
-@pytest.mark.parametrize("name", ["trial-sleigh", "trial-top"])
+@pytest.mark.parametrize("name", spread(["trial-sleigh", "trial-top"]))
 def test_systems_started_by_their_state(ask: Ask, named_states: None, name: str) -> None:
     code, out, _ = ask("show", name)
     assert code == 0

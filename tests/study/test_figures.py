@@ -23,6 +23,7 @@ from chaplygin.study.drawing import (
     rotation_matrices,
 )
 from chaplygin.study.figures.variables import readable
+from spread import spread
 
 # Contact vectors r(gamma).
 
@@ -242,7 +243,7 @@ def test_a_trajectory_without_a_finite_sample_is_refused(data, outline, name):
         }[name]()
 
 
-@pytest.mark.parametrize("ground", [PlaneGround(), SphereGround(2.0), SphereGround(-2.0)])
+@pytest.mark.parametrize("ground", spread([PlaneGround(), SphereGround(2.0), SphereGround(-2.0)]))
 def test_one_sample_and_a_body_at_rest_are_drawn(outline, ground):
     moving = trajectory(ball, ground)
     one = moving.isel(time=[0])

@@ -3,26 +3,35 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
+from collections.abc import Callable
+from functools import cache
 
 import pytest
 
 from chaplygin.study.experiment import loads
 from chaplygin.study.folder import write_study
 from chaplygin.study.prepare import prepare
+from spread import spread
 
 
-def report(name: str, folder: Path) -> str:
-    """The report of a short motion."""
-    made = prepare(loads(f'[system]\nname = "{name}"\n[run]\nuntil = 0.2\nsamples = 5\n'))
-    (folder / "figures").mkdir()
-    write_study(made, folder, force=True, progress=lambda done: None)
-    return (folder / "report.html").read_text(encoding="utf-8")
+@pytest.fixture(scope="module")
+def report(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], str]:
+    """The report of a short motion, by the name of its system."""
+
+    @cache
+    def page(name: str) -> str:
+        folder = tmp_path_factory.mktemp(name)
+        made = prepare(loads(f'[system]\nname = "{name}"\n[run]\nuntil = 0.2\nsamples = 5\n'))
+        (folder / "figures").mkdir()
+        write_study(made, folder, force=True, progress=lambda done: None)
+        return (folder / "report.html").read_text(encoding="utf-8")
+
+    return page
 
 
-@pytest.mark.parametrize("name", ["chaplygin-ball", "rattleback"])
-def test_links_lead_to_verdicts(name: str, tmp_path: Path) -> None:
-    page = report(name, tmp_path)
+@pytest.mark.parametrize("name", spread(["chaplygin-ball", "rattleback"]))
+def test_links_lead_to_verdicts(name: str, report: Callable[[str], str]) -> None:
+    page = report(name)
     anchors = re.findall(r'<tr id="(law-[^"]+)">.*?class="(\w+)"', page)
     assert len(dict(anchors)) == len(anchors)
     links = set(re.findall(r'href="#(law-[^"]+)"', page))
@@ -30,8 +39,8 @@ def test_links_lead_to_verdicts(name: str, tmp_path: Path) -> None:
     assert {dict(anchors)[link] for link in links} == {"proven"}
 
 
-def test_a_level_has_its_own_table(tmp_path: Path) -> None:
-    page = report("chaplygin-ball", tmp_path)
+def test_a_level_has_its_own_table(report: Callable[[str], str]) -> None:
+    page = report("chaplygin-ball")
     assert "Place in the hierarchy of dynamics" in page
     assert "On (M, γ) = 0" in page
     assert page.count('class="facts place"') == 2

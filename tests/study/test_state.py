@@ -20,6 +20,7 @@ from chaplygin.system import Motion, System
 from chaplygin.systems import Start
 from chaplygin.vectors import Diagonal, dot
 from named_states import ENTRIES, M, gamma, named_states
+from spread import spread
 
 __all__ = ["named_states"]
 
@@ -171,7 +172,7 @@ def test_datasets_tell_what_is_known_of_each_variable() -> None:
     assert prepare(loads(data.attrs["experiment"])).start == made.start
 
 
-@pytest.mark.parametrize("name", [item.name for item in ENTRIES])
+@pytest.mark.parametrize("name", spread(item.name for item in ENTRIES))
 def test_the_report_shows_the_state_in_time_and_no_rolling_body(name: str, tmp_path: Path) -> None:
     made = study(name)
     (tmp_path / "figures").mkdir()
