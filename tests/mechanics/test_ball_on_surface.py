@@ -21,6 +21,7 @@ from chaplygin.mechanics.suslov import equations
 from chaplygin.statements import Isomorphism
 from chaplygin.vectors import Vector, gradient
 from mechanics.balls import SURFACES, on
+from spread import spread
 
 R = Vector("R")
 TIMES = np.linspace(0.0, 1.5, 16)
@@ -33,7 +34,7 @@ def motion(ball, place, omega):
     return integrate(system, state, TIMES, on_liftoff="warn").recorded
 
 
-@pytest.mark.parametrize("contact", CONTACTS)
+@pytest.mark.parametrize("contact", spread(CONTACTS))
 def test_the_equations_follow_from_the_lagrangian(contact):
     surface = sum(s**4 for s in R.symbols) - 1
     potential = R.symbols[0] ** 2 * R.symbols[2]
