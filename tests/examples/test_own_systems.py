@@ -21,6 +21,7 @@ from chaplygin.study.prepare import Study, dataset_of, prepare
 from chaplygin.study.python_file import load_python
 from chaplygin.study.summary import drift
 from chaplygin.systems import from_catalogue
+from spread import spread
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 TABLES = ("[lagrangian]", "[equations]")
@@ -181,7 +182,7 @@ def ask(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp
     return run
 
 
-@pytest.mark.parametrize("path", [EXAMPLES / "sleigh.toml", BALL], ids=["toml", "python"])
+@pytest.mark.parametrize("path", spread([EXAMPLES / "sleigh.toml", BALL]), ids=["toml", "python"])
 def test_every_command_takes_a_system_of_ones_own(ask: Ask, path: Path, tmp_path: Path) -> None:
     code, out, err = ask("show", path)
     assert (code, err) == (0, "")

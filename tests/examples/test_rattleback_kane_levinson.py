@@ -114,7 +114,10 @@ def test_both_derivations_agree_without_dissipation() -> None:
 
 @pytest.mark.parametrize(
     ("sigma", "vertical", "third"),
-    [(0.0, REVERSALS[:7], OMEGA3_ZEROS[:13]), (1e-4, DAMPED_REVERSALS, DAMPED_ZEROS)],
+    [
+        pytest.param(0.0, REVERSALS[:7], OMEGA3_ZEROS[:13], marks=pytest.mark.slow),
+        (1e-4, DAMPED_REVERSALS, DAMPED_ZEROS),
+    ],
 )
 def test_the_equations_of_the_paper(
     sigma: float, vertical: list[float], third: list[float]
