@@ -11,9 +11,9 @@ from flint import ctx
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
-from chaplygin.errors import RunError
 from chaplygin.explicit.numbers import number
 from chaplygin.explicit.prepared import prepared
+from chaplygin.explicit.refusals import NoClosedFormError
 from chaplygin.explicit.rubber_sphere import of_ratio
 from chaplygin.explicit.spin_reduction import reduction
 
@@ -86,7 +86,7 @@ def test_the_vector_that_stays_in_space():
 
 
 def test_an_angular_velocity_that_is_not_smooth_is_refused():
-    with pytest.raises(RunError, match="not resolved"):
+    with pytest.raises(NoClosedFormError, match="not resolved"):
         reduction(
             lambda v: np.array([np.sign(np.sin(np.pi * v[:, 0]))] * 3),
             (0.51, 0.3),

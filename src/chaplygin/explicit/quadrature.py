@@ -16,8 +16,8 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import RunError
 from .numbers import number
+from .refusals import NoClosedFormError
 
 __all__ = ["Quadrature", "Series", "quadrature", "series"]
 
@@ -76,7 +76,7 @@ def series(function: Callable[[Any], Any]) -> tuple[Series, ...]:
 
     Raises
     ------
-    RunError
+    NoClosedFormError
         If they are not resolved by the finest grid.
     """
     sizes = [_GRID, _GRID]
@@ -92,10 +92,9 @@ def series(function: Callable[[Any], Any]) -> tuple[Series, ...]:
             return tuple(_trimmed(spectrum, sizes, scale) for spectrum in spectra)
         sizes = [2 * size if more else size for size, more in zip(sizes, rough, strict=True)]
         if sizes[0] * sizes[1] > _POINTS:
-            raise RunError(
-                "the motion is so near a separatrix that its clock is not resolved by "
-                f"{_POINTS} points of the torus",
-                0.0,
+            raise NoClosedFormError(
+                "the motion is so near a separatrix that its closed form is not resolved by "
+                f"{_POINTS} points of the torus; `chaplygin run` integrates it"
             )
 
 

@@ -1,4 +1,4 @@
-"""Motions without a known closed form: what stands in the way, and what is known instead."""
+"""Motions that are not solved in closed form: what stands in the way, and what is known."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ SHORT, SAME = 30, 1e-30
 
 
 class NoClosedFormError(InputError):
-    """No closed form of this motion is known; the message says what is."""
+    """A motion that is not solved in closed form; the message says what is known of it."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ def refusal(problem: Problem, level: Sequence[Condition] = ()) -> NoClosedFormEr
     """
     start = any(c.formula.free_symbols & set(problem.system.symbols) for c in level)
     obstacle = _off(problem, level) if start else _obstacle(problem)
-    sentence = f"{obstacle.subject} has no known closed form: {_known(problem)}"
+    sentence = f"{obstacle.subject} is not solved in closed form here: {_known(problem)}"
     if obstacle.solvable:
         sentence += f"; solvable {obstacle.solvable}"
     return NoClosedFormError(sentence)

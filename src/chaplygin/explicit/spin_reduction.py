@@ -26,8 +26,8 @@ import numpy as np
 from scipy.linalg import solve_triangular
 from scipy.spatial.transform import Rotation
 
-from ..errors import RunError
 from .quadrature import Series, series
+from .refusals import NoClosedFormError
 
 __all__ = ["Reduction", "reduction"]
 
@@ -109,7 +109,7 @@ def reduction(
 
     Raises
     ------
-    RunError
+    NoClosedFormError
         If the equation does not reduce on the finest grid.
     """
     first = int(abs(V[1]) > abs(V[0]))
@@ -126,10 +126,9 @@ def reduction(
                 break
         places *= 2
         if places > _PLACES[-1]:
-            raise RunError(
+            raise NoClosedFormError(
                 "the equation of the attitude does not reduce to a uniform rotation on "
-                f"{_PLACES[-1]} places around the torus",
-                0.0,
+                f"{_PLACES[-1]} places around the torus"
             )
     parts = _quaternions(grid if first == 0 else grid.swapaxes(0, 1))
     made = Reduction(rate, parts, np.array([1.0, 0.0, 0.0, 0.0]), residual)
@@ -170,7 +169,7 @@ def _turn(waves: Sequence[_Waves], speeds: tuple[float, float], places: int) -> 
     while True:
         steps *= 2
         if steps > _STEPS[1]:
-            raise RunError("the attitude turns too fast to be followed around the torus", 0.0)
+            raise NoClosedFormError("the attitude turns too fast to be followed around the torus")
         finer = _steps(waves, speeds, places, steps)
         if np.max(np.abs(finer[-1] - planes[-1])) < _SETTLED:
             return finer

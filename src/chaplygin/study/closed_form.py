@@ -52,7 +52,10 @@ def solved(study: Study) -> Solution:
         If no closed form of this motion is known.
     """
     system = study.system
-    return solution_of(Problem(system, system.defaults, study.start, study.rolling))
+    found = solution_of(Problem(system, system.defaults, study.start, study.rolling))
+    # the set-up is done here, so that what it cannot do is told before anything is printed
+    found.states(np.zeros(1))
+    return found
 
 
 def solved_if_known(study: Study) -> Solution | None:
