@@ -18,6 +18,7 @@ from chaplygin.mechanics.shapes import Ball, Disk, Ellipsoid, Implicit, Revoluti
 from chaplygin.mechanics.surfaces import Plane, Sphere
 from chaplygin.vectors import Vector, explicit, scalar
 from mechanics.compare import GAMMA, XYZ
+from spread import spread
 
 E = sp.eye(3)
 G = sp.Matrix(GAMMA)
@@ -218,7 +219,7 @@ def surface(radius):
     return Plane() if radius is None else Sphere(float(radius))
 
 
-@pytest.mark.parametrize("normal", NORMALS)
+@pytest.mark.parametrize("normal", spread(NORMALS))
 @pytest.mark.parametrize(("tensor", "rotors"), [(PRINCIPAL, NONE), (FULL, ROTORS)])
 @pytest.mark.parametrize("contact", ["marble", "rubber"])
 @pytest.mark.parametrize("support", RADII)

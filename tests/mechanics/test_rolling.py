@@ -42,6 +42,7 @@ from mechanics.compare import (
     worst,
 )
 from mechanics.portrait import Portrait, coordinates, directions
+from spread import spread
 
 COMBINATIONS = [
     (shape, support, contact, inertia)
@@ -83,6 +84,7 @@ def test_instant_agrees_with_reference(prepared):
     assert worst(deviation) < 1e-11, deviation
 
 
+@pytest.mark.parametrize("prepared", spread(COMBINATIONS, 5), ids="-".join, indirect=True)
 def test_motion_agrees_with_reference(prepared):
     deviation = compare_motions(*prepared)
     assert worst(deviation) < 1e-10, deviation
