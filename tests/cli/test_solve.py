@@ -65,9 +65,9 @@ def test_the_record_agrees_with_the_integration(ask: Ask) -> None:
     record = json.loads(out)
     assert [state["time"] for state in record["states"]] == [0.0, 60.0]
     assert len(record["ovals"]) == 2
-    assert len(record["equations"]) == 4
+    assert len(record["equations"]) == 8
     frequencies = [item for item in record["figures"] if item["symbol"].startswith("Omega")]
-    assert all(float(item["error"]) < 1e-15 and item["unit"] == "1/s" for item in frequencies)
+    assert all(float(item["error"]) < 1e-15 and item["unit"] == "turns/s" for item in frequencies)
     from chaplygin.study.experiment import loads
     from chaplygin.study.prepare import prepare
 

@@ -17,7 +17,7 @@ from .clock import Clock, clock_of
 from .lift import Lift, lift, on_arrays
 from .numbers import components, evaluated, number
 from .prepared import Prepared, prepared
-from .separable import Separable
+from .separable import Separable, nu
 from .solution import ClosedForm, Figure, Solution
 
 __all__ = ["BITS", "GenusTwo", "solved"]
@@ -89,7 +89,7 @@ def _form(solution: GenusTwo) -> ClosedForm:
     motion, separable = solution.prepared, solution.separable
     torus = motion.torus
     turns = torus.turns
-    y, z = sp.symbols("y z")
+    y, z, kappa = sp.symbols("y z kappa")
     z_1, z_2, y_1, y_2 = sp.symbols("z_1 z_2 y_1 y_2")
     d = [sp.Symbol(f"d{name}") for name in ("z_1", "z_2", "tau", "t")]
     a, b = separable.speeds
@@ -111,7 +111,7 @@ def _form(solution: GenusTwo) -> ClosedForm:
         ),
         Figure("mean dt/dtau", clock.mean, "mean rate of the clock (error estimated)"),
         *(
-            Figure(f"Omega_{i}", x / clock.mean, f"frequency of z_{i} (error estimated)", "1/s")
+            Figure(f"Omega_{i}", x / clock.mean, f"frequency of z_{i} (error estimated)", "turns/s")
             for i, x in enumerate(turns, 1)
         ),
     ]
@@ -120,6 +120,13 @@ def _form(solution: GenusTwo) -> ClosedForm:
         title=separable.title,
         motion="two-frequency motion on a torus",
         equations=(
+            (nu, separable.direction),
+            *(
+                (own**2, kappa * weight * (pole - z_1) * (pole - z_2))
+                for own, weight, pole in zip(
+                    nu.symbols, separable.weights, separable.poles, strict=True
+                )
+            ),
             (y**2, sp.Mul(separable.leading, *(z - root for root in separable.roots))),
             (d[0] / y_1 + d[1] / y_2, sp.sympify(a) * d[2]),
             (z_1 * d[0] / y_1 + z_2 * d[1] / y_2, sp.sympify(b) * d[2]),

@@ -206,8 +206,8 @@ class Section:
 
 
 _CAPTION = (
-    "The curve over the real line: its roots, and where the separated variables move; and nine "
-    "turns on the torus of the two phases."
+    "The curve over the real line, each oval to its own height: its roots, and where the "
+    "separated variables move; and nine turns on the torus of the two phases."
 )
 _CAPTION_OF_ONE = "Where the separated variable moves."
 
