@@ -158,7 +158,7 @@ def test_balls_contain_the_integrated_state() -> None:
     assert outcome.radius < 1e-19
 
 
-@pytest.mark.slow
+@pytest.mark.campaign
 @pytest.mark.parametrize("place", PLACES, ids="-".join)
 def test_two_hundred_motions(place: tuple[str, str]) -> None:
     count: Counter[str] = Counter()

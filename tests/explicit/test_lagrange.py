@@ -127,7 +127,7 @@ def test_other_systems_are_left_alone() -> None:
     assert solve_top(CATALOGUE["chaplygin-ball"].system(), (0,) * 6) is None
 
 
-@pytest.mark.slow
+@pytest.mark.campaign
 def test_campaign() -> None:
     rng = random.Random(7)
     for number in range(100):

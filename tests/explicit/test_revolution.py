@@ -199,7 +199,7 @@ def test_other_bodies_are_not_recognised() -> None:
 # --- campaign ------------------------------------------------------------------------------
 
 
-@pytest.mark.slow
+@pytest.mark.campaign
 @pytest.mark.parametrize("kind", KINDS)
 def test_campaign(kind: str) -> None:
     rng = random.Random(kind)
