@@ -90,3 +90,9 @@ def test_a_start_off_the_level_is_told() -> None:
 def test_a_start_that_is_too_short_is_told() -> None:
     with pytest.raises(InputError, match=r"it has 2 numbers; .* needs 10"):
         solved(veselova(), veselova().system.defaults, (0.0, 1.0))
+
+
+@pytest.mark.parametrize("time", [1e300, -1e14, float("nan")], ids=str)
+def test_times_at_which_doubles_lose_the_phase_are_refused(time: float) -> None:
+    with pytest.raises(InputError, match="in double precision they must be within"):
+        turning_body()([0.0, time])

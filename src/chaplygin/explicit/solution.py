@@ -10,9 +10,13 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from ..errors import InputError
 from ..system import System
 
-__all__ = ["ClosedForm", "Figure", "Solution", "States"]
+__all__ = ["LATEST", "ClosedForm", "Figure", "Solution", "States", "checked"]
+
+#: The latest time in double precision; phases Ωt lose their digits beyond 1e15.
+LATEST = 1e13
 
 
 @dataclass(frozen=True)
@@ -91,6 +95,22 @@ class States:
         raise KeyError(name)
 
 
+def checked(times: Any) -> Any:
+    """Times (n,) at which states in double precision have a meaning.
+
+    Raises
+    ------
+    InputError
+        If one is not finite, or beyond `LATEST`.
+    """
+    if not np.all(np.isfinite(times)) or np.any(np.abs(times) > LATEST):
+        raise InputError(
+            f"times: in double precision they must be within ±{LATEST:g}, beyond which the phase "
+            "of the motion is lost; evaluation with error bounds (--digits, rigorous) goes further"
+        )
+    return times
+
+
 class Solution(ABC):
     """A motion in closed form.
 
@@ -125,6 +145,12 @@ class Solution(ABC):
         """
 
     def __call__(self, times: Any) -> States:
-        """States at `times`, by name."""
-        moments = np.atleast_1d(np.asarray(times, dtype=float))
+        """States at `times`, by name.
+
+        Raises
+        ------
+        InputError
+            If a time is not finite, or so large that doubles lose the phase.
+        """
+        moments = checked(np.atleast_1d(np.asarray(times, dtype=float)))
         return States(self.system, moments, self.states(moments))

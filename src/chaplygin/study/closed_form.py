@@ -13,13 +13,12 @@ import sympy as sp
 import xarray as xr
 from markupsafe import Markup
 
-from ..errors import InputError
+from ..errors import InputError, RunError
 from ..explicit.bifurcation import Diagram
 from ..explicit.bifurcation.given import diagram_of
 from ..explicit.problem import Problem
 from ..explicit.recognise import solution_of
-from ..explicit.refusals import NoClosedFormError
-from ..explicit.solution import Figure, Solution
+from ..explicit.solution import Figure, Solution, checked
 from ..flow.record import Statistics, Trajectory
 from ..notation import text
 from ..system import System
@@ -59,11 +58,10 @@ def solved(study: Study) -> Solution:
 
 
 def solved_if_known(study: Study) -> Solution | None:
-    """The motion of a study in closed form, None where none is known."""
-    try:
+    """The motion of a study in closed form, None where it has none or none can be evaluated."""
+    with contextlib.suppress(InputError, RunError, ArithmeticError):
         return solved(study)
-    except NoClosedFormError:
-        return None
+    return None
 
 
 def diagram_if_known(study: Study) -> tuple[Diagram, tuple[float, float]] | None:
@@ -99,7 +97,7 @@ def evaluated(study: Study, solution: Solution, times: Any) -> Trajectory:
         In double precision.
     """
     began = clock.perf_counter()
-    moments = np.asarray(times, dtype=float)
+    moments = checked(np.asarray(times, dtype=float))
     states = solution.states(moments)
     seconds = clock.perf_counter() - began
     system = study.watched.lifted() if in_space(study, solution) else study.watched
