@@ -137,7 +137,16 @@ def _family(problem: Problem) -> str:
 def _lowered(title: str) -> str:
     """A title inside a sentence; names of people keep their capital."""
     first, space, rest = title.partition(" ")
-    names = ("Chaplygin", "Veselova", "Suslov", "Clebsch", "Neumann", "Lagrange", "Bruns")
+    names = (
+        "Chaplygin",
+        "Veselova",
+        "Suslov",
+        "Suslov's",
+        "Clebsch",
+        "Neumann",
+        "Lagrange",
+        "Bruns",
+    )
     kept = first in names or first.isupper()
     return title if kept else f"{first.lower()}{space}{rest}"
 
