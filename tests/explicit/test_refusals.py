@@ -66,7 +66,7 @@ omega = [0.8, -0.4, -0.6]
 
 def test_bodies_from_a_file() -> None:
     sentence = refused(HEAVY)
-    assert sentence.startswith("the unbalanced ball on a plane under gravity, marble contact, has")
+    assert sentence.startswith("the unbalanced ball on a plane under gravity, marble contact, is")
     sphere = ["body.shape.centre=[0,0,0]", "surface.kind=sphere", "surface.radius=3.0"]
     assert refused(HEAVY, *sphere).startswith("the ball on a sphere under gravity")
     potential = ["body.shape.centre=[0,0,0]", "field.potential=gamma_1**3"]
