@@ -86,11 +86,6 @@ class Lift(ABC):
         torus = self.prepared.torus
         return tuple(quadrature(f, torus.V, self.clock.v_0) for f in series(function))
 
-    def _fixed_start(self, turns: Any, covered: Cover) -> float:
-        """The sign that makes the covered quaternion that of the start."""
-        at_start = covered.signed(self._origin, turns)
-        return 1.0 if float(at_start[0] @ self.start[:4]) > 0 else -1.0
-
 
 def place_rates(of: Separable) -> list[sp.Expr]:
     """Rates of the variables of the motion in space, the attitude left out."""
@@ -100,13 +95,13 @@ def place_rates(of: Separable) -> list[sp.Expr]:
 
 
 @dataclass(frozen=True)
-class Held(Lift):
-    """The attitude from two vectors that are fixed in space."""
+class _Oriented(Lift):
+    """The attitude on the torus from two vectors of the body."""
 
-    @cached_property
+    @property
+    @abstractmethod
     def _vectors(self) -> Callable[..., Any]:
-        fixed = self.prepared.separable.fixed
-        return on_arrays(self.prepared, [c for vector in fixed[:2] for c in components(vector)])
+        """Both vectors, body axes, as a function of ν and ν′: (6, n)."""
 
     @cached_property
     def _triad(self) -> Triad:
@@ -123,7 +118,20 @@ class Held(Lift):
 
     @cached_property
     def _sign(self) -> float:
-        return self._fixed_start(self._attitude(*self._torus(self._origin)), self._cover)
+        """The sign that makes the covered quaternion that of the start."""
+        turns = self._attitude(*self._torus(self._origin))
+        at_start = self._cover.signed(self._origin, turns)
+        return 1.0 if float(at_start[0] @ self.start[:4]) > 0 else -1.0
+
+
+@dataclass(frozen=True)
+class Held(_Oriented):
+    """The attitude from two vectors that are fixed in space."""
+
+    @cached_property
+    def _vectors(self) -> Callable[..., Any]:
+        fixed = self.prepared.separable.fixed
+        return on_arrays(self.prepared, [c for vector in fixed[:2] for c in components(vector)])
 
     @cached_property
     def _flows(self) -> tuple[Quadrature, ...]:
@@ -148,7 +156,7 @@ class Held(Lift):
 
 
 @dataclass(frozen=True)
-class Spun(Lift):
+class Spun(_Oriented):
     """The attitude from one vector that is fixed in space and the angle of turning about it.
 
     The attitude is a turn by ψ about the fixed vector, after an attitude on the torus; ψ grows
@@ -169,23 +177,9 @@ class Spun(Lift):
         both = on_arrays(self.prepared, [*components(of.fixed[0]), *components(best.vector)])
         return both, spinning(of, best)
 
-    @cached_property
-    def _triad(self) -> Triad:
-        six = self._pair[0](*self._torus(self._origin))
-        return Triad.through(six[:3, 0], six[3:, 0], self.start[:4])
-
-    def _attitude(self, direction: Any, turning: Any) -> Any:
-        """The attitude at ψ = 0."""
-        six = self._pair[0](direction, turning)
-        return self._triad.attitude(six[:3], six[3:])
-
-    @cached_property
-    def _cover(self) -> Cover:
-        return cover(lambda v: self._attitude(*self._torus(v)), self.clock.flow.whole.grid)
-
-    @cached_property
-    def _sign(self) -> float:
-        return self._fixed_start(self._attitude(*self._torus(self._origin)), self._cover)
+    @property
+    def _vectors(self) -> Callable[..., Any]:
+        return self._pair[0]
 
     @cached_property
     def _angle(self) -> Quadrature:

@@ -11,6 +11,7 @@ import numpy as np
 import sympy as sp
 
 from ..errors import InputError
+from ..flow.record import by_name
 from ..system import System
 
 __all__ = ["LATEST", "ClosedForm", "Figure", "Solution", "States", "checked"]
@@ -85,14 +86,7 @@ class States:
 
     def __getitem__(self, name: str) -> Any:
         """A state variable by name, (n, components) or (n,)."""
-        first = 0
-        for variable in self.system.state:
-            width = 1 if isinstance(variable, sp.Symbol) else len(variable.symbols)
-            if str(variable) == name:
-                block = self.values[:, first : first + width]
-                return block[:, 0] if isinstance(variable, sp.Symbol) else block
-            first += width
-        raise KeyError(name)
+        return by_name(self.system, self.values, name)
 
 
 def checked(times: Any) -> Any:

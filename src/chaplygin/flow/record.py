@@ -12,7 +12,25 @@ import sympy as sp
 from ..errors import InputError
 from ..system import Guard, System
 
-__all__ = ["Dense", "Happening", "Statistics", "Trajectory"]
+__all__ = ["Dense", "Happening", "Statistics", "Trajectory", "by_name"]
+
+
+def by_name(system: System, states: Any, name: str) -> Any:
+    """A state variable of states (n, size) by its name: (n, components), or (n,) for a scalar.
+
+    Raises
+    ------
+    KeyError
+        If the system has no such variable.
+    """
+    first = 0
+    for variable in system.state:
+        width = 1 if isinstance(variable, sp.Symbol) else len(variable.symbols)
+        if str(variable) == name:
+            block = states[:, first : first + width]
+            return block[:, 0] if isinstance(variable, sp.Symbol) else block
+        first += width
+    raise KeyError(name)
 
 
 @dataclass(frozen=True)
@@ -114,14 +132,7 @@ class Trajectory:
         """A state variable or an observable by name."""
         if name in self.recorded:
             return self.recorded[name]
-        first = 0
-        for variable in self.system.state:
-            width = 1 if isinstance(variable, sp.Symbol) else len(variable.symbols)
-            if str(variable) == name:
-                block = self.states[:, first : first + width]
-                return block[:, 0] if isinstance(variable, sp.Symbol) else block
-            first += width
-        raise KeyError(name)
+        return by_name(self.system, self.states, name)
 
     def thinned(self, pieces: int) -> Trajectory:
         """Every `pieces`-th sample, and the last one."""
