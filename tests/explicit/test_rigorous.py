@@ -303,3 +303,11 @@ def test_without_fixed_directions_the_attitude_is_left_open() -> None:
     rough = solution.states(np.array([30.0]))[0]
     for ball, number in zip(balls[6:], rough[6:], strict=True):
         assert ball.contains(arb(float(number)))
+
+
+@pytest.mark.parametrize("time", ["1e300", "-1e61"])
+def test_times_beyond_all_measure_are_refused(time: str) -> None:
+    start = starting_state(VESELOVA.system, (0.8, 0.1, -0.6), (0.6, 0.0, 0.8))
+    motion = solved(VESELOVA, VESELOVA.system.defaults, start)
+    with pytest.raises(InputError, match=r"up to \|t\| = 1e\+60"):
+        motion.rigorous(time, 20)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from flint import arb, ctx
 
+from ...errors import InputError
 from ..numbers import ball, components, number
 from ..prepared import Prepared, chain, prepared
 from .formula import Branch, direction
@@ -24,6 +25,8 @@ __all__ = ["RigorousMotion", "rigorous_motion", "rigorous_state"]
 
 #: Bits lost between the start and the phases, at most on motions that are not nearly degenerate.
 _LOST = 100
+#: The latest time; the phases of a later one would need hundreds of digits.
+_LATEST = 1e60
 #: Times are prepared for up to whole powers of 10 to this.
 _DECADES = 6
 
@@ -149,10 +152,14 @@ def rigorous_motion(solution: GenusTwo, digits: int, until: Any) -> RigorousMoti
     Raises
     ------
     InputError
-        If the motion is so close to a separatrix that the bounds would take too long.
+        If the motion is so close to a separatrix that the bounds would take too long, or the time
+        is beyond all measure.
     """
+    latest = number(ball(until))
+    if not abs(latest) <= _LATEST:
+        raise InputError(f"time: bounds are computed up to |t| = {_LATEST:g}, not at {latest:g}")
     own = solution.prepared
-    reach = 10 + 1.1 * abs(number(ball(until))) / number(solution.clock.mean)
+    reach = 10 + 1.1 * abs(latest) / number(solution.clock.mean)
     start: Sequence[Any] = solution.start[: len(own.separable.system.symbols)]
     with ctx.workprec(bits_for(digits, reach) + _LOST):
         exact = prepared(own.separable, solution.parameters, start)
