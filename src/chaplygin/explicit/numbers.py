@@ -49,8 +49,9 @@ def ball(value: Any) -> Any:
     if isinstance(value, int | np.integer):
         return arb(int(value))
     if isinstance(value, mpmath.mpf):
-        mantissa, exponent = abs(value).man_exp
-        return arb(mantissa if value > 0 else -mantissa) * arb(2) ** exponent
+        # any arithmetic would round to mpmath's own precision
+        sign, mantissa, exponent, _ = value._mpf_
+        return (-1) ** int(sign) * arb(int(mantissa)) * arb(2) ** int(exponent)
     return arb(str(float(value)) if isinstance(value, np.floating) else str(value))
 
 
