@@ -1,0 +1,602 @@
+"""Many motions at once: an explicit method with a lane for each trajectory.
+
+Every lane has its own time, step size and fate.  A lane that has come to its end makes room for
+the next trajectory of the batch, so that all lanes are busy until few are left; nothing that
+happens in one lane is seen by another.
+
+Crossings of a section are found by the steps themselves.  When a step has passed through the
+section it is not taken; the lane goes instead to where a cubic through values and slopes at both
+ends vanishes, then by Newton's method in time, until what is left is below rounding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from .graph import Graph, Term
+from .simd import Arithmetic, Value, Writer, evaluate, hoisted, literal
+from .tables import Explicit
+
+__all__ = ["ENDS", "Equations", "Workspace", "functions", "march"]
+
+#: Why a lane ended, by number; guards follow.
+ENDS = (
+    "",
+    "the step size collapsed (a singularity of the equations is near)",
+    "the state stopped being a number",
+    "the largest number of steps was reached",
+    "the time was over",
+)
+
+COLLAPSED, NOT_A_NUMBER, STEPS, OVER = range(1, len(ENDS))
+
+# what has to be looked at in a lane
+_SAMPLE, _POINT, _END = 1.0, 2.0, 3.0
+
+# which stage of its life a lane is in
+_EMPTY, _RUNNING, _REFINING = 0.0, 1.0, 2.0
+
+
+@dataclass(frozen=True)
+class Equations:
+    """Formulas of a System as terms of one graph.
+
+    Attributes
+    ----------
+    rates : tuple of Term
+        Time derivatives of the state; deviations follow the state itself.
+    groups : tuple of tuple of int
+        State variables whose error is measured by their common size: the components of a vector.
+        Deviations are in no group: they follow the steps of the motion.
+    parameters : int
+    section, slope, where : Term or None
+        A function that vanishes on the section, its rate, and what must be positive there.
+    direction : int
+        +1 where the function rises, −1 where it falls, 0 for both.
+    guards : tuple of Term
+        Positive as long as the equations hold.
+    """
+
+    graph: Graph
+    rates: tuple[Term, ...]
+    groups: tuple[tuple[int, ...], ...]
+    parameters: int
+    section: Term | None = None
+    slope: Term | None = None
+    where: Term | None = None
+    direction: int = 1
+    guards: tuple[Term, ...] = ()
+
+    @property
+    def pieces(self) -> dict[str, tuple[Term, ...]]:
+        """What is evaluated, by the name of the function that does it."""
+        pieces = {"rates": self.rates}
+        if self.section is not None and self.slope is not None:
+            where = () if self.where is None else (self.where,)
+            pieces["section"] = (self.section, self.slope, *where)
+        if self.guards:
+            pieces["guards"] = self.guards
+        return pieces
+
+
+@dataclass
+class Workspace:
+    """Where things lie in the memory of one thread, counted in vectors."""
+
+    size: int = 0
+    places: dict[str, int] = field(default_factory=dict)
+
+    def room(self, name: str, vectors: int = 1) -> int:
+        """Room for some vectors."""
+        self.places[name] = self.size
+        self.size += vectors
+        return self.places[name]
+
+
+def functions(arithmetic: type[Arithmetic], equations: Equations, lanes: int) -> tuple[str, int]:
+    """The text of the functions that compute formulas, and how many constants they share.
+
+    ``@prepare(constants, parameters)`` computes once what depends on parameters alone;
+    ``@<piece>(result, state, constants)`` everything else.
+    """
+    pieces = equations.pieces
+    constants = hoisted([term for terms in pieces.values() for term in terms])
+    slots = {id(term): i for i, term in enumerate(constants)}
+    texts = []
+    for name, terms in pieces.items():
+        number = arithmetic(Writer(lanes))
+
+        def leaf(term: Term, number: Arithmetic = number) -> Value:
+            if id(term) in slots:
+                return number.load("%constants", slots[id(term)])
+            return number.load("%state", term.args[0]) if term.kind == "state" else None
+
+        for i, value in enumerate(evaluate(number, terms, leaf)):
+            number.store(value, "%result", i)
+        head = f"internal void @{name}(ptr noalias %result, ptr noalias %state, ptr noalias %constants)"
+        texts.append(number.writer.text(head, "#1"))
+    number = arithmetic(Writer(lanes))
+
+    def given(term: Term) -> Value:
+        return number.load("%parameters", term.args[0]) if term.kind == "parameter" else None
+
+    for i, value in enumerate(evaluate(number, constants, given)):
+        number.store(value, "%constants", i)
+    head = "internal void @prepare(ptr noalias %constants, ptr noalias %parameters)"
+    texts.append(number.writer.text(head, "#1"))
+    return "\n".join(texts), len(constants)
+
+
+class _March:
+    """The writing of the loop."""
+
+    def __init__(
+        self, arithmetic: type[Arithmetic], method: Explicit, equations: Equations, lanes: int
+    ) -> None:
+        self.w = Writer(lanes)
+        self.n = arithmetic(self.w)
+        self.method, self.equations = method, equations
+        self.dimension = len(equations.rates)
+        self.pieces, constants = functions(arithmetic, equations, lanes)
+        self.space = Workspace()
+        words = self.n.words
+        for name, count in (
+            ("y", self.dimension),
+            ("rest", self.dimension),
+            ("new", self.dimension),
+            ("stage", self.dimension),
+            ("rates", (len(method.b) + 1) * self.dimension),
+            ("constants", max(constants, 1)),
+            ("parameters", max(equations.parameters, 1)),
+            ("section", 3),
+            ("guards", max(len(equations.guards), 1)),
+        ):
+            self.space.room(name, count * words)
+        for name in (
+            *("time", "target", "step", "floor", "saved", "g", "gdot", "tries", "steps"),
+            *("mode", "fault", "event", "fresh", "index", "samples"),
+        ):
+            self.space.room(name)
+
+    # --- places ------------------------------------------------------------------------------
+
+    def place(self, name: str, number: int = 0) -> str:
+        """The address of a number of an array."""
+        vectors = self.space.places[name] + number * self.n.words
+        return self.w.at(self.w.type, "%work", vectors)
+
+    def get(self, name: str) -> str:
+        """A vector that the lanes keep."""
+        return self.w.load(self.w.type, self.place(name))
+
+    def put(self, name: str, value: str) -> None:
+        """Change a vector that the lanes keep."""
+        self.w.store(self.w.type, value, self.place(name))
+
+    def lane(self, name: str, lane: str) -> str:
+        """The address of one lane of a vector."""
+        return self.w.at("double", self.place(name), lane)
+
+    def rates(self, stage: int, of: str) -> None:
+        """Compute the rates of a stage."""
+        arguments = (self.place("rates", stage * self.dimension), self.place(of))
+        self.w.line(
+            f"call void @rates(ptr {arguments[0]}, ptr {arguments[1]}, ptr {self.place('constants')})"
+        )
+
+    def evaluate(self, piece: str, of: str) -> None:
+        """Compute the section or the guards at a state."""
+        self.w.line(
+            f"call void @{piece}(ptr {self.place(piece)}, ptr {self.place(of)}, "
+            f"ptr {self.place('constants')})"
+        )
+
+    # --- the loop ------------------------------------------------------------------------------
+
+    def write(self) -> str:
+        """The whole text."""
+        w = self.w
+        self.next = w.variable("i64", "%first")
+        self._start_lanes()
+        with w.forever() as leave:
+            self._attend()
+            leave(w.emit(f"xor i1 {w.any(self._live())}, true"))
+            with w.when(w.any(w.compare("ogt", self.get("fresh"), w.constant(0.0)))):
+                self._begin_fresh()
+            with w.forever() as pause:
+                pause(w.any(w.compare("ogt", self.get("event"), w.constant(0.0))))
+                self._step()
+        head = (
+            "void @march(i64 %first, i64 %last, ptr noalias %starts, ptr noalias %values, "
+            "i64 %stride, ptr noalias %times, i64 %wanted, double %tolerance, i64 %limit, "
+            "ptr noalias %states, ptr noalias %moments, ptr noalias %counts, "
+            "ptr noalias %outcome, ptr noalias %ended, ptr noalias %taken, ptr noalias %work)"
+        )
+        return self.pieces + "\n" + w.text(head, "#0")
+
+    def _live(self) -> str:
+        return self.w.compare("ogt", self.get("mode"), self.w.constant(_EMPTY))
+
+    def _start_lanes(self) -> None:
+        w, zero = self.w, self.w.constant(0.0)
+        with w.count(self.space.size) as i:
+            w.store(w.type, zero, w.at(w.type, "%work", i))
+        # an empty lane asks for a trajectory
+        self.put("event", w.constant(_END))
+
+    def _attend(self) -> None:
+        """Look at each lane in which something has happened."""
+        w = self.w
+        with w.count(w.lanes) as lane:
+            event = w.load("double", self.lane("event", lane))
+            with w.when(w.emit(f"fcmp ogt double {event}, 0.0")):
+                mode = w.load("double", self.lane("mode", lane))
+                with w.when(w.emit(f"fcmp ogt double {mode}, 0.0")):
+                    self._leave_sample(lane, event)
+                w.store("double", "0.0", self.lane("event", lane))
+                mode = w.load("double", self.lane("mode", lane))
+                with w.when(w.emit(f"fcmp oeq double {mode}, 0.0")):
+                    index = w.load("i64", self.next)
+                    with w.when(w.emit(f"icmp slt i64 {index}, %last")):
+                        self._take(lane, index)
+
+    def _take(self, lane: str, index: str) -> None:
+        """Put the next trajectory into a lane."""
+        w, words = self.w, self.n.words
+        w.store("i64", w.emit(f"add i64 {index}, 1"), self.next)
+        w.store("i64", index, self.lane("index", lane))
+        row = w.emit(f"mul i64 {index}, {self.dimension * words}")
+        for i in range(self.dimension * words):
+            value = w.load("double", w.at("double", w.at("double", "%starts", row), i))
+            w.store("double", value, self._component("y", i, lane))
+            w.store("double", "0.0", self._component("rest", i, lane))
+        row = w.emit(f"mul i64 {index}, %stride")
+        for i in range(self.equations.parameters * words):
+            value = w.load("double", w.at("double", w.at("double", "%values", row), i))
+            w.store("double", value, self._component("parameters", i, lane))
+        for name, value in (
+            ("time", "0.0"),
+            ("fault", "0.0"),
+            ("samples", "0.0"),
+            ("tries", "0.0"),
+            ("steps", "0.0"),
+            ("mode", literal(_RUNNING)),
+            ("fresh", "1.0"),
+        ):
+            w.store("double", value, self.lane(name, lane))
+        w.store("double", w.load("double", "%times"), self.lane("target", lane))
+
+    def _component(self, name: str, i: int, lane: str) -> str:
+        place = self.w.at(self.w.type, "%work", self.space.places[name] + i)
+        return self.w.at("double", place, lane)
+
+    def _leave_sample(self, lane: str, event: str) -> None:
+        """Write down a state, or the end."""
+        w = self.w
+        index = w.load("i64", self.lane("index", lane))
+        done = w.emit(f"fptosi double {w.load('double', self.lane('samples', lane))} to i64")
+        over = w.emit(f"fcmp oeq double {event}, {literal(_END)}")
+        with w.when(w.emit(f"xor i1 {over}, true")):
+            self._write_state(lane, index, done)
+            done_now = w.emit(f"add i64 {done}, 1")
+            w.store(
+                "double", w.emit(f"sitofp i64 {done_now} to double"), self.lane("samples", lane)
+            )
+            w.store("i64", done_now, w.at("i64", "%counts", index))
+            full = w.emit(f"icmp sge i64 {done_now}, %wanted")
+            with w.when(full):
+                self._finish(lane, index)
+            if self.equations.section is None:
+                with w.when(w.emit(f"xor i1 {full}, true")):
+                    following = w.load("double", w.at("double", "%times", done_now))
+                    w.store("double", following, self.lane("target", lane))
+        with w.when(over):
+            self._finish(lane, index)
+
+    def _finish(self, lane: str, index: str) -> None:
+        w = self.w
+        fault = w.emit(f"fptosi double {w.load('double', self.lane('fault', lane))} to i64")
+        w.store("i64", fault, w.at("i64", "%outcome", index))
+        w.store("double", w.load("double", self.lane("time", lane)), w.at("double", "%ended", index))
+        steps = w.emit(f"fptosi double {w.load('double', self.lane('steps', lane))} to i64")
+        w.store("i64", steps, w.at("i64", "%taken", index))
+        w.store("double", literal(_EMPTY), self.lane("mode", lane))
+
+    def _write_state(self, lane: str, index: str, done: str) -> None:
+        """The state of a lane; on a section, moved onto it along the flow."""
+        w, words = self.w, self.n.words
+        row = w.emit(f"add i64 {w.emit(f'mul i64 {index}, %wanted')}, {done}")
+        if self.equations.section is not None:
+            left = w.load("double", self.lane("saved", lane))
+            now = w.load("double", self.lane("time", lane))
+            w.store(
+                "double", w.emit(f"fadd double {now}, {left}"), w.at("double", "%moments", row)
+            )
+        start = w.emit(f"mul i64 {row}, {self.dimension * words}")
+        for i in range(self.dimension * words):
+            value = w.load("double", self._component("y", i, lane))
+            if self.equations.section is not None and i % words == 0:
+                rate = w.load("double", self._component("rates", i, lane))
+                value = w.emit(
+                    f"call double @llvm.fma.f64(double {left}, double {rate}, double {value})"
+                )
+            w.store("double", value, w.at("double", w.at("double", "%states", start), i))
+
+    def _begin_fresh(self) -> None:
+        """What a lane needs before its first step."""
+        w, n, zero = self.w, self.n, self.w.constant(0.0)
+        fresh = w.compare("ogt", self.get("fresh"), zero)
+        w.line(
+            f"call void @prepare(ptr {self.place('constants')}, ptr {self.place('parameters')})"
+        )
+        self.rates(0, "y")
+        size, speed = w.constant(1e-12), w.constant(1e-300)
+        for i in (i for group in self.equations.groups for i in group):
+            y = n.leading(n.load(self.place("y"), i))
+            k = n.leading(n.load(self.place("rates"), i))
+            size, speed = w.call("fma", y, y, size), w.call("fma", k, k, speed)
+        ratio = w.op("fdiv", size, speed)
+        first = w.op("fmul", w.constant(1e-2), w.call("sqrt", ratio))
+        self.put("step", w.choose(fresh, first, self.get("step")))
+        floor = w.op("fmul", w.constant(1e-12), first)
+        self.put("floor", w.choose(fresh, floor, self.get("floor")))
+        if self.equations.section is not None:
+            self.evaluate("section", "y")
+            g = n.leading(n.load(self.place("section"), 0))
+            gdot = n.leading(n.load(self.place("section"), 1))
+            # a start on the section is not a return to it
+            close = w.compare("olt", w.call("fabs", g), w.constant(1e-10))
+            self.put("g", w.choose(fresh, w.choose(close, zero, g), self.get("g")))
+            self.put("gdot", w.choose(fresh, gdot, self.get("gdot")))
+        if self.equations.guards:
+            self.evaluate("guards", "y")
+            self._notice_guards(fresh)
+        bad = w.both(fresh, w.unless(w.compare("ord", ratio, ratio)))
+        self.put("fault", w.choose(bad, w.constant(float(NOT_A_NUMBER)), self.get("fault")))
+        ended = w.both(fresh, w.compare("ogt", self.get("fault"), zero))
+        self.put("event", w.choose(ended, w.constant(_END), self.get("event")))
+        self.put("fresh", zero)
+
+    def _notice_guards(self, among: str) -> str:
+        """Mark lanes whose state a guard forbids; the mask of those that none does."""
+        w, n = self.w, self.n
+        fine = "splat (i1 true)"
+        fault = self.get("fault")
+        for i in reversed(range(len(self.equations.guards))):
+            value = n.leading(n.load(self.place("guards"), i))
+            passed = w.compare("ole", value, w.constant(0.0))
+            fine = w.both(fine, w.unless(passed))
+            code = w.constant(float(len(ENDS) + i))
+            fault = w.choose(w.both(among, passed), code, fault)
+        self.put("fault", fault)
+        return fine
+
+    def _step(self) -> None:
+        """One attempt in all lanes."""
+        w, n, zero = self.w, self.n, self.w.constant(0.0)
+        mode = self.get("mode")
+        running = w.compare("oeq", mode, w.constant(_RUNNING))
+        refining = w.compare("oeq", mode, w.constant(_REFINING))
+        live = self._live()
+        time, target, planned = self.get("time"), self.get("target"), self.get("step")
+        left = w.op("fsub", target, time)
+        last = w.both(running, w.compare("oge", w.op("fmul", planned, w.constant(1.00001)), left))
+        step = w.choose(live, w.choose(last, left, planned), zero)
+        arrived = w.op("fadd", time, step)
+        # a step that the clock can show, so that no time is lost by rounding
+        step = w.op("fsub", arrived, time)
+        step_number = n.whole(step)
+        for stage in range(1, len(self.method.b)):
+            for i in range(self.dimension):
+                value = n.fma(step_number, self._sum(self.method.a[stage], i), self._y(i))
+                n.store(value, self.place("stage"), i)
+            self.rates(stage, "stage")
+        for i in range(self.dimension):
+            self._advance(step_number, i)
+        error = self._error(step)
+        last_stage = len(self.method.b)
+        self.rates(last_stage, "new")
+        allowed = w.both(live, w.compare("ole", error, w.constant(1.0)))
+        number = w.compare("ord", error, error)
+        power = error
+        for _ in range(4):
+            power = w.call("sqrt", power)
+        factor = w.op("fdiv", w.constant(0.9), power)
+        factor = w.call("minnum", w.call("maxnum", factor, w.constant(0.2)), w.constant(5.0))
+        factor = w.choose(number, factor, w.constant(0.2))
+        reason = w.choose(
+            number, w.constant(float(COLLAPSED)), w.constant(float(NOT_A_NUMBER))
+        )
+        self.put("fault", w.choose(live, w.choose(allowed, zero, reason), self.get("fault")))
+        if self.equations.guards:
+            self.evaluate("guards", "new")
+            fine = self._notice_guards(allowed)
+            factor = w.choose(w.both(allowed, w.unless(fine)), w.constant(0.5), factor)
+            allowed = w.both(allowed, fine)
+        following = w.op("fmul", step, factor)
+        # a step cut short says nothing against the one that was planned
+        short = w.both(allowed, last)
+        following = w.choose(short, w.call("maxnum", following, planned), following)
+        moved = allowed
+        event = w.choose(w.both(allowed, last), w.constant(_SAMPLE), zero)
+        if self.equations.section is not None:
+            over = w.both(allowed, last)
+            fault = w.choose(over, w.constant(float(OVER)), self.get("fault"))
+            event = w.choose(over, w.constant(_END), zero)
+            moved, following, event, fault = self._cross(
+                step, running, refining, allowed, following, event, fault
+            )
+            self.put("fault", fault)
+        floor = w.call("fma", w.call("fabs", time), w.constant(1e-15), self.get("floor"))
+        tiny = w.compare("ole", w.call("fabs", following), floor)
+        lost = w.both(w.both(live, w.unless(allowed)), tiny)
+        steps = w.op("fadd", self.get("steps"), w.choose(live, w.constant(1.0), zero))
+        self.put("steps", steps)
+        limit = w.splat(w.emit("sitofp i64 %limit to double"))
+        late = w.both(w.compare("oeq", event, zero), w.both(live, w.compare("oge", steps, limit)))
+        self.put("fault", w.choose(late, w.constant(float(STEPS)), self.get("fault")))
+        event = w.choose(w.either(lost, late), w.constant(_END), event)
+        self.put("step", w.choose(live, following, zero))
+        self.put("event", event)
+        self.put("time", w.choose(moved, w.choose(last, target, arrived), time))
+        for i in range(self.dimension):
+            for name, source in (("y", "new"), ("rest", "stage")):
+                value = n.choose(moved, n.load(self.place(source), i), n.load(self.place(name), i))
+                n.store(value, self.place(name), i)
+            fresh = n.load(self.place("rates", last_stage * self.dimension), i)
+            kept = n.choose(moved, fresh, n.load(self.place("rates"), i))
+            n.store(kept, self.place("rates"), i)
+
+    def _y(self, i: int) -> Value:
+        return self.n.load(self.place("y"), i)
+
+    def _sum(self, weights: Sequence[object], i: int) -> Value:
+        """A sum of the rates of one variable, with weights."""
+        n = self.n
+        total = None
+        for stage, weight in enumerate(weights):
+            if weight == 0:
+                continue
+            k = n.load(self.place("rates", stage * self.dimension), i)
+            a = n.number(weight)
+            total = n.mul(a, k) if total is None else n.fma(a, k, total)
+        return total
+
+    def _advance(self, step: Value, i: int) -> None:
+        """The new value of a variable, and what rounding has taken from it."""
+        n = self.n
+        y = self._y(i)
+        change = n.fma(step, self._sum(self.method.b, i), n.load(self.place("rest"), i))
+        new = n.add(y, change)
+        n.store(new, self.place("new"), i)
+        n.store(n.sub(change, n.sub(new, y)), self.place("stage"), i)
+
+    def _error(self, step: str) -> str:
+        """The square of the estimated error, where the tolerance is 1."""
+        w, n = self.w, self.n
+        fifth, third = w.constant(0.0), w.constant(0.0)
+        square = w.op("fmul", step, step)
+        for group in self.equations.groups:
+            size, speed = w.constant(1e-200), w.constant(0.0)
+            e5, e3 = w.constant(0.0), w.constant(0.0)
+            for i in group:
+                y, k = n.leading(self._y(i)), n.leading(n.load(self.place("rates"), i))
+                size, speed = w.call("fma", y, y, size), w.call("fma", k, k, speed)
+                a = n.leading(self._sum(self.method.e5, i))
+                b = n.leading(self._sum(self.method.e3, i))
+                e5, e3 = w.call("fma", a, a, e5), w.call("fma", b, b, e3)
+            size = w.op("fdiv", w.constant(1.0), w.call("fma", square, speed, size))
+            fifth = w.call("fma", e5, size, fifth)
+            third = w.call("fma", e3, size, third)
+        # err² = h² e5⁴ / (e5² + e3²/100), relative to the tolerance, a mean over the groups
+        below = w.call("fma", third, w.constant(0.01), fifth)
+        below = w.op("fadd", below, w.constant(1e-290))
+        error = w.op("fdiv", w.op("fmul", fifth, w.op("fmul", fifth, square)), below)
+        tolerance = w.emit("fmul double %tolerance, %tolerance")
+        share = w.emit(f"fmul double {tolerance}, {literal(float(len(self.equations.groups)))}")
+        return w.op("fdiv", error, w.splat(share))
+
+    def _cross(
+        self,
+        step: str,
+        running: str,
+        refining: str,
+        allowed: str,
+        following: str,
+        event: str,
+        fault: str,
+    ) -> tuple[str, str, str, str]:
+        """Find crossings, and go to them."""
+        w, n, zero = self.w, self.n, self.w.constant(0.0)
+        self.evaluate("section", "new")
+        g, gdot = self.get("g"), self.get("gdot")
+        g_new = n.leading(n.load(self.place("section"), 0))
+        gdot_new = n.leading(n.load(self.place("section"), 1))
+        rises = w.both(w.compare("olt", g, zero), w.compare("oge", g_new, zero))
+        falls = w.both(w.compare("ogt", g, zero), w.compare("ole", g_new, zero))
+        direction = self.equations.direction
+        through = w.either(rises, falls) if direction == 0 else rises if direction > 0 else falls
+        crossed = w.both(w.both(running, allowed), through)
+        # running lanes: stop before a crossing and go to it
+        moved = w.both(allowed, w.unless(crossed))
+        with_root = w.variable(w.type, zero)
+        with w.when(w.any(crossed)):
+            w.store(w.type, self._root(step, g, g_new, gdot, gdot_new), with_root)
+        root = w.load(w.type, with_root)
+        saved = self.get("saved")
+        saved = w.choose(crossed, following, saved)
+        following = w.choose(crossed, root, following)
+        event = w.choose(crossed, zero, event)
+        fault = w.choose(crossed, zero, fault)
+        mode = w.choose(crossed, w.constant(_REFINING), self.get("mode"))
+        tries = w.choose(crossed, zero, self.get("tries"))
+        # refining lanes: Newton's method in time
+        arrived = w.both(refining, allowed)
+        left = w.op("fdiv", w.op("fneg", g_new), gdot_new)
+        close = w.compare("ole", w.call("fabs", left), w.op("fmul", w.constant(1e-8), saved))
+        there = w.both(arrived, close)
+        tries = w.choose(arrived, w.op("fadd", tries, w.constant(1.0)), tries)
+        # a section that is only touched is left
+        stuck = w.both(w.both(arrived, w.unless(close)), w.compare("ogt", tries, w.constant(12.0)))
+        following = w.choose(w.both(arrived, w.unless(close)), left, following)
+        counted = there
+        if self.equations.where is not None:
+            where = n.leading(n.load(self.place("section"), 2))
+            counted = w.both(there, w.compare("ogt", where, zero))
+        back = w.either(there, stuck)
+        event = w.choose(counted, w.constant(_POINT), event)
+        following = w.choose(back, saved, following)
+        mode = w.choose(back, w.constant(_RUNNING), mode)
+        # where the section lies, for what writes the point down
+        saved = w.choose(counted, left, saved)
+        self.put("saved", saved)
+        self.put("mode", mode)
+        self.put("tries", tries)
+        # what has just been crossed is not crossed again
+        self.put("g", w.choose(moved, w.choose(back, zero, g_new), g))
+        self.put("gdot", w.choose(moved, gdot_new, gdot))
+        return moved, following, event, fault
+
+    def _root(self, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -> str:
+        """Where in a step the cubic through values and slopes at both ends vanishes."""
+        w = self.w
+        one = w.constant(1.0)
+        a, b = w.op("fmul", step, gdot), w.op("fmul", step, gdot_new)
+        rise = w.op("fsub", g_new, g)
+        # g + a x + c x² + d x³
+        d = w.op("fsub", w.op("fadd", a, b), w.op("fmul", w.constant(2.0), rise))
+        c = w.op("fsub", w.op("fsub", rise, a), d)
+        low, high = w.constant(0.0), one
+        x = w.op("fdiv", g, w.op("fsub", g, g_new))
+        upward = w.compare("olt", g, w.constant(0.0))
+        for _ in range(5):
+            value = w.call("fma", w.call("fma", w.call("fma", d, x, c), x, a), x, g)
+            slope = w.call("fma", w.constant(3.0), w.op("fmul", d, x), w.op("fadd", c, c))
+            slope = w.call("fma", slope, x, a)
+            above = w.emit(
+                f"xor {w.mask} {w.compare('ogt', value, w.constant(0.0))}, {w.unless(upward)}"
+            )
+            high, low = w.choose(above, x, high), w.choose(above, low, x)
+            trial = w.op("fsub", x, w.op("fdiv", value, slope))
+            inside = w.both(w.compare("ogt", trial, low), w.compare("olt", trial, high))
+            middle = w.op("fmul", w.constant(0.5), w.op("fadd", low, high))
+            x = w.choose(inside, trial, middle)
+        return w.op("fmul", x, step)
+
+
+def march(
+    arithmetic: type[Arithmetic], method: Explicit, equations: Equations, lanes: int
+) -> tuple[str, int]:
+    """The text of the loop, and the doubles of memory that it needs.
+
+    Parameters
+    ----------
+    arithmetic : Double or Pair
+    method : Explicit
+    equations : Equations
+    lanes : int
+        Trajectories in a vector.
+    """
+    made = _March(arithmetic, method, equations, lanes)
+    return made.write(), made.space.size * lanes
