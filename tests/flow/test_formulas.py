@@ -31,7 +31,7 @@ def test_values_are_those_of_sympy() -> None:
     ]
     states = STATES[:, :2]
     for factor in (3.0, np.linspace(1.0, 2.0, 7)):
-        found = Formulas(made, tuple(formulas)).values(states, {c: factor})
+        found = Formulas(made, tuple(formulas))(states, {c: factor})
         numbers = np.broadcast_to(factor, 7)
         for row, state, number in zip(found, states, numbers, strict=True):
             exact = [f.subs({x: state[0], y: state[1], c: number}) for f in formulas]
@@ -44,9 +44,7 @@ def test_slopes_are_differences() -> None:
     assert slopes.shape == (7, 3, 6)
     for j in range(6):
         step = 1e-6 * np.eye(6)[j]
-        differences = (
-            made.values(STATES + step, RATIOS) - made.values(STATES - step, RATIOS)
-        ) / 2e-6
+        differences = (made(STATES + step, RATIOS) - made(STATES - step, RATIOS)) / 2e-6
         assert np.abs(differences - slopes[:, :, j]).max() < 1e-7
 
 
@@ -54,4 +52,4 @@ def test_strange_names_are_refused() -> None:
     with pytest.raises(InputError, match=r"no parameter K; it has I_1, I_2, I_3, d, k"):
         parameter_values(BALL, {"K": 1.0})
     with pytest.raises(InputError, match="uses q, which"):
-        Formulas(BALL, (sp.Symbol("q"),)).values(STATES)
+        Formulas(BALL, (sp.Symbol("q"),))(STATES)

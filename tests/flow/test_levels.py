@@ -20,7 +20,7 @@ def test_states_are_put_on_levels() -> None:
     targets = np.stack([np.zeros(7), np.linspace(0.5, 0.8, 7), np.full(7, 3.0)], axis=1)
     states, met = projected(LEVEL, STATES, targets, RATIOS)
     assert met.all()
-    assert np.abs(LEVEL.values(states, RATIOS) - targets).max() < 2e-15
+    assert np.abs(LEVEL(states, RATIOS) - targets).max() < 2e-15
 
 
 def test_what_is_held_stays() -> None:
@@ -30,13 +30,13 @@ def test_what_is_held_stays() -> None:
     states, met = projected(level, unit, [0.6, 3.0], moved=[True] * 3 + [False] * 3)
     assert met.all()
     assert np.array_equal(states[:, 3:], unit[:, 3:])
-    assert np.abs(level.values(states) - [0.6, 3.0]).max() < 2e-15
+    assert np.abs(level(states) - [0.6, 3.0]).max() < 2e-15
 
 
 def test_a_state_on_its_level_is_left_where_it_is() -> None:
     exact = np.array([[0.5, -0.25, 1.0, 0.0, 0.6, 0.8]])
     there = Formulas(BALL, (MOMENTUM,))
-    states, met = projected(there, exact, there.values(exact))
+    states, met = projected(there, exact, there(exact))
     assert met.all()
     assert np.array_equal(states, exact)
 

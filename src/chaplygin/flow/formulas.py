@@ -60,7 +60,7 @@ class Formulas:
     system: System
     formulas: Sequence[Any]
 
-    def values(self, states: Any, parameters: Mapping[Any, Any] | None = None) -> Any:
+    def __call__(self, states: Any, parameters: Mapping[Any, Any] | None = None) -> Any:
         """The formulas at states.
 
         Parameters

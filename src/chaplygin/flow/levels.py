@@ -59,7 +59,7 @@ def projected(
     best, missed = found.copy(), np.full(len(found), np.inf)
     pending = np.arange(len(found))
     for _ in range(STEPS):
-        defects = formulas.values(found[pending], _of(parameters, pending)) - wanted[pending]
+        defects = formulas(found[pending], _of(parameters, pending)) - wanted[pending]
         size = np.abs(defects).max(axis=1, initial=0.0) / scale[pending]
         better = size < missed[pending]
         best[pending[better]] = found[pending[better]]
