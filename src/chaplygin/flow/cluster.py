@@ -1,0 +1,120 @@
+"""Blocks computed by the workers of a Dask cluster.
+
+Workers only compute; this process alone writes.  So nothing needs to be shared but the network, and
+a worker that disappears costs the block it was at, which another one computes again.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from ..errors import InputError
+
+if TYPE_CHECKING:
+    from distributed import Client, Future
+
+    from .blocks import Arrays, Work
+
+__all__ = ["results"]
+
+#: Blocks waiting at each thread of the workers, besides the one it is at.
+_WAITING = 1
+
+
+def results(
+    client: Client | str, work: Work, blocks: Mapping[int, tuple[int, int]]
+) -> Iterator[tuple[int, Arrays]]:
+    """Blocks in the order in which they are ready.
+
+    Parameters
+    ----------
+    client : dask.distributed.Client or str
+        A client, the address of a scheduler, or ``"local"``.
+    work : callable
+    blocks : mapping of int to (int, int)
+        First member of every block, and the one after its last.
+
+    Raises
+    ------
+    InputError
+        If Dask is not installed, or the scheduler cannot be reached.
+    UnfinishedError
+        If a block brings down one worker after another.
+    """
+    try:
+        import cloudpickle
+        import distributed
+    except ImportError:
+        raise InputError(
+            "a computation on a cluster needs Dask: pip install 'chaplygin[cluster]'"
+        ) from None
+    from .store import UnfinishedError
+
+    packed = cloudpickle.dumps(work)
+    with _connected(client) as connected:
+        waiting = iter(blocks.items())
+        under_way: dict[Future[Any], int] = {}
+        ready = distributed.as_completed(loop=connected.loop)
+
+        def send() -> None:
+            for block, members in waiting:
+                future = connected.submit(_compute, packed, *members, pure=False)
+                under_way[future] = block
+                ready.add(future)
+                return
+
+        for _ in range((1 + _WAITING) * max(1, sum(connected.nthreads().values()))):
+            send()
+        for future in ready:
+            block = under_way.pop(future)
+            try:
+                arrays = future.result()
+            except distributed.KilledWorker:
+                first, last = blocks[block]
+                raise UnfinishedError(
+                    f"the block of members {first} to {last - 1} brought down one worker after "
+                    "another: it may need more memory than they have"
+                ) from None
+            send()
+            yield block, arrays
+
+
+def _compute(packed: bytes, first: int, last: int) -> Arrays:
+    return _unpacked(packed)(first, last)
+
+
+@functools.lru_cache(maxsize=2)
+def _unpacked(packed: bytes) -> Work:
+    """The work, once for every worker and not for every block."""
+    import cloudpickle
+
+    work: Work = cloudpickle.loads(packed)
+    return work
+
+
+@contextmanager
+def _connected(client: Client | str) -> Iterator[Client]:
+    """A client; what is opened here is closed here."""
+    import distributed
+
+    if not isinstance(client, str):
+        yield client
+    elif client == "local":
+        with (
+            distributed.LocalCluster(threads_per_worker=1, dashboard_address=None) as cluster,
+            distributed.Client(cluster) as connected,
+        ):
+            yield connected
+    else:
+        try:
+            connected = distributed.Client(client, timeout="10s")
+        except (OSError, ValueError) as problem:
+            raise InputError(
+                f"there is no Dask scheduler at {client!r} ({problem}); an address such as "
+                "'tcp://host:8786' or 'local' is needed"
+            ) from problem
+        with connected:
+            yield connected
