@@ -298,7 +298,9 @@ class _March:
         w = self.w
         fault = w.emit(f"fptosi double {w.load('double', self.lane('fault', lane))} to i64")
         w.store("i64", fault, w.at("i64", "%outcome", index))
-        w.store("double", w.load("double", self.lane("time", lane)), w.at("double", "%ended", index))
+        w.store(
+            "double", w.load("double", self.lane("time", lane)), w.at("double", "%ended", index)
+        )
         steps = w.emit(f"fptosi double {w.load('double', self.lane('steps', lane))} to i64")
         w.store("i64", steps, w.at("i64", "%taken", index))
         w.store("double", literal(_EMPTY), self.lane("mode", lane))
@@ -310,9 +312,7 @@ class _March:
         if self.equations.section is not None:
             left = w.load("double", self.lane("saved", lane))
             now = w.load("double", self.lane("time", lane))
-            w.store(
-                "double", w.emit(f"fadd double {now}, {left}"), w.at("double", "%moments", row)
-            )
+            w.store("double", w.emit(f"fadd double {now}, {left}"), w.at("double", "%moments", row))
         start = w.emit(f"mul i64 {row}, {self.dimension * words}")
         for i in range(self.dimension * words):
             value = w.load("double", self._component("y", i, lane))
@@ -327,9 +327,7 @@ class _March:
         """What a lane needs before its first step."""
         w, n, zero = self.w, self.n, self.w.constant(0.0)
         fresh = w.compare("ogt", self.get("fresh"), zero)
-        w.line(
-            f"call void @prepare(ptr {self.place('constants')}, ptr {self.place('parameters')})"
-        )
+        w.line(f"call void @prepare(ptr {self.place('constants')}, ptr {self.place('parameters')})")
         self.rates(0, "y")
         size, speed = w.constant(1e-12), w.constant(1e-300)
         for i in (i for group in self.equations.groups for i in group):
@@ -405,9 +403,7 @@ class _March:
         factor = w.op("fdiv", w.constant(0.9), power)
         factor = w.call("minnum", w.call("maxnum", factor, w.constant(0.2)), w.constant(5.0))
         factor = w.choose(number, factor, w.constant(0.2))
-        reason = w.choose(
-            number, w.constant(float(COLLAPSED)), w.constant(float(NOT_A_NUMBER))
-        )
+        reason = w.choose(number, w.constant(float(COLLAPSED)), w.constant(float(NOT_A_NUMBER)))
         self.put("fault", w.choose(live, w.choose(allowed, zero, reason), self.get("fault")))
         if self.equations.guards:
             self.evaluate("guards", "new")

@@ -32,6 +32,8 @@ class Native:
     ----------
     functions : dict of str to callable
         C functions by name; they return nothing and release Python's lock.
+    room : int
+        Doubles of memory that a call needs.
     keeper : object
         What keeps the code in memory.
     found : bool
@@ -39,6 +41,7 @@ class Native:
     """
 
     functions: dict[str, Callable[..., None]]
+    room: int
     keeper: Any
     found: bool
 
@@ -105,7 +108,7 @@ _numbers = itertools.count()
 
 
 def load(
-    key: str, text: Callable[[], str], signatures: dict[str, Sequence[Any]]
+    key: str, text: Callable[[], tuple[str, int]], signatures: dict[str, Sequence[Any]]
 ) -> Native:
     """Functions of a text, compiled or fetched from the cache.
 
@@ -114,12 +117,18 @@ def load(
     key : str
         All that the text depends on.
     text : callable
-        Gives the text; called only when the code is not in the cache.
+        Gives the text, and the doubles of memory that a call needs; asked only when the code is
+        not in the cache.
     signatures : dict of str to sequence of ctypes types
         Of each function that is to be called from Python.
     """
     name = hashlib.sha256("\x00".join((key, _processor())).encode()).hexdigest()
-    code, found = cache.remember(name, lambda: _compile(text()))
+
+    def make() -> tuple[bytes, int]:
+        written, room = text()
+        return _compile(written), room
+
+    (code, room), found = cache.remember(name, make)
     library = llvm.JITLibraryBuilder().add_object_img(code).add_current_process()
     for symbol in signatures:
         library = library.export_symbol(symbol)
@@ -128,7 +137,7 @@ def load(
         symbol: ctypes.CFUNCTYPE(None, *arguments)(tracker[symbol])
         for symbol, arguments in signatures.items()
     }
-    return Native(functions, tracker, found)
+    return Native(functions, room, tracker, found)
 
 
 def aligned(doubles: int) -> Any:

@@ -120,7 +120,10 @@ def _primitives(count: int, x: Any) -> list[Any]:
 
 
 def _combine(values: list[Any], expand: list[list[Any]]) -> list[Any]:
-    return [mpmath.fsum(v * row[j] for v, row in zip(values, expand, strict=True)) for j in range(len(expand))]
+    return [
+        mpmath.fsum(v * row[j] for v, row in zip(values, expand, strict=True))
+        for j in range(len(expand))
+    ]
 
 
 def _exact(values: list[Any]) -> tuple[Fraction, ...]:
