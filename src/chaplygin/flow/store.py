@@ -70,7 +70,7 @@ class Store:
 
     task: Task
     folder: Path
-    arrays: Mapping[str, zarr.Array]
+    arrays: Mapping[str, zarr.Array[Any]]
     done: np.ndarray = field(repr=False)
 
     @property
@@ -264,7 +264,7 @@ def _hold(handle: int, folder: Path) -> None:
         raise InputError(f"{folder} is being written by another process: wait for it") from problem
 
 
-def _gone_on_with(task: Task, folder: Path, group: zarr.Group) -> Store:
+def _gone_on_with(task: Task, folder: Path, group: Any) -> Store:
     """The store with its own blocks, if it belongs to the task."""
     notes = group[DONE].attrs
     there, here = notes["task"], _description(task)
