@@ -1,0 +1,117 @@
+"""Short polynomials for the smooth parts of functions, as exact as an arithmetic asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any
+
+from mpmath import MPContext, libmp
+
+__all__ = ["Series", "parts", "series"]
+
+
+@dataclass(frozen=True)
+class Series:
+    """A polynomial near a function on an interval.
+
+    Attributes
+    ----------
+    coefficients : tuple of Fraction
+        From the constant term upwards.
+    reach : float
+        The largest magnitude of the variable.
+    """
+
+    coefficients: tuple[Fraction, ...]
+    reach: float
+
+
+def _odd(name: str) -> Callable[[Any, Any], Any]:
+    """(f(√t)/√t − 1)/t: what an odd function f(x) = x + x³ (…) has in place of the dots."""
+
+    def smooth(mp: Any, t: Any) -> Any:
+        x = mp.sqrt(t)
+        return (getattr(mp, name)(x) / x - 1) / t
+
+    return smooth
+
+
+#: Smooth parts of functions and the intervals on which they are wanted, a little widened for
+#: arguments reduced with rounding.
+PARTS: Mapping[str, tuple[Callable[[Any, Any], Any], float, float]] = {
+    # x = √t up to π/4
+    "sin": (_odd("sin"), 0.0, 0.617),
+    "cos": (lambda mp, t: ((mp.cos(mp.sqrt(t)) - 1) / t + mp.mpf(1) / 2) / t, 0.0, 0.617),
+    # up to 1/2
+    "asin": (_odd("asin"), 0.0, 0.25),
+    "atan": (_odd("atan"), 0.0, 0.25),
+    "sinh": (_odd("sinh"), 0.0, 0.25),
+    # up to (√2 − 1)/(√2 + 1)
+    "atanh": (_odd("atanh"), 0.0, 0.0295),
+    # x up to (log 2)/2
+    "exp": (lambda mp, x: (mp.expm1(x) - x) / x**2 if x else mp.mpf(1) / 2, -0.347, 0.347),
+}
+
+
+@lru_cache
+def series(name: str, bits: int) -> Series:
+    """The shortest polynomial near a smooth part of a function.
+
+    Interpolation at Chebyshev's points is as good as the best polynomial but for a small factor.
+
+    Parameters
+    ----------
+    name : str
+        A key of `PARTS`.
+    bits : int
+        The error is below 2⁻ᵇⁱᵗˢ.
+    """
+    smooth, first, last = PARTS[name]
+    mp = MPContext()
+    mp.prec = 4 * bits
+    value = mp.memoize(lambda t: smooth(mp, t))
+    terms, gained = 2, 0
+    while True:
+        found, error = mp.chebyfit(value, [first, last], terms, error=True)
+        reached = -mp.mag(error)
+        if reached >= bits:
+            return Series(tuple(map(_fraction, reversed(found))), max(-first, last))
+        rate = max(1, (reached - gained) // terms if gained == 0 else reached // terms)
+        gained = reached
+        terms += max(1, (bits - reached) // (2 * rate))
+
+
+@lru_cache
+def parts(name: str, bits: tuple[int, ...]) -> tuple[Fraction, ...]:
+    """A constant as a sum of short numbers, of given lengths, and the rest of it.
+
+    Parameters
+    ----------
+    name : str
+        ``"pi"`` or ``"ln2"``.
+    bits : tuple of int
+    """
+    mp = MPContext()
+    mp.prec = 4 * sum(bits) + 200
+    rest = _fraction(+getattr(mp, name))
+    found = []
+    for length in bits:
+        part = _rounded(rest, length)
+        found.append(part)
+        rest -= part
+    return (*found, rest)
+
+
+def _rounded(value: Fraction, bits: int) -> Fraction:
+    """The nearest number of so many bits."""
+    mp = MPContext()
+    mp.prec = bits
+    return _fraction(mp.mpf(value.numerator) / value.denominator)
+
+
+def _fraction(value: Any) -> Fraction:
+    """A number of mpmath, exactly."""
+    return Fraction(*libmp.to_rational(value._mpf_))
