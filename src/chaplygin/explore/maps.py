@@ -1,0 +1,174 @@
+"""Maps of a section onto itself, with their slopes and with what they keep.
+
+A periodic orbit, its multipliers, its continuation are about maps; where a map comes from does
+not matter.  `Plain` is a map given by formulas of NumPy; :mod:`.returns` makes one of the returns
+of a System to a section.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+import numpy as np
+
+__all__ = ["Image", "Kept", "Map", "Plain", "slope_of"]
+
+Array = np.ndarray[Any, Any]
+Function = Callable[[Array], Array]
+
+#: Step along the imaginary axis; its square is nothing beside 1, so that no digits are lost.
+_STEP = 1e-100
+
+
+@dataclass(frozen=True)
+class Image:
+    """Where a map takes points.
+
+    Attributes
+    ----------
+    points : array (n, size)
+        Not a number where a point has no image.
+    times : array (n,)
+        How long the way was; zero for a map without time.
+    slopes : array (n, size, size) or None
+        Derivatives: entry [k, i, j] of image coordinate i by coordinate j of point k.
+    """
+
+    points: Array
+    times: Array
+    slopes: Array | None = None
+
+
+@dataclass(frozen=True)
+class Kept:
+    """Functions that a map leaves as they are.
+
+    Attributes
+    ----------
+    names : tuple of str
+    values : callable
+        From points (n, size) to values (n, len(names)).
+    slopes : callable
+        From points (n, size) to derivatives (n, len(names), size).
+    """
+
+    names: tuple[str, ...]
+    values: Function
+    slopes: Function
+
+
+NOTHING = Kept((), lambda x: np.zeros((len(x), 0)), lambda x: np.zeros((len(x), 0, x.shape[1])))
+
+
+class Map(Protocol):
+    """What orbits are found of.
+
+    Attributes
+    ----------
+    names : tuple of str
+        The coordinates.
+    periods : array (size,)
+        The period of a coordinate that is an angle; infinite for the others.
+    domain : Kept
+        Functions that vanish on the set that is mapped: relations and the section.
+    integrals : Kept
+        Functions with a value of their own on each orbit.
+    forced : tuple of str
+        Multipliers one that are left out beforehand, by what forces them: the flow itself.
+    """
+
+    @property
+    def names(self) -> tuple[str, ...]: ...
+
+    @property
+    def periods(self) -> Array: ...
+
+    @property
+    def domain(self) -> Kept: ...
+
+    @property
+    def integrals(self) -> Kept: ...
+
+    @property
+    def forced(self) -> tuple[str, ...]: ...
+
+    def image(self, points: Array, count: int = 1, *, slopes: bool = False) -> Image:
+        """Images of points (n, size) after `count` steps; slopes on demand."""
+        ...
+
+
+def slope_of(function: Function) -> Function:
+    """The derivative of an analytic function of points, exact to rounding.
+
+    Parameters
+    ----------
+    function : callable
+        From points (n, size), complex ones too, to values (n, r).
+
+    Returns
+    -------
+    callable
+        From points (n, size) to derivatives (n, r, size).
+    """
+
+    def slopes(points: Array) -> Array:
+        columns = []
+        for j in range(points.shape[1]):
+            moved = points.astype(complex)
+            moved[:, j] += 1j * _STEP
+            columns.append(function(moved).imag / _STEP)
+        return np.stack(columns, axis=-1)
+
+    return slopes
+
+
+@dataclass(frozen=True)
+class Plain:
+    """A map given by an analytic function.
+
+    Parameters
+    ----------
+    names : tuple of str
+        The coordinates.
+    step : callable
+        From points (n, size), complex ones too, to their images (n, size).
+    angles : mapping of str to float
+        Periods of coordinates that are angles.
+    keeps : mapping of str to callable
+        Functions from points (n, size) to values (n,) that the map leaves as they are.
+    """
+
+    names: tuple[str, ...]
+    step: Function
+    angles: Mapping[str, float] = field(default_factory=dict)
+    keeps: Mapping[str, Function] = field(default_factory=dict)
+    domain: Kept = NOTHING
+    forced: tuple[str, ...] = ()
+
+    @property
+    def periods(self) -> Array:
+        """The periods of the coordinates."""
+        return np.array([self.angles.get(name, np.inf) for name in self.names])
+
+    @property
+    def integrals(self) -> Kept:
+        """The functions of `keeps`."""
+        if not self.keeps:
+            return NOTHING
+
+        def values(points: Array) -> Array:
+            return np.stack([function(points) for function in self.keeps.values()], axis=1)
+
+        return Kept(tuple(self.keeps), values, slope_of(values))
+
+    def image(self, points: Array, count: int = 1, *, slopes: bool = False) -> Image:
+        """Images of points (n, size) after `count` steps."""
+        slope, total = slope_of(self.step), None
+        for _ in range(count):
+            if slopes:
+                local = slope(points)
+                total = local if total is None else local @ total
+            points = self.step(points)
+        return Image(points, np.zeros(len(points)), total)

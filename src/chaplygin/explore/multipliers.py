@@ -1,0 +1,138 @@
+"""Multipliers of a periodic orbit without those that something forces to be one.
+
+An integral F has dF·S = dF for the slope S of the return to a point of the orbit: S acts on the
+level of all integrals, and its eigenvalues there are the multipliers that tell something.  How
+well dF·S = dF holds in numbers, and how well S leaves the tangents of the section and of the
+relations where they are, is the error of S, and so of them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .maps import Array, Map
+
+__all__ = ["Multipliers", "multipliers", "stability"]
+
+#: Differentials whose part across the others is a smaller share of them are dependent.
+DEPENDENT = 1e-7
+
+
+@dataclass(frozen=True)
+class Multipliers:
+    """Eigenvalues of the return to a periodic orbit.
+
+    Attributes
+    ----------
+    values : complex array (d,)
+        On the level of all integrals, greatest first.
+    forced : tuple of str
+        What forces each of the others to be one: ``"flow"``, integrals, promoted parameters.
+    errors : array (d,)
+        How far rounding and integration may have moved each.
+    matrix : array (d, d)
+        The derivative of the return, on an orthonormal basis of the level.
+    """
+
+    values: Array
+    forced: tuple[str, ...]
+    errors: Array
+    matrix: Array
+
+    @property
+    def kind(self) -> str:
+        """The kind of stability."""
+        return stability(self.values, self.errors)
+
+
+def stability(values: Array, errors: Array) -> str:
+    """The kind of an orbit in one or two words.
+
+    Parameters
+    ----------
+    values, errors : arrays (d,)
+        Multipliers; sizes that differ from one by less than the error count as one.
+
+    Returns
+    -------
+    str
+        ``"attracting"`` or ``"repelling"``, for two multipliers with ``"node"`` or ``"focus"``;
+        ``"saddle"``; ``"elliptic"`` (all on the unit circle, away from ±1); ``"neutral"`` (all on
+        it, some at ±1, or no multipliers at all); ``"saddle and elliptic"``; ``"undecided"``
+        where some are within their error of the circle and the others all on one side of it.
+    """
+    excess = np.abs(values) - 1
+    inside, outside = excess < -errors, excess > errors
+    if (inside | outside).all() and len(values):
+        if inside.any() and outside.any():
+            return "saddle"
+        word = "attracting" if inside.any() else "repelling"
+        if len(values) != 2:
+            return word
+        return f"{word} {'focus' if np.abs(values.imag).min() > errors.max() else 'node'}"
+    if not inside.any() and not outside.any():
+        turning = np.abs(values.imag) > errors
+        return "elliptic" if turning.all() and len(values) else "neutral"
+    return "saddle and elliptic" if inside.any() and outside.any() else "undecided"
+
+
+def multipliers(made: Map, point: Array, slope: Array) -> Multipliers:
+    """The multipliers of an orbit.
+
+    Parameters
+    ----------
+    made : Map
+    point : array (size,)
+        A point of the orbit.
+    slope : array (size, size)
+        The derivative there of the return to this point.
+    """
+    domain = made.domain.slopes(point[None])[0]
+    basis = complement(domain)
+    forced = list(made.forced)
+    defect = np.finfo(float).eps * max(1.0, float(np.linalg.norm(slope))) * len(point)
+    for gradient in domain:
+        left = gradient @ slope @ basis
+        defect = max(defect, float(np.linalg.norm(left) / np.linalg.norm(gradient)))
+    for name, gradient in zip(
+        made.integrals.names, made.integrals.slopes(point[None])[0], strict=True
+    ):
+        across = gradient @ basis
+        size = float(np.linalg.norm(across))
+        if size <= DEPENDENT * float(np.linalg.norm(gradient)):
+            continue
+        forced.append(name)
+        kept = gradient @ slope @ basis - across
+        defect = max(defect, float(np.linalg.norm(kept)) / size)
+        basis = basis @ complement(across[None])
+    matrix = basis.T @ slope @ basis
+    values, vectors = np.linalg.eig(matrix)
+    order = np.argsort(-np.abs(values), kind="stable")
+    return Multipliers(
+        values[order].astype(complex),
+        tuple(forced),
+        defect * _conditions(vectors)[order],
+        matrix,
+    )
+
+
+def complement(rows: Array) -> Array:
+    """An orthonormal basis, in columns, of what all rows annul."""
+    if not len(rows):
+        return np.eye(rows.shape[1])
+    _, sizes, other = np.linalg.svd(rows)
+    rank = int((sizes > DEPENDENT * sizes[0]).sum())
+    found: Array = other[rank:].T
+    return found
+
+
+def _conditions(vectors: Array) -> Array:
+    """By how much errors of a matrix are magnified in its eigenvalues."""
+    if not len(vectors):
+        return np.zeros(0)
+    # for a double eigenvalue the inverse is meaningless, and its size says so
+    left = np.linalg.pinv(vectors, rcond=1e-15)
+    found: Array = np.linalg.norm(left, axis=1) * np.linalg.norm(vectors, axis=0)
+    return found
