@@ -167,7 +167,7 @@ def follow(
             reason = "no orbit was found however short the step"
             break
         there, taken = advanced
-        turn = float(np.arccos(min(1.0, here.tangent @ there.tangent)))
+        turn = _turn(here, there)
         events.extend(_events(follower, here, there, taken))
         end = _located(
             follower, here, there, taken, lambda p: p.orbit.values[varied] - until, "passed"
@@ -192,11 +192,15 @@ def _advance(follower: _Follower, here: _Place, length: float) -> tuple[_Place, 
         except RunError:
             length /= 2
             continue
-        turn = float(np.arccos(np.clip(here.tangent @ there.tangent, -1.0, 1.0)))
-        if turn < 2 * _STRAIGHT:
+        if _turn(here, there) < 2 * _STRAIGHT:
             return there, length
         length /= 2
     return None
+
+
+def _turn(here: _Place, there: _Place) -> float:
+    """The angle between two tangents."""
+    return float(np.arccos(np.clip(here.tangent @ there.tangent, -1.0, 1.0)))
 
 
 def _at_one(found: Multipliers, sign: float) -> tuple[float, float]:

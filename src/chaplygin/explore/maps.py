@@ -80,19 +80,29 @@ class Map(Protocol):
     """
 
     @property
-    def names(self) -> tuple[str, ...]: ...
+    def names(self) -> tuple[str, ...]:
+        """See above."""
+        ...
 
     @property
-    def periods(self) -> Array: ...
+    def periods(self) -> Array:
+        """See above."""
+        ...
 
     @property
-    def domain(self) -> Kept: ...
+    def domain(self) -> Kept:
+        """See above."""
+        ...
 
     @property
-    def integrals(self) -> Kept: ...
+    def integrals(self) -> Kept:
+        """See above."""
+        ...
 
     @property
-    def forced(self) -> tuple[str, ...]: ...
+    def forced(self) -> tuple[str, ...]:
+        """See above."""
+        ...
 
     def image(self, points: Array, count: int = 1, *, slopes: bool = False) -> Image:
         """Images of points (n, size) after `count` steps; slopes on demand."""

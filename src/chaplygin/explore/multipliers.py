@@ -92,7 +92,7 @@ def multipliers(made: Map, point: Array, slope: Array) -> Multipliers:
     domain = made.domain.slopes(point[None])[0]
     basis = complement(domain)
     forced = list(made.forced)
-    defect = np.finfo(float).eps * max(1.0, float(np.linalg.norm(slope))) * len(point)
+    defect = float(np.finfo(float).eps) * max(1.0, float(np.linalg.norm(slope))) * len(point)
     for gradient in domain:
         left = gradient @ slope @ basis
         defect = max(defect, float(np.linalg.norm(left) / np.linalg.norm(gradient)))

@@ -9,7 +9,7 @@ place of the family that is next.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -147,6 +147,17 @@ def shortest(slopes: Array, residuals: Array) -> Array:
     return found
 
 
+def onto(made: Map, points: Array) -> Array:
+    """The points of the domain of a map that are next to given ones, to rounding."""
+    for _ in range(8):
+        misses = made.domain.values(points)
+        if not misses.size or np.abs(misses).max() < 1e-15:
+            break
+        slopes = np.linalg.pinv(made.domain.slopes(points), rcond=FAMILY)
+        points = points - np.einsum("nij,nj->ni", slopes, misses)
+    return points
+
+
 def solved(
     equations: Equations, points: Array, row: tuple[Array, float] | None = None
 ) -> tuple[Array, float]:
@@ -174,6 +185,7 @@ def solved(
             slopes = np.concatenate([slopes, direction[None]])
         return residuals, slopes
 
+    points = onto(equations.map, points)
     residuals, slopes = evaluated(points)
     last = np.inf
     for _ in range(STEPS):
@@ -181,7 +193,7 @@ def solved(
         size, scale = float(np.abs(step).max()), 1.0 + float(np.abs(points).max())
         if size >= last / 2 and size < 1e-10 * scale:
             break
-        moved = _damped(evaluated, points, step, float(np.linalg.norm(residuals)))
+        moved = _damped(equations.map, evaluated, points, step, float(np.linalg.norm(residuals)))
         if moved is None:
             break
         points, residuals, slopes = moved
@@ -195,12 +207,15 @@ def solved(
 
 
 def _damped(
-    evaluated: object, points: Array, step: Array, norm: float
+    made: Map,
+    evaluated: Callable[[Array], tuple[Array, Array]],
+    points: Array,
+    step: Array,
+    norm: float,
 ) -> tuple[Array, Array, Array] | None:
     """The step, or the greatest half, quarter, … of it that makes the residuals smaller."""
-    assert callable(evaluated)
     for power in range(HALVINGS):
-        place = points + step * 0.5**power
+        place = onto(made, points + step * 0.5**power)
         try:
             residuals, slopes = evaluated(place)
         except RunError:
@@ -257,6 +272,7 @@ def find(
             f"guess: its shape {points.shape} must be ({len(made.names)},) or "
             f"({period}, {len(made.names)}) for the coordinates {', '.join(made.names)}"
         )
+    points = onto(made, points)
     held = held_values(made, points[0], hold)
     while len(points) < period:
         points = np.concatenate([points, made.image(points[-1:]).points])

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from fractions import Fraction
+from itertools import pairwise
 from math import gcd
 from typing import Protocol
 
@@ -269,7 +270,7 @@ def plateau(maps: CircleMaps, fraction: Fraction, bracket: tuple[float, float]) 
         return found
 
     names = ("greatest", "least") if rising else ("least", "greatest")
-    edges = [edge(name) for name in names]
+    edges = edge(names[0]), edge(names[1])
     middle = displacement(maps, sum(edges) / 2, fraction)
     slope = _slope(maps, fraction, edges, (low, high))
     spacing = float(np.spacing(max(abs(low), abs(high))))
@@ -277,7 +278,7 @@ def plateau(maps: CircleMaps, fraction: Fraction, bracket: tuple[float, float]) 
 
 
 def _slope(
-    maps: CircleMaps, fraction: Fraction, edges: list[float], bracket: tuple[float, float]
+    maps: CircleMaps, fraction: Fraction, edges: tuple[float, float], bracket: tuple[float, float]
 ) -> float:
     """The rate of the mean displacement at a plateau, from both sides of it."""
     reach = max(1e-4 * (bracket[1] - bracket[0]), edges[1] - edges[0])
@@ -325,7 +326,7 @@ def _around(maps: CircleMaps, stairs: Staircase, fraction: Fraction) -> list[Pla
     )
     clear = np.flatnonzero(side)
     found = []
-    for i, j in zip(clear[:-1], clear[1:], strict=True):
+    for i, j in pairwise(clear):
         if side[i] != side[j]:
             found.append(plateau(maps, fraction, (stairs.values[i], stairs.values[j])))
     return found
