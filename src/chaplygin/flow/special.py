@@ -8,7 +8,7 @@ polynomial times something small.  Both are kept apart as long as anything is do
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -84,6 +84,13 @@ def _sum(k: Arithmetic, a: Value, b: Value) -> Split:
     """a + b without error, where a is the larger (Dekker)."""
     head = k.add(a, b)
     return Split(head, k.sub(b, k.sub(head, a)))
+
+
+def _any_sum(k: Arithmetic, a: Value, b: Value) -> Split:
+    """The same whichever is the larger (Knuth)."""
+    head = k.add(a, b)
+    moved = k.sub(head, a)
+    return Split(head, k.add(k.sub(a, k.sub(head, moved)), k.sub(b, moved)))
 
 
 def _joined(k: Arithmetic, a: Split) -> Value:
@@ -166,18 +173,23 @@ def sign(k: Arithmetic, x: Value) -> Value:
     return _put(k, _where(k, x, "ogt", 0.0), 1.0, found)
 
 
-def _reduced(k: Arithmetic, x: Value, n: Value, pieces: Sequence[Fraction]) -> Split:
-    """x less a multiple of a constant that is given as a sum of short numbers.
+def _reduced(k: Arithmetic, x: Value, name: str, factor: Fraction) -> tuple[Split, str, str]:
+    """x less the nearest multiple n of a constant; n as a double, and in the lowest bits.
 
-    Multiples of the pieces are taken off one after another, all but the last two without error
-    (Cody and Waite 1980; with fused products Boldo, Daumas and Li 2009).
+    Multiples of short pieces of the constant are taken off one after another, all but the last
+    two without error (Cody and Waite 1980; with fused products Boldo, Daumas and Li 2009).
     """
+    w = k.writer
+    *pieces, _ = (piece * factor for piece in parts(name, (53,) * (k.words + 2)))
+    turns, bits = _nearest(w, k.leading(x), 1 / sum(pieces, Fraction(0)))
+    n = k.whole(turns)
     *exact, next_to_last, last = (k.number(-piece) for piece in pieces)
     for piece in exact:
         x = k.fma(n, piece, x)
-    head = k.fma(n, next_to_last, x)
-    lost = k.fma(n, next_to_last, k.sub(x, head))
-    return Split(head, k.fma(n, last, lost))
+    product = k.mul(n, next_to_last)
+    lost = k.fma(n, next_to_last, k.neg(product))
+    head, rest = _any_sum(k, x, product)
+    return Split(head, k.add(rest, k.fma(n, last, lost))), turns, bits
 
 
 # --- circular functions -----------------------------------------------------------------------
@@ -188,10 +200,7 @@ FARTHEST = 2.0**40
 
 def _circular(k: Arithmetic, x: Value) -> tuple[Split, Split, str]:
     """Sine and cosine of x − n π/2, at most π/4 in magnitude, and n in the lowest bits."""
-    w = k.writer
-    *pieces, _ = (p / 2 for p in parts("pi", (53,) * (2 * k.words + 1)))
-    turns, quadrant = _nearest(w, k.leading(x), 1 / sum(pieces, Fraction(0)))
-    r, rest = _reduced(k, x, k.whole(turns), pieces)
+    (r, rest), _, quadrant = _reduced(k, x, "pi", Fraction(1, 2))
     t = k.mul(r, r)
     sine = Split(r, k.fma(k.mul(r, t), _polynomial(k, "sin", t), rest))
     top = _sum(k, _one(k), k.mul(t, k.number(Fraction(-1, 2))))
@@ -242,7 +251,7 @@ def tan(k: Arithmetic, x: Value) -> Value:
 # --- their inverses ---------------------------------------------------------------------------
 
 
-def _arcsine(k: Arithmetic, x: Value) -> tuple[Split, str, Split]:
+def _arcsine(k: Arithmetic, x: Value) -> tuple[Split, str]:
     """The arcsine of what is at most ½: of |x|, or of √((1 − |x|)/2) where the mask is set."""
     size = absolute(k, x)
     large = _where(k, size, "ogt", 0.5)
@@ -335,9 +344,7 @@ SATURATED = 40.0
 def _exponential(k: Arithmetic, x: Value, halvings: int) -> Split:
     """eˣ by a power of two: 2ⁿ (1 + r + …), |r| ≤ (log 2)/2."""
     w = k.writer
-    *pieces, _ = parts("ln2", (53,) * (k.words + 1))
-    turns, _ = _nearest(w, k.leading(x), 1 / sum(pieces, Fraction(0)))
-    r, rest = _reduced(k, x, k.whole(turns), pieces)
+    (r, rest), turns, _ = _reduced(k, x, "ln2", Fraction(1))
     top = _sum(k, _one(k), r)
     small = k.fma(k.mul(r, r), _polynomial(k, "exp", r), rest)
     turns = w.op("fsub", turns, w.constant(float(halvings)))
