@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 import sympy as sp
@@ -46,6 +46,7 @@ class Duration:
     system: System
     until: float
     tolerance: float = 1e-12
+    further: ClassVar[Mapping[str, str]] = {}
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Times, outcomes and times reached, (n,) each."""
@@ -69,6 +70,7 @@ class Mean:
     until: float
     formula: Any
     tolerance: float = 1e-12
+    further: ClassVar[Mapping[str, str]] = {}
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Means, outcomes and times reached, (n,) each."""
@@ -99,6 +101,7 @@ class Highest:
     formula: Any
     samples: int = 2048
     tolerance: float = 1e-12
+    further: ClassVar[Mapping[str, str]] = {}
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Values, outcomes and times reached, (n,) each."""
@@ -116,6 +119,7 @@ class Lowest:
     formula: Any
     samples: int = 2048
     tolerance: float = 1e-12
+    further: ClassVar[Mapping[str, str]] = {}
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Values, outcomes and times reached, (n,) each."""
@@ -144,6 +148,7 @@ class Frequency:
     formula: Any
     samples: int = 4096
     tolerance: float = 1e-12
+    further: ClassVar[Mapping[str, str]] = {"error": "difference between the halves of the motion"}
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Values, errors, outcomes and times reached, (n,) each."""
