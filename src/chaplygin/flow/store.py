@@ -38,8 +38,6 @@ DONE = "done"
 #: Written into every store, so that ours are known from others.
 FORMAT = "chaplygin blocks 1"
 
-_FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
-
 
 class UnfinishedError(RunError):
     """A computation in blocks that stopped before its end; what was written stays."""
@@ -100,11 +98,14 @@ class Store:
         self.done = marked
 
     def _unfinished(self, problem: OSError) -> UnfinishedError:
-        what = "the disk is full" if problem.errno in _FULL else problem.strerror or str(problem)
         return UnfinishedError(
-            f"{self.folder}: {what}; {self.done.sum()} of {self.task.blocks} blocks are written "
+            f"{self.folder}: {_reason(problem)}; {self.done.sum()} of {self.task.blocks} blocks are written "
             "and stay: put right what is wrong, and run the same again"
         )
+
+
+def _reason(problem: OSError) -> str:
+    return "the disk is full" if problem.errno == errno.ENOSPC else problem.strerror or str(problem)
 
 
 def _settle(chunk: Path) -> None:
@@ -135,7 +136,7 @@ def open_store(task: Task, folder: Path) -> Iterator[Store]:
             stack.enter_context(_alone(folder))
             store = _gone_on_with(task, folder, group)
         except OSError as problem:
-            raise InputError(f"{folder} cannot be written: {problem.strerror or problem}") from None
+            raise InputError(f"{folder} cannot be written: {_reason(problem)}") from problem
         yield store
 
 
@@ -235,7 +236,7 @@ def _ours(folder: Path) -> zarr.Group:
     try:
         group = zarr.open_group(zarr.storage.LocalStore(folder), mode="r+")
         known = group[DONE].attrs.get("format") == FORMAT
-    except (FileNotFoundError, NotADirectoryError, KeyError, ValueError):
+    except (FileExistsError, FileNotFoundError, NotADirectoryError, KeyError, ValueError):
         known = False
     if not known:
         raise InputError(
