@@ -29,7 +29,7 @@ from ..vectors import explicit
 from .slopes import number, slopes
 from .spaces import complement, shortest, without
 
-__all__ = ["Linearisation", "linearise", "steady"]
+__all__ = ["Linearisation", "components", "linearise", "steady", "taking_part"]
 
 NEWTON_STEPS = 60
 
@@ -177,7 +177,7 @@ def steady(
         If the iteration does not come to rest.
     """
     with mpmath.workdps(_working(digits)):
-        variables = _taking_part(system)
+        variables = _variables(system)
         point = _state(system, guess, variables)
         constants = _constants(system, parameters)
         kept = {_symbol(system, name, "held") for name in held}
@@ -210,7 +210,7 @@ class _Frozen:
         digits: int,
     ) -> None:
         self.system = system
-        self.variables = _taking_part(system)
+        self.variables = _variables(system)
         self.point = _state(system, state, self.variables)
         self.values = {**self.point, **_constants(system, parameters)}
         # a state given as a float is exact to some 16 digits
@@ -250,7 +250,7 @@ class _Frozen:
         symmetries = [law for law in self.system.laws if self._carries(law)]
         drift: dict[str, Any] = {}
         if symmetries and mpmath.norm(value, mpmath.inf) > self.tolerance:
-            fields = [self._field(_components(law, self.variables)) for law in symmetries]
+            fields = [self._field(components(law, self.variables)) for law in symmetries]
             columns = mpmath.matrix([[u[i] for u, _ in fields] for i in range(len(value))])
             speeds = shortest(columns, value)
             for law, speed, (u, slope) in zip(symmetries, speeds, fields, strict=True):
@@ -298,7 +298,8 @@ def _rates(system: System, variables: Sequence[sp.Symbol]) -> list[sp.Expr]:
     return [rates[s] for s in variables]
 
 
-def _components(law: Symmetry, variables: Sequence[sp.Symbol]) -> list[sp.Expr]:
+def components(law: Symmetry, variables: Sequence[sp.Symbol]) -> list[sp.Expr]:
+    """The components of a symmetry field along some state variables."""
     named: dict[sp.Symbol, sp.Expr] = {}
     for name, formula in law.field:
         value = explicit(formula)
@@ -309,7 +310,7 @@ def _components(law: Symmetry, variables: Sequence[sp.Symbol]) -> list[sp.Expr]:
     return [sp.sympify(named.get(s, 0)) for s in variables]
 
 
-def _taking_part(system: System) -> tuple[sp.Symbol, ...]:
+def taking_part(system: System) -> tuple[sp.Symbol, ...]:
     """State variables without those on which nothing depends, one after the other."""
     rates = dict(zip(system.symbols, system.rates, strict=True))
     while True:
@@ -321,9 +322,14 @@ def _taking_part(system: System) -> tuple[sp.Symbol, ...]:
             break
         for symbol in idle:
             del rates[symbol]
-    if not rates:
-        raise InputError(f"{system.name}: no rate depends on the state; nothing can be linearised")
     return tuple(rates)
+
+
+def _variables(system: System) -> tuple[sp.Symbol, ...]:
+    found = taking_part(system)
+    if not found:
+        raise InputError(f"{system.name}: no rate depends on the state; nothing can be linearised")
+    return found
 
 
 def _symbol(system: System, name: Any, where: str) -> sp.Symbol:

@@ -1,0 +1,263 @@
+"""Lyapunov exponents that are zero because they must be.
+
+Every integral F forces one: the motion keeps dF, so that a deviation across its levels neither
+grows nor shrinks.  So does every field that the motion carries into itself and that stays bounded:
+the flow, a symmetry.  Where relations hold, deviations that break them are no deviations of the
+system at all.  What is left when all of these are removed is the genuine spectrum.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+import sympy as sp
+
+from ..flow.formulas import Formulas
+from ..flow.linearise import components, taking_part
+from ..flow.tangent import TangentSpace
+from ..statements import Integral, Law, Symmetry
+from ..system import System
+from ..vectors import explicit
+
+__all__ = ["Forced", "Removed", "forced"]
+
+Kind = Literal["relation", "integral", "flow", "symmetry", "quadrature"]
+
+#: Relative size below which a vector counts as dependent on others.
+DEPENDENT = 1e-8
+#: Relative size below which a number counts as zero.
+ZERO = 1e-10
+
+_REASONS: Mapping[Kind, str] = {
+    "relation": "holds on the phase space",
+    "integral": "does not change",
+    "flow": "the direction of the motion",
+    "symmetry": "carried along by the motion",
+    "quadrature": "nothing depends on it",
+}
+
+
+@dataclass(frozen=True)
+class Removed:
+    """One dimension taken out of the tangent space.
+
+    Attributes
+    ----------
+    name : str
+        ``"flow"``, the name of an integral or a symmetry, the relation, the variable.
+    kind : str
+        ``"relation"``, ``"integral"``, ``"flow"``, ``"symmetry"`` or ``"quadrature"``.
+    """
+
+    name: str
+    kind: Kind
+
+    @property
+    def exponent(self) -> float | None:
+        """0, or None for a relation: what breaks it is no deviation, and has no exponent."""
+        return None if self.kind == "relation" else 0.0
+
+    @property
+    def reason(self) -> str:
+        """Why it has no genuine exponent."""
+        return _REASONS[self.kind]
+
+
+@dataclass(frozen=True)
+class Forced:
+    """What has to be removed along a motion, and what is left.
+
+    Attributes
+    ----------
+    space : TangentSpace
+        Deviations that count.
+    removed : tuple of Removed
+    dependent : tuple of str
+        Integrals and fields that depend on those removed before at this start, and force nothing.
+    """
+
+    space: TangentSpace
+    removed: tuple[Removed, ...]
+    dependent: tuple[str, ...]
+
+
+def forced(
+    system: System, start: Sequence[float], parameters: Mapping[Any, Any] | None = None
+) -> Forced:
+    """The zero exponents that laws and relations force on the motion from a start.
+
+    Parameters
+    ----------
+    system : System
+    start : sequence of float
+        State in flat order, on the phase space.
+    parameters : mapping of Symbol or name to number, optional
+        Values that replace the defaults.
+
+    Returns
+    -------
+    Forced
+        With integrals and fields that are independent at the start: dependence is kept by the
+        motion.
+    """
+    at = _At(system, np.array([start], dtype=np.float64), parameters)
+    across, along = _Span(), _Span()
+    removed: list[Removed] = []
+    dependent: list[str] = []
+    conditions: list[Any] = []
+    for item in _conditions(at):
+        gradient = at.slopes(item.formulas)[0]
+        if item.on and not at.on_level(item.on, across):
+            continue
+        if across.take(gradient, ZERO):
+            conditions.append(item.formulas[0])
+            removed.append(item.removed)
+        else:
+            dependent.append(item.removed.name)
+    fields = [item for item in _fields(at) if not item.on or at.on_level(item.on, across)]
+    rows: list[Any] = []
+    for item, row in _tangent(at, fields, across):
+        if along.take(row @ at.vectors(fields), at.speed):
+            rows.append(row)
+            removed.append(item)
+        else:
+            dependent.append(item.name)
+    directions = tuple(item.formulas for item in fields)
+    mixed = np.array(rows).reshape(len(rows), len(fields))
+    space = TangentSpace(system, tuple(conditions), directions, mixed)
+    return Forced(space, tuple(removed), tuple(dependent))
+
+
+@dataclass(frozen=True)
+class _Item:
+    """Something that may force a zero: a function or a field."""
+
+    removed: Removed
+    formulas: tuple[Any, ...]
+    on: tuple[Any, ...] = ()
+
+
+@dataclass
+class _Span:
+    """Vectors independent of each other, as an orthonormal basis."""
+
+    basis: list[Any] = field(default_factory=list)
+
+    def rest(self, vector: Any) -> Any:
+        """What of a vector does not lie in the span."""
+        for _ in range(2):
+            for other in self.basis:
+                vector = vector - (vector @ other) * other
+        return vector
+
+    def take(self, vector: Any, floor: float) -> bool:
+        """Whether a vector of at least the size `floor` is independent; if so, it is added."""
+        left = self.rest(vector)
+        size = np.linalg.norm(left)
+        independent = bool(size > max(floor, DEPENDENT * np.linalg.norm(vector)))
+        if independent:
+            self.basis.append(left / size)
+        return independent
+
+
+@dataclass(frozen=True)
+class _At:
+    """A system at one state."""
+
+    system: System
+    state: Any
+    parameters: Mapping[Any, Any] | None
+
+    def values(self, formulas: Sequence[Any]) -> Any:
+        return Formulas(self.system, formulas)(self.state, self.parameters)[0]
+
+    def slopes(self, formulas: Sequence[Any]) -> Any:
+        return Formulas(self.system, formulas).slopes(self.state, self.parameters)[0]
+
+    def vectors(self, items: Sequence[_Item]) -> Any:
+        """The fields of some items, one a row."""
+        return self.values([part for item in items for part in item.formulas]).reshape(
+            len(items), -1
+        )
+
+    @property
+    def speed(self) -> float:
+        """A rate that counts as rest."""
+        size = 1.0 + float(np.abs(self.state).max())
+        return ZERO * size * float(np.abs(self.slopes(self.system.rates)).max(initial=0.0))
+
+    def on_level(self, level: Sequence[Any], span: _Span) -> bool:
+        """Whether the state lies on a level, which deviations within the span keep."""
+        size = 1.0 + float(np.abs(self.state).max())
+        if np.abs(self.values(level)).max() > ZERO * size:
+            return False
+        return all(
+            np.linalg.norm(span.rest(row)) <= DEPENDENT * np.linalg.norm(row)
+            for row in self.slopes(level)
+        )
+
+
+def _conditions(at: _At) -> Iterator[_Item]:
+    """Relations, then integrals: those that hold everywhere first."""
+    system = at.system
+    for relation in system.relations:
+        yield _Item(Removed(f"{relation} = 0", "relation"), (explicit(relation),))
+    idle = set(_idle(system))
+    for law in sorted(system.integrals, key=lambda law: bool(law.on)):
+        value = explicit(law.value)
+        used = {s for _, step in system.needed([value]) for s in step.free_symbols}
+        # a variable on which nothing depends is removed as such
+        if not idle & (used | value.free_symbols):
+            yield _Item(Removed(law.name, "integral"), (value,), _level(law))
+
+
+def _fields(at: _At) -> Iterator[_Item]:
+    """Variables on which nothing depends, symmetries, and the flow.
+
+    The flow comes last: where it leads along the others it forces no zero of its own, and where a
+    motion comes to rest the flow shows it.
+    """
+    system = at.system
+    for symbol in _idle(system):
+        unit = tuple(sp.Integer(s == symbol) for s in system.symbols)
+        yield _Item(Removed(str(symbol), "quadrature"), unit)
+    for law in system.laws:
+        if isinstance(law, Symmetry):
+            parts = tuple(components(law, system.symbols))
+            yield _Item(Removed(law.name, "symmetry"), parts, _level(law))
+    yield _Item(Removed("flow", "flow"), system.rates)
+
+
+def _idle(system: System) -> list[sp.Symbol]:
+    active = taking_part(system)
+    return [s for s in system.symbols if s not in active]
+
+
+def _level(law: Law) -> tuple[Any, ...]:
+    return tuple(explicit(condition) for condition in law.on)
+
+
+def _tangent(at: _At, fields: Sequence[_Item], across: _Span) -> Iterator[tuple[Removed, Any]]:
+    """Fields tangent to the conditions, and combinations of the others that are.
+
+    The combinations have constant coefficients: the rate of an integral along a symmetry is an
+    integral again.
+    """
+    vectors = at.vectors(fields)
+    sizes = np.linalg.norm(vectors, axis=1)
+    outward = vectors @ np.array(across.basis).reshape(-1, vectors.shape[1]).T
+    within = np.linalg.norm(outward, axis=1) <= DEPENDENT * sizes
+    loose = np.flatnonzero(~within)
+    if len(loose):
+        _, strengths, rotation = np.linalg.svd(outward[loose].T)
+        rank = int((strengths > DEPENDENT * strengths[0]).sum())
+        names = " and ".join(fields[i].removed.name for i in loose)
+        for row in rotation[rank:]:
+            mixed = np.zeros(len(fields))
+            mixed[loose] = row
+            yield Removed(f"a combination of {names}", "symmetry"), mixed
+    for i in np.flatnonzero(within):
+        yield fields[i].removed, np.eye(len(fields))[i]

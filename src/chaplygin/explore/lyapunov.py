@@ -1,0 +1,388 @@
+"""The Lyapunov spectrum of a motion: what is genuine, how sure it is, what was forced to be zero.
+
+After Benettin, Galgani, Giorgilli and Strelcyn (1980), with deviations that stay tangent to
+relations and integrals and are counted modulo the flow and the symmetries, so that zeros which
+are there in any case are neither computed nor mistaken for a result.  An exponent is a mean over
+a motion of finite length and has an error; it is *observed*, never proven.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import numpy as np
+
+from ..errors import InputError, RunError
+from ..flow.formulas import Formulas
+from ..flow.lanes import Lanes, lanes
+from ..flow.tangent import TangentSpace, orthonormal, propagate
+from ..statements import Measure
+from ..system import System
+from ..vectors import explicit
+from .averages import Average, average, batched
+from .forced import Forced, Removed, forced
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["Spectrum", "Volume", "kaplan_yorke", "spectrum"]
+
+Array: TypeAlias = np.ndarray[Any, np.dtype[np.float64]]
+Values: TypeAlias = Mapping[Any, Any] | None
+
+#: Part of a motion left out at the beginning, where deviations find their directions.
+UNSETTLED = 0.2
+#: Intervals of a motion, unless deviations part too fast.
+INTERVALS = 1000
+#: Intervals at most.
+MOST = 2_000_000
+#: Logarithm of the ratio of lengths that deviations may reach in an interval: at first, and later.
+APART = (12.0, 28.0)
+FIRST = 8
+#: Points of Gauss's rule in an interval, for the mean of the divergence.
+NODES = 8
+#: A relation may miss zero at the start by so much.
+OFF = 1e-9
+#: Draws of the bootstrap, and its seed.
+DRAWS, SEED = 400, 20080830
+
+
+@dataclass(frozen=True)
+class Volume:
+    """How volumes on the phase space change along the motion, and what this must agree with.
+
+    Attributes
+    ----------
+    divergence : Average
+        The mean of the divergence on the phase space, from exact derivatives by Gauss's rule.
+    balance : float
+        By how much the sum of all exponents, forced ones and boundary terms included, differs
+        from it: an error of the computation.
+    measures : dict of str to float
+        For each invariant measure of the system, by how much the change of its density along the
+        motion differs from the mean of the divergence.
+    """
+
+    divergence: Average
+    balance: float
+    measures: dict[str, float]
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """The Lyapunov exponents of one motion.
+
+    Attributes
+    ----------
+    system : System
+    parameters : dict of str to float
+    start : (size,) array
+    until, interval : float
+        Length of the motion, and of the intervals after which deviations are made orthonormal.
+    began : float
+        Before this time nothing is counted.
+    exponents : tuple of Average
+        The genuine ones, the largest first.
+    removed : tuple of (Removed, float or None)
+        What was removed, with the rate at which it was seen to grow, which is to vanish; None for
+        relations.
+    dependent : tuple of str
+        Integrals and symmetries that force nothing at this start.
+    total : Average
+        The sum of the genuine exponents.
+    volume : Volume
+    growth : (intervals, exponents) array
+        Logarithms of the growth in each interval, from the start on.
+    tolerance : float
+    """
+
+    system: System
+    parameters: dict[str, float]
+    start: Array
+    until: float
+    interval: float
+    began: float
+    exponents: tuple[Average, ...]
+    removed: tuple[tuple[Removed, float | None], ...]
+    dependent: tuple[str, ...]
+    total: Average
+    volume: Volume
+    growth: Array
+    tolerance: float
+
+    @property
+    def settled(self) -> bool:
+        """Whether every exponent agrees in both halves of the motion."""
+        return all(item.settled for item in self.exponents)
+
+    @property
+    def values(self) -> Array:
+        """The genuine exponents."""
+        return np.array([item.value for item in self.exponents])
+
+    @property
+    def errors(self) -> Array:
+        """Their errors."""
+        return np.array([item.error for item in self.exponents])
+
+    @property
+    def chaotic(self) -> bool:
+        """Whether the largest exponent is settled and positive beyond its error: observed."""
+        return bool(
+            self.exponents
+            and self.exponents[0].settled
+            and self.exponents[0].value > self.exponents[0].error
+        )
+
+    @property
+    def within(self) -> int:
+        """Zeros that belong to directions within the levels of the integrals."""
+        return sum(r.kind in ("flow", "symmetry", "quadrature") for r, _ in self.removed)
+
+    @cached_property
+    def dimension(self) -> tuple[float, float]:
+        """The Kaplan–Yorke dimension on the level of the integrals, and its error.
+
+        The error is the standard deviation over bootstrap draws of the batches.
+        """
+        began = round(self.began / self.interval)
+        means = batched(self.growth[began:]) / self.interval
+        draws = np.random.default_rng(SEED).integers(len(means), size=(DRAWS, len(means)))
+        zeros = np.zeros(self.within)
+        found = [kaplan_yorke(np.append(means[draw].mean(axis=0), zeros)) for draw in draws]
+        return kaplan_yorke(np.append(self.values, zeros)), float(np.std(found))
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether the exponents come in pairs of opposite sign, within their errors."""
+        pairs = self.values + self.values[::-1]
+        return bool(np.all(np.abs(pairs) <= self.errors + self.errors[::-1]))
+
+    @property
+    def times(self) -> Array:
+        """The ends of the intervals."""
+        return self.interval * np.arange(1, len(self.growth) + 1)
+
+    @property
+    def running(self) -> Array:
+        """What each exponent would have been if the motion had ended earlier.
+
+        (intervals, exponents); not a number before anything is counted.
+        """
+        began = round(self.began / self.interval)
+        found = np.full(self.growth.shape, np.nan)
+        count = np.arange(1, len(found) - began + 1)[:, None]
+        found[began:] = np.cumsum(self.growth[began:], axis=0) / (self.interval * count)
+        return found
+
+    def dataset(self) -> xr.Dataset:
+        """Exponents, errors and the way they settled, with what they are of."""
+        from .lyapunov_dataset import dataset
+
+        return dataset(self)
+
+
+def kaplan_yorke(exponents: Sequence[float] | Array) -> float:
+    """The dimension of an attractor with given exponents (Kaplan and Yorke 1979).
+
+    With the exponents in falling order, j is the largest number of them whose sum is not
+    negative; the dimension is j + (λ_1 + … + λ_j)/|λ_{j+1}|, and the number of exponents where
+    all sums are not negative.
+    """
+    ordered = np.sort(np.asarray(exponents, dtype=np.float64))[::-1]
+    sums = np.cumsum(ordered)
+    count = int(np.argmax(sums < 0)) if (sums < 0).any() else len(ordered)
+    if count == len(ordered):
+        return float(count)
+    rest = sums[count - 1] if count else 0.0
+    return float(count + rest / abs(ordered[count]))
+
+
+def spectrum(
+    system: System,
+    start: Sequence[float],
+    parameters: Values = None,
+    *,
+    until: float,
+    intervals: int = INTERVALS,
+    tolerance: float = 1e-13,
+) -> Spectrum:
+    """The Lyapunov spectrum of the motion from a start.
+
+    Parameters
+    ----------
+    system : System
+    start : sequence of float
+        State in flat order, on the phase space.
+    parameters : mapping of Symbol or name to number, optional
+        Values that replace the defaults.
+    until : float
+        How long to follow the motion; the first fifth is not counted.
+    intervals : int
+        Into how many intervals to divide it, at least; their number is doubled as long as
+        deviations grow too far apart within one.
+    tolerance : float
+        Relative error of a step.
+
+    Returns
+    -------
+    Spectrum
+
+    Raises
+    ------
+    InputError
+        If the start is not on the phase space, or `until` or `intervals` cannot be used.
+    RunError
+        If the motion ends early, or deviations grow too fast to be followed.
+    """
+    if not 0 < until < np.inf:
+        raise InputError(f"until = {until:g}: it must be positive and finite")
+    if not 100 <= intervals <= MOST:
+        raise InputError(f"intervals = {intervals}: there must be from 100 to {MOST}")
+    _check(system, start, parameters)
+    found = forced(system, start, parameters)
+    machine = lanes(system, tolerance=tolerance, deviations=found.space.dimension)
+    count = intervals
+    while (run := _run(machine, found.space, start, until / count, count, parameters)) is None:
+        count *= 2
+        if count > MOST:
+            raise RunError("deviations grow too fast to be followed", 0.0)
+    return _evaluated(system, found, run, until, tolerance, parameters)
+
+
+def _check(system: System, start: Sequence[float], parameters: Values) -> None:
+    if len(start) != len(system.symbols):
+        raise InputError(
+            f"{system.name}: the start has {len(start)} numbers; {len(system.symbols)} are needed "
+            f"({', '.join(map(str, system.symbols))})"
+        )
+    relations = [explicit(relation) for relation in system.relations]
+    values = Formulas(system, relations)([start], parameters)[0]
+    for relation, value in zip(system.relations, values, strict=True):
+        if not abs(value) <= OFF:
+            raise InputError(
+                f"{system.name}: the start misses the phase space; the relation {relation} is "
+                f"{value:.6g} there and must vanish"
+            )
+
+
+@dataclass(frozen=True)
+class _Run:
+    """What was recorded along a motion, interval by interval."""
+
+    interval: float
+    nodes: Array
+    states: Array
+    lengths: Array
+    sizes: Array
+
+
+def _run(
+    machine: Lanes,
+    space: TangentSpace,
+    start: Sequence[float],
+    interval: float,
+    count: int,
+    parameters: Values,
+) -> _Run | None:
+    """The motion; None where deviations grow too far apart within an interval."""
+    places, _ = np.polynomial.legendre.leggauss(NODES)
+    inner = interval * (1 + places) / 2
+    first = np.array([start], dtype=np.float64)
+    states, nodes = [first[0]], []
+    lengths, sizes = [], [space.excluded(first, parameters)[1][0]]
+    stretches = propagate(machine, space, first, interval, parameters, nodes=inner)
+    for k in range(count):
+        stretch = next(stretches)
+        code = int(stretch.outcome[0])
+        if code:
+            raise RunError(machine.reason(code), k * interval + float(stretch.ended[0]))
+        spread = float(np.ptp(stretch.lengths[0])) if space.dimension else 0.0
+        if not max(spread, np.abs(stretch.lengths[0]).max(initial=0.0)) <= APART[k >= FIRST]:
+            return None
+        states.append(stretch.ends[0])
+        nodes.append(stretch.states[0])
+        lengths.append(stretch.lengths[0])
+        sizes.append(stretch.sizes[0])
+    return _Run(interval, *map(np.array, (nodes, states, lengths, sizes)))
+
+
+def _evaluated(
+    system: System,
+    found: Forced,
+    run: _Run,
+    until: float,
+    tolerance: float,
+    parameters: Values,
+) -> Spectrum:
+    skipped = round(UNSETTLED * len(run.lengths))
+    began = skipped * run.interval
+    span = (len(run.lengths) - skipped) * run.interval
+    kept = run.lengths[skipped:]
+    each = [average(column, run.interval, began) for column in kept.T]
+    order = sorted(range(len(each)), key=lambda i: -each[i].value)
+    rates = (run.sizes[-1] - run.sizes[skipped]) / span
+    removed = tuple(
+        (item, None if item.kind == "relation" else float(rate))
+        for item, rate in zip(found.removed, rates, strict=True)
+    )
+    named = {str(symbol): value for symbol, value in system.defaults.items()}
+    given = {str(name): float(value) for name, value in (parameters or {}).items()}
+    return Spectrum(
+        system,
+        named | given,
+        run.states[0],
+        until,
+        run.interval,
+        began,
+        tuple(each[i] for i in order),
+        removed,
+        found.dependent,
+        average(kept.sum(axis=1), run.interval, began),
+        _volume(system, found, run, skipped, parameters),
+        run.lengths[:, order],
+        tolerance,
+    )
+
+
+def _volume(system: System, found: Forced, run: _Run, skipped: int, parameters: Values) -> Volume:
+    """The divergence along the motion, and what it must agree with."""
+    relations = [explicit(relation) for relation in system.relations]
+    _, weights = np.polynomial.legendre.leggauss(NODES)
+    kept = run.nodes[skipped:]
+    density = found.space.divergence(kept.reshape(-1, kept.shape[-1]), parameters, relations)
+    growth = density.reshape(kept.shape[:2]) @ weights * run.interval / 2
+    span = len(growth) * run.interval
+    # of what is removed, all but the relations belongs to volumes on the phase space
+    inside = [item.kind != "relation" for item in found.removed]
+    change = float((run.sizes[-1] - run.sizes[skipped])[inside].sum())
+    balance = float(run.lengths[skipped:].sum() + change - growth.sum()) / span
+    ends = run.states[[skipped, -1]]
+    measures = {
+        name: float(growth.sum() - change) / span
+        for name, change in _densities(system, ends, relations, parameters)
+    }
+    return Volume(average(growth, run.interval, skipped * run.interval), balance, measures)
+
+
+def _densities(
+    system: System, ends: Array, relations: Sequence[Any], parameters: Values
+) -> Iterator[tuple[str, float]]:
+    """For each invariant measure, the growth of volumes that it allows between two states."""
+    moving = set(system.symbols) | {symbol for symbol, _ in system.steps}
+    _, sizes = orthonormal(Formulas(system, relations).slopes(ends, parameters))
+    for law in system.laws:
+        if not isinstance(law, Measure):
+            continue
+        level = [explicit(condition) for condition in law.on]
+        if any(condition.free_symbols & moving for condition in level):
+            continue
+        if np.abs(Formulas(system, level)(ends, parameters)).max(initial=0.0) > OFF:
+            continue
+        density = np.log(np.abs(Formulas(system, [explicit(law.value)])(ends, parameters)[:, 0]))
+        # volumes are those of the surface: the form of the law times the size of the gradients
+        logarithm = np.log(sizes).sum(axis=1) - density
+        yield law.name, float(logarithm[1] - logarithm[0])

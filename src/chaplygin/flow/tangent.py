@@ -1,0 +1,294 @@
+"""Small deviations carried along many motions, and how fast they grow.
+
+The variational equations of :func:`chaplygin.flow.lanes.lanes` carry deviations over a short
+interval; there they are made orthonormal again, and the logarithms of the lengths that are lost
+add up to the Lyapunov exponents (Benettin et al. 1980).  What cannot grow is taken out at the end
+of every interval, so that rounding cannot bring it back: deviations stay tangent to relations and
+integrals, and are counted modulo the flow and the symmetries.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from ..errors import InputError
+from ..system import System
+from .formulas import Formulas
+from .lanes import Lanes
+
+__all__ = ["Stretch", "TangentSpace", "growth", "orthonormal", "propagate"]
+
+Array: TypeAlias = np.ndarray[Any, np.dtype[np.float64]]
+Values: TypeAlias = Mapping[Any, Any] | None
+
+#: What is left of a vector, relative to its length, when it counts as dependent on others.
+DEPENDENT = 1e-12
+#: Seed of the frames that deviations start from.
+SEED = 20080830
+
+
+def orthonormal(vectors: Array, given: Array | None = None) -> tuple[Array, Array]:
+    """Vectors made orthonormal one after the other, for many states at once.
+
+    By Gram and Schmidt, each projection done twice, after which it is exact to rounding.
+
+    Parameters
+    ----------
+    vectors : (n, d, size) array
+    given : (n, k, size) array, optional
+        Orthonormal vectors, or zeros, to which the result is orthogonal as well.
+
+    Returns
+    -------
+    frames : (n, d, size) array
+        A vector that depends on those before it becomes zero.
+    lengths : (n, d) array
+        What was left of each vector: the diagonal of R in the QR decomposition.
+    """
+    found = np.array(vectors, dtype=np.float64)
+    lengths = np.empty(found.shape[:2])
+    for i in range(found.shape[1]):
+        vector = found[:, i]
+        before = np.sqrt(_dot(vector, vector))
+        for _ in range(2):
+            for others in (given, found[:, :i]):
+                for other in () if others is None else np.moveaxis(others, 1, 0):
+                    vector -= _dot(vector, other)[:, None] * other
+        left = np.sqrt(_dot(vector, vector))
+        dependent = left <= DEPENDENT * before
+        lengths[:, i] = np.where(dependent, 0.0, left)
+        unit = vector / np.where(dependent, 1.0, left)[:, None]
+        found[:, i] = np.where(dependent[:, None], 0.0, unit)
+    return found, lengths
+
+
+def _dot(a: Array, b: Array) -> Array:
+    return np.einsum("ni,ni->n", a, b)
+
+
+@dataclass(frozen=True)
+class TangentSpace:
+    """The deviations that count along the motions of a system.
+
+    Attributes
+    ----------
+    system : System
+    conditions : tuple of formulas
+        Relations and integrals, independent of each other: deviations are tangent to them.
+    directions : tuple of tuples of formulas
+        Fields, in flat order, that the motion carries into themselves: the flow, symmetries.
+    mixed : (directions, fields) array
+        Constant combinations of the fields, tangent to the conditions, that are divided out.
+    """
+
+    system: System
+    conditions: tuple[Any, ...]
+    directions: tuple[tuple[Any, ...], ...]
+    mixed: Array
+
+    @property
+    def dimension(self) -> int:
+        """How many independent deviations are left."""
+        return len(self.system.symbols) - len(self.conditions) - len(self.mixed)
+
+    @cached_property
+    def _conditions(self) -> Formulas:
+        return Formulas(self.system, self.conditions)
+
+    @cached_property
+    def _directions(self) -> Formulas:
+        return Formulas(self.system, [part for field in self.directions for part in field])
+
+    @cached_property
+    def _rates(self) -> Formulas:
+        return Formulas(self.system, self.system.rates)
+
+    def normals(self, states: Array, parameters: Values = None) -> Array:
+        """The gradients of the conditions, (n, conditions, size)."""
+        return self._conditions.slopes(states, parameters)
+
+    def fields(self, states: Array, parameters: Values = None) -> Array:
+        """The directions that are divided out, (n, mixed, size)."""
+        found = self._directions(states, parameters)
+        found = found.reshape(len(found), len(self.directions), len(self.system.symbols))
+        return np.einsum("ij,njk->nik", self.mixed, found)
+
+    def excluded(self, states: Array, parameters: Values = None) -> tuple[Array, Array]:
+        """An orthonormal basis of what is no deviation that counts.
+
+        Returns
+        -------
+        basis : (n, conditions + mixed, size) array
+        sizes : (n, conditions + mixed) array
+            Logarithms of what is left of each of these vectors beside the ones before it, with
+            the opposite sign for a gradient: how long a deviation is that changes its condition
+            by one.
+        """
+        normals, across = orthonormal(self.normals(states, parameters))
+        fields, along = orthonormal(self.fields(states, parameters), normals)
+        with np.errstate(divide="ignore"):
+            sizes = np.concatenate([-np.log(across), np.log(along)], axis=1)
+        return np.concatenate([normals, fields], axis=1), sizes
+
+    def frames(self, states: Array, parameters: Values = None, count: int | None = None) -> Array:
+        """Orthonormal deviations to start from, the same at the same state.
+
+        Parameters
+        ----------
+        states : (n, size) array
+        parameters : mapping, optional
+        count : int, optional
+            How many; `dimension` if left out.
+
+        Returns
+        -------
+        (n, count, size) array
+        """
+        count = self.dimension if count is None else count
+        shape = (count, len(self.system.symbols))
+        chosen = np.random.default_rng(SEED).standard_normal(shape)
+        vectors = np.broadcast_to(chosen, (len(states), *shape))
+        return orthonormal(vectors, self.excluded(states, parameters)[0])[0]
+
+    def divergence(
+        self, states: Array, parameters: Values = None, relations: Sequence[Any] = ()
+    ) -> Array:
+        """The divergence of the equations on the surface where relations vanish, (n,).
+
+        It is the rate of the logarithm of a volume of deviations tangent to `relations`.
+        """
+        jacobian = self._rates.slopes(states, parameters)
+        gradients = Formulas(self.system, relations).slopes(states, parameters)
+        normals, _ = orthonormal(gradients)
+        across = np.einsum("nki,nij,nkj->n", normals, jacobian, normals)
+        return np.einsum("nii->n", jacobian) - across
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """Deviations at the end of an interval.
+
+    Attributes
+    ----------
+    states : (n, nodes, size) array
+        The motions at the inner times of the interval.
+    ends : (n, size) array
+        The motions at its end; not a number after a motion has failed.
+    frames : (n, d, size) array
+        Deviations, orthonormal again.
+    lengths : (n, d) array
+        The logarithms of the lengths that were taken off.
+    sizes : (n, conditions + mixed) array
+        Logarithms of the sizes of what is excluded, at the end; see `TangentSpace.excluded`.
+    outcome : (n,) array of int
+        0, or why a motion ended; see ``Lanes.reason``.
+    ended : (n,) array
+        When, counted from the start of the interval.
+    """
+
+    states: Array
+    ends: Array
+    frames: Array
+    lengths: Array
+    sizes: Array
+    outcome: Any
+    ended: Array
+
+
+def propagate(
+    lanes: Lanes,
+    space: TangentSpace,
+    starts: Array,
+    interval: float,
+    parameters: Values = None,
+    *,
+    frames: Array | None = None,
+    nodes: Array | None = None,
+    threads: int | None = None,
+) -> Iterator[Stretch]:
+    """Deviations along motions, made orthonormal at the end of each interval, without end.
+
+    Parameters
+    ----------
+    lanes : Lanes
+        Of ``space.system``, compiled for as many deviations as there are frames.
+    space : TangentSpace
+    starts : (n, size) array
+    interval : float
+        Its length.
+    parameters : mapping of Symbol or name to number or (n,) array, optional
+    frames : (n, d, size) array, optional
+        Deviations to start from, orthonormal; those of ``space.frames`` if left out.
+    nodes : (nodes,) array, optional
+        Inner times of the interval, between 0 and `interval`, at which states are wanted.
+    threads : int, optional
+
+    Yields
+    ------
+    Stretch
+    """
+    states = np.asarray(starts, dtype=np.float64)
+    inner = np.empty(0) if nodes is None else np.asarray(nodes, dtype=np.float64)
+    times = np.append(inner, interval)
+    frames = space.frames(states, parameters, lanes.deviations) if frames is None else frames
+    while True:
+        carried = frames if frames.shape[1] else None
+        run = lanes.until(states, times, parameters, deviations=carried, threads=threads)
+        states = run.states[:, -1]
+        basis, sizes = space.excluded(states, parameters)
+        if run.deviations is not None:
+            frames = run.deviations[:, -1]
+        frames, lengths = orthonormal(frames, basis)
+        with np.errstate(divide="ignore"):
+            logs = np.log(lengths)
+        yield Stretch(run.states[:, :-1], states, frames, logs, sizes, run.outcome, run.ended)
+
+
+def growth(
+    lanes: Lanes,
+    space: TangentSpace,
+    starts: Array,
+    interval: float,
+    count: int,
+    parameters: Values = None,
+    *,
+    threads: int | None = None,
+) -> tuple[Array, Array]:
+    """The logarithms of the growth of deviations along many motions.
+
+    Parameters
+    ----------
+    lanes, space, starts, interval, parameters, threads
+        See :func:`propagate`.
+    count : int
+        How many intervals.
+
+    Returns
+    -------
+    lengths : (n, count, d) array
+        For each motion and interval; their mean over the intervals, divided by `interval`, is the
+        spectrum.  Not a number from where a motion has failed.
+    outcome : (n,) array of int
+        0, or why a motion ended.
+
+    Raises
+    ------
+    InputError
+        If there is no interval, or it has no length.
+    """
+    if count < 1 or not 0 < interval < np.inf:
+        raise InputError(f"{count} intervals of length {interval:g}: there must be some, not empty")
+    starts = np.asarray(starts, dtype=np.float64)
+    lengths = np.empty((len(starts), count, lanes.deviations))
+    outcome = np.zeros(len(starts), dtype=np.int64)
+    stretches = propagate(lanes, space, starts, interval, parameters, threads=threads)
+    for k in range(count):
+        stretch = next(stretches)
+        lengths[:, k] = stretch.lengths
+        outcome = np.where(outcome == 0, stretch.outcome, outcome)
+    return lengths, outcome
