@@ -27,7 +27,7 @@ AT_ONCE = 2048
 
 
 class Rule(Protocol):
-    """A number of motions; a picklable value, the same bits for a motion whatever its neighbours."""
+    """A number of motions; a value that can be pickled, and no motion disturbs its neighbours."""
 
     @property
     def system(self) -> System:
@@ -165,7 +165,7 @@ def _listed(values: Mapping[Any, float]) -> list[str]:
 def _outcomes(rule: Rule) -> dict[str, Any]:
     """What outcomes mean: numbers, and as many words for them, with underscores for blanks."""
     flow = lanes(rule.system, tolerance=rule.tolerance)
-    reasons = {0: "followed to the end", **REASONS}
+    reasons = {0: "followed to the end", -1: "not computed yet", **REASONS}
     reasons |= {code: flow.reason(code) for code in range(1, len(ENDS) + len(rule.system.guards))}
     return {
         **_attributes("why there is no number", ""),

@@ -26,8 +26,8 @@ from .quantities import named
 
 __all__ = ["INADMISSIBLE", "NO_STATE", "REASONS", "Axis", "Cells", "Plane", "axis", "plane"]
 
-#: Why a cell has no motion.
-NO_STATE, INADMISSIBLE = -1, -2
+#: Why a cell has no motion; −1 in a store is what is not computed yet.
+NO_STATE, INADMISSIBLE = -2, -3
 REASONS: Mapping[int, str] = {
     NO_STATE: "no state with these values was found",
     INADMISSIBLE: "the parameters are not admissible",

@@ -1,0 +1,186 @@
+"""``chaplygin chart``: a number over a plane of parameters and starts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from .common import Force, Json, Override, What, inform, print_json, progress, study_of
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["command"]
+
+
+def command(
+    what: What,
+    of: Annotated[
+        str,
+        typer.Option(metavar="NUMBER", help="What to compute, such as lyapunov or mean:FORMULA."),
+    ],
+    x: Annotated[
+        str, typer.Option(metavar="NAME=A:B:N", help="What varies to the right: N cells, A to B.")
+    ],
+    y: Annotated[str, typer.Option(metavar="NAME=A:B:N", help="What varies upward.")],
+    output: Annotated[Path, typer.Option("-o", "--output", help="Zarr store to write, FILE.zarr.")],
+    until: Annotated[
+        float | None, typer.Option(help="How long each motion is; else as in the experiment.")
+    ] = None,
+    let: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME=FORMULA",
+            help="A parameter, a variable of the start or its level, from what varies.",
+        ),
+    ] = None,
+    hold: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME", help="A variable of the start that must not be moved."),
+    ] = None,
+    figure: Annotated[
+        Path | None, typer.Option(help="Picture to write; FILE.png if left out.")
+    ] = None,
+    workers: Annotated[
+        str | None,
+        typer.Option(metavar="N|ADDRESS", help="So many processes, or those of a Dask scheduler."),
+    ] = None,
+    overrides: Override = None,
+    force: Force = False,
+    json: Json = False,
+) -> None:
+    """Chart a number over a plane; what was begun is gone on with.
+
+    What varies is a parameter, a variable of the start, a quantity such as energy on whose level
+    the start is to lie, or a name of its own for the formulas of --let.
+    """
+    from ..errors import InputError
+    from ..explore.charts import chart
+    from ..explore.planes import axis
+    from ..flow.blocks import compute
+    from ..study.chart import chart_of
+    from ..study.figures.chart import chart as drawn
+    from ..study.figures.files import FORMATS, save
+
+    picture = output.with_suffix(".png") if figure is None else figure
+    if picture.suffix not in FORMATS:
+        raise InputError(f"--figure {picture}: its name must end in {', '.join(FORMATS)}")
+    if output.suffix != ".zarr":
+        raise InputError(f"--output {output}: its name must end in .zarr")
+    horizontal, vertical = axis(x, "--x"), axis(y, "--y")
+    formulas = dict(_parted(item) for item in let or ())
+    study = study_of(what, overrides)
+    made = chart_of(
+        study, of, horizontal, vertical, until=until, formulas=formulas, held=hold or ()
+    )
+    _clear(output, picture, force)
+    task = chart(made, {"experiment": study.complete_toml()})
+    with _cluster(workers) as client, progress(made.title) as update:
+        found = compute(task, output, client=client, progress=update)
+    save(drawn(found), picture)
+    result = {"file": str(output), "figure": str(picture), **_summary(found)}
+    if json:
+        print_json(result)
+    else:
+        _print(study.system.title, result)
+
+
+def _parted(text: str) -> tuple[str, str]:
+    """Name and formula of a setting."""
+    from ..errors import InputError
+
+    name, equals, formula = (part.strip() for part in text.partition("="))
+    if not (name and equals and formula):
+        raise InputError(f"--let {text}: it is written NAME=FORMULA, such as gamma_1=sin(theta)")
+    return name, formula
+
+
+def _clear(output: Path, picture: Path, force: bool) -> None:
+    """Make room for the chart where that is wished; refuse what would destroy something."""
+    import shutil
+
+    from ..flow.store import read
+    from ..study.files import check_target
+
+    if output.exists() and force:
+        read(output).close()  # nothing that is not ours is removed
+        shutil.rmtree(output)
+    check_target(picture, force or output.exists())
+
+
+@contextmanager
+def _cluster(workers: str | None) -> Iterator[Any]:
+    """Who computes: this process, so many processes, or those of a scheduler."""
+    from ..errors import InputError
+
+    if workers is None:
+        yield None
+        return
+    if "://" in workers:
+        yield workers
+        return
+    if not workers.isdecimal() or int(workers) < 1:
+        raise InputError(
+            f"--workers {workers}: it must be a number, or an address such as tcp://host:8786"
+        )
+    import distributed
+
+    with distributed.Client(
+        n_workers=int(workers), threads_per_worker=1, dashboard_address=None
+    ) as client:
+        yield client
+
+
+def _summary(found: xr.Dataset) -> dict[str, Any]:
+    """What a reader wants to know of a chart before looking at it."""
+    import numpy as np
+
+    name = str(found.attrs["number"])
+    number, outcome = found[name], found["outcome"]
+    values = number.values[np.isfinite(number.values)]
+    lowest, median, highest = (
+        np.quantile(values, [0.0, 0.5, 1.0]).tolist() if len(values) else [None] * 3
+    )
+    flags, words = outcome.attrs["flag_values"], outcome.attrs["flag_meanings"].split()
+    meanings = {f: w.replace("_", " ") for f, w in zip(flags, words, strict=True)}
+    codes, counts = np.unique(outcome.values, return_counts=True)
+    y, x = number.dims
+    return {
+        "number": name,
+        "title": number.attrs["long_name"],
+        "units": number.attrs["units"],
+        "x": x,
+        "y": y,
+        "cells": number.size,
+        "with_number": len(values),
+        "lowest": lowest,
+        "median": median,
+        "highest": highest,
+        "outcomes": {meanings[int(c)]: int(n) for c, n in zip(codes, counts, strict=True)},
+    }
+
+
+def _print(title: str, result: dict[str, Any]) -> None:
+    from rich import box
+    from rich.console import Console
+    from rich.markup import escape
+    from rich.table import Table
+
+    typer.echo(title)
+    unit = "" if result["units"] in ("1", "unknown") else f" {result['units']}"
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False, show_header=False)
+    table.add_column(style="bold", no_wrap=True)
+    table.add_column()
+    table.add_row("number", escape(result["title"]))
+    for word in ("lowest", "median", "highest"):
+        if result[word] is not None:
+            table.add_row(word, f"{result[word]:.6g}{unit}")
+    table.add_row("cells", f"{result['with_number']} of {result['cells']} have a number")
+    for reason, count in result["outcomes"].items():
+        table.add_row("", escape(f"{count}: {reason}"))
+    Console().print(table)
+    inform(f"written to {result['file']}, picture: {result['figure']}")

@@ -1,0 +1,92 @@
+"""Numbers of motions by the words in which a user asks for them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from ..errors import InputError
+from ..expressions import nearest
+from ..flow.values import formula
+from ..system import System
+from .charts import Rule
+from .quantities import meaning
+from .watching import Duration, Frequency, Highest, Lowest, Mean
+
+__all__ = ["KINDS", "Asked", "asked"]
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A number that was asked for.
+
+    Attributes
+    ----------
+    rule : Rule
+    name : str
+        What its variable is called.
+    title, unit : str
+        What it is, in words, and its unit.
+    """
+
+    rule: Rule
+    name: str
+    title: str
+    unit: str
+
+
+@dataclass(frozen=True)
+class _Kind:
+    """A kind of number: how it is made, from a formula or without, its title and its unit."""
+
+    make: Callable[..., Rule]
+    title: str
+    unit: str = ""
+    of: bool = False
+
+
+KINDS: Mapping[str, _Kind] = {
+    "duration": _Kind(Duration, "time until the motion ends", "s"),
+    "mean": _Kind(Mean, "mean of {}", "{}", of=True),
+    "highest": _Kind(Highest, "highest value of {}", "{}", of=True),
+    "lowest": _Kind(Lowest, "lowest value of {}", "{}", of=True),
+    "frequency": _Kind(Frequency, "frequency of {}", "1/s", of=True),
+}
+"""What can be asked for; those with a formula are written ``mean:normal_force``."""
+
+
+def asked(system: System, text: str, until: float, tolerance: float = 1e-12) -> Asked:
+    """A number of the motions of a system.
+
+    Parameters
+    ----------
+    system : System
+    text : str
+        A word of `KINDS`, followed by a colon and a formula where it is a number of a formula.
+    until : float
+        How long motions are followed.
+    tolerance : float
+        Error allowed in a step.
+
+    Raises
+    ------
+    InputError
+        If there is no such number, or the formula cannot be read.
+    """
+    word, colon, quantity = (part.strip() for part in text.partition(":"))
+    kind = KINDS.get(word)
+    if kind is None:
+        known = ", ".join(f"{name}:FORMULA" if k.of else name for name, k in KINDS.items())
+        raise InputError(
+            f"{word}: no number has this name{nearest(word, KINDS)}; there are {known}"
+        )
+    if kind.of != bool(quantity) or (colon and not quantity):
+        written = f"{word}:FORMULA" if kind.of else word
+        raise InputError(f"{text}: this number is written {written}")
+    if not kind.of:
+        return Asked(kind.make(system, until, tolerance=tolerance), word, kind.title, kind.unit)
+    value: Any = formula(system, quantity)
+    made = kind.make(system, until, value, tolerance=tolerance)
+    unit = kind.unit.format(meaning(system, quantity, {})[1])
+    return Asked(made, word, kind.title.format(quantity), unit)

@@ -1,0 +1,93 @@
+"""A chart of an experiment."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import replace
+from typing import Any
+
+from ..explore.charts import Chart
+from ..explore.planes import Axis, Plane, plane
+from ..explore.quantities import meaning
+from ..explore.rules import asked
+from ..system import System, flat
+from .prepare import Study
+
+__all__ = ["chart_of", "plane_of"]
+
+#: Meaning and unit of the vectors of a rolling body.
+_VECTORS = {
+    "omega": ("angular velocity", "rad/s"),
+    "gamma": ("normal at the contact", "1"),
+    "M": ("angular momentum", "kg m^2/s"),
+}
+
+
+def chart_of(
+    study: Study,
+    of: str,
+    x: Axis,
+    y: Axis,
+    *,
+    until: float | None = None,
+    formulas: Mapping[str, str] | None = None,
+    held: Collection[str] = (),
+) -> Chart:
+    """A number of the motions of a plane through the start of an experiment.
+
+    Parameters
+    ----------
+    study : Study
+    of : str
+        The number; see :func:`chaplygin.explore.rules.asked`.
+    x, y : Axis
+    until : float, optional
+        How long motions are followed; as long as that of the experiment if left out.
+    formulas, held
+        See :func:`chaplygin.explore.planes.plane`.
+
+    Raises
+    ------
+    InputError
+        If the number, an axis or a formula cannot be used.
+    """
+    made = plane_of(study, x, y, formulas=formulas, held=held)
+    number = asked(made.system, of, study.until if until is None else until)
+    return Chart(made, number.rule, number.name, number.title, number.unit)
+
+
+def plane_of(
+    study: Study,
+    x: Axis,
+    y: Axis,
+    *,
+    formulas: Mapping[str, str] | None = None,
+    held: Collection[str] = (),
+) -> Plane:
+    """A plane through the start of an experiment; its axes know their meaning and unit."""
+    system = _followed(study)
+    told = {**_VECTORS, **study.variables}
+
+    def described(item: Axis) -> Axis:
+        words, unit = meaning(system, item.name, told)
+        return replace(item, meaning=words, unit=unit)
+
+    start = _start(study, system)
+    return plane(system, described(x), described(y), start, formulas=formulas, held=held)
+
+
+def _followed(study: Study) -> System:
+    """The system without its lift to space; a contact that is to hold on is not guarded."""
+    guards = study.system.guards
+    if study.experiment.run.on_liftoff == "warn":
+        guards = tuple(guard for guard in guards if not guard.lift_off)
+    return replace(study.system, motion=None, guards=guards)
+
+
+def _start(study: Study, system: System) -> dict[str, Any]:
+    """The start by ω and γ where the state follows from these, else by the state."""
+    follow = {str(name) for name, _ in system.start} | study.given.keys()
+    if not study.by_state and all(str(name) in follow for name in system.state):
+        return {name: study.given[name] for name in ("omega", "gamma")}
+    numbers = iter([float(value) for value in study.start])
+    return {str(name): [next(numbers) for _ in flat([name])] for name in system.state}

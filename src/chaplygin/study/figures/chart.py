@@ -1,0 +1,153 @@
+"""A number over a plane of parameters or starts, as a picture."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator
+from typing import Any
+
+import matplotlib as mpl
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.colors import ListedColormap, LogNorm, Normalize
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+
+from ...errors import InputError
+from ...lettering import GREEK
+from .style import INK, QUIET, STYLE, WIDTH
+from .variables import readable, title_of, unit_of, with_unit
+
+__all__ = ["chart"]
+
+#: Perceptually uniform, and readable for every kind of colour vision.
+COLOURS = "viridis"
+#: Part of the values beyond each end of the colours.
+BEYOND = 0.005
+#: Values spread over more decades than this are told apart by their logarithms.
+DECADES = 3.0
+#: Colours of cells without a number, one for each reason; none of them occurs among the others.
+EMPTY = ("#dde1e6", "#efc3ca", "#bfc6ce", "#f7e3e6")
+
+
+def chart(dataset: xr.Dataset, name: str | None = None) -> Figure:
+    """A chart as a picture: cells without a number are pale, and explained in the legend.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        As :func:`chaplygin.explore.charts.chart` describes it.
+    name : str, optional
+        The variable to be drawn; the number of the chart if left out.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Raises
+    ------
+    InputError
+        If there is no such variable, or the dataset is no chart.
+    """
+    wanted = str(dataset.attrs.get("number", "")) if name is None else name
+    if wanted not in dataset or dataset[wanted].ndim != 2 or "outcome" not in dataset:
+        raise InputError(f"the chart of {title_of(dataset)} has no number {wanted!r} to be drawn")
+    number, outcome = dataset[wanted], dataset["outcome"]
+    y, x = (str(dimension) for dimension in number.dims)
+    values = np.asarray(number.values, dtype=np.float64)
+    with mpl.rc_context(STYLE):
+        figure = Figure(figsize=(WIDTH, 4.6), layout="constrained")
+        figure.set_label(f"{number.attrs.get('long_name', wanted)}: {title_of(dataset)}")
+        axes = figure.add_subplot()
+        axes.set_title(readable(title_of(dataset)), fontsize=10.5, loc="left", color=INK)
+        extent = (*_edges(dataset[x].values), *_edges(dataset[y].values))
+        _draw_numbers(figure, axes, number, values, extent)
+        patches = list(_draw_reasons(axes, outcome, values, extent))
+        axes.set_xlabel(_label(dataset, x))
+        axes.set_ylabel(_label(dataset, y))
+        axes.spines[["top", "right"]].set_visible(True)
+        if patches:
+            figure.legend(handles=patches, loc="outside lower left", ncols=1)
+    return figure
+
+
+def _edges(places: Any) -> tuple[float, float]:
+    """The ends of a row of cells around equidistant places."""
+    first, last = float(places[0]), float(places[-1])
+    half = (last - first) / (2 * (len(places) - 1)) if len(places) > 1 else 0.5
+    return first - half, last + half
+
+
+def _draw_numbers(figure: Figure, axes: Axes, number: Any, values: Any, extent: Any) -> None:
+    norm, beyond = _norm(values)
+    image = axes.imshow(
+        np.ma.masked_invalid(values),
+        origin="lower",
+        extent=extent,
+        aspect="auto",
+        interpolation="nearest",
+        cmap=COLOURS,
+        norm=norm,
+    )
+    bar = figure.colorbar(image, ax=axes, extend=beyond, pad=0.02)
+    bar.outline.set_linewidth(0.6)
+    title = readable(str(number.attrs.get("long_name", number.name)))
+    bar.set_label(with_unit(title, unit_of(number.to_dataset(name="value"), "value")))
+
+
+def _norm(values: Any) -> tuple[Normalize, str]:
+    """From numbers to colours, and at which ends there are numbers beyond."""
+    finite = values[np.isfinite(values)]
+    if not len(finite):
+        return Normalize(0.0, 1.0), "neither"
+    low, high = np.quantile(finite, [BEYOND, 1 - BEYOND])
+    if low == high:
+        low, high = float(finite.min()), float(finite.max())
+    if low == high:
+        return Normalize(low - 0.5, high + 0.5), "neither"
+    ends = (bool(finite.min() < low), bool(finite.max() > high))
+    beyond = {(True, True): "both", (True, False): "min", (False, True): "max"}.get(ends, "neither")
+    if low > 0 and np.log10(high / low) > DECADES:
+        return LogNorm(low, high), beyond
+    return Normalize(low, high), beyond
+
+
+def _draw_reasons(axes: Axes, outcome: Any, values: Any, extent: Any) -> Iterator[Patch]:
+    """Fill cells without a number, and say for the legend why there is none."""
+    words = str(outcome.attrs["flag_meanings"]).split()
+    flags = np.atleast_1d(outcome.attrs["flag_values"])
+    meanings = {int(f): w.replace("_", " ") for f, w in zip(flags, words, strict=True)}
+    meanings[0] = "the number could not be formed"
+    empty = ~np.isfinite(values)
+    codes = np.asarray(outcome.values)
+    for code, colour in zip(np.unique(codes[empty]), itertools.cycle(EMPTY), strict=False):
+        cells = empty & (codes == code)
+        axes.imshow(
+            np.ma.masked_where(~cells, np.zeros(cells.shape)),
+            origin="lower",
+            extent=extent,
+            aspect="auto",
+            interpolation="nearest",
+            cmap=ListedColormap([colour]),
+        )
+        share = f"{np.count_nonzero(cells)} of {cells.size} cells"
+        label = readable(f"{meanings[int(code)]} ({share})")
+        yield Patch(facecolor=colour, edgecolor=QUIET, linewidth=0.5, label=label)
+
+
+def _label(dataset: xr.Dataset, name: str) -> str:
+    """Name, meaning and unit of an axis."""
+    meaning = str(dataset[name].attrs.get("long_name", name))
+    letters = _letters(name)
+    text = letters if meaning == name else f"{readable(meaning)}  {letters}"
+    return with_unit(text, unit_of(dataset, name))
+
+
+def _letters(name: str) -> str:
+    """A name as it is set in formulas: gamma_1 as γ₁; words stay words."""
+    head, _, index = name.partition("_")
+    letter = f"\\{head}" if head in GREEK else head
+    if len(head) > 1 and head not in GREEK:
+        return name.replace("_", " ")
+    return f"${letter}_{{{index}}}$" if index else f"${letter}$"
