@@ -11,41 +11,11 @@ import numpy as np
 import xarray as xr
 
 from ..errors import InputError
+from ..flow.meanings import FRAMES, LABELS, told_of
 from ..flow.trajectory import Trajectory
 from .files import check_target, completed
 
 __all__ = ["read", "to_dataset", "write"]
-
-_FRAMES = {
-    "body": ("axis", (1, 2, 3)),
-    "space": ("space", ("x", "y", "z")),
-    "quaternion": ("quaternion", ("w", "x", "y", "z")),
-}
-
-_LABELS = {
-    "axis": "body axis",
-    "space": "space axis",
-    "quaternion": "component of the quaternion",
-}
-
-#: Vectors of three components in body axes: meaning, unit, source.
-_BODY = {
-    "omega": ("angular velocity", "rad/s", "(1.13)"),
-    "gamma": ("unit vector fixed in space", "1", "(1.10)"),
-    "M": ("angular momentum", "kg m^2/s", ""),
-    "r": ("contact point from the centre of mass", "m", "(1.14)"),
-    "zeta": ("upward vertical", "1", ""),
-}
-
-#: The same where a body touches a surface.
-_TOUCHING = {
-    **_BODY,
-    "gamma": ("normal of the surface at the contact", "1", "(1.10)"),
-    "M": ("angular momentum about the contact point", "kg m^2/s", "(7.1)"),
-}
-
-#: The unit of a variable of which nothing is told.
-UNKNOWN = "unknown"
 
 #: Horizontal place of a centre of mass in the lift to space, which is recorded whole.
 _PLACE = "place"
@@ -92,8 +62,8 @@ def to_dataset(
     coordinates: dict[str, Any] = {
         "time": ("time", time, {"long_name": "time", "units": "s", "source": ""}),
         **{
-            dim: (dim, list(labels), {"long_name": _LABELS[dim], "units": "1", "source": ""})
-            for dim, labels in _FRAMES.values()
+            dim: (dim, list(labels), {"long_name": LABELS[dim], "units": "1", "source": ""})
+            for dim, labels in FRAMES.values()
             if _used(variables, dim)
         },
     }
@@ -135,16 +105,9 @@ def _add_state(
 ) -> None:
     """A variable of the state; what its system does not tell of it follows from its name."""
     values = trajectory[name]
-    if name == "attitude":
-        _add(variables, name, values, "quaternion", "attitude quaternion, body to space", "", "")
-        return
-    touching = any(item.name == "contact" for item in trajectory.system.observables)
-    known = (_TOUCHING if touching else _BODY) if values.shape[1:] == (3,) else {}
-    meaning, units, source = (*told, "") if told else known.get(name, (name, UNKNOWN, ""))
-    if values.ndim == 1 or name in known:
-        _add(variables, name, values, "body" if name in known else "", meaning, units, source)
-    else:
-        _add(variables, name, values, f"{name}_component", meaning, units, source)
+    size = values.shape[1] if values.ndim > 1 else 1
+    meaning, units, source, frame = told_of(trajectory.system, name, size, told)
+    _add(variables, name, values, frame, meaning, units, source)
 
 
 def _add(
@@ -156,7 +119,7 @@ def _add(
     units: str,
     source: str,
 ) -> None:
-    dims = ("time", _FRAMES[frame][0] if frame in _FRAMES else frame) if frame else ("time",)
+    dims = ("time", FRAMES[frame][0] if frame in FRAMES else frame) if frame else ("time",)
     high, low = _split(values)
     notes = {"long_name": meaning, "units": units or "1", "source": source}
     if frame in ("body", "space"):
