@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import pickle
+
 import numpy as np
 import pytest
 import sympy as sp
 
 from chaplygin.errors import InputError
-from chaplygin.flow.formulas import Formulas, parameter_values
+from chaplygin.flow.formulas import Formulas
 from chaplygin.system import Parameter, System
 from chaplygin.systems.ball_on_sphere_equations import equations
 from chaplygin.vectors import explicit
@@ -50,6 +52,21 @@ def test_slopes_are_differences() -> None:
 
 def test_strange_names_are_refused() -> None:
     with pytest.raises(InputError, match=r"no parameter K; it has I_1, I_2, I_3, d, k"):
-        parameter_values(BALL, {"K": 1.0})
+        Formulas(BALL, LEVELS)(STATES, {"K": 1.0})
     with pytest.raises(InputError, match="uses q, which"):
         Formulas(BALL, (sp.Symbol("q"),))(STATES)
+
+
+def test_it_travels_to_other_processes() -> None:
+    made = Formulas(BALL, LEVELS)
+    before = made.slopes(STATES, RATIOS)
+    assert np.array_equal(pickle.loads(pickle.dumps(made)).slopes(STATES, RATIOS), before)
+
+
+def test_states_of_any_shape() -> None:
+    made = Formulas(BALL, LEVELS)
+    stacked = np.stack([STATES, 2.0 * STATES], axis=1)
+    found = made(stacked, RATIOS)
+    assert np.array_equal(found[:, 0], made(STATES, RATIOS))
+    assert np.array_equal(made(STATES[0]), made(STATES)[0])
+    assert made.slopes(STATES[0]).shape == (3, 6)

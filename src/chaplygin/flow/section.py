@@ -124,9 +124,8 @@ class SectionMap:
         threads : int, optional
             All cores if left out; the result does not depend on it.
         """
-        starts = self._checked(points)
         return self._lanes(0).returns(
-            starts, count, self.parameters, until=self.until, threads=threads
+            points, count, self.parameters, until=self.until, threads=threads
         )
 
     def iterate(self, points: Any, count: int) -> Any:
@@ -150,7 +149,7 @@ class SectionMap:
         points : array (n, size)
         count : int
         """
-        starts = self._checked(points)
+        starts = np.asarray(points, dtype=float)
         if count < 1:
             raise InputError(f"a derivative of {count} returns: there must be one at least")
         frame = np.broadcast_to(np.eye(self.size), (len(starts), self.size, self.size))
@@ -160,16 +159,20 @@ class SectionMap:
         images, times = crossed.states[:, -1], crossed.times[:, -1]
         # deviations are rows there, columns here
         flow = np.swapaxes(crossed.deviations[:, -1], 1, 2)
-        rates = self._rates.values(images, self.parameters)
+        rates = self._rates(images, self.parameters)
         normals = self._value.slopes(images, self.parameters)[:, 0]
         across = np.einsum("ni,ni->n", normals, rates)[:, None]
         time_slopes = -np.einsum("ni,nij->nj", normals, flow) / across
         matrices = flow + rates[:, :, None] * time_slopes[:, None, :]
         return Derivative(images, times, matrices, time_slopes)
 
+    def reason(self, code: int) -> str:
+        """What an outcome of `returns` means, in words; nothing for 0."""
+        return self._lanes(0).reason(code)
+
     def residual(self, points: Any) -> Any:
         """The section's value at points (..., size): zero on it."""
-        return self._value.values(points, self.parameters)[..., 0]
+        return self._value(points, self.parameters)[..., 0]
 
     def dimension(self, point: Any, *, integrals: bool = True) -> int:
         """The dimension of the section near a point.
@@ -187,7 +190,8 @@ class SectionMap:
         if integrals:
             fixed += [law.value for law in self.system.integrals if not law.on]
         values = _mapping_at(self.parameters, 0)
-        slopes = Formulas(self.system, [explicit(f) for f in fixed]).slopes(point, values)
+        formulas = Formulas(self.system, [explicit(f) for f in fixed])
+        slopes = formulas.slopes(point, values)
         sizes = np.linalg.norm(slopes, axis=-1, keepdims=True)
         unit = slopes / np.where(sizes > 0.0, sizes, 1.0)
         return self.size - int(np.linalg.matrix_rank(unit, tol=1e-9))
@@ -227,15 +231,6 @@ class SectionMap:
     @cached_property
     def _rates(self) -> Formulas:
         return Formulas(self.system, self.system.rates)
-
-    def _checked(self, points: Any) -> Any:
-        starts = np.asarray(points, dtype=float)
-        if starts.ndim != 2 or starts.shape[1] != self.size:
-            raise InputError(
-                f"{self.system.name}: points of shape {starts.shape}; they must be (n, "
-                f"{self.size}), a row for each with {', '.join(map(str, self.system.symbols))}"
-            )
-        return starts
 
 
 def slab(section: Section, quantity: Any, width: float) -> Section:

@@ -1,0 +1,186 @@
+"""Points of a section: in a plane, or in space from two sides above its three projections."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from itertools import combinations
+from typing import Any
+
+import matplotlib as mpl
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
+
+from ...errors import InputError
+from ..drawing import FloatArray
+from .style import FAINT, QUIET, STYLE, WIDTH
+from .variables import readable, title_of, unit_of, with_unit
+
+__all__ = ["draw"]
+
+#: Points drawn at most; of more every so manieth is taken.
+MOST = 120_000
+#: Colours of starts, or of the number of the return: yellow is left out, as too pale on white.
+COLOURS = mpl.colormaps["viridis"].with_extremes(bad=FAINT)
+PALEST = 0.92
+#: From where space is seen: height and turn in degrees.
+VIEWS = ((22.0, -58.0), (22.0, 32.0))
+#: A word in a formula.
+_NAME = re.compile(r"[A-Za-z]+(_\w+)?")
+
+
+def draw(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
+    """The points of a section by two or three of its coordinates.
+
+    The points of several motions have a colour for each start; those of a single motion go from
+    dark to light with the number of the return.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        With dimensions ``run`` and ``section_point``.
+    names : sequence of str
+        Two or three variables with just these dimensions; a component of a vector is written as
+        ``M_1``.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Raises
+    ------
+    InputError
+        If there are not two or three names, or the dataset lacks one of them, or has no point.
+    """
+    if len(names) not in (2, 3):
+        raise InputError(f"a section is drawn by two or three coordinates, not {len(names)}")
+    columns = [_column(dataset, name) for name in names]
+    runs, count = columns[0].shape
+    good = np.isfinite(np.stack(columns)).all(axis=0)
+    if not good.any():
+        raise InputError(f"the section of {title_of(dataset)} has no point to draw")
+    stride = -(-int(good.sum()) // MOST)
+    run, number = (index[::stride] for index in np.nonzero(good))
+    points = [column[run, number] for column in columns]
+    shares = number / max(count - 1, 1) if runs == 1 else run / max(runs - 1, 1)
+    # starts in turn, so that none lies wholly over another
+    order = np.argsort(number, kind="stable")
+    points, shares = [p[order] for p in points], shares[order]
+    labels = [_label(dataset, name) for name in names]
+    look = {"c": COLOURS(shares * PALEST), "s": _size(len(run)), "linewidths": 0.0}
+    with mpl.rc_context(STYLE):
+        figure = Figure(figsize=(WIDTH, 4.6 if len(names) == 2 else 6.1))
+        figure.set_label(f"Section: {title_of(dataset)}")
+        if len(names) == 2:
+            axes = figure.add_axes((0.11, 0.12, 0.74, 0.8))
+            _plane(axes, points, labels, look)
+        else:
+            _space(figure, points, labels, look)
+        _key(figure, runs, count)
+        kept = "" if stride == 1 else f"; one in {stride} drawn"
+        place = _NAME.sub(lambda name: _typeset(name[0]), str(dataset.attrs.get("section", "")))
+        title = f"{readable(title_of(dataset))}: {place}".removesuffix(": ")
+        figure.text(0.02, 0.975, title, va="top", fontsize=10)
+        figure.text(
+            0.98, 0.975, f"{int(good.sum()):,} points{kept}", ha="right", va="top", color=QUIET
+        )
+    return figure
+
+
+def _column(dataset: xr.Dataset, name: str) -> FloatArray:
+    """A coordinate of all points, (runs, points)."""
+    if name in dataset and dataset[name].ndim == 2:
+        found = dataset[name]
+    else:
+        vector, _, index = name.rpartition("_")
+        if vector not in dataset or dataset[vector].ndim != 3 or not index.isdecimal():
+            raise InputError(f"the section of {title_of(dataset)} has no coordinate {name}")
+        (dim,) = set(map(str, dataset[vector].dims)) - {"run", "section_point"}
+        place = int(index) - 1
+        if not 0 <= place < dataset.sizes[dim]:
+            raise InputError(f"the section of {title_of(dataset)} has no coordinate {name}")
+        found = dataset[vector].isel({dim: place})
+    return np.asarray(found.transpose("run", "section_point").values, dtype=np.float64)
+
+
+def _label(dataset: xr.Dataset, name: str) -> str:
+    vector, _, index = name.rpartition("_")
+    if name in dataset:
+        shown, units = str(dataset[name].attrs.get("label", name)), unit_of(dataset, name)
+    else:
+        shown, units = f"{vector}_{index}", unit_of(dataset, vector)
+    return with_unit(_typeset(shown), units)
+
+
+def _typeset(name: str) -> str:
+    """A name as a formula where it looks like one: M_1, gamma_3, but not "height"."""
+    letter, _, index = name.partition("_")
+    if len(letter) == 1 or letter in ("gamma", "omega", "alpha", "beta", "theta", "psi", "phi"):
+        letter = letter if len(letter) == 1 else f"\\{letter}"
+        return f"${letter}_{{{index}}}$" if index else f"${letter}$"
+    return readable(name)
+
+
+def _size(count: int) -> float:
+    """Area of a dot in square points: many are small."""
+    return float(np.clip(6e4 / count, 0.25, 9.0))
+
+
+def _plane(
+    axes: Axes, points: Sequence[FloatArray], labels: Sequence[str], look: dict[str, Any]
+) -> None:
+    axes.scatter(*points, rasterized=True, **look)
+    axes.set_xlabel(labels[0])
+    axes.set_ylabel(labels[1])
+    for axis, values, label in zip((axes.xaxis, axes.yaxis), points, labels, strict=True):
+        if "(rad)" in label and np.abs(values).max() <= np.pi and np.ptp(values) > np.pi:
+            axis.set_ticks(
+                [-np.pi, -np.pi / 2, 0, np.pi / 2, np.pi], ["$-π$", "$-π/2$", "0", "$π/2$", "$π$"]
+            )
+
+
+def _space(
+    figure: Figure, points: Sequence[FloatArray], labels: Sequence[str], look: dict[str, Any]
+) -> None:
+    """Two views above three projections."""
+    for i, (height, turn) in enumerate(VIEWS):
+        view: Any = figure.add_axes((-0.02 + 0.46 * i, 0.4, 0.44, 0.56), projection="3d")
+        view.patch.set_visible(False)
+        view.scatter(*points, depthshade=False, rasterized=True, **look)
+        view.view_init(elev=height, azim=turn)
+        view.set_box_aspect((1, 1, 1), zoom=1.0)
+        for axis, name in zip((view.xaxis, view.yaxis, view.zaxis), labels, strict=True):
+            axis.set_label_text(name)
+            axis.set_pane_color((1.0, 1.0, 1.0, 0.0))
+            axis.set_major_locator(mpl.ticker.MaxNLocator(4))
+            axis.line.set_color(QUIET)
+            axis._axinfo["grid"].update(color=FAINT, linewidth=0.4)
+        if i:
+            # the upright axis of both stands between them
+            view.zaxis.set_label_text("")
+            view.zaxis.set_ticklabels([])
+        view.tick_params(pad=-1, labelsize=7)
+    small = look | {"s": 0.6 * look["s"]}
+    for i, (a, b) in enumerate(combinations(range(3), 2)):
+        axes = figure.add_axes((0.09 + 0.305 * i, 0.085, 0.205, 0.27))
+        _plane(axes, (points[a], points[b]), (labels[a], labels[b]), small)
+        axes.tick_params(labelsize=7)
+        axes.locator_params(nbins=4)
+
+
+def _key(figure: Figure, runs: int, count: int) -> None:
+    """What the colours mean."""
+    last = count if runs == 1 else runs
+    if last < 2:
+        return
+    colours = mpl.colors.ListedColormap(COLOURS(np.linspace(0.0, PALEST, 256)))
+    place = figure.add_axes((0.905, 0.44, 0.014, 0.44))
+    bar = figure.colorbar(ScalarMappable(Normalize(1, last), colours), cax=place)
+    bar.set_label("number of the return" if runs == 1 else "start", fontsize=9)
+    bar.ax.tick_params(labelsize=7)
+    bar.locator = mpl.ticker.MaxNLocator(5, integer=True)
+    bar.update_ticks()
