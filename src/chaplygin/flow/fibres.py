@@ -21,6 +21,7 @@ from ..vectors import explicit
 from .arrays import Sheet, evaluate
 from .dice import normals
 from .graph import Term
+from .rows import applied, dots, solved, squares
 
 __all__ = ["Bundle", "Condition", "bundle"]
 
@@ -88,39 +89,63 @@ class Bundle:
         """Dimension of the space in which the rays of a fibre lie."""
         return len(self.fibre) - len(self.linear)
 
-    def base(self, gauss: Any) -> Any:
-        """States with base variables made of normal numbers (b, k), and the fibre zero.
+    @property
+    def ground(self) -> tuple[int, ...]:
+        """Places of the variables of the base: unit vectors, then angles."""
+        return (*(place for places in self.spheres for place in places), *self.angles)
 
-        Unit vectors are uniform on their spheres; angles are made by the normal distribution
-        function, uniform in (0, 2π).
+    @property
+    def balls(self) -> tuple[slice, ...]:
+        """The unit vectors among the numbers y that make a point: of the base, and of the ray."""
+        sizes = [*map(len, self.spheres)]
+        ends = [sum(sizes[: i + 1]) for i in range(len(sizes))]
+        start = len(self.ground)
+        parts = [slice(end - size, end) for end, size in zip(ends, sizes, strict=True)]
+        return (*parts, slice(start, start + len(self.fibre)))
+
+    @property
+    def numbers(self) -> int:
+        """How many numbers y make a point of the level."""
+        return len(self.ground) + len(self.fibre)
+
+    def normed(self, gauss: Any) -> Any:
+        """Points y, uniform on the product of spheres and circles, from normal numbers (y, k).
+
+        Angles come by the normal distribution function, uniform in (0, 2π).
         """
         from scipy.special import ndtr
 
-        states = np.zeros((self.size, gauss.shape[1]))
-        start = 0
-        for places in self.spheres:
-            part = gauss[start : start + len(places)]
-            states[list(places)] = part / np.sqrt(_squares(part))
-            start += len(places)
-        for place in self.angles:
-            states[place] = 2 * np.pi * ndtr(gauss[start])
-            start += 1
-        return states
+        places = gauss.copy()
+        for part in self.balls:
+            places[part] = gauss[part] / np.sqrt(squares(gauss[part]))
+        for row in range(len(self.ground) - len(self.angles), len(self.ground)):
+            places[row] = 2 * np.pi * ndtr(gauss[row])
+        return places
 
-    @property
-    def base_numbers(self) -> int:
-        """How many normal numbers `base` takes."""
-        return sum(map(len, self.spheres)) + len(self.angles)
+    def gauss(self, places: Any) -> Any:
+        """Numbers of which `normed` makes the points y."""
+        from scipy.special import ndtri
 
-    def fill(self, states: Any, gauss: Any, parameters: Any) -> Rays:
-        """Put points of the level over base points, along rays of uniform directions.
+        numbers = places.copy()
+        for row in range(len(self.ground) - len(self.angles), len(self.ground)):
+            numbers[row] = ndtri(np.mod(places[row] / (2 * np.pi), 1.0))
+        return numbers
+
+    def over(self, places: Any, parameters: Any) -> Rays:
+        """The points of the level that points y (y, k) make."""
+        states = np.zeros((self.size, places.shape[1]))
+        states[list(self.ground)] = places[: len(self.ground)]
+        return self.fill(states, places[len(self.ground) :], parameters)
+
+    def fill(self, states: Any, directions: Any, parameters: Any) -> Rays:
+        """Put points of the level over base points, along rays of given directions.
 
         Parameters
         ----------
         states : array (size, k)
             Base points; their fibre is filled in.
-        gauss : array (f, k)
-            Normal numbers.
+        directions : array (f, k)
+            Vectors in the fibre; the rays are along their parts inside the linear conditions.
         parameters : array (p,)
         """
         n, a, A, b, c = self.parts(states, parameters)
@@ -128,25 +153,36 @@ class Bundle:
         targets = np.array([condition.target for condition in self.linear])
         corner = np.zeros((states.shape[1], f + m, f + m))
         corner[:, :f, :f], corner[:, :f, f:], corner[:, f:, :f] = A, np.swapaxes(n, 1, 2), n
-        right = np.concatenate([-b, targets - a], axis=1)
-        centre = _solved(corner, right)[:, :f]
+        saddle = solved(corner, np.concatenate([-b, targets - a], axis=1))
+        centre, pull = saddle[:, :f], saddle[:, f:]
         excess = self.quadratic.target - (
-            c + _dots(b, centre) + 0.5 * _dots(centre, _applied(A, centre))
+            c + dots(b, centre) + 0.5 * dots(centre, applied(A, centre))
         )
         gram = n @ np.swapaxes(n, 1, 2)
-        u = gauss.T
-        if m:
-            u = u - _applied(np.swapaxes(n, 1, 2), _solved(gram, _applied(n, u)))
-        u = u / np.sqrt(_dots(u, u))[:, None]
-        stiffness = _dots(u, _applied(A, u))
+        shadow = directions.T
+        share = solved(gram, applied(n, shadow))
+        shadow = shadow - applied(np.swapaxes(n, 1, 2), share)
+        span = np.sqrt(dots(shadow, shadow))
+        ray = shadow / span[:, None]
+        stiffness = dots(ray, applied(A, ray))
         with np.errstate(invalid="ignore", divide="ignore"):
-            length = np.sqrt(2 * excess / stiffness)
-            volume = length ** (self.rays - 2) / stiffness
-            if m:
-                volume = volume / np.sqrt(np.linalg.det(gram))
+            length = np.sqrt(2 * np.where(excess > 0, excess, np.nan) / stiffness)
+            volume = length ** (self.rays - 2) / stiffness / np.sqrt(np.linalg.det(gram))
         filled = states.copy()
-        filled[list(self.fibre)] = (centre + length[:, None] * u).T
-        return Rays(filled, excess, np.where(excess > 0, volume, 0.0))
+        filled[list(self.fibre)] = (centre + length[:, None] * ray).T
+        return Rays(
+            states=filled,
+            excess=excess,
+            volume=np.where(excess > 0, volume, 0.0),
+            centre=centre,
+            pull=pull,
+            ray=ray,
+            length=length,
+            share=share,
+            span=span,
+            normals=n,
+            saddle=corner,
+        )
 
     def parts(self, states: Any, parameters: Any) -> tuple[Any, ...]:
         """What the conditions are in the fibres over base points.
@@ -175,39 +211,31 @@ class Rays:
         point lies above this point of the base.
     volume : array (k,)
         The volume δ(conditions) d(fibre) for a unit solid angle of rays; zero where no point is.
+    centre, pull : arrays (k, f), (k, m)
+        Where the quadratic integral is least in the fibre, and the multipliers of the linear
+        conditions there.
+    ray, length : arrays (k, f), (k,)
+        Unit vectors and lengths of the rays.
+    share, span : arrays (k, m), (k,)
+        Coefficients of the part of the directions that the linear conditions take away, and the
+        length of what is left.
+    normals : array (k, m, f)
+        Slopes of the linear conditions.
+    saddle : array (k, f + m, f + m)
+        The matrix of the equations for centre and pull.
     """
 
     states: Any
     excess: Any
     volume: Any
-
-
-def _squares(rows: Any) -> Any:
-    # a sum in a fixed order, whatever the number of columns
-    total = rows[0] * rows[0]
-    for row in rows[1:]:
-        total = total + row * row
-    return total
-
-
-def _dots(left: Any, right: Any) -> Any:
-    return _summed(left * right)
-
-
-def _applied(matrices: Any, vectors: Any) -> Any:
-    return np.stack([_dots(matrices[:, i], vectors) for i in range(matrices.shape[1])], axis=1)
-
-
-def _summed(terms: Any) -> Any:
-    total = terms[:, 0]
-    for i in range(1, terms.shape[1]):
-        total = total + terms[:, i]
-    return total
-
-
-def _solved(matrices: Any, right: Any) -> Any:
-    found = np.linalg.solve(matrices, right[:, :, None])
-    return found[:, :, 0]
+    centre: Any
+    pull: Any
+    ray: Any
+    length: Any
+    share: Any
+    span: Any
+    normals: Any
+    saddle: Any
 
 
 # --- finding the bundle ----------------------------------------------------------------------
@@ -317,10 +345,17 @@ def _degree(sheet: Sheet, term: Term, places: Sequence[int]) -> int:
     return 3 if sheet.depends(_second(sheet, [term], places)) & inside else 2
 
 
+def _at_random(made: Bundle) -> Any:
+    """States over random points of the base, their fibre zero."""
+    gauss = normals(0, np.arange(_SAMPLE), np.zeros(_SAMPLE), made.numbers)
+    states = np.zeros((made.size, _SAMPLE))
+    states[list(made.ground)] = made.normed(gauss)[: len(made.ground)]
+    return states
+
+
 def _bounded(made: Bundle, values: Any) -> bool:
     """Whether the quadratic condition is definite on the fibres over a sample of base points."""
-    states = made.base(normals(0, np.arange(_SAMPLE), np.zeros(_SAMPLE), made.base_numbers))
-    n, _, A, _, _ = made.parts(states, values)
+    n, _, A, _, _ = made.parts(_at_random(made), values)
     if not (np.isfinite(n).all() and np.isfinite(A).all()):
         return False
     across = np.eye(len(made.fibre)) - np.linalg.pinv(n) @ n if n.shape[1] else 1.0

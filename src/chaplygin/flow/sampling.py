@@ -16,35 +16,28 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-import sympy as sp
 
 from ..errors import InputError
-from ..statements import Measure
 from ..system import System
 from ..vectors import explicit
 from .arrays import Sheet, evaluate, numbers
+from .crossings import Slice
 from .dice import normals
 from .fibres import Bundle, bundle
 from .graph import Term
+from .held import check, measure, shown, told
+from .spots import Ends, Spots, Thrower, highest
 
 __all__ = ["Level", "draw", "prepared"]
 
 #: Attempts looked at together.
 _BATCH = 1 << 14
-#: Attempts from which the bound of the density is taken, and how much is put on top.
-_PILOT = 1 << 14
+#: What is put on top of the largest density that was met.
 _MARGIN = 1.15
-#: Rounds in which the largest densities are followed uphill.
-_ROUNDS = 24
-_CLIMBERS = 64
 #: Attempts for one point after which the level counts as too thin.
 _PATIENCE = 10**6
 #: Newton steps by which a point is settled on its level.
 _NEWTON = 2
-#: A condition on parameters holds up to this, relative to the size of its terms.
-_ROUNDING = 1e-12
-#: The seed of pilot attempts: any number that users will not choose.
-_PILOT_SEED = 0x9E3779B97F4A7C15
 
 
 def draw(
@@ -107,12 +100,13 @@ class Level:
     parameters: Any
     measure: str
     invariant: bool
-    _bundle: Bundle
+    _thrower: Thrower
     _held: tuple[Term, ...]
     _targets: Any
     _slopes: tuple[Term, ...]
     _density: Term | None
     _bound: float
+    _slots: int
 
     def draw(self, count: int, *, seed: int = 0, first: int = 0) -> Any:
         """Points `first` to `first` + `count`; array (count, size).  See :func:`draw`."""
@@ -129,43 +123,43 @@ class Level:
             tries = min(2 * tries, _BATCH)
             if attempt > _PATIENCE:
                 raise InputError(
-                    f"{self.system.name}: the level {_shown(self.values)} is too thin: no point "
+                    f"{self.system.name}: the level {shown(self.values)} is too thin: no point "
                     f"of it was met in {attempt} attempts"
                 )
         return found
 
     def _first(self, seed: int, members: Any, attempt: int, tries: int) -> tuple[Any, Any]:
         """The first accepted of some attempts of each member, and which members have one."""
-        attempts = attempt + np.arange(tries)
-        states, density, dice = self._attempt(
-            seed, np.repeat(members, tries), np.tile(attempts, members.size)
-        )
-        if density.max() > self._bound:
-            raise InputError(
-                f"{self.system.name}: the density of the level {_shown(self.values)} has no bound "
-                "that could be found; it is next to a critical level"
-            )
-        taken = (dice * self._bound < density).reshape(members.size, tries)
-        done = taken.any(axis=1)
-        places = np.arange(members.size)[done] * tries + taken.argmax(axis=1)[done]
-        return self._settled(states[:, places]).T, done
-
-    def _attempt(self, seed: int, members: Any, attempts: Any) -> tuple[Any, Any, Any]:
-        """States, their densities relative to that of the attempts, and a number in (0, 1)."""
         from scipy.special import ndtr
 
-        many = self._bundle.base_numbers + len(self._bundle.fibre)
-        gauss = normals(seed, members, attempts, many + 1)
-        return *self._weighed(gauss[:many]), ndtr(gauss[many])
+        many = self._thrower.numbers
+        owners = np.repeat(members, tries)
+        gauss = normals(seed, owners, attempt + np.tile(np.arange(tries), members.size), many + 2)
+        dice, choice = ndtr(gauss[many:])
+        spots = self._thrower.spots(gauss[:many])
+        rank = np.arange(spots.which.size) - np.searchsorted(spots.which, spots.which)
+        if (rank >= self._slots).any():
+            raise self._beyond()
+        picked = np.flatnonzero(rank == np.floor(self._slots * choice)[spots.which])
+        density = self.density(spots)[picked]
+        if (density > self._bound).any():
+            raise self._beyond()
+        throw = spots.which[picked]
+        taken = picked[dice[throw] * self._bound < density]
+        owner, first = np.unique(spots.which[taken] // tries, return_index=True)
+        done = np.zeros(members.size, dtype=bool)
+        done[owner] = True
+        return self._settled(spots.states[:, taken[first]]).T, done
 
-    def _weighed(self, gauss: Any) -> tuple[Any, Any]:
-        """Points made of normal numbers, and their densities; zero where there is no point."""
-        cut = self._bundle.base_numbers
-        rays = self._bundle.fill(self._bundle.base(gauss[:cut]), gauss[cut:], self.parameters)
-        density = np.zeros(gauss.shape[1])
-        real = np.flatnonzero(rays.volume > 0)
-        density[real] = rays.volume[real] * self._weight(rays.states[:, real])
-        return rays.states, density
+    def _beyond(self) -> InputError:
+        return InputError(
+            f"{self.system.name}: the density of the level {shown(self.values)} has no bound that "
+            "could be found: it lies next to a critical level"
+        )
+
+    def density(self, spots: Spots) -> Any:
+        """The density to be drawn by, relative to that of the throws."""
+        return spots.volume * self._weight(spots.states)
 
     def _weight(self, states: Any) -> Any:
         """The density to be drawn by, relative to ∏ δ(relations) ∏ δ(held integrals) dx."""
@@ -197,120 +191,97 @@ def prepared(
 ) -> Level:
     """A level from which points can be drawn again and again; see :func:`draw`."""
     values = numbers(system, parameters)
-    _check(system, level, values)
+    check(system, level, values)
     sheet = Sheet(system)
     made = bundle(system, sheet, level, values)
-    if made.further:
-        names = " and ".join(c.name for c in made.further)
-        raise InputError(f"{system.name}: {names} cannot be held besides {made.quadratic.name}")
+    law = measure(system, level, values)
     conditions = [sheet.read(explicit(relation)) for relation in system.relations]
     held = {law.name: sheet.read(law.value) for law in system.integrals if law.name in level}
     conditions += [held[name] for name in level]
-    law = _measure(system, sheet, level, values)
     blank = Level(
         system=system,
         values=dict(level),
         parameters=values,
-        measure="surface measure" if law is None else _told(law),
+        measure="surface measure" if law is None else told(law),
         invariant=law is not None,
-        _bundle=made,
+        _thrower=_thrower(system, sheet, made, level, values),
         _held=tuple(conditions),
         _targets=np.array([0.0] * len(system.relations) + [float(v) for v in level.values()]),
         _slopes=tuple(term for row in sheet.slopes(conditions) for term in row),
         _density=None if law is None else sheet.read(law.value),
         _bound=np.inf,
+        _slots=1,
     )
-    return replace(blank, _bound=_MARGIN * _largest_density(blank))
+    return _bounded(blank)
 
 
-def _check(system: System, level: Mapping[str, float], values: Any) -> None:
-    """Refuse integrals that the system has not, or not at these parameters."""
-    known = {law.name: law for law in system.integrals}
-    for name, value in level.items():
-        if name not in known:
-            raise InputError(
-                f"{system.name} has no integral {name!r}; it has {', '.join(known) or 'none'}"
-            )
-        if not np.isfinite(float(value)):
-            raise InputError(f"{system.name}: {name} = {value}: a finite number is needed")
-        for condition in known[name].on:
-            if not _vanishes(system, condition, level, values):
-                raise InputError(
-                    f"{system.name}: {name} is an integral only where {explicit(condition)} = 0, "
-                    "which does not hold here"
-                )
+def _thrower(
+    system: System, sheet: Sheet, made: Bundle, level: Mapping[str, float], values: Any
+) -> Thrower:
+    """What throws points onto the level; refuse a level that is empty."""
 
+    def room(gauss: Any) -> tuple[Any, Any]:
+        places = made.normed(gauss)
+        return places, made.over(places, values).excess
 
-def _vanishes(system: System, formula: Any, level: Mapping[str, float], values: Any) -> bool:
-    """Whether a formula is zero at these parameters, or an integral that is held at zero."""
-    written = explicit(formula)
-    parameters = [p.symbol for p in system.parameters]
-    if written.free_symbols <= set(parameters):
-        point = dict(zip(parameters, map(float, values), strict=True))
-        size = sum(abs(float(term.subs(point))) for term in sp.Add.make_args(sp.expand(written)))
-        return abs(float(written.subs(point))) <= _ROUNDING * size
-    return any(
-        level.get(law.name) == 0 and sp.expand(explicit(law.value) - written) == 0
-        for law in system.integrals
-    )
+    def same(gauss: Any, _: Any) -> Any:
+        return gauss
 
-
-def _measure(
-    system: System, sheet: Sheet, level: Mapping[str, float], values: Any
-) -> Measure | None:
-    """The invariant measure that holds here."""
-    for law in system.laws:
-        if isinstance(law, Measure) and all(
-            _vanishes(system, condition, level, values) for condition in law.on
-        ):
-            return law
-    return None
-
-
-def _told(law: Measure) -> str:
-    return f"{law.meaning or 'invariant measure'} {law.source}".strip()
-
-
-def _shown(level: Mapping[str, float]) -> str:
-    return " and ".join(f"{name} = {value:.6g}" for name, value in level.items())
-
-
-def _largest_density(level: Level) -> float:
-    """The largest density that attempts can have."""
-    many = level._bundle.base_numbers + len(level._bundle.fibre)
-    pilot = normals(_PILOT_SEED, np.arange(_PILOT), np.zeros(_PILOT), many)
-    cut = level._bundle.base_numbers
-
-    def excess(gauss: Any) -> Any:
-        base = level._bundle.base(gauss[:cut])
-        return level._bundle.fill(base, gauss[cut:], level.parameters).excess
-
-    room, place = _climbed(excess, pilot)
-    bound = level._bundle.quadratic
-    if not room > 0:
-        others = _shown({name: v for name, v in level.values.items() if name != bound.name})
+    spare, top = highest(made, room, same, made.numbers)
+    if not spare > 0:
+        names = {c.name for c in (made.quadratic, *made.further)}
+        raise _empty(
+            system,
+            level,
+            names,
+            f"{made.quadratic.name} is at least {made.quadratic.target - spare:.6g}",
+        )
+    if not made.further:
+        return Ends(made, values)
+    if len(made.further) > 1:
         raise InputError(
-            f"{level.system.name}: the level {_shown(level.values)} is empty: "
-            f"{f'with {others} ' if others else ''}{bound.name} is at least "
-            f"{bound.target - room:.6g}"
+            f"{system.name}: {' and '.join(c.name for c in made.further)} cannot both be held "
+            f"besides {made.quadratic.name}; one of them can"
         )
-    near = place[:, None] + 0.0 * pilot[:, :1]
-    return float(_climbed(lambda g: level._weighed(g)[1], np.concatenate([pilot, near], axis=1))[0])
+    slice_ = Slice.of(made, sheet, values)
+    (further,) = made.further
 
+    def signed(sign: float) -> Callable[[Any], tuple[Any, Any]]:
+        def height(gauss: Any) -> tuple[Any, Any]:
+            places = made.normed(gauss)
+            difference = sign * slice_.value(places)[0]
+            real = np.isfinite(difference)
+            return places[:, real], difference[real]
 
-def _climbed(height: Callable[[Any], Any], places: Any) -> tuple[float, Any]:
-    """The largest value of a function of normal numbers, and where it was met.
+        return height
 
-    The highest of the given places are followed uphill by random steps that grow shorter.
-    """
-    heights = height(places)
-    for turn in range(_ROUNDS):
-        best = np.argsort(-heights, kind="stable")[:_CLIMBERS]
-        steps = normals(
-            _PILOT_SEED, np.arange(4 * best.size), np.full(4 * best.size, turn + 1), places.shape[0]
+    low, high = (
+        further.target + sign * highest(made, signed(sign), same, made.numbers, top[:, None])[0]
+        for sign in (-1.0, 1.0)
+    )
+    if not low < further.target < high:
+        raise _empty(
+            system, level, {further.name}, f"{further.name} lies between {low:.6g} and {high:.6g}"
         )
-        tried = np.repeat(places[:, best], 4, axis=1) + 0.5 * 0.7**turn * steps
-        places = np.concatenate([places[:, best], tried], axis=1)
-        heights = np.concatenate([heights[best], height(tried)])
-    top = int(np.argmax(heights))
-    return float(heights[top]), places[:, top]
+    return slice_
+
+
+def _empty(system: System, level: Mapping[str, float], names: set[str], reach: str) -> InputError:
+    others = {name: value for name, value in level.items() if name not in names}
+    given = f"with {shown(others)} " if others else ""
+    return InputError(f"{system.name}: the level {shown(level)} is empty: {given}{reach}")
+
+
+def _bounded(level: Level) -> Level:
+    """The level with a bound of its density and of the number of points of a throw."""
+    thrower, most = level._thrower, 1
+
+    def height(gauss: Any) -> tuple[Any, Any]:
+        nonlocal most
+        spots = thrower.spots(gauss)
+        most = max(most, int(np.bincount(spots.which, minlength=1).max()))
+        return spots.places, level.density(spots)
+
+    top, _ = highest(thrower.made, height, thrower.near, thrower.numbers)
+    slots = 1 if isinstance(thrower, Ends) else most + 2
+    return replace(level, _bound=_MARGIN * top, _slots=slots)

@@ -1,0 +1,303 @@
+"""Points where random great circles over a bundle meet a further condition.
+
+Base points and directions of rays make a point y of a product of spheres (and circles), and with
+it a state.  A geodesic from a uniform point into a uniform direction meets the hypersurface
+F(y) = c at points whose density is the surface measure (the formula of Crofton and Santaló), that
+is |∇F| δ(F − c) dy: dividing by |∇F| gives the measure δ(F − c) exactly, tangencies and all.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .arrays import Sheet, evaluate
+from .fibres import Bundle, Rays
+from .graph import Term
+from .rows import applied, dots, solved, squares
+from .spots import Spots
+
+__all__ = ["Slice", "crossings"]
+
+#: Length of a geodesic, and pieces of it between whose ends a function has one turn at most.
+LENGTH = 1.0
+PIECES = 16
+#: Safeguarded Newton steps for a crossing.
+_STEPS = 60
+#: Where a piece that ends at the edge of the level is looked at first, in its own parameter.
+_EDGE = 1e-5
+
+#: From curves and parameters on them to values and slopes.
+Along = Callable[[Any, Any], tuple[Any, Any]]
+
+
+@dataclass(frozen=True)
+class Slice:
+    """The further condition of a bundle, with what its slopes need.
+
+    Attributes
+    ----------
+    made : Bundle
+    parameters : array (p,)
+    target : float
+    terms : tuple of Term
+        At a point of the level: F, its slopes, the slopes of the quadratic condition.
+    central : tuple of Term
+        At the centre of a fibre, for each variable of the base: the slope of the quadratic
+        condition and of each linear one, and the slopes of these in the fibre.
+    """
+
+    made: Bundle
+    parameters: Any
+    target: float
+    terms: tuple[Term, ...]
+    central: tuple[Term, ...]
+
+    @staticmethod
+    def of(made: Bundle, sheet: Sheet, parameters: Any) -> Slice:
+        """The slice of a bundle that has one further condition."""
+        (further,) = made.further
+        own, outer = sheet.slopes([further.term, made.quadratic.term])
+        conditions = [made.quadratic.term, *(c.term for c in made.linear)]
+        slopes = sheet.slopes(conditions)
+        mixed = [sheet.slopes([row[i] for i in made.fibre]) for row in slopes]
+        central = [
+            term
+            for row, second in zip(slopes, mixed, strict=True)
+            for j in made.ground
+            for term in (row[j], *(line[j] for line in second))
+        ]
+        return Slice(made, parameters, further.target, (further.term, *own, *outer), tuple(central))
+
+    # --- values and slopes ---------------------------------------------------------------------
+
+    def excess(self, places: Any) -> tuple[Any, Any]:
+        """How far the level reaches over base points, and its slopes in y (k, y)."""
+        rays = self.made.over(places, self.parameters)
+        ground, _ = self._central(rays)
+        slopes = np.zeros(places.shape[::-1])
+        # the least value in a fibre has the slopes of the Lagrange function
+        pulls = np.concatenate([np.ones((places.shape[1], 1)), rays.pull], axis=1)
+        for j in range(len(self.made.ground)):
+            slopes[:, j] = -dots(pulls, ground[:, :, j])
+        return rays.excess, self._tangent(places, slopes)
+
+    def value(self, places: Any) -> tuple[Any, Any, Rays]:
+        """F − c, its slopes in y (k, y) and the points of the level."""
+        made, size = self.made, self.made.size
+        rays = made.over(places, self.parameters)
+        flat = np.ascontiguousarray(evaluate(self.terms, rays.states, self.parameters).T)
+        F, own, outer = flat[:, 0], flat[:, 1 : size + 1], flat[:, size + 1 :]
+        fibre, ground = list(made.fibre), list(made.ground)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            rise = dots(own[:, fibre], rays.ray) / dots(outer[:, fibre], rays.ray)
+        # slopes of F along the level: what is left when the length of the ray adapts
+        free = own - rise[:, None] * outer
+        across = free[:, fibre]
+        inside = across - applied(np.swapaxes(rays.normals, 1, 2), self._shares(rays, across))
+        values, mixed = self._central(rays)
+        slopes = np.concatenate(
+            [free[:, ground], inside * (rays.length / rays.span)[:, None]], axis=1
+        )
+        f = len(fibre)
+        reach = solved(rays.saddle, np.concatenate([across, np.zeros_like(rays.pull)], axis=1))
+        lean, push = reach[:, :f], reach[:, f:]
+        shares, shadow = self._shares(rays, across), rays.ray
+        for j in range(len(ground)):
+            turned = mixed[:, :, j]
+            slopes[:, j] -= dots(lean, turned[:, 0]) + dots(push, values[:, 1:, j])
+            slopes[:, j] -= dots(rays.pull, applied(turned[:, 1:], lean))
+            tilt = dots(applied(turned[:, 1:], inside), rays.share) / rays.span
+            tilt = tilt + dots(shares, applied(turned[:, 1:], shadow))
+            slopes[:, j] -= rays.length * tilt
+        return F - self.target, self._tangent(places, slopes), rays
+
+    def _shares(self, rays: Rays, vectors: Any) -> Any:
+        """Coefficients of vectors in the slopes of the linear conditions."""
+        gram = rays.normals @ np.swapaxes(rays.normals, 1, 2)
+        return solved(gram, applied(rays.normals, vectors))
+
+    def _central(self, rays: Rays) -> tuple[Any, Any]:
+        """`central` at the centres: slopes (k, 1 + m, b) and mixed ones (k, 1 + m, b, f)."""
+        made = self.made
+        f, b, m = len(made.fibre), len(made.ground), len(made.linear)
+        states = rays.states.copy()
+        states[list(made.fibre)] = rays.centre.T
+        flat = np.ascontiguousarray(evaluate(self.central, states, self.parameters).T)
+        table = flat.reshape(-1, 1 + m, b, 1 + f)
+        return table[..., 0], table[..., 1:]
+
+    def _tangent(self, places: Any, slopes: Any) -> Any:
+        """Slopes without their parts along the unit vectors."""
+        made = slopes.copy()
+        for part in self.made.balls:
+            unit, own = places[part].T, slopes[:, part]
+            made[:, part] = own - dots(own, unit)[:, None] * unit
+        return made
+
+    # --- throws ------------------------------------------------------------------------------
+
+    @property
+    def numbers(self) -> int:
+        """How many normal numbers a throw takes: a point y and a direction."""
+        return 2 * self.made.numbers
+
+    def spots(self, gauss: Any) -> Spots:
+        """The points where the geodesics thrown by normal numbers (numbers, k) meet the level."""
+        which, places = self.crossings(*self.curves(gauss))
+        _, slopes, rays = self.value(places)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            volume = rays.volume / np.sqrt(dots(slopes, slopes))
+        real = np.flatnonzero(volume > 0)
+        states = np.ascontiguousarray(rays.states[:, real])
+        return Spots(which[real], places[:, real], states, volume[real])
+
+    def near(self, gauss: Any, fresh: Any) -> Any:
+        """Geodesics that begin at places made of `gauss` (y, k)."""
+        return np.concatenate([gauss, fresh[self.made.numbers :]])
+
+    # --- curves ----------------------------------------------------------------------------------
+
+    def curves(self, gauss: Any) -> tuple[Any, Any]:
+        """Uniform points y and uniform unit tangent vectors (y, k) from normal numbers (2 y, k)."""
+        half = gauss.shape[0] // 2
+        places = self.made.normed(gauss[:half])
+        pushes = self._tangent(places, np.ascontiguousarray(gauss[half:].T)).T
+        return places, pushes / np.sqrt(squares(pushes))
+
+    def moved(self, places: Any, pushes: Any, way: Any) -> tuple[Any, Any]:
+        """Points and velocities on geodesics, after a way (k,) at unit speed."""
+        there, speed = places + way * pushes, pushes.copy()
+        for part in self.made.balls:
+            rate = np.sqrt(squares(pushes[part]))
+            turn = rate * way
+            across = pushes[part] / rate
+            there[part] = places[part] * np.cos(turn) + across * np.sin(turn)
+            speed[part] = rate * (across * np.cos(turn) - places[part] * np.sin(turn))
+        return there, speed
+
+    def crossings(self, places: Any, pushes: Any) -> tuple[Any, Any]:
+        """Where geodesics meet the hypersurface: numbers of the curves, and points y (y, n)."""
+
+        def reach(which: Any, way: Any) -> tuple[Any, Any]:
+            there, speed = self.moved(places[:, which], pushes[:, which], way)
+            value, slopes = self.excess(there)
+            return value, dots(slopes, speed.T)
+
+        which, low, high = _parts(reach, places.shape[1])
+
+        def along(index: Any, angle: Any) -> tuple[Any, Any]:
+            # at the edge of the level rays shrink like a square root, which the cosine smooths
+            half = (high[index] - low[index]) / 2
+            way = low[index] + half * (1 - np.cos(np.pi * angle))
+            there, speed = self.moved(places[:, which[index]], pushes[:, which[index]], way)
+            value, slopes, _ = self.value(there)
+            return value, dots(slopes, speed.T) * half * np.pi * np.sin(np.pi * angle)
+
+        nodes = np.linspace(0.0, 1.0, PIECES + 1)
+        nodes[0], nodes[-1] = _EDGE, 1 - _EDGE
+        index, angle = crossings(along, which.size, nodes)
+        half = (high[index] - low[index]) / 2
+        way = low[index] + half * (1 - np.cos(np.pi * angle))
+        return which[index], self.moved(places[:, which[index]], pushes[:, which[index]], way)[0]
+
+
+def _parts(reach: Along, count: int) -> tuple[Any, Any, Any]:
+    """The parts of curves over which the level lies: curves, beginnings and ends."""
+    which, way = crossings(reach, count, np.linspace(0.0, LENGTH, PIECES + 1))
+    curve = np.concatenate([np.arange(count), which, np.arange(count)])
+    cut = np.concatenate([np.zeros(count), way, np.full(count, LENGTH)])
+    order = np.lexsort((cut, curve))
+    curve, cut = curve[order], cut[order]
+    within = np.flatnonzero((curve[1:] == curve[:-1]) & (cut[1:] > cut[:-1]))
+    curve, low, high = curve[within], cut[within], cut[within + 1]
+    over = reach(curve, (low + high) / 2)[0] > 0
+    return curve[over], low[over], high[over]
+
+
+def crossings(along: Along, count: int, nodes: Any) -> tuple[Any, Any]:
+    """All zeros of functions of one variable.
+
+    Parameters
+    ----------
+    along : callable
+        Numbers of functions (n,) and arguments (n,) ↦ values (n,) and slopes (n,).
+    count : int
+        How many functions.
+    nodes : array
+        Arguments between which no function turns more than once.
+
+    Returns
+    -------
+    int array, array
+        Functions and arguments, by function and in rising order.
+    """
+    every = np.repeat(np.arange(count), nodes.size)
+    flat = along(every, np.tile(nodes, count))
+    value, slope = (part.reshape(count, nodes.size) for part in flat)
+    changes = value[:, :-1] * value[:, 1:] < 0
+    index, left = np.nonzero(changes)
+    low, high = nodes[left], nodes[left + 1]
+    ends = value[index, left], value[index, left + 1]
+    turning, place = np.nonzero(_may_touch(value, slope, nodes))
+    if turning.size:
+        turn = _zero(
+            lambda which, s: along(turning[which], s)[1],
+            nodes[place],
+            nodes[place + 1],
+            (slope[turning, place], slope[turning, place + 1]),
+        )
+        there = along(turning, turn)[0]
+        past = there * value[turning, place] < 0
+        turning, place, turn, there = turning[past], place[past], turn[past], there[past]
+        index = np.concatenate([index, turning, turning])
+        low = np.concatenate([low, nodes[place], turn])
+        high = np.concatenate([high, turn, nodes[place + 1]])
+        ends = (
+            np.concatenate([ends[0], value[turning, place], there]),
+            np.concatenate([ends[1], there, value[turning, place + 1]]),
+        )
+    found = _zero(lambda which, s: along(index[which], s)[0], low, high, ends)
+    order = np.lexsort((found, index))
+    return index[order], found[order]
+
+
+def _may_touch(value: Any, slope: Any, nodes: Any) -> Any:
+    """Between which nodes a function of one sign may dip to zero and come back."""
+    step = np.diff(nodes)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        sign = np.sign(value[:, :-1])
+        left, right = sign * value[:, :-1], sign * value[:, 1:]
+        down, up = sign * slope[:, :-1], sign * slope[:, 1:]
+        # where the tangents at both ends meet; a curve that bends one way stays above
+        meet = (right - left - up * step) / (down - up)
+        lowest = left + down * meet
+        dips = (right > 0) & (down < 0) & (up > 0)
+        return dips & (lowest < 0.5 * np.minimum(left, right))
+
+
+def _zero(function: Callable[[Any, Any], Any], low: Any, high: Any, ends: Sequence[Any]) -> Any:
+    """Zeros between arguments of opposite signs, by false position and halving in turn."""
+    low, high = low.copy(), high.copy()
+    at_low, at_high = (np.array(end, dtype=float) for end in ends)
+    active = np.arange(low.size)
+    for step in range(_STEPS):
+        active = active[high[active] - low[active] > 1e-13]
+        if not active.size:
+            break
+        l, h, f, g = low[active], high[active], at_low[active], at_high[active]
+        with np.errstate(invalid="ignore", divide="ignore"):
+            guess = l - f * (h - l) / (g - f)
+        middle = (l + h) / 2
+        guess = np.where((step % 3 < 2) & (guess > l) & (guess < h), guess, middle)
+        value = function(active, guess)
+        below = value * f > 0
+        zero = value == 0
+        low[active] = np.where(below | zero, guess, l)
+        high[active] = np.where(below & ~zero, h, guess)
+        at_low[active] = np.where(below, value, np.where(step % 3 < 1, f, f / 2))
+        at_high[active] = np.where(below, np.where(step % 3 < 1, g, g / 2), value)
+    return (low + high) / 2

@@ -1,0 +1,76 @@
+"""What may be held on a level: which integrals are there, and which measure is invariant."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from ..errors import InputError
+from ..statements import Measure
+from ..system import System
+from ..vectors import explicit
+
+__all__ = ["check", "measure", "shown", "told"]
+
+#: A condition on parameters holds up to this, relative to the size of its terms.
+_ROUNDING = 1e-12
+
+
+def check(system: System, level: Mapping[str, float], values: Any) -> None:
+    """Refuse integrals that the system has not, or not at these parameters.
+
+    Raises
+    ------
+    InputError
+    """
+    known = {law.name: law for law in system.integrals}
+    for name, value in level.items():
+        if name not in known:
+            raise InputError(
+                f"{system.name} has no integral {name!r}; it has {', '.join(known) or 'none'}"
+            )
+        if not np.isfinite(float(value)):
+            raise InputError(f"{system.name}: {name} = {value}: a finite number is needed")
+        for condition in known[name].on:
+            if not _vanishes(system, condition, level, values):
+                raise InputError(
+                    f"{system.name}: {name} is an integral only where {explicit(condition)} = 0, "
+                    "which does not hold here"
+                )
+
+
+def _vanishes(system: System, formula: Any, level: Mapping[str, float], values: Any) -> bool:
+    """Whether a formula is zero at these parameters, or an integral that is held at zero."""
+    written = explicit(formula)
+    parameters = [p.symbol for p in system.parameters]
+    if written.free_symbols <= set(parameters):
+        point = dict(zip(parameters, map(float, values), strict=True))
+        size = sum(abs(float(term.subs(point))) for term in sp.Add.make_args(sp.expand(written)))
+        return abs(float(written.subs(point))) <= _ROUNDING * size
+    return any(
+        level.get(law.name) == 0 and sp.expand(explicit(law.value) - written) == 0
+        for law in system.integrals
+    )
+
+
+def measure(system: System, level: Mapping[str, float], values: Any) -> Measure | None:
+    """The invariant measure that holds here."""
+    for law in system.laws:
+        if isinstance(law, Measure) and all(
+            _vanishes(system, condition, level, values) for condition in law.on
+        ):
+            return law
+    return None
+
+
+def told(law: Measure) -> str:
+    """A measure in words, with its source."""
+    return f"{law.meaning or 'invariant measure'} {law.source}".strip()
+
+
+def shown(level: Mapping[str, float]) -> str:
+    """The values on a level as text."""
+    return " and ".join(f"{name} = {value:.6g}" for name, value in level.items())

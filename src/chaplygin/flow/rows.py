@@ -1,0 +1,44 @@
+"""Linear algebra of many small vectors and matrices at once, the same to the bit for any number.
+
+Sums run in a fixed order, which the reductions of NumPy do not promise.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+__all__ = ["applied", "dots", "solved", "squares"]
+
+
+def squares(columns: Any) -> Any:
+    """(v, v) for vectors in columns, array (n, k)."""
+    total = columns[0] * columns[0]
+    for row in columns[1:]:
+        total = total + row * row
+    return total
+
+
+def dots(left: Any, right: Any) -> Any:
+    """(u, v) for vectors in rows, arrays (k, n)."""
+    total = np.zeros(left.shape[0])
+    for i in range(left.shape[1]):
+        total = total + left[:, i] * right[:, i]
+    return total
+
+
+def applied(matrices: Any, vectors: Any) -> Any:
+    """A v for matrices (k, m, n) and vectors (k, n): array (k, m)."""
+    made = np.zeros(matrices.shape[:2])
+    for i in range(matrices.shape[1]):
+        made[:, i] = dots(matrices[:, i], vectors)
+    return made
+
+
+def solved(matrices: Any, right: Any) -> Any:
+    """A⁻¹ v for matrices (k, n, n) and vectors (k, n): array (k, n)."""
+    if right.shape[1] == 0:
+        return right
+    found = np.linalg.solve(matrices, right[:, :, None])
+    return found[:, :, 0]
