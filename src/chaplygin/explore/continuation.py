@@ -177,6 +177,9 @@ def follow(
             events.append(end)
             reason = f"{varied} reached {until:g}"
             break
+        if len(places) > 2 and _passes(here, there, places[0]):
+            reason = "the branch is closed"
+            break
         length = taken * (LONGER if turn < _STRAIGHT else 1.0)
         here = there
         places.append(here)
@@ -201,6 +204,20 @@ def _advance(follower: _Follower, here: _Place, length: float) -> tuple[_Place, 
 def _turn(here: _Place, there: _Place) -> float:
     """The angle between two tangents."""
     return float(np.arccos(np.clip(here.tangent @ there.tangent, -1.0, 1.0)))
+
+
+def _passes(here: _Place, there: _Place, first: _Place) -> bool:
+    """Whether a step goes by the orbit with which the branch began, in its direction."""
+    begin, step = here.orbit.points, there.orbit.points - here.orbit.points
+    length = float(np.linalg.norm(step))
+    for k in range(len(begin)):
+        way = np.roll(first.orbit.points, k, axis=0) - begin
+        tangent = np.roll(first.tangent.reshape(begin.shape), k, axis=0).ravel()
+        share = float((way * step).sum()) / length**2
+        aside = float(np.linalg.norm(way - share * step))
+        if 0 < share <= 1 and aside < _STRAIGHT * length and tangent @ here.tangent > 0.9:
+            return True
+    return False
 
 
 def _at_one(found: Multipliers, sign: float) -> tuple[float, float]:

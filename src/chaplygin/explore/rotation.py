@@ -198,7 +198,8 @@ def _around(turns: Array, fraction: Fraction) -> tuple[str, float | None]:
     seen = rounds[: int(np.argmax(rounds < noise))] if (rounds < noise).any() else rounds
     if len(seen) < 3:
         return "undecided", None
-    late = seen[len(seen) // 2 :] if len(seen) >= 6 else seen
+    # near the cycle the approach is geometric; nearer yet there is noise
+    late = seen[seen > 100 * noise][-6:] if (seen > 100 * noise).sum() >= 3 else seen
     factors = late[1:] / late[:-1]
     approach = float(np.exp(np.log(factors).mean()))
     steady = bool(np.abs(np.log(factors) - np.log(approach)).max() < 0.5)

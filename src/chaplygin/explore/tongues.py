@@ -23,12 +23,16 @@ from .rotation import FIRST, Rotation, average, rotation
 
 __all__ = ["CircleMaps", "Plateau", "Staircase", "displacement", "plateau", "plateaus", "staircase"]
 
+#: Error of one step of an integrated map, turns.
+ACCURACY = 1e-13
 #: Points on the circle with which a displacement is first known, for each step of the cycle.
 SAMPLES = 8
 #: The most points.
 FINEST = 4096
 #: Share of the largest Fourier coefficient at which a displacement counts as known.
 KNOWN = 1e-9
+#: Share below which, and number of points from which, coefficients that stay are taken for noise.
+NOISE, MANY = 1e-3, 256
 
 
 class CircleMaps(Protocol):
@@ -84,8 +88,8 @@ class Displacement:
     where : pair of float
         Their places, turns.
     noise : float
-        How far rounding may have moved the extrema: the size of the coefficients that should be
-        zero.
+        How far errors of the map may have moved the extrema: its accuracy, and the size of the
+        coefficients that should be zero.
     mean : float
     """
 
@@ -106,7 +110,7 @@ class Plateau:
     low, high : float
         Its edges.
     error : float
-        How far rounding may have moved each.
+        How far errors of the map may have moved each.
     slope : float
         The rate at which the mean displacement grows with the parameter.
     middle : Displacement
@@ -127,7 +131,7 @@ class Plateau:
 
     @property
     def open(self) -> bool:
-        """Whether it is wider than rounding explains."""
+        """Whether it is wider than the errors of its edges explain."""
         return self.width > 2 * self.error
 
 
@@ -169,7 +173,9 @@ def verdicts(maps: CircleMaps, values: Array, count: int, start: float = 0.0) ->
     return [rotation(orbit) for orbit in orbits]
 
 
-def displacement(maps: CircleMaps, value: float, fraction: Fraction) -> Displacement:
+def displacement(
+    maps: CircleMaps, value: float, fraction: Fraction, accuracy: float = ACCURACY
+) -> Displacement:
     """The displacement of the q-th power of a map from p turns.
 
     Parameters
@@ -179,13 +185,15 @@ def displacement(maps: CircleMaps, value: float, fraction: Fraction) -> Displace
         The parameter.
     fraction : Fraction
         p/q.
+    accuracy : float
+        The error of one step of the map, turns.
 
     Raises
     ------
     RunError
         If thousands of points do not suffice to know it, or the map ends.
     """
-    count = 32
+    count, before = 32, np.inf
     while count < SAMPLES * fraction.denominator:
         count *= 2
     while count <= FINEST:
@@ -196,10 +204,12 @@ def displacement(maps: CircleMaps, value: float, fraction: Fraction) -> Displace
             raise RunError("the map of the circle ends", float(value))
         sizes = np.abs(np.fft.rfft(moved)) / count
         tail = float(sizes[-count // 8 :].max())
-        rounding = 8 * np.finfo(float).eps * max(1.0, float(np.abs(orbits).max()))
-        if tail <= max(KNOWN * float(sizes.max()), rounding):
-            return _extrema(moved, tail * np.sqrt(count) + rounding)
-        count *= 2
+        rounding = accuracy * fraction.denominator
+        # what does not fall when points are added is the noise of the map
+        flat = tail > before / 4 and (tail < NOISE * float(sizes.max()) or count >= MANY)
+        if flat or tail <= max(KNOWN * float(sizes.max()), rounding):
+            return _extrema(moved, tail * float(np.sqrt(count)) + rounding)
+        count, before = 2 * count, tail
     raise RunError(f"the displacement is too rough for {FINEST} points", float(value))
 
 
@@ -232,7 +242,12 @@ def _extrema(moved: Array, noise: float) -> Displacement:
     return Displacement(least, greatest, (low % 1.0, high % 1.0), noise, float(moved.mean()))
 
 
-def plateau(maps: CircleMaps, fraction: Fraction, bracket: tuple[float, float]) -> Plateau:
+def plateau(
+    maps: CircleMaps,
+    fraction: Fraction,
+    bracket: tuple[float, float],
+    accuracy: float = ACCURACY,
+) -> Plateau:
     """The step of a staircase at a fraction.
 
     Parameters
@@ -242,6 +257,8 @@ def plateau(maps: CircleMaps, fraction: Fraction, bracket: tuple[float, float]) 
         p/q: p turns in q steps.
     bracket : pair of float
         Values of the parameter on both sides of the step.
+    accuracy : float
+        The error of one step of the map, turns.
 
     Raises
     ------
@@ -251,7 +268,7 @@ def plateau(maps: CircleMaps, fraction: Fraction, bracket: tuple[float, float]) 
     from scipy.optimize import brentq
 
     low, high = sorted(bracket)
-    ends = [displacement(maps, value, fraction) for value in (low, high)]
+    ends = [displacement(maps, value, fraction, accuracy) for value in (low, high)]
     rising = ends[1].least > 0 > ends[0].greatest
     if not (rising or ends[0].least > 0 > ends[1].greatest):
         raise InputError(
@@ -261,7 +278,7 @@ def plateau(maps: CircleMaps, fraction: Fraction, bracket: tuple[float, float]) 
 
     def edge(name: str) -> float:
         found: float = brentq(
-            lambda value: getattr(displacement(maps, value, fraction), name),
+            lambda value: getattr(displacement(maps, value, fraction, accuracy), name),
             low,
             high,
             xtol=1e-15 * max(abs(low), abs(high)),
@@ -271,7 +288,7 @@ def plateau(maps: CircleMaps, fraction: Fraction, bracket: tuple[float, float]) 
 
     names = ("greatest", "least") if rising else ("least", "greatest")
     edges = edge(names[0]), edge(names[1])
-    middle = displacement(maps, sum(edges) / 2, fraction)
+    middle = displacement(maps, sum(edges) / 2, fraction, accuracy)
     slope = _slope(maps, fraction, edges, (low, high))
     spacing = float(np.spacing(max(abs(low), abs(high))))
     return Plateau(fraction, *edges, middle.noise / abs(slope) + spacing, slope, middle)
@@ -317,16 +334,34 @@ def plateaus(
 
 def _around(maps: CircleMaps, stairs: Staircase, fraction: Fraction) -> list[Plateau]:
     """The plateaus of a fraction, one for each time the staircase passes it."""
-    side = np.sign(
-        np.where(
-            np.abs(stairs.rotations - float(fraction)) < 1e-9,
-            0.0,
-            stairs.rotations - float(fraction),
-        )
-    )
-    clear = np.flatnonzero(side)
+    known = np.flatnonzero(np.isfinite(stairs.rotations))
+    values, excess = stairs.values[known], stairs.rotations[known] - float(fraction)
+    # an orbit that nearly stands still has a poor average
+    unsure = np.abs(excess) <= np.maximum(1e-9, 4 * stairs.errors[known])
+    clear = np.flatnonzero(~unsure)
     found = []
     for i, j in pairwise(clear):
-        if side[i] != side[j]:
-            found.append(plateau(maps, fraction, (stairs.values[i], stairs.values[j])))
+        if excess[i] * excess[j] < 0:
+            low, high = _outwards(maps, values, (i, j), fraction)
+            if low >= 0 and high < len(values):
+                found.append(plateau(maps, fraction, (values[low], values[high])))
     return found
+
+
+def _outwards(
+    maps: CircleMaps, values: Array, ends: tuple[int, int], fraction: Fraction
+) -> tuple[int, int]:
+    """The next places on both sides where the displacement vanishes nowhere."""
+
+    def passes(index: int) -> bool:
+        if not 0 <= index < len(values):
+            return True
+        moved = displacement(maps, values[index], fraction)
+        return moved.least > 0 or moved.greatest < 0
+
+    low, high = ends
+    while not passes(low):
+        low -= 1
+    while not passes(high):
+        high += 1
+    return low, high
