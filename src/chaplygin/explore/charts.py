@@ -18,7 +18,7 @@ from ..flow.blocks import Coordinate, Task, Variable
 from ..flow.lanes import lanes
 from ..flow.march import ENDS
 from ..system import System
-from .planes import REASONS, Axis, Plane
+from .planes import NO_NUMBER, REASONS, Axis, Plane
 
 __all__ = ["Chart", "Rule", "chart"]
 
@@ -82,6 +82,7 @@ class Chart:
             outcome[good] = found["outcome"]
             for name, key in (*self.numbers.items(), ("ended", "ended")):
                 arrays[name][good] = found[key]
+            outcome[(outcome == 0) & ~np.isfinite(arrays[self.name])] = NO_NUMBER
         shape = (last - first, self.plane.x.count)
         arrays["outcome"] = outcome
         return {name: array.reshape(shape) for name, array in arrays.items()}

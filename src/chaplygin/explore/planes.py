@@ -24,13 +24,14 @@ from ..system import System, flat
 from ..vectors import Vector, explicit, normed
 from .quantities import named
 
-__all__ = ["INADMISSIBLE", "NO_STATE", "REASONS", "Axis", "Cells", "Plane", "axis", "plane"]
+__all__ = ["NO_NUMBER", "REASONS", "Axis", "Cells", "Plane", "axis", "plane"]
 
-#: Why a cell has no motion; −1 in a store is what is not computed yet.
-NO_STATE, INADMISSIBLE = -2, -3
+#: Why a cell has no motion or no number; −1 in a store is what is not computed yet.
+NO_STATE, INADMISSIBLE, NO_NUMBER = -2, -3, -4
 REASONS: Mapping[int, str] = {
     NO_STATE: "no state with these values was found",
     INADMISSIBLE: "the parameters are not admissible",
+    NO_NUMBER: "the number could not be formed",
 }
 #: Cells along an axis, at most.
 MOST = 100_000

@@ -11,6 +11,7 @@ from ..expressions import nearest
 from ..flow.values import formula
 from ..system import System
 from .charts import Rule
+from .parting import Alignment, Exponent, Fastest, Megno, Total
 from .quantities import meaning
 from .watching import Duration, Frequency, Highest, Lowest, Mean
 
@@ -47,6 +48,11 @@ class _Kind:
 
 
 KINDS: Mapping[str, _Kind] = {
+    "lyapunov": _Kind(Exponent, "largest Lyapunov exponent", "1/s"),
+    "fli": _Kind(Fastest, "fast Lyapunov indicator"),
+    "megno": _Kind(Megno, "MEGNO"),
+    "sali": _Kind(Alignment, "logarithm of SALI"),
+    "sum": _Kind(Total, "sum of Lyapunov exponents", "1/s"),
     "duration": _Kind(Duration, "time until the motion ends", "s"),
     "mean": _Kind(Mean, "mean of {}", "{}", of=True),
     "highest": _Kind(Highest, "highest value of {}", "{}", of=True),

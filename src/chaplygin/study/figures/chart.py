@@ -118,7 +118,6 @@ def _draw_reasons(axes: Axes, outcome: Any, values: Any, extent: Any) -> Iterato
     words = str(outcome.attrs["flag_meanings"]).split()
     flags = np.atleast_1d(outcome.attrs["flag_values"])
     meanings = {int(f): w.replace("_", " ") for f, w in zip(flags, words, strict=True)}
-    meanings[0] = "the number could not be formed"
     empty = ~np.isfinite(values)
     codes = np.asarray(outcome.values)
     for code, colour in zip(np.unique(codes[empty]), itertools.cycle(EMPTY), strict=False):

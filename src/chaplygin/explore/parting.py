@@ -1,0 +1,261 @@
+"""How fast neighbours of many motions part: numbers for charts.
+
+One deviation, or several, is carried along each motion, tangent to relations and integrals and
+counted modulo the flow, and made of length one after each interval.  The logarithms of the
+lengths lost add up to L(t): the largest exponent is the slope of L, the fast Lyapunov indicator its
+greatest value (Froeschlé, Lega, Gonczi 1997), and MEGNO compares it with its mean (Cincotta, Simó
+2000).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+
+from ..errors import InputError
+from ..flow.formulas import Formulas
+from ..flow.lanes import lanes
+from ..flow.levels import projected
+from ..flow.tangent import TangentSpace, orthonormal
+from ..system import System
+from ..vectors import explicit
+from .watching import Parameters
+
+__all__ = ["Alignment", "Exponent", "Fastest", "Grown", "Megno", "Total", "grown"]
+
+#: Part of a motion left out at the beginning, where a deviation finds its direction.
+UNSETTLED = 0.2
+#: Batches by whose means an error is told, and Student's factor for 95 % of them.
+BATCHES, STUDENT = 16, 2.131
+#: A motion is put back on the relations where it misses them by more than this.
+MISSED = 1e-10
+
+
+@dataclass(frozen=True)
+class Grown:
+    """Deviations along motions.
+
+    Attributes
+    ----------
+    logarithms : (n, intervals, d) array
+        Of the lengths lost in each interval; not numbers after the end of a motion.
+    frames : (n, d, size) array
+        The deviations at the end, of length one.
+    outcome : (n,) array of int
+        0, or why a motion ended.
+    ended : (n,) array
+        The times reached.
+    """
+
+    logarithms: Any
+    frames: Any
+    outcome: Any
+    ended: Any
+
+
+def space_of(system: System) -> TangentSpace:
+    """Deviations tangent to relations and integrals that hold everywhere, modulo the flow."""
+    kept = [law.value for law in system.integrals if not law.on]
+    conditions = tuple(explicit(value) for value in (*system.relations, *kept))
+    return TangentSpace(system, conditions, (system.rates,), np.eye(1))
+
+
+def grown(
+    rule: Any, deviations: int, starts: Any, parameters: Parameters, *, renew: Any = orthonormal
+) -> Grown:
+    """Deviations along many motions.
+
+    Parameters
+    ----------
+    rule : Exponent or one of the others
+        Its system, length of motion, tolerance and number of intervals.
+    deviations : int
+        How many; 0 for as many as there are.
+    starts : (n, size) array
+        In flat order, on the phase space.
+    parameters : mapping of Symbol or name to number or (n,) array
+    renew : callable
+        Deviations and what is no deviation ↦ deviations of length one, and the lengths lost.
+
+    Raises
+    ------
+    InputError
+        If no deviation is left when relations, integrals and the flow are taken out.
+    """
+    space = space_of(rule.system)
+    if space.dimension < 1:
+        raise InputError(
+            f"{rule.system.name}: neighbours cannot part: relations, integrals and the direction "
+            "of motion leave no deviation"
+        )
+    flow = lanes(rule.system, tolerance=rule.tolerance, deviations=deviations or space.dimension)
+    states = np.array(starts, dtype=np.float64)
+    frames = space.frames(states, parameters, flow.deviations)
+    logarithms = np.full((len(states), rule.intervals, flow.deviations), np.nan)
+    outcome, ended = np.zeros(len(states), dtype=np.int64), np.zeros(len(states))
+    interval = rule.until / rule.intervals
+    for k in range(rule.intervals):
+        live = np.flatnonzero(outcome == 0)
+        if not len(live):
+            break
+        chosen = {s: v[live] if np.ndim(v) else v for s, v in parameters.items()}
+        run = flow.until(states[live], [interval], chosen, deviations=frames[live])
+        ended[live] = k * interval + run.ended
+        outcome[live] = run.outcome
+        going = run.outcome == 0
+        live, chosen = live[going], {s: v[going] if np.ndim(v) else v for s, v in chosen.items()}
+        states[live] = _kept(rule.system, run.states[going, 0], chosen)
+        basis, _ = space.excluded(states[live], chosen)
+        frames[live], lengths = renew(run.deviations[going, 0], basis)
+        with np.errstate(divide="ignore"):
+            logarithms[live, k] = np.log(lengths)
+    frames[outcome != 0] = np.nan
+    return Grown(logarithms, frames, outcome, ended)
+
+
+def _kept(system: System, states: Any, parameters: Parameters) -> Any:
+    """States put back on the relations where they have drifted off."""
+    relations = Formulas(system, tuple(explicit(relation) for relation in system.relations))
+    missed = np.abs(relations(states, parameters)).max(axis=1, initial=0.0)
+    far = np.flatnonzero(missed > MISSED)
+    if len(far):
+        chosen = {s: v[far] if np.ndim(v) else v for s, v in parameters.items()}
+        states[far], _ = projected(relations, states[far], 0.0, chosen)
+    return states
+
+
+def _each(vectors: Any, basis: Any) -> tuple[Any, Any]:
+    """Deviations of length one, each for itself, without their parts in the span of a basis."""
+    pairs = [orthonormal(vectors[:, i : i + 1], basis) for i in range(vectors.shape[1])]
+    frames, lengths = zip(*pairs, strict=True)
+    return np.concatenate(frames, axis=1), np.concatenate(lengths, axis=1)
+
+
+@dataclass(frozen=True)
+class Exponent:
+    """The largest Lyapunov exponent, without the first fifth of the motion, and its error.
+
+    The error is the larger of the 95 % interval from the means of 16 batches, and of what growth
+    with the square of the time would show.
+
+    Attributes
+    ----------
+    system : System
+    until : float
+        How long motions are followed.
+    tolerance : float
+        See :func:`chaplygin.flow.lanes.lanes`.
+    intervals : int
+        After each of which the deviation is made of length one.
+    """
+
+    system: System
+    until: float
+    tolerance: float = 1e-12
+    intervals: int = 400
+    further: ClassVar[Mapping[str, str]] = {"error": "error of the largest exponent"}
+
+    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+        """Values, errors, outcomes and times reached, (n,) each."""
+        found = grown(self, 1, starts, parameters)
+        value, error = _rate(found.logarithms[:, :, 0], self.until)
+        return {"value": value, "error": error, "outcome": found.outcome, "ended": found.ended}
+
+
+@dataclass(frozen=True)
+class Total:
+    """The sum of all exponents that relations, integrals and the flow leave; see `Exponent`.
+
+    Where a measure is preserved it is zero; where it is negative the motion is attracted.
+    """
+
+    system: System
+    until: float
+    tolerance: float = 1e-12
+    intervals: int = 400
+    further: ClassVar[Mapping[str, str]] = {"error": "error of the sum of exponents"}
+
+    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+        """Values, errors, outcomes and times reached, (n,) each."""
+        found = grown(self, 0, starts, parameters)
+        value, error = _rate(found.logarithms.sum(axis=2), self.until)
+        return {"value": value, "error": error, "outcome": found.outcome, "ended": found.ended}
+
+
+def _rate(logarithms: Any, until: float) -> tuple[Any, Any]:
+    """The mean rate of growth without the beginning, and its error, (n,) each."""
+    intervals = logarithms.shape[1]
+    each = (intervals - round(UNSETTLED * intervals)) // BATCHES
+    kept = logarithms[:, intervals - each * BATCHES :]
+    batches = kept.reshape(len(kept), BATCHES, each).mean(axis=2) * (intervals / until)
+    span = until * each * BATCHES / intervals
+    spread = STUDENT * batches.std(axis=1, ddof=1) / np.sqrt(BATCHES)
+    unseen = 2.0 * np.log(until / (until - span)) / span
+    return batches.mean(axis=1), np.maximum(spread, unseen)
+
+
+@dataclass(frozen=True)
+class Fastest:
+    """The fast Lyapunov indicator: the greatest logarithm of the growth so far; see `Exponent`."""
+
+    system: System
+    until: float
+    tolerance: float = 1e-12
+    intervals: int = 400
+    further: ClassVar[Mapping[str, str]] = {}
+
+    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+        """Values, outcomes and times reached, (n,) each."""
+        found = grown(self, 1, starts, parameters)
+        value = np.cumsum(found.logarithms[:, :, 0], axis=1).max(axis=1)
+        return {"value": value, "outcome": found.outcome, "ended": found.ended}
+
+
+@dataclass(frozen=True)
+class Megno:
+    """The mean of MEGNO: 2 on a regular motion, λ/2 times the time on a chaotic one.
+
+    Y(t) = (2/t) ∫ (d ln|ξ|/ds) s ds = 2 (L(t) − the mean of L until t), by the trapezoidal rule
+    over the intervals; see `Exponent`.
+    """
+
+    system: System
+    until: float
+    tolerance: float = 1e-12
+    intervals: int = 400
+    further: ClassVar[Mapping[str, str]] = {}
+
+    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+        """Values, outcomes and times reached, (n,) each."""
+        found = grown(self, 1, starts, parameters)
+        total = np.cumsum(found.logarithms[:, :, 0], axis=1)
+        before = np.concatenate([np.zeros((len(total), 1)), total[:, :-1]], axis=1)
+        count = np.arange(1, self.intervals + 1)
+        now = 2.0 * (total - np.cumsum((total + before) / 2, axis=1) / count)
+        return {"value": now.mean(axis=1), "outcome": found.outcome, "ended": found.ended}
+
+
+@dataclass(frozen=True)
+class Alignment:
+    """SALI: how far two deviations are from being parallel at the end; see `Exponent`.
+
+    The logarithm (base 10) of the smaller of |u + v| and |u − v| of two deviations of length one
+    (Skokos 2001).  It falls evenly on chaotic motions, to −16 where rounding ends it.
+    """
+
+    system: System
+    until: float
+    tolerance: float = 1e-12
+    intervals: int = 400
+    further: ClassVar[Mapping[str, str]] = {}
+
+    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+        """Values, outcomes and times reached, (n,) each."""
+        found = grown(self, 2, starts, parameters, renew=_each)
+        u, v = found.frames[:, 0], found.frames[:, 1]
+        apart = np.minimum(np.linalg.norm(u + v, axis=1), np.linalg.norm(u - v, axis=1))
+        value = np.log10(np.maximum(apart, np.finfo(float).eps))
+        return {"value": value, "outcome": found.outcome, "ended": found.ended}
