@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from .common import Force, Json, Override, What, inform, print_json, progress, study_of
+from .stores import Workers, clear, cluster, outcomes
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -45,10 +44,7 @@ def command(
     figure: Annotated[
         Path | None, typer.Option(help="Picture to write; FILE.png if left out.")
     ] = None,
-    workers: Annotated[
-        str | None,
-        typer.Option(metavar="N|ADDRESS", help="So many processes, or those of a Dask scheduler."),
-    ] = None,
+    workers: Workers = None,
     overrides: Override = None,
     force: Force = False,
     json: Json = False,
@@ -77,9 +73,9 @@ def command(
     made = chart_of(
         study, of, horizontal, vertical, until=until, formulas=formulas, held=hold or ()
     )
-    _clear(output, picture, force)
+    clear(output, picture, force)
     task = chart(made, {"experiment": study.complete_toml()})
-    with _cluster(workers) as client, progress(made.title) as update:
+    with cluster(workers) as client, progress(made.title) as update:
         found = compute(task, output, client=client, progress=update)
     save(drawn(found), picture)
     result = {"file": str(output), "figure": str(picture), **_summary(found)}
@@ -99,55 +95,16 @@ def _parted(text: str) -> tuple[str, str]:
     return name, formula
 
 
-def _clear(output: Path, picture: Path, force: bool) -> None:
-    """Make room for the chart where that is wished; refuse what would destroy something."""
-    import shutil
-
-    from ..flow.store import read
-    from ..study.files import check_target
-
-    if output.exists() and force:
-        read(output).close()  # nothing that is not ours is removed
-        shutil.rmtree(output)
-    check_target(picture, force or output.exists())
-
-
-@contextmanager
-def _cluster(workers: str | None) -> Iterator[Any]:
-    """Who computes: this process, so many processes, or those of a scheduler."""
-    from ..errors import InputError
-
-    if workers is None:
-        yield None
-        return
-    if "://" in workers:
-        yield workers
-        return
-    if not workers.isdecimal() or int(workers) < 1:
-        raise InputError(
-            f"--workers {workers}: it must be a number, or an address such as tcp://host:8786"
-        )
-    import distributed
-
-    with distributed.Client(
-        n_workers=int(workers), threads_per_worker=1, dashboard_address=None
-    ) as client:
-        yield client
-
-
 def _summary(found: xr.Dataset) -> dict[str, Any]:
     """What a reader wants to know of a chart before looking at it."""
     import numpy as np
 
     name = str(found.attrs["number"])
-    number, outcome = found[name], found["outcome"]
+    number = found[name]
     values = number.values[np.isfinite(number.values)]
     lowest, median, highest = (
         np.quantile(values, [0.0, 0.5, 1.0]).tolist() if len(values) else [None] * 3
     )
-    flags, words = outcome.attrs["flag_values"], outcome.attrs["flag_meanings"].split()
-    meanings = {f: w.replace("_", " ") for f, w in zip(flags, words, strict=True)}
-    codes, counts = np.unique(outcome.values, return_counts=True)
     y, x = number.dims
     return {
         "number": name,
@@ -160,7 +117,7 @@ def _summary(found: xr.Dataset) -> dict[str, Any]:
         "lowest": lowest,
         "median": median,
         "highest": highest,
-        "outcomes": {meanings[int(c)]: int(n) for c, n in zip(codes, counts, strict=True)},
+        "outcomes": outcomes(found["outcome"]),
     }
 
 

@@ -11,6 +11,7 @@ from ..explore.planes import Axis, Plane, plane
 from ..explore.quantities import meaning
 from ..explore.rules import asked
 from ..system import System, flat
+from .followed import followed
 from .prepare import Study
 
 __all__ = ["chart_of", "plane_of"]
@@ -65,7 +66,7 @@ def plane_of(
     held: Collection[str] = (),
 ) -> Plane:
     """A plane through the start of an experiment; its axes know their meaning and unit."""
-    system = _followed(study)
+    system = followed(study)
     told = {**_VECTORS, **study.variables}
 
     def described(item: Axis) -> Axis:
@@ -74,14 +75,6 @@ def plane_of(
 
     start = _start(study, system)
     return plane(system, described(x), described(y), start, formulas=formulas, held=held)
-
-
-def _followed(study: Study) -> System:
-    """The system without its lift to space; a contact that is to hold on is not guarded."""
-    guards = study.system.guards
-    if study.experiment.run.on_liftoff == "warn":
-        guards = tuple(guard for guard in guards if not guard.lift_off)
-    return replace(study.system, motion=None, guards=guards)
 
 
 def _start(study: Study, system: System) -> dict[str, Any]:

@@ -1,0 +1,81 @@
+"""What commands share that fill a store: room for it, who computes, what became of its members."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+__all__ = ["Workers", "clear", "cluster", "outcomes"]
+
+Workers = Annotated[
+    str | None,
+    typer.Option(metavar="N|ADDRESS", help="So many processes, or those of a Dask scheduler."),
+]
+
+
+def clear(output: Path, picture: Path, force: bool) -> None:
+    """Make room for a store and its picture where that is wished.
+
+    Raises
+    ------
+    InputError
+        If that would destroy something that is not ours, or was not to be replaced.
+    """
+    import shutil
+
+    from ..flow.store import read
+    from ..study.files import check_target
+
+    if output.exists() and force:
+        read(output).close()  # nothing that is not ours is removed
+        shutil.rmtree(output)
+    check_target(picture, force or output.exists())
+
+
+@contextmanager
+def cluster(workers: str | None) -> Iterator[Any]:
+    """Who computes: this process, so many processes, or those of a scheduler.
+
+    Raises
+    ------
+    InputError
+        If it is neither a number nor an address.
+    """
+    from ..errors import InputError
+
+    if workers is None:
+        yield None
+        return
+    if "://" in workers:
+        yield workers
+        return
+    if not workers.isdecimal() or int(workers) < 1:
+        raise InputError(
+            f"--workers {workers}: it must be a number, or an address such as tcp://host:8786"
+        )
+    import distributed
+
+    with distributed.Client(
+        n_workers=int(workers), threads_per_worker=1, dashboard_address=None
+    ) as client:
+        yield client
+
+
+def outcomes(variable: Any) -> dict[str, int]:
+    """How many members had which outcome, in words.
+
+    Parameters
+    ----------
+    variable : xarray.DataArray
+        With ``flag_values`` and ``flag_meanings``, as in the CF conventions.
+    """
+    import numpy as np
+
+    flags, words = variable.attrs["flag_values"], variable.attrs["flag_meanings"].split()
+    meanings = {int(f): w.replace("_", " ") for f, w in zip(flags, words, strict=True)}
+    codes, counts = np.unique(variable.values, return_counts=True)
+    return {meanings[int(c)]: int(n) for c, n in zip(codes, counts, strict=True)}
