@@ -7,6 +7,7 @@ a worker that disappears costs the block it was at, which another one computes a
 from __future__ import annotations
 
 import functools
+import logging
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
@@ -104,7 +105,9 @@ def _connected(client: Client | str) -> Iterator[Client]:
         yield client
     elif client == "local":
         with (
-            distributed.LocalCluster(threads_per_worker=1, dashboard_address=None) as cluster,
+            distributed.LocalCluster(
+                threads_per_worker=1, dashboard_address=None, silence_logs=logging.ERROR
+            ) as cluster,
             distributed.Client(cluster) as connected,
         ):
             yield connected
