@@ -1,208 +1,206 @@
-"""Sections as datasets: the points of many motions, in memory or streamed to a store."""
+"""The section of an experiment: where it is, who starts, what is recorded and drawn."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
-from importlib.metadata import version
 from typing import Any
 
 import numpy as np
+import sympy as sp
 
 from ..errors import InputError
-from ..flow.blocks import Coordinate, Task, Variable
-from ..flow.formulas import Formulas
-from ..flow.march import ENDS
-from ..flow.meanings import FRAMES, LABELS, told_of
-from ..flow.record import by_name
+from ..explore.quantities import meaning
+from ..flow.blocks import Task
+from ..flow.lanes import section
+from ..flow.sampling import prepared
 from ..flow.section import SectionMap
-from ..flow.values import parameter_rows
-from ..vectors import Vector, explicit
+from ..flow.section_points import Quantity, section_task
+from ..flow.values import formula, values
+from ..system import System
+from .followed import followed
+from .prepare import Study
 
-__all__ = ["Quantity", "Returns", "section_task"]
+__all__ = ["DIRECTIONS", "Place", "Starts", "coordinates_of", "section_of"]
 
-#: Bytes of a block, about: what is in memory at a time.
-BLOCK = 128 * 2**20
+#: Functions whose value is an angle.
+ANGLES = (sp.atan2, sp.atan, sp.asin, sp.acos)
+
+#: Words for the direction in which a quantity passes its value.
+DIRECTIONS: Mapping[str, int] = {"rising": 1, "falling": -1, "both": 0}
 
 
 @dataclass(frozen=True)
-class Quantity:
-    """A function on the section, worth recording at every point.
+class Place:
+    """Where a motion is looked at.
 
     Attributes
     ----------
-    name : str
-        Under which it is recorded.
-    formula : sympy.Expr
-        In state, definitions and parameters.
-    meaning, unit : str
+    quantity : str
+        A formula, or the name of an observable or integral.
+    value : float
+    direction : str
+        One of `DIRECTIONS`.
+    angle : bool
+        Whether the quantity is an angle, whose value counts up to whole turns.
     """
 
-    name: str
-    formula: Any
-    meaning: str
-    unit: str = "1"
+    quantity: str
+    value: float = 0.0
+    direction: str = "rising"
+    angle: bool = False
+
+    def __str__(self) -> str:
+        return f"{self.quantity} = {self.value:.10g}, {self.direction}".replace("both", "both ways")
 
 
 @dataclass(frozen=True)
-class Returns:
-    """The work of a section: the returns of the motions first, …, last − 1.
+class Starts:
+    """Who starts.
 
     Attributes
     ----------
-    returns : SectionMap
-        Its parameters are the same for all motions.
-    starts : array (n, size)
     count : int
-        Returns of each.
-    quantities : tuple of Quantity
+        One alone is the start of the experiment, unless a level is given.
+    level : mapping of str to float
+        Integrals on whose level starts are drawn by chance; where it is empty, those of the
+        start of the experiment.
+    seed : int
     """
 
-    returns: SectionMap
-    starts: Any
-    count: int
-    quantities: tuple[Quantity, ...]
-
-    def __call__(self, first: int, last: int) -> dict[str, Any]:
-        """The arrays of a block, by the names of the dataset."""
-        crossed = self.returns.returns(self.starts[first:last], self.count)
-        found: dict[str, Any] = {
-            "time": crossed.times,
-            "points": crossed.counts.astype("int64"),
-            "outcome": crossed.outcome.astype("int64"),
-            "ended": crossed.ended,
-        }
-        system = self.returns.system
-        flat = crossed.states.reshape(-1, self.returns.size)
-        for name in map(str, system.state):
-            rows = by_name(system, flat, name)
-            found[name] = np.ascontiguousarray(rows.reshape(*crossed.times.shape, *rows.shape[1:]))
-        formulas = Formulas(system, [item.formula for item in self.quantities])
-        values = formulas(flat, self.returns.parameters).reshape(*crossed.times.shape, -1)
-        for i, item in enumerate(self.quantities):
-            found[item.name] = np.ascontiguousarray(values[:, :, i])
-        return found
+    count: int = 1
+    level: Mapping[str, float] | None = None
+    seed: int = 0
 
 
-def section_task(
-    returns: SectionMap,
-    starts: Any,
-    count: int,
-    quantities: Sequence[Quantity] = (),
-    attributes: Mapping[str, Any] | None = None,
-    meanings: Mapping[str, tuple[str, str]] | None = None,
-) -> Task:
-    """The returns of many motions to a section as a task for :func:`chaplygin.flow.blocks.compute`.
-
-    The result has dimensions ``run`` and ``section_point``: the state at each point, the time
-    since the start, every known integral that holds without condition as ``law_<name>``, and the
-    `quantities`; for each run how many points it has (``points``), why it has no more
-    (``outcome``) and when it ended.  Where a run has fewer points the rest is not a number.
+def section_of(
+    study: Study,
+    place: Place,
+    starts: Starts,
+    points: int,
+    coordinates: str = "",
+    *,
+    until: float = np.inf,
+    tolerance: float = 1e-13,
+) -> tuple[Task, tuple[str, ...]]:
+    """The section of an experiment, to be computed, and the coordinates to be drawn.
 
     Parameters
     ----------
-    returns : SectionMap
-        With the same parameters for all motions.
-    starts : array (n, size)
-        States, on the section or not.
-    count : int
+    study : Study
+    place : Place
+    starts : Starts
+    points : int
         Returns of each motion.
-    quantities : sequence of Quantity, optional
-        What to record besides.
-    attributes : mapping, optional
-        Further attributes of the result, such as a seed.
-    meanings : mapping of str to (str, str), optional
-        Meaning and unit of variables of the state, by name.
+    coordinates : str
+        See :func:`coordinates_of`.
+    until : float
+        Time after which a motion is given up.
+    tolerance : float
+        Of the integration.
 
     Raises
     ------
     InputError
-        If there is no start, no return is asked for, parameters differ from motion to motion, or
-        a quantity bears the name of something else.
+        If place, level or coordinates cannot be used.
     """
-    if count < 1:
-        raise InputError(f"{count} points: there must be one at least")
-    if any(np.ndim(value) for value in returns.parameters.values()):
-        raise InputError("a section has the same parameters for all its motions")
-    system = returns.system
-    laws = [
-        Quantity(f"law_{law.name}", explicit(law.value), law.meaning, law.unit or "1")
-        for law in system.integrals
-        if not law.on
-    ]
-    recorded = (*laws, *quantities)
-    variables = {
-        "time": _variable(count, "time since the start", "s"),
-        "points": Variable(dtype="int64", attributes=_notes("number of points", "1")),
-        "outcome": Variable(dtype="int64", attributes=_outcome(returns)),
-        "ended": Variable(attributes=_notes("time at the last point, or at the end", "s")),
-    }
-    coordinates: dict[str, Coordinate] = {}
-    for named in system.state:
-        name = str(named)
-        size = len(named.symbols) if isinstance(named, Vector) else 1
-        meaning, unit, source, frame = told_of(system, name, size, (meanings or {}).get(name))
-        notes = _notes(meaning, unit or "1", source)
-        if not frame:
-            variables[name] = Variable(("section_point",), (count,), attributes=notes)
-            continue
-        dim, labels = FRAMES.get(frame, (frame, tuple(range(1, size + 1))))
-        notes |= {"frame": "body axes"} if frame == "body" else {}
-        variables[name] = Variable(("section_point", dim), (count, size), attributes=notes)
-        label = LABELS.get(dim, f"component of {name}")
-        coordinates[dim] = Coordinate((dim,), np.array(labels), _notes(label, "1"))
-    for item in recorded:
-        if item.name in variables:
-            raise InputError(f"the quantity {item.name} bears the name of something else")
-        variables[item.name] = _variable(count, item.meaning, item.unit)
-    width = 1 + len(system.symbols) + len(recorded)
-    return Task(
-        work=Returns(returns, np.asarray(starts, dtype=np.float64), count, recorded),
-        size=len(starts),
-        block=max(1, BLOCK // (8 * width * count)),
-        variables=variables,
-        member="run",
-        coordinates=coordinates,
-        attributes={**_facts(returns), **(attributes or {})},
+    system = followed(study)
+    if place.direction not in DIRECTIONS:
+        raise InputError(
+            f"--direction {place.direction}: it must be one of {', '.join(DIRECTIONS)}"
+        )
+    if not until > 0:
+        raise InputError(f"--until {until:g}: it must be positive")
+    where = section(system, place.quantity, place.value, DIRECTIONS[place.direction], place.angle)
+    names, quantities = coordinates_of(system, coordinates, study.variables)
+    given, told = _starts(study, system, starts)
+    returns = SectionMap(system, where, {}, tolerance, until=until)
+    task = section_task(
+        returns,
+        given,
+        points,
+        quantities,
+        {
+            "section": str(place),
+            "coordinates": list(names),
+            "starts": told,
+            "experiment": study.complete_toml(),
+        },
+        study.variables,
     )
+    return task, names
 
 
-def _variable(count: int, meaning: str, unit: str) -> Variable:
-    return Variable(("section_point",), (count,), attributes=_notes(meaning, unit))
+def _starts(study: Study, system: System, starts: Starts) -> tuple[Any, str]:
+    """States at time 0, and how they were chosen."""
+    if starts.count < 1:
+        raise InputError(f"--starts {starts.count}: there must be one at least")
+    own = np.array([[float(value) for value in study.start[: len(system.symbols)]]])
+    if starts.level is None and starts.count == 1:
+        return own, "the start of the experiment"
+    level = dict(starts.level or _level(system, own))
+    chosen = prepared(system, level)
+    held = ", ".join(f"{name} = {value!r}" for name, value in level.items())
+    told = f"{starts.count} drawn on {held} by {chosen.measure} (seed {starts.seed})"
+    return chosen.draw(starts.count, seed=starts.seed), told
 
 
-def _notes(meaning: str, unit: str, source: str = "") -> dict[str, Any]:
-    return {"long_name": meaning, "units": unit, "source": source}
+def _level(system: System, start: Any) -> dict[str, float]:
+    """The integrals of a start that hold without condition."""
+    laws = [law for law in system.integrals if not law.on]
+    (numbers,) = values(system, [law.value for law in laws], start)
+    return {law.name: float(x) for law, x in zip(laws, numbers, strict=True)}
 
 
-def _outcome(returns: SectionMap) -> dict[str, Any]:
-    """Why a run ended, told by its numbers as in the CF conventions."""
-    reasons = {0: "all its points"}
-    reasons |= {
-        code: returns.reason(code) for code in range(1, len(ENDS) + len(returns.system.guards))
-    }
-    return {
-        **_notes("why a run has no more points", "1"),
-        "flag_values": list(reasons),
-        "flag_meanings": " ".join(text.replace(" ", "_") for text in reasons.values()),
-    }
+def coordinates_of(
+    system: System, text: str, variables: Mapping[str, tuple[str, str]] | None = None
+) -> tuple[tuple[str, ...], tuple[Quantity, ...]]:
+    """The coordinates by which a section is drawn, and those of them that are to be recorded.
+
+    Parameters
+    ----------
+    system : System
+    text : str
+        Two or three, separated by commas: variables of the state (``M_1``), integrals and
+        observables by name (``energy``), formulas with a name (``phi = atan2(gamma_2, gamma_1)``).
+        Where it is empty the first three variables of the state are taken.
+    variables : mapping of str to (str, str), optional
+        Meaning and unit of variables of the state.
+
+    Raises
+    ------
+    InputError
+        If there are not two or three, or one of them cannot be read.
+    """
+    parts = _parted(text) if text.strip() else [str(s) for s in system.symbols[:3]]
+    if len(parts) not in (2, 3):
+        raise InputError(f"--coordinates {text}: two or three are needed, separated by commas")
+    names, quantities = [], []
+    for part in parts:
+        name, equals, right = (piece.strip() for piece in part.partition("="))
+        value = formula(system, right if equals else name)
+        names.append(name)
+        if not equals and value in system.symbols:
+            continue
+        if not name.isidentifier():
+            raise InputError(
+                f"--coordinates {text}: the formula {part.strip()} needs a name, as in "
+                f"height = {part.strip()}"
+            )
+        words, unit = meaning(system, name, variables or {})
+        if equals:
+            words, unit = right, "rad" if isinstance(value, ANGLES) else ""
+        quantities.append(Quantity(name, value, words, unit or "1"))
+    return tuple(names), tuple(quantities)
 
 
-def _facts(returns: SectionMap) -> dict[str, Any]:
-    system = returns.system
-    (numbers,) = parameter_rows(system, returns.parameters, 1)
-    names = [str(item.symbol) for item in system.parameters]
-    return {
-        "Conventions": "CF-1.11",
-        "system": system.title,
-        "system_name": system.name,
-        "summary": system.summary,
-        "source": system.source,
-        "parameters": "; ".join(f"{n} = {float(x)!r}" for n, x in zip(names, numbers, strict=True)),
-        "section_value": str(returns.section.value),
-        "section_where": "" if returns.section.where is None else str(returns.section.where),
-        "section_direction": returns.section.direction,
-        "backward": int(returns.backward),
-        "tolerance": returns.tolerance,
-        "versions": ", ".join(f"{name} {version(name)}" for name in ("chaplygin", "numpy")),
-    }
+def _parted(text: str) -> list[str]:
+    """A text at its commas, but not those within brackets."""
+    parts, depth = [""], 0
+    for letter in text:
+        depth += (letter in "([") - (letter in ")]")
+        if letter == "," and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += letter
+    return parts

@@ -1,0 +1,158 @@
+"""``chaplygin section``: where motions pass through a surface, again and again."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from .common import Force, Json, Override, What, inform, print_json, progress, study_of
+from .stores import Workers, clear, cluster, outcomes
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["command"]
+
+
+def command(
+    what: What,
+    on: Annotated[
+        str, typer.Option("--on", metavar="QUANTITY", help="What is looked at: gamma_3, a formula.")
+    ],
+    output: Annotated[
+        Path,
+        typer.Option(
+            "-o", "--output", metavar="FILE.zarr|DIR", help="Zarr store, or folder of it."
+        ),
+    ],
+    value: Annotated[float, typer.Option(help="The value that it passes.")] = 0.0,
+    direction: Annotated[str, typer.Option(help="rising, falling or both.")] = "rising",
+    angle: Annotated[
+        bool, typer.Option("--angle", help="It is an angle: its value counts up to whole turns.")
+    ] = False,
+    points: Annotated[int, typer.Option(help="Points of each motion.")] = 1000,
+    starts: Annotated[
+        int, typer.Option(help="Motions; more than one start by chance on a level.")
+    ] = 1,
+    level: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME=VALUE,…",
+            help="Integrals on whose level they start; else as in the experiment.",
+        ),
+    ] = None,
+    seed: Annotated[int, typer.Option(help="Of the random starts.")] = 0,
+    coordinates: Annotated[
+        str,
+        typer.Option(
+            metavar="A,B[,C]", help="What is drawn: M_1,M_2,M_3 or NAME=FORMULA, two or three."
+        ),
+    ] = "",
+    until: Annotated[
+        float | None, typer.Option(help="Time after which a motion is given up.")
+    ] = None,
+    tolerance: Annotated[float, typer.Option(help="Error allowed in a step.")] = 1e-13,
+    workers: Workers = None,
+    overrides: Override = None,
+    force: Force = False,
+    json: Json = False,
+) -> None:
+    """Points of a section with their figure; what was begun is gone on with.
+
+    A section exists where some quantity passes a value; every motion is followed until it has
+    passed so many times.
+    """
+    from ..errors import RunError
+    from ..flow.blocks import compute
+    from ..study.figures.files import save
+    from ..study.figures.section import draw
+    from ..study.section import Place, Starts, section_of
+
+    store = output if output.suffix == ".zarr" else output / "section.zarr"
+    picture = store.with_suffix(".png")
+    study = study_of(what, overrides)
+    place = Place(on, value, direction, angle)
+    chosen = Starts(starts, None if level is None else _level(level), seed)
+    options: dict[str, Any] = {"tolerance": tolerance} | ({} if until is None else {"until": until})
+    task, names = section_of(study, place, chosen, points, coordinates, **options)
+    if output != store:
+        output.mkdir(exist_ok=True)
+    clear(store, picture, force)
+    with cluster(workers) as client, progress(f"{study.system.title}, {place}") as update:
+        found = compute(task, store, client=client, progress=update)
+    result = {"file": str(store), "figure": str(picture), **_summary(found)}
+    if not result["points"]:
+        reasons = ", ".join(result["outcomes"])
+        raise RunError(f"no motion passes {place}: {reasons}", float(found["ended"].max()), found)
+    save(draw(found, names), picture)
+    if json:
+        print_json(result)
+    else:
+        _print(study.system.title, result)
+
+
+def _level(text: str) -> dict[str, float]:
+    """Integrals and their values."""
+    from ..errors import InputError
+
+    found = {}
+    for part in text.split(","):
+        name, equals, number = (piece.strip() for piece in part.partition("="))
+        try:
+            if not (name and equals):
+                raise ValueError
+            found[name] = float(number)
+        except ValueError:
+            raise InputError(
+                f"--level {text}: it is written NAME=VALUE,NAME=VALUE, such as energy=1,area=0.3"
+            ) from None
+    return found
+
+
+def _summary(found: xr.Dataset) -> dict[str, Any]:
+    """What a reader wants to know of a section before looking at it."""
+    drifts = {
+        str(name).removeprefix("law_"): float(_drift(found[name]))
+        for name in found.data_vars
+        if str(name).startswith("law_")
+    }
+    return {
+        "section": found.attrs["section"],
+        "coordinates": list(found.attrs["coordinates"]),
+        "starts": found.attrs["starts"],
+        "runs": found.sizes["run"],
+        "points": int(found["points"].sum()),
+        "longest": float(found["ended"].max()),
+        "drift": drifts,
+        "outcomes": outcomes(found["outcome"]),
+    }
+
+
+def _drift(values: xr.DataArray) -> Any:
+    """The largest change of an integral from the first point of a run, relative to its size."""
+    change = abs(values - values.isel(section_point=0)).max()
+    return change / abs(values).max().clip(1e-300)
+
+
+def _print(title: str, result: dict[str, Any]) -> None:
+    from rich import box
+    from rich.console import Console
+    from rich.markup import escape
+    from rich.table import Table
+
+    typer.echo(title)
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False, show_header=False)
+    table.add_column(style="bold", no_wrap=True)
+    table.add_column()
+    table.add_row("section", escape(result["section"]))
+    table.add_row("starts", escape(result["starts"]))
+    table.add_row("points", f"{result['points']:,} of {result['runs']} motions")
+    table.add_row("longest motion", f"{result['longest']:.6g} s")
+    for name, drift in result["drift"].items():
+        table.add_row(f"drift of {escape(name)}", f"{drift:.1e}")
+    for reason, count in result["outcomes"].items():
+        table.add_row("", escape(f"{count}: {reason}"))
+    Console().print(table)
+    inform(f"written to {result['file']}, picture: {result['figure']}")
