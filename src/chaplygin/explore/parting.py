@@ -1,16 +1,15 @@
 """How fast neighbours of many motions part: numbers for charts.
 
-One deviation, or several, is carried along each motion, tangent to relations and integrals and
-counted modulo the flow, and made of length one after each interval.  The logarithms of the
-lengths lost add up to L(t): the largest exponent is the slope of L, the fast Lyapunov indicator its
-greatest value (Froeschlé, Lega, Gonczi 1997), and MEGNO compares it with its mean (Cincotta, Simó
-2000).
+One deviation, or several, is carried along each motion, tangent to relations and integrals, and
+made of length one after each interval.  The logarithms of the lengths lost add up to L(t): the
+largest exponent is the slope of L, the fast Lyapunov indicator its greatest value (Froeschlé, Lega,
+Gonczi 1997), and MEGNO compares it with its mean (Cincotta, Simó 2000).
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -24,7 +23,17 @@ from ..system import System
 from ..vectors import explicit
 from .watching import Parameters
 
-__all__ = ["Alignment", "Exponent", "Fastest", "Grown", "Megno", "Total", "grown"]
+__all__ = [
+    "Alignment",
+    "Exponent",
+    "Fastest",
+    "Grown",
+    "Megno",
+    "Total",
+    "across",
+    "grown",
+    "tangent",
+]
 
 #: Part of a motion left out at the beginning, where a deviation finds its direction.
 UNSETTLED = 0.2
@@ -56,15 +65,35 @@ class Grown:
     ended: Any
 
 
-def space_of(system: System) -> TangentSpace:
-    """Deviations tangent to relations and integrals that hold everywhere, modulo the flow."""
+def tangent(system: System) -> TangentSpace:
+    """Deviations tangent to relations and to the integrals that hold everywhere."""
     kept = [law.value for law in system.integrals if not law.on]
     conditions = tuple(explicit(value) for value in (*system.relations, *kept))
-    return TangentSpace(system, conditions, (system.rates,), np.eye(1))
+    return _some(TangentSpace(system, conditions, (), np.zeros((0, 0))))
+
+
+def across(system: System) -> TangentSpace:
+    """The same modulo the flow, along which the exponent is zero in any case."""
+    return _some(replace(tangent(system), directions=(system.rates,), mixed=np.eye(1)))
+
+
+def _some(space: TangentSpace) -> TangentSpace:
+    if space.dimension < 1:
+        raise InputError(
+            f"{space.system.name}: neighbours cannot part: relations, integrals and the direction "
+            "of motion leave no deviation"
+        )
+    return space
 
 
 def grown(
-    rule: Any, deviations: int, starts: Any, parameters: Parameters, *, renew: Any = orthonormal
+    rule: Any,
+    space: TangentSpace,
+    deviations: int,
+    starts: Any,
+    parameters: Parameters,
+    *,
+    renew: Any = orthonormal,
 ) -> Grown:
     """Deviations along many motions.
 
@@ -72,26 +101,17 @@ def grown(
     ----------
     rule : Exponent or one of the others
         Its system, length of motion, tolerance and number of intervals.
+    space : TangentSpace
+        Deviations that count.
     deviations : int
-        How many; 0 for as many as there are.
+        How many.
     starts : (n, size) array
         In flat order, on the phase space.
     parameters : mapping of Symbol or name to number or (n,) array
     renew : callable
         Deviations and what is no deviation ↦ deviations of length one, and the lengths lost.
-
-    Raises
-    ------
-    InputError
-        If no deviation is left when relations, integrals and the flow are taken out.
     """
-    space = space_of(rule.system)
-    if space.dimension < 1:
-        raise InputError(
-            f"{rule.system.name}: neighbours cannot part: relations, integrals and the direction "
-            "of motion leave no deviation"
-        )
-    flow = lanes(rule.system, tolerance=rule.tolerance, deviations=deviations or space.dimension)
+    flow = lanes(rule.system, tolerance=rule.tolerance, deviations=deviations)
     states = np.array(starts, dtype=np.float64)
     frames = space.frames(states, parameters, flow.deviations)
     logarithms = np.full((len(states), rule.intervals, flow.deviations), np.nan)
@@ -136,7 +156,9 @@ def _each(vectors: Any, basis: Any) -> tuple[Any, Any]:
 
 @dataclass(frozen=True)
 class Exponent:
-    """The largest Lyapunov exponent, without the first fifth of the motion, and its error.
+    """The largest Lyapunov exponent but for that of the flow, and its error.
+
+    The first fifth of the motion is left out: there the deviation finds its direction.
 
     The error is the larger of the 95 % interval from the means of 16 batches, and of what growth
     with the square of the time would show.
@@ -155,12 +177,12 @@ class Exponent:
     system: System
     until: float
     tolerance: float = 1e-12
-    intervals: int = 400
+    intervals: int = 200
     further: ClassVar[Mapping[str, str]] = {"error": "error of the largest exponent"}
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Values, errors, outcomes and times reached, (n,) each."""
-        found = grown(self, 1, starts, parameters)
+        found = grown(self, across(self.system), 1, starts, parameters)
         value, error = _rate(found.logarithms[:, :, 0], self.until)
         return {"value": value, "error": error, "outcome": found.outcome, "ended": found.ended}
 
@@ -175,12 +197,13 @@ class Total:
     system: System
     until: float
     tolerance: float = 1e-12
-    intervals: int = 400
+    intervals: int = 200
     further: ClassVar[Mapping[str, str]] = {"error": "error of the sum of exponents"}
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Values, errors, outcomes and times reached, (n,) each."""
-        found = grown(self, 0, starts, parameters)
+        space = across(self.system)
+        found = grown(self, space, space.dimension, starts, parameters)
         value, error = _rate(found.logarithms.sum(axis=2), self.until)
         return {"value": value, "error": error, "outcome": found.outcome, "ended": found.ended}
 
@@ -204,12 +227,12 @@ class Fastest:
     system: System
     until: float
     tolerance: float = 1e-12
-    intervals: int = 400
+    intervals: int = 200
     further: ClassVar[Mapping[str, str]] = {}
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Values, outcomes and times reached, (n,) each."""
-        found = grown(self, 1, starts, parameters)
+        found = grown(self, tangent(self.system), 1, starts, parameters)
         value = np.cumsum(found.logarithms[:, :, 0], axis=1).max(axis=1)
         return {"value": value, "outcome": found.outcome, "ended": found.ended}
 
@@ -225,12 +248,12 @@ class Megno:
     system: System
     until: float
     tolerance: float = 1e-12
-    intervals: int = 400
+    intervals: int = 200
     further: ClassVar[Mapping[str, str]] = {}
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Values, outcomes and times reached, (n,) each."""
-        found = grown(self, 1, starts, parameters)
+        found = grown(self, tangent(self.system), 1, starts, parameters)
         total = np.cumsum(found.logarithms[:, :, 0], axis=1)
         before = np.concatenate([np.zeros((len(total), 1)), total[:, :-1]], axis=1)
         count = np.arange(1, self.intervals + 1)
@@ -249,12 +272,12 @@ class Alignment:
     system: System
     until: float
     tolerance: float = 1e-12
-    intervals: int = 400
+    intervals: int = 200
     further: ClassVar[Mapping[str, str]] = {}
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Values, outcomes and times reached, (n,) each."""
-        found = grown(self, 2, starts, parameters, renew=_each)
+        found = grown(self, tangent(self.system), 2, starts, parameters, renew=_each)
         u, v = found.frames[:, 0], found.frames[:, 1]
         apart = np.minimum(np.linalg.norm(u + v, axis=1), np.linalg.norm(u - v, axis=1))
         value = np.log10(np.maximum(apart, np.finfo(float).eps))

@@ -24,8 +24,6 @@ Parameters = Mapping[Any, Any]
 
 #: States of a motion that are kept at a time.
 KEPT = 128
-#: An angle that makes more of a turn than this between two samples may have jumped.
-JUMP = 0.4
 #: An additional variable of the state: a formula integrated in time.
 TOTAL = sp.Symbol("integral_in_time", real=True)
 
@@ -74,10 +72,8 @@ class Mean:
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Means, outcomes and times reached, (n,) each."""
-        field = (*self.system.field, (TOTAL, self.formula))
-        flow = lanes(replace(self.system, field=field, motion=None), tolerance=self.tolerance)
-        begun = np.concatenate([starts, np.zeros((len(starts), 1))], axis=1)
-        run = flow.until(begun, [self.until], parameters)
+        flow = lanes(_with_total(self.system, self.formula), tolerance=self.tolerance)
+        run = flow.until(_from_zero(starts), [self.until], parameters)
         mean = run.states[:, 0, -1] / self.until
         return {"value": mean, "outcome": run.outcome, "ended": run.ended}
 
@@ -132,6 +128,8 @@ class Lowest:
 class Frequency:
     """Turns of an angle per unit of time, by a weighted average; and an estimate of its error.
 
+    The rate of the angle is integrated along with the motion, so that no turn is lost.
+
     Attributes
     ----------
     system, until, tolerance
@@ -139,8 +137,7 @@ class Frequency:
     formula : sympy.Expr
         An angle, in radians, up to whole turns.
     samples : int
-        Equidistant samples; where the angle makes nearly half a turn between two of them, there
-        is no number.
+        Equidistant samples over which the average is taken.
     """
 
     system: System
@@ -152,12 +149,32 @@ class Frequency:
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Values, errors, outcomes and times reached, (n,) each."""
-        flow = lanes(self.system, tolerance=self.tolerance)
-        seen = watched(flow, self.formula, starts, self.until, self.samples, parameters)
-        advance = (np.diff(seen.values, axis=1) / (2 * np.pi) + 0.5) % 1.0 - 0.5
-        advance[np.abs(advance).max(axis=1) > JUMP] = np.nan
-        value, error = average(advance * (self.samples / self.until))
+        turns = _with_total(self.system, _rate(self.system, self.formula) / (2 * sp.pi))
+        flow = lanes(turns, tolerance=self.tolerance)
+        seen = watched(flow, TOTAL, _from_zero(starts), self.until, self.samples, parameters)
+        value, error = average(np.diff(seen.values, axis=1) * (self.samples / self.until))
         return {"value": value, "error": error, "outcome": seen.outcome, "ended": seen.ended}
+
+
+def _with_total(system: System, formula: Any) -> System:
+    """A system that integrates a formula in time along with its motion."""
+    return replace(system, field=(*system.field, (TOTAL, formula)), motion=None)
+
+
+def _from_zero(starts: Any) -> Any:
+    return np.concatenate([starts, np.zeros((len(starts), 1))], axis=1)
+
+
+def _rate(system: System, formula: Any) -> Any:
+    """The derivative of a formula along the motion, through the definitions."""
+    rates = dict(zip(system.symbols, system.rates, strict=True))
+    for symbol, value in system.needed([formula]):
+        rates[symbol] = _changing(value, rates)
+    return _changing(formula, rates)
+
+
+def _changing(formula: Any, rates: Mapping[Any, Any]) -> Any:
+    return sp.Add(*(sp.diff(formula, s) * rates[s] for s in formula.free_symbols if s in rates))
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,72 @@
+"""How fast neighbours part, where it is known in closed form."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from chaplygin.errors import InputError
+from chaplygin.explore.parting import Alignment, Exponent, Fastest, Megno, Total
+from chaplygin.statements import Integral
+from chaplygin.system import Parameter, System
+
+x, y, z, s, r = sp.symbols("x y z s r", real=True)
+
+#: Neighbours part like exp(s t) in x and exp(−r t) in y; z is the time.
+SADDLE = System(
+    name="saddle",
+    title="Saddle",
+    field={x: s * sp.sin(x), y: -r * y, z: sp.S.One},
+    parameters=(Parameter(s, "growth", 0.5), Parameter(r, "decay", 0.5)),
+)
+PENDULUM = System(name="pendulum", title="Pendulum", field={x: y, y: -sp.sin(x)})
+ORIGIN = np.zeros((4, 3))
+RATES = {s: np.array([0.1, 0.2, 0.4, 0.8]), r: np.array([0.1, 0.3, 0.5, 0.5])}
+SWINGS = np.array([[0.5, 0.0], [1.0, 0.0], [2.0, 0.0], [0.0, 2.5]])
+
+
+def test_the_largest_exponent() -> None:
+    found = Exponent(SADDLE, 200.0)(ORIGIN, RATES)
+    assert np.all(np.abs(found["value"] - RATES[s]) <= 1e-7)
+    assert np.all(found["error"] < 0.05)
+    assert not found["outcome"].any()
+    assert np.array_equal(found["ended"], np.full(4, 200.0))
+
+
+def test_the_sum_of_exponents() -> None:
+    found = Total(SADDLE, 100.0)(ORIGIN, RATES)
+    assert np.all(np.abs(found["value"] - (RATES[s] - RATES[r])) <= 1e-9)
+
+
+def test_indicators_of_an_exponential() -> None:
+    growth = RATES[s] * 100.0
+    assert np.all(np.abs(Fastest(SADDLE, 100.0)(ORIGIN, RATES)["value"] - growth) < 3.0)
+    megno = Megno(SADDLE, 100.0, intervals=400)(ORIGIN, RATES)["value"]
+    assert np.all(np.abs(megno - growth / 2) < 1.0)
+    sali = Alignment(SADDLE, 20.0)(ORIGIN, RATES)["value"]
+    assert np.all(np.diff(sali) < -1.0)
+
+
+def test_regular_motions_part_evenly() -> None:
+    assert np.all(np.abs(Megno(PENDULUM, 2000.0)(SWINGS, {})["value"] - 2.0) < 0.2)
+    found = Exponent(PENDULUM, 2000.0)(SWINGS, {})
+    assert np.all(np.abs(found["value"]) <= found["error"])
+    assert np.all(Fastest(PENDULUM, 2000.0)(SWINGS, {})["value"] < 10.0)
+
+
+def test_no_neighbour_matters_and_the_end_of_one_is_told() -> None:
+    blowing = System(name="blowing", title="Blowing", field={x: x**2 + y**2, y: -y, z: sp.S.One})
+    starts = np.array([[-1.0, 0.0, 0.0], [0.5, 0.0, 0.0], [-2.0, 0.0, 0.0]])
+    found = Exponent(blowing, 10.0)(starts, {})
+    assert found["outcome"][1] != 0
+    assert 1.9 < found["ended"][1] < 2.0 + 1e-9
+    assert np.isnan(found["value"][1])
+    alone = Exponent(blowing, 10.0)(starts[[0, 2]], {})
+    assert np.array_equal(found["value"][[0, 2]], alone["value"])
+
+
+def test_nothing_can_part() -> None:
+    energy = Integral("energy", y**2 / 2 - sp.cos(x), "energy")
+    with pytest.raises(InputError, match="neighbours cannot part"):
+        Exponent(PENDULUM.with_laws(energy), 10.0)(SWINGS, {})
