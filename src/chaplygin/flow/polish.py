@@ -1,0 +1,225 @@
+"""Dormand and Prince's method of order 8 to as many digits as wanted.
+
+Its coefficients were published to thirty digits and stand in SciPy with sixteen.  They are
+roots of the order conditions: one equation for each rooted tree, 200 up to order 8 (Butcher 1963;
+Hairer, Nørsett, Wanner 1993, II.2).  The nodes are known in closed form; they leave free one
+direction in the rows of the last four stages, and some of the estimates, where the point next to
+the published numbers is taken.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from functools import cache, lru_cache
+from typing import Any, NamedTuple, TypeAlias
+
+import flint
+import numpy as np
+from flint import arb
+
+__all__ = ["Table", "explicit_table", "trees", "weights"]
+
+#: A rooted tree: what hangs on its root.
+Tree: TypeAlias = tuple[Any, ...]
+
+ORDER = 8
+STAGES = 12
+
+#: Binary places of the coefficients.
+BITS = 240
+
+#: Singular values of the conditions below this, relative to the largest, belong to what they
+#: leave free: the smallest of the others is 2e-11.
+FREE = 1e-13
+
+#: Every step of Newton's method adds nine digits.
+STEPS = 20
+
+
+class Table(NamedTuple):
+    """Coefficients to 70 digits, as fractions.
+
+    Attributes
+    ----------
+    a : tuple of rows
+        Row i gives the state of stage i from the rates of the stages before it.
+    b, c : tuple
+        Weights of the result, and times of the stages.
+    e3, e5 : tuple
+        Weights of the two estimates of the error.
+    """
+
+    a: tuple[tuple[Fraction, ...], ...]
+    b: tuple[Fraction, ...]
+    c: tuple[Fraction, ...]
+    e3: tuple[Fraction, ...]
+    e5: tuple[Fraction, ...]
+
+
+# --- order conditions -------------------------------------------------------------------------
+
+
+@lru_cache
+def trees(order: int) -> tuple[Tree, ...]:
+    """All rooted trees with a number of nodes, each with its branches in a fixed order."""
+    return tuple(_forests(order - 1, order - 1))
+
+
+def _forests(nodes: int, largest: int) -> Iterator[Tree]:
+    """Collections of trees with so many nodes together, none larger than the one before."""
+    if nodes == 0:
+        yield ()
+    for size in range(min(nodes, largest), 0, -1):
+        same = trees(size)
+        for rest in _forests(nodes - size, size):
+            for i, tree in enumerate(same):
+                if not rest or _size(rest[0]) < size or same.index(rest[0]) >= i:
+                    yield (tree, *rest)
+
+
+@cache
+def _size(tree: Tree) -> int:
+    return 1 + sum(map(_size, tree))
+
+
+@cache
+def _density(tree: Tree) -> int:
+    """The product of the sizes of all subtrees."""
+    product = _size(tree)
+    for branch in tree:
+        product *= _density(branch)
+    return product
+
+
+def weights(a: Any, b: Any, order: int) -> Any:
+    """What each order condition requires to be 1: γ(t) Σ b_i Φ_i(t).
+
+    Parameters
+    ----------
+    a : array (stages, stages)
+    b : array (stages,)
+        Weights of a result; of an estimate of errors, for which the same should be 0.
+    order : int
+        Of the largest trees.
+    """
+    known: dict[Tree, Any] = {}
+
+    def branch(tree: Tree) -> Any:
+        """What a tree adds where it hangs: A Φ(t)."""
+        if tree not in known:
+            known[tree] = a @ stages(tree)
+        return known[tree]
+
+    def stages(tree: Tree) -> Any:
+        found = b * 0 + 1
+        for part in tree:
+            found = found * branch(part)
+        return found
+
+    found = [_density(t) * (b @ stages(t)) for n in range(1, order + 1) for t in trees(n)]
+    return np.array(found)
+
+
+# --- roots ------------------------------------------------------------------------------------
+
+
+def _root(function: Callable[[Any], Any], right: Any, start: Any) -> Any:
+    """The solution of f(x) = right that is next to doubles which nearly solve it.
+
+    Newton's method with the derivative at the start and its pseudoinverse, so that nothing moves
+    along the surface of solutions.
+    """
+    step = 1e-30
+    columns = [function(start + 1j * step * unit).imag / step for unit in np.eye(len(start))]
+    inverse = _exact(np.linalg.pinv(np.array(columns).T, rcond=FREE))
+    x = _exact(start)
+    for _ in range(STEPS):
+        change = _middles(inverse @ (right - function(x)))
+        x = x + change
+        if max(map(abs, change)) < arb(2) ** -BITS:
+            return x
+    raise ArithmeticError("the order conditions were not solved")
+
+
+def _exact(values: Any) -> Any:
+    """Doubles as numbers of many digits."""
+    return np.vectorize(arb, otypes=[object])(values)
+
+
+def _middles(values: Any) -> Any:
+    """Numbers without the bounds of their errors."""
+    return np.array([value.mid() for value in values])
+
+
+def _fractions(values: Any) -> tuple[Fraction, ...]:
+    """Numbers as they stand in memory."""
+    pairs = (arb(value).mid().man_exp() for value in values)
+    return tuple(int(mantissa) * Fraction(2) ** int(exponent) for mantissa, exponent in pairs)
+
+
+# --- the method -------------------------------------------------------------------------------
+
+
+def _nodes() -> Any:
+    """The times of the stages (Hairer, Nørsett, Wanner 1993, II.5)."""
+    root = arb(6).sqrt()
+    first = [arb(0), (12 - 2 * root) / 135, (6 - root) / 45, (6 - root) / 30, (6 + root) / 30]
+    rest = [(1, 3), (1, 4), (4, 13), (127, 195), (3, 5), (6, 7), (1, 1)]
+    return np.array(first + [arb(p) / q for p, q in rest])
+
+
+@lru_cache
+def explicit_table() -> Table:
+    """Dormand and Prince's method with all its digits, from the doubles of SciPy."""
+    from scipy.integrate import DOP853
+
+    doubles = DOP853.A[:STAGES, :STAGES]
+    places, used = np.nonzero(doubles), np.nonzero(DOP853.B)
+    count = len(places[0])
+
+    def unpacked(x: Any) -> tuple[Any, Any]:
+        return _filled((STAGES, STAGES), places, x[:count]), _filled(STAGES, used, x[count:])
+
+    def conditions(x: Any) -> Any:
+        a, b = unpacked(x)
+        return np.concatenate([weights(a, b, ORDER), a.sum(axis=1)])
+
+    with flint.ctx.workprec(BITS + 60):
+        c = _nodes()
+        ones = [arb(1)] * sum(len(trees(n)) for n in range(1, ORDER + 1))
+        start = np.concatenate([doubles[places], DOP853.B[used]])
+        a, b = unpacked(_root(conditions, np.concatenate([ones, c]), start))
+        return Table(
+            a=tuple(_fractions(a[i, :i]) for i in range(STAGES)),
+            b=_fractions(b),
+            c=_fractions(c),
+            e3=_fractions(b - _third_order(c)),
+            e5=_fractions(_fifth_order(a, DOP853.E5[:STAGES])),
+        )
+
+
+def _filled(shape: Any, places: Any, values: Any) -> Any:
+    """An array with values in some places."""
+    found = np.zeros(shape, values.dtype)
+    found[places] = values
+    return found
+
+
+def _third_order(c: Any) -> Any:
+    """The weights of the result of order 3: a quadrature with the nodes 0, c₉ and 1."""
+    middle = c[8]
+    inner = 1 / (6 * middle * (1 - middle))
+    last = arb(1) / 2 - inner * middle
+    return _filled(STAGES, ([0, 8, 11],), np.array([1 - inner - last, inner, last]))
+
+
+def _fifth_order(a: Any, doubles: Any) -> Any:
+    """The estimate of order 5, that vanishes for all trees of at most 5 nodes."""
+    places = np.nonzero(doubles)
+
+    def conditions(x: Any) -> Any:
+        matrix = a if x.dtype == object else np.array(a, dtype=float)
+        return weights(matrix, _filled(STAGES, places, x), 5)
+
+    return _filled(STAGES, places, _root(conditions, arb(0), doubles[places]))
