@@ -83,9 +83,9 @@ def asked(system: System, text: str, until: float, tolerance: float = 1e-12) -> 
     word, colon, quantity = (part.strip() for part in text.partition(":"))
     kind = KINDS.get(word)
     if kind is None:
-        known = ", ".join(f"{name}:FORMULA" if k.of else name for name, k in KINDS.items())
         raise InputError(
-            f"{word}: no number has this name{nearest(word, KINDS)}; there are {known}"
+            f"{word}: no number has this name{nearest(word, KINDS)}; some are written with a "
+            "formula, as in mean:FORMULA"
         )
     if kind.of != bool(quantity) or (colon and not quantity):
         written = f"{word}:FORMULA" if kind.of else word
