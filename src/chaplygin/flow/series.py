@@ -51,8 +51,8 @@ PARTS: Mapping[str, tuple[Callable[[Any, Any], Any], float, float]] = {
     "sinh": (_odd("sinh"), 0.0, 0.25),
     # up to (√2 − 1)/(√2 + 1)
     "atanh": (_odd("atanh"), 0.0, 0.0295),
-    # x up to (log 2)/2
-    "exp": (lambda mp, x: (mp.expm1(x) - x) / x**2 if x else mp.mpf(1) / 2, -0.347, 0.347),
+    # (eˣ − 1 − x)/x² up to (log 2)/2
+    "exp": (lambda mp, x: mp.hyp1f1(1, 3, x) / 2, -0.347, 0.347),
 }
 
 
