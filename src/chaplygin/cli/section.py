@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from .common import Force, Json, Override, What, inform, print_json, progress, study_of
-from .stores import Workers, clear, cluster, outcomes
+from .stores import Workers, clear, cluster, level_of, outcomes
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -74,7 +74,7 @@ def command(
     picture = store.with_suffix(".png")
     study = study_of(what, overrides)
     place = Place(on, value, direction, angle)
-    chosen = Starts(starts, None if level is None else _level(level), seed)
+    chosen = Starts(starts, None if level is None else level_of(level), seed)
     options: dict[str, Any] = {"tolerance": tolerance} | ({} if until is None else {"until": until})
     task, names = section_of(study, place, chosen, points, coordinates, **options)
     if output != store:
@@ -91,24 +91,6 @@ def command(
         print_json(result)
     else:
         _print(study.system.title, result)
-
-
-def _level(text: str) -> dict[str, float]:
-    """Integrals and their values."""
-    from ..errors import InputError
-
-    found = {}
-    for part in text.split(","):
-        name, equals, number = (piece.strip() for piece in part.partition("="))
-        try:
-            if not (name and equals):
-                raise ValueError
-            found[name] = float(number)
-        except ValueError:
-            raise InputError(
-                f"--level {text}: it is written NAME=VALUE,NAME=VALUE, such as energy=1,area=0.3"
-            ) from None
-    return found
 
 
 def _summary(found: xr.Dataset) -> dict[str, Any]:

@@ -9,12 +9,36 @@ from typing import Annotated, Any
 
 import typer
 
-__all__ = ["Workers", "clear", "cluster", "outcomes"]
+__all__ = ["Workers", "clear", "cluster", "level_of", "outcomes"]
 
 Workers = Annotated[
     str | None,
     typer.Option(metavar="N|ADDRESS", help="So many processes, or those of a Dask scheduler."),
 ]
+
+
+def level_of(text: str) -> dict[str, float]:
+    """Integrals and their values.
+
+    Raises
+    ------
+    InputError
+        If the text is not of the form NAME=VALUE,NAME=VALUE.
+    """
+    from ..errors import InputError
+
+    found = {}
+    for part in text.split(","):
+        name, equals, number = (piece.strip() for piece in part.partition("="))
+        try:
+            if not (name and equals):
+                raise ValueError
+            found[name] = float(number)
+        except ValueError:
+            raise InputError(
+                f"--level {text}: it is written NAME=VALUE,NAME=VALUE, such as energy=1,area=0.3"
+            ) from None
+    return found
 
 
 def clear(output: Path, picture: Path, force: bool) -> None:

@@ -11,7 +11,7 @@ from ..errors import InputError
 
 __all__ = ["BATCHES", "Average", "average", "batched"]
 
-Array: TypeAlias = np.ndarray[Any, np.dtype[np.float64]]
+Array: TypeAlias = Any
 
 #: Batches into which a series is divided.
 BATCHES = 16

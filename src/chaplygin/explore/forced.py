@@ -18,7 +18,7 @@ import sympy as sp
 from ..flow.formulas import Formulas
 from ..flow.linearise import components, taking_part
 from ..flow.tangent import TangentSpace
-from ..statements import Integral, Law, Symmetry
+from ..statements import Law, Symmetry
 from ..system import System
 from ..vectors import explicit
 
@@ -119,12 +119,12 @@ def forced(
             dependent.append(item.removed.name)
     fields = [item for item in _fields(at) if not item.on or at.on_level(item.on, across)]
     rows: list[Any] = []
-    for item, row in _tangent(at, fields, across):
+    for named, row in _tangent(at, fields, across):
         if along.take(row @ at.vectors(fields), at.speed):
             rows.append(row)
-            removed.append(item)
+            removed.append(named)
         else:
-            dependent.append(item.name)
+            dependent.append(named.name)
     directions = tuple(item.formulas for item in fields)
     mixed = np.array(rows).reshape(len(rows), len(fields))
     space = TangentSpace(system, tuple(conditions), directions, mixed)
@@ -156,8 +156,8 @@ class _Span:
     def take(self, vector: Any, floor: float) -> bool:
         """Whether a vector of at least the size `floor` is independent; if so, it is added."""
         left = self.rest(vector)
-        size = np.linalg.norm(left)
-        independent = bool(size > max(floor, DEPENDENT * np.linalg.norm(vector)))
+        size = float(np.linalg.norm(left))
+        independent = size > max(floor, DEPENDENT * float(np.linalg.norm(vector)))
         if independent:
             self.basis.append(left / size)
         return independent
@@ -250,8 +250,8 @@ def _tangent(at: _At, fields: Sequence[_Item], across: _Span) -> Iterator[tuple[
     sizes = np.linalg.norm(vectors, axis=1)
     outward = vectors @ np.array(across.basis).reshape(-1, vectors.shape[1]).T
     within = np.linalg.norm(outward, axis=1) <= DEPENDENT * sizes
-    loose = np.flatnonzero(~within)
-    if len(loose):
+    loose = [i for i, tangent in enumerate(within) if not tangent]
+    if loose:
         _, strengths, rotation = np.linalg.svd(outward[loose].T)
         rank = int((strengths > DEPENDENT * strengths[0]).sum())
         names = " and ".join(fields[i].removed.name for i in loose)
@@ -259,5 +259,6 @@ def _tangent(at: _At, fields: Sequence[_Item], across: _Span) -> Iterator[tuple[
             mixed = np.zeros(len(fields))
             mixed[loose] = row
             yield Removed(f"a combination of {names}", "symmetry"), mixed
-    for i in np.flatnonzero(within):
-        yield fields[i].removed, np.eye(len(fields))[i]
+    for item, tangent, row in zip(fields, within, np.eye(len(fields)), strict=True):
+        if tangent:
+            yield item.removed, row

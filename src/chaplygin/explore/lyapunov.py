@@ -8,7 +8,7 @@ a motion of finite length and has an error; it is *observed*, never proven.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Spectrum", "Volume", "kaplan_yorke", "spectrum"]
 
-Array: TypeAlias = np.ndarray[Any, np.dtype[np.float64]]
+Array: TypeAlias = Any
 Values: TypeAlias = Mapping[Any, Any] | None
 
 #: Part of a motion left out at the beginning, where deviations find their directions.
@@ -180,7 +180,7 @@ class Spectrum:
 
     def dataset(self) -> xr.Dataset:
         """Exponents, errors and the way they settled, with what they are of."""
-        from .lyapunov_dataset import dataset
+        from .spectra import dataset
 
         return dataset(self)
 
@@ -209,6 +209,7 @@ def spectrum(
     until: float,
     intervals: int = INTERVALS,
     tolerance: float = 1e-13,
+    progress: Callable[[float], None] | None = None,
 ) -> Spectrum:
     """The Lyapunov spectrum of the motion from a start.
 
@@ -226,6 +227,8 @@ def spectrum(
         deviations grow too far apart within one.
     tolerance : float
         Relative error of a step.
+    progress : callable, optional
+        Called with the fraction done.
 
     Returns
     -------
@@ -246,7 +249,8 @@ def spectrum(
     found = forced(system, start, parameters)
     machine = lanes(system, tolerance=tolerance, deviations=found.space.dimension)
     count = intervals
-    while (run := _run(machine, found.space, start, until / count, count, parameters)) is None:
+    told = progress or (lambda done: None)
+    while (run := _run(machine, found.space, start, (until, count), parameters, told)) is None:
         count *= 2
         if count > MOST:
             raise RunError("deviations grow too fast to be followed", 0.0)
@@ -284,17 +288,19 @@ def _run(
     machine: Lanes,
     space: TangentSpace,
     start: Sequence[float],
-    interval: float,
-    count: int,
+    times: tuple[float, int],
     parameters: Values,
+    progress: Callable[[float], None],
 ) -> _Run | None:
     """The motion; None where deviations grow too far apart within an interval."""
+    until, count = times
+    interval = until / count
     places, _ = np.polynomial.legendre.leggauss(NODES)
     inner = interval * (1 + places) / 2
     first = np.array([start], dtype=np.float64)
     states, nodes = [first[0]], []
     lengths, sizes = [], [space.excluded(first, parameters)[1][0]]
-    stretches = propagate(machine, space, first, interval, parameters, nodes=inner)
+    stretches = propagate(machine, space, first, interval, parameters, nodes=inner, threads=1)
     for k in range(count):
         stretch = next(stretches)
         code = int(stretch.outcome[0])
@@ -303,6 +309,7 @@ def _run(
         spread = float(np.ptp(stretch.lengths[0])) if space.dimension else 0.0
         if not max(spread, np.abs(stretch.lengths[0]).max(initial=0.0)) <= APART[k >= FIRST]:
             return None
+        progress((k + 1) / count)
         states.append(stretch.ends[0])
         nodes.append(stretch.states[0])
         lengths.append(stretch.lengths[0])

@@ -6,16 +6,17 @@ before it, and the rates have the parity that a reversal needs.
 
 from __future__ import annotations
 
+from collections.abc import Set
 from itertools import combinations
 from typing import Any
 
 import sympy as sp
 
-from ..system import Name, System
+from ..system import Name, System, flat
 from ..vectors import explicit
 from .turning import vanishes
 
-__all__ = ["reversal"]
+__all__ = ["reversal", "reverses"]
 
 #: State variables, a vector counted as one, above which no reversal is looked for.
 LARGEST = 6
@@ -38,22 +39,38 @@ def reversal(system: System) -> tuple[Name, ...]:
         return ()
     for count in range(1, len(names) + 1):
         for chosen in combinations(names, count):
-            if _reverses(system, chosen):
+            if reverses(system, set(flat(chosen))):
                 return chosen
     return ()
 
 
-def _reverses(system: System, chosen: tuple[Name, ...]) -> bool:
-    """Whether the equations keep their form when `chosen` and the time change sign; exact."""
-    turned = {s for name in chosen for s in ((name,) if isinstance(name, sp.Symbol) else name)}
-    signs = {s: -1 if s in turned else 1 for s in system.symbols}
+def reverses(system: System, odd: Set[sp.Symbol]) -> bool:
+    """Whether the equations keep their form when some symbols and the time change sign; exact.
+
+    Parameters
+    ----------
+    system : System
+    odd : set of Symbol
+        State variables, and parameters as well: then the systems with both values are meant.
+
+    Returns
+    -------
+    bool
+        False also where the proof does not reach.
+    """
+    signs = {s: -1 if s in odd else 1 for s in (*system.symbols, *system.defaults)}
+    zeros: dict[sp.Symbol, sp.Expr] = {}
     for symbol, formula in system.steps:
-        parity = _parity(formula, signs)
+        value = formula.xreplace(zeros)
+        if value == 0:  # even and odd at once
+            zeros[symbol] = sp.S.Zero
+            continue
+        parity = _parity(value, signs)
         if parity is None:
             return False
         signs[symbol] = parity
-    relations = all(_parity(explicit(f), signs) for f in system.relations)
-    rates = zip(system.symbols, system.rates, strict=True)
+    relations = all(_parity(explicit(f).xreplace(zeros), signs) for f in system.relations)
+    rates = ((s, f.xreplace(zeros)) for s, f in zip(system.symbols, system.rates, strict=True))
     return relations and all(vanishes(_reflected(f, signs) + signs[s] * f) for s, f in rates)
 
 

@@ -16,14 +16,13 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..errors import InputError
 from ..system import System
 from .formulas import Formulas
 from .lanes import Lanes
 
-__all__ = ["Stretch", "TangentSpace", "growth", "orthonormal", "propagate"]
+__all__ = ["Stretch", "TangentSpace", "orthonormal", "propagate"]
 
-Array: TypeAlias = np.ndarray[Any, np.dtype[np.float64]]
+Array: TypeAlias = Any
 Values: TypeAlias = Mapping[Any, Any] | None
 
 #: What is left of a vector, relative to its length, when it counts as dependent on others.
@@ -55,16 +54,21 @@ def orthonormal(vectors: Array, given: Array | None = None) -> tuple[Array, Arra
     for i in range(found.shape[1]):
         vector = found[:, i]
         before = np.sqrt(_dot(vector, vector))
-        for _ in range(2):
-            for others in (given, found[:, :i]):
-                for other in () if others is None else np.moveaxis(others, 1, 0):
-                    vector -= _dot(vector, other)[:, None] * other
+        for others in (given, found[:, :i]) * 2:
+            if others is not None:
+                _take_out(vector, others)
         left = np.sqrt(_dot(vector, vector))
         dependent = left <= DEPENDENT * before
         lengths[:, i] = np.where(dependent, 0.0, left)
         unit = vector / np.where(dependent, 1.0, left)[:, None]
         found[:, i] = np.where(dependent[:, None], 0.0, unit)
     return found, lengths
+
+
+def _take_out(vector: Array, others: Array) -> None:
+    """Take out of each vector (n, size), in place, its parts along others (n, k, size)."""
+    for other in np.moveaxis(others, 1, 0):
+        vector -= _dot(vector, other)[:, None] * other
 
 
 def _dot(a: Array, b: Array) -> Array:
@@ -149,8 +153,7 @@ class TangentSpace:
         -------
         (n, count, size) array
         """
-        count = self.dimension if count is None else count
-        shape = (count, len(self.system.symbols))
+        shape = (self.dimension if count is None else count, len(self.system.symbols))
         chosen = np.random.default_rng(SEED).standard_normal(shape)
         vectors = np.broadcast_to(chosen, (len(states), *shape))
         return orthonormal(vectors, self.excluded(states, parameters)[0])[0]
@@ -247,48 +250,3 @@ def propagate(
         with np.errstate(divide="ignore"):
             logs = np.log(lengths)
         yield Stretch(run.states[:, :-1], states, frames, logs, sizes, run.outcome, run.ended)
-
-
-def growth(
-    lanes: Lanes,
-    space: TangentSpace,
-    starts: Array,
-    interval: float,
-    count: int,
-    parameters: Values = None,
-    *,
-    threads: int | None = None,
-) -> tuple[Array, Array]:
-    """The logarithms of the growth of deviations along many motions.
-
-    Parameters
-    ----------
-    lanes, space, starts, interval, parameters, threads
-        See :func:`propagate`.
-    count : int
-        How many intervals.
-
-    Returns
-    -------
-    lengths : (n, count, d) array
-        For each motion and interval; their mean over the intervals, divided by `interval`, is the
-        spectrum.  Not a number from where a motion has failed.
-    outcome : (n,) array of int
-        0, or why a motion ended.
-
-    Raises
-    ------
-    InputError
-        If there is no interval, or it has no length.
-    """
-    if count < 1 or not 0 < interval < np.inf:
-        raise InputError(f"{count} intervals of length {interval:g}: there must be some, not empty")
-    starts = np.asarray(starts, dtype=np.float64)
-    lengths = np.empty((len(starts), count, lanes.deviations))
-    outcome = np.zeros(len(starts), dtype=np.int64)
-    stretches = propagate(lanes, space, starts, interval, parameters, threads=threads)
-    for k in range(count):
-        stretch = next(stretches)
-        lengths[:, k] = stretch.lengths
-        outcome = np.where(outcome == 0, stretch.outcome, outcome)
-    return lengths, outcome

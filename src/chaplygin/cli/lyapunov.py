@@ -1,0 +1,129 @@
+"""``chaplygin lyapunov``: the Lyapunov spectrum of a motion."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from .common import Force, Json, Override, What, inform, print_json, progress, study_of
+from .stores import level_of
+
+if TYPE_CHECKING:
+    from ..explore.averages import Average
+    from ..explore.lyapunov import Spectrum
+
+__all__ = ["command"]
+
+#: The length of a motion, in units of that of the experiment, unless told otherwise.
+TIMES_LONGER = 10.0
+
+
+def command(
+    what: What,
+    until: Annotated[
+        float | None,
+        typer.Option(help="How long to follow the motion; else ten times as in the experiment."),
+    ] = None,
+    level: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME=VALUE,…",
+            help="Integrals on whose level to start by chance; else as in the experiment.",
+        ),
+    ] = None,
+    seed: Annotated[int, typer.Option(help="Of the random start.")] = 0,
+    tolerance: Annotated[float, typer.Option(help="Error allowed in a step.")] = 1e-13,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", help="NetCDF file to write.")
+    ] = None,
+    overrides: Override = None,
+    force: Force = False,
+    json: Json = False,
+) -> None:
+    """Lyapunov exponents of a motion with errors, and those that are zero because they must be."""
+    from ..explore.lyapunov import spectrum
+    from ..explore.reversors import reversors
+    from ..explore.spectra import record
+    from ..flow.sampling import draw
+    from ..study.dataset import write
+    from ..study.files import check_target
+    from ..study.followed import followed
+
+    if output is not None:
+        check_target(output, force)
+    study = study_of(what, overrides)
+    system = followed(study)
+    if level is None:
+        start = [float(x) for x in study.start[: len(system.symbols)]]
+    else:
+        start = draw(system, 1, level_of(level), seed=seed)[0].tolist()
+    length = TIMES_LONGER * study.until if until is None else until
+    with progress(study.system.title) as update:
+        found = spectrum(system, start, until=length, tolerance=tolerance, progress=update)
+    turned = reversors(system)
+    if output is not None:
+        write(found.dataset(), output, force)
+    if json:
+        print_json(record(found, turned))
+    else:
+        _print(found, turned)
+    if output is not None:
+        inform(f"written to {output}")
+
+
+def _print(found: Spectrum, turned: Any) -> None:
+    from rich import box
+    from rich.console import Console
+    from rich.markup import escape
+    from rich.table import Table
+
+    from ..explore.spectra import remarks, word
+
+    typer.echo(found.system.title)
+    typer.echo(
+        f"followed to t = {found.until:g}, counted from {found.began:g}, "
+        f"{len(found.growth)} intervals of {found.interval:.3g}"
+    )
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
+    table.add_column("", style="bold", no_wrap=True)
+    table.add_column("exponent", justify="right", no_wrap=True)
+    table.add_column("error", justify="right", no_wrap=True)
+    table.add_column("")
+    for number, item in enumerate(found.exponents, 1):
+        table.add_row(f"λ{number}", *_shown(item), word(item))
+    if found.exponents:
+        table.add_row("sum", *_shown(found.total), word_of_sum(found.total))
+    table.add_row("divergence", *_shown(found.volume.divergence), "its mean along the motion")
+    table.add_section()
+    for forced, rate in found.removed:
+        shown = "" if rate is None else "0"
+        seen = "" if rate is None else f"; seen {rate:.1e}"
+        kind = "" if forced.name == forced.kind else f"{forced.kind}: "
+        table.add_row(escape(forced.name), shown, "", f"{kind}{forced.reason}{seen}")
+    console = Console()
+    typer.echo()
+    console.print(table)
+    typer.echo()
+    if found.dependent:
+        typer.echo(f"Nothing more is forced by {', '.join(found.dependent)} at this start.")
+    for text in remarks(found, turned):
+        typer.echo(f"{text[:1].upper()}{text[1:]}.")
+
+
+def word_of_sum(total: Average) -> str:
+    """What the sum of the exponents says."""
+    if not total.settled:
+        return "not settled"
+    if total.zero:
+        return "volumes keep their size within the error"
+    return "volumes grow" if total.value > 0 else "volumes shrink"
+
+
+def _shown(item: Average) -> tuple[str, str]:
+    """Value and error to the digits that the error allows."""
+    from math import floor, log10
+
+    places = max(0, 1 - floor(log10(item.error))) if item.error > 0 else 12
+    return f"{item.value:.{places}f}", f"{item.error:.{places}f}"

@@ -1,0 +1,219 @@
+"""A Lyapunov spectrum in words, as a dataset, and as plain values for other programs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .averages import Average
+from .lyapunov import Spectrum
+from .reversors import Reversor
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["dataset", "record", "remarks", "word"]
+
+#: A relative error of the computation above which it is told.
+CAREFUL = 0.1
+
+
+def word(item: Average) -> str:
+    """What an exponent says."""
+    if not item.settled:
+        return "not settled"
+    if item.zero:
+        return "zero within its error"
+    return "neighbours part" if item.value > 0 else "neighbours approach"
+
+
+def remarks(found: Spectrum, reversors: Sequence[Reversor] = ()) -> Iterator[str]:
+    """Sentences on what a spectrum shows; all of them observed unless they say proven.
+
+    Parameters
+    ----------
+    found : Spectrum
+    reversors : sequence of Reversor
+        Those of the system; the ones that hold with these parameters are used.
+    """
+    yield from _convergence(found)
+    yield from _rest(found)
+    yield from _kind(found)
+    yield from _volumes(found)
+    holding = [reversor for reversor in reversors if reversor.holds(found.parameters)]
+    if holding:
+        yield from _pairs(found, holding[0])
+
+
+def _convergence(found: Spectrum) -> Iterator[str]:
+    for number, item in enumerate(found.exponents, 1):
+        if not item.settled:
+            first, second = item.halves
+            yield (
+                f"λ{number} has not settled: {first:.3g} over the first half of the time, "
+                f"{second:.3g} over the second; follow the motion longer"
+            )
+    if abs(found.volume.balance) > CAREFUL * found.total.error:
+        yield (
+            f"the sum of exponents and the mean of the divergence differ by "
+            f"{found.volume.balance:.2g} more than they may: take shorter intervals"
+        )
+
+
+def _rest(found: Spectrum) -> Iterator[str]:
+    for item, rate in found.removed:
+        if rate is not None and abs(rate) > 3 * found.total.resolution:
+            yield (
+                f"the zero of {item.name} needs a motion that keeps its size; this one changes at "
+                f"the rate {rate:.3g}: it comes to rest or runs away, and the exponent is that rate"
+            )
+
+
+def _kind(found: Spectrum) -> Iterator[str]:
+    if not found.exponents:
+        yield "integrals, relations and symmetries force all exponents to be zero"
+    elif found.chaotic:
+        yield "the largest exponent is positive: the motion is chaotic (observed)"
+    elif all(item.zero for item in found.exponents) and found.settled:
+        yield (
+            "no exponent is told from zero: the motion is regular as far as this time shows "
+            "(observed)"
+        )
+    elif found.settled and found.exponents[0].value < -found.exponents[0].error:
+        yield "all exponents are negative: a periodic motion attracts this one (observed)"
+
+
+def _volumes(found: Spectrum) -> Iterator[str]:
+    for name, defect in found.volume.measures.items():
+        yield (
+            f"the invariant measure {name!r} forces the sum to be zero but for a boundary term; "
+            f"met to {abs(defect):.1g}"
+        )
+    total = found.total
+    if not found.exponents or not total.settled or total.zero:
+        return
+    way, end = ("shrink", "attracts") if total.value < 0 else ("grow", "repels")
+    yield (
+        f"volumes {way} along this motion: there is no invariant measure with a smooth positive "
+        "density about it (observed, not proven)"
+    )
+    if found.chaotic and total.value < 0:
+        dimension, error = found.dimension
+        yield (
+            f"a chaotic set {end} it, of Kaplan–Yorke dimension {dimension:.3f} ± {error:.3f} on "
+            "the level of the integrals"
+        )
+
+
+def _pairs(found: Spectrum, reversor: Reversor) -> Iterator[str]:
+    yield (
+        f"the equations are reversible (proven): {', '.join(map(str, reversor.odd))} change sign "
+        "with the time"
+    )
+    if found.exponents and found.settled:
+        yield (
+            "the exponents come in pairs of opposite sign within their errors"
+            if found.symmetric
+            else "the exponents do not come in pairs of opposite sign: the reversed motion has the "
+            "opposite ones, and is another motion"
+        )
+
+
+def record(found: Spectrum, reversors: Sequence[Reversor] = ()) -> dict[str, Any]:
+    """A spectrum as numbers, texts and lists of these."""
+    return {
+        "system": found.system.name,
+        "parameters": found.parameters,
+        "start": found.start.tolist(),
+        "until": found.until,
+        "counted_from": found.began,
+        "interval": found.interval,
+        "exponents": [_average(item) | {"word": word(item)} for item in found.exponents],
+        "removed": [
+            {"name": item.name, "kind": item.kind, "seen": rate} for item, rate in found.removed
+        ],
+        "dependent": list(found.dependent),
+        "sum": _average(found.total),
+        "mean_divergence": _average(found.volume.divergence),
+        "balance": found.volume.balance,
+        "measures": found.volume.measures,
+        "dimension": dict(zip(("value", "error"), found.dimension, strict=True)),
+        "settled": found.settled,
+        "symmetric": found.symmetric,
+        "reversors": [
+            {
+                "odd": [str(s) for s in item.odd],
+                "needs_zero": [str(s) for s in item.vanishing],
+                "holds": item.holds(found.parameters),
+            }
+            for item in reversors
+        ],
+        "remarks": list(remarks(found, reversors)),
+    }
+
+
+def _average(item: Average) -> dict[str, Any]:
+    return {
+        "value": item.value,
+        "error": item.error,
+        "statistical": item.statistical,
+        "wandering": item.wandering,
+        "resolution": item.resolution,
+        "halves": list(item.halves),
+        "settled": item.settled,
+    }
+
+
+def dataset(found: Spectrum) -> xr.Dataset:
+    """A spectrum with the way it settled.
+
+    Returns
+    -------
+    xarray.Dataset
+        Dimensions ``exponent`` (from 1), ``removed`` (names) and ``time`` (ends of the intervals).
+    """
+    import xarray as xr
+
+    from .._version import __version__
+
+    def variable(dims: Any, values: Any, long_name: str, units: str = "1/s") -> Any:
+        return dims, values, {"long_name": long_name, "units": units, "source": ""}
+
+    rates = [np.nan if rate is None else rate for _, rate in found.removed]
+    kinds = [item.kind for item, _ in found.removed]
+    settled = np.array([item.settled for item in found.exponents], dtype=np.int8)
+    total, divergence = found.total, found.volume.divergence
+    start = zip(found.system.symbols, found.start, strict=True)
+    return xr.Dataset(
+        {
+            "lyapunov": variable("exponent", found.values, "Lyapunov exponent"),
+            "error": variable("exponent", found.errors, "error of the exponent"),
+            "settled": variable("exponent", settled, "whether both halves agree", "1"),
+            "running": variable(("time", "exponent"), found.running, "exponent if ended here"),
+            "seen": variable("removed", rates, "rate seen of a forced zero"),
+            "kind": variable("removed", kinds, "why it was removed", "1"),
+            "total": variable((), total.value, "sum of the exponents"),
+            "total_error": variable((), total.error, "error of the sum"),
+            "divergence": variable((), divergence.value, "mean divergence on the phase space"),
+        },
+        {
+            "exponent": variable("exponent", np.arange(1, len(found.exponents) + 1), "number", "1"),
+            "removed": variable("removed", [r.name for r, _ in found.removed], "name", "1"),
+            "time": variable("time", found.times, "time", "s"),
+        },
+        {
+            "Conventions": "CF-1.11",
+            "system": found.system.title,
+            "system_name": found.system.name,
+            "parameters": "; ".join(f"{name} = {x!r}" for name, x in found.parameters.items()),
+            "start": "; ".join(
+                f"{s} = {float(x)!r}"
+                for s, x in zip(found.system.symbols, found.start, strict=True)
+            ),
+            "counted_from": found.began,
+            "tolerance": found.tolerance,
+            "versions": f"chaplygin {__version__}",
+        },
+    )
