@@ -10,6 +10,7 @@ import ctypes
 import os
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -26,7 +27,7 @@ from .simd import Double
 from .tables import explicit
 from .values import formula, parameter_rows, read_system, values
 
-__all__ = ["Crossed", "Lanes", "Marched", "Section", "lanes", "section", "threads_here"]
+__all__ = ["THREADS", "Crossed", "Lanes", "Marched", "Section", "lanes", "section", "threads_here"]
 
 #: A start may miss a relation by this much; more is refused.
 SLACK = 1e-9
@@ -335,11 +336,17 @@ class Lanes:
         return states, times, counts, (outcome, self._signed(ended), steps)
 
 
+#: Threads that a part of a program may use at most; set by what runs several such parts at once.
+THREADS: ContextVar[int] = ContextVar("THREADS", default=2**31)
+
+
 def threads_here() -> int:
-    """Processors that this process may use."""
+    """Processors that this part of the program may use."""
     if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1
+        there = len(os.sched_getaffinity(0))
+    else:
+        there = os.cpu_count() or 1
+    return min(there, THREADS.get())
 
 
 def spread(part: Any, number: int, threads: int) -> None:
@@ -450,13 +457,18 @@ def _groups(system: System) -> tuple[tuple[int, ...], ...]:
 
 def serial(equations: Equations) -> str:
     """All that the code depends on, as a text."""
-    terms = [term for piece in equations.pieces.values() for term in piece]
+    pieces = equations.pieces
+    heads = [f"{name} {len(piece)}" for name, piece in pieces.items()]
+    terms = serial_terms([term for piece in pieces.values() for term in piece])
+    rest = (equations.groups, equations.direction, equations.parameters)
+    return "\n".join([*heads, terms, *map(str, rest)])
+
+
+def serial_terms(terms: Sequence[Term]) -> str:
+    """Terms as a text, in which each is written once."""
     nodes = ordered(terms)
     place = {id(node): i for i, node in enumerate(nodes)}
     lines = [
         f"{node.kind} {' '.join(str(place.get(id(a), a)) for a in node.args)}" for node in nodes
     ]
-    heads = [f"{name} {[place[id(t)] for t in piece]}" for name, piece in equations.pieces.items()]
-    return "\n".join(
-        [*lines, *heads, str(equations.groups), str(equations.direction), str(equations.parameters)]
-    )
+    return "\n".join([*lines, str([place[id(t)] for t in terms])])

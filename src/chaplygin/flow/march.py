@@ -11,8 +11,9 @@ ends vanishes, then by Newton's method in time, until what is left is below roun
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from fractions import Fraction
 
 from .graph import Graph, Term
 from .simd import Arithmetic, Value, Writer, evaluate, hoisted, literal
@@ -94,28 +95,29 @@ class Workspace:
         return self.places[name]
 
 
-def functions(arithmetic: type[Arithmetic], equations: Equations, lanes: int) -> tuple[str, int]:
+def functions(
+    arithmetic: type[Arithmetic],
+    pieces: Mapping[str, Sequence[Term]],
+    lanes: int,
+    prepare: str = "prepare",
+) -> tuple[str, int]:
     """The text of the functions that compute formulas, and how many constants they share.
 
     ``@prepare(constants, parameters)`` computes once what depends on parameters alone;
     ``@<piece>(result, state, constants)`` everything else.
+
+    Parameters
+    ----------
+    arithmetic : Double or Pair
+    pieces : mapping of str to sequence of Term
+        What each function computes, by its name.
+    lanes : int
+    prepare : str
+        The name of the first function.
     """
-    pieces = equations.pieces
     constants = hoisted([term for terms in pieces.values() for term in terms])
     slots = {id(term): i for i, term in enumerate(constants)}
-    texts = []
-    for name, terms in pieces.items():
-        number = arithmetic(Writer(lanes))
-
-        def leaf(term: Term, number: Arithmetic = number) -> Value:
-            if id(term) in slots:
-                return number.load("%constants", slots[id(term)])
-            return number.load("%state", term.args[0]) if term.kind == "state" else None
-
-        for i, value in enumerate(evaluate(number, terms, leaf)):
-            number.store(value, "%result", i)
-        head = f"internal void @{name}(ptr noalias %result, ptr noalias %state, ptr noalias %constants)"
-        texts.append(number.writer.text(head, "#1"))
+    texts = [_function(arithmetic, lanes, name, terms, slots) for name, terms in pieces.items()]
     number = arithmetic(Writer(lanes))
 
     def given(term: Term) -> Value:
@@ -123,9 +125,29 @@ def functions(arithmetic: type[Arithmetic], equations: Equations, lanes: int) ->
 
     for i, value in enumerate(evaluate(number, constants, given)):
         number.store(value, "%constants", i)
-    head = "internal void @prepare(ptr noalias %constants, ptr noalias %parameters)"
+    head = f"internal void @{prepare}(ptr noalias %constants, ptr noalias %parameters)"
     texts.append(number.writer.text(head, "#1"))
     return "\n".join(texts), len(constants)
+
+
+def _function(
+    arithmetic: type[Arithmetic],
+    lanes: int,
+    name: str,
+    terms: Sequence[Term],
+    slots: Mapping[int, int],
+) -> str:
+    number = arithmetic(Writer(lanes))
+
+    def leaf(term: Term) -> Value:
+        if id(term) in slots:
+            return number.load("%constants", slots[id(term)])
+        return number.load("%state", term.args[0]) if term.kind == "state" else None
+
+    for i, value in enumerate(evaluate(number, terms, leaf)):
+        number.store(value, "%result", i)
+    arguments = "ptr noalias %result, ptr noalias %state, ptr noalias %constants"
+    return number.writer.text(f"internal void @{name}({arguments})", "#1")
 
 
 class _March:
@@ -138,7 +160,7 @@ class _March:
         self.n = arithmetic(self.w)
         self.method, self.equations = method, equations
         self.dimension = len(equations.rates)
-        self.pieces, constants = functions(arithmetic, equations, lanes)
+        self.pieces, constants = functions(arithmetic, equations.pieces, lanes)
         self.space = Workspace()
         words = self.n.words
         for name, count in (
@@ -447,7 +469,7 @@ class _March:
     def _y(self, i: int) -> Value:
         return self.n.load(self.place("y"), i)
 
-    def _sum(self, weights: Sequence[object], i: int) -> Value:
+    def _sum(self, weights: Sequence[Fraction], i: int) -> Value:
         """A sum of the rates of one variable, with weights."""
         n = self.n
         total = None

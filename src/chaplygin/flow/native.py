@@ -8,6 +8,7 @@ import itertools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from pathlib import Path
 from typing import Any
 
 import llvmlite
@@ -87,6 +88,14 @@ def _processor() -> str:
     )
 
 
+@lru_cache
+def _generator() -> str:
+    """The modules that write the texts, so that a change of them counts."""
+    names = ("gauss", "graph", "march", "native", "simd", "special", "tables")
+    folder = Path(__file__).parent
+    return hashlib.sha256(b"".join((folder / f"{n}.py").read_bytes() for n in names)).hexdigest()
+
+
 def _compile(text: str) -> bytes:
     module = llvm.parse_assembly(text + _ATTRIBUTES)
     machine = _machine()
@@ -122,7 +131,7 @@ def load(
     signatures : dict of str to sequence of ctypes types
         Of each function that is to be called from Python.
     """
-    name = hashlib.sha256("\x00".join((key, _processor())).encode()).hexdigest()
+    name = hashlib.sha256("\x00".join((key, _processor(), _generator())).encode()).hexdigest()
 
     def make() -> tuple[bytes, int]:
         written, room = text()

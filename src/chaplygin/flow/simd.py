@@ -7,6 +7,7 @@ bits at every vector width and whatever its neighbours do.
 
 from __future__ import annotations
 
+import itertools
 import struct
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -39,12 +40,17 @@ class Writer:
         self.whole = f"<{lanes} x i64>"
         self.entry: list[str] = []
         self.lines: list[str] = []
-        self._count = 0
+        self._numbers = itertools.count()
+
+    def narrow(self) -> Writer:
+        """A writer of the same text for vectors of one lane."""
+        other = Writer(1)
+        other.entry, other.lines, other._numbers = self.entry, self.lines, self._numbers
+        return other
 
     def name(self) -> str:
         """A fresh name."""
-        self._count += 1
-        return f"v{self._count}"
+        return f"v{next(self._numbers)}"
 
     def line(self, text: str) -> None:
         """An instruction without a result."""
@@ -185,6 +191,8 @@ def _align(kind: str) -> int:
 
 class Arithmetic(Protocol):
     """What the lanes compute with."""
+
+    def __init__(self, writer: Writer) -> None: ...
 
     writer: Writer
     #: Doubles that one number takes.

@@ -82,7 +82,7 @@ def gauss(stages: int) -> Gauss:
     are differences of its neighbours.
     """
     with mpmath.workdps(80):
-        nodes = sorted(mpmath.re(x) for x in _roots(stages))
+        nodes = sorted(_roots(stages))
         c = [(1 + x) / 2 for x in nodes]
         slopes = [stages * mpmath.legendre(stages - 1, x) / (1 - x * x) for x in nodes]
         b = [1 / ((1 - x * x) * d * d) for x, d in zip(nodes, slopes, strict=True)]
@@ -102,9 +102,12 @@ def gauss(stages: int) -> Gauss:
 
 
 def _roots(stages: int) -> list[Any]:
-    """The roots of the Legendre polynomial on [−1, 1]."""
-    guesses = (mpmath.cos(mpmath.pi * (4 * i + 3) / (4 * stages + 2)) for i in range(stages))
-    return [mpmath.findroot(lambda x: mpmath.legendre(stages, x), guess) for guess in guesses]
+    """The roots of the Legendre polynomial on [−1, 1]: eigenvalues of Jacobi's matrix."""
+    jacobi = mpmath.matrix(stages)
+    for k in range(1, stages):
+        jacobi[k - 1, k] = jacobi[k, k - 1] = k / mpmath.sqrt(4 * k * k - 1)
+    roots: list[Any] = list(mpmath.eigsy(jacobi, eigvals_only=True))
+    return roots
 
 
 def _legendre(count: int, x: Any) -> list[Any]:

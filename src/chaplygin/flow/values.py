@@ -65,7 +65,8 @@ def formula(system: System, quantity: Any) -> Any:
         If the text cannot be read, or is not a scalar.
     """
     if isinstance(quantity, str):
-        named = {item.name: item.value for item in (*system.observables, *system.integrals)}
+        named: dict[str, Any] = {item.name: item.value for item in system.observables}
+        named |= {law.name: law.value for law in system.integrals}
         if quantity in named:
             found = named[quantity]
         else:
@@ -101,7 +102,9 @@ def parameter_rows(system: System, parameters: Mapping[Any, Any] | None, count: 
         If a name is unknown, a value is not finite or not admissible, or an array has another
         length.
     """
-    columns: dict[str, Any] = {str(p.symbol): np.float64(p.default) for p in system.parameters}
+    columns: dict[str, Any] = {
+        str(p.symbol): np.asarray(float(p.default)) for p in system.parameters
+    }
     for key, value in (parameters or {}).items():
         if str(key) not in columns:
             known = ", ".join(columns) or "none"
@@ -128,10 +131,8 @@ def _require_admissible(system: System, rows: Any) -> None:
     symbols = [p.symbol for p in system.parameters]
     for parameter in system.parameters:
         for condition in parameter.admissible:
-            used = sorted(condition.free_symbols, key=str)
-            holds = sp.lambdify(used, condition, "numpy")(
-                *(rows[:, symbols.index(s)] for s in used)
-            )
+            used, check = _condition(condition)
+            holds = check(*(rows[:, symbols.index(s)] for s in used))
             bad = np.flatnonzero(~np.broadcast_to(holds, len(rows)))
             if bad.size:
                 value = rows[bad[0], symbols.index(parameter.symbol)]
@@ -139,6 +140,13 @@ def _require_admissible(system: System, rows: Any) -> None:
                     f"{system.name}: {parameter.symbol} = {value:.10g} is not admissible; "
                     f"{condition} must hold"
                 )
+
+
+@lru_cache(maxsize=256)
+def _condition(condition: sp.Basic) -> tuple[list[sp.Symbol], Any]:
+    """The symbols of a relation, and whether it holds as a function of them."""
+    used = sorted(condition.free_symbols, key=str)
+    return used, sp.lambdify(used, condition, "numpy")
 
 
 def values(

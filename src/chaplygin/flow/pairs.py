@@ -1,0 +1,34 @@
+"""Numbers of 32 digits as two doubles each."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import mpmath
+import numpy as np
+
+__all__ = ["paired", "unpaired"]
+
+
+def paired(values: Any) -> Any:
+    """Numbers as pairs of doubles, the second what rounding to the first leaves: (..., 2)."""
+    numbers = np.asarray(values)
+    if numbers.dtype != object:
+        first = numbers.astype(float)
+        return np.ascontiguousarray(np.stack([first, np.zeros_like(first)], axis=-1))
+    with mpmath.workdps(50):
+        exact = [mpmath.mpmathify(x) for x in numbers.ravel()]
+        parts = [(float(x), float(x - mpmath.mpf(float(x)))) for x in exact]
+    return np.array(parts).reshape(*numbers.shape, 2)
+
+
+def unpaired(first: Any, rest: Any) -> Any:
+    """The numbers that pairs stand for, as an array of mpmath numbers."""
+    with mpmath.workdps(40):
+        sums = [
+            mpmath.mpf(float(a)) + mpmath.mpf(float(b))
+            for a, b in zip(np.ravel(first), np.ravel(rest), strict=True)
+        ]
+    made = np.empty(len(sums), dtype=object)
+    made[:] = sums
+    return made.reshape(np.shape(first))

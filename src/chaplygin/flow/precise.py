@@ -1,0 +1,241 @@
+"""Single motions to the last digit of a double, or to 30 digits.
+
+Where a System has integrals, the state is held on their level: without that the rounding errors
+of every method in doubles add up to a hundred times more.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any, Literal
+
+import numpy as np
+
+from ..errors import InputError
+from ..system import System
+from . import native
+from .gauss import correction, gauss_loop
+from .graph import Term
+from .lanes import MOST_STEPS, Lanes, equations_of, serial, serial_terms, spread, threads_here
+from .pairs import paired
+from .tables import gauss
+from .values import numbers, parameter_rows, read_system
+
+__all__ = ["Precise", "PreciseMotions", "precise"]
+
+#: Stages, and what the highest coefficient of the rates over a step may be, relative to the state.
+_METHODS = {16: (8, 1e-7), 30: (16, 3e-15)}
+
+_I, _P, _D = ctypes.c_int64, ctypes.c_void_p, ctypes.c_double
+_SIGNATURE = (_I, _I, _P, _P, _I, _P, _I, _D, _I, _P, _P, _P, _P, _P)
+
+
+@dataclass(frozen=True)
+class PreciseMotions:
+    """Motions at given times.
+
+    Attributes
+    ----------
+    states : array (motions, times, size)
+        In flat order; not-a-number after the end of a motion.
+    rest : array (motions, times, size)
+        What is to be added: the next 16 digits, of which 14 are right with 30 digits; with 16 digits
+        they only say how the last digit was rounded.
+    outcome, ended, steps : arrays (motions,)
+        As in :class:`chaplygin.flow.lanes.Marched`.
+    """
+
+    states: Any
+    rest: Any
+    outcome: Any
+    ended: Any
+    steps: Any
+
+
+@dataclass(frozen=True)
+class Precise:
+    """The flow of a System by Gauss–Legendre collocation, a lane for each stage.
+
+    Attributes
+    ----------
+    system : System
+    digits : 16 or 30
+    held : tuple of str
+        Integrals and relations on whose level the state is held.
+    code : Native
+    """
+
+    system: System
+    digits: int
+    held: tuple[str, ...]
+    code: native.Native
+
+    def reason(self, code: int) -> str:
+        """What an outcome means, in words; nothing for 0."""
+        return Lanes.reason(self, code)
+
+    def until(
+        self,
+        starts: Any,
+        times: Any,
+        parameters: Mapping[Any, Any] | None = None,
+        *,
+        threads: int | None = None,
+    ) -> PreciseMotions:
+        """Motions from time 0 through given times.
+
+        Parameters
+        ----------
+        starts : array (motions, size)
+            In flat order; numbers of many digits (mpmath) count with 32 of them.
+        times : array (times,)
+            Increasing from 0 or later.
+        parameters : mapping of Symbol or name to number, optional
+            Values that replace the defaults; numbers of many digits count with 32 of them.
+        threads : int, optional
+            All processors that this process may use, unless given; each takes whole motions.
+
+        Raises
+        ------
+        InputError
+            If starts, times or parameters cannot be used.
+        """
+        moments = np.ascontiguousarray(np.atleast_1d(np.asarray(times, dtype=float)))
+        if moments.ndim != 1 or not moments.size or not np.all(np.isfinite(moments)):
+            raise InputError("times: there must be at least one, and all finite numbers")
+        if moments[0] < 0 or np.any(np.diff(moments) <= 0):
+            raise InputError("times: they must increase from 0, where the motion begins")
+        rows = paired(starts)
+        size = len(self.system.symbols)
+        if rows.ndim != 3 or rows.shape[1] != size:
+            names = ", ".join(map(str, self.system.symbols))
+            raise InputError(
+                f"{self.system.name}: starts have the shape {rows.shape[:-1]}; (motions, {size}) is "
+                f"needed, in the order {names}"
+            )
+        constants = _constants(self.system, parameters)
+        number, wanted = len(rows), len(moments)
+        states = np.full((number, wanted, size, 2), np.nan)
+        outcome, steps = (np.zeros(number, dtype=np.int64) for _ in range(2))
+        ended = np.zeros(number)
+        _, bound = _METHODS[self.digits]
+
+        def part(first: int, last: int) -> None:
+            work = native.aligned(self.code.room)
+            self.code.functions["gauss"](
+                *(first, last, rows.ctypes.data, constants.ctypes.data, 0),
+                *(moments.ctypes.data, wanted, bound, MOST_STEPS),
+                *(a.ctypes.data for a in (states, outcome, ended, steps, work)),
+            )
+
+        spread(part, number, threads_here() if threads is None else threads)
+        return PreciseMotions(states[..., 0], states[..., 1], outcome, ended, steps)
+
+
+def _constants(system: System, parameters: Mapping[Any, Any] | None) -> Any:
+    """Values of the parameters with 32 digits: (parameters, 2)."""
+    parameter_rows(system, {k: float(v) for k, v in (parameters or {}).items()}, 1)
+    given = {str(key): value for key, value in (parameters or {}).items()}
+    return paired([given.get(str(p.symbol), p.default) for p in system.parameters])
+
+
+def precise(
+    system: System,
+    start: Any,
+    parameters: Mapping[Any, Any] | None = None,
+    digits: Literal[16, 30] = 16,
+) -> Precise:
+    """The flow of a system with all digits, compiled or fetched from the cache.
+
+    Parameters
+    ----------
+    system : System
+        As it is to be integrated; ``system.lifted()`` carries its motion in space along.
+    start : array (size,)
+        A state near which the motions begin: integrals that are claimed of the system but do not
+        stand still there are not held.
+    parameters : mapping of Symbol or name to number, optional
+    digits : 16 or 30
+
+    Raises
+    ------
+    InputError
+        If the digits are neither, or a formula has a function that machine code does not know.
+    """
+    if digits not in _METHODS:
+        raise InputError(f"digits = {digits}: single motions are computed to 16 or to 30 digits")
+    point = np.array([float(x) for x in start])
+    values = tuple(sorted((str(k), float(v)) for k, v in (parameters or {}).items()))
+    names = () if digits == 30 else _standing(system, tuple(point), values)
+    return _compiled(system, digits, names)
+
+
+@lru_cache(maxsize=64)
+def _compiled(system: System, digits: int, names: tuple[str, ...]) -> Precise:
+    equations = equations_of(system, 0, None, False)
+    reader, _ = read_system(system)
+    held = dict(_candidates(system))
+    kept = None
+    if names:
+        kept = correction(
+            reader.graph,
+            [held[name] for name in names if not name.startswith("=")],
+            [held[name[1:]] for name in names if name.startswith("=")],
+            equations.groups,
+            len(system.symbols),
+        )
+    stages, _ = _METHODS[digits]
+    levels = serial_terms([held[name.lstrip("=")] for name in names])
+    key = f"gauss {stages} {digits} {serial(equations)} {names} {levels}"
+    code = native.load(
+        key,
+        lambda: gauss_loop(gauss(stages), equations, kept, digits == 30),
+        {"gauss": _SIGNATURE},
+    )
+    return Precise(system, digits, tuple(name.lstrip("=") for name in names), code)
+
+
+def _candidates(system: System) -> list[tuple[str, Term]]:
+    """Integrals and relations by name."""
+    reader, _ = read_system(system)
+    found = [(law.name, reader(law.value)) for law in system.integrals]
+    return found + [(f"relation {k + 1}", reader(r)) for k, r in enumerate(system.relations)]
+
+
+@lru_cache(maxsize=256)
+def _standing(
+    system: System, point: tuple[float, ...], parameters: tuple[tuple[str, float], ...]
+) -> tuple[str, ...]:
+    """Names of what stands still near a state: integrals and relations.
+
+    A relation that stands still only where it vanishes is marked with "=".
+    """
+    reader, rates = read_system(system)
+    graph = reader.graph
+    size = len(point)
+    constants = parameter_rows(system, dict(parameters), 1)[0]
+    generator = np.random.default_rng(0)
+    on_level = np.array([point])
+    beside = on_level * (1 + 0.01 * generator.normal(size=(4, size)))
+    relations = {f"relation {k + 1}" for k in range(len(system.relations))}
+    found = []
+    for name, term in _candidates(system):
+        parts = []
+        for i in range(size):
+            unit = {graph.state(k): graph.number(int(k == i)) for k in range(size)}
+            (slope,) = graph.along([term], unit)
+            parts.append(slope * rates[i])
+
+        def still(points: Any, parts: list[Term] = parts) -> bool:
+            shares = numbers(parts, points, constants)
+            total, size_of = np.abs(shares.sum(axis=1)), np.abs(shares).sum(axis=1)
+            return bool(np.all(total <= 1e-11 * size_of) and np.all(np.isfinite(size_of)))
+
+        if name in relations:
+            found.append(name if still(beside) else f"={name}")
+        elif still(on_level):
+            found.append(name)
+    return tuple(found)
