@@ -23,7 +23,7 @@ __all__ = ["Equations", "Orbit", "find", "held_values", "solved"]
 #: Singular values below this share of the greatest belong to a family.
 FAMILY = 1e-10
 #: Steps of Newton's method, and halvings of one of them.
-STEPS, HALVINGS = 40, 12
+STEPS, HALVINGS = 25, 6
 #: An orbit that closes no better than this share of its size has not been found.
 CLOSED = 1e-8
 

@@ -1,0 +1,208 @@
+"""The rubber ball on a sphere for k = ±1 and k = ±½: regular or not.
+
+A balanced, dynamically asymmetric ball rolls on a sphere with neither slipping nor spinning (§9).
+Energy and an invariant measure it has for every ratio k = a/(a + b) of the radii; with one more
+integral, known for k = 1 and k = −1, it is integrable.  For k = ½ (equal radii) the equations are
+Hamiltonian without a change of time; is it integrable, and for k = −½?  Measured here: sections,
+how the two known integrals change, closed orbits on resonant curves, rotation numbers, exponents.
+
+    python examples/rubber_ball_on_sphere.py
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import sympy as sp
+from matplotlib.figure import Figure
+
+from chaplygin.errors import RunError
+from chaplygin.explore.averages import Average
+from chaplygin.explore.lyapunov import spectrum
+from chaplygin.explore.orbits import Orbit, find
+from chaplygin.explore.returns import Returns, rotations
+from chaplygin.flow.formulas import Formulas
+from chaplygin.flow.lanes import section
+from chaplygin.flow.section import SectionMap
+from chaplygin.study.figures.style import STYLE, WIDTH
+from chaplygin.systems import rubber_ball_ratio as ball
+from chaplygin.vectors import explicit
+
+#: J = I + mb², kg m².
+J = np.array([1.0, 2.0, 2.8])
+RATIOS = {"k = 1": 1.0, "k = −1": -1.0, "k = ½": 0.5, "k = −½": -0.5}
+#: Periods of the closed orbits, and starts from which they are sought.
+PERIODS, SOUGHT = (3, 4, 5), 12
+#: A start for the exponents, θ and ψ, near the direction of the section, and how long to follow it.
+START, UNTIL = (0.75, 0.3), 20_000.0
+
+SYSTEM = ball.rolling().with_laws(ball.ENERGY)
+omega, n = SYSTEM.symbols[:3], SYSTEM.symbols[3:]
+
+
+def returns(k: float) -> SectionMap:
+    """n₂ = 0, rising."""
+    values = {"k": k} | {f"J_{i}": moment for i, moment in enumerate(J, 1)}
+    return SectionMap(SYSTEM, section(SYSTEM, "n_2"), values)
+
+
+def starts(k: float, theta: np.ndarray, psi: np.ndarray) -> np.ndarray:
+    """ω, n at energy ½ J from the place θ on the circle n₂ = 0 and the direction ψ across it.
+
+    n = (sin θ, 0, cos θ), √J₂ ω₂ = cos ψ.
+    """
+    zero = np.zeros_like(theta)
+    place = np.stack([np.sin(theta), zero, np.cos(theta)], axis=1)
+    along = np.stack([np.cos(theta), zero, -np.sin(theta)], axis=1)
+    speed = np.sign(k) * np.sin(psi) / np.sqrt((J * along**2).sum(axis=1))
+    spin = speed[:, None] * along
+    spin[:, 1] = np.cos(psi) / np.sqrt(J[1])
+    return np.concatenate([spin, place], axis=1)
+
+
+def angles(states: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """θ and ψ of states on the section."""
+    theta = np.arctan2(states[..., 3], states[..., 5])
+    return theta, np.arccos(np.sqrt(J[1]) * states[..., 1])
+
+
+@dataclass(frozen=True)
+class Found:
+    """What was measured for one ratio.
+
+    Attributes
+    ----------
+    points : array (starts, returns, size)
+        The section.
+    drifts : dict of str to float
+        The greatest change of a quantity along these motions, as a share of its size.
+    orbits : tuple of Orbit
+        Closed orbits with three to five points.
+    regular : float
+        The share of starts whose rotation number converges to 1e-8 in a thousand returns.
+    exponent : Average
+        The largest Lyapunov exponent of one motion, 1/s.
+    """
+
+    points: np.ndarray
+    drifts: dict[str, float]
+    orbits: tuple[Orbit, ...]
+    regular: float
+    exponent: Average
+
+
+def residue(orbit: Orbit) -> float:
+    """(2 − trace)/4 of a closed orbit of a map that keeps areas: zero on a curve of such orbits."""
+    return float((2 - np.trace(orbit.multipliers.matrix)) / 4)
+
+
+def measured(k: float, count: int = 48, length: int = 600, until: float = UNTIL) -> Found:
+    """All measurements for one ratio."""
+    made = returns(k)
+    line = np.linspace(0.02, np.pi - 0.02, count)
+    across = np.where(np.arange(count) % 2, np.pi / 2, 0.15 + 0.87 * line)
+    points = made.returns(starts(k, line, across), length).states
+    about = sp.atan2(
+        sp.acos(sp.sqrt(J[1]) * omega[1]) - sp.pi / 2, sp.atan2(n[0], n[2]) - sp.pi / 2
+    )
+    turning = rotations(made, starts(k, line, across), about)
+    (start,) = starts(k, *np.array(START)[:, None])
+    exponents = spectrum(SYSTEM, start, made.parameters, until=until)
+    return Found(
+        points,
+        drifts(made, points),
+        closed(k),
+        float((turning.errors < 1e-8).mean()),
+        exponents.exponents[0],
+    )
+
+
+def drifts(made: SectionMap, points: np.ndarray) -> dict[str, float]:
+    """How much the energy and the two quadratic integrals change."""
+    laws = {"energy": ball.ENERGY, "for k = 1": ball.ON_PLANE, "for k = −1": ball.AROUND}
+    values = Formulas(SYSTEM, [explicit(law.value) for law in laws.values()])(
+        points, made.parameters
+    )
+    change = np.ptp(values, axis=1) / np.abs(values).mean(axis=1)
+    return dict(zip(laws, change.max(axis=0).tolist(), strict=True))
+
+
+def closed(k: float, periods: Sequence[int] = PERIODS, sought: int = SOUGHT) -> tuple[Orbit, ...]:
+    """Closed orbits of several points, from starts on the line ψ = π/2."""
+    made, found = Returns(returns(k)), []
+    for period in periods:
+        for theta in np.linspace(0.05, np.pi - 0.05, sought):
+            (start,) = starts(k, np.array([theta]), np.array([np.pi / 2]))
+            try:
+                orbit = find(made, start, period, {"energy": 0.5})
+            except RunError:
+                continue
+            apart = np.linalg.norm(orbit.points[1:] - orbit.points[0], axis=1).min()
+            if apart > 1e-4 and not any(_same(orbit, other) for other in found):
+                found.append(orbit)
+    return tuple(found)
+
+
+def _same(orbit: Orbit, other: Orbit) -> bool:
+    near = abs(orbit.duration - other.duration) < 1e-5
+    return near and orbit.period == other.period
+
+
+def figure(found: dict[str, Found]) -> Figure:
+    """The four sections."""
+    made, axes = plt.subplots(
+        2, 2, figsize=(WIDTH, 4.9), sharex=True, sharey=True, layout="constrained"
+    )
+    for panel, (name, one) in zip(axes.flat, found.items(), strict=True):
+        theta, psi = angles(one.points)
+        colours = np.linspace(0, 0.92, len(theta))[:, None].repeat(theta.shape[1], 1)
+        panel.scatter(
+            theta, psi, c=colours, s=0.25, lw=0, cmap="viridis", vmin=0, vmax=1, rasterized=True
+        )
+        panel.set_title(f"${name.replace('½', r'1/2').replace('−', '-')}$", fontsize=10)
+        panel.set(xlim=(-np.pi, np.pi), ylim=(0, np.pi))
+        panel.set_xticks([-np.pi, 0, np.pi], [r"$-\pi$", "0", r"$\pi$"])
+        panel.set_yticks([0, np.pi / 2, np.pi], ["0", r"$\pi/2$", r"$\pi$"])
+    for panel in axes[1]:
+        panel.set_xlabel(r"place on the circle $n_2 = 0$, $\theta$ (rad)")
+    for panel in axes[:, 0]:
+        panel.set_ylabel(r"direction $\psi$ (rad)")
+    return made
+
+
+def report(found: dict[str, Found]) -> None:
+    """The numbers."""
+    print(f"J = {J.tolist()} kg m², energy 0.5 J, section n₂ = 0 rising\n")
+    for name, one in found.items():
+        print(f"{name}:")
+        changes = ", ".join(f"{law} {value:.1e}" for law, value in one.drifts.items())
+        print(f"  change along {one.points.shape[1]} returns: {changes}")
+        print(f"  starts with a rotation number to 1e-8: {100 * one.regular:.0f} %")
+        kinds = [orbit.kind for orbit in one.orbits]
+        count = ", ".join(f"{kinds.count(kind)} {kind}" for kind in sorted(set(kinds)))
+        sizes = np.abs([residue(orbit) for orbit in one.orbits])
+        print(f"  closed orbits of {PERIODS[0]} to {PERIODS[-1]} points: {count}")
+        print(f"    |residue| from {sizes.min():.1e} to {sizes.max():.1e}")
+        told = f"{one.exponent.value:.5f} ± {one.exponent.error:.5f}"
+        print(f"  largest exponent from θ, ψ = {START}: {told} 1/s")
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("-o", "--output", type=Path, default=Path(), help="folder of the figure")
+    folder = parser.parse_args(arguments).output
+    found = {name: measured(k) for name, k in RATIOS.items()}
+    report(found)
+    with plt.rc_context(STYLE):
+        folder.mkdir(parents=True, exist_ok=True)
+        figure(found).savefig(folder / "rubber_ball_on_sphere.png", dpi=160)
+    print(f"wrote {folder / 'rubber_ball_on_sphere.png'}")
+
+
+if __name__ == "__main__":
+    main()
