@@ -73,14 +73,14 @@ def series(name: str, bits: int) -> Series:
     mp = MPContext()
     mp.prec = 4 * bits
     value = mp.memoize(lambda t: smooth(mp, t))
-    terms, gained = 2, 0
+    terms = 2
     while True:
         found, error = mp.chebyfit(value, [first, last], terms, error=True)
         reached = -mp.mag(error)
         if reached >= bits:
             return Series(tuple(map(_fraction, reversed(found))), max(-first, last))
-        rate = max(1, (reached - gained) // terms if gained == 0 else reached // terms)
-        gained = reached
+        # half of what is missing at the present rate, so as not to go too far
+        rate = max(1, reached // terms)
         terms += max(1, (bits - reached) // (2 * rate))
 
 
