@@ -51,11 +51,15 @@ def clear(output: Path, picture: Path, force: bool) -> None:
     """
     import shutil
 
+    from ..errors import InputError
     from ..flow.store import read
     from ..study.files import check_target
 
     if output.exists() and force:
-        read(output).close()  # nothing that is not ours is removed
+        try:
+            read(output).close()
+        except (OSError, ValueError):
+            raise InputError(f"{output} is no store of such a computation and is kept") from None
         shutil.rmtree(output)
     check_target(picture, force or output.exists())
 
@@ -84,7 +88,7 @@ def cluster(workers: str | None) -> Iterator[Any]:
     import distributed
 
     with distributed.Client(
-        n_workers=int(workers), threads_per_worker=1, dashboard_address=None
+        n_workers=int(workers), threads_per_worker=1, dashboard_address=":0"
     ) as client:
         yield client
 

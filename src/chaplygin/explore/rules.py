@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -78,8 +79,10 @@ def asked(system: System, text: str, until: float, tolerance: float = 1e-12) -> 
     Raises
     ------
     InputError
-        If there is no such number, or the formula cannot be read.
+        If there is no such number, the formula cannot be read, or `until` is not positive.
     """
+    if not 0 < until < math.inf:
+        raise InputError(f"until = {until:g}: motions must be followed for a positive, finite time")
     word, colon, quantity = (part.strip() for part in text.partition(":"))
     kind = KINDS.get(word)
     if kind is None:
