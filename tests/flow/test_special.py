@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -9,7 +10,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from chaplygin.flow.simd import Double, Pair
+from chaplygin.flow.simd import Double, Pair, Writer
 from chaplygin.flow.special import FUNCTIONS
 
 from .machine import exact, run
@@ -212,3 +213,16 @@ def test_bits_do_not_depend_on_the_number_of_lanes(name: str, arithmetic: Any) -
     given = (_points(words) if name == "atan2" else _given(name, words))[:96]
     found = [_apply(arithmetic, name, given, lanes).tobytes() for lanes in (1, 2, 8, 16)]
     assert len(set(found)) == 1
+
+
+@pytest.mark.parametrize("arithmetic", [Double, Pair])
+@pytest.mark.parametrize("name", sorted(FUNCTIONS))
+def test_no_branches_and_no_calls(name: str, arithmetic: Any) -> None:
+    """Nothing is written that would take lanes one by one."""
+    w = Writer(8)
+    k = arithmetic(w)
+    operands = [k.load("%given", i) for i in range(2 if name == "atan2" else 1)]
+    FUNCTIONS[name](k, *operands)
+    calls = set(re.findall(r"@llvm\.(\w+)", "\n".join(w.lines)))
+    assert calls <= {"fma", "sqrt"}
+    assert not any(line.split()[0] == "br" or line.endswith(":") for line in w.lines)
