@@ -25,15 +25,15 @@ def _signed(rng: np.random.Generator, low: float, high: float) -> np.ndarray:
 
 
 def _near_quarters(rng: np.random.Generator) -> np.ndarray:
-    """The doubles next to multiples of π/2 up to 10⁹, where sine, cosine, tangent vanish or end."""
-    few, many = np.arange(1, 60), rng.integers(60, 636_000_000, 60)
+    """The doubles next to multiples of π/2 up to 10¹², where sine, cosine, tangent vanish or end."""
+    few, many = np.arange(1, 60), rng.integers(60, 600_000_000_000, 60)
     with mpmath.workdps(DIGITS):
         turns = [float(mpmath.pi / 2 * int(n)) for n in (*few, *many)]
     return np.concatenate([turns, np.nextafter(turns, np.inf), np.nextafter(turns, 0)])
 
 
 def _angles(rng: np.random.Generator) -> np.ndarray:
-    parts = [_signed(rng, low, high) for low, high in ((-60, 0), (-3, 5), (0, 29.9))]
+    parts = [_signed(rng, low, high) for low, high in ((-60, 0), (-3, 5), (0, 30), (30, 40))]
     return np.concatenate([*parts, _near_quarters(rng)])
 
 
