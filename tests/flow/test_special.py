@@ -25,7 +25,7 @@ def _signed(rng: np.random.Generator, low: float, high: float) -> np.ndarray:
 
 
 def _near_quarters(rng: np.random.Generator) -> np.ndarray:
-    """The doubles next to multiples of π/2 up to 10¹², where sine, cosine, tangent vanish or end."""
+    """The doubles next to multiples of π/2 up to 10¹², where functions vanish or end."""
     few, many = np.arange(1, 60), rng.integers(60, 600_000_000_000, 60)
     with mpmath.workdps(DIGITS):
         turns = [float(mpmath.pi / 2 * int(n)) for n in (*few, *many)]
