@@ -9,7 +9,7 @@ import numpy as np
 
 from ..errors import InputError
 
-__all__ = ["BATCHES", "Average", "average", "batched"]
+__all__ = ["BATCHES", "Average", "average", "batched", "resolution"]
 
 Array: TypeAlias = Any
 
@@ -86,6 +86,11 @@ def batched(series: Array, batches: int = BATCHES) -> Array:
     return means
 
 
+def resolution(span: float, began: float) -> float:
+    """The rate that growth like the square of the time shows over a time `span` from `began`."""
+    return POWER * float(np.log1p(span / began)) / span
+
+
 def average(growth: Array, interval: float, began: float) -> Average:
     """The mean rate of what grows by `growth` in each of a row of intervals.
 
@@ -119,7 +124,7 @@ def average(growth: Array, interval: float, began: float) -> Average:
         value,
         student * float(means.std(ddof=1)) / BATCHES**0.5,
         float(np.ptp(strayed)) / span,
-        POWER * float(np.log1p(span / max(began, interval))) / span,
+        resolution(span, max(began, interval)),
         (
             float(growth[:half].mean()) / interval,
             float(growth[half:].mean()) / interval,

@@ -8,16 +8,18 @@ system at all.  What is left when all of these are removed is the genuine spectr
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy as np
 import sympy as sp
 
+from ..claims import equation
 from ..flow.formulas import Formulas
 from ..flow.linearise import components, taking_part
 from ..flow.tangent import TangentSpace
+from ..notation import text
 from ..statements import Law, Symmetry
 from ..system import System
 from ..vectors import explicit
@@ -85,7 +87,10 @@ class Forced:
 
 
 def forced(
-    system: System, start: Sequence[float], parameters: Mapping[Any, Any] | None = None
+    system: System,
+    start: Sequence[float],
+    parameters: Mapping[Any, Any] | None = None,
+    kept: Collection[str] = (),
 ) -> Forced:
     """The zero exponents that laws and relations force on the motion from a start.
 
@@ -96,6 +101,8 @@ def forced(
         State in flat order, on the phase space.
     parameters : mapping of Symbol or name to number, optional
         Values that replace the defaults.
+    kept : collection of str
+        Names of what is not to be removed, because it forces no zero on this motion.
 
     Returns
     -------
@@ -109,6 +116,8 @@ def forced(
     dependent: list[str] = []
     conditions: list[Any] = []
     for item in _conditions(at):
+        if item.removed.name in kept:
+            continue
         gradient = at.slopes(item.formulas)[0]
         if item.on and not at.on_level(item.on, across):
             continue
@@ -117,7 +126,11 @@ def forced(
             removed.append(item.removed)
         else:
             dependent.append(item.removed.name)
-    fields = [item for item in _fields(at) if not item.on or at.on_level(item.on, across)]
+    fields = [
+        item
+        for item in _fields(at)
+        if item.removed.name not in kept and (not item.on or at.on_level(item.on, across))
+    ]
     rows: list[Any] = []
     for named, row in _tangent(at, fields, across):
         if along.take(row @ at.vectors(fields), at.speed):
@@ -204,7 +217,8 @@ def _conditions(at: _At) -> Iterator[_Item]:
     """Relations, then integrals: those that hold everywhere first."""
     system = at.system
     for relation in system.relations:
-        yield _Item(Removed(f"{relation} = 0", "relation"), (explicit(relation),))
+        name = " = ".join(map(text, equation(relation)))
+        yield _Item(Removed(name, "relation"), (explicit(relation),))
     idle = set(_idle(system))
     for law in sorted(system.integrals, key=lambda law: bool(law.on)):
         value = explicit(law.value)

@@ -8,7 +8,7 @@ a motion of finite length and has an error; it is *observed*, never proven.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -18,12 +18,12 @@ import numpy as np
 from ..errors import InputError, RunError
 from ..flow.formulas import Formulas
 from ..flow.lanes import Lanes, lanes
-from ..flow.tangent import TangentSpace, orthonormal, propagate
-from ..statements import Measure
+from ..flow.tangent import TangentSpace, propagate
 from ..system import System
 from ..vectors import explicit
-from .averages import Average, average, batched
+from .averages import Average, average, batched, resolution
 from .forced import Forced, Removed, forced
+from .volumes import NODES, Followed, Volume, volume
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -42,33 +42,10 @@ MOST = 2_000_000
 #: Logarithm of the ratio of lengths that deviations may reach in an interval: at first, and later.
 APART = (12.0, 28.0)
 FIRST = 8
-#: Points of Gauss's rule in an interval, for the mean of the divergence.
-NODES = 8
 #: A relation may miss zero at the start by so much.
 OFF = 1e-9
 #: Draws of the bootstrap, and its seed.
 DRAWS, SEED = 400, 20080830
-
-
-@dataclass(frozen=True)
-class Volume:
-    """How volumes on the phase space change along the motion, and what this must agree with.
-
-    Attributes
-    ----------
-    divergence : Average
-        The mean of the divergence on the phase space, from exact derivatives by Gauss's rule.
-    balance : float
-        By how much the sum of all exponents, forced ones and boundary terms included, differs
-        from it: an error of the computation.
-    measures : dict of str to float
-        For each invariant measure of the system, by how much the change of its density along the
-        motion differs from the mean of the divergence.
-    """
-
-    divergence: Average
-    balance: float
-    measures: dict[str, float]
 
 
 @dataclass(frozen=True)
@@ -91,6 +68,9 @@ class Spectrum:
         relations.
     dependent : tuple of str
         Integrals and symmetries that force nothing at this start.
+    fading : tuple of str
+        What would force a zero if it kept its size, and does not: the flow of a motion that comes
+        to rest.  It is not removed.
     total : Average
         The sum of the genuine exponents.
     volume : Volume
@@ -108,6 +88,7 @@ class Spectrum:
     exponents: tuple[Average, ...]
     removed: tuple[tuple[Removed, float | None], ...]
     dependent: tuple[str, ...]
+    fading: tuple[str, ...]
     total: Average
     volume: Volume
     growth: Array
@@ -246,15 +227,50 @@ def spectrum(
     if not 100 <= intervals <= MOST:
         raise InputError(f"intervals = {intervals}: there must be from 100 to {MOST}")
     _check(system, start, parameters)
-    found = forced(system, start, parameters)
-    machine = lanes(system, tolerance=tolerance, deviations=found.space.dimension)
-    count = intervals
     told = progress or (lambda done: None)
-    while (run := _run(machine, found.space, start, (until, count), parameters, told)) is None:
+    found = forced(system, start, parameters)
+    run = _followed(found, start, (until, intervals), parameters, tolerance, told)
+    kept = _not_forced(found, run)
+    if kept:
+        found = forced(system, start, parameters, kept)
+        run = _followed(found, start, (until, intervals), parameters, tolerance, told)
+    return _evaluated(system, found, run, until, tolerance, parameters, kept)
+
+
+def _followed(
+    found: Forced,
+    start: Sequence[float],
+    times: tuple[float, int],
+    parameters: Values,
+    tolerance: float,
+    progress: Callable[[float], None],
+) -> Followed:
+    """The motion, in intervals so short that deviations keep apart."""
+    space = found.space
+    machine = lanes(space.system, tolerance=tolerance, deviations=space.dimension)
+    until, count = times
+    while (run := _run(machine, space, start, (until, count), parameters, progress)) is None:
         count *= 2
         if count > MOST:
             raise RunError("deviations grow too fast to be followed", 0.0)
-    return _evaluated(system, found, run, until, tolerance, parameters)
+    return run
+
+
+def _not_forced(found: Forced, run: Followed) -> tuple[str, ...]:
+    """Names of fields and integrals whose size does not last: their exponent is not zero.
+
+    So it is with the flow where the motion comes to rest.
+    """
+    skipped = round(UNSETTLED * len(run.lengths))
+    began, span = (run.interval * n for n in (skipped, len(run.lengths) - skipped))
+    bound = 3 * resolution(span, began)
+    with np.errstate(invalid="ignore"):
+        rates = (run.sizes[-1] - run.sizes[skipped]) / span
+    return tuple(
+        item.name
+        for item, rate in zip(found.removed, rates, strict=True)
+        if item.kind not in ("relation", "quadrature") and not abs(rate) <= bound
+    )
 
 
 def _check(system: System, start: Sequence[float], parameters: Values) -> None:
@@ -273,17 +289,6 @@ def _check(system: System, start: Sequence[float], parameters: Values) -> None:
             )
 
 
-@dataclass(frozen=True)
-class _Run:
-    """What was recorded along a motion, interval by interval."""
-
-    interval: float
-    nodes: Array
-    states: Array
-    lengths: Array
-    sizes: Array
-
-
 def _run(
     machine: Lanes,
     space: TangentSpace,
@@ -291,7 +296,7 @@ def _run(
     times: tuple[float, int],
     parameters: Values,
     progress: Callable[[float], None],
-) -> _Run | None:
+) -> Followed | None:
     """The motion; None where deviations grow too far apart within an interval."""
     until, count = times
     interval = until / count
@@ -314,22 +319,23 @@ def _run(
         nodes.append(stretch.states[0])
         lengths.append(stretch.lengths[0])
         sizes.append(stretch.sizes[0])
-    return _Run(interval, *map(np.array, (nodes, states, lengths, sizes)))
+    return Followed(interval, *map(np.array, (nodes, states, lengths, sizes)))
 
 
 def _evaluated(
     system: System,
     found: Forced,
-    run: _Run,
+    run: Followed,
     until: float,
     tolerance: float,
     parameters: Values,
+    kept: tuple[str, ...],
 ) -> Spectrum:
     skipped = round(UNSETTLED * len(run.lengths))
     began = skipped * run.interval
     span = (len(run.lengths) - skipped) * run.interval
-    kept = run.lengths[skipped:]
-    each = [average(column, run.interval, began) for column in kept.T]
+    counted = run.lengths[skipped:]
+    each = [average(column, run.interval, began) for column in counted.T]
     order = sorted(range(len(each)), key=lambda i: -each[i].value)
     rates = (run.sizes[-1] - run.sizes[skipped]) / span
     removed = tuple(
@@ -348,48 +354,9 @@ def _evaluated(
         tuple(each[i] for i in order),
         removed,
         found.dependent,
-        average(kept.sum(axis=1), run.interval, began),
-        _volume(system, found, run, skipped, parameters),
+        kept,
+        average(counted.sum(axis=1), run.interval, began),
+        volume(system, found, run, skipped, parameters),
         run.lengths[:, order],
         tolerance,
     )
-
-
-def _volume(system: System, found: Forced, run: _Run, skipped: int, parameters: Values) -> Volume:
-    """The divergence along the motion, and what it must agree with."""
-    relations = [explicit(relation) for relation in system.relations]
-    _, weights = np.polynomial.legendre.leggauss(NODES)
-    kept = run.nodes[skipped:]
-    density = found.space.divergence(kept.reshape(-1, kept.shape[-1]), parameters, relations)
-    growth = density.reshape(kept.shape[:2]) @ weights * run.interval / 2
-    span = len(growth) * run.interval
-    # of what is removed, all but the relations belongs to volumes on the phase space
-    inside = [item.kind != "relation" for item in found.removed]
-    change = float((run.sizes[-1] - run.sizes[skipped])[inside].sum())
-    balance = float(run.lengths[skipped:].sum() + change - growth.sum()) / span
-    ends = run.states[[skipped, -1]]
-    measures = {
-        name: float(growth.sum() - change) / span
-        for name, change in _densities(system, ends, relations, parameters)
-    }
-    return Volume(average(growth, run.interval, skipped * run.interval), balance, measures)
-
-
-def _densities(
-    system: System, ends: Array, relations: Sequence[Any], parameters: Values
-) -> Iterator[tuple[str, float]]:
-    """For each invariant measure, the growth of volumes that it allows between two states."""
-    moving = set(system.symbols) | {symbol for symbol, _ in system.steps}
-    _, sizes = orthonormal(Formulas(system, relations).slopes(ends, parameters))
-    for law in system.laws:
-        if not isinstance(law, Measure):
-            continue
-        level = [explicit(condition) for condition in law.on]
-        if any(condition.free_symbols & moving for condition in level):
-            continue
-        if np.abs(Formulas(system, level)(ends, parameters)).max(initial=0.0) > OFF:
-            continue
-        density = np.log(np.abs(Formulas(system, [explicit(law.value)])(ends, parameters)[:, 0]))
-        # volumes are those of the surface: the form of the law times the size of the gradients
-        logarithm = np.log(sizes).sum(axis=1) - density
-        yield law.name, float(logarithm[1] - logarithm[0])

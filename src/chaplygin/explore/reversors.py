@@ -18,6 +18,7 @@ import numpy as np
 import sympy as sp
 
 from ..flow.formulas import Formulas
+from ..notation import text
 from ..system import Parameter, System, flat
 from .reversal import reverses
 
@@ -58,11 +59,14 @@ class Reversor:
         values = {str(name): value for name, value in parameters.items()}
         return all(values[str(symbol)] == 0 for symbol in self.vanishing)
 
-    def __str__(self) -> str:
-        text = f"{', '.join(map(str, self.odd))} change sign"
-        if self.vanishing:
-            text += f"; needs {' = '.join(map(str, self.vanishing))} = 0"
-        return text
+    def words(self, system: System) -> str:
+        """What changes its sign, whole vectors by their names, and what that needs."""
+        whole = [name for name in system.state if set(flat((name,))) <= set(self.odd)]
+        rest = [s for s in self.odd if s not in flat(whole)]
+        names = [text(name) for name in (*whole, *rest)]
+        needs = "".join(f"{text(symbol)} = " for symbol in self.vanishing)
+        verb = "changes" if len(names) == 1 else "change"
+        return f"{', '.join(names)} {verb} sign" + (f" where {needs}0" if needs else "")
 
 
 def reversors(system: System) -> tuple[Reversor, ...]:

@@ -39,7 +39,11 @@ def remarks(found: Spectrum, reversors: Sequence[Reversor] = ()) -> Iterator[str
         Those of the system; the ones that hold with these parameters are used.
     """
     yield from _convergence(found)
-    yield from _rest(found)
+    for name in found.fading:
+        yield (
+            f"{name} forces no zero on this motion, because its size does not last: the motion "
+            "comes to rest, or runs away"
+        )
     yield from _kind(found)
     yield from _volumes(found)
     holding = [reversor for reversor in reversors if reversor.holds(found.parameters)]
@@ -62,15 +66,6 @@ def _convergence(found: Spectrum) -> Iterator[str]:
         )
 
 
-def _rest(found: Spectrum) -> Iterator[str]:
-    for item, rate in found.removed:
-        if rate is not None and abs(rate) > 3 * found.total.resolution:
-            yield (
-                f"the zero of {item.name} needs a motion that keeps its size; this one changes at "
-                f"the rate {rate:.3g}: it comes to rest or runs away, and the exponent is that rate"
-            )
-
-
 def _kind(found: Spectrum) -> Iterator[str]:
     if not found.exponents:
         yield "integrals, relations and symmetries force all exponents to be zero"
@@ -82,15 +77,21 @@ def _kind(found: Spectrum) -> Iterator[str]:
             "(observed)"
         )
     elif found.settled and found.exponents[0].value < -found.exponents[0].error:
-        yield "all exponents are negative: a periodic motion attracts this one (observed)"
+        yield "all exponents are negative: a periodic or steady motion attracts this one (observed)"
 
 
 def _volumes(found: Spectrum) -> Iterator[str]:
     for name, defect in found.volume.measures.items():
-        yield (
-            f"the invariant measure {name!r} forces the sum to be zero but for a boundary term; "
-            f"met to {abs(defect):.1g}"
-        )
+        if abs(defect) <= CAREFUL * found.total.error:
+            yield (
+                f"the density of the invariant measure {name!r} accounts for the mean of the "
+                f"divergence, to {abs(defect):.1g}"
+            )
+        else:
+            yield (
+                f"the density of the invariant measure {name!r} does not account for the mean of "
+                f"the divergence, by {abs(defect):.1g}: the motion runs where it has no value"
+            )
     total = found.total
     if not found.exponents or not total.settled or total.zero:
         return
@@ -108,10 +109,7 @@ def _volumes(found: Spectrum) -> Iterator[str]:
 
 
 def _pairs(found: Spectrum, reversor: Reversor) -> Iterator[str]:
-    yield (
-        f"the equations are reversible (proven): {', '.join(map(str, reversor.odd))} change sign "
-        "with the time"
-    )
+    yield (f"the equations are reversible (proven): {reversor.words(found.system)} with the time")
     if found.exponents and found.settled:
         yield (
             "the exponents come in pairs of opposite sign within their errors"
@@ -135,6 +133,7 @@ def record(found: Spectrum, reversors: Sequence[Reversor] = ()) -> dict[str, Any
             {"name": item.name, "kind": item.kind, "seen": rate} for item, rate in found.removed
         ],
         "dependent": list(found.dependent),
+        "fading": list(found.fading),
         "sum": _average(found.total),
         "mean_divergence": _average(found.volume.divergence),
         "balance": found.volume.balance,
@@ -208,10 +207,7 @@ def dataset(found: Spectrum) -> xr.Dataset:
             "system": found.system.title,
             "system_name": found.system.name,
             "parameters": "; ".join(f"{name} = {x!r}" for name, x in found.parameters.items()),
-            "start": "; ".join(
-                f"{s} = {float(x)!r}"
-                for s, x in zip(found.system.symbols, found.start, strict=True)
-            ),
+            "start": "; ".join(f"{symbol} = {float(x)!r}" for symbol, x in start),
             "counted_from": found.began,
             "tolerance": found.tolerance,
             "versions": f"chaplygin {__version__}",
