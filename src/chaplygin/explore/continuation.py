@@ -14,10 +14,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..errors import InputError, RunError
+from ..errors import InputError
 from .maps import Array, Map
 from .multipliers import Multipliers
-from .orbits import FAMILY, Equations, Orbit, described, held_values, solved
+from .orbits import FAMILY, Equations, NoOrbitError, Orbit, described, held_values, solved
 
 __all__ = ["Branch", "Event", "follow"]
 
@@ -38,8 +38,8 @@ class Event:
     ----------
     kind : str
         ``"fold"``: the varied value turns back; ``"branch"``: a multiplier goes through 1 without
-        that; ``"doubling"``: one goes through −1; ``"torus"``: a pair of complex ones goes through
-        the unit circle; ``"passed"``: the value asked for.
+        that (known to some five digits, as two branches meet there); ``"doubling"``: one goes
+        through −1; ``"torus"``: a pair of complex ones goes through the unit circle.
     place : float
         The varied value there.
     orbit : Orbit
@@ -192,7 +192,7 @@ def _advance(follower: _Follower, here: _Place, length: float) -> tuple[_Place, 
     for _ in range(SHORTENED):
         try:
             there = follower.step(here, length)
-        except RunError:
+        except NoOrbitError:
             length /= 2
             continue
         if _turn(here, there) < 2 * _STRAIGHT:
@@ -293,7 +293,7 @@ def _located(
         middle = b - g * (b - a) / (g - f)
         try:
             place = follower.step(here, middle)
-        except RunError:
+        except NoOrbitError:
             break
         value = test(place)
         moved = abs(middle - best[0])

@@ -18,14 +18,26 @@ from ..errors import InputError, RunError
 from .maps import Array, Image, Map
 from .multipliers import Multipliers, multipliers
 
-__all__ = ["Equations", "Orbit", "find", "held_values", "solved"]
+__all__ = ["Equations", "NoOrbitError", "Orbit", "find", "held_values", "solved"]
 
 #: Singular values below this share of the greatest belong to a family.
 FAMILY = 1e-10
 #: Steps of Newton's method, and halvings of one of them.
-STEPS, HALVINGS = 25, 6
+STEPS, HALVINGS = 30, 6
 #: An orbit that closes no better than this share of its size has not been found.
-CLOSED = 1e-8
+CLOSED = 1e-10
+#: Below this, residuals may grow: at rounding level, and where two orbits are near each other.
+ROUGH = 1e-8
+
+
+class NoOrbitError(RunError):
+    """There is no orbit where one was sought; `partial` holds the points where the search ended."""
+
+    def __init__(self, reason: str, points: Array) -> None:
+        super().__init__(reason, 0.0, points)
+
+    def __str__(self) -> str:
+        return self.reason
 
 
 @dataclass(frozen=True)
@@ -91,7 +103,7 @@ class Equations:
         count, size = points.shape
         image = self.map.image(points, slopes=True)
         if not np.isfinite(image.points).all():
-            raise RunError("a point of the orbit has no image on the section", 0.0, points)
+            raise NoOrbitError("a point of the orbit has no image on the section", points)
         assert image.slopes is not None
         gaps, _ = wrapped(np.roll(points, -1, axis=0) - image.points, self.map.periods)
         closing = np.zeros((count, size, count, size))
@@ -173,8 +185,8 @@ def solved(
 
     Raises
     ------
-    RunError
-        If the iteration does not come to rest on an orbit; `partial` holds where it ended.
+    NoOrbitError
+        If the iteration does not come to rest on an orbit.
     """
 
     def evaluated(place: Array) -> tuple[Array, Array]:
@@ -191,7 +203,7 @@ def solved(
     for _ in range(STEPS):
         step = shortest(slopes, residuals).reshape(points.shape)
         size, scale = float(np.abs(step).max()), 1.0 + float(np.abs(points).max())
-        if size >= last / 2 and size < 1e-10 * scale:
+        if size >= 0.9 * last and size < 1e-10 * scale:
             break
         moved = _damped(equations.map, evaluated, points, step, float(np.linalg.norm(residuals)))
         if moved is None:
@@ -202,7 +214,7 @@ def solved(
             break
     scale = 1.0 + float(np.abs(points).max())
     if np.abs(residuals).max() > CLOSED * scale:
-        raise RunError("Newton's method found no periodic orbit near the guess", 0.0, points)
+        raise NoOrbitError("Newton's method found no periodic orbit near the guess", points)
     return points, float(np.abs(shortest(slopes, residuals)).max())
 
 
@@ -218,10 +230,9 @@ def _damped(
         place = onto(made, points + step * 0.5**power)
         try:
             residuals, slopes = evaluated(place)
-        except RunError:
+        except NoOrbitError:
             continue
-        # at rounding level residuals do not fall any more, and the step is taken as it is
-        if np.linalg.norm(residuals) < norm or norm < 1e-11:
+        if np.linalg.norm(residuals) < norm or norm < ROUGH:
             return place, residuals, slopes
     return None
 
@@ -249,7 +260,7 @@ def find(
     ------
     InputError
         If the guess or a name cannot be used.
-    RunError
+    NoOrbitError
         If there is no orbit near the guess, or the map ends there.
 
     Examples
