@@ -9,8 +9,9 @@ from typing import Any
 import mpmath
 import numpy as np
 
+from chaplygin.flow.arithmetic import Arithmetic, Value
 from chaplygin.flow.native import aligned, load
-from chaplygin.flow.simd import Arithmetic, Value, Writer
+from chaplygin.flow.writer import Writer
 
 HEAD = "void @numbers(ptr %given, ptr %found, i64 %count)"
 

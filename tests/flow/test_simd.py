@@ -13,8 +13,10 @@ import sympy as sp
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from chaplygin.flow.arithmetic import Double, Pair
 from chaplygin.flow.graph import Graph, Reader, Term, of_system
-from chaplygin.flow.simd import Double, Pair, Writer, evaluate, hoisted, literal
+from chaplygin.flow.simd import evaluate, hoisted
+from chaplygin.flow.writer import Writer, literal
 from chaplygin.system import Parameter, System
 from chaplygin.systems import CATALOGUE
 

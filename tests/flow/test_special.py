@@ -10,8 +10,9 @@ import mpmath
 import numpy as np
 import pytest
 
-from chaplygin.flow.simd import Double, Pair, Writer
+from chaplygin.flow.arithmetic import Double, Pair
 from chaplygin.flow.special import FUNCTIONS
+from chaplygin.flow.writer import Writer
 
 from .machine import exact, run
 

@@ -12,15 +12,18 @@ gets below its own rounding errors otherwise.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 
-from .graph import Graph, Term
-from .march import COLLAPSED, ENDS, NOT_A_NUMBER, STEPS, Equations, Workspace, functions
-from .simd import Double, Pair, Value, Writer, literal
+from .arithmetic import Double, Pair, Value
+from .equations import Equations
+from .graph import Term
+from .keeping import Kept
+from .march import COLLAPSED, ENDS, NOT_A_NUMBER, STEPS, Workspace
+from .simd import functions
 from .tables import Gauss
+from .writer import Writer, literal
 
-__all__ = ["Kept", "correction", "gauss_loop"]
+__all__ = ["gauss_loop"]
 
 #: Steps between two projections.
 EVERY = 4
@@ -33,88 +36,6 @@ SETTLING = 8
 
 #: The estimate must be this much below its bound for so many steps before they are made longer.
 CALM, PATIENCE = 0.1, 32
-
-
-@dataclass(frozen=True)
-class Kept:
-    """Functions of the state that keep their values along every motion.
-
-    Attributes
-    ----------
-    residuals : tuple of Term
-        What vanishes; the values to be kept are state variables after the last one.
-    correction : tuple of Term
-        The change of each state variable that makes them vanish; the residuals are state
-        variables after the last one.
-    """
-
-    residuals: tuple[Term, ...]
-    correction: tuple[Term, ...]
-
-
-def correction(
-    graph: Graph,
-    kept: Sequence[Term],
-    vanishing: Sequence[Term],
-    groups: Sequence[Sequence[int]],
-    size: int,
-) -> Kept:
-    """How to move a state so that functions keep their values, and others vanish.
-
-    The change is the shortest in which each vector of the state counts relative to its length:
-    −D Gᵀ(G D Gᵀ)⁻¹ c, with G the gradients, c the residuals and D the squared lengths.  Where
-    gradients are dependent, as in a steady motion, what they share is corrected once.
-    """
-    states = [graph.state(i) for i in range(size)]
-    held = [*kept, *vanishing]
-    zero, one = graph.number(0), graph.number(1)
-    lengths = [zero] * size
-    for group in groups:
-        total = graph.number(Fraction(1, 10**200))
-        for i in group:
-            total = total + states[i] * states[i]
-        for i in group:
-            lengths[i] = total
-    columns = [graph.along(held, {s: one if s is x else zero for s in states}) for x in states]
-    gradients = [[columns[i][k] for i in range(size)] for k in range(len(held))]
-    scaled = [[g * d for g, d in zip(row, lengths, strict=True)] for row in gradients]
-    matrix = [[_dot(graph, row, other) for other in scaled] for row in gradients]
-    residuals = [graph.state(size + k) for k in range(len(held))]
-    shares = _solved(graph, matrix, residuals)
-    moves = [-_dot(graph, shares, [scaled[k][i] for k in range(len(held))]) for i in range(size)]
-    left = [value - graph.state(size + k) for k, value in enumerate(kept)]
-    return Kept((*left, *vanishing), tuple(moves))
-
-
-def _dot(graph: Graph, a: Sequence[Term], b: Sequence[Term]) -> Term:
-    total = graph.number(0)
-    for x, y in zip(a, b, strict=True):
-        total = total + x * y
-    return total
-
-
-def _solved(graph: Graph, matrix: list[list[Term]], right: list[Term]) -> list[Term]:
-    """The solution of symmetric equations, leaving out rows that depend on those before."""
-    size = len(right)
-    rows = [[*row, b] for row, b in zip(matrix, right, strict=True)]
-    pivots = []
-    for k in range(size):
-        share = matrix[k][k] * graph.number(Fraction(1, 10**10))
-        pivot = rows[k][k]
-        inverse = graph.positive(pivot - share, graph.recip(pivot), graph.number(0))
-        pivots.append(inverse)
-        for i in range(k + 1, size):
-            factor = rows[i][k] * inverse
-            rows[i] = [
-                rows[i][j] - factor * rows[k][j] if j > k else rows[i][j] for j in range(size + 1)
-            ]
-    found: list[Term] = [graph.number(0)] * size
-    for k in reversed(range(size)):
-        rest = rows[k][size]
-        for j in range(k + 1, size):
-            rest = rest - rows[k][j] * found[j]
-        found[k] = rest * pivots[k]
-    return found
 
 
 class _Loop:
@@ -440,8 +361,13 @@ class _Loop:
         w, d = self.w, self.d
         square = w.op("fmul", h, h)
         worst = w.constant(0.0)
+        # a variable that happens to be zero is measured by a thousandth of the whole
+        whole = w.constant(1e-200)
+        for i in (i for group in self.equations.groups for i in group):
+            whole = w.call("fma", self._y(i), self._y(i), whole)
+        whole = w.op("fmul", whole, w.constant(1e-6))
         for group in self.equations.groups:
-            size, change = w.constant(1e-200), w.constant(0.0)
+            size, change = whole, w.constant(0.0)
             for i in group:
                 y, k = self._y(i), d.load(self.at("rates"), i)
                 size = w.call("fma", y, y, size)
@@ -604,8 +530,9 @@ class _Loop:
 
 
 class _Rest:
-    """Whether an iteration has come to rest: its squared change is below a level, or below a
-    second one and no longer falling.
+    """Whether an iteration has come to rest.
+
+    It has when its squared change is below a level, or below a second one and no longer falling.
     """
 
     def __init__(self, loop: _Loop, h: str, small: float, low: float) -> None:

@@ -209,7 +209,8 @@ class Graph:
         return [known[id(term)] for term in terms]
 
     def _change(self, node: Term, changes: Sequence[Term]) -> Term:
-        kind, args = node.kind, node.args
+        kind = node.kind
+        args: tuple[Term, ...] = node.args
         if all(change.number == 0 for change in changes):
             return self.number(0)
         if kind == "add":

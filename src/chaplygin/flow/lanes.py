@@ -7,84 +7,44 @@ number of threads, the width of the processor's vectors, or the motions computed
 from __future__ import annotations
 
 import ctypes
+import itertools
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
-import sympy as sp
 
 from ..errors import InputError
 from ..system import System
 from . import native
-from .graph import Graph, Term, ordered
-from .march import ENDS, Equations, march
-from .simd import Double
-from .tables import explicit
-from .values import formula, parameter_rows, read_system, values
+from .arithmetic import Double, Pair
+from .equations import Equations, Section, equations_of, section, serial
+from .march import ENDS, march
+from .pairs import paired, parameter_pairs
+from .tables import explicit, explicit_fine
+from .values import values
 
-__all__ = ["THREADS", "Crossed", "Lanes", "Marched", "Section", "lanes", "section", "threads_here"]
+__all__ = [
+    "THREADS",
+    "Crossed",
+    "Lanes",
+    "Marched",
+    "Section",
+    "lanes",
+    "reason",
+    "section",
+    "threads_here",
+]
 
 #: A start may miss a relation by this much; more is refused.
 SLACK = 1e-9
 
 #: Attempted steps after which a motion is given up.
 MOST_STEPS = 100_000_000
-
-
-@dataclass(frozen=True)
-class Section:
-    """Where a motion is looked at: a function vanishes.
-
-    Attributes
-    ----------
-    value : sympy.Expr
-        The function, in the state, definitions and parameters.
-    direction : int
-        +1 where it rises through zero, −1 where it falls, 0 for both.
-    where : sympy.Expr or None
-        Only crossings where this is positive count.
-    """
-
-    value: Any
-    direction: int = 1
-    where: Any = None
-
-
-def section(
-    system: System, quantity: Any, value: float = 0, direction: int = 1, angle: bool = False
-) -> Section:
-    """The section on which a quantity has a value.
-
-    Parameters
-    ----------
-    system : System
-    quantity : SymPy expression or str
-        See :func:`chaplygin.flow.values.formula`.
-    value : float
-    direction : int
-        +1 where the quantity rises through the value, −1 where it falls, 0 for both.
-    angle : bool
-        The quantity is an angle, and has the value up to whole turns.
-
-    Raises
-    ------
-    InputError
-        If the quantity cannot be read or does not change, or the direction is none of the three.
-    """
-    if direction not in (-1, 0, 1):
-        raise InputError(f"direction = {direction}: it must be 1 (rising), -1 (falling) or 0")
-    difference = formula(system, quantity) - sp.sympify(value)
-    reader, _ = read_system(system)
-    if not any(term.kind == "state" for term in ordered([reader(difference)])):
-        raise InputError(f"{system.name}: the section {quantity} = {value} contains no state")
-    if angle:
-        return Section(sp.sin(difference), direction, sp.cos(difference))
-    return Section(difference, direction)
 
 
 @dataclass(frozen=True)
@@ -102,6 +62,8 @@ class Marched:
         The time that was reached.
     steps : array (motions,) of int
         Steps that were tried.
+    rest : array (motions, times, size) or None
+        With 30 digits, what is to be added to the states: their next 16 digits.
     """
 
     states: Any
@@ -109,6 +71,7 @@ class Marched:
     outcome: Any
     ended: Any
     steps: Any
+    rest: Any = None
 
 
 @dataclass(frozen=True)
@@ -124,7 +87,7 @@ class Crossed:
         At the time of crossing; not yet projected along the flow.
     counts : array (motions,) of int
         Crossings found.
-    outcome, ended, steps
+    outcome, ended, steps, rest
         As in `Marched`; the outcome is 0 where all crossings were found.
     """
 
@@ -135,6 +98,7 @@ class Crossed:
     outcome: Any
     ended: Any
     steps: Any
+    rest: Any = None
 
 
 _I, _P, _D = ctypes.c_int64, ctypes.c_void_p, ctypes.c_double
@@ -155,6 +119,7 @@ class Lanes:
     section : Section or None
     backward : bool
         Whether time runs backward; times are negative then.
+    digits : 16 or 30
     code : Native
     """
 
@@ -163,6 +128,7 @@ class Lanes:
     deviations: int
     section: Section | None
     backward: bool
+    digits: int
     code: native.Native
 
     @property
@@ -172,9 +138,7 @@ class Lanes:
 
     def reason(self, code: int) -> str:
         """What an outcome means, in words; nothing for 0."""
-        if code < len(ENDS):
-            return ENDS[code]
-        return self.system.guards[code - len(ENDS)].happening
+        return reason(self.system, code)
 
     def until(
         self,
@@ -190,7 +154,8 @@ class Lanes:
         Parameters
         ----------
         starts : array (motions, size)
-            In flat order of ``system.symbols``.
+            In flat order of ``system.symbols``; with 30 digits numbers of many digits (mpmath)
+            count with 32 of them, here and in `parameters`.
         times : array (times,)
             Increasing from 0 or later; decreasing for backward lanes.
         parameters : mapping of Symbol or name to number or array (motions,), optional
@@ -208,10 +173,10 @@ class Lanes:
         if self.section is not None:
             raise InputError("these lanes stop at a section: ask for returns instead of times")
         moments = self._moments(times)
-        rows, values_rows = self._rows(starts, parameters, deviations)
-        found, _, _, ends = self._call(rows, values_rows, moments, len(moments), threads)
-        states, tangents = self._parted(found)
-        return Marched(states, tangents, *ends)
+        rows, constants = self._rows(starts, parameters, deviations)
+        found, _, _, ends = self._call(rows, constants, moments, len(moments), threads)
+        states, tangents, rest = self._parted(found)
+        return Marched(states, tangents, *ends, rest)
 
     def returns(
         self,
@@ -248,10 +213,10 @@ class Lanes:
         end = np.array([-until if self.backward and until < 0 else until], dtype=float)
         if not end[0] > 0:
             raise InputError(f"until = {until}: it must lie ahead of the start, at time 0")
-        rows, values_rows = self._rows(starts, parameters, deviations)
-        found, moments, counts, ends = self._call(rows, values_rows, end, count, threads)
-        states, tangents = self._parted(found)
-        return Crossed(states, self._signed(moments), tangents, counts, *ends)
+        rows, constants = self._rows(starts, parameters, deviations)
+        found, moments, counts, ends = self._call(rows, constants, end, count, threads)
+        states, tangents, rest = self._parted(found)
+        return Crossed(states, self._signed(moments), tangents, counts, *ends, rest)
 
     # --- what goes in and comes out ------------------------------------------------------------
 
@@ -270,25 +235,39 @@ class Lanes:
     def _rows(
         self, starts: Any, parameters: Mapping[Any, Any] | None, deviations: Any
     ) -> tuple[Any, Any]:
-        points = np.asarray(starts, dtype=float)
+        given = self._words(starts)
+        points = given[..., 0]
         if points.ndim != 2 or points.shape[1] != self.size:
             names = ", ".join(map(str, self.system.symbols))
             raise InputError(
                 f"{self.system.name}: starts have the shape {points.shape}; (motions, {self.size}) "
                 f"is needed, in the order {names}"
             )
-        parameter_values = parameter_rows(self.system, parameters, len(points))
+        constants = parameter_pairs(self.system, parameters, len(points))[..., : self.words]
         self._require_on_phase_space(points, parameters)
         if self.deviations == 0:
             if deviations is not None:
                 raise InputError("these lanes carry no deviations: make them with some")
-            return np.ascontiguousarray(points), parameter_values
+            return np.ascontiguousarray(given), np.ascontiguousarray(constants)
         wanted = (len(points), self.deviations, self.size)
-        tangents = np.asarray(deviations, dtype=float)
-        if tangents.shape != wanted:
-            raise InputError(f"deviations have the shape {tangents.shape}; {wanted} is needed")
-        rows = np.concatenate([points, tangents.reshape(len(points), -1)], axis=1)
-        return np.ascontiguousarray(rows), parameter_values
+        tangents = self._words(deviations)
+        if tangents.shape[:-1] != wanted:
+            shape = tangents.shape[:-1]
+            raise InputError(f"deviations have the shape {shape}; {wanted} is needed")
+        beside = tangents.reshape(len(points), -1, self.words)
+        rows = np.concatenate([given, beside], axis=1)
+        return np.ascontiguousarray(rows), np.ascontiguousarray(constants)
+
+    @property
+    def words(self) -> int:
+        """Doubles that a number takes."""
+        return 1 if self.digits == 16 else 2
+
+    def _words(self, numbers: Any) -> Any:
+        """Numbers with a last axis for the doubles of each."""
+        if self.digits == 16:
+            return np.asarray(numbers, dtype=float)[..., None]
+        return paired(numbers)
 
     def _require_on_phase_space(self, points: Any, parameters: Mapping[Any, Any] | None) -> None:
         relations = self.system.relations
@@ -302,24 +281,25 @@ class Lanes:
                 f"{relations[worst[1]]} is {missed[worst]:.3g} there and must vanish"
             )
 
-    def _parted(self, found: Any) -> tuple[Any, Any]:
-        states = found[:, :, : self.size]
+    def _parted(self, found: Any) -> tuple[Any, Any, Any]:
+        """States, deviations and the rest of the states, of (motions, times, numbers, words)."""
+        states = found[:, :, : self.size, 0]
+        rest = found[:, :, : self.size, 1] if self.words == 2 else None
         if self.deviations == 0:
-            return states, None
+            return states, None, rest
         shape = (*found.shape[:2], self.deviations, self.size)
-        return states, found[:, :, self.size :].reshape(shape)
+        return states, found[:, :, self.size :, 0].reshape(shape), rest
 
     def _call(
-        self, rows: Any, parameter_values: Any, moments: Any, wanted: int, threads: int | None
+        self, rows: Any, constants: Any, moments: Any, wanted: int, threads: int | None
     ) -> tuple[Any, Any, Any, tuple[Any, Any, Any]]:
-        number, width = rows.shape
-        states = np.full((number, wanted, width), np.nan)
+        number, width, words = rows.shape
+        states = np.full((number, wanted, width, words), np.nan)
         times = np.full((number, wanted), np.nan)
         counts, outcome, steps = (np.zeros(number, dtype=np.int64) for _ in range(3))
         ended = np.zeros(number)
-        stride = parameter_values.shape[1] if len(parameter_values) > 1 else 0
-        parameter_values = np.ascontiguousarray(parameter_values)
-        arrays = (rows, parameter_values, moments)
+        stride = constants[0].size if len(constants) > 1 else 0
+        arrays = (rows, constants, moments)
         results = (states, times, counts, outcome, ended, steps)
 
         def part(first: int, last: int) -> None:
@@ -340,6 +320,11 @@ class Lanes:
 THREADS: ContextVar[int] = ContextVar("THREADS", default=2**31)
 
 
+def reason(system: System, code: int) -> str:
+    """What the outcome of a motion means, in words; nothing for 0."""
+    return ENDS[code] if code < len(ENDS) else system.guards[code - len(ENDS)].happening
+
+
 def threads_here() -> int:
     """Processors that this part of the program may use."""
     if hasattr(os, "sched_getaffinity"):
@@ -351,13 +336,14 @@ def threads_here() -> int:
 
 def spread(part: Any, number: int, threads: int) -> None:
     """Do parts [first, last) of a number of motions in some threads."""
-    pieces = 1 if threads == 1 else min(4 * threads, max(threads, number // 64))
-    edges = np.linspace(0, number, min(pieces, max(number, 1)) + 1).astype(int)
+    # few motions are done sooner than a thread begins
+    pieces = 1 if threads == 1 else min(4 * threads, number // 32)
+    edges = np.linspace(0, number, max(pieces, 1) + 1).astype(int)
     if len(edges) == 2:
         part(0, number)
         return
     with ThreadPoolExecutor(threads) as pool:
-        jobs = [pool.submit(part, int(a), int(b)) for a, b in zip(edges, edges[1:], strict=False)]
+        jobs = [pool.submit(part, int(a), int(b)) for a, b in itertools.pairwise(edges)]
         for job in jobs:
             job.result()
 
@@ -370,6 +356,7 @@ def lanes(
     deviations: int = 0,
     section: Section | None = None,
     backward: bool = False,
+    digits: Literal[16, 30] = 16,
 ) -> Lanes:
     """The flow of a system as vector code for this processor, from the cache where it is there.
 
@@ -385,90 +372,35 @@ def lanes(
         Where the motions are looked at, instead of at given times.
     backward : bool
         Whether time runs backward.
+    digits : 16 or 30
+        Of the numbers that the lanes compute with.  With 30 a step costs some twenty times as much,
+        and a method of order 8 needs very many steps to make use of them all: for single motions
+        see :mod:`chaplygin.flow.precise`.
 
     Raises
     ------
     InputError
-        If the tolerance is not between 1e-16 and 0.1, a formula has a function that machine code
-        does not know, or the number of deviations is negative.
+        If the tolerance is not between 1e-16 (1e-30 with 30 digits) and 0.1, a formula has a
+        function that machine code does not know, or the number of deviations is negative.
     """
-    if not 1e-16 <= tolerance <= 0.1:
-        raise InputError(f"tolerance {tolerance}: it must lie between 1e-16 and 0.1")
+    if digits not in (16, 30):
+        raise InputError(f"digits = {digits}: lanes compute with 16 or with 30 digits")
+    finest = 1e-16 if digits == 16 else 1e-30
+    if not finest <= tolerance <= 0.1:
+        raise InputError(f"tolerance {tolerance}: it must lie between {finest:g} and 0.1")
     if deviations < 0:
         raise InputError(f"deviations = {deviations}: there cannot be fewer than none")
     equations = equations_of(system, deviations, section, backward)
     width = native.width()
     code = native.load(
-        f"march {width} {serial(equations)}",
-        lambda: march(Double, explicit(), equations, width),
+        f"march {width} {digits} {serial(equations)}",
+        lambda: _text(digits, equations, width),
         {"march": _SIGNATURE},
     )
-    return Lanes(system, tolerance, deviations, section, backward, code)
+    return Lanes(system, tolerance, deviations, section, backward, digits, code)
 
 
-def equations_of(
-    system: System, deviations: int, section: Section | None, backward: bool
-) -> Equations:
-    """The formulas of a system, of its deviations and of a section, as terms."""
-    reader, forward = read_system(system)
-    if not forward:
-        raise InputError(f"{system.name}: a system without state has no motion")
-    graph = reader.graph
-    rates = tuple(-rate for rate in forward) if backward else forward
-    size = len(rates)
-    every = [*rates, *_variations(graph, rates, deviations)]
-    value = slope = where = None
-    if section is not None:
-        value = reader(section.value)
-        (slope,) = graph.along([value], {graph.state(i): rate for i, rate in enumerate(rates)})
-        where = None if section.where is None else reader(section.where)
-    direction = 0 if section is None else -section.direction if backward else section.direction
-    return Equations(
-        graph,
-        tuple(every),
-        _groups(system),
-        len(system.parameters),
-        value,
-        slope,
-        where,
-        direction,
-        tuple(reader(guard.value) for guard in system.guards),
-    )
-
-
-def _variations(graph: Graph, rates: Sequence[Term], deviations: int) -> list[Term]:
-    """The variational equations, of one deviation after the other."""
-    size = len(rates)
-    found: list[Term] = []
-    for k in range(1, deviations + 1):
-        direction = {graph.state(i): graph.state(k * size + i) for i in range(size)}
-        found.extend(graph.along(rates, direction))
-    return found
-
-
-def _groups(system: System) -> tuple[tuple[int, ...], ...]:
-    found, first = [], 0
-    for variable in system.state:
-        width = 1 if isinstance(variable, sp.Symbol) else len(variable.symbols)
-        found.append(tuple(range(first, first + width)))
-        first += width
-    return tuple(found)
-
-
-def serial(equations: Equations) -> str:
-    """All that the code depends on, as a text."""
-    pieces = equations.pieces
-    heads = [f"{name} {len(piece)}" for name, piece in pieces.items()]
-    terms = serial_terms([term for piece in pieces.values() for term in piece])
-    rest = (equations.groups, equations.direction, equations.parameters)
-    return "\n".join([*heads, terms, *map(str, rest)])
-
-
-def serial_terms(terms: Sequence[Term]) -> str:
-    """Terms as a text, in which each is written once."""
-    nodes = ordered(terms)
-    place = {id(node): i for i, node in enumerate(nodes)}
-    lines = [
-        f"{node.kind} {' '.join(str(place.get(id(a), a)) for a in node.args)}" for node in nodes
-    ]
-    return "\n".join([*lines, str([place[id(t)] for t in terms])])
+def _text(digits: int, equations: Equations, width: int) -> tuple[str, int]:
+    if digits == 16:
+        return march(Double, explicit(), equations, width)
+    return march(Pair, explicit_fine(), equations, width)

@@ -11,15 +11,17 @@ ends vanishes, then by Newton's method in time, until what is left is below roun
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from .graph import Graph, Term
-from .simd import Arithmetic, Value, Writer, evaluate, hoisted, literal
+from .arithmetic import Arithmetic, Value
+from .equations import Equations
+from .simd import functions
 from .tables import Explicit
+from .writer import Writer, literal
 
-__all__ = ["ENDS", "Equations", "Workspace", "functions", "march"]
+__all__ = ["ENDS", "Workspace", "march"]
 
 #: Why a lane ended, by number; guards follow.
 ENDS = (
@@ -39,48 +41,6 @@ _SAMPLE, _POINT, _END = 1.0, 2.0, 3.0
 _EMPTY, _RUNNING, _REFINING = 0.0, 1.0, 2.0
 
 
-@dataclass(frozen=True)
-class Equations:
-    """Formulas of a System as terms of one graph.
-
-    Attributes
-    ----------
-    rates : tuple of Term
-        Time derivatives of the state; deviations follow the state itself.
-    groups : tuple of tuple of int
-        State variables whose error is measured by their common size: the components of a vector.
-        Deviations are in no group: they follow the steps of the motion.
-    parameters : int
-    section, slope, where : Term or None
-        A function that vanishes on the section, its rate, and what must be positive there.
-    direction : int
-        +1 where the function rises, −1 where it falls, 0 for both.
-    guards : tuple of Term
-        Positive as long as the equations hold.
-    """
-
-    graph: Graph
-    rates: tuple[Term, ...]
-    groups: tuple[tuple[int, ...], ...]
-    parameters: int
-    section: Term | None = None
-    slope: Term | None = None
-    where: Term | None = None
-    direction: int = 1
-    guards: tuple[Term, ...] = ()
-
-    @property
-    def pieces(self) -> dict[str, tuple[Term, ...]]:
-        """What is evaluated, by the name of the function that does it."""
-        pieces = {"rates": self.rates}
-        if self.section is not None and self.slope is not None:
-            where = () if self.where is None else (self.where,)
-            pieces["section"] = (self.section, self.slope, *where)
-        if self.guards:
-            pieces["guards"] = self.guards
-        return pieces
-
-
 @dataclass
 class Workspace:
     """Where things lie in the memory of one thread, counted in vectors."""
@@ -93,61 +53,6 @@ class Workspace:
         self.places[name] = self.size
         self.size += vectors
         return self.places[name]
-
-
-def functions(
-    arithmetic: type[Arithmetic],
-    pieces: Mapping[str, Sequence[Term]],
-    lanes: int,
-    prepare: str = "prepare",
-) -> tuple[str, int]:
-    """The text of the functions that compute formulas, and how many constants they share.
-
-    ``@prepare(constants, parameters)`` computes once what depends on parameters alone;
-    ``@<piece>(result, state, constants)`` everything else.
-
-    Parameters
-    ----------
-    arithmetic : Double or Pair
-    pieces : mapping of str to sequence of Term
-        What each function computes, by its name.
-    lanes : int
-    prepare : str
-        The name of the first function.
-    """
-    constants = hoisted([term for terms in pieces.values() for term in terms])
-    slots = {id(term): i for i, term in enumerate(constants)}
-    texts = [_function(arithmetic, lanes, name, terms, slots) for name, terms in pieces.items()]
-    number = arithmetic(Writer(lanes))
-
-    def given(term: Term) -> Value:
-        return number.load("%parameters", term.args[0]) if term.kind == "parameter" else None
-
-    for i, value in enumerate(evaluate(number, constants, given)):
-        number.store(value, "%constants", i)
-    head = f"internal void @{prepare}(ptr noalias %constants, ptr noalias %parameters)"
-    texts.append(number.writer.text(head, "#1"))
-    return "\n".join(texts), len(constants)
-
-
-def _function(
-    arithmetic: type[Arithmetic],
-    lanes: int,
-    name: str,
-    terms: Sequence[Term],
-    slots: Mapping[int, int],
-) -> str:
-    number = arithmetic(Writer(lanes))
-
-    def leaf(term: Term) -> Value:
-        if id(term) in slots:
-            return number.load("%constants", slots[id(term)])
-        return number.load("%state", term.args[0]) if term.kind == "state" else None
-
-    for i, value in enumerate(evaluate(number, terms, leaf)):
-        number.store(value, "%result", i)
-    arguments = "ptr noalias %result, ptr noalias %state, ptr noalias %constants"
-    return number.writer.text(f"internal void @{name}({arguments})", "#1")
 
 
 class _March:
@@ -202,10 +107,8 @@ class _March:
 
     def rates(self, stage: int, of: str) -> None:
         """Compute the rates of a stage."""
-        arguments = (self.place("rates", stage * self.dimension), self.place(of))
-        self.w.line(
-            f"call void @rates(ptr {arguments[0]}, ptr {arguments[1]}, ptr {self.place('constants')})"
-        )
+        to, state = self.place("rates", stage * self.dimension), self.place(of)
+        self.w.line(f"call void @rates(ptr {to}, ptr {state}, ptr {self.place('constants')})")
 
     def evaluate(self, piece: str, of: str) -> None:
         """Compute the section or the guards at a state."""
@@ -338,8 +241,9 @@ class _March:
         start = w.emit(f"mul i64 {row}, {self.dimension * words}")
         for i in range(self.dimension * words):
             value = w.load("double", self._component("y", i, lane))
-            if self.equations.section is not None and i % words == 0:
-                rate = w.load("double", self._component("rates", i, lane))
+            if self.equations.section is not None and i % words == words - 1:
+                # a change so small belongs to the last word
+                rate = w.load("double", self._component("rates", i - i % words, lane))
                 value = w.emit(
                     f"call double @llvm.fma.f64(double {left}, double {rate}, double {value})"
                 )
@@ -366,7 +270,8 @@ class _March:
             g = n.leading(n.load(self.place("section"), 0))
             gdot = n.leading(n.load(self.place("section"), 1))
             # a start on the section is not a return to it
-            close = w.compare("olt", w.call("fabs", g), w.constant(1e-10))
+            reach = w.op("fmul", w.op("fmul", w.constant(1e-8), first), w.call("fabs", gdot))
+            close = w.compare("ole", w.call("fabs", g), reach)
             self.put("g", w.choose(fresh, w.choose(close, zero, g), self.get("g")))
             self.put("gdot", w.choose(fresh, gdot, self.get("gdot")))
         if self.equations.guards:
@@ -481,6 +386,16 @@ class _March:
             total = n.mul(a, k) if total is None else n.fma(a, k, total)
         return total
 
+    def _estimate(self, weights: Sequence[Fraction], i: int) -> str:
+        """The same in doubles, whatever the lanes compute with."""
+        w, total = self.w, ""
+        for stage, weight in enumerate(weights):
+            if weight != 0:
+                k = self.n.leading(self.n.load(self.place("rates", stage * self.dimension), i))
+                a = w.constant(float(weight))
+                total = w.call("fma", a, k, total) if total else w.op("fmul", a, k)
+        return total
+
     def _advance(self, step: Value, i: int) -> None:
         """The new value of a variable, and what rounding has taken from it."""
         n = self.n
@@ -495,14 +410,19 @@ class _March:
         w, n = self.w, self.n
         fifth, third = w.constant(0.0), w.constant(0.0)
         square = w.op("fmul", step, step)
+        # a variable that happens to be zero is measured by a thousandth of the whole
+        whole = w.constant(1e-200)
+        for i in (i for group in self.equations.groups for i in group):
+            y = n.leading(self._y(i))
+            whole = w.call("fma", y, y, whole)
+        whole = w.op("fmul", whole, w.constant(1e-6))
         for group in self.equations.groups:
-            size, speed = w.constant(1e-200), w.constant(0.0)
+            size, speed = whole, w.constant(0.0)
             e5, e3 = w.constant(0.0), w.constant(0.0)
             for i in group:
                 y, k = n.leading(self._y(i)), n.leading(n.load(self.place("rates"), i))
                 size, speed = w.call("fma", y, y, size), w.call("fma", k, k, speed)
-                a = n.leading(self._sum(self.method.e5, i))
-                b = n.leading(self._sum(self.method.e3, i))
+                a, b = (self._estimate(e, i) for e in (self.method.e5, self.method.e3))
                 e5, e3 = w.call("fma", a, a, e5), w.call("fma", b, b, e3)
             size = w.op("fdiv", w.constant(1.0), w.call("fma", square, speed, size))
             fifth = w.call("fma", e5, size, fifth)
@@ -552,7 +472,9 @@ class _March:
         # refining lanes: Newton's method in time
         arrived = w.both(refining, allowed)
         left = w.op("fdiv", w.op("fneg", g_new), gdot_new)
-        close = w.compare("ole", w.call("fabs", left), w.op("fmul", w.constant(1e-8), saved))
+        close = w.compare(
+            "ole", w.call("fabs", left), w.op("fmul", w.constant(2.0 ** (-n.bits // 2)), saved)
+        )
         there = w.both(arrived, close)
         tries = w.choose(arrived, w.op("fadd", tries, w.constant(1.0)), tries)
         # a section that is only touched is left

@@ -1,4 +1,4 @@
-"""Machine code from text: compiled for this processor, kept on disk, called without Python's lock."""
+"""Machine code from text: compiled for this processor, kept on disk, called without a lock."""
 
 from __future__ import annotations
 
@@ -91,7 +91,10 @@ def _processor() -> str:
 @lru_cache
 def _generator() -> str:
     """The modules that write the texts, so that a change of them counts."""
-    names = ("gauss", "graph", "march", "native", "simd", "special", "tables")
+    names = (
+        *("arithmetic", "equations", "gauss", "graph", "keeping", "march", "native", "polish"),
+        *("series", "simd", "special", "split", "tables", "writer"),
+    )
     folder = Path(__file__).parent
     return hashlib.sha256(b"".join((folder / f"{n}.py").read_bytes() for n in names)).hexdigest()
 
@@ -142,7 +145,7 @@ def load(
     for symbol in signatures:
         library = library.export_symbol(symbol)
     tracker = library.link(_linker(), f"{name}_{next(_numbers)}")
-    functions = {
+    functions: dict[str, Callable[..., None]] = {
         symbol: ctypes.CFUNCTYPE(None, *arguments)(tracker[symbol])
         for symbol, arguments in signatures.items()
     }

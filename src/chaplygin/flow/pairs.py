@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import mpmath
 import numpy as np
 
-__all__ = ["paired", "unpaired"]
+from ..system import System
+from .values import parameter_rows
+
+__all__ = ["paired", "parameter_pairs", "unpaired"]
 
 
 def paired(values: Any) -> Any:
@@ -20,6 +24,21 @@ def paired(values: Any) -> Any:
         exact = [mpmath.mpmathify(x) for x in numbers.ravel()]
         parts = [(float(x), float(x - mpmath.mpf(float(x)))) for x in exact]
     return np.array(parts).reshape(*numbers.shape, 2)
+
+
+def parameter_pairs(system: System, parameters: Mapping[Any, Any] | None, count: int) -> Any:
+    """Values of the parameters in order: (1 or count, parameters, 2).
+
+    See :func:`chaplygin.flow.values.parameter_rows`; numbers of many digits keep 32 of them.
+    """
+    rows = parameter_rows(system, parameters, count)
+    made = np.stack([rows, np.zeros_like(rows)], axis=-1)
+    given = {str(key): np.asarray(value) for key, value in (parameters or {}).items()}
+    for i, parameter in enumerate(system.parameters):
+        value = given.get(str(parameter.symbol))
+        if value is not None and value.dtype == object:
+            made[:, i] = paired(value)
+    return made
 
 
 def unpaired(first: Any, rest: Any) -> Any:

@@ -17,10 +17,12 @@ import numpy as np
 from ..errors import InputError
 from ..system import System
 from . import native
-from .gauss import correction, gauss_loop
+from .equations import equations_of, serial, serial_terms
+from .gauss import gauss_loop
 from .graph import Term
-from .lanes import MOST_STEPS, Lanes, equations_of, serial, serial_terms, spread, threads_here
-from .pairs import paired
+from .keeping import correction
+from .lanes import MOST_STEPS, reason, spread, threads_here
+from .pairs import paired, parameter_pairs
 from .tables import gauss
 from .values import numbers, parameter_rows, read_system
 
@@ -42,8 +44,8 @@ class PreciseMotions:
     states : array (motions, times, size)
         In flat order; not-a-number after the end of a motion.
     rest : array (motions, times, size)
-        What is to be added: the next 16 digits, of which 14 are right with 30 digits; with 16 digits
-        they only say how the last digit was rounded.
+        What is to be added: the next 16 digits, of which 14 are right with 30 digits; with 16
+        digits they only say how the last digit was rounded.
     outcome, ended, steps : arrays (motions,)
         As in :class:`chaplygin.flow.lanes.Marched`.
     """
@@ -75,7 +77,7 @@ class Precise:
 
     def reason(self, code: int) -> str:
         """What an outcome means, in words; nothing for 0."""
-        return Lanes.reason(self, code)
+        return reason(self.system, code)
 
     def until(
         self,
@@ -93,7 +95,7 @@ class Precise:
             In flat order; numbers of many digits (mpmath) count with 32 of them.
         times : array (times,)
             Increasing from 0 or later.
-        parameters : mapping of Symbol or name to number, optional
+        parameters : mapping of Symbol or name to number or array (motions,), optional
             Values that replace the defaults; numbers of many digits count with 32 of them.
         threads : int, optional
             All processors that this process may use, unless given; each takes whole motions.
@@ -113,10 +115,11 @@ class Precise:
         if rows.ndim != 3 or rows.shape[1] != size:
             names = ", ".join(map(str, self.system.symbols))
             raise InputError(
-                f"{self.system.name}: starts have the shape {rows.shape[:-1]}; (motions, {size}) is "
-                f"needed, in the order {names}"
+                f"{self.system.name}: starts have the shape {rows.shape[:-1]}; (motions, {size}) "
+                f"is needed, in the order {names}"
             )
-        constants = _constants(self.system, parameters)
+        constants = parameter_pairs(self.system, parameters, len(rows))
+        stride = constants[0].size if len(constants) > 1 else 0
         number, wanted = len(rows), len(moments)
         states = np.full((number, wanted, size, 2), np.nan)
         outcome, steps = (np.zeros(number, dtype=np.int64) for _ in range(2))
@@ -126,20 +129,13 @@ class Precise:
         def part(first: int, last: int) -> None:
             work = native.aligned(self.code.room)
             self.code.functions["gauss"](
-                *(first, last, rows.ctypes.data, constants.ctypes.data, 0),
+                *(first, last, rows.ctypes.data, constants.ctypes.data, stride),
                 *(moments.ctypes.data, wanted, bound, MOST_STEPS),
                 *(a.ctypes.data for a in (states, outcome, ended, steps, work)),
             )
 
         spread(part, number, threads_here() if threads is None else threads)
         return PreciseMotions(states[..., 0], states[..., 1], outcome, ended, steps)
-
-
-def _constants(system: System, parameters: Mapping[Any, Any] | None) -> Any:
-    """Values of the parameters with 32 digits: (parameters, 2)."""
-    parameter_rows(system, {k: float(v) for k, v in (parameters or {}).items()}, 1)
-    given = {str(key): value for key, value in (parameters or {}).items()}
-    return paired([given.get(str(p.symbol), p.default) for p in system.parameters])
 
 
 def precise(

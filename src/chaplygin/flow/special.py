@@ -39,7 +39,7 @@ from .split import (
 )
 
 if TYPE_CHECKING:
-    from .simd import Arithmetic, Value
+    from .arithmetic import Arithmetic, Value
 
 __all__ = ["FUNCTIONS"]
 

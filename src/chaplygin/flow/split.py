@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, NamedTuple
 from .series import parts, series
 
 if TYPE_CHECKING:
-    from .simd import Arithmetic, Value, Writer
+    from .arithmetic import Arithmetic, Value
+    from .writer import Writer
 
 __all__ = [
     "Split",

@@ -9,7 +9,7 @@ from typing import Any
 
 import mpmath
 
-__all__ = ["Explicit", "Gauss", "explicit", "gauss"]
+__all__ = ["Explicit", "Gauss", "explicit", "explicit_fine", "gauss"]
 
 
 @dataclass(frozen=True)
@@ -44,6 +44,15 @@ def explicit() -> Explicit:
         e3=_fractions(DOP853.E3[:stages]),
         e5=_fractions(DOP853.E5[:stages]),
     )
+
+
+@lru_cache
+def explicit_fine() -> Explicit:
+    """The same method with coefficients of 60 digits; see :mod:`chaplygin.flow.polish`."""
+    from .polish import explicit_table
+
+    table = explicit_table()
+    return Explicit(table.a, table.b, table.e3, table.e5)
 
 
 def _fractions(values: Any) -> tuple[Fraction, ...]:
