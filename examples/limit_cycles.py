@@ -242,7 +242,9 @@ def figure(story: Story) -> Figure:
         sizes = np.array([step.width for step in found.steps])
         low.loglog(shares, sizes, "o-", color=colour)
         label = rf"  {found.fraction}: $\propto a^{{{found.power:.2f}}}$"
-        low.text(1.0, sizes[0], label, color=colour, va="center", fontsize=9)
+        # two of them are close to each other
+        side = "top" if found.fraction == Fraction(3, 2) else "center"
+        low.text(1.0, sizes[0], label, color=colour, va=side, fontsize=9)
     noise = max(step.error for found in story.widths for step in found.steps)
     low.axhspan(noise / 100, noise, color=QUIET, alpha=0.2, lw=0)
     low.text(shares[-1], noise / 10, "errors of the edges", va="center", color=QUIET, fontsize=8)

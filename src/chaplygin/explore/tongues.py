@@ -342,7 +342,7 @@ def _around(maps: CircleMaps, stairs: Staircase, fraction: Fraction) -> list[Pla
     found = []
     for i, j in pairwise(clear):
         if excess[i] * excess[j] < 0:
-            low, high = _outwards(maps, values, (i, j), fraction)
+            low, high = _outwards(maps, values, (int(i), int(j)), fraction)
             if low >= 0 and high < len(values):
                 found.append(plateau(maps, fraction, (values[low], values[high])))
     return found

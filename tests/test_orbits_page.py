@@ -1,0 +1,35 @@
+"""What the page on orbits says, runs."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+PAGE = (ROOT / "docs" / "orbits.md").read_text()
+
+
+def test_the_steps_run(capsys: pytest.CaptureFixture[str]) -> None:
+    names: dict[str, Any] = {}
+    for step in re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL):
+        exec(compile(step, "orbits.md", "exec"), names)
+    told = capsys.readouterr().out
+    assert "attracting" in told
+    assert "one by force: flow, energy, quadratic" in told
+    assert "fold at F/2H = 0.870556044" in told
+    assert "fold at F/2H = 1.013611791" in told
+    assert "the branch is closed" in told
+    assert "F/2H = 0.95: 2.0000000000" in told
+    assert "locked" in told
+    assert "quasi-periodic" in told
+    (low, high) = re.search(r"from (\S+) to (\S+) ±", told).groups()
+    assert abs(float(low) - 0.8705560439602) < 1e-11
+    assert abs(float(high) - 1.0136117911879) < 1e-11
+
+
+def test_links_lead_somewhere() -> None:
+    for target in re.findall(r"\]\(([^)#:]+)\)", PAGE):
+        assert (ROOT / "docs" / target).exists(), target
