@@ -64,6 +64,10 @@ class Arithmetic(Protocol):
         """The root of a."""
         ...
 
+    def difference(self, a: str, b: str) -> Value:
+        """The difference of two registers, with all the digits that numbers have."""
+        ...
+
     def leading(self, a: Value) -> str:
         """The number rounded to one register."""
         ...
@@ -126,6 +130,10 @@ class Double:
     def sqrt(self, a: Value) -> Value:
         """The root of a."""
         return self.writer.call("sqrt", a)
+
+    def difference(self, a: str, b: str) -> Value:
+        """The difference of two registers, rounded."""
+        return self.sub(a, b)
 
     def leading(self, a: Value) -> str:
         """The number as one register."""
@@ -235,6 +243,10 @@ class Pair:
         made = self.fast_sum(root, change)
         zero = w.compare("oeq", a[0], w.constant(0.0))
         return self.choose(zero, self.whole(w.constant(0.0)), made)
+
+    def difference(self, a: str, b: str) -> Value:
+        """The difference of two registers, without error."""
+        return self.two_sum(a, self.writer.op("fneg", b))
 
     def leading(self, a: Value) -> str:
         """The number rounded to one register."""

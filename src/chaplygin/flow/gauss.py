@@ -225,13 +225,14 @@ class _Loop:
         final = w.emit(f"fcmp ole double {count}, 1.0")
         arrived = self._scalar("fadd", now, self._scalar("fdiv", left, count))
         arrived = w.emit(f"select i1 {final}, double {target}, double {arrived}")
-        step = self._scalar("fsub", arrived, now)
-        h = w.splat(step)
+        # the clock shows the sum of all steps, and nothing of it is lost
+        whole = self.p.difference(w.splat(arrived), w.splat(now))
+        step = self._lane(whole[0])
         tried = w.emit(f"add i64 {w.load('i64', self.tried)}, 1")
         w.store("i64", tried, self.tried)
         self._guess(step)
-        good = self._iterate(h)
-        self._judge(step, h, arrived, good)
+        good = self._iterate(whole)
+        self._judge(step, whole, arrived, good)
         with w.when(w.emit(f"icmp sge i64 {tried}, %limit")):
             w.store("i64", str(STEPS), self.outcome)
 
@@ -276,9 +277,9 @@ class _Loop:
             total = w.call("fma", column, each, total) if total else w.op("fmul", column, each)
         return total
 
-    def _iterate(self, h: str) -> str:
+    def _iterate(self, whole: Value) -> str:
         """Find the stages; a bit tells whether they have come to rest."""
-        w, d = self.w, self.d
+        w, d, h = self.w, self.d, whole[0]
         columns = self._columns(self.method.a)
         rest = _Rest(self, h, 1e-31, 1e-24)
         with w.forever() as leave:
@@ -295,7 +296,7 @@ class _Loop:
         good = rest.reached()
         with w.when(good):
             if self.refine:
-                self._begin_fine(h)
+                self._begin_fine(whole)
                 fine = self._iterate_fine(h, columns)
             else:
                 self._once_fine(h, columns)
@@ -319,7 +320,7 @@ class _Loop:
             f"ptr {self.at('fine_constants')})"
         )
 
-    def _begin_fine(self, h: str) -> None:
+    def _begin_fine(self, whole: Value) -> None:
         """Stages of 32 digits from rates of 16."""
         w, p = self.w, self.p
         columns = [
@@ -332,7 +333,7 @@ class _Loop:
                 term = p.mul(column, p.whole(each))
                 total = term if total is None else p.add(total, term)
             start = tuple(w.splat(w.load("double", self.at("y", 2 * i + k))) for k in range(2))
-            p.store(p.fma(p.whole(h), total, start), self.at("fine_stage"), i)
+            p.store(p.fma(whole, total, start), self.at("fine_stage"), i)
             rate = self.d.load(self.at("rates"), i)
             p.store(p.whole(rate), self.at("fine_before"), i)
 
@@ -408,9 +409,9 @@ class _Loop:
             by //= 2
         return value
 
-    def _judge(self, step: str, h: str, arrived: str, good: str) -> None:
+    def _judge(self, step: str, whole: Value, arrived: str, good: str) -> None:
         """Take the step or try a shorter one."""
-        w, d = self.w, self.d
+        w, d, h = self.w, self.d, whole[0]
         top = self._vector([float(x) for x in self.method.top])
         tops = [
             self._total(w.op("fmul", top, d.load(self.at("rates"), i))) for i in range(self.size)
@@ -437,7 +438,7 @@ class _Loop:
             w.store("double", self._call("minnum", by, literal(2.0)), factor)
         fine = w.load("i1", taken)
         with w.when(fine):
-            self._advance(h)
+            self._advance(whole)
             w.store("double", arrived, self.time)
             w.store("double", step, self.last_step)
             self._plan_taken(step, w.load("double", factor), estimate, bound)
@@ -492,14 +493,14 @@ class _Loop:
         with w.when(w.emit(f"icmp eq i64 {due}, 0")):
             self._project()
 
-    def _advance(self, h: str) -> None:
+    def _advance(self, whole: Value) -> None:
         """The new state, carried with twice the digits."""
         d, p, p1 = self.d, self.p, self.p1
         weights = self._exact_vector(self.method.b)
         for i in range(self.size):
             rates = p.load(self.at("fine_rates"), i)
             d.store(p.leading(rates), self.at("before"), i)
-            total = p.mul(p.whole(h), self._fine_total(p.mul(weights, rates)))
+            total = p.mul(whole, self._fine_total(p.mul(weights, rates)))
             change = tuple(self._first(part) for part in total)
             p1.store(p1.add(p1.load(self.at("y"), i), change), self.at("y"), i)
 

@@ -380,11 +380,13 @@ def lanes(
     Raises
     ------
     InputError
-        If the tolerance is not between 1e-16 (1e-30 with 30 digits) and 0.1, a formula has a
+        If a section is asked for with 30 digits, the tolerance is not between 1e-16 (1e-30 with 30 digits) and 0.1, a formula has a
         function that machine code does not know, or the number of deviations is negative.
     """
     if digits not in (16, 30):
         raise InputError(f"digits = {digits}: lanes compute with 16 or with 30 digits")
+    if digits == 30 and section is not None:
+        raise InputError(f"{system.name}: a section is found to 16 digits; leave 'digits' at that")
     finest = 1e-16 if digits == 16 else 1e-30
     if not finest <= tolerance <= 0.1:
         raise InputError(f"tolerance {tolerance}: it must lie between {finest:g} and 0.1")
