@@ -1,4 +1,7 @@
-"""Formulas of a System at many states at once, by NumPy: values and slopes."""
+"""Formulas of a System as one NumPy function each, for loops that call them again and again.
+
+What is asked once is better served by :mod:`chaplygin.flow.formulas`, which compiles nothing.
+"""
 
 from __future__ import annotations
 
@@ -6,70 +9,62 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
-import sympy as sp
 
-from ..errors import InputError
 from ..system import System
 from .graph import Graph, Reader, Term, ordered
 
-__all__ = ["Sheet", "evaluate", "numbers"]
+__all__ = ["Compiled", "Sheet"]
 
-_UFUNCS: Mapping[str, Callable[..., Any]] = {
-    "add": np.add,
-    "sub": np.subtract,
-    "mul": np.multiply,
-    "neg": np.negative,
-    "recip": np.reciprocal,
-    "sqrt": np.sqrt,
-    "atan2": np.arctan2,
-    "sin": np.sin,
-    "cos": np.cos,
-    "tan": np.tan,
-    "asin": np.arcsin,
-    "acos": np.arccos,
-    "atan": np.arctan,
-    "sinh": np.sinh,
-    "cosh": np.cosh,
-    "tanh": np.tanh,
-    "exp": np.exp,
-    "log": np.log,
-    "abs": np.abs,
-    "sign": np.sign,
-    "positive": lambda test, yes, no: np.where(test > 0, yes, no),
+#: How an operation is written in Python on arrays.
+_WRITTEN: Mapping[str, str] = {
+    "add": "{} + {}",
+    "sub": "{} - {}",
+    "mul": "{} * {}",
+    "neg": "-{}",
+    "recip": "1.0 / {}",
+    "atan2": "arctan2({}, {})",
+    "asin": "arcsin({})",
+    "acos": "arccos({})",
+    "atan": "arctan({})",
+    "positive": "where({} > 0, {}, {})",
 }
 
 
-def evaluate(terms: Sequence[Term], states: Any, parameters: Any) -> Any:
-    """Terms at states.
+class Compiled:
+    """Terms as one function of arrays.
 
     Parameters
     ----------
     terms : sequence of Term
-    states : array (size, k)
-        Each variable in a row of its own.
-    parameters : array (p,)
-
-    Returns
-    -------
-    array (len(terms), k)
-        Not-a-number where a formula has no real value.
     """
-    known: dict[int, Any] = {}
-    with np.errstate(all="ignore"):
-        for node in ordered(terms):
-            if node.kind == "state":
-                value = states[node.args[0]]
-            elif node.kind == "parameter":
-                value = parameters[node.args[0]]
+
+    def __init__(self, terms: Sequence[Term]) -> None:
+        names: dict[int, str] = {}
+        lines = []
+        for i, node in enumerate(ordered(terms)):
+            if node.kind in ("state", "parameter"):
+                text = f"{node.kind}[{node.args[0]}]"
             elif node.number is not None:
-                value = np.float64(float(node.number))
+                text = repr(float(node.number))
             else:
-                value = _UFUNCS[node.kind](*(known[id(a)] for a in node.args))
-            known[id(node)] = value
-    made = np.empty((len(terms), states.shape[1]))
-    for row, term in zip(made, terms, strict=True):
-        row[:] = known[id(term)]
-    return made
+                pattern = _WRITTEN.get(node.kind, node.kind + "({})")
+                text = pattern.format(*(names[id(a)] for a in node.operands))
+            names[id(node)] = f"t{i}"
+            lines.append(f"    t{i} = {text}")
+        lines += [f"    made[{row}] = {names[id(term)]}" for row, term in enumerate(terms)]
+        text = "\n".join(["def function(state, parameter, made):", *lines, "    return made"])
+        scope: dict[str, Any] = dict(vars(np))
+        exec(compile(text, "<formulas>", "exec"), scope)
+        self._function: Callable[..., Any] = scope["function"]
+        self._many = len(terms)
+
+    def __call__(self, states: Any, parameters: Any) -> Any:
+        """Values (terms, k) at states (size, k), each variable in a row, and parameters (p,).
+
+        Not-a-number where a formula has no real value.
+        """
+        with np.errstate(all="ignore"):
+            return self._function(states, parameters, np.empty((self._many, states.shape[1])))
 
 
 class Sheet:
@@ -101,34 +96,3 @@ class Sheet:
     def depends(self, terms: Sequence[Term]) -> set[int]:
         """The places of the state variables that occur in terms."""
         return {node.args[0] for node in ordered(terms) if node.kind == "state"}
-
-
-def numbers(system: System, parameters: Mapping[Any, Any] | None) -> Any:
-    """The values of a system's parameters, in order; given ones replace the defaults.
-
-    Parameters
-    ----------
-    system : System
-    parameters : mapping of Symbol or name to float, optional
-
-    Returns
-    -------
-    array (p,)
-
-    Raises
-    ------
-    InputError
-        If there is no such parameter, or its value is not a finite number.
-    """
-    places = {str(p.symbol): i for i, p in enumerate(system.parameters)}
-    values = np.array([p.default for p in system.parameters], dtype=float)
-    for name, value in (parameters or {}).items():
-        if str(name) not in places:
-            raise InputError(
-                f"no parameter {str(name)!r} in {system.name}; it has {', '.join(places) or 'none'}"
-            )
-        number = float(sp.Float(value)) if isinstance(value, sp.Basic) else float(value)
-        if not np.isfinite(number):
-            raise InputError(f"{system.name}: {name} = {value}: a finite number is needed")
-        values[places[str(name)]] = number
-    return values

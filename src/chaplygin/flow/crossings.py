@@ -8,25 +8,28 @@ is |∇F| δ(F − c) dy: dividing by |∇F| gives the measure δ(F − c) exact
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from .arrays import Sheet, evaluate
+from .arrays import Compiled, Sheet
 from .fibres import Bundle, Rays
-from .graph import Term
 from .rows import applied, dots, solved, squares
 from .spots import Spots
 
 __all__ = ["Slice", "crossings"]
 
-#: Length of a geodesic, and pieces of it between whose ends a function has one turn at most.
+#: Length of a geodesic, and in how many pieces it is looked at first.
 LENGTH = 1.0
-PIECES = 16
-#: Safeguarded Newton steps for a crossing.
-_STEPS = 60
+PIECES = 4
+#: A piece is halved, at most so often, while a cubic through its ends misses its middle by more
+#: than this, relative to the largest value on the curve.
+_HALVINGS = 10
+_CUBIC = 0.01
+#: How fine a crossing is found; the state is then settled on its level.
+_FINE = 1e-12
 #: Where a piece that ends at the edge of the level is looked at first, in its own parameter.
 _EDGE = 1e-5
 
@@ -43,9 +46,9 @@ class Slice:
     made : Bundle
     parameters : array (p,)
     target : float
-    terms : tuple of Term
+    terms : Compiled
         At a point of the level: F, its slopes, the slopes of the quadratic condition.
-    central : tuple of Term
+    central : Compiled
         At the centre of a fibre, for each variable of the base: the slope of the quadratic
         condition and of each linear one, and the slopes of these in the fibre.
     """
@@ -53,8 +56,8 @@ class Slice:
     made: Bundle
     parameters: Any
     target: float
-    terms: tuple[Term, ...]
-    central: tuple[Term, ...]
+    terms: Compiled
+    central: Compiled
 
     @staticmethod
     def of(made: Bundle, sheet: Sheet, parameters: Any) -> Slice:
@@ -70,7 +73,8 @@ class Slice:
             for j in made.ground
             for term in (row[j], *(line[j] for line in second))
         ]
-        return Slice(made, parameters, further.target, (further.term, *own, *outer), tuple(central))
+        terms = Compiled([further.term, *own, *outer])
+        return Slice(made, parameters, further.target, terms, Compiled(central))
 
     # --- values and slopes ---------------------------------------------------------------------
 
@@ -89,7 +93,7 @@ class Slice:
         """F − c, its slopes in y (k, y) and the points of the level."""
         made, size = self.made, self.made.size
         rays = made.over(places, self.parameters)
-        flat = np.ascontiguousarray(evaluate(self.terms, rays.states, self.parameters).T)
+        flat = np.ascontiguousarray(self.terms(rays.states, self.parameters).T)
         F, own, outer = flat[:, 0], flat[:, 1 : size + 1], flat[:, size + 1 :]
         fibre, ground = list(made.fibre), list(made.ground)
         with np.errstate(invalid="ignore", divide="ignore"):
@@ -126,7 +130,7 @@ class Slice:
         f, b, m = len(made.fibre), len(made.ground), len(made.linear)
         states = rays.states.copy()
         states[list(made.fibre)] = rays.centre.T
-        flat = np.ascontiguousarray(evaluate(self.central, states, self.parameters).T)
+        flat = np.ascontiguousarray(self.central(states, self.parameters).T)
         table = flat.reshape(-1, 1 + m, b, 1 + f)
         return table[..., 0], table[..., 1:]
 
@@ -144,6 +148,11 @@ class Slice:
     def numbers(self) -> int:
         """How many normal numbers a throw takes: a point y and a direction."""
         return 2 * self.made.numbers
+
+    @property
+    def most(self) -> float:
+        """Two: a geodesic of this length meets a smooth surface rarely more often."""
+        return 2.0
 
     def spots(self, gauss: Any) -> Spots:
         """The points where the geodesics thrown by normal numbers (numbers, k) meet the level."""
@@ -218,6 +227,43 @@ def _parts(reach: Along, count: int) -> tuple[Any, Any, Any]:
     return curve[over], low[over], high[over]
 
 
+@dataclass(frozen=True)
+class Steps:
+    """Intervals of functions: whose they are, their ends, values and slopes there (2, n)."""
+
+    owner: Any
+    ends: Any
+    values: Any
+    slopes: Any
+
+    def __getitem__(self, chosen: Any) -> Steps:
+        return Steps(
+            self.owner[chosen], self.ends[:, chosen], self.values[:, chosen], self.slopes[:, chosen]
+        )
+
+    def joined(self, other: Steps) -> Steps:
+        """These and others."""
+        return Steps(
+            np.append(self.owner, other.owner),
+            np.append(self.ends, other.ends, axis=1),
+            np.append(self.values, other.values, axis=1),
+            np.append(self.slopes, other.slopes, axis=1),
+        )
+
+    def halved(self, along: Along) -> tuple[Steps, Any]:
+        """Both halves of each, and by how much a cubic through the ends misses the middle."""
+        middle = self.ends.mean(axis=0)
+        value, slope = along(self.owner, middle)
+        cubic = self.values.mean(axis=0) + np.diff(self.ends, axis=0)[0] / 8 * (
+            self.slopes[0] - self.slopes[1]
+        )
+        inner = (middle, value, slope)
+        outer = (self.ends, self.values, self.slopes)
+        left = Steps(self.owner, *(np.stack([o[0], i]) for o, i in zip(outer, inner, strict=True)))
+        right = Steps(self.owner, *(np.stack([i, o[1]]) for o, i in zip(outer, inner, strict=True)))
+        return left.joined(right), np.tile(np.abs(value - cubic), 2)
+
+
 def crossings(along: Along, count: int, nodes: Any) -> tuple[Any, Any]:
     """All zeros of functions of one variable.
 
@@ -228,76 +274,69 @@ def crossings(along: Along, count: int, nodes: Any) -> tuple[Any, Any]:
     count : int
         How many functions.
     nodes : array
-        Arguments between which no function turns more than once.
+        Arguments to begin with; intervals in which a function is no cubic are halved.
 
     Returns
     -------
     int array, array
         Functions and arguments, by function and in rising order.
     """
-    every = np.repeat(np.arange(count), nodes.size)
-    flat = along(every, np.tile(nodes, count))
+    steps = _resolved(along, count, nodes)
+    sure = steps[np.flatnonzero(steps.values[0] * steps.values[1] < 0)]
+    dips = steps[np.flatnonzero(_may_dip(steps))]
+    turn = _zero(lambda which, s: along(dips.owner[which], s)[1], *dips.ends)
+    there = along(dips.owner, turn)[0] if turn.size else turn
+    past = np.flatnonzero(there * dips.values[0] < 0)
+    owner = np.concatenate([sure.owner, dips.owner[past], dips.owner[past]])
+    low = np.concatenate([sure.ends[0], dips.ends[0, past], turn[past]])
+    high = np.concatenate([sure.ends[1], turn[past], dips.ends[1, past]])
+    found = _zero(lambda which, s: along(owner[which], s)[0], low, high)
+    order = np.lexsort((found, owner))
+    return owner[order], found[order]
+
+
+def _resolved(along: Along, count: int, nodes: Any) -> Steps:
+    """Intervals so short that every function is nearly a cubic in each."""
+    flat = along(np.repeat(np.arange(count), nodes.size), np.tile(nodes, count))
     value, slope = (part.reshape(count, nodes.size) for part in flat)
-    changes = value[:, :-1] * value[:, 1:] < 0
-    index, left = np.nonzero(changes)
-    low, high = nodes[left], nodes[left + 1]
-    ends = value[index, left], value[index, left + 1]
-    turning, place = np.nonzero(_may_touch(value, slope, nodes))
-    if turning.size:
-        turn = _zero(
-            lambda which, s: along(turning[which], s)[1],
-            nodes[place],
-            nodes[place + 1],
-            (slope[turning, place], slope[turning, place + 1]),
-        )
-        there = along(turning, turn)[0]
-        past = there * value[turning, place] < 0
-        turning, place, turn, there = turning[past], place[past], turn[past], there[past]
-        index = np.concatenate([index, turning, turning])
-        low = np.concatenate([low, nodes[place], turn])
-        high = np.concatenate([high, turn, nodes[place + 1]])
-        ends = (
-            np.concatenate([ends[0], value[turning, place], there]),
-            np.concatenate([ends[1], there, value[turning, place + 1]]),
-        )
-    found = _zero(lambda which, s: along(index[which], s)[0], low, high, ends)
-    order = np.lexsort((found, index))
-    return index[order], found[order]
+    scale = np.abs(value).max(axis=1, initial=0.0)
+    steps = Steps(
+        np.repeat(np.arange(count), nodes.size - 1),
+        np.stack([np.tile(nodes[:-1], count), np.tile(nodes[1:], count)]),
+        np.stack([value[:, :-1].ravel(), value[:, 1:].ravel()]),
+        np.stack([slope[:, :-1].ravel(), slope[:, 1:].ravel()]),
+    )
+    done = steps[np.arange(0)]
+    for _ in range(_HALVINGS):
+        steps, missed = steps.halved(along)
+        rough = missed > _CUBIC * scale[steps.owner]
+        done, steps = done.joined(steps[np.flatnonzero(~rough)]), steps[np.flatnonzero(rough)]
+    return done.joined(steps)
 
 
-def _may_touch(value: Any, slope: Any, nodes: Any) -> Any:
-    """Between which nodes a function of one sign may dip to zero and come back."""
-    step = np.diff(nodes)
+def _may_dip(steps: Steps) -> Any:
+    """Where a function of one sign may go to zero and come back inside an interval."""
+    sign = np.sign(steps.values[0])
+    left, right = sign * steps.values
+    down, up = sign * steps.slopes
     with np.errstate(invalid="ignore", divide="ignore"):
-        sign = np.sign(value[:, :-1])
-        left, right = sign * value[:, :-1], sign * value[:, 1:]
-        down, up = sign * slope[:, :-1], sign * slope[:, 1:]
         # where the tangents at both ends meet; a curve that bends one way stays above
-        meet = (right - left - up * step) / (down - up)
+        meet = (right - left - up * np.diff(steps.ends, axis=0)[0]) / (down - up)
         lowest = left + down * meet
-        dips = (right > 0) & (down < 0) & (up > 0)
-        return dips & (lowest < 0.5 * np.minimum(left, right))
+        return (right > 0) & (down < 0) & (up > 0) & (lowest < 0.5 * np.minimum(left, right))
 
 
-def _zero(function: Callable[[Any, Any], Any], low: Any, high: Any, ends: Sequence[Any]) -> Any:
-    """Zeros between arguments of opposite signs, by false position and halving in turn."""
-    low, high = low.copy(), high.copy()
-    at_low, at_high = (np.array(end, dtype=float) for end in ends)
-    active = np.arange(low.size)
-    for step in range(_STEPS):
-        active = active[high[active] - low[active] > 1e-13]
-        if not active.size:
-            break
-        l, h, f, g = low[active], high[active], at_low[active], at_high[active]
-        with np.errstate(invalid="ignore", divide="ignore"):
-            guess = l - f * (h - l) / (g - f)
-        middle = (l + h) / 2
-        guess = np.where((step % 3 < 2) & (guess > l) & (guess < h), guess, middle)
-        value = function(active, guess)
-        below = value * f > 0
-        zero = value == 0
-        low[active] = np.where(below | zero, guess, l)
-        high[active] = np.where(below & ~zero, h, guess)
-        at_low[active] = np.where(below, value, np.where(step % 3 < 1, f, f / 2))
-        at_high[active] = np.where(below, np.where(step % 3 < 1, g, g / 2), value)
-    return (low + high) / 2
+def _zero(function: Callable[[Any, Any], Any], low: Any, high: Any) -> Any:
+    """Zeros between arguments at which functions have opposite signs."""
+    from scipy.optimize import elementwise
+
+    if not low.size:
+        return low
+    which = np.arange(low.size)
+    found = elementwise.find_root(
+        lambda argument, own: function(own.astype(int), argument),
+        (low, high),
+        args=(which.astype(float),),
+        tolerances={"xatol": _FINE},
+    )
+    return found.x

@@ -18,7 +18,7 @@ import sympy as sp
 from ..errors import InputError
 from ..system import System
 from ..vectors import explicit
-from .arrays import Sheet, evaluate
+from .arrays import Compiled, Sheet
 from .dice import normals
 from .graph import Term
 from .rows import applied, dots, solved, squares
@@ -70,7 +70,7 @@ class Bundle:
         Linear in the fibre.
     further : tuple of Condition
         Held besides, of any form.
-    coefficients : tuple of Term
+    coefficients : Compiled
         Of the linear conditions: slopes row by row, values at zero; of the quadratic one: second
         derivatives row by row, slopes at zero, value at zero.
     """
@@ -82,7 +82,7 @@ class Bundle:
     quadratic: Condition
     linear: tuple[Condition, ...]
     further: tuple[Condition, ...]
-    coefficients: tuple[Term, ...]
+    coefficients: Compiled
 
     @property
     def rays(self) -> int:
@@ -192,7 +192,7 @@ class Bundle:
         """
         k = states.shape[1]
         f, m = len(self.fibre), len(self.linear)
-        flat = np.ascontiguousarray(evaluate(self.coefficients, states, parameters).T)
+        flat = np.ascontiguousarray(self.coefficients(states, parameters).T)
         cuts = np.cumsum([m * f, m, f * f, f])
         n, a, A, b, c = np.split(flat, cuts, axis=1)
         return n.reshape(k, m, f), a, A.reshape(k, f, f), b, c[:, 0]
@@ -325,7 +325,7 @@ def _with_bound(
         quadratic=bound,
         linear=tuple(linear),
         further=tuple(further),
-        coefficients=tuple(coefficients),
+        coefficients=Compiled(coefficients),
     )
 
 

@@ -20,13 +20,13 @@ import numpy as np
 from ..errors import InputError
 from ..system import System
 from ..vectors import explicit
-from .arrays import Sheet, evaluate, numbers
+from .arrays import Compiled, Sheet
 from .crossings import Slice
 from .dice import normals
 from .fibres import Bundle, bundle
-from .graph import Term
 from .held import check, measure, shown, told
 from .spots import Ends, Spots, Thrower, highest
+from .values import parameter_rows
 
 __all__ = ["Level", "draw", "prepared"]
 
@@ -101,12 +101,11 @@ class Level:
     measure: str
     invariant: bool
     _thrower: Thrower
-    _held: tuple[Term, ...]
+    _held: Compiled
     _targets: Any
-    _slopes: tuple[Term, ...]
-    _density: Term | None
+    _slopes: Compiled
+    _density: Compiled | None
     _bound: float
-    _slots: int
 
     def draw(self, count: int, *, seed: int = 0, first: int = 0) -> Any:
         """Points `first` to `first` + `count`; array (count, size).  See :func:`draw`."""
@@ -134,22 +133,27 @@ class Level:
 
         many = self._thrower.numbers
         owners = np.repeat(members, tries)
-        gauss = normals(seed, owners, attempt + np.tile(np.arange(tries), members.size), many + 2)
-        dice, choice = ndtr(gauss[many:])
+        gauss = normals(seed, owners, attempt + np.tile(np.arange(tries), members.size), many + 1)
         spots = self._thrower.spots(gauss[:many])
+        density = self.density(spots)
+        dice = self._bound * ndtr(gauss[many])
+        # of the points of a throw at most one is taken, each as often as its density says
         rank = np.arange(spots.which.size) - np.searchsorted(spots.which, spots.which)
-        if (rank >= self._slots).any():
+        hit = np.zeros(spots.which.size, dtype=bool)
+        passed = np.zeros(owners.size)
+        for turn in range(rank.max(initial=-1) + 1):
+            here = np.flatnonzero(rank == turn)
+            throw = spots.which[here]
+            below = passed[throw] <= dice[throw]
+            passed[throw] += density[here]
+            hit[here] = below & (dice[throw] < passed[throw])
+        if (passed > self._bound).any():
             raise self._beyond()
-        picked = np.flatnonzero(rank == np.floor(self._slots * choice)[spots.which])
-        density = self.density(spots)[picked]
-        if (density > self._bound).any():
-            raise self._beyond()
-        throw = spots.which[picked]
-        taken = picked[dice[throw] * self._bound < density]
+        taken = np.flatnonzero(hit)
         owner, first = np.unique(spots.which[taken] // tries, return_index=True)
         done = np.zeros(members.size, dtype=bool)
         done[owner] = True
-        return self._settled(spots.states[:, taken[first]]).T, done
+        return self._settled(np.ascontiguousarray(spots.states[:, taken[first]])).T, done
 
     def _beyond(self) -> InputError:
         return InputError(
@@ -164,19 +168,19 @@ class Level:
     def _weight(self, states: Any) -> Any:
         """The density to be drawn by, relative to ∏ δ(relations) ∏ δ(held integrals) dx."""
         if self._density is not None:
-            return np.abs(evaluate([self._density], states, self.parameters)[0])
+            return np.abs(self._density(states, self.parameters)[0])
         slopes = self._gradients(states)
         return np.sqrt(np.linalg.det(slopes @ np.swapaxes(slopes, 1, 2)))
 
     def _gradients(self, states: Any) -> Any:
         size, k = states.shape
-        flat = evaluate(self._slopes, states, self.parameters).T
-        return np.ascontiguousarray(flat).reshape(k, len(self._held), size)
+        flat = self._slopes(states, self.parameters).T
+        return np.ascontiguousarray(flat).reshape(k, self._targets.size, size)
 
     def _settled(self, states: Any) -> Any:
         """States moved onto the level along the shortest way, by Newton's method."""
         for _ in range(_NEWTON):
-            defect = evaluate(self._held, states, self.parameters) - self._targets[:, None]
+            defect = self._held(states, self.parameters) - self._targets[:, None]
             slopes = self._gradients(states)
             gram = slopes @ np.swapaxes(slopes, 1, 2)
             share = np.linalg.solve(gram, np.ascontiguousarray(defect.T)[:, :, None])
@@ -190,7 +194,7 @@ def prepared(
     parameters: Mapping[Any, float] | None = None,
 ) -> Level:
     """A level from which points can be drawn again and again; see :func:`draw`."""
-    values = numbers(system, parameters)
+    values = parameter_rows(system, parameters, 1)[0]
     check(system, level, values)
     sheet = Sheet(system)
     made = bundle(system, sheet, level, values)
@@ -205,12 +209,11 @@ def prepared(
         measure="surface measure" if law is None else told(law),
         invariant=law is not None,
         _thrower=_thrower(system, sheet, made, level, values),
-        _held=tuple(conditions),
+        _held=Compiled(conditions),
         _targets=np.array([0.0] * len(system.relations) + [float(v) for v in level.values()]),
-        _slopes=tuple(term for row in sheet.slopes(conditions) for term in row),
-        _density=None if law is None else sheet.read(law.value),
+        _slopes=Compiled([term for row in sheet.slopes(conditions) for term in row]),
+        _density=None if law is None else Compiled([sheet.read(law.value)]),
         _bound=np.inf,
-        _slots=1,
     )
     return _bounded(blank)
 
@@ -273,15 +276,12 @@ def _empty(system: System, level: Mapping[str, float], names: set[str], reach: s
 
 
 def _bounded(level: Level) -> Level:
-    """The level with a bound of its density and of the number of points of a throw."""
-    thrower, most = level._thrower, 1
+    """The level with a bound of what the densities of the points of one throw add up to."""
+    thrower = level._thrower
 
     def height(gauss: Any) -> tuple[Any, Any]:
-        nonlocal most
         spots = thrower.spots(gauss)
-        most = max(most, int(np.bincount(spots.which, minlength=1).max()))
         return spots.places, level.density(spots)
 
     top, _ = highest(thrower.made, height, thrower.near, thrower.numbers)
-    slots = 1 if isinstance(thrower, Ends) else most + 2
-    return replace(level, _bound=_MARGIN * top, _slots=slots)
+    return replace(level, _bound=_MARGIN * thrower.most * top)

@@ -54,6 +54,10 @@ class Thrower(Protocol):
     def numbers(self) -> int:
         """How many normal numbers a throw takes."""
 
+    @property
+    def most(self) -> float:
+        """How many points of the greatest density a throw may give, near enough."""
+
     def spots(self, gauss: Any) -> Spots:
         """The points that throws (numbers, k) give."""
 
@@ -72,6 +76,11 @@ class Ends:
     def numbers(self) -> int:
         """How many normal numbers a throw takes."""
         return self.made.numbers
+
+    @property
+    def most(self) -> float:
+        """One."""
+        return 1.0
 
     def spots(self, gauss: Any) -> Spots:
         """The points that throws (numbers, k) give."""
