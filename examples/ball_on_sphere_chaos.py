@@ -123,7 +123,8 @@ def shares(size: Size, ratios: Sequence[float] = RATIOS) -> Iterator[Row]:
 
 def exponents(row: Row, until: float) -> Spectrum:
     """The Lyapunov spectrum of the wildest motion at one k."""
-    return spectrum(SYSTEM, row.wildest, {k: row.ratio}, until=until)
+    intervals = max(200, round(until / 50))
+    return spectrum(SYSTEM, row.wildest, {k: row.ratio}, until=until, intervals=intervals)
 
 
 def told(row: Row, made: Spectrum) -> str:
