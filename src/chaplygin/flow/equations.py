@@ -77,7 +77,6 @@ class Equations:
         Time derivatives of the state; deviations follow the state itself.
     groups : tuple of tuple of int
         State variables whose error is measured by their common size: the components of a vector.
-        Deviations are in no group: they follow the steps of the motion.
     parameters : int
     section, slope, where : Term or None
         A function that vanishes on the section, its rate, and what must be positive there.
@@ -85,6 +84,8 @@ class Equations:
         +1 where the function rises, −1 where it falls, 0 for both.
     guards : tuple of Term
         Positive as long as the equations hold.
+    deviations : tuple of tuple of int
+        The places of each component in all the deviations.
     """
 
     graph: Graph
@@ -96,6 +97,7 @@ class Equations:
     where: Term | None = None
     direction: int = 1
     guards: tuple[Term, ...] = ()
+    deviations: tuple[tuple[int, ...], ...] = ()
 
     @property
     def pieces(self) -> dict[str, tuple[Term, ...]]:
@@ -118,6 +120,7 @@ def equations_of(
         raise InputError(f"{system.name}: a system without state has no motion")
     graph = reader.graph
     rates = tuple(-rate for rate in forward) if backward else forward
+    size = len(rates)
     every = [*rates, *_variations(graph, rates, deviations)]
     value = slope = where = None
     if section is not None:
@@ -135,6 +138,10 @@ def equations_of(
         where,
         direction,
         tuple(reader(guard.value) for guard in system.guards),
+        tuple(
+            tuple(size * k + i for k in range(1, deviations + 1))
+            for i in range(size if deviations else 0)
+        ),
     )
 
 
@@ -162,7 +169,7 @@ def serial(equations: Equations) -> str:
     pieces = equations.pieces
     heads = [f"{name} {len(piece)}" for name, piece in pieces.items()]
     terms = serial_terms([term for piece in pieces.values() for term in piece])
-    rest = (equations.groups, equations.direction, equations.parameters)
+    rest = (equations.groups, equations.direction, equations.parameters, equations.deviations)
     return "\n".join([*heads, terms, *map(str, rest)])
 
 

@@ -380,8 +380,9 @@ def lanes(
     Raises
     ------
     InputError
-        If a section is asked for with 30 digits, the tolerance is not between 1e-16 (1e-30 with 30 digits) and 0.1, a formula has a
-        function that machine code does not know, or the number of deviations is negative.
+        If a section is asked for with 30 digits, the tolerance is not between 1e-16 (1e-30 with 30
+        digits) and 0.1, a formula has a function that machine code does not know, or the number of
+        deviations is negative.
     """
     if digits not in (16, 30):
         raise InputError(f"digits = {digits}: lanes compute with 16 or with 30 digits")

@@ -34,6 +34,9 @@ ENDS = (
 
 COLLAPSED, NOT_A_NUMBER, STEPS, OVER = range(1, len(ENDS))
 
+#: Deviations may have so many times the error of the motion.
+LOOSER = 100.0
+
 # what has to be looked at in a lane
 _SAMPLE, _POINT, _END = 1.0, 2.0, 3.0
 
@@ -261,6 +264,10 @@ class _March:
             size, speed = w.call("fma", y, y, size), w.call("fma", k, k, speed)
         ratio = w.op("fdiv", size, speed)
         first = w.op("fmul", w.constant(1e-2), w.call("sqrt", ratio))
+        # at rest nothing tells how fast things go
+        index = "0" if self.equations.section else w.emit("sub i64 %wanted, 1")
+        end = w.splat(w.load("double", w.at("double", "%times", index)))
+        first = w.call("minnum", first, w.call("minnum", end, w.constant(1e6)))
         self.put("step", w.choose(fresh, first, self.get("step")))
         floor = w.op("fmul", w.constant(1e-12), first)
         self.put("floor", w.choose(fresh, floor, self.get("floor")))
@@ -373,14 +380,17 @@ class _March:
     def _y(self, i: int) -> Value:
         return self.n.load(self.place("y"), i)
 
-    def _sum(self, weights: Sequence[Fraction], i: int) -> Value:
-        """A sum of the rates of one variable, with weights."""
+    def _sum(self, weights: Sequence[Fraction], *members: int) -> Value:
+        """A sum over the stages, with weights, of the rates of a variable or of several."""
         n = self.n
         total = None
         for stage, weight in enumerate(weights):
             if weight == 0:
                 continue
-            k = n.load(self.place("rates", stage * self.dimension), i)
+            rates = self.place("rates", stage * self.dimension)
+            k = n.load(rates, members[0])
+            for i in members[1:]:
+                k = n.add(k, n.load(rates, i))
             a = n.number(weight)
             total = n.mul(a, k) if total is None else n.fma(a, k, total)
         return total
@@ -406,18 +416,13 @@ class _March:
             whole = w.call("fma", y, y, whole)
         whole = w.op("fmul", whole, w.constant(1e-6))
         for group in self.equations.groups:
-            size, speed = whole, w.constant(0.0)
-            e5, e3 = w.constant(0.0), w.constant(0.0)
-            for i in group:
-                y, k = n.leading(self._y(i)), n.leading(n.load(self.place("rates"), i))
-                size, speed = w.call("fma", y, y, size), w.call("fma", k, k, speed)
-                # what cancels here is as small as the tolerance: doubles alone would not do
-                a = n.leading(self._sum(self.method.e5, i))
-                b = n.leading(self._sum(self.method.e3, i))
-                e5, e3 = w.call("fma", a, a, e5), w.call("fma", b, b, e3)
-            size = w.op("fdiv", w.constant(1.0), w.call("fma", square, speed, size))
-            fifth = w.call("fma", e5, size, fifth)
-            third = w.call("fma", e3, size, third)
+            e5, e3 = self._share([(i,) for i in group], square, whole)
+            fifth, third = w.op("fadd", fifth, e5), w.op("fadd", third, e3)
+        if self.equations.deviations:
+            # the equations are linear in them, so that the error of their sum tells of all
+            e5, e3 = self._share(self.equations.deviations, square, w.constant(1e-200))
+            looser = w.constant(LOOSER**-2)
+            fifth, third = w.call("fma", looser, e5, fifth), w.call("fma", looser, e3, third)
         # err² = h² e5⁴ / (e5² + e3²/100), relative to the tolerance, a mean over the groups
         below = w.call("fma", third, w.constant(0.01), fifth)
         below = w.op("fadd", below, w.constant(1e-290))
@@ -425,6 +430,33 @@ class _March:
         tolerance = w.emit("fmul double %tolerance, %tolerance")
         share = w.emit(f"fmul double {tolerance}, {literal(float(len(self.equations.groups)))}")
         return w.op("fdiv", error, w.splat(share))
+
+    def _share(
+        self, components: Sequence[Sequence[int]], square: str, floor: str
+    ) -> tuple[str, str]:
+        """The squares of both estimates for a vector, relative to its size.
+
+        Each component is the sum of some variables.
+        """
+        w, n = self.w, self.n
+        size, speed = floor, w.constant(0.0)
+        e5, e3 = w.constant(0.0), w.constant(0.0)
+        for members in components:
+            y = self._added([n.leading(self._y(i)) for i in members])
+            k = self._added([n.leading(n.load(self.place("rates"), i)) for i in members])
+            size, speed = w.call("fma", y, y, size), w.call("fma", k, k, speed)
+            # what cancels here is as small as the tolerance: in pairs, doubles would not do
+            a = n.leading(self._sum(self.method.e5, *members))
+            b = n.leading(self._sum(self.method.e3, *members))
+            e5, e3 = w.call("fma", a, a, e5), w.call("fma", b, b, e3)
+        size = w.call("fma", square, speed, size)
+        return w.op("fdiv", e5, size), w.op("fdiv", e3, size)
+
+    def _added(self, values: Sequence[str]) -> str:
+        total = values[0]
+        for value in values[1:]:
+            total = self.w.op("fadd", total, value)
+        return total
 
     def _cross(
         self,
