@@ -9,12 +9,14 @@ from typing import Any
 
 from ..errors import InputError
 from ..expressions import nearest
+from ..flow.lanes import section
 from ..flow.values import formula
 from ..system import System
 from .charts import Rule
 from .parting import Alignment, Exponent, Fastest, Megno, Total
 from .quantities import meaning
 from .watching import Duration, Frequency, Highest, Lowest, Mean
+from .winding import Winding
 
 __all__ = ["KINDS", "Asked", "asked"]
 
@@ -59,8 +61,13 @@ KINDS: Mapping[str, _Kind] = {
     "highest": _Kind(Highest, "highest value of {}", "{}", of=True),
     "lowest": _Kind(Lowest, "lowest value of {}", "{}", of=True),
     "frequency": _Kind(Frequency, "frequency of {}", "1/s", of=True),
+    "rotation": _Kind(Winding, "rotation number of {}", of=True),
 }
-"""What can be asked for; those with a formula are written ``mean:normal_force``."""
+"""What can be asked for; those with a formula are written ``mean:normal_force``.
+
+A rotation number needs a section as well, where a quantity rises through zero:
+``rotation:atan2(M_2,M_1) on n_3``.
+"""
 
 
 def asked(system: System, text: str, until: float, tolerance: float = 1e-12) -> Asked:
@@ -93,9 +100,24 @@ def asked(system: System, text: str, until: float, tolerance: float = 1e-12) -> 
     if kind.of != bool(quantity) or (colon and not quantity):
         written = f"{word}:FORMULA" if kind.of else word
         raise InputError(f"{text}: this number is written {written}")
+    if kind.make is Winding:
+        return _rotation(kind, system, quantity, until, tolerance)
     if not kind.of:
         return Asked(kind.make(system, until, tolerance=tolerance), word, kind.title, kind.unit)
     value: Any = formula(system, quantity)
     made = kind.make(system, until, value, tolerance=tolerance)
     unit = kind.unit.format(meaning(system, quantity, {})[1])
     return Asked(made, word, kind.title.format(quantity), unit)
+
+
+def _rotation(kind: _Kind, system: System, text: str, until: float, tolerance: float) -> Asked:
+    """A rotation number, from its angle and its section."""
+    angle, on, place = text.partition(" on ")
+    if not on:
+        raise InputError(
+            f"rotation:{text}: a section is needed, where a quantity rises through zero, such as "
+            f"rotation:{text} on gamma_3"
+        )
+    where = section(system, place.strip())
+    made = kind.make(system, until, formula(system, angle.strip()), where, tolerance=tolerance)
+    return Asked(made, "rotation", kind.title.format(text), kind.unit)
