@@ -65,6 +65,8 @@ class Precise:
     ----------
     system : System
     digits : 16 or 30
+    backward : bool
+        Whether time runs backward; times are negative then.
     held : tuple of str
         Integrals and relations on whose level the state is held.
     code : Native
@@ -72,6 +74,7 @@ class Precise:
 
     system: System
     digits: int
+    backward: bool
     held: tuple[str, ...]
     code: native.Native
 
@@ -94,7 +97,7 @@ class Precise:
         starts : array (motions, size)
             In flat order; numbers of many digits (mpmath) count with 32 of them.
         times : array (times,)
-            Increasing from 0 or later.
+            Increasing from 0 or later; decreasing backward.
         parameters : mapping of Symbol or name to number or array (motions,), optional
             Values that replace the defaults; numbers of many digits count with 32 of them.
         threads : int, optional
@@ -106,10 +109,13 @@ class Precise:
             If starts, times or parameters cannot be used.
         """
         moments = np.ascontiguousarray(np.atleast_1d(np.asarray(times, dtype=float)))
+        if self.backward:
+            moments = -moments
         if moments.ndim != 1 or not moments.size or not np.all(np.isfinite(moments)):
             raise InputError("times: there must be at least one, and all finite numbers")
         if moments[0] < 0 or np.any(np.diff(moments) <= 0):
-            raise InputError("times: they must increase from 0, where the motion begins")
+            way = "decrease from 0" if self.backward else "increase from 0"
+            raise InputError(f"times: they must {way}, where the motion begins")
         rows = paired(starts)
         size = len(self.system.symbols)
         if rows.ndim != 3 or rows.shape[1] != size:
@@ -135,6 +141,7 @@ class Precise:
             )
 
         spread(part, number, threads_here() if threads is None else threads)
+        ended = -ended if self.backward else ended
         return PreciseMotions(states[..., 0], states[..., 1], outcome, ended, steps)
 
 
@@ -143,6 +150,8 @@ def precise(
     start: Any,
     parameters: Mapping[Any, Any] | None = None,
     digits: Literal[16, 30] = 16,
+    *,
+    backward: bool = False,
 ) -> Precise:
     """The flow of a system with all digits, compiled or fetched from the cache.
 
@@ -155,6 +164,9 @@ def precise(
         stand still there are not held.
     parameters : mapping of Symbol or name to number, optional
     digits : 16 or 30
+        With 30 the state is not moved onto any level: it begins where the start is.
+    backward : bool
+        Whether time runs backward.
 
     Raises
     ------
@@ -166,12 +178,12 @@ def precise(
     point = np.array([float(x) for x in start])
     values = tuple(sorted((str(k), float(v)) for k, v in (parameters or {}).items()))
     names = () if digits == 30 else _standing(system, tuple(point), values)
-    return _compiled(system, digits, names)
+    return _compiled(system, digits, backward, names)
 
 
 @lru_cache(maxsize=64)
-def _compiled(system: System, digits: int, names: tuple[str, ...]) -> Precise:
-    equations = equations_of(system, 0, None, False)
+def _compiled(system: System, digits: int, backward: bool, names: tuple[str, ...]) -> Precise:
+    equations = equations_of(system, 0, None, backward)
     reader, _ = read_system(system)
     held = dict(_candidates(system))
     kept = None
@@ -191,7 +203,7 @@ def _compiled(system: System, digits: int, names: tuple[str, ...]) -> Precise:
         lambda: gauss_loop(gauss(stages), equations, kept, digits == 30),
         {"gauss": _SIGNATURE},
     )
-    return Precise(system, digits, tuple(name.lstrip("=") for name in names), code)
+    return Precise(system, digits, backward, tuple(name.lstrip("=") for name in names), code)
 
 
 def _candidates(system: System) -> list[tuple[str, Term]]:

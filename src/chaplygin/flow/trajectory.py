@@ -18,6 +18,7 @@ import sympy as sp
 from ..errors import InputError, RunError
 from ..system import System
 from ..vectors import explicit
+from .collocation import collocate
 from .projection import Projector, call
 from .record import Dense, Happening, Statistics, Trajectory
 from .taylor import Compiled, Direction, Precision, compile_system, number_type
@@ -59,6 +60,7 @@ def integrate(
     time_limit: float | None = None,
     dense: bool = False,
     progress: Callable[[float], None] | None = None,
+    method: Literal["taylor", "gauss"] = "taylor",
 ) -> Trajectory:
     """Integrate a system from `start` through `times`.
 
@@ -87,6 +89,11 @@ def integrate(
         Keep the continuous trajectory.
     progress : callable, optional
         Called with the fraction done.
+    method : ``"taylor"`` or ``"gauss"``
+        Taylor series of any tolerance, or Gauss–Legendre collocation with all digits of a double
+        (30 digits at precision "quad"), some ten times faster; see
+        :func:`chaplygin.flow.collocation.collocate`.  The second always holds the integrals and
+        has no tolerance, time limit or continuous trajectory.
 
     Returns
     -------
@@ -100,6 +107,24 @@ def integrate(
     RunError
         If the integration fails; it carries the last good time and the trajectory so far.
     """
+    if method == "gauss":
+        for name, asked in (
+            ("tolerance", tolerance),
+            ("time_limit", time_limit),
+            ("dense", dense or None),
+        ):
+            if asked is not None:
+                raise InputError(f"{name}: method 'gauss' has none; use method 'taylor'")
+        return collocate(
+            system,
+            start,
+            times,
+            parameters,
+            digits=16 if precision == "double" else 30,
+            on_liftoff=on_liftoff,
+        )
+    if method != "taylor":
+        raise InputError(f"method {method!r}: it must be 'taylor' or 'gauss'")
     values = _values(system, parameters)
     kind = number_type(precision)
     moments = _moments(times, kind)
