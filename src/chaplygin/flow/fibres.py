@@ -42,12 +42,13 @@ class Condition:
     name : str
         Name of the integral; empty for a relation.
     term : Term
-    target : float
+    target : float or array (k,)
+        An array has a value for each point.
     """
 
     name: str
     term: Term
-    target: float
+    target: Any
 
 
 @dataclass(frozen=True)
