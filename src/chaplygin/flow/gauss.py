@@ -196,6 +196,9 @@ class _Loop:
             y, k = self.d.load(self.at("stage"), i), self.d.load(self.at("rates"), i)
             size, speed = w.call("fma", y, y, size), w.call("fma", k, k, speed)
         first = w.op("fmul", w.constant(0.1), w.call("sqrt", w.op("fdiv", size, speed)))
+        # at rest nothing tells how fast things go
+        last = w.at("double", "%times", w.emit("sub i64 %wanted, 1"))
+        first = w.call("minnum", first, w.splat(w.load("double", last)))
         w.store("double", self._lane(first), self.planned)
 
     def _lane(self, vector: str, lane: int = 0) -> str:
@@ -430,7 +433,7 @@ class _Loop:
         reason = w.variable("i64", reason)
         taken = w.variable("i1", w.emit(f"and i1 {good}, {small}"))
         if self.equations.guards:
-            self._guards(taken, reason)
+            self._guards(h, taken, reason)
         factor = w.variable("double", literal(0.5))
         with w.when(good):
             by = self._scalar("fmul", power, literal(0.95))
@@ -450,21 +453,26 @@ class _Loop:
             now = w.load("double", self.time)
             floor = self._scalar("fmul", now, literal(1e-15))
             floor = self._scalar("fadd", floor, w.load("double", self.floor))
-            with w.when(w.emit(f"fcmp ole double {shorter}, {floor}")):
+            with w.when(w.emit(f"fcmp ule double {shorter}, {floor}")):
                 w.store("i64", w.load("i64", reason), self.outcome)
 
-    def _guards(self, taken: str, reason: str) -> None:
-        """A guard that is passed in a stage forbids the step."""
+    def _guards(self, h: str, taken: str, reason: str) -> None:
+        """A guard that is passed in a stage, or where the step leads, forbids the step."""
         w, d = self.w, self.d
-        w.line(
-            f"call void @guards(ptr {self.at('guards')}, ptr {self.at('stage')}, "
-            f"ptr {self.at('wide_constants')})"
-        )
-        for i in reversed(range(len(self.equations.guards))):
-            passed = w.any(w.compare("ole", d.load(self.at("guards"), i), w.constant(0.0)))
-            with w.when(passed):
-                w.store("i1", "false", taken)
-                w.store("i64", str(len(ENDS) + i), reason)
+        weights = self._vector([float(x) for x in self.method.b])
+        for i in range(self.size):
+            change = self._total(w.op("fmul", weights, d.load(self.at("rates"), i)))
+            d.store(w.call("fma", h, change, self._y(i)), self.at("fresh"), i)
+        for points in ("stage", "fresh"):
+            w.line(
+                f"call void @guards(ptr {self.at('guards')}, ptr {self.at(points)}, "
+                f"ptr {self.at('wide_constants')})"
+            )
+            for i in reversed(range(len(self.equations.guards))):
+                passed = w.any(w.compare("ole", d.load(self.at("guards"), i), w.constant(0.0)))
+                with w.when(passed):
+                    w.store("i1", "false", taken)
+                    w.store("i64", str(len(ENDS) + i), reason)
 
     def _plan_taken(self, step: str, factor: str, estimate: str, bound: str) -> None:
         """The next step: at first as the estimate says; later longer only after a calm while."""
