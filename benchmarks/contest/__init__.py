@@ -1,0 +1,1 @@
+"""What `engine.py` compares: bodies, programs, and how they are made to meet."""

@@ -1,0 +1,224 @@
+"""The three bodies, random starts, and motions with 34 digits to measure errors by."""
+
+from __future__ import annotations
+
+import hashlib
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import heyoka as hy
+import numpy as np
+import sympy as sp
+
+import chaplygin
+from chaplygin.flow import cache
+from chaplygin.flow.translate import Translator
+from chaplygin.mechanics.rolling import Field
+from chaplygin.mechanics.start import starting_state
+from chaplygin.system import System
+from chaplygin.systems import unbalanced_ball
+
+__all__ = ["BODIES", "Body", "deviation", "rows"]
+
+GRAVITY = 9.81
+#: Tolerance of the motions in 34 digits: far below every error that is measured.
+FINE = 1e-21
+#: Bits and tolerance of the motions that those of 30 digits are measured by.
+BITS, FINEST = 160, 1e-38
+
+
+@dataclass(frozen=True)
+class Body:
+    """A body rolling on a plane, and how long its motions are followed.
+
+    Attributes
+    ----------
+    span, long, short : float
+        Length in seconds of the motions of an ensemble, of a single motion, and of motions that
+        carry tangent vectors or 30 digits; chaos must not amplify rounding much in that time.
+    spin : float
+        Starts have components of the angular velocity uniform between minus this and this.
+    """
+
+    name: str
+    system: System
+    span: float
+    long: float
+    short: float
+    spin: float = 2.0
+
+    @property
+    def size(self) -> int:
+        """State variables."""
+        return len(self.system.symbols)
+
+    @cached_property
+    def numbers(self) -> list[float]:
+        """Values of the parameters."""
+        return [float(p.default) for p in self.system.parameters]
+
+    @cached_property
+    def taylor(self) -> list[tuple[Any, Any]]:
+        """The equations as heyoka takes them, with numbers for the parameters."""
+        translate = Translator(self.system)
+        rates = translate.all(self.system.rates)
+        values = {hy.par[i]: hy.expression(x) for i, x in enumerate(self.numbers)}
+        return list(zip(translate.variables, hy.subs(rates, values), strict=True))
+
+    @property
+    def height(self) -> Any:
+        """What vanishes on the section: the last component of γ."""
+        return self.taylor[-1][0]
+
+    def starts(self, seed: int, count: int) -> np.ndarray:
+        """Random states: γ uniform on the sphere, ω uniform in a cube."""
+        dice = np.random.default_rng([seed, *self.name.encode()])
+        found = []
+        for _ in range(count):
+            gamma, omega = dice.normal(size=3), dice.uniform(-self.spin, self.spin, size=3)
+            state = starting_state(self.system, list(omega), list(gamma))
+            found.append([float(x) for x in state[: self.size]])
+        return np.array(found)
+
+    def ends(self, starts: np.ndarray, until: float) -> np.ndarray:
+        """The states at a time, to 34 digits rounded."""
+        return np.array([self._wide(start, until)[0] for start in starts])
+
+    def crossings(self, starts: np.ndarray, until: float) -> np.ndarray:
+        """Where γ₃ rises through zero before a time: (starts, points, size)."""
+        return rows([self._wide(start, until)[1] for start in starts], self.size)
+
+    def tangents(self, starts: np.ndarray, until: float) -> np.ndarray:
+        """State and derivative by the start at a time: (starts, size + size²)."""
+        return np.array([self._wide_tangent(start, until) for start in starts])
+
+    def thirty(self, starts: np.ndarray, until: float) -> np.ndarray:
+        """The states at a time with more than 34 digits, as numbers of 34."""
+        return np.array([self._finest(start, until) for start in starts])
+
+    # --- references, kept on disk ------------------------------------------------------------
+
+    def _wide(self, start: np.ndarray, until: float) -> tuple[np.ndarray, np.ndarray]:
+        def compute() -> tuple[np.ndarray, np.ndarray]:
+            found, motion = self._watched
+            found.clear()
+            motion.time, motion.state[:] = hy.real128(0), start.astype(hy.real128)
+            motion.propagate_until(hy.real128(until))
+            points = np.array(found, dtype=float).reshape(-1, self.size)
+            return motion.state.astype(float), points
+
+        return self._kept("motion", start, until, compute)
+
+    @cached_property
+    def _watched(self) -> tuple[list[Any], Any]:
+        """Crossings seen so far, and an integrator in 34 digits that sees them."""
+        found: list[Any] = []
+
+        def seen(motion: Any, time: Any, _: int) -> None:
+            motion.update_d_output(time)
+            found.append(motion.d_output.astype(float))
+
+        wide = hy.real128
+        event = hy.nt_event(self.height, seen, direction=hy.event_direction.positive, fp_type=wide)
+        motion = hy.taylor_adaptive(
+            self.taylor,
+            [wide(1)] * self.size,
+            tol=wide(FINE),
+            fp_type=wide,
+            compact_mode=True,
+            nt_events=[event],
+        )
+        return found, motion
+
+    def _wide_tangent(self, start: np.ndarray, until: float) -> np.ndarray:
+        def compute() -> np.ndarray:
+            motion = self._varied
+            motion.time = hy.real128(0)
+            identity = np.eye(self.size).ravel()
+            motion.state[:] = np.concatenate([start, identity]).astype(hy.real128)
+            motion.propagate_until(hy.real128(until))
+            return np.asarray(motion.state.astype(float))
+
+        return self._kept("tangent", start, until, compute)
+
+    @cached_property
+    def _varied(self) -> Any:
+        wide = hy.real128
+        return hy.taylor_adaptive(
+            hy.var_ode_sys(self.taylor, hy.var_args.vars, order=1),
+            [wide(1)] * self.size,
+            tol=wide(FINE),
+            fp_type=wide,
+            compact_mode=True,
+        )
+
+    def _finest(self, start: np.ndarray, until: float) -> np.ndarray:
+        def compute() -> np.ndarray:
+            many = hy.real
+            motion = hy.taylor_adaptive(
+                self.taylor,
+                [many(float(x), BITS) for x in start],
+                tol=many(FINEST, BITS),
+                fp_type=many,
+                prec=BITS,
+                compact_mode=True,
+            )
+            motion.propagate_until(many(until, BITS))
+            return np.array([hy.real128(str(x)) for x in motion.state])
+
+        return self._kept("finest", start, until, compute)
+
+    def _kept(self, what: str, start: np.ndarray, until: float, compute: Callable[[], Any]) -> Any:
+        """What `compute` gives, from disk if it has been computed before."""
+        text = sp.srepr(sp.Matrix([*self.system.rates, *(f for _, f in self.system.steps)]))
+        how = repr((self.numbers, start.tolist(), until, FINE, BITS, FINEST))
+        name = hashlib.sha256(f"{what}\0{text}\0{how}".encode()).hexdigest()
+        return cache.remember(f"reference-{name}", compute)[0]
+
+
+def _reduced(system: System) -> System:
+    return replace(system, motion=None, observables=(), guards=())
+
+
+def _bodies() -> dict[str, Body]:
+    catalogue = chaplygin.CATALOGUE
+    ball, ellipsoid = catalogue["chaplygin-ball"].system(), catalogue["marble-body"].system()
+    rolling = unbalanced_ball.build(dict(catalogue["unbalanced-ball"].defaults))
+    heavy = replace(rolling, field=Field(GRAVITY)).system("heavy-unbalanced-ball")
+    made = (
+        Body("chaplygin-ball", _reduced(ball), span=20.0, long=1000.0, short=5.0),
+        Body("unbalanced-ball", _reduced(heavy), span=20.0, long=50.0, short=5.0),
+        Body("ellipsoid", _reduced(ellipsoid), span=10.0, long=20.0, short=2.5),
+    )
+    return {body.name: body for body in made}
+
+
+BODIES = _bodies()
+
+
+def rows(found: list[np.ndarray], size: int) -> np.ndarray:
+    """Lists of points of different lengths as one array, not-a-number beyond their ends."""
+    most = max(1, *map(len, found))
+    filled = np.full((len(found), most, size), np.nan)
+    for row, points in zip(filled, found, strict=True):
+        row[: len(points)] = np.reshape(points, (-1, size))
+    return filled
+
+
+def deviation(found: np.ndarray, exact: np.ndarray) -> np.ndarray:
+    """Largest error, relative to the largest component; for each row.
+
+    Points that only one side has (a crossing just before or after the end) are left out; a row
+    without any is not-a-number.
+    """
+    if exact.ndim == 3:
+        common = min(found.shape[1], exact.shape[1])
+        found, exact = found[:, :common], exact[:, :common]
+    axes = tuple(range(1, exact.ndim))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RuntimeWarning)
+        wrong = np.nanmax(np.abs(found - exact).astype(float), axis=axes)
+        return np.asarray(wrong / np.nanmax(np.abs(exact).astype(float), axis=axes))

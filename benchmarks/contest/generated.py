@@ -1,0 +1,110 @@
+"""Python source of the equations, for the programs that compile or interpret Python.
+
+It is written from the package's own graph of operations, each done once, with parameters and all
+that depends on them alone as numbers: the best form that a user could write by hand.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from chaplygin.flow.graph import Term, of_system, ordered
+from chaplygin.flow.tables import explicit
+
+from .bodies import Body
+
+__all__ = ["defined", "field_text", "operations", "step_text"]
+
+_TEMPLATES: Mapping[str, str] = {
+    "add": "{} + {}",
+    "sub": "{} - {}",
+    "mul": "{} * {}",
+    "neg": "-{}",
+    "recip": "1.0 / {}",
+    "sqrt": "sqrt({})",
+}
+
+
+def field_text(body: Body) -> str:
+    """``field(x0, …)``, the rates as a tuple."""
+    _, rates = of_system(body.system)
+    names: dict[int, str] = {}
+    lines = []
+    for node in ordered(rates):
+        written = _write(node, names, body.numbers)
+        if not (_number(written) or written.isidentifier()):
+            lines.append(f"    v{len(lines)} = {written}")
+            written = f"v{len(lines) - 1}"
+        names[id(node)] = written
+    state = _names("x", body.size)
+    answer = ", ".join(names[id(rate)] for rate in rates)
+    return "\n".join([f"def field({state}):", *lines, f"    return {answer}"])
+
+
+def _write(node: Term, names: Mapping[int, str], numbers: Sequence[float]) -> str:
+    if node.kind == "state":
+        return f"x{node.args[0]}"
+    if node.kind == "parameter":
+        return repr(numbers[node.args[0]])
+    if node.kind == "number":
+        return repr(float(node.args[0]))
+    operands = [names[id(a)] for a in node.operands]
+    if node.kind == "mul" and "1.0" in operands:
+        return operands[1 - operands.index("1.0")]
+    written = _TEMPLATES[node.kind].format(*operands)
+    if all(map(_number, operands)):
+        return repr(defined(f"value = {written}", {})["value"])
+    return written
+
+
+def _number(text: str) -> bool:
+    return text.lstrip("-")[:1].isdigit() and not any(c in text for c in "*+/ ")
+
+
+def _names(letter: str, count: int, stage: str = "") -> str:
+    return ", ".join(f"{letter}{stage}{i}" for i in range(count))
+
+
+def step_text(size: int, errors: bool) -> str:
+    """``step(h, x0, …)``, one step of order 8; with its two error estimates if wanted."""
+    table = explicit()
+    lines = []
+    for stage, row in enumerate(table.a):
+        places = [f"x{i}" + _combined(row, i) for i in range(size)]
+        lines.append(f"    {_names('k', size, f'{stage}_')} = field({', '.join(places)})")
+    wanted = [", ".join(f"x{i}" + _combined(table.b, i) for i in range(size))]
+    if errors:
+        for weights in (table.e3, table.e5):
+            wanted += [", ".join("0.0" + _combined(weights, i) for i in range(size))]
+    answer = ", ".join(wanted)
+    return "\n".join([f"def step(h, {_names('x', size)}):", *lines, f"    return {answer}"])
+
+
+def _combined(weights: Sequence[Any], component: int) -> str:
+    """The increment of a component from the rates of stages."""
+    terms = [f"{float(w)!r} * k{stage}_{component}" for stage, w in enumerate(weights) if w != 0]
+    return f" + h * ({' + '.join(terms)})" if terms else ""
+
+
+def defined(text: str, known: Mapping[str, Any]) -> dict[str, Any]:
+    """The names that a text defines."""
+    names = dict(known)
+    exec(text, names)
+    return names
+
+
+def operations(body: Body) -> dict[str, int]:
+    """Arithmetic in one evaluation of the rates by this engine, by kind.
+
+    What depends on parameters alone is computed once for a motion and not counted.
+    """
+    _, rates = of_system(body.system)
+    nodes = ordered(rates)
+    moving: set[int] = set()
+    for node in nodes:
+        if node.kind == "state" or any(id(a) in moving for a in node.operands):
+            moving.add(id(node))
+    found = (n.kind for n in nodes if id(n) in moving and n.kind != "state")
+    return dict(Counter(found))

@@ -1,0 +1,62 @@
+"""This engine."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from chaplygin.flow.lanes import lanes, section
+
+from .bodies import Body
+from .programs import Program, Run
+
+__all__ = ["NAME", "crossings", "ensemble", "tangents"]
+
+NAME = "chaplygin"
+
+
+def ensemble(body: Body, until: float, threads: int = 1) -> Program:
+    """A lane for each trajectory."""
+
+    def build(tolerance: float) -> Run:
+        made = lanes(body.system, tolerance=tolerance)
+
+        def run(starts: np.ndarray) -> np.ndarray:
+            return np.asarray(made.until(starts, [until], threads=threads).states[:, -1])
+
+        return run
+
+    return Program(NAME if threads == 1 else f"{NAME}, {threads} threads", build)
+
+
+def crossings(body: Body, until: float, most: int) -> Program:
+    """Where γ₃ rises through zero; no trajectory has more than `most` such points."""
+    where = section(body.system, body.system.symbols[-1])
+
+    def build(tolerance: float) -> Run:
+        made = lanes(body.system, tolerance=tolerance, section=where)
+
+        def run(starts: np.ndarray) -> np.ndarray:
+            return np.asarray(made.returns(starts, most, until=until, threads=1).states)
+
+        return run
+
+    return Program(NAME, build)
+
+
+def tangents(body: Body, until: float) -> Program:
+    """State and derivative by the start, as tangent vectors in lanes."""
+    identity = np.eye(body.size)
+
+    def build(tolerance: float) -> Run:
+        made = lanes(body.system, tolerance=tolerance, deviations=body.size)
+
+        def run(starts: np.ndarray) -> np.ndarray:
+            carried = np.repeat(identity[None], len(starts), axis=0)
+            found = made.until(starts, [until], deviations=carried, threads=1)
+            # a row for each component, as heyoka has it
+            slopes = np.swapaxes(found.deviations[:, -1], 1, 2).reshape(len(starts), -1)
+            return np.hstack([found.states[:, -1], slopes])
+
+        return run
+
+    return Program(NAME, build)
