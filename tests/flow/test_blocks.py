@@ -22,7 +22,7 @@ import zarr
 import counted
 from chaplygin.errors import InputError
 from chaplygin.flow.blocks import Task, Variable, compute
-from chaplygin.flow.store import UnfinishedError
+from chaplygin.flow.store import UnfinishedError, read
 from counted import task
 
 
@@ -244,11 +244,18 @@ def test_a_foreign_store_is_left_alone(name: str, tmp_path: Path) -> None:
         (place / ("zarr.json" if name == "broken" else "notes")).write_text("mine")
     before = {p: p.read_bytes() for p in [place, *place.rglob("*")] if p.is_file()}
     refused(
-        f"{place} exists already and is no store of such a computation: choose another name",
+        f"{place} is no store of a computation in blocks: choose another name",
         task(),
         place,
     )
     assert before == {p: p.read_bytes() for p in [place, *place.rglob("*")] if p.is_file()}
+
+
+def test_reading_what_is_not_there(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"a\.zarr: there is no such folder$"):
+        read(tmp_path / "a.zarr")
+    with pytest.raises(InputError, match="is no store of a computation in blocks"):
+        read(tmp_path)
 
 
 def test_an_empty_folder_will_do(tmp_path: Path) -> None:

@@ -7,6 +7,7 @@ a worker that disappears costs the block it was at, which another one computes a
 from __future__ import annotations
 
 import functools
+import itertools
 import logging
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -23,6 +24,9 @@ __all__ = ["results"]
 
 #: Blocks waiting at each thread of the workers, besides the one it is at.
 _WAITING = 1
+
+#: How long a scheduler may take to answer.
+PATIENCE = "10s"
 
 
 def results(
@@ -43,7 +47,7 @@ def results(
     InputError
         If Dask is not installed, or the scheduler cannot be reached.
     UnfinishedError
-        If a block brings down one worker after another.
+        If a block brings down one worker after another, or the cluster disappears.
     """
     try:
         import cloudpickle
@@ -56,28 +60,32 @@ def results(
 
     packed = cloudpickle.dumps(work)
     with _connected(client) as connected:
-        waiting = iter(blocks.items())
+        waiting = iter(blocks)
         under_way: dict[Future[Any], int] = {}
         ready = distributed.as_completed(loop=connected.loop)
 
         def send() -> None:
-            for block, members in waiting:
-                future = connected.submit(_compute, packed, *members, pure=False)
+            threads = sum(connected.nthreads().values())
+            room = (1 + _WAITING) * max(1, threads) - len(under_way)
+            for block in itertools.islice(waiting, max(0, room)):
+                future = connected.submit(_compute, packed, *blocks[block], pure=False)
                 under_way[future] = block
                 ready.add(future)
-                return
 
-        for _ in range((1 + _WAITING) * max(1, sum(connected.nthreads().values()))):
-            send()
+        send()
         for future in ready:
             block = under_way.pop(future)
             try:
-                arrays = future.result()
+                arrays: Arrays = future.result()
             except distributed.KilledWorker:
                 first, last = blocks[block]
                 raise UnfinishedError(
                     f"the block of members {first} to {last - 1} brought down one worker after "
                     "another: it may need more memory than they have"
+                ) from None
+            except distributed.client.FutureCancelledError:
+                raise UnfinishedError(
+                    "the Dask cluster has gone; what was written stays: run the same again"
                 ) from None
             send()
             yield block, arrays
@@ -99,21 +107,25 @@ def _unpacked(packed: bytes) -> Work:
 @contextmanager
 def _connected(client: Client | str) -> Iterator[Client]:
     """A client; what is opened here is closed here."""
+    import dask
     import distributed
 
     if not isinstance(client, str):
         yield client
     elif client == "local":
+        # a worker that is killed again while it is started again is not given up
+        patient = {"distributed.deploy.lost-worker-timeout": "1 day"}
         with (
+            dask.config.set(patient),
             distributed.LocalCluster(
-                threads_per_worker=1, dashboard_address=None, silence_logs=logging.ERROR
+                threads_per_worker=1, dashboard_address=":0", silence_logs=logging.ERROR
             ) as cluster,
             distributed.Client(cluster) as connected,
         ):
             yield connected
     else:
         try:
-            connected = distributed.Client(client, timeout="10s")
+            connected = distributed.Client(client, timeout=PATIENCE)
         except (OSError, ValueError) as problem:
             raise InputError(
                 f"there is no Dask scheduler at {client!r} ({problem}); an address such as "

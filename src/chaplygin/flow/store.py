@@ -99,8 +99,8 @@ class Store:
 
     def _unfinished(self, problem: OSError) -> UnfinishedError:
         return UnfinishedError(
-            f"{self.folder}: {_reason(problem)}; {self.done.sum()} of {self.task.blocks} blocks are written "
-            "and stay: put right what is wrong, and run the same again"
+            f"{self.folder}: {_reason(problem)}; {self.done.sum()} of {self.task.blocks} blocks "
+            "are written and stay: put right what is wrong, and run the same again"
         )
 
 
@@ -144,9 +144,15 @@ def read(folder: str | Path) -> xr.Dataset:
     """The dataset in a store, read from the disk when it is used.
 
     What is not computed yet is not-a-number (−1 in whole numbers).
+
+    Raises
+    ------
+    InputError
+        If there is none, or it is none of ours.
     """
     import xarray as xr
 
+    _ours(Path(folder))
     dataset = xr.open_dataset(folder, engine="zarr", chunks=None, decode_times=False)
     return dataset.drop_vars(DONE)
 
@@ -233,15 +239,15 @@ def _ours(folder: Path) -> zarr.Group:
     """The group in a folder that this module has made."""
     import zarr
 
+    if not folder.exists():
+        raise InputError(f"{folder}: there is no such folder")
     try:
         group = zarr.open_group(zarr.storage.LocalStore(folder), mode="r+")
         known = group[DONE].attrs.get("format") == FORMAT
     except (FileExistsError, FileNotFoundError, NotADirectoryError, KeyError, ValueError):
         known = False
     if not known:
-        raise InputError(
-            f"{folder} exists already and is no store of such a computation: choose another name"
-        )
+        raise InputError(f"{folder} is no store of a computation in blocks: choose another name")
     return group
 
 
