@@ -1,15 +1,17 @@
 """How fast neighbours of many motions part: numbers for charts.
 
-One deviation, or several, is carried along each motion, tangent to relations and integrals, and
-made of length one after each interval.  The logarithms of the lengths lost add up to L(t): the
-largest exponent is the slope of L, the fast Lyapunov indicator its greatest value (Froeschlé, Lega,
-Gonczi 1997), and MEGNO compares it with its mean (Cincotta, Simó 2000).
+One deviation, or several, is carried along each motion and made of length one after each interval.
+The logarithms of the lengths lost add up to L(t): the largest exponent is the slope of L, the fast
+Lyapunov indicator its greatest value (Froeschlé, Lega, Gonczi 1997), and MEGNO compares it with its
+mean (Cincotta, Simó 2000).  Exponents are taken of what integrals and the flow do not force to be
+zero; indicators of all deviations that the relations allow, among which those of a regular motion
+part evenly with time.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
@@ -66,15 +68,20 @@ class Grown:
 
 
 def tangent(system: System) -> TangentSpace:
-    """Deviations tangent to relations and to the integrals that hold everywhere."""
-    kept = [law.value for law in system.integrals if not law.on]
-    conditions = tuple(explicit(value) for value in (*system.relations, *kept))
-    return _some(TangentSpace(system, conditions, (), np.zeros((0, 0))))
+    """Deviations tangent to the relations: all that are possible."""
+    relations = tuple(explicit(relation) for relation in system.relations)
+    return _some(TangentSpace(system, relations, (), np.zeros((0, 0))))
 
 
 def across(system: System) -> TangentSpace:
-    """The same modulo the flow, along which the exponent is zero in any case."""
-    return _some(replace(tangent(system), directions=(system.rates,), mixed=np.eye(1)))
+    """Those tangent to the integrals that hold everywhere as well, modulo the flow.
+
+    What is left out has the exponent zero in any case.
+    """
+    kept = tuple(explicit(law.value) for law in system.integrals if not law.on)
+    free = tangent(system)
+    conditions = (*free.conditions, *kept)
+    return _some(TangentSpace(system, conditions, (system.rates,), np.eye(1)))
 
 
 def _some(space: TangentSpace) -> TangentSpace:
@@ -240,6 +247,8 @@ class Fastest:
 @dataclass(frozen=True)
 class Megno:
     """The mean of MEGNO: 2 on a regular motion, λ/2 times the time on a chaotic one.
+
+    Where all neighbours keep their distance (equal frequencies, a stable rest) it is 0.
 
     Y(t) = (2/t) ∫ (d ln|ξ|/ds) s ds = 2 (L(t) − the mean of L until t), by the trapezoidal rule
     over the intervals; see `Exponent`.
