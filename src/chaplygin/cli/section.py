@@ -51,7 +51,8 @@ def command(
         ),
     ] = "",
     until: Annotated[
-        float | None, typer.Option(help="Time after which a motion is given up.")
+        float | None,
+        typer.Option(help="When a motion is given up; else the experiment's time for each point."),
     ] = None,
     tolerance: Annotated[float, typer.Option(help="Error allowed in a step.")] = 1e-13,
     workers: Workers = None,
@@ -75,8 +76,10 @@ def command(
     study = study_of(what, overrides)
     place = Place(on, value, direction, angle)
     chosen = Starts(starts, None if level is None else level_of(level), seed)
-    options: dict[str, Any] = {"tolerance": tolerance} | ({} if until is None else {"until": until})
-    task, names = section_of(study, place, chosen, points, coordinates, **options)
+    limit = abs(study.until) * max(points, 1) if until is None else until
+    task, names = section_of(
+        study, place, chosen, points, coordinates, until=limit, tolerance=tolerance
+    )
     if output != store:
         output.mkdir(exist_ok=True)
     clear(store, picture, force)
