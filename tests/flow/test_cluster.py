@@ -114,7 +114,7 @@ class Deadly:
 def test_a_block_that_brings_down_its_workers(
     cluster: distributed.LocalCluster, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(cluster.scheduler, "allowed_failures", 1)
+    monkeypatch.setattr(cluster.scheduler, "allowed_failures", 0)
     deadly = Task(Deadly(), 6, 2, {"x": Variable()})
     with (
         distributed.Client(cluster) as client,

@@ -7,8 +7,8 @@ a worker that disappears costs the block it was at, which another one computes a
 from __future__ import annotations
 
 import functools
-import itertools
 import logging
+from collections import Counter, deque
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
@@ -24,6 +24,9 @@ __all__ = ["results"]
 
 #: Blocks waiting at each thread of the workers, besides the one it is at.
 _WAITING = 1
+
+#: How often Dask may give a block up before it is given up here.
+_BLAMED = 3
 
 #: How long a scheduler may take to answer.
 PATIENCE = "10s"
@@ -60,14 +63,15 @@ def results(
 
     packed = cloudpickle.dumps(work)
     with _connected(client) as connected:
-        waiting = iter(blocks)
+        waiting = deque(blocks)
+        blamed: Counter[int] = Counter()
         under_way: dict[Future[Any], int] = {}
         ready = distributed.as_completed(loop=connected.loop)
 
         def send() -> None:
             threads = sum(connected.nthreads().values())
-            room = (1 + _WAITING) * max(1, threads) - len(under_way)
-            for block in itertools.islice(waiting, max(0, room)):
+            while waiting and len(under_way) < (1 + _WAITING) * max(1, threads):
+                block = waiting.popleft()
                 future = connected.submit(_compute, packed, *blocks[block], pure=False)
                 under_way[future] = block
                 ready.add(future)
@@ -78,11 +82,17 @@ def results(
             try:
                 arrays: Arrays = future.result()
             except distributed.KilledWorker:
-                first, last = blocks[block]
-                raise UnfinishedError(
-                    f"the block of members {first} to {last - 1} brought down one worker after "
-                    "another: it may need more memory than they have"
-                ) from None
+                # Dask blames all blocks of a worker that disappears, not the one it was at alone
+                blamed[block] += 1
+                if blamed[block] == _BLAMED:
+                    first, last = blocks[block]
+                    raise UnfinishedError(
+                        f"the block of members {first} to {last - 1} brought down one worker after "
+                        "another: it may need more memory than they have"
+                    ) from None
+                waiting.append(block)
+                send()
+                continue
             except distributed.client.FutureCancelledError:
                 raise UnfinishedError(
                     "the Dask cluster has gone; what was written stays: run the same again"
