@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import importlib
+import os
+import signal
 import sys
 import time
 from dataclasses import dataclass
@@ -10,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
+from chaplygin.errors import InputError
 from chaplygin.flow.blocks import Coordinate, Task, Variable, compute
 
 
@@ -35,6 +38,18 @@ class Counted:
             "outcome": (members % 3).astype("int8"),
             "mass": 1.0 + members,
         }
+
+
+def deadly(first: int, last: int) -> dict[str, np.ndarray]:
+    """A block that brings down whoever computes it, and others."""
+    if first == 2:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return {"x": np.arange(first, last, dtype=float)}
+
+
+def mistaken(first: int, last: int) -> dict[str, np.ndarray]:
+    """A user's mistake that is found in a block."""
+    raise InputError("the start misses the phase space", f"runs {first} to {last - 1}")
 
 
 def task(size: int = 35, block: int = 10, seed: int = 1, log: str = "", delay: float = 0) -> Task:

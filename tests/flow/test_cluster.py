@@ -8,20 +8,20 @@ import random
 import signal
 import sys
 import time
+import types
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 import dask
 import distributed
-import numpy as np
 import pytest
 import xarray as xr
 
 from chaplygin.errors import InputError
 from chaplygin.flow.blocks import Task, Variable, compute
 from chaplygin.flow.store import UnfinishedError
-from counted import task
+from counted import deadly, mistaken, task
 
 
 @pytest.fixture(scope="module")
@@ -101,21 +101,11 @@ def test_workers_killed_twenty_times(cluster: distributed.LocalCluster, tmp_path
     survives_kills(20, 300, 2, cluster, tmp_path)
 
 
-@dataclass(frozen=True)
-class Deadly:
-    """A block that brings down whoever computes it."""
-
-    def __call__(self, first: int, last: int) -> dict[str, np.ndarray]:
-        if first == 2:
-            os.kill(os.getpid(), signal.SIGKILL)
-        return {"x": np.arange(first, last, dtype=float)}
-
-
 def test_a_block_that_brings_down_its_workers(
     cluster: distributed.LocalCluster, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(cluster.scheduler, "allowed_failures", 0)
-    deadly = Task(Deadly(), 6, 2, {"x": Variable()})
+    deadly = Task(deadly, 6, 2, {"x": Variable()})
     with (
         distributed.Client(cluster) as client,
         pytest.raises(UnfinishedError, match="members 2 to 3 brought down one worker after"),
@@ -123,13 +113,19 @@ def test_a_block_that_brings_down_its_workers(
         compute(deadly, tmp_path / "a.zarr", client=client)
 
 
-def mistaken(first: int, last: int) -> dict[str, np.ndarray]:
-    raise InputError("the start misses the phase space", f"runs {first} to {last - 1}")
-
-
 def test_a_mistake_comes_back_as_it_is(client: distributed.Client) -> None:
     with pytest.raises(InputError, match=r"^runs \d+ to \d+: the start misses the phase space$"):
         compute(replace(task(), work=mistaken), client=client)
+
+
+def test_workers_without_the_package(
+    client: distributed.Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    unknown = types.ModuleType("unknown")
+    exec("def work(first, last): return {}", vars(unknown))
+    monkeypatch.setitem(sys.modules, "unknown", unknown)
+    with pytest.raises(InputError, match=r"^the Dask workers cannot import unknown: install"):
+        compute(replace(task(), work=vars(unknown)["work"]), client=client)
 
 
 @pytest.mark.parametrize("address", ["nonsense", "tcp://127.0.0.1:1"])

@@ -48,7 +48,7 @@ def results(
     Raises
     ------
     InputError
-        If Dask is not installed, or the scheduler cannot be reached.
+        If Dask is not installed, the scheduler cannot be reached, or its workers lack a module.
     UnfinishedError
         If a block brings down one worker after another, or the cluster disappears.
     """
@@ -93,6 +93,11 @@ def results(
                 waiting.append(block)
                 send()
                 continue
+            except ModuleNotFoundError as problem:
+                raise InputError(
+                    f"the Dask workers cannot import {problem.name}: install there what is "
+                    "installed here, in the same versions"
+                ) from problem
             except distributed.client.FutureCancelledError:
                 raise UnfinishedError(
                     "the Dask cluster has gone; what was written stays: run the same again"
