@@ -192,9 +192,8 @@ class _At:
 
     def vectors(self, items: Sequence[_Item]) -> Any:
         """The fields of some items, one a row."""
-        return self.values([part for item in items for part in item.formulas]).reshape(
-            len(items), -1
-        )
+        parts = [part for item in items for part in item.formulas]
+        return self.values(parts).reshape(len(items), self.state.shape[1])
 
     @property
     def speed(self) -> float:

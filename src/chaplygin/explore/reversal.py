@@ -69,19 +69,36 @@ def reverses(system: System, odd: Set[sp.Symbol]) -> bool:
         if parity is None:
             return False
         signs[symbol] = parity
-    relations = all(_parity(explicit(f).xreplace(zeros), signs) for f in system.relations)
-    rates = ((s, f.xreplace(zeros)) for s, f in zip(system.symbols, system.rates, strict=True))
-    return relations and all(vanishes(_reflected(f, signs) + signs[s] * f) for s, f in rates)
-
-
-def _reflected(formula: Any, signs: dict[sp.Symbol, int]) -> Any:
-    odd = {s: -s for s in formula.free_symbols if signs.get(s) == -1}
-    return formula.xreplace(odd)
+    if any(_parity(explicit(f).xreplace(zeros), signs) is None for f in system.relations):
+        return False
+    rates = zip(system.symbols, (f.xreplace(zeros) for f in system.rates), strict=True)
+    return all(f == 0 or _parity(f, signs) == -signs[s] for s, f in rates)
 
 
 def _parity(formula: Any, signs: dict[sp.Symbol, int]) -> int | None:
     """1 for an even formula, −1 for an odd one; None if it is shown neither."""
-    other = _reflected(formula, signs)
+    seen = _seen(formula, signs)
+    if seen is not None:
+        return seen
+    other = formula.xreplace({s: -s for s in formula.free_symbols if signs.get(s) == -1})
     if vanishes(other - formula):
         return 1
     return -1 if vanishes(other + formula) else None
+
+
+def _seen(formula: Any, signs: dict[sp.Symbol, int]) -> int | None:
+    """The parity that follows from those of the parts, without computation."""
+    if formula.is_Symbol or not formula.args:
+        return signs.get(formula, 1)
+    parts = [_seen(part, signs) for part in formula.args]
+    if all(part == 1 for part in parts):
+        return 1
+    if None in parts:
+        return None
+    if formula.is_Mul:
+        return -1 if parts.count(-1) % 2 else 1
+    if formula.is_Add:
+        return None if 1 in parts else -1
+    if formula.is_Pow and formula.exp.is_Integer:
+        return -1 if formula.exp % 2 else 1
+    return {sp.sin: -1, sp.cos: 1, sp.tan: -1, sp.Abs: 1}.get(formula.func)

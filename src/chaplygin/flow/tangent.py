@@ -72,7 +72,8 @@ def _take_out(vector: Array, others: Array) -> None:
 
 
 def _dot(a: Array, b: Array) -> Array:
-    return np.einsum("ni,ni->n", a, b)
+    """Scalar products, component by component: bits that do not depend on other motions."""
+    return sum(a[:, i] * b[:, i] for i in range(a.shape[1]))
 
 
 @dataclass(frozen=True)
@@ -120,7 +121,8 @@ class TangentSpace:
         """The directions that are divided out, (n, mixed, size)."""
         found = self._directions(states, parameters)
         found = found.reshape(len(found), len(self.directions), len(self.system.symbols))
-        return np.einsum("ij,njk->nik", self.mixed, found)
+        mixed = [sum(c * found[:, j] for j, c in enumerate(row)) for row in self.mixed]
+        return np.stack(mixed, axis=1) if mixed else found[:, :0]
 
     def excluded(self, states: Array, parameters: Values = None) -> tuple[Array, Array]:
         """An orthonormal basis of what is no deviation that counts.

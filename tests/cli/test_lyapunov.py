@@ -1,0 +1,111 @@
+"""``chaplygin lyapunov`` as a user meets it."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from chaplygin.cli import main
+from chaplygin.study.dataset import read
+
+Answer = tuple[int, str, str]
+Ask = Callable[..., Answer]
+
+
+@pytest.fixture
+def ask(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path) -> Ask:
+    """Run `chaplygin lyapunov` in an empty folder; exit code, standard output and error."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(*arguments: object) -> Answer:
+        monkeypatch.setattr(sys, "argv", ["chaplygin", "lyapunov", *map(str, arguments)])
+        with pytest.raises(SystemExit) as end:
+            main()
+        output = capsys.readouterr()
+        return int(end.value.code or 0), output.out, output.err
+
+    return run
+
+
+def test_the_table(ask: Ask) -> None:
+    code, out, err = ask("unbalanced-ball", "--until", 200)
+    assert (code, err) == (0, "")
+    for part in ("λ1", "λ2", "sum", "divergence", "γ² = 1", "energy", "quadratic", "flow"):
+        assert any(line.startswith(part) for line in out.splitlines())
+    assert "zero within its error" in out
+    assert "M changes sign" in out
+    assert "(proven)" in out
+
+
+def test_nothing_left(ask: Ask) -> None:
+    code, out, _ = ask("lagrange-top", "--until", 20)
+    assert code == 0
+    assert "λ1" not in out
+    assert "force all exponents to be zero" in out
+
+
+def test_motions_that_come_to_rest(ask: Ask) -> None:
+    code, out, _ = ask("chaplygin-sleigh")
+    assert code == 0
+    assert "λ1             -0.382" in out
+    assert "Flow forces no zero on this motion" in out
+
+
+def test_plain_values(ask: Ask) -> None:
+    code, out, _ = ask("rattleback", "--until", 2, "--json", "--set", "system.parameters.g=9.5")
+    assert code == 0
+    plain = json.loads(out)
+    assert plain["parameters"]["g"] == 9.5
+    assert plain["until"] == 2
+    assert len(plain["exponents"]) == 3
+    assert [item["name"] for item in plain["removed"]] == ["γ² = 1", "energy", "flow"]
+    holding = {" ".join(r["odd"]): r["holds"] for r in plain["reversors"]}
+    assert holding["M_1 M_2 M_3"]
+    assert not holding["M_1 gamma_1"]
+
+
+def test_a_file_with_the_way_it_settled(ask: Ask, tmp_path: Path) -> None:
+    code, _, err = ask("suslov", "--until", 50, "-o", "found.nc")
+    assert code == 0
+    assert "written to found.nc" in err
+    data = read(tmp_path / "found.nc")
+    assert data.sizes["exponent"] == 2
+    assert list(data.removed.values) == ["γ² = 1", "(ω, e₃) = 0", "energy", "flow"]
+    assert ask("suslov", "--until", 50, "-o", "found.nc")[0] == 2
+
+
+def test_starts_on_a_level(ask: Ask) -> None:
+    def start(seed: int) -> list[float]:
+        level = ("--level", "energy=0.3", "--seed", seed)
+        found: list[float] = json.loads(ask("suslov", "--until", 1, *level, "--json")[1])["start"]
+        return found
+
+    assert start(1) == start(1) != start(2)
+
+
+def test_a_motion_that_ends_early(ask: Ask) -> None:
+    fallen = ("--set", "start.gamma=[1,0,1e-9]", "--set", "start.omega=[0,0.1,0]")
+    code, _, err = ask("heavy-disk", *fallen)
+    assert code == 1
+    assert "the normal force changes sign" in err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("nothing",), "nothing"),
+        (("suslov", "--until", "-1"), "must be positive"),
+        (("suslov", "--tolerance", "1e-30"), "tolerance"),
+        (("suslov", "--level", "energy"), "NAME=VALUE"),
+        (("suslov", "--level", "spin=1"), "spin"),
+    ],
+)
+def test_mistakes(ask: Ask, arguments: tuple[str, ...], message: str) -> None:
+    code, out, err = ask(*arguments)
+    assert (code, out) == (2, "")
+    assert message in err
+    assert err.count("\n") == 1
