@@ -1,0 +1,30 @@
+"""The page on charts: its steps run, its pictures are there."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+DOCS = Path(__file__).parents[1] / "docs"
+PAGE = (DOCS / "charts.md").read_text()
+
+
+def test_the_steps_run(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, Any] = {}
+    for step in re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL):
+        exec(compile(step, "charts.md", "exec"), names)
+    megno = names["found"]["megno"]
+    assert megno.shape == (6, 9)
+    # regular at k = −1, 0 and 1, and not at all of the others
+    assert np.nanmax(megno.sel(k=[-1, 0, 1]).values) < 4.0 < np.nanmax(megno.values)
+    assert (tmp_path / "ball.png").stat().st_size > 10_000
+
+
+def test_links_lead_somewhere() -> None:
+    for target in re.findall(r"\]\(([^)#]+)\)", PAGE):
+        assert (DOCS / target).exists(), target
