@@ -21,7 +21,15 @@ if TYPE_CHECKING:
     from .explicit.solution import Solution
     from .explicit.solve import solve
     from .explore.hierarchy import place
+    from .explore.lyapunov import spectrum
+    from .explore.reversors import reversors
+    from .explore.rotation import rotation_number
+    from .flow.ensemble import ensemble
+    from .flow.lanes import lanes, section
     from .flow.linearise import linearise
+    from .flow.precise import precise
+    from .flow.sampling import draw
+    from .flow.section import SectionMap
     from .flow.trajectory import Trajectory, integrate
     from .laws.prove import prove
     from .laws.unimodular import measure_exists
@@ -82,6 +90,7 @@ _HOME = {
     "Rolling": "mechanics.rolling",
     "RollingBall": "mechanics.rolling_ball",
     "RunError": "errors",
+    "SectionMap": "flow.section",
     "Separation": "statements",
     "Solution": "explicit.solution",
     "Sphere": "mechanics.surfaces",
@@ -94,10 +103,13 @@ _HOME = {
     "audit": "study.audit",
     "chaplygin_form": "mechanics.reduction",
     "coordinates": "mechanics.quasivelocity",
+    "draw": "flow.sampling",
+    "ensemble": "flow.ensemble",
     "equations": "mechanics.suslov",
     "from_catalogue": "systems",
     "from_sympy": "mechanics.imported",
     "integrate": "flow.trajectory",
+    "lanes": "flow.lanes",
     "linearise": "flow.linearise",
     "load": "study.experiment",
     "loads": "study.experiment",
@@ -105,12 +117,17 @@ _HOME = {
     "mechanism_from_sympy": "mechanics.imported",
     "nonholonomy": "mechanics.constraints",
     "place": "explore.hierarchy",
+    "precise": "flow.precise",
     "prepare": "study.prepare",
     "prove": "laws.prove",
     "read": "study.dataset",
+    "reversors": "explore.reversors",
     "roll": "mechanics.rolling",
     "rolling_mechanism": "mechanics.rolling_mechanism",
+    "rotation_number": "explore.rotation",
+    "section": "flow.lanes",
     "solve": "explicit.solve",
+    "spectrum": "explore.lyapunov",
     "starting_state": "mechanics.start",
     "to_dataset": "study.dataset",
     "write": "study.dataset",
@@ -141,6 +158,7 @@ __all__ = [
     "Rolling",
     "RollingBall",
     "RunError",
+    "SectionMap",
     "Separation",
     "Solution",
     "Sphere",
@@ -154,10 +172,13 @@ __all__ = [
     "audit",
     "chaplygin_form",
     "coordinates",
+    "draw",
+    "ensemble",
     "equations",
     "from_catalogue",
     "from_sympy",
     "integrate",
+    "lanes",
     "linearise",
     "load",
     "loads",
@@ -165,12 +186,17 @@ __all__ = [
     "mechanism_from_sympy",
     "nonholonomy",
     "place",
+    "precise",
     "prepare",
     "prove",
     "read",
+    "reversors",
     "roll",
     "rolling_mechanism",
+    "rotation_number",
+    "section",
     "solve",
+    "spectrum",
     "starting_state",
     "to_dataset",
     "write",

@@ -1,0 +1,30 @@
+"""What the page on the engine says, runs."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+PAGE = (ROOT / "docs" / "engine.md").read_text()
+
+
+def test_the_steps_run(capsys: pytest.CaptureFixture[str]) -> None:
+    names: dict[str, Any] = {}
+    for step in re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL):
+        exec(compile(step, "engine.md", "exec"), names)
+    told = capsys.readouterr().out
+    assert "(1000, 2, 6)" in told
+    assert "normal force" in told
+    assert "'energy'" in told
+    assert (names["crossed"].counts > 0).all()
+
+
+def test_files_and_links_are_there() -> None:
+    for name in re.findall(r"`(flow/\w+\.py)`", PAGE):
+        assert (ROOT / "src" / "chaplygin" / name).exists(), name
+    for target in re.findall(r"\]\(([^)#:]+)\)", PAGE):
+        assert (ROOT / "docs" / target).exists(), target
