@@ -301,8 +301,13 @@ class Reader:
             return graph.number(Fraction(int(node.p), int(node.q)))
         if node.is_Float:
             return graph.number(Fraction(*map(int, sp.Rational(node).as_numer_denom())))
-        if node.is_number and not node.free_symbols and not node.has(sp.I):
-            return graph.number(Fraction(str(sp.N(node, 50))))
+        if node.is_number and not node.free_symbols:
+            number = sp.N(node, 50)
+            if not (number.is_real and number.is_finite):
+                raise InputError(f"{node}: a number in a formula must be real and finite")
+            return graph.number(Fraction(str(number)))
+        if node.is_Symbol:
+            raise InputError(f"{node}: neither a state variable, a definition nor a parameter")
         if node.is_Add:
             return self._sum(node)
         if node.is_Mul:

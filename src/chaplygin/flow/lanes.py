@@ -23,10 +23,12 @@ from ..system import System
 from . import native
 from .arithmetic import Double, Pair
 from .equations import Equations, Section, equations_of, section, serial
+from .given import moments as read_moments
+from .given import require_on_phase_space, require_rows
 from .march import ENDS, march
 from .pairs import paired, parameter_pairs
 from .tables import explicit, explicit_fine
-from .values import values
+from .values import doubles
 
 __all__ = [
     "THREADS",
@@ -39,9 +41,6 @@ __all__ = [
     "section",
     "threads_here",
 ]
-
-#: A start may miss a relation by this much; more is refused.
-SLACK = 1e-9
 
 #: Attempted steps after which a motion is given up.
 MOST_STEPS = 100_000_000
@@ -172,7 +171,7 @@ class Lanes:
         """
         if self.section is not None:
             raise InputError("these lanes stop at a section: ask for returns instead of times")
-        moments = self._moments(times)
+        moments = read_moments(times, self.backward)
         rows, constants = self._rows(starts, parameters, deviations)
         found, _, _, ends = self._call(rows, constants, moments, len(moments), threads)
         states, tangents, rest = self._parted(found)
@@ -223,34 +222,20 @@ class Lanes:
     def _signed(self, moments: Any) -> Any:
         return -moments if self.backward else moments
 
-    def _moments(self, times: Any) -> Any:
-        moments = self._signed(np.atleast_1d(np.asarray(times, dtype=float)))
-        if moments.ndim != 1 or not moments.size or not np.all(np.isfinite(moments)):
-            raise InputError("times: there must be at least one, and all finite numbers")
-        if moments[0] < 0 or np.any(np.diff(moments) <= 0):
-            way = "decrease from 0" if self.backward else "increase from 0"
-            raise InputError(f"times: they must {way}, where the motion begins")
-        return np.ascontiguousarray(moments)
-
     def _rows(
         self, starts: Any, parameters: Mapping[Any, Any] | None, deviations: Any
     ) -> tuple[Any, Any]:
-        given = self._words(starts)
+        given = self._words("starts", starts)
         points = given[..., 0]
-        if points.ndim != 2 or points.shape[1] != self.size:
-            names = ", ".join(map(str, self.system.symbols))
-            raise InputError(
-                f"{self.system.name}: starts have the shape {points.shape}; (motions, {self.size}) "
-                f"is needed, in the order {names}"
-            )
+        require_rows(self.system, points)
         constants = parameter_pairs(self.system, parameters, len(points))[..., : self.words]
-        self._require_on_phase_space(points, parameters)
+        require_on_phase_space(self.system, points, parameters)
         if self.deviations == 0:
             if deviations is not None:
                 raise InputError("these lanes carry no deviations: make them with some")
             return np.ascontiguousarray(given), np.ascontiguousarray(constants)
         wanted = (len(points), self.deviations, self.size)
-        tangents = self._words(deviations)
+        tangents = self._words("deviations", deviations)
         if tangents.shape[:-1] != wanted:
             shape = tangents.shape[:-1]
             raise InputError(f"deviations have the shape {shape}; {wanted} is needed")
@@ -263,23 +248,11 @@ class Lanes:
         """Doubles that a number takes."""
         return 1 if self.digits == 16 else 2
 
-    def _words(self, numbers: Any) -> Any:
+    def _words(self, name: str, numbers: Any) -> Any:
         """Numbers with a last axis for the doubles of each."""
         if self.digits == 16:
-            return np.asarray(numbers, dtype=float)[..., None]
-        return paired(numbers)
-
-    def _require_on_phase_space(self, points: Any, parameters: Mapping[Any, Any] | None) -> None:
-        relations = self.system.relations
-        if not relations or not len(points):
-            return
-        missed = np.abs(values(self.system, relations, points, parameters))
-        worst = np.unravel_index(np.argmax(np.nan_to_num(missed, nan=np.inf)), missed.shape)
-        if not missed[worst] <= SLACK * (1 + np.max(np.abs(points[worst[0]])) ** 2):
-            raise InputError(
-                f"{self.system.name}: start {worst[0]} misses the phase space; "
-                f"{relations[worst[1]]} is {missed[worst]:.3g} there and must vanish"
-            )
+            return doubles(name, numbers)[..., None]
+        return paired(name, numbers)
 
     def _parted(self, found: Any) -> tuple[Any, Any, Any]:
         """States, deviations and the rest of the states, of (motions, times, numbers, words)."""

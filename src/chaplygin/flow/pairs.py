@@ -9,16 +9,22 @@ import mpmath
 import numpy as np
 
 from ..system import System
-from .values import parameter_rows
+from .values import doubles, parameter_rows
 
 __all__ = ["paired", "parameter_pairs", "unpaired"]
 
 
-def paired(values: Any) -> Any:
-    """Numbers as pairs of doubles, the second what rounding to the first leaves: (..., 2)."""
+def paired(name: str, values: Any) -> Any:
+    """Numbers as pairs of doubles, the second what rounding to the first leaves: (..., 2).
+
+    Raises
+    ------
+    InputError
+        If they are not real numbers; the message calls them by `name`.
+    """
+    first = doubles(name, values)
     numbers = np.asarray(values)
     if numbers.dtype != object:
-        first = numbers.astype(float)
         return np.ascontiguousarray(np.stack([first, np.zeros_like(first)], axis=-1))
     with mpmath.workdps(50):
         exact = [mpmath.mpmathify(x) for x in numbers.ravel()]
@@ -37,7 +43,7 @@ def parameter_pairs(system: System, parameters: Mapping[Any, Any] | None, count:
     for i, parameter in enumerate(system.parameters):
         value = given.get(str(parameter.symbol))
         if value is not None and value.dtype == object:
-            made[:, i] = paired(value)
+            made[:, i] = paired(str(parameter.symbol), value)
     return made
 
 

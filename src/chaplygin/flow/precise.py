@@ -19,12 +19,14 @@ from ..system import System
 from . import native
 from .equations import equations_of, serial, serial_terms
 from .gauss import gauss_loop
+from .given import moments as read_moments
+from .given import require_on_phase_space, require_rows
 from .graph import Term
 from .keeping import correction
 from .lanes import MOST_STEPS, reason, spread, threads_here
 from .pairs import paired, parameter_pairs
 from .tables import gauss
-from .values import numbers, parameter_rows, read_system
+from .values import doubles, numbers, parameter_rows, read_system
 
 __all__ = ["Precise", "PreciseMotions", "precise"]
 
@@ -108,22 +110,11 @@ class Precise:
         InputError
             If starts, times or parameters cannot be used.
         """
-        moments = np.ascontiguousarray(np.atleast_1d(np.asarray(times, dtype=float)))
-        if self.backward:
-            moments = -moments
-        if moments.ndim != 1 or not moments.size or not np.all(np.isfinite(moments)):
-            raise InputError("times: there must be at least one, and all finite numbers")
-        if moments[0] < 0 or np.any(np.diff(moments) <= 0):
-            way = "decrease from 0" if self.backward else "increase from 0"
-            raise InputError(f"times: they must {way}, where the motion begins")
-        rows = paired(starts)
+        moments = read_moments(times, self.backward)
+        rows = paired("starts", starts)
         size = len(self.system.symbols)
-        if rows.ndim != 3 or rows.shape[1] != size:
-            names = ", ".join(map(str, self.system.symbols))
-            raise InputError(
-                f"{self.system.name}: starts have the shape {rows.shape[:-1]}; (motions, {size}) "
-                f"is needed, in the order {names}"
-            )
+        require_rows(self.system, rows[..., 0])
+        require_on_phase_space(self.system, rows[..., 0], parameters)
         constants = parameter_pairs(self.system, parameters, len(rows))
         stride = constants[0].size if len(constants) > 1 else 0
         number, wanted = len(rows), len(moments)
@@ -175,7 +166,12 @@ def precise(
     """
     if digits not in _METHODS:
         raise InputError(f"digits = {digits}: single motions are computed to 16 or to 30 digits")
-    point = np.array([float(x) for x in start])
+    point = doubles("start", start)
+    if point.shape != (len(system.symbols),):
+        order = ", ".join(map(str, system.symbols))
+        raise InputError(
+            f"{system.name}: the start has the shape {point.shape}; one state is needed, {order}"
+        )
     values = tuple(sorted((str(k), float(v)) for k, v in (parameters or {}).items()))
     names = () if digits == 30 else _standing(system, tuple(point), values)
     return _compiled(system, digits, backward, names)

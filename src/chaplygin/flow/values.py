@@ -15,7 +15,7 @@ from ..system import Quantity, System
 from ..vectors import explicit
 from .graph import Reader, Term, of_system, ordered
 
-__all__ = ["formula", "parameter_rows", "read_system", "values"]
+__all__ = ["doubles", "formula", "parameter_rows", "read_system", "values"]
 
 _NUMPY: Mapping[str, Any] = {
     "add": np.add,
@@ -47,6 +47,20 @@ def read_system(system: System) -> tuple[Reader, tuple[Term, ...]]:
     """A reader of a system's formulas and the rates of its state, kept for later."""
     reader, rates = of_system(system)
     return reader, tuple(rates)
+
+
+def doubles(name: str, given: Any) -> Any:
+    """Numbers as doubles.
+
+    Raises
+    ------
+    InputError
+        If they are not real numbers; the message calls them by `name`.
+    """
+    try:
+        return np.asarray(given, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(f"{name}: all must be real numbers, in rows of one length") from None
 
 
 def formula(system: System, quantity: Any) -> Any:
@@ -109,7 +123,7 @@ def parameter_rows(system: System, parameters: Mapping[Any, Any] | None, count: 
         if str(key) not in columns:
             known = ", ".join(columns) or "none"
             raise InputError(f"{system.name}: no parameter {key}; it has {known}")
-        column = np.asarray(value, dtype=float)
+        column = doubles(f"{system.name}: {key}", value)
         if column.shape not in ((), (count,)):
             raise InputError(
                 f"{system.name}: {key} has the shape {column.shape}; it must be one number or "
@@ -175,7 +189,12 @@ def values(
     InputError
         If a formula or a parameter cannot be used.
     """
-    points = np.asarray(states, dtype=float)
+    points = doubles("states", states)
+    size = len(system.symbols)
+    if points.shape[-1:] != (size,):
+        raise InputError(
+            f"{system.name}: states have the shape {points.shape}; their last axis must be {size}"
+        )
     reader, _ = read_system(system)
     terms = [reader(formula(system, f)) for f in formulas]
     rows = parameter_rows(system, parameters, len(points))

@@ -1,0 +1,62 @@
+"""What an engine is given: starts and times, read and refused where they cannot be used."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from ..errors import InputError
+from ..system import System
+from .values import doubles, values
+
+__all__ = ["moments", "require_on_phase_space", "require_rows"]
+
+#: A start may miss a relation by this much; more is refused.
+SLACK = 1e-9
+
+
+def moments(times: Any, backward: bool = False) -> Any:
+    """Times at which motions are looked at, counted from 0 in the direction of the motion.
+
+    Raises
+    ------
+    InputError
+        If there are none, or they do not go on from 0 in that direction.
+    """
+    given = np.atleast_1d(doubles("times", times))
+    if given.ndim != 1 or not given.size or not np.all(np.isfinite(given)):
+        raise InputError("times: there must be a row of at least one, and all finite numbers")
+    ahead = -given if backward else given
+    if ahead[0] < 0 or np.any(np.diff(ahead) <= 0):
+        way = "decrease from 0" if backward else "increase from 0"
+        raise InputError(f"times: they must {way}, where the motion begins")
+    return np.ascontiguousarray(ahead)
+
+
+def require_rows(system: System, points: Any) -> None:
+    """Refuse starts that are not rows of a state each."""
+    size = len(system.symbols)
+    if points.ndim != 2 or points.shape[1] != size:
+        names = ", ".join(map(str, system.symbols))
+        raise InputError(
+            f"{system.name}: starts have the shape {points.shape}; (motions, {size}) is needed, "
+            f"in the order {names}"
+        )
+
+
+def require_on_phase_space(
+    system: System, points: Any, parameters: Mapping[Any, Any] | None
+) -> None:
+    """Refuse starts (motions, size) that miss a relation of the system."""
+    relations = system.relations
+    if not relations or not len(points):
+        return
+    missed = np.abs(values(system, relations, points, parameters))
+    worst = np.unravel_index(np.argmax(np.nan_to_num(missed, nan=np.inf)), missed.shape)
+    if not missed[worst] <= SLACK * (1 + np.max(np.abs(points[worst[0]])) ** 2):
+        raise InputError(
+            f"{system.name}: start {worst[0]} misses the phase space; "
+            f"{relations[worst[1]]} is {missed[worst]:.3g} there and must vanish"
+        )
