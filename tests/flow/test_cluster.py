@@ -105,12 +105,12 @@ def test_a_block_that_brings_down_its_workers(
     cluster: distributed.LocalCluster, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(cluster.scheduler, "allowed_failures", 0)
-    deadly = Task(deadly, 6, 2, {"x": Variable()})
+    experiment = Task(deadly, 6, 2, {"x": Variable()})
     with (
         distributed.Client(cluster) as client,
         pytest.raises(UnfinishedError, match="members 2 to 3 brought down one worker after"),
     ):
-        compute(deadly, tmp_path / "a.zarr", client=client)
+        compute(experiment, tmp_path / "a.zarr", client=client)
 
 
 def test_a_mistake_comes_back_as_it_is(client: distributed.Client) -> None:
