@@ -70,6 +70,8 @@ class _March:
         self.dimension = len(equations.rates)
         self.pieces, constants = functions(arithmetic, equations.pieces, lanes)
         self.space = Workspace()
+        #: What each variable changes by, over the length of the step.
+        self.results: dict[int, Value] = {}
         words = self.n.words
         for name, count in (
             ("y", self.dimension),
@@ -330,11 +332,9 @@ class _March:
         self.rates(last_stage, "new")
         allowed = w.both(live, w.compare("ole", error, w.constant(1.0)))
         number = w.compare("ord", error, error)
-        power = error
-        for _ in range(4):
-            power = w.call("sqrt", power)
-        factor = w.op("fdiv", w.constant(0.9), power)
-        factor = w.call("minnum", w.call("maxnum", factor, w.constant(0.2)), w.constant(5.0))
+        factor = w.op("fmul", w.constant(0.9), w.inverse_root(error, 2 * self.method.order))
+        factor = w.choose(w.compare("ogt", factor, w.constant(0.2)), factor, w.constant(0.2))
+        factor = w.choose(w.compare("olt", factor, w.constant(5.0)), factor, w.constant(5.0))
         factor = w.choose(number, factor, w.constant(0.2))
         reason = w.choose(number, w.constant(float(COLLAPSED)), w.constant(float(NOT_A_NUMBER)))
         self.put("fault", w.choose(live, w.choose(allowed, zero, reason), self.get("fault")))
@@ -395,11 +395,19 @@ class _March:
             total = n.mul(a, k) if total is None else n.fma(a, k, total)
         return total
 
+    def _apart(self, weights: Sequence[Fraction], *members: int) -> Value:
+        """The same from the sum that gives the result, where few weights differ from its own."""
+        others = [weight - b for weight, b in zip(weights, self.method.b, strict=True)]
+        if len(members) > 1 or others.count(0) <= weights.count(0):
+            return self._sum(weights, *members)
+        return self.n.add(self.results[members[0]], self._sum(others, *members))
+
     def _advance(self, step: Value, i: int) -> None:
         """The new value of a variable, and what rounding has taken from it."""
         n = self.n
         y = self._y(i)
-        change = n.fma(step, self._sum(self.method.b, i), n.load(self.place("rest"), i))
+        self.results[i] = self._sum(self.method.b, i)
+        change = n.fma(step, self.results[i], n.load(self.place("rest"), i))
         new = n.add(y, change)
         n.store(new, self.place("new"), i)
         n.store(n.sub(change, n.sub(new, y)), self.place("stage"), i)
@@ -447,10 +455,10 @@ class _March:
             size, speed = w.call("fma", y, y, size), w.call("fma", k, k, speed)
             # what cancels here is as small as the tolerance: in pairs, doubles would not do
             a = n.leading(self._sum(self.method.e5, *members))
-            b = n.leading(self._sum(self.method.e3, *members))
+            b = n.leading(self._apart(self.method.e3, *members))
             e5, e3 = w.call("fma", a, a, e5), w.call("fma", b, b, e3)
-        size = w.call("fma", square, speed, size)
-        return w.op("fdiv", e5, size), w.op("fdiv", e3, size)
+        share = w.op("fdiv", w.constant(1.0), w.call("fma", square, speed, size))
+        return w.op("fmul", e5, share), w.op("fmul", e3, share)
 
     def _added(self, values: Sequence[str]) -> str:
         total = values[0]

@@ -144,6 +144,17 @@ class Writer:
         """A bit: whether a mask is set anywhere."""
         return self.emit(f"call i1 @llvm.vector.reduce.or.v{self.lanes}i1({self.mask} {mask})")
 
+    def inverse_root(self, value: str, degree: int) -> str:
+        """About value^(−1/degree), to a hundredth, from the exponent's bits; degree a power of 2.
+
+        The bits of a double, as an integer, are about 2⁵² (1023 + log₂ x).
+        """
+        bits = self.emit(f"bitcast {self.type} {value} to {self.whole}")
+        share = self.emit(f"lshr {self.whole} {bits}, splat (i64 {degree.bit_length() - 1})")
+        one = 1023 << 52
+        turned = self.emit(f"sub {self.whole} splat (i64 {one + one // degree}), {share}")
+        return self.emit(f"bitcast {self.whole} {turned} to {self.type}")
+
     def splat(self, value: str) -> str:
         """A scalar in all lanes."""
         one = self.emit(f"insertelement {self.type} poison, double {value}, i64 0")
