@@ -47,7 +47,7 @@ def command(
     coordinates: Annotated[
         str,
         typer.Option(
-            metavar="A,B[,C]", help="What is drawn: M_1,M_2,M_3 or NAME=FORMULA, two or three."
+            metavar="A,B[,C]", help="Two or three to draw: M_1,M_2, NAME=FORMULA, andoyer:l,L,H."
         ),
     ] = "",
     until: Annotated[

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib.metadata import version
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -19,7 +19,7 @@ from .record import by_name
 from .section import SectionMap
 from .values import parameter_rows
 
-__all__ = ["Quantity", "Returns", "section_task"]
+__all__ = ["Columns", "Quantity", "Returns", "section_task"]
 
 #: Bytes of a block, about: what is in memory at a time.
 BLOCK = 128 * 2**20
@@ -36,12 +36,29 @@ class Quantity:
     formula : sympy.Expr
         In state, definitions and parameters.
     meaning, unit : str
+    label : str
+        What figures call it, in place of the name.
     """
 
     name: str
     formula: Any
     meaning: str
     unit: str = "1"
+    label: str = ""
+
+
+class Columns(Protocol):
+    """Functions on the section that are no formulas, such as coordinates found by cases.
+
+    A frozen dataclass with ``__call__``, so that it can be pickled and named.
+    """
+
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """What they are; formulas are not looked at."""
+
+    def __call__(self, states: Any) -> Any:
+        """The columns (n, quantities) at states (n, size)."""
 
 
 @dataclass(frozen=True)
@@ -56,12 +73,14 @@ class Returns:
     count : int
         Returns of each.
     quantities : tuple of Quantity
+    columns : Columns, optional
     """
 
     returns: SectionMap
     starts: Any
     count: int
     quantities: tuple[Quantity, ...]
+    columns: Columns | None = None
 
     def __call__(self, first: int, last: int) -> dict[str, Any]:
         """The arrays of a block, by the names of the dataset."""
@@ -78,10 +97,16 @@ class Returns:
             rows = by_name(system, flat, name)
             found[name] = np.ascontiguousarray(rows.reshape(*crossed.times.shape, *rows.shape[1:]))
         formulas = Formulas(system, [item.formula for item in self.quantities])
-        values = formulas(flat, self.returns.parameters).reshape(*crossed.times.shape, -1)
-        for i, item in enumerate(self.quantities):
-            found[item.name] = np.ascontiguousarray(values[:, :, i])
+        self._add(found, self.quantities, formulas(flat, self.returns.parameters))
+        if self.columns is not None:
+            self._add(found, self.columns.quantities, self.columns(flat))
         return found
+
+    @staticmethod
+    def _add(found: dict[str, Any], quantities: Sequence[Quantity], columns: Any) -> None:
+        shape = found["time"].shape
+        for item, column in zip(quantities, columns.T, strict=True):
+            found[item.name] = np.ascontiguousarray(column).reshape(shape)
 
 
 def section_task(
@@ -89,6 +114,7 @@ def section_task(
     starts: Any,
     count: int,
     quantities: Sequence[Quantity] = (),
+    columns: Columns | None = None,
     attributes: Mapping[str, Any] | None = None,
     meanings: Mapping[str, tuple[str, str]] | None = None,
 ) -> Task:
@@ -109,6 +135,8 @@ def section_task(
         Returns of each motion.
     quantities : sequence of Quantity, optional
         What to record besides.
+    columns : Columns, optional
+        The same, of functions that are no formulas.
     attributes : mapping, optional
         Further attributes of the result, such as a seed.
     meanings : mapping of str to (str, str), optional
@@ -151,13 +179,14 @@ def section_task(
         variables[name] = Variable(("section_point", dim), (count, size), attributes=notes)
         label = LABELS.get(dim, f"component of {name}")
         coordinates[dim] = Coordinate((dim,), np.array(labels), _notes(label, "1"))
-    for item in recorded:
+    for item in (*recorded, *(() if columns is None else columns.quantities)):
         if item.name in variables:
             raise InputError(f"the quantity {item.name} bears the name of something else")
-        variables[item.name] = _variable(count, item.meaning, item.unit)
-    width = 1 + len(system.symbols) + len(recorded)
+        notes = _notes(item.meaning, item.unit) | ({"label": item.label} if item.label else {})
+        variables[item.name] = Variable(("section_point",), (count,), attributes=notes)
+    width = sum(int(np.prod(item.shape[1:])) for item in variables.values())
     return Task(
-        work=Returns(returns, np.asarray(starts, dtype=np.float64), count, recorded),
+        work=Returns(returns, np.asarray(starts, dtype=np.float64), count, recorded, columns),
         size=len(starts),
         block=max(1, BLOCK // (8 * width * count)),
         variables=variables,

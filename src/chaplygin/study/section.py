@@ -10,6 +10,7 @@ import numpy as np
 import sympy as sp
 
 from ..errors import InputError
+from ..explore.coordinates import chart
 from ..explore.quantities import meaning
 from ..flow.blocks import Task
 from ..flow.lanes import section
@@ -21,7 +22,7 @@ from ..system import System
 from .followed import followed
 from .prepare import Study
 
-__all__ = ["DIRECTIONS", "Place", "Starts", "coordinates_of", "section_of"]
+__all__ = ["DIRECTIONS", "Place", "Reduced", "Starts", "coordinates_of", "section_of"]
 
 #: Functions whose value is an angle.
 ANGLES = (sp.atan2, sp.atan, sp.asin, sp.acos)
@@ -112,7 +113,7 @@ def section_of(
     if not until > 0:
         raise InputError(f"--until {until:g}: it must be positive")
     where = section(system, place.quantity, place.value, DIRECTIONS[place.direction], place.angle)
-    names, quantities = coordinates_of(system, coordinates, study.variables)
+    names, quantities, columns = coordinates_of(system, coordinates, study.variables)
     given, told = _starts(study, system, starts)
     returns = SectionMap(system, where, {}, tolerance, until=until)
     task = section_task(
@@ -120,6 +121,7 @@ def section_of(
         given,
         points,
         quantities,
+        columns,
         {
             "section": str(place),
             "coordinates": list(names),
@@ -152,9 +154,65 @@ def _level(system: System, start: Any) -> dict[str, float]:
     return {law.name: float(x) for law, x in zip(laws, numbers, strict=True)}
 
 
+@dataclass(frozen=True)
+class Reduced:
+    """Some of the coordinates of a chart; see :func:`chaplygin.explore.coordinates.chart`.
+
+    Attributes
+    ----------
+    system : System
+    chart : str
+    names : tuple of str
+        Two or three of the chart's.
+
+    Raises
+    ------
+    InputError
+        If there are not two or three, no such chart, or not of this system.
+    """
+
+    system: System
+    chart: str
+    names: tuple[str, ...]
+
+    def __post_init__(self) -> None:
+        known = chart(self.system, self.chart).names
+        for name in self.names:
+            if name not in known:
+                raise InputError(
+                    f"--coordinates {self.chart}: no {name!r} among {', '.join(known)}"
+                )
+        if len(self.names) not in (2, 3):
+            raise InputError(f"--coordinates {self.chart}: two or three names are needed after it")
+
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """What they are called where a slash cannot be part of a name."""
+        made = chart(self.system, self.chart)
+        unit = {
+            name: "rad" if period else ""
+            for name, period in zip(made.names, made.periods, strict=True)
+        }
+        return tuple(
+            Quantity(
+                name.replace("/", "_over_"),
+                None,
+                f"coordinate {name} of the chart {self.chart}",
+                unit[name] or "unknown",
+                name,
+            )
+            for name in self.names
+        )
+
+    def __call__(self, states: Any) -> Any:
+        """The coordinates (n, names) of states (n, size)."""
+        made = chart(self.system, self.chart)
+        return made.point(states)[:, [made.names.index(name) for name in self.names]]
+
+
 def coordinates_of(
     system: System, text: str, variables: Mapping[str, tuple[str, str]] | None = None
-) -> tuple[tuple[str, ...], tuple[Quantity, ...]]:
+) -> tuple[tuple[str, ...], tuple[Quantity, ...], Reduced | None]:
     """The coordinates by which a section is drawn, and those of them that are to be recorded.
 
     Parameters
@@ -162,7 +220,8 @@ def coordinates_of(
     system : System
     text : str
         Two or three, separated by commas: variables of the state (``M_1``), integrals and
-        observables by name (``energy``), formulas with a name (``phi = atan2(gamma_2, gamma_1)``).
+        observables by name (``energy``), formulas with a name (``phi = atan2(gamma_2, gamma_1)``);
+        or reduced coordinates, the name of their chart first (``andoyer: l, L, H``).
         Where it is empty the first three variables of the state are taken.
     variables : mapping of str to (str, str), optional
         Meaning and unit of variables of the state.
@@ -172,6 +231,10 @@ def coordinates_of(
     InputError
         If there are not two or three, or one of them cannot be read.
     """
+    name, colon, rest = text.partition(":")
+    if colon:
+        reduced = Reduced(system, name.strip(), tuple(part.strip() for part in rest.split(",")))
+        return tuple(item.name for item in reduced.quantities), (), reduced
     parts = _parted(text) if text.strip() else [str(s) for s in system.symbols[:3]]
     if len(parts) not in (2, 3):
         raise InputError(f"--coordinates {text}: two or three are needed, separated by commas")
@@ -191,7 +254,7 @@ def coordinates_of(
         if equals:
             words, unit = right, "rad" if isinstance(value, ANGLES) else ""
         quantities.append(Quantity(name, value, words, unit or "1"))
-    return tuple(names), tuple(quantities)
+    return tuple(names), tuple(quantities), None
 
 
 def _parted(text: str) -> list[str]:

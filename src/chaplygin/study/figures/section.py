@@ -27,6 +27,8 @@ MOST = 120_000
 #: Colours of starts, or of the number of the return: yellow is left out, as too pale on white.
 COLOURS = mpl.colormaps["viridis"].with_extremes(bad=FAINT)
 PALEST = 0.92
+#: Into so many layers one above the other a single motion is drawn.
+LAYERS = 40
 #: From where space is seen: height and turn in degrees.
 VIEWS = ((22.0, -58.0), (22.0, 32.0))
 #: A word in a formula.
@@ -79,7 +81,9 @@ def draw(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
             axes = figure.add_axes((0.11, 0.12, 0.74, 0.8))
             _plane(axes, points, labels, look)
         else:
-            _space(figure, points, labels, look)
+            # of one motion what comes later lies above, so that its end is seen
+            layers = np.array_split(np.arange(len(run)), LAYERS if runs == 1 else 1)
+            _space(figure, points, labels, look, layers)
         _key(figure, runs, count)
         kept = "" if stride == 1 else f"; one in {stride} drawn"
         place = _NAME.sub(lambda name: _typeset(name[0]), str(dataset.attrs.get("section", "")))
@@ -118,6 +122,8 @@ def _label(dataset: xr.Dataset, name: str) -> str:
 
 def _typeset(name: str) -> str:
     """A name as a formula where it looks like one: M_1, gamma_3, but not "height"."""
+    if "/" in name:
+        return "/".join(map(_typeset, name.split("/")))
     letter, _, index = name.partition("_")
     if len(letter) == 1 or letter in ("gamma", "omega", "alpha", "beta", "theta", "psi", "phi"):
         letter = letter if len(letter) == 1 else f"\\{letter}"
@@ -127,7 +133,7 @@ def _typeset(name: str) -> str:
 
 def _size(count: int) -> float:
     """Area of a dot in square points: many are small."""
-    return float(np.clip(6e4 / count, 0.25, 9.0))
+    return float(np.clip(2e4 / count, 0.25, 5.0))
 
 
 def _plane(
@@ -137,20 +143,30 @@ def _plane(
     axes.set_xlabel(labels[0])
     axes.set_ylabel(labels[1])
     for axis, values, label in zip((axes.xaxis, axes.yaxis), points, labels, strict=True):
-        if "(rad)" in label and np.abs(values).max() <= np.pi and np.ptp(values) > np.pi:
-            axis.set_ticks(
-                [-np.pi, -np.pi / 2, 0, np.pi / 2, np.pi], ["$-π$", "$-π/2$", "0", "$π/2$", "$π$"]
-            )
+        if "(rad)" in label and np.ptp(values) > np.pi:
+            low = -np.pi if values.min() < 0.0 else 0.0
+            if low <= values.min() and values.max() <= low + 2 * np.pi:
+                names = ("$-π$", "$-π/2$", "0", "$π/2$", "$π$", "$3π/2$", "$2π$")
+                first = 0 if low else 2
+                axis.set_ticks(low + np.arange(5) * np.pi / 2, names[first : first + 5])
 
 
 def _space(
-    figure: Figure, points: Sequence[FloatArray], labels: Sequence[str], look: dict[str, Any]
+    figure: Figure,
+    points: Sequence[FloatArray],
+    labels: Sequence[str],
+    look: dict[str, Any],
+    layers: Sequence[Any],
 ) -> None:
-    """Two views above three projections."""
+    """Two views above three projections; within a layer, near points hide far ones."""
     for i, (height, turn) in enumerate(VIEWS):
         view: Any = figure.add_axes((-0.02 + 0.46 * i, 0.4, 0.44, 0.56), projection="3d")
         view.patch.set_visible(False)
-        view.scatter(*points, depthshade=False, rasterized=True, **look)
+        view.computed_zorder = False
+        for layer, part in enumerate(layers):
+            shown = [values[part] for values in points]
+            colours = look | {"c": look["c"][part]}
+            view.scatter(*shown, depthshade=False, rasterized=True, zorder=layer, **colours)
         view.view_init(elev=height, azim=turn)
         view.set_box_aspect((1, 1, 1), zoom=1.0)
         for axis, name in zip((view.xaxis, view.yaxis, view.zaxis), labels, strict=True):
