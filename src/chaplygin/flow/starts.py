@@ -45,9 +45,9 @@ def flat_starts(
     """
     if set(given) == {"state"}:
         return _shaped(system, "state", given["state"], len(system.symbols))
-    if omega in dict(system.start).keys() | set(system.state) or "omega" not in given:
-        return _placed(system, given)
-    return _placed(system, _of_spin(system, given, parameters))
+    if "omega" in given and ("gamma" in given or omega not in system.state):
+        return _placed(system, _of_spin(system, given, parameters))
+    return _placed(system, given)
 
 
 def _placed(system: System, given: Mapping[str, Any]) -> Any:
@@ -78,8 +78,7 @@ def _shaped(system: System, name: str, array: Any, size: int) -> Any:
         return block[:, np.newaxis]
     if block.ndim != 2 or block.shape[1] != size:
         raise InputError(
-            f"{system.name}: {name} has the shape {block.shape}; it must be "
-            f"({len(block)}, {size}), a row for each member"
+            f"{system.name}: each row of {name} has the shape {block.shape[1:]}; ({size},) is needed"
         )
     return block
 
@@ -88,7 +87,7 @@ def _of_spin(
     system: System, given: Mapping[str, Any], parameters: Mapping[str, Any] | None
 ) -> dict[str, Any]:
     """The variables of the state that follow from ω and γ, and those that are given besides."""
-    if not system.start:
+    if not system.start and omega not in system.state:
         raise InputError(f"{system.name}: its state does not follow from omega; give the state")
     if "gamma" not in given:
         raise InputError(f"{system.name}: omega is given, but gamma is not")
@@ -102,7 +101,11 @@ def _of_spin(
     found = values(auxiliary, symbols, points, parameters)
     following = {str(s): found[:, i] for i, s in enumerate(symbols)}
     others = {name: array for name, array in given.items() if name not in ("omega", "gamma")}
-    kept = {"gamma": points[:, 3:]} if gamma in system.state else {}
+    kept = {
+        str(name): block
+        for name, block in ((omega, points[:, :3]), (gamma, points[:, 3:]))
+        if name in system.state
+    }
     return {**following, **kept, **others}
 
 

@@ -1,0 +1,74 @@
+"""Many starts at once, by name."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from chaplygin.errors import InputError
+from chaplygin.flow.starts import flat_starts
+from chaplygin.mechanics.start import starting_state
+from chaplygin.systems import from_catalogue
+
+OMEGA = np.array([[0.7, 0.4, 1.1], [-1.0, 2.0, 0.1], [0.0, 0.0, 3.0]])
+GAMMA = np.array([[0.2, -0.3, 0.93], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])
+BALL = from_catalogue("chaplygin-ball")
+
+
+@pytest.mark.parametrize("name", ["chaplygin-ball", "unbalanced-ball", "rattleback", "veselova"])
+def test_as_single_starts_with_fifty_digits(name: str) -> None:
+    system = from_catalogue(name)
+    omega = OMEGA
+    if name == "veselova":
+        up = GAMMA / np.linalg.norm(GAMMA, axis=1, keepdims=True)
+        omega = OMEGA - np.sum(OMEGA * up, axis=1, keepdims=True) * up
+    found = flat_starts(system, {"omega": omega, "gamma": GAMMA})
+    for row, spin, up in zip(found, omega, GAMMA, strict=True):
+        wanted = starting_state(system, spin.tolist(), up.tolist())[: len(system.symbols)]
+        assert np.allclose(row, np.array(wanted, dtype=float), rtol=1e-14, atol=1e-15)
+
+
+def test_parameters_count() -> None:
+    masses = np.array([1.0, 2.0, 3.0])
+    found = flat_starts(BALL, {"omega": OMEGA, "gamma": GAMMA}, {"m": masses})
+    for i, mass in enumerate(masses):
+        alone = flat_starts(
+            BALL, {"omega": OMEGA[i : i + 1], "gamma": GAMMA[i : i + 1]}, {"m": mass}
+        )
+        assert np.array_equal(found[i], alone[0])
+
+
+def test_by_variables_and_by_components() -> None:
+    whole = np.arange(12.0).reshape(2, 6)
+    named = {"gamma": whole[:, 3:], "M": whole[:, :3]}
+    single = {"gamma": whole[:, 3:], **{f"M_{i + 1}": whole[:, i] for i in range(3)}}
+    for given in ({"state": whole}, named, single):
+        assert np.array_equal(flat_starts(BALL, given), whole)
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ({"M": OMEGA}, "the start does not tell gamma_1, gamma_2, gamma_3"),
+        ({"omega": OMEGA}, "omega is given, but gamma is not"),
+        ({"M": OMEGA, "gamma": GAMMA, "mass": OMEGA[:, 0]}, "there is no mass; it has M, gamma, m"),
+        (
+            {"M": OMEGA[:, :2], "gamma": GAMMA},
+            r"each row of M has the shape \(2,\); \(3,\) is needed",
+        ),
+        ({"state": OMEGA}, r"each row of state has the shape \(3,\); \(6,\) is needed"),
+        ({"omega": OMEGA, "gamma": 0 * GAMMA}, "gamma is zero"),
+    ],
+    ids=["missing", "no-gamma", "unknown", "shape", "state", "zero"],
+)
+def test_mistakes_are_told(given: dict[str, Any], told: str) -> None:
+    with pytest.raises(InputError, match=f"^chaplygin-ball: {told}"):
+        flat_starts(BALL, given)
+
+
+def test_a_state_that_does_not_follow_from_omega() -> None:
+    with pytest.raises(InputError, match="its state does not follow from omega; give the state"):
+        flat_starts(replace(BALL, start=()), {"omega": OMEGA, "gamma": GAMMA})
