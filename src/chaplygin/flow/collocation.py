@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Literal
 
+import mpmath
 import numpy as np
 import sympy as sp
 
@@ -65,8 +66,13 @@ def collocate(
         watched = replace(lifted, guards=tuple(g for g in lifted.guards if not g.lift_off))
     began = clock.perf_counter()
     backward = bool(moments[-1] < moments[0])
-    flow = precise(watched, start, parameters, digits, backward=backward)
-    found = flow.until([list(start)], moments - moments[0], parameters)
+    constants = {**system.defaults, **_by_symbol(system, parameters)}
+    point = list(start)
+    if digits == 30:
+        constants = {symbol: _decimal(value) for symbol, value in constants.items()}
+        point = [_decimal(x) for x in start]
+    flow = precise(watched, point, constants, digits, backward=backward)
+    found = flow.until([point], moments - moments[0], constants)
     outcome, reached = int(found.outcome[0]), float(found.ended[0] + moments[0])
     happenings: tuple[Happening, ...] = ()
     if outcome >= len(ENDS):
@@ -74,9 +80,9 @@ def collocate(
         happenings = (Happening(reached, guard, True),)
         earlier = [t for t in moments if abs(t - moments[0]) < abs(reached - moments[0])]
         moments = np.array([*earlier, reached] if reached != moments[0] else [reached])
-        found = flow.until([list(start)], moments - moments[0], parameters)
+        found = flow.until([point], moments - moments[0], constants)
     good = np.isfinite(found.states[0]).all(axis=1)
-    trajectory = _recorded(lifted, parameters, moments[good], _states(flow, found, good))
+    trajectory = _recorded(lifted, constants, moments[good], _states(flow, found, good))
     statistics = Statistics(
         steps=int(found.steps[0]),
         order=16 if digits == 16 else 32,
@@ -97,23 +103,35 @@ def _states(flow: Precise, found: Any, good: Any) -> Any:
     return states if flow.digits == 16 else unpaired(states, found.rest[0, good])
 
 
+def _by_symbol(system: System, parameters: Mapping[Any, Any] | None) -> dict[sp.Symbol, Any]:
+    """Parameters by symbol; a name that is none is left to be refused."""
+    known = {str(symbol): symbol for symbol in system.defaults}
+    return {known.get(str(key), key): value for key, value in (parameters or {}).items()}
+
+
+def _decimal(number: Any) -> Any:
+    """A number with all its digits, a float as the decimal that it shows."""
+    with mpmath.workdps(50):
+        if isinstance(number, (int, float, np.number)):
+            return mpmath.mpf(repr(float(number)))
+        return mpmath.mpmathify(number)
+
+
 def _recorded(
-    system: System, parameters: Mapping[Any, Any] | None, times: Any, states: Any
+    system: System, constants: dict[sp.Symbol, Any], times: Any, states: Any
 ) -> Trajectory:
     """A trajectory with observables and integrals at its states."""
     items = [(item.name, explicit(item.value)) for item in system.observables]
     items += [(f"law_{law.name}", explicit(law.value)) for law in system.integrals]
     parts = [list(v) if isinstance(v, sp.MatrixBase) else [v] for _, v in items]
     numbers = states.astype(float)
-    rows = values(system, [part for part_list in parts for part in part_list], numbers, parameters)
+    doubles = {symbol: float(value) for symbol, value in constants.items()}
+    rows = values(system, [part for group in parts for part in group], numbers, doubles)
     recorded: dict[str, Any] = {}
     first = 0
     for (name, value), components in zip(items, parts, strict=True):
         block = rows[:, first : first + len(components)]
         recorded[name] = block if isinstance(value, sp.MatrixBase) else block[:, 0]
         first += len(components)
-    constants = dict(system.defaults)
-    given = {str(key): value for key, value in (parameters or {}).items()}
-    constants = {symbol: given.get(str(symbol), value) for symbol, value in constants.items()}
     nothing = Statistics(0, 0, 0.0, "double", 0, 0.0, False)
     return Trajectory(system, constants, times, states, recorded, (), nothing)

@@ -398,7 +398,8 @@ class _March:
     def _apart(self, weights: Sequence[Fraction], *members: int) -> Value:
         """The same from the sum that gives the result, where few weights differ from its own."""
         others = [weight - b for weight, b in zip(weights, self.method.b, strict=True)]
-        if len(members) > 1 or others.count(0) <= weights.count(0):
+        nothing = Fraction(0)
+        if len(members) > 1 or others.count(nothing) <= list(weights).count(nothing):
             return self._sum(weights, *members)
         return self.n.add(self.results[members[0]], self._sum(others, *members))
 
