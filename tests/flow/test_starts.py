@@ -57,7 +57,7 @@ def test_by_variables_and_by_components() -> None:
         ({"M": OMEGA, "gamma": GAMMA, "mass": OMEGA[:, 0]}, "there is no mass; it has M, gamma, m"),
         (
             {"M": OMEGA[:, :2], "gamma": GAMMA},
-            r"each row of M has the shape \(2,\); \(3,\) is needed",
+            r"each row of M has the shape \(2,\); \(3,\)",
         ),
         ({"state": OMEGA}, r"each row of state has the shape \(3,\); \(6,\) is needed"),
         ({"omega": OMEGA, "gamma": 0 * GAMMA}, "gamma is zero"),

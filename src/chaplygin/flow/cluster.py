@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import functools
 import logging
+import os
 from collections import Counter, deque
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -107,7 +108,14 @@ def results(
 
 
 def _compute(packed: bytes, first: int, last: int) -> Arrays:
-    return _unpacked(packed)(first, last)
+    """A block, in a thread of a worker: it stands for one processor, unless its user says more."""
+    from .lanes import THREADS
+
+    before = THREADS.set(int(os.environ.get("CHAPLYGIN_THREADS", "1")))
+    try:
+        return _unpacked(packed)(first, last)
+    finally:
+        THREADS.reset(before)
 
 
 @functools.lru_cache(maxsize=2)

@@ -78,7 +78,8 @@ def _shaped(system: System, name: str, array: Any, size: int) -> Any:
         return block[:, np.newaxis]
     if block.ndim != 2 or block.shape[1] != size:
         raise InputError(
-            f"{system.name}: each row of {name} has the shape {block.shape[1:]}; ({size},) is needed"
+            f"{system.name}: each row of {name} has the shape {block.shape[1:]}; "
+            f"({size},) is needed"
         )
     return block
 
