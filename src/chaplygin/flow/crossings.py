@@ -22,8 +22,8 @@ from .spots import Spots
 __all__ = ["Slice", "crossings"]
 
 #: Length of a geodesic, and in how many pieces it is looked at first.
-LENGTH = 1.0
-PIECES = 4
+LENGTH = 0.5
+PIECES = 1
 #: A piece is halved, at most so often, while a cubic through its ends misses its middle by more
 #: than this, relative to the largest value on the curve.
 _HALVINGS = 10
@@ -151,8 +151,8 @@ class Slice:
 
     @property
     def most(self) -> float:
-        """Two: a geodesic of this length meets a smooth surface rarely more often."""
-        return 2.0
+        """Three: so short a geodesic rarely meets a smooth surface more than once."""
+        return 3.0
 
     def spots(self, gauss: Any) -> Spots:
         """The points where the geodesics thrown by normal numbers (numbers, k) meet the level."""

@@ -34,6 +34,8 @@ __all__ = ["Level", "draw", "prepared"]
 _BATCH = 1 << 14
 #: What is put on top of the largest density that was met.
 _MARGIN = 1.15
+#: Attempts from which their yield is estimated.
+_TRIAL = 1 << 11
 #: Attempts for one point after which the level counts as too thin.
 _PATIENCE = 10**6
 #: Newton steps by which a point is settled on its level.
@@ -106,11 +108,12 @@ class Level:
     _slopes: Compiled
     _density: Compiled | None
     _bound: float
+    _tries: int
 
     def draw(self, count: int, *, seed: int = 0, first: int = 0) -> Any:
         """Points `first` to `first` + `count`; array (count, size).  See :func:`draw`."""
         found = np.empty((count, len(self.system.symbols)))
-        pending, attempt, tries = np.arange(count), 0, 8
+        pending, attempt, tries = np.arange(count), 0, self._tries
         while pending.size:
             left = []
             for start in range(0, pending.size, _BATCH // tries):
@@ -119,7 +122,7 @@ class Level:
                 found[some[done]] = states
                 left.append(some[~done])
             pending, attempt = np.concatenate(left), attempt + tries
-            tries = min(2 * tries, _BATCH)
+            tries = min(tries + 1, _BATCH)
             if attempt > _PATIENCE:
                 raise InputError(
                     f"{self.system.name}: the level {shown(self.values)} is too thin: no point "
@@ -214,6 +217,7 @@ def prepared(
         _slopes=Compiled([term for row in sheet.slopes(conditions) for term in row]),
         _density=None if law is None else Compiled([sheet.read(law.value)]),
         _bound=np.inf,
+        _tries=1,
     )
     return _bounded(blank)
 
@@ -284,4 +288,9 @@ def _bounded(level: Level) -> Level:
         return spots.places, level.density(spots)
 
     top, _ = highest(thrower.made, height, thrower.near, thrower.numbers)
-    return replace(level, _bound=_MARGIN * thrower.most * top)
+    bound = _MARGIN * thrower.most * top
+    trial = normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), thrower.numbers)
+    taken = height(trial)[1].sum() / (_TRIAL * bound)
+    # half of the attempts that a point takes, so that few are made in vain
+    tries = int(np.clip(0.5 / max(taken, 1 / _BATCH), 1, _BATCH))
+    return replace(level, _bound=bound, _tries=tries)
