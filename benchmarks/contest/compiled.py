@@ -1,4 +1,4 @@
-"""numba: the order-8 method as a compiled loop, with fixed steps and with error control."""
+"""numba: the order-8 method as a compiled loop, with equal steps in lanes or error control."""
 
 from __future__ import annotations
 
@@ -6,8 +6,10 @@ from typing import Any
 
 import numpy as np
 
+from chaplygin.flow.tables import explicit
+
 from .bodies import Body
-from .generated import defined, field_text, step_text
+from .generated import defined, field_text, increment, step_text
 from .programs import TOLERANCES, Program, Run
 
 __all__ = ["numba_adaptive", "numba_fixed", "step_counts"]
@@ -18,15 +20,19 @@ def step_counts(fewest: int = 32) -> tuple[float, ...]:
     return tuple(float(round(fewest * 1.06**k)) for k in range(70))
 
 
-_FIXED = """
+_LANES = """
 def march(starts, until, steps):
+    many = len(starts)
     ends = np.empty_like(starts)
     h = until / steps
-    for n in range(len(starts)):
-        {state} = starts[n]
+    y, k = np.empty(({size}, {lanes})), np.empty(({stages}, {size}, {lanes}))
+    for first in range(0, many, {lanes}):
+        for l in range({lanes}):
+            y[:, l] = starts[min(first + l, many - 1)]
         for _ in range(steps):
-            {state} = step(h, {state})
-        ends[n] = {state}
+{stage_loops}
+        for l in range(min({lanes}, many - first)):
+            ends[first + l] = y[:, l]
     return ends
 """
 
@@ -56,9 +62,9 @@ def march(starts, until, tolerance):
 """
 
 
-def numba_fixed(body: Body, until: float) -> Program:
-    """Equal steps, their number being the setting."""
-    march = _compiled(body, _FIXED, errors=False)
+def numba_fixed(body: Body, until: float, lanes: int = 16) -> Program:
+    """Equal steps, their number being the setting; loops over lanes that LLVM vectorises."""
+    march = _lanes(body, lanes)
 
     def build(steps: float) -> Run:
         def run(starts: np.ndarray) -> np.ndarray:
@@ -66,12 +72,37 @@ def numba_fixed(body: Body, until: float) -> Program:
 
         return run
 
-    return Program("numba, equal steps", build, step_counts(), share=0.5)
+    return Program(f"numba, {lanes} lanes, equal steps", build, step_counts())
+
+
+def _lanes(body: Body, lanes: int) -> Any:
+    _, *lines, last = field_text(body).splitlines()
+    rates = last.removeprefix("    return ").split(", ")
+    table, state = explicit(), range(body.size)
+
+    def combined(row: Any, i: int) -> str:
+        return f"y[{i}, l]" + increment(row, lambda j: f"k[{j}, {i}, l]")
+
+    loops = []
+    for stage, row in enumerate(table.a):
+        loops.append(f"for l in range({lanes}):")
+        loops += [f"    x{i} = {combined(row, i)}" for i in state]
+        loops += lines
+        loops += [f"    k[{stage}, {i}, l] = {rates[i]}" for i in state]
+    loops.append(f"for l in range({lanes}):")
+    loops += [f"    y[{i}, l] = {combined(table.b, i)}" for i in state]
+    text = _LANES.format(
+        size=body.size,
+        lanes=lanes,
+        stages=len(table.a),
+        stage_loops="\n".join(f"            {line}" for line in loops),
+    )
+    return _jit(defined(text, {"np": np, "sqrt": np.sqrt})["march"])
 
 
 def numba_adaptive(body: Body, until: float) -> Program:
     """Error control as in SciPy's DOP853."""
-    march = _compiled(body, _ADAPTIVE, errors=True)
+    march = _adaptive(body)
 
     def build(tolerance: float) -> Run:
         def run(starts: np.ndarray) -> np.ndarray:
@@ -82,17 +113,20 @@ def numba_adaptive(body: Body, until: float) -> Program:
     return Program("numba, error control", build, TOLERANCES, share=0.5)
 
 
-def _compiled(body: Body, text: str, errors: bool) -> Any:
+def _jit(function: Any) -> Any:
     import numba
 
-    jit = numba.njit(error_model="numpy", fastmath={"contract"})
+    return numba.njit(error_model="numpy", fastmath={"contract"})(function)
+
+
+def _adaptive(body: Body) -> Any:
     names: dict[str, Any] = {"np": np, "sqrt": np.sqrt}
-    names["field"] = jit(defined(field_text(body), names)["field"])
-    names["step"] = jit(defined(step_text(body.size, errors), names)["step"])
+    names["field"] = _jit(defined(field_text(body), names)["field"])
+    names["step"] = _jit(defined(step_text(body.size), names)["step"])
     each = range(body.size)
     words = {letter: ", ".join(f"{letter}{i}" for i in each) for letter in "xyab"}
     rows = "), (".join(f"x{i}, y{i}, a{i}, b{i}" for i in each)
-    written = text.format(
+    text = _ADAPTIVE.format(
         state=words["x"],
         next=words["y"],
         third=words["a"],
@@ -100,4 +134,4 @@ def _compiled(body: Body, text: str, errors: bool) -> Any:
         rows=rows,
         size=body.size,
     )
-    return jit(defined(written, names)["march"])
+    return _jit(defined(text, names)["march"])

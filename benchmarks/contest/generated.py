@@ -7,7 +7,7 @@ that depends on them alone as numbers: the best form that a user could write by 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from chaplygin.flow.graph import Term, of_system, ordered
@@ -15,7 +15,7 @@ from chaplygin.flow.tables import explicit
 
 from .bodies import Body
 
-__all__ = ["defined", "field_text", "operations", "step_text"]
+__all__ = ["defined", "field_text", "increment", "operations", "step_text"]
 
 _TEMPLATES: Mapping[str, str] = {
     "add": "{} + {}",
@@ -67,24 +67,27 @@ def _names(letter: str, count: int, stage: str = "") -> str:
     return ", ".join(f"{letter}{stage}{i}" for i in range(count))
 
 
-def step_text(size: int, errors: bool) -> str:
-    """``step(h, x0, …)``, one step of order 8; with its two error estimates if wanted."""
+def step_text(size: int) -> str:
+    """``step(h, x0, …)``: the state after a step of order 8, and the two estimates of its error."""
     table = explicit()
+
+    def combined(weights: Sequence[Any], i: int) -> str:
+        return increment(weights, lambda stage: f"k{stage}_{i}")
+
     lines = []
     for stage, row in enumerate(table.a):
-        places = [f"x{i}" + _combined(row, i) for i in range(size)]
-        lines.append(f"    {_names('k', size, f'{stage}_')} = field({', '.join(places)})")
-    wanted = [", ".join(f"x{i}" + _combined(table.b, i) for i in range(size))]
-    if errors:
-        for weights in (table.e3, table.e5):
-            wanted += [", ".join("0.0" + _combined(weights, i) for i in range(size))]
+        places = ", ".join(f"x{i}{combined(row, i)}" for i in range(size))
+        lines.append(f"    {_names('k', size, f'{stage}_')} = field({places})")
+    wanted = [", ".join(f"x{i}{combined(table.b, i)}" for i in range(size))]
+    for weights in (table.e3, table.e5):
+        wanted += [", ".join(f"0.0{combined(weights, i)}" for i in range(size))]
     answer = ", ".join(wanted)
     return "\n".join([f"def step(h, {_names('x', size)}):", *lines, f"    return {answer}"])
 
 
-def _combined(weights: Sequence[Any], component: int) -> str:
-    """The increment of a component from the rates of stages."""
-    terms = [f"{float(w)!r} * k{stage}_{component}" for stage, w in enumerate(weights) if w != 0]
+def increment(weights: Sequence[Any], rate: Callable[[int], str]) -> str:
+    """What is added to a component: h times rates of stages with their weights."""
+    terms = [f"{float(w)!r} * {rate(stage)}" for stage, w in enumerate(weights) if w != 0]
     return f" + h * ({' + '.join(terms)})" if terms else ""
 
 

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import heyoka as hy
 import numpy as np
 
 from chaplygin.flow.lanes import lanes, section
+from chaplygin.flow.precise import precise
 
 from .bodies import Body
 from .programs import Program, Run
 
-__all__ = ["NAME", "crossings", "ensemble", "tangents"]
+__all__ = ["NAME", "crossings", "ensemble", "single", "tangents", "thirty"]
 
 NAME = "chaplygin"
 
@@ -60,3 +62,30 @@ def tangents(body: Body, until: float) -> Program:
         return run
 
     return Program(NAME, build)
+
+
+def single(body: Body, until: float) -> Program:
+    """Collocation with a lane for each stage; it has no setting but the number of digits."""
+
+    def build(_: float) -> Run:
+        def run(starts: np.ndarray) -> np.ndarray:
+            made = precise(body.system, starts[0])
+            return np.asarray(made.until(starts, [until], threads=1).states[:, -1])
+
+        return run
+
+    return Program(NAME, build, (16.0,))
+
+
+def thirty(body: Body, until: float) -> Program:
+    """The same in two doubles for each number."""
+
+    def build(_: float) -> Run:
+        def run(starts: np.ndarray) -> np.ndarray:
+            found = precise(body.system, starts[0], digits=30).until(starts, [until], threads=1)
+            high, low = (part[:, -1].astype(hy.real128) for part in (found.states, found.rest))
+            return np.asarray(high + low)
+
+        return run
+
+    return Program(NAME, build, (30.0,))

@@ -1,0 +1,60 @@
+"""Tables of what was measured."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+from rich.console import Console
+from rich.table import Table
+
+from .programs import Result
+from .tasks import Outcome
+
+__all__ = ["machine", "show"]
+
+
+def machine() -> str:
+    """The processor, how many of it, and how busy it is."""
+    info = Path("/proc/cpuinfo")
+    lines = info.read_text().splitlines() if info.exists() else []
+    model = next((x.split(":")[1].strip() for x in lines if x.startswith("model name")), "unknown")
+    wide = "AVX-512" if any("avx512f" in x for x in lines) else "no AVX-512"
+    return f"{model}, {os.cpu_count()} processors, {wide}; load {os.getloadavg()[0]:.1f}"
+
+
+def show(outcomes: Sequence[Outcome], width: int = 118) -> None:
+    """One table for each task, body and target."""
+    console = Console(width=width)
+    console.print(machine())
+    for outcome in outcomes:
+        console.print(table(outcome))
+
+
+def table(outcome: Outcome) -> Table:
+    """Rows are programs; times in microseconds for each motion or section point."""
+    unit = "point" if outcome.task == "section" else "motion"
+    made = Table(title=f"{outcome.task}, {outcome.body}, error {outcome.target:.0e}")
+    made.add_column("program")
+    heads = ("setting", "median error", "worst", f"core µs/{unit}", "wall µs", "ratio", "compile s")
+    for head in heads:
+        made.add_column(head, justify="right")
+    for result in sorted(outcome.results.values(), key=lambda r: np.nan_to_num(r.core, nan=9e9)):
+        made.add_row(result.name, *_cells(result, outcome))
+    return made
+
+
+def _cells(result: Result, outcome: Outcome) -> tuple[str, ...]:
+    if result.setting is None:
+        return ("not reached",)
+    return (
+        f"{result.setting:.3g}",
+        f"{result.error:.1e}",
+        f"{result.worst:.1e}",
+        f"{1e6 * result.core / outcome.each:.3g}",
+        f"{1e6 * result.wall / outcome.each:.3g}",
+        f"{result.core / outcome.own.core:.2f}",
+        f"{result.compile:.2f}",
+    )

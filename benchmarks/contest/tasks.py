@@ -1,0 +1,188 @@
+"""The five tasks, each for a body: what is asked, what is exact, and who takes part."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from . import ours, taylor
+from .bodies import Body
+from .programs import Program, Result, Trial, compare, contest
+
+__all__ = ["QUICK", "TASKS", "THOROUGH", "Effort", "Outcome", "Task"]
+
+#: Seeds of the starts that settings are chosen by, that errors and that times are measured by.
+REHEARSED, SCORED, TIMED = 1, 2, 3
+FAST: Mapping[str, bool] = {"fast_math": True}
+COMPACT: Mapping[str, bool] = {"compact_mode": True}
+
+
+@dataclass(frozen=True)
+class Effort:
+    """How much is measured.
+
+    Attributes
+    ----------
+    states, few : int
+        Starts with exact answers, to choose settings by and as many to score by; for tasks whose
+        exact answers are dear.
+    many : int
+        Starts of an ensemble that is timed.
+    turns : int
+        Repetitions, alternating, of which medians are taken.
+    thorough : bool
+        Whether every variant of every program takes part, or those known to be best.
+    """
+
+    states: int
+    few: int
+    many: int
+    turns: int
+    thorough: bool
+
+    def long(self, body: Body) -> float:
+        """How long single motions are."""
+        return body.long if self.thorough else min(body.long, 100.0)
+
+
+QUICK = Effort(states=6, few=2, many=128, turns=3, thorough=False)
+THOROUGH = Effort(states=24, few=6, many=1024, turns=5, thorough=True)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """Results of one task, body and target.
+
+    Attributes
+    ----------
+    each : float
+        Answers of a motion that a time is divided by (section points; 1 otherwise).
+    """
+
+    task: str
+    body: str
+    target: float
+    results: Mapping[str, Result]
+    each: float = 1.0
+
+    @property
+    def own(self) -> Result:
+        """This engine's."""
+        return self.results[ours.NAME]
+
+    @property
+    def best(self) -> Result:
+        """heyoka's best on one thread."""
+        rivals = [r for name, r in self.results.items() if name.startswith("heyoka")]
+        return min((r for r in rivals if np.isfinite(r.core)), key=lambda r: r.core)
+
+    @property
+    def ratio(self) -> float:
+        """Time of heyoka's best in that of this engine."""
+        return self.best.core / self.own.core
+
+
+@dataclass(frozen=True)
+class Task:
+    """One kind of question, asked of every body."""
+
+    name: str
+    targets: Sequence[float]
+    run: Callable[[Body, float, Effort], Outcome]
+
+
+def ensemble(body: Body, target: float, effort: Effort, more: Sequence[Program] = ()) -> Outcome:
+    """The end of many motions."""
+    trial = _trial(body, effort.states, effort.many, lambda x: body.ends(x, body.span))
+    rivals = [taylor.batch(body, body.span), taylor.batch(body, body.span, **FAST)]
+    if effort.thorough:
+        rivals += [
+            taylor.batch(body, body.span, 4, **FAST),
+            taylor.batch(body, body.span, 16, **FAST),
+            taylor.batch(body, body.span, **COMPACT),
+            taylor.batch(body, body.span, high_accuracy=True),
+            _part(taylor.scalar(body, body.span), 0.2),
+            _part(taylor.scalar(body, body.span, **FAST), 0.2),
+        ]
+    programs = [ours.ensemble(body, body.span), *rivals, *more]
+    return Outcome("ensemble", body.name, target, contest(programs, trial, target, effort.turns))
+
+
+def single(body: Body, target: float, effort: Effort) -> Outcome:
+    """The end of one long motion, as exact as doubles can be."""
+    until = effort.long(body)
+    trial = _trial(body, effort.few, 0, lambda x: body.ends(x, until))
+    programs = [ours.single(body, until), taylor.scalar(body, until)]
+    if effort.thorough:
+        programs += [
+            taylor.scalar(body, until, **FAST),
+            taylor.scalar(body, until, high_accuracy=True),
+        ]
+    return Outcome("single", body.name, target, _finest(programs, trial, target, effort.turns))
+
+
+def section(body: Body, target: float, effort: Effort) -> Outcome:
+    """Where motions rise through γ₃ = 0."""
+    trial = _trial(body, effort.states, effort.many, lambda x: body.crossings(x, body.span))
+    points = np.isfinite(trial.scored_exact[:, :, 0]).sum(axis=1)
+    programs = [
+        ours.crossings(body, body.span, most=64),
+        taylor.batch_section(body, body.span),
+        _part(taylor.scalar_section(body, body.span), 0.2),
+    ]
+    if effort.thorough:
+        programs.append(taylor.batch_section(body, body.span, **FAST))
+    results = contest(programs, trial, target, effort.turns)
+    return Outcome("section", body.name, target, results, each=float(points.mean()))
+
+
+def tangent(body: Body, target: float, effort: Effort) -> Outcome:
+    """The end of motions with six tangent vectors."""
+    until = body.short
+    trial = _trial(body, effort.few, effort.many, lambda x: body.tangents(x, until))
+    programs = [
+        ours.tangents(body, until),
+        _part(taylor.batch_tangent(body, until, **COMPACT), 0.125),
+    ]
+    if effort.thorough:
+        programs.append(_part(taylor.scalar_tangent(body, until, **COMPACT), 0.03))
+    return Outcome("tangent", body.name, target, contest(programs, trial, target, effort.turns))
+
+
+def digits30(body: Body, target: float, effort: Effort) -> Outcome:
+    """The end of one motion to 30 digits."""
+    trial = _trial(body, effort.few, 0, lambda x: body.thirty(x, body.short))
+    programs = [ours.thirty(body, body.short), taylor.thirty(body, body.short)]
+    return Outcome("digits30", body.name, target, _finest(programs, trial, target, effort.turns))
+
+
+def _finest(
+    programs: Sequence[Program], trial: Trial, target: float, turns: int
+) -> dict[str, Result]:
+    """Programs at the target or, where none of their settings meets it, as exact as they can."""
+    settings = {p.name: p.finest(trial.rehearsal, trial.rehearsal_exact, target) for p in programs}
+    return compare({p.name: p for p in programs}, settings, trial, turns)
+
+
+def _trial(body: Body, states: int, many: int, exact: Callable[[np.ndarray], np.ndarray]) -> Trial:
+    rehearsal, scored = body.starts(REHEARSED, states), body.starts(SCORED, states)
+    timed = body.starts(TIMED, many) if many else scored
+    return Trial(rehearsal, exact(rehearsal), scored, exact(scored), timed)
+
+
+def _part(program: Program, share: float) -> Program:
+    """A slow program, timed on a part of the starts."""
+    program.share = share
+    return program
+
+
+#: Where two targets are asked for, the smaller ratio is the one reported.
+TASKS = (
+    Task("ensemble", (1e-10, 1e-12), ensemble),
+    Task("single", (1e-15,), single),
+    Task("section", (1e-10, 1e-12), section),
+    Task("tangent", (1e-10, 1e-12), tangent),
+    Task("digits30", (1e-30,), digits30),
+)

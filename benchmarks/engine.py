@@ -1,0 +1,63 @@
+"""The engine beside heyoka, SciPy, numba, JAX and MuJoCo, at equal achieved error.
+
+Three bodies roll on a plane: the Chaplygin ball, a heavy unbalanced ball and a heavy ellipsoid.
+Every program chooses its tolerance or its steps on some random starts, so that the median error
+of a motion meets the target, and is scored on others, against motions with 34 digits or more.
+Programs take turns and medians are compared.  Times are of the processor, all threads together,
+which other work on the machine changes little; time that passed is shown beside.
+
+``--json`` prints, for five tasks and three bodies, the time of heyoka's best variant in that of
+this engine; of two targets the smaller ratio.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+from collections.abc import Sequence
+
+from contest import taylor
+from contest.bodies import BODIES
+from contest.tasks import QUICK, TASKS, THOROUGH, Effort, Outcome
+
+
+def measure(effort: Effort, tasks: Sequence[str]) -> list[Outcome]:
+    """Every task with every body and target."""
+    return [
+        task.run(body, target, effort)
+        for task in TASKS
+        if task.name in tasks
+        for body in BODIES.values()
+        for target in task.targets[: None if effort.thorough else 1]
+    ]
+
+
+def ratios(outcomes: Sequence[Outcome]) -> dict[str, dict[str, float]]:
+    """The smallest ratio of each task and body."""
+    found: dict[str, dict[str, float]] = {}
+    for outcome in outcomes:
+        row = found.setdefault(outcome.task, {})
+        ratio = min(row.get(outcome.body, outcome.ratio), outcome.ratio)
+        row[outcome.body] = round(ratio, 2)
+    return found
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--json", action="store_true")
+    parser.add_argument("--quick", action="store_true", help="few starts, heyoka's best alone")
+    parser.add_argument("--task", action="append", choices=[task.name for task in TASKS])
+    options = parser.parse_args()
+    taylor.forget()
+    effort = QUICK if options.quick else THOROUGH
+    outcomes = measure(effort, options.task or [task.name for task in TASKS])
+    if options.json:
+        print(json.dumps(ratios(outcomes), indent=2))
+        return
+    from contest.report import show
+
+    show(outcomes)
+
+
+if __name__ == "__main__":
+    main()
