@@ -45,6 +45,8 @@ LEVEL: Mapping[str, float] = {"energy": 1.0, "quadratic": 0.7}
 COORDINATES = "l = atan2(M_1, M_2), L = M_3/sqrt(dot(M, M)), H = dot(M, gamma)/sqrt(dot(M, M))"
 #: Motions, and their returns.
 STARTS, RETURNS = 200, 2001
+#: Points of each motion that are drawn: of the one, of the many.
+SHOWN, SHOWN_OF_MANY = 1200, 400
 #: How near a point comes to itself that counts as a cycle.
 CLOSED = 1e-6
 #: How far from a cycle a motion begins, in the size of the state.
@@ -55,8 +57,7 @@ SYSTEM = entry("unbalanced-ball").system(BODY)
 RETURN = SectionMap(SYSTEM, section(SYSTEM, "gamma_3"), until=3e4)
 NAMES, _PLAIN, _ = coordinates_of(SYSTEM, COORDINATES)
 QUANTITIES = tuple(
-    replace(item, label=label)
-    for item, label in zip(_PLAIN, ("l", "L/G", "H/G"), strict=True)
+    replace(item, label=label) for item, label in zip(_PLAIN, ("l", "L/G", "H/G"), strict=True)
 )
 PLACES = Formulas(SYSTEM, tuple(item.formula for item in QUANTITIES))
 KEPT = Formulas(
@@ -203,15 +204,25 @@ def main(folder: Path) -> None:
 
     target = found[0]
     start, tried = arriving(target)
-    one = dataset(start[None], RETURNS)
+    one = dataset(start[None], SHOWN)
     print(f"One motion, the first of {tried} that goes there, from {start.tolist()}")
     print(f"  leaves (l, L/G, H/G) = {listed(start[None])}")
     (path,) = np.concatenate([one["M"].values, one["gamma"].values], axis=2)
-    away = np.abs(path[:, None] - target.points[None]).max(axis=2).min(axis=1)
+    origin = reversed_of(target.points[-1])
+    left = distances(path, RETURN.returns(origin[None], target.period).states[0])
+    print(f"  is 0.1 away from the reversed cycle after {int(np.argmax(left > 0.1))} returns")
+    away = distances(path, target.points)
     for near in (1e-1, 1e-3, 1e-6):
         print(f"  stays within {near:g} of the cycle after {last_beyond(away, near)} returns")
     save(draw(one, NAMES), folder / "figure_8.png")
-    save(draw(many.isel(section_point=slice(0, 400)), NAMES), folder / "figure_8_many.png")
+    save(
+        draw(many.isel(section_point=slice(0, SHOWN_OF_MANY)), NAMES), folder / "figure_8_many.png"
+    )
+
+
+def distances(path: Any, cycle: Any) -> Any:
+    """How far each point of a path is from a cycle."""
+    return np.abs(path[:, None] - cycle[None]).max(axis=2).min(axis=1)
 
 
 def last_beyond(distances: Any, near: float) -> int:

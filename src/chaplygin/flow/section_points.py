@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.metadata import version
 from typing import Any, Protocol
@@ -21,8 +21,9 @@ from .values import parameter_rows
 
 __all__ = ["Columns", "Quantity", "Returns", "section_task"]
 
-#: Bytes of a block, about: what is in memory at a time.
-BLOCK = 128 * 2**20
+#: Bytes of a block, about, and points at which formulas are computed at once: what is in memory
+#: at a time.
+BLOCK, PIECE = 2**26, 2**15
 
 
 @dataclass(frozen=True)
@@ -97,16 +98,20 @@ class Returns:
             rows = by_name(system, flat, name)
             found[name] = np.ascontiguousarray(rows.reshape(*crossed.times.shape, *rows.shape[1:]))
         formulas = Formulas(system, [item.formula for item in self.quantities])
-        self._add(found, self.quantities, formulas(flat, self.returns.parameters))
+        groups: list[tuple[Sequence[Quantity], Callable[[Any], Any]]] = [
+            (self.quantities, lambda x: formulas(x, self.returns.parameters))
+        ]
         if self.columns is not None:
-            self._add(found, self.columns.quantities, self.columns(flat))
+            groups.append((self.columns.quantities, self.columns))
+        for quantities, columns in groups:
+            for item in quantities:
+                found[item.name] = np.empty(crossed.times.shape)
+            # piece by piece, since every operation of a formula leaves an array behind
+            for place in range(0, len(flat), PIECE):
+                values = columns(flat[place : place + PIECE])
+                for item, column in zip(quantities, values.T, strict=True):
+                    found[item.name].reshape(-1)[place : place + PIECE] = column
         return found
-
-    @staticmethod
-    def _add(found: dict[str, Any], quantities: Sequence[Quantity], columns: Any) -> None:
-        shape = found["time"].shape
-        for item, column in zip(quantities, columns.T, strict=True):
-            found[item.name] = np.ascontiguousarray(column).reshape(shape)
 
 
 def section_task(

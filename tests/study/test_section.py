@@ -1,0 +1,117 @@
+"""The section of an experiment: coordinates, starts, the figure."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import xarray as xr
+from matplotlib.figure import Figure
+
+from chaplygin.errors import InputError
+from chaplygin.flow.blocks import compute
+from chaplygin.study.experiment import loads
+from chaplygin.study.figures.section import draw
+from chaplygin.study.prepare import Study, prepare
+from chaplygin.study.section import Place, Starts, coordinates_of, section_of
+from chaplygin.systems import entry
+
+BALL = entry("unbalanced-ball").system({})
+
+
+def study(name: str = "unbalanced-ball", *options: str) -> Study:
+    return prepare(loads(f'[system]\nname = "{name}"\n', "x", list(options)))
+
+
+def test_coordinates() -> None:
+    assert coordinates_of(BALL, "") == (("M_1", "M_2", "M_3"), (), None)
+    names, quantities, _ = coordinates_of(BALL, "phi = atan2(gamma_2, gamma_1), energy")
+    assert names == ("phi", "energy")
+    assert [item.unit for item in quantities] == ["rad", "J"]
+    names, _, reduced = coordinates_of(BALL, "andoyer-ratio: l, L/G")
+    assert names == ("l", "L_over_G")
+    assert reduced is not None
+    state = np.array([[0.3, 0.4, 1.2, 0.6, 0.0, 0.8]])
+    assert np.allclose(reduced(state), [[np.arctan2(0.3, 0.4), 1.2 / 1.3]], atol=1e-15)
+    with pytest.raises(InputError, match="no 'Q' among l, L/G, g, G, H"):
+        coordinates_of(BALL, "andoyer-ratio: l, Q")
+    with pytest.raises(InputError, match="two or three names"):
+        coordinates_of(BALL, "andoyer: l")
+    with pytest.raises(InputError, match="no coordinates 'polar'"):
+        coordinates_of(BALL, "polar: r, phi")
+
+
+def test_a_single_motion_starts_where_the_experiment_does() -> None:
+    task, names = section_of(study(), Place("M_1"), Starts(), 3, until=1e3)
+    assert names == ("M_1", "M_2", "M_3")
+    own = [float(value) for value in study().start[:6]]
+    assert np.array_equal(task.work.starts, [own])
+    assert task.attributes["starts"] == "the start of the experiment"
+
+
+def test_many_start_on_the_level_of_the_experiment() -> None:
+    task, _ = section_of(study(), Place("gamma_3"), Starts(7, seed=2), 3, until=100.0)
+    assert task.size == 7
+    found = compute(task)
+    own = compute(section_of(study(), Place("M_1"), Starts(), 1, until=1e3)[0])
+    for law in ("law_energy", "law_quadratic"):
+        expected = float(own[law][0, 0])
+        assert np.nanmax(np.abs(found[law] - expected)) < 1e-10 * abs(expected)
+    assert "(seed 2)" in task.attributes["starts"]
+
+
+def test_a_body_under_gravity_is_followed_beyond_lift_off_only_when_that_is_wished() -> None:
+    options = ("start.omega=[0, 12, 1]", "start.gamma=[0, 0, 1]")
+    names = {}
+    for wish in ("stop", "warn"):
+        made = study("rattleback", *options, f"run.on_liftoff={wish}")
+        task, _ = section_of(made, Place("gamma_3"), Starts(), 3, until=5.0)
+        names[wish] = [guard.name for guard in task.work.returns.system.guards]
+    assert set(names["warn"]) < set(names["stop"])
+
+
+@pytest.fixture(scope="module")
+def many() -> xr.Dataset:
+    task, _ = section_of(
+        study(),
+        *(Place("gamma_3"), Starts(5, {"energy": 1.0}), 30),
+        "phi = atan2(gamma_2, gamma_1), h = M_3/2",
+        until=300.0,
+    )
+    return compute(task)
+
+
+@pytest.mark.parametrize("names", [("phi", "h"), ("M_1", "M_2"), ("M_1", "h", "phi")])
+@pytest.mark.parametrize("runs", [1, 5])
+def test_the_figure_shows_every_point(many: xr.Dataset, names: tuple[str, ...], runs: int) -> None:
+    some = many.sel(run=slice(0, runs))
+    figure = draw(some, names)
+    assert isinstance(figure, Figure)
+    assert "Unbalanced ball" in figure.get_label()
+    expected = int(some["points"].sum())
+    for axes in figure.axes[: 1 if len(names) == 2 else 5]:
+        drawn = [len(item.get_offsets()) for item in axes.collections]
+        assert sum(drawn) == expected
+    words = [text.get_text() for text in figure.texts]
+    assert f"{expected:,} points" in words
+    assert any("γ" in word or r"\gamma_{3}" in word for word in words)
+
+
+def test_angles_have_ticks_in_turns(many: xr.Dataset) -> None:
+    axes = draw(many, ("phi", "h")).axes[0]
+    assert [tick.get_text() for tick in axes.get_xticklabels()][:3] == ["$-π$", "$-π/2$", "0"]
+    shifted = many.assign(phi=np.mod(many["phi"], 2 * np.pi).assign_attrs(many["phi"].attrs))
+    axes = draw(shifted, ("phi", "h")).axes[0]
+    assert axes.get_xticklabels()[-1].get_text() == "$2π$"
+
+
+def test_figures_that_cannot_be_drawn(many: xr.Dataset) -> None:
+    for names, sentence in (
+        (("M_1",), "two or three coordinates, not 1"),
+        (("M_1", "M_4"), "no coordinate M_4"),
+        (("M_1", "what"), "no coordinate what"),
+        (("M_1", "what_1"), "no coordinate what_1"),
+    ):
+        with pytest.raises(InputError, match=sentence):
+            draw(many, names)
+    with pytest.raises(InputError, match="has no point to draw"):
+        draw(many.where(many["time"] < 0), ("M_1", "M_2"))
