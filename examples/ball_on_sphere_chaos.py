@@ -131,9 +131,10 @@ def told(row: Row, made: Spectrum) -> str:
     """A line of the table."""
     values = ", ".join(f"{e.value:+.5f} ± {e.error:.5f}" for e in made.exponents)
     forced = ", ".join(item.name for item, _ in made.removed if item.kind != "relation")
+    word = "no chaos seen" if made.settled else "not settled"
     return (
         f"{row.ratio:6g}  {100 * row.share:5.1f} %  {row.highest:7.2f}  {values:40s}  "
-        f"{'chaotic' if made.chaotic else 'no chaos seen'}; forced to zero: {forced}"
+        f"{'chaotic' if made.chaotic else word}; forced to zero: {forced}"
     )
 
 
