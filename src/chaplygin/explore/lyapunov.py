@@ -36,7 +36,7 @@ Values: TypeAlias = Mapping[Any, Any] | None
 #: Part of a motion left out at the beginning, where deviations find their directions.
 UNSETTLED = 0.2
 #: Intervals of a motion, unless deviations part too fast.
-INTERVALS = 1000
+INTERVALS = 400
 #: Intervals at most.
 MOST = 2_000_000
 #: Logarithm of the ratio of lengths that deviations may reach in an interval: at first, and later.

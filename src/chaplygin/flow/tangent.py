@@ -19,6 +19,7 @@ import numpy as np
 from ..system import System
 from .formulas import Formulas
 from .lanes import Lanes
+from .levels import projected
 
 __all__ = ["Stretch", "TangentSpace", "orthonormal", "propagate"]
 
@@ -27,6 +28,8 @@ Values: TypeAlias = Mapping[Any, Any] | None
 
 #: What is left of a vector, relative to its length, when it counts as dependent on others.
 DEPENDENT = 1e-12
+#: A state is put back on its level when it misses it by more than this, relatively.
+DRIFTED = 1e-11
 #: Seed of the frames that deviations start from.
 SEED = 20080830
 
@@ -72,8 +75,8 @@ def _take_out(vector: Array, others: Array) -> None:
 
 
 def _dot(a: Array, b: Array) -> Array:
-    """Scalar products, component by component: bits that do not depend on other motions."""
-    return sum(a[:, i] * b[:, i] for i in range(a.shape[1]))
+    # a sum along each row, whose bits do not depend on other rows, as einsum's do
+    return (a * b).sum(axis=1)
 
 
 @dataclass(frozen=True)
@@ -116,6 +119,21 @@ class TangentSpace:
     def normals(self, states: Array, parameters: Values = None) -> Array:
         """The gradients of the conditions, (n, conditions, size)."""
         return self._conditions.slopes(states, parameters)
+
+    def level(self, states: Array, parameters: Values = None) -> Array:
+        """The values of the conditions, (n, conditions): zero for relations."""
+        return self._conditions(states, parameters)
+
+    def kept(self, states: Array, level: Array, parameters: Values = None) -> Array:
+        """States put back on the level of the conditions where they have drifted off, (n, size)."""
+        missed = np.abs(self.level(states, parameters) - level) / (1.0 + np.abs(level))
+        far = np.flatnonzero(missed.max(axis=1, initial=0.0) > DRIFTED)
+        if not len(far):
+            return states
+        some = {s: v[far] if np.ndim(v) else v for s, v in (parameters or {}).items()}
+        states = states.copy()
+        states[far], _ = projected(self._conditions, states[far], level[far], some)
+        return states
 
     def fields(self, states: Array, parameters: Values = None) -> Array:
         """The directions that are divided out, (n, mixed, size)."""
@@ -241,10 +259,11 @@ def propagate(
     inner = np.empty(0) if nodes is None else np.asarray(nodes, dtype=np.float64)
     times = np.append(inner, interval)
     frames = space.frames(states, parameters, lanes.deviations) if frames is None else frames
+    level = space.level(states, parameters)
     while True:
         carried = frames if frames.shape[1] else None
         run = lanes.until(states, times, parameters, deviations=carried, threads=threads)
-        states = run.states[:, -1]
+        states = space.kept(run.states[:, -1], level, parameters)
         basis, sizes = space.excluded(states, parameters)
         if run.deviations is not None:
             frames = run.deviations[:, -1]
