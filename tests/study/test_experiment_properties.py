@@ -189,7 +189,8 @@ keys = {
     "field": "gravity potential parameters parameters.a",
     "system": "name parameters parameters.a",
     "start": "gamma omega heading normal",
-    "run": "until samples precision tolerance direction on_liftoff keep_integrals time_limit",
+    "run": "until samples precision method tolerance direction on_liftoff keep_integrals "
+    "time_limit",
 }
 places = st.sampled_from(
     [*keys, *(f"{table}.{key}" for table in keys for key in keys[table].split()), "_source"]

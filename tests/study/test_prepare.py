@@ -377,3 +377,16 @@ def test_a_mistake_that_only_mechanics_sees_has_its_place(source, place, message
     assert said.startswith(place)
     assert message in said
     assert "\n" not in said
+
+
+def test_one_word_chooses_the_method():
+    taylor = prepare(loads(text())).trajectory()
+    gauss = prepare(loads(text().replace("[run]", '[run]\nmethod = "gauss"'))).trajectory()
+    assert (taylor.statistics.order, gauss.statistics.order) == (19, 16)
+    assert np.abs(taylor.states - gauss.states).max() < 1e-12
+
+
+@pytest.mark.parametrize("key", ["tolerance = 1e-10", "time_limit = 5.0"])
+def test_collocation_has_no_tolerance_and_no_time_limit(key: str) -> None:
+    with pytest.raises(InputError, match=r'there is none with run\.method = "gauss"'):
+        loads(text().replace("[run]", f'[run]\nmethod = "gauss"\n{key}'))

@@ -193,13 +193,15 @@ class Study:
                 self.watched,
                 start,
                 _divided(self.times, pieces),
-                tolerance=run.tolerance,
+                # collocation always computes with all digits
+                tolerance=run.tolerance if run.method == "taylor" else None,
                 precision=run.precision,
                 on_liftoff=run.on_liftoff,
                 keep_integrals=run.keep_integrals,
                 time_limit=run.time_limit,
                 dense=dense,
                 progress=progress,
+                method=run.method,
             )
 
 

@@ -211,13 +211,17 @@ def _setting(study: Study) -> str:
     return f"{shape} on {ground}, {manner}; {field}"
 
 
+#: What computed a motion, by the word that chooses it.
+METHODS = {"taylor": "Taylor series", "gauss": "Gauss–Legendre collocation"}
+
+
 def _facts(study: Study, trajectory: Trajectory) -> list[tuple[str, str]]:
     run, statistics = study.experiment.run, trajectory.statistics
     first, last = float(trajectory.times[0]), float(trajectory.times[-1])
     return [
         ("time", f"{first:g} … {last:.10g}, {len(trajectory.times)} samples"),
-        ("method", f"Taylor series of order {statistics.order}, {statistics.steps} steps"),
-        ("tolerance", f"{run.tolerance:g}, {run.precision} precision"),
+        ("method", f"{METHODS[run.method]} of order {statistics.order}, {statistics.steps} steps"),
+        ("tolerance", f"{statistics.tolerance:g}, {run.precision} precision"),
         ("corrections", f"{statistics.corrections} returns to the phase space at rounding level"),
         ("integrals", "kept by projection" if run.keep_integrals else "left free, as a check"),
     ]

@@ -78,7 +78,7 @@ def _plain(number: Any) -> float | str:
 def summary_text(system: System, trajectory: Trajectory, facts: dict[str, Any]) -> str:
     """The same for a reader."""
     lines = [
-        f"{system.title}: t = {trajectory.times[0]} … {facts['time']}, {facts['steps']} Taylor "
+        f"{system.title}: t = {trajectory.times[0]} … {facts['time']}, {facts['steps']} "
         f"steps of order {facts['order']} in {facts['seconds']:.3g} s"
     ]
     laws = {law.name: law for law in trajectory.system.integrals}

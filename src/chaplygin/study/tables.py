@@ -336,6 +336,8 @@ class _RunTable(Table):
     )
     """Equidistant instants, both ends included."""
     precision: Literal["double", "quad"] = Field(default="double", description='"double" or "quad"')
+    method: Literal["taylor", "gauss"] = Field(default="taylor", description='"taylor" or "gauss"')
+    """Taylor series of a tolerance, or Gauss–Legendre collocation with all digits."""
     tolerance: Annotated[Number, Field(ge=FINEST, le=COARSEST)] = Field(
         default=None,
         validate_default=True,
@@ -358,6 +360,8 @@ class _RunTable(Table):
     @classmethod
     def _finest_by_default(cls, tolerance: object, info: ValidationInfo) -> object:
         finest = {"quad": FINEST}.get(info.data.get("precision", ""), DEFAULT_TOLERANCE)
+        if info.data.get("method") == "gauss" and tolerance not in (None, finest):
+            raise ValueError('there is none with run.method = "gauss"; leave it out')
         return finest if tolerance is None else tolerance
 
     @field_validator("tolerance")
@@ -369,6 +373,13 @@ class _RunTable(Table):
                 f"least {FINEST_DOUBLE:g}"
             )
         return tolerance
+
+    @field_validator("time_limit")
+    @classmethod
+    def _limited(cls, limit: float | None, info: ValidationInfo) -> float | None:
+        if limit is not None and info.data.get("method") == "gauss":
+            raise ValueError('there is none with run.method = "gauss"; leave it out')
+        return limit
 
 
 class RunTable(_RunTable):
