@@ -222,7 +222,7 @@ class _Loop:
         now, planned = w.load("double", self.time), w.load("double", self.planned)
         left = self._scalar("fsub", target, now)
         # as many equal steps as are needed, so that the next one resembles the last
-        ratio = self._call("minnum", self._scalar("fdiv", left, planned), literal(1e15))
+        ratio = self._scalar("fdiv", left, planned)
         count = self._call("ceil", self._scalar("fsub", ratio, literal(1e-6)))
         count = self._call("maxnum", count, "1.0")
         final = w.emit(f"fcmp ole double {count}, 1.0")
