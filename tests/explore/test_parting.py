@@ -70,3 +70,8 @@ def test_nothing_can_part() -> None:
     energy = Integral("energy", y**2 / 2 - sp.cos(x), "energy")
     with pytest.raises(InputError, match="neighbours cannot part"):
         Exponent(PENDULUM.with_laws(energy), 10.0)(SWINGS, {})
+
+
+def test_too_few_intervals() -> None:
+    with pytest.raises(InputError, match="intervals = 10: at least 32 are needed"):
+        Exponent(SADDLE, 10.0, intervals=10)

@@ -10,6 +10,7 @@ part evenly with time.
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
@@ -19,7 +20,7 @@ import numpy as np
 from ..errors import InputError
 from ..flow.formulas import Formulas
 from ..flow.lanes import lanes
-from ..flow.levels import projected
+from ..flow.levels import picked, projected
 from ..flow.tangent import TangentSpace, orthonormal
 from ..system import System
 from ..vectors import explicit
@@ -31,6 +32,7 @@ __all__ = [
     "Fastest",
     "Grown",
     "Megno",
+    "Parting",
     "Total",
     "across",
     "grown",
@@ -43,6 +45,45 @@ UNSETTLED = 0.2
 BATCHES, STUDENT = 16, 2.131
 #: A motion is put back on the relations where it misses them by more than this.
 MISSED = 1e-10
+
+
+@dataclass(frozen=True)
+class Parting(ABC):
+    """A number that tells how neighbours of a motion part.
+
+    Attributes
+    ----------
+    system : System
+    until : float
+        How long motions are followed.
+    tolerance : float
+        See :func:`chaplygin.flow.lanes.lanes`.
+    intervals : int
+        After each of which deviations are made of length one.
+
+    Raises
+    ------
+    InputError
+        If there are too few intervals.
+    """
+
+    system: System
+    until: float
+    tolerance: float = 1e-12
+    intervals: int = 200
+    further: ClassVar[Mapping[str, str]] = {}
+
+    def __post_init__(self) -> None:
+        if self.intervals < 2 * BATCHES:
+            raise InputError(f"intervals = {self.intervals}: at least {2 * BATCHES} are needed")
+
+    @abstractmethod
+    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+        """Values, errors if any, outcomes and times reached, (n,) each."""
+
+    def renewed(self, deviations: Any, basis: Any) -> tuple[Any, Any]:
+        """Deviations of length one, and the lengths lost; what is in the span of a basis goes."""
+        return orthonormal(deviations, basis)
 
 
 @dataclass(frozen=True)
@@ -94,20 +135,14 @@ def _some(space: TangentSpace) -> TangentSpace:
 
 
 def grown(
-    rule: Any,
-    space: TangentSpace,
-    deviations: int,
-    starts: Any,
-    parameters: Parameters,
-    *,
-    renew: Any = orthonormal,
+    rule: Parting, space: TangentSpace, deviations: int, starts: Any, parameters: Parameters
 ) -> Grown:
     """Deviations along many motions.
 
     Parameters
     ----------
-    rule : Exponent or one of the others
-        Its system, length of motion, tolerance and number of intervals.
+    rule : Parting
+        The system, the length of the motions and of the intervals.
     space : TangentSpace
         Deviations that count.
     deviations : int
@@ -115,8 +150,6 @@ def grown(
     starts : (n, size) array
         In flat order, on the phase space.
     parameters : mapping of Symbol or name to number or (n,) array
-    renew : callable
-        Deviations and what is no deviation ↦ deviations of length one, and the lengths lost.
     """
     flow = lanes(rule.system, tolerance=rule.tolerance, deviations=deviations)
     states = np.array(starts, dtype=np.float64)
@@ -128,15 +161,15 @@ def grown(
         live = np.flatnonzero(outcome == 0)
         if not len(live):
             break
-        chosen = {s: v[live] if np.ndim(v) else v for s, v in parameters.items()}
+        chosen = picked(parameters, live)
         run = flow.until(states[live], [interval], chosen, deviations=frames[live])
         ended[live] = k * interval + run.ended
         outcome[live] = run.outcome
         going = run.outcome == 0
-        live, chosen = live[going], {s: v[going] if np.ndim(v) else v for s, v in chosen.items()}
+        live, chosen = live[going], picked(chosen, going)
         states[live] = _kept(rule.system, run.states[going, 0], chosen)
         basis, _ = space.excluded(states[live], chosen)
-        frames[live], lengths = renew(run.deviations[going, 0], basis)
+        frames[live], lengths = rule.renewed(run.deviations[going, 0], basis)
         with np.errstate(divide="ignore"):
             logarithms[live, k] = np.log(lengths)
     frames[outcome != 0] = np.nan
@@ -149,42 +182,19 @@ def _kept(system: System, states: Any, parameters: Parameters) -> Any:
     missed = np.abs(relations(states, parameters)).max(axis=1, initial=0.0)
     far = np.flatnonzero(missed > MISSED)
     if len(far):
-        chosen = {s: v[far] if np.ndim(v) else v for s, v in parameters.items()}
-        states[far], _ = projected(relations, states[far], 0.0, chosen)
+        states[far], _ = projected(relations, states[far], 0.0, picked(parameters, far))
     return states
 
 
-def _each(vectors: Any, basis: Any) -> tuple[Any, Any]:
-    """Deviations of length one, each for itself, without their parts in the span of a basis."""
-    pairs = [orthonormal(vectors[:, i : i + 1], basis) for i in range(vectors.shape[1])]
-    frames, lengths = zip(*pairs, strict=True)
-    return np.concatenate(frames, axis=1), np.concatenate(lengths, axis=1)
-
-
-@dataclass(frozen=True)
-class Exponent:
+class Exponent(Parting):
     """The largest Lyapunov exponent but for that of the flow, and its error.
 
     The first fifth of the motion is left out: there the deviation finds its direction.
 
     The error is the larger of the 95 % interval from the means of 16 batches, and of what growth
     with the square of the time would show.
-
-    Attributes
-    ----------
-    system : System
-    until : float
-        How long motions are followed.
-    tolerance : float
-        See :func:`chaplygin.flow.lanes.lanes`.
-    intervals : int
-        After each of which the deviation is made of length one.
     """
 
-    system: System
-    until: float
-    tolerance: float = 1e-12
-    intervals: int = 200
     further: ClassVar[Mapping[str, str]] = {"error": "error of the largest exponent"}
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
@@ -194,17 +204,12 @@ class Exponent:
         return {"value": value, "error": error, "outcome": found.outcome, "ended": found.ended}
 
 
-@dataclass(frozen=True)
-class Total:
-    """The sum of all exponents that relations, integrals and the flow leave; see `Exponent`.
+class Total(Parting):
+    """The sum of all exponents that relations, integrals and the flow leave.
 
     Where a measure is preserved it is zero; where it is negative the motion is attracted.
     """
 
-    system: System
-    until: float
-    tolerance: float = 1e-12
-    intervals: int = 200
     further: ClassVar[Mapping[str, str]] = {"error": "error of the sum of exponents"}
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
@@ -227,15 +232,8 @@ def _rate(logarithms: Any, until: float) -> tuple[Any, Any]:
     return batches.mean(axis=1), np.maximum(spread, unseen)
 
 
-@dataclass(frozen=True)
-class Fastest:
-    """The fast Lyapunov indicator: the greatest logarithm of the growth so far; see `Exponent`."""
-
-    system: System
-    until: float
-    tolerance: float = 1e-12
-    intervals: int = 200
-    further: ClassVar[Mapping[str, str]] = {}
+class Fastest(Parting):
+    """The fast Lyapunov indicator: the greatest logarithm of the growth so far."""
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Values, outcomes and times reached, (n,) each."""
@@ -244,21 +242,14 @@ class Fastest:
         return {"value": value, "outcome": found.outcome, "ended": found.ended}
 
 
-@dataclass(frozen=True)
-class Megno:
+class Megno(Parting):
     """The mean of MEGNO: 2 on a regular motion, λ/2 times the time on a chaotic one.
 
     Where all neighbours keep their distance (equal frequencies, a stable rest) it is 0.
 
     Y(t) = (2/t) ∫ (d ln|ξ|/ds) s ds = 2 (L(t) − the mean of L until t), by the trapezoidal rule
-    over the intervals; see `Exponent`.
+    over the intervals.
     """
-
-    system: System
-    until: float
-    tolerance: float = 1e-12
-    intervals: int = 200
-    further: ClassVar[Mapping[str, str]] = {}
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Values, outcomes and times reached, (n,) each."""
@@ -270,23 +261,22 @@ class Megno:
         return {"value": now.mean(axis=1), "outcome": found.outcome, "ended": found.ended}
 
 
-@dataclass(frozen=True)
-class Alignment:
-    """SALI: how far two deviations are from being parallel at the end; see `Exponent`.
+class Alignment(Parting):
+    """SALI: how far two deviations are from being parallel at the end.
 
     The logarithm (base 10) of the smaller of |u + v| and |u − v| of two deviations of length one
     (Skokos 2001).  It falls evenly on chaotic motions, to −16 where rounding ends it.
     """
 
-    system: System
-    until: float
-    tolerance: float = 1e-12
-    intervals: int = 200
-    further: ClassVar[Mapping[str, str]] = {}
+    def renewed(self, deviations: Any, basis: Any) -> tuple[Any, Any]:
+        """Each for itself, so that they can become parallel."""
+        pairs = [orthonormal(deviations[:, i : i + 1], basis) for i in range(deviations.shape[1])]
+        frames, lengths = zip(*pairs, strict=True)
+        return np.concatenate(frames, axis=1), np.concatenate(lengths, axis=1)
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Values, outcomes and times reached, (n,) each."""
-        found = grown(self, tangent(self.system), 2, starts, parameters, renew=_each)
+        found = grown(self, tangent(self.system), 2, starts, parameters)
         u, v = found.frames[:, 0], found.frames[:, 1]
         apart = np.minimum(np.linalg.norm(u + v, axis=1), np.linalg.norm(u - v, axis=1))
         value = np.log10(np.maximum(apart, np.finfo(float).eps))

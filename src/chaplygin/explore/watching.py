@@ -14,6 +14,7 @@ import numpy as np
 import sympy as sp
 
 from ..flow.lanes import Lanes, lanes
+from ..flow.levels import picked
 from ..flow.values import values
 from ..system import System
 from .rotation import average
@@ -223,7 +224,7 @@ def watched(
         live = np.flatnonzero(outcome == 0)
         if not len(live):
             break
-        chosen = {s: v[live] if np.ndim(v) else v for s, v in parameters.items()}
+        chosen = picked(parameters, live)
         run = flow.until(states[live], times[some] - times[first], chosen)
         found[live, some] = values(flow.system, [formula], run.states, chosen)[..., 0]
         outcome[live], states[live] = run.outcome, run.states[:, -1]
