@@ -1,0 +1,25 @@
+"""The page on ensembles: its steps run, and what it says of them is so."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+PAGE = (Path(__file__).parents[1] / "docs" / "ensembles.md").read_text()
+
+
+def test_the_steps_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, Any] = {"__name__": "ensembles_page"}
+    for step in re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL):
+        exec(compile(step, "ensembles.md", "exec"), names)
+    told = capsys.readouterr().out
+    quoted = re.findall(r"^> (.*)$", PAGE, re.MULTILINE)
+    assert quoted
+    assert all(line in told for line in quoted)
+    assert {path.name for path in tmp_path.iterdir()} == {"balls.zarr", "powers.zarr"}
