@@ -44,9 +44,9 @@ LEVEL: Mapping[str, float] = {"energy": 1.0, "quadratic": 0.7}
 #: The momentum by direction in the body (angle and height) and by its share along the normal.
 COORDINATES = "l = atan2(M_1, M_2), L = M_3/sqrt(dot(M, M)), H = dot(M, gamma)/sqrt(dot(M, M))"
 #: Motions, and their returns.
-STARTS, RETURNS = 200, 2001
-#: Points of each motion that are drawn: of the one, of the many.
-SHOWN, SHOWN_OF_MANY = 1200, 400
+STARTS, DEPARTURES, RETURNS = 200, 100, 2001
+#: Points that are drawn: of the one motion after it has arrived, of each of the many.
+FURTHER, SHOWN_OF_MANY = 60, 400
 #: How near a point comes to itself that counts as a cycle.
 CLOSED = 1e-6
 #: How far from a cycle a motion begins, in the size of the state.
@@ -157,15 +157,16 @@ def in_space(states: Any) -> Any:
     return np.stack([np.cos(angle), np.sin(angle), height, share], axis=1)
 
 
-def arriving(target: Cycle) -> tuple[Any, int]:
-    """A motion that leaves the reversed cycle and comes to the cycle: start, departures tried."""
+def arriving(target: Cycle) -> tuple[Any, int, int]:
+    """A motion that leaves the reversed cycle and comes to the cycle.
+
+    Of `DEPARTURES` motions the quickest that goes there: its start, its returns, how many go there.
+    """
     origin = reversed_of(target.points[-1])
-    for number in range(100):
-        start = departure(origin, number)
-        orbit = closing(RETURN.returns(start[None], RETURNS).states[0])
-        if orbit is not None and np.abs(target.points - orbit[-1]).max(axis=1).min() < 1e-4:
-            return start, number + 1
-    raise SystemExit("no motion was found that goes from the one to the other")
+    starts = np.array([departure(origin, number) for number in range(DEPARTURES)])
+    paths = RETURN.returns(starts, RETURNS).states
+    beyond = [last_beyond(distances(path, target.points), 1e-4) for path in paths]
+    return starts[int(np.argmin(beyond))], min(beyond), sum(n < RETURNS for n in beyond)
 
 
 def dataset(starts: Any, returns: int) -> Any:
@@ -203,9 +204,10 @@ def main(folder: Path) -> None:
     print(f"  with any F_2 at the same energy:  {thickness(in_space(apart_free)):.3f}")
 
     target = found[0]
-    start, tried = arriving(target)
-    one = dataset(start[None], SHOWN)
-    print(f"One motion, the first of {tried} that goes there, from {start.tolist()}")
+    start, count, going = arriving(target)
+    one = dataset(start[None], count + FURTHER)
+    print(f"Of {DEPARTURES} motions that begin near the reversed cycle {going} come to the cycle;")
+    print(f"  the quickest of them starts at {start.tolist()}")
     print(f"  leaves (l, L/G, H/G) = {listed(start[None])}")
     (path,) = np.concatenate([one["M"].values, one["gamma"].values], axis=2)
     origin = reversed_of(target.points[-1])
@@ -225,9 +227,9 @@ def distances(path: Any, cycle: Any) -> Any:
     return np.abs(path[:, None] - cycle[None]).max(axis=2).min(axis=1)
 
 
-def last_beyond(distances: Any, near: float) -> int:
+def last_beyond(away: Any, near: float) -> int:
     """Returns until a motion stays near."""
-    beyond = np.flatnonzero(distances >= near)
+    beyond = np.flatnonzero(~(away < near))
     return int(beyond[-1]) + 1 if beyond.size else 0
 
 
