@@ -26,11 +26,22 @@ from chaplygin.explore.orbits import Orbit, find
 from chaplygin.explore.returns import Circle, Returns
 from chaplygin.explore.rotation import Rotation, rotation_number
 from chaplygin.explore.tongues import Plateau, Staircase, plateau, plateaus, staircase
+from chaplygin.explore.trapping import Cycle, trapped
 from chaplygin.flow.lanes import section
 from chaplygin.flow.section import SectionMap
 from chaplygin.study.figures.style import INK, QUIET, SERIES, STYLE, WIDTH
 from chaplygin.systems import from_catalogue
-from chaplygin.systems.unbalanced_rubber_ball_centred import torus
+from chaplygin.systems.unbalanced_rubber_ball_centred import (
+    J_1,
+    J_2,
+    J_3,
+    alpha,
+    beta,
+    eta,
+    level,
+    torus,
+    xi,
+)
 
 #: Moments about the geometric centre plus mR² (kg m²), and κ = 2mR c, c its place from the centre
 #: of mass: a ball of 1 kg with R = 0.5 m, as in the proof that there are limit cycles.
@@ -44,8 +55,9 @@ LONGEST_EVERYDAY = 10
 #: Displacements of the centre, as shares of that above, for the widths.
 SHARES = tuple(2.0**-n for n in range(8))
 FRACTIONS = (Fraction(2), Fraction(3, 2), Fraction(4, 3), Fraction(5, 3))
-#: F/2H of the torus whose cycles are found.
+#: F/2H of the torus whose cycles are found, and intervals of α at β = 0 around them.
 LEVEL = 0.95
+AROUND = (("0.62", "0.92"), ("4.12", "4.42"))
 
 
 # --- the circle maps of the tori -----------------------------------------------------------
@@ -173,6 +185,19 @@ def resonance(circle: Circle, fraction: Fraction, stairs: Staircase) -> float:
     return float(np.interp(-float(fraction), -stairs.rotations, stairs.values))
 
 
+def proofs(steps: int = 4000) -> list[Cycle]:
+    """That there are an attracting and a repelling limit cycle, with bounds of the multipliers."""
+    made = torus()
+    definitions = dict(made.definitions)
+    # as they stand, but each angle occurs once, so that balls stay small
+    definitions[xi] = J_1 + (level - J_1) * sp.sin(beta) ** 2
+    definitions[eta] = J_2 + (J_3 - J_2) * sp.sin(alpha) ** 2
+    sharp = replace(made, definitions=definitions)
+    values = {f"J_{i}": str(x) for i, x in enumerate(J, 1)}
+    values |= {f"kappa_{i}": str(x) for i, x in enumerate(KAPPA, 1)} | {"lambda": str(LEVEL)}
+    return [trapped(sharp, values, ends, 2, steps=steps) for ends in AROUND]
+
+
 # --- the story -----------------------------------------------------------------------------
 
 
@@ -189,6 +214,7 @@ class Story:
     branch: Branch
     controls: Mapping[str, Orbit]
     everyday: list[Plateau]
+    proofs: list[Cycle]
 
 
 def told(count: int = 400, longest: int = LONGEST) -> Story:
@@ -220,6 +246,7 @@ def told(count: int = 400, longest: int = LONGEST) -> Story:
         branch,
         controls,
         plateaus(usual, usual_stairs, LONGEST_EVERYDAY),
+        proofs(),
     )
 
 
@@ -271,6 +298,11 @@ def report(story: Story) -> None:
     print(f"  a = 0, 2: {abs(story.balanced.width):.1e}, error {story.balanced.error:.0e}")
     print(f"\nThe torus F/2H = {LEVEL}: rotation number {motion.value:.12f}, {motion.verdict},")
     print(f"  the distance from the cycle falls by the factor {motion.approach:.6f} in each turn")
+    for found in story.proofs:
+        low, high = (float(x) for x in (found.multiplier.lower(), found.multiplier.upper()))
+        ends = " to ".join(f"{float(x):.2f}" for x in found.interval)
+        told = "proven" if found.kind != "undecided" else "not proven"
+        print(f"  {told}: {found.kind}, α from {ends}, multiplier from {low:.3f} to {high:.3f}")
     _tell("attracting limit cycle of the ball itself, ω and γ", cycle)
     worst = min(story.branch.orbits, key=lambda orbit: -abs(orbit.multipliers.values[0]))
     _tell(f"most repelling one, F/2H = {worst.values['quadratic']:.4f}", worst)

@@ -65,6 +65,14 @@ def test_widths_are_linear_in_the_displacement(example):
 
 
 @pytest.mark.slow
+def test_cycles_are_proven(example):
+    attracting, repelling = example.proofs()
+    assert (attracting.kind, repelling.kind) == ("attracting", "repelling")
+    assert attracting.multiplier.contains(0.7446)
+    assert attracting.multiplier < 1 < repelling.multiplier
+
+
+@pytest.mark.slow
 def test_story_and_figure(example, tmp_path, capsys):
     story = example.told(80, 3)
     example.report(story)

@@ -25,6 +25,8 @@ FIRST = 256
 ROUNDS = 8
 #: Differences below this are rounding.
 ROUNDING = 1e-11
+#: Above so many times that, the noise of differences does not matter.
+CLEAR = 1e5
 #: Rates of approach above this are too close to one to be told from it.
 SLOW = 0.999
 
@@ -199,7 +201,7 @@ def _around(turns: Array, fraction: Fraction) -> tuple[str, float | None]:
     if len(seen) < 3:
         return "undecided", None
     # near the cycle the approach is geometric; nearer yet there is noise
-    late = seen[seen > 100 * noise][-6:] if (seen > 100 * noise).sum() >= 3 else seen
+    late = seen[seen > CLEAR * noise][-6:] if (seen > CLEAR * noise).sum() >= 3 else seen
     factors = late[1:] / late[:-1]
     approach = float(np.exp(np.log(factors).mean()))
     steady = bool(np.abs(np.log(factors) - np.log(approach)).max() < 0.5)
