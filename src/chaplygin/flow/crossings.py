@@ -131,7 +131,7 @@ class Slice:
         states = rays.states.copy()
         states[list(made.fibre)] = rays.centre.T
         flat = np.ascontiguousarray(self.central(states, self.parameters).T)
-        table = flat.reshape(-1, 1 + m, b, 1 + f)
+        table = flat.reshape(len(flat), 1 + m, b, 1 + f)
         return table[..., 0], table[..., 1:]
 
     def _tangent(self, places: Any, slopes: Any) -> Any:

@@ -16,7 +16,7 @@ __all__ = ["Ends", "Spots", "Thrower", "highest"]
 #: The seed of trials: any number that users will not choose.
 _SEED = 0x9E3779B97F4A7C15
 #: Trials to begin with; then the best are followed for some rounds, each in some directions.
-_PILOT = 1 << 13
+_PILOT = 1 << 12
 _BEST = 64
 _ROUNDS = 24
 _AROUND = 4
