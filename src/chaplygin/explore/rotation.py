@@ -198,15 +198,22 @@ def _around(turns: Array, fraction: Fraction) -> tuple[str, float | None]:
     if rounds.max() < noise:
         return "closed", None
     seen = rounds[: int(np.argmax(rounds < noise))] if (rounds < noise).any() else rounds
-    if len(seen) < 3:
+    if len(seen) < 2:
         return "undecided", None
     # near the cycle the approach is geometric; nearer yet there is noise
-    late = seen[seen > CLEAR * noise][-6:] if (seen > CLEAR * noise).sum() >= 3 else seen
-    factors = late[1:] / late[:-1]
-    approach = float(np.exp(np.log(factors).mean()))
-    steady = bool(np.abs(np.log(factors) - np.log(approach)).max() < 0.5)
-    falls = rounds[-1] < 0.5 * rounds[0] or rounds[-1] < noise
-    return ("locked", approach) if steady and falls and approach < SLOW else ("undecided", None)
+    clear = seen[seen > CLEAR * noise] if (seen > CLEAR * noise).sum() >= 3 else seen
+    arrives = bool(rounds[-1] < noise)
+    rates = np.diff(np.log(clear))
+    late = rates[-6:]
+    approach = float(np.exp(late.mean()))
+    # an approach like 1/n has rates that fall like 1/n
+    middle = rates[len(rates) // 2 :][:6]
+    steady = np.abs(late - late.mean()).max() < 0.5 and middle.mean() > 1.3 * late.mean()
+    falls = arrives or rounds[-1] < 0.5 * rounds[0]
+    halved = arrives and rates.max() < np.log(0.5)
+    if halved or (steady and falls and approach < SLOW):
+        return "locked", approach
+    return "undecided", None
 
 
 def _passes(turns: Array, value: float, longest: int) -> bool:
