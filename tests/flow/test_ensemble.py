@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,7 @@ import sympy as sp
 import xarray as xr
 
 from chaplygin.errors import InputError
+from chaplygin.flow.blocks import Divisible
 from chaplygin.flow.ensemble import drawn, ensemble, ensemble_task, grid, listed, one
 from chaplygin.flow.lanes import lanes
 from chaplygin.flow.sampling import draw
@@ -175,6 +177,22 @@ def test_no_store_is_begun_for_a_mistake_that_shows(tmp_path: Path) -> None:
 def test_runs_with_a_mistake_are_named() -> None:
     with pytest.raises(InputError, match=r"^runs 2 to 3: chaplygin-ball: m = -1 is not"):
         ensemble(BALL, SPUN * grid(m=[1, 2, 3, -1]), TIMES, block=2)
+
+
+@pytest.mark.parametrize("name", EVERYONE)
+def test_a_share_gives_the_same(name: str) -> None:
+    work = ensemble_task(BALL, EVERYONE[name], TIMES, record=("energy",)).work
+    assert isinstance(work, Divisible)
+    whole, share = work(6, 11), work.part(6, 11)(6, 11)
+    assert list(whole) == list(share)
+    assert all(whole[item].tobytes() == share[item].tobytes() for item in whole)
+
+
+def test_a_share_is_small() -> None:
+    many = listed(M=np.ones((10**5, 3)), gamma=[[0, 0, 1]] * 10**5)
+    work = ensemble_task(BALL, many, TIMES).work
+    assert isinstance(work, Divisible)
+    assert len(pickle.dumps(work.part(50, 60))) < len(pickle.dumps(work)) / 100
 
 
 def test_another_start_is_another_experiment(tmp_path: Path) -> None:

@@ -12,7 +12,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias, runtime_checkable
 
 import numpy as np
 
@@ -21,7 +21,7 @@ from ..errors import InputError
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["Coordinate", "Progress", "Task", "Variable", "Work", "compute"]
+__all__ = ["Coordinate", "Divisible", "Progress", "Task", "Variable", "Work", "compute"]
 
 Arrays: TypeAlias = Mapping[str, np.ndarray]
 #: Told how much is done, from 0 to 1.
@@ -38,6 +38,14 @@ class Work(Protocol):
 
     def __call__(self, first: int, last: int, /) -> Arrays:
         """Arrays by name; their leading axis has length last − first."""
+
+
+@runtime_checkable
+class Divisible(Work, Protocol):
+    """Work that holds so much data that each worker should be sent its share alone."""
+
+    def part(self, first: int, last: int, /) -> Work:
+        """Work that gives the same for these members, numbered as before."""
 
 
 @dataclass(frozen=True)

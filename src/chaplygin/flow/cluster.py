@@ -15,11 +15,10 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from ..errors import InputError
+from .blocks import Arrays, Divisible, Work
 
 if TYPE_CHECKING:
     from distributed import Client, Future
-
-    from .blocks import Arrays, Work
 
 __all__ = ["results"]
 
@@ -62,7 +61,6 @@ def results(
         ) from None
     from .store import UnfinishedError
 
-    packed = cloudpickle.dumps(work)
     with _connected(client) as connected:
         waiting = deque(blocks)
         blamed: Counter[int] = Counter()
@@ -73,7 +71,10 @@ def results(
             threads = sum(connected.nthreads().values())
             while waiting and len(under_way) < (1 + _WAITING) * max(1, threads):
                 block = waiting.popleft()
-                future = connected.submit(_compute, packed, *blocks[block], pure=False)
+                members = blocks[block]
+                share = work.part(*members) if isinstance(work, Divisible) else work
+                packed = cloudpickle.dumps(share)
+                future = connected.submit(_compute, packed, *members, pure=False)
                 under_way[future] = block
                 ready.add(future)
 

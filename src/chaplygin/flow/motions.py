@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
@@ -15,7 +15,7 @@ from ..system import System
 from ..vectors import explicit
 from .blocks import Arrays
 from .lanes import Lanes, lanes
-from .members import Drawn, Members
+from .members import Drawn, Listed, Members
 from .record import by_name
 from .sampling import Level, prepared
 from .starts import flat_starts
@@ -88,6 +88,8 @@ class Motions:
     tolerance : float
     record : tuple of str
         Observables and integrals, by name.
+    offset : int
+        Number of the first of the members.
     """
 
     system: System
@@ -96,6 +98,7 @@ class Motions:
     parameters: Mapping[str, float]
     tolerance: float
     record: tuple[str, ...]
+    offset: int = 0
 
     @property
     def lanes(self) -> Lanes:
@@ -129,9 +132,16 @@ class Motions:
         found |= {"ended": marched.ended, "steps": marched.steps}
         return {name: np.ascontiguousarray(array) for name, array in found.items()}
 
+    def part(self, first: int, last: int) -> Motions:
+        """The work for these members alone, without the rows of others; starts drawn have none."""
+        if self.members.draw is not None:
+            return self
+        given, _ = self.members.rows(first - self.offset, last - self.offset)
+        return replace(self, members=Members((Listed(given),)), offset=first)
+
     def starts(self, first: int, last: int) -> tuple[Any, dict[str, Any], Any]:
         """States at time 0, parameters, and numbers among the starts drawn, of some members."""
-        given, points = self.members.rows(first, last)
+        given, points = self.members.rows(first - self.offset, last - self.offset)
         varied = {name: given.pop(name) for name in self.varied}
         parameters = {**self.parameters, **varied}
         if self.members.draw is None:
