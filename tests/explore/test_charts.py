@@ -106,6 +106,8 @@ def test_every_kind_of_number_is_finite(word: str) -> None:
 
 def test_numbers_of_formulas() -> None:
     assert asked(PENDULUM, "mean:height", 1.0).unit == "m"
+    assert asked(PENDULUM, "mean:x", 1.0).unit == "unknown"
+    assert asked(PENDULUM, "mean:x", 1.0, variables={"x": ("angle", "rad")}).unit == "rad"
     assert asked(PENDULUM, "highest: x + y", 1.0).title == "highest value of x + y"
     assert asked(PENDULUM, "frequency:x", 1.0).unit == "1/s"
 

@@ -70,7 +70,14 @@ A rotation number needs a section as well, where a quantity rises through zero:
 """
 
 
-def asked(system: System, text: str, until: float, tolerance: float = 1e-12) -> Asked:
+def asked(
+    system: System,
+    text: str,
+    until: float,
+    *,
+    tolerance: float = 1e-12,
+    variables: Mapping[str, tuple[str, str]] | None = None,
+) -> Asked:
     """A number of the motions of a system.
 
     Parameters
@@ -82,6 +89,8 @@ def asked(system: System, text: str, until: float, tolerance: float = 1e-12) -> 
         How long motions are followed.
     tolerance : float
         Error allowed in a step.
+    variables : mapping of str to (str, str), optional
+        Meaning and unit of vectors and scalars of the state.
 
     Raises
     ------
@@ -106,7 +115,7 @@ def asked(system: System, text: str, until: float, tolerance: float = 1e-12) -> 
         return Asked(kind.make(system, until, tolerance=tolerance), word, kind.title, kind.unit)
     value: Any = formula(system, quantity)
     made = kind.make(system, until, value, tolerance=tolerance)
-    unit = kind.unit.format(meaning(system, quantity, {})[1])
+    unit = kind.unit.format(meaning(system, quantity, variables or {})[1] or "unknown")
     return Asked(made, word, kind.title.format(quantity), unit)
 
 

@@ -53,7 +53,8 @@ def chart_of(
         If the number, an axis or a formula cannot be used.
     """
     made = plane_of(study, x, y, formulas=formulas, held=held)
-    number = asked(made.system, of, study.until if until is None else until)
+    span = study.until if until is None else until
+    number = asked(made.system, of, span, variables={**_VECTORS, **study.variables})
     return Chart(made, number.rule, number.name, number.title, number.unit)
 
 
