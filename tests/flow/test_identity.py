@@ -18,7 +18,7 @@ import sympy as sp
 from chaplygin.errors import InputError
 from chaplygin.flow.identity import digest, parts
 from chaplygin.statements import Integral
-from chaplygin.systems import from_catalogue
+from chaplygin.systems import CATALOGUE, from_catalogue
 
 x, y = sp.symbols("x y")
 
@@ -54,6 +54,8 @@ VALUES = [
     np.ones(2),
     np.ones(2, dtype="float32"),
     np.ones((2, 1)),
+    np.array(["x", None], dtype=object),
+    np.array(["y", None], dtype=object),
     x,
     sp.Symbol("x", real=True),
     x + y,
@@ -86,6 +88,22 @@ def test_a_system_is_its_equations() -> None:
     assert digest(from_catalogue("chaplygin-ball", m=2.0)) != digest(system)
     assert digest(replace(system, guards=())) == digest(system)
     assert digest(from_catalogue("rattleback")) != digest(system)
+
+
+@pytest.mark.parametrize("name", sorted(CATALOGUE)[::8])
+def test_systems_keep_their_names_on_the_way_to_a_worker(name: str) -> None:
+    system = from_catalogue(name)
+    assert digest(pickle.loads(pickle.dumps(system))) == digest(system)
+
+
+@pytest.mark.slow
+def test_all_systems_keep_their_names_on_the_way_to_a_worker() -> None:
+    names = {}
+    for name in CATALOGUE:
+        system = from_catalogue(name)
+        names[name] = digest(system)
+        assert digest(pickle.loads(pickle.dumps(system))) == names[name], name
+    assert len(set(names.values())) == len(names)
 
 
 def test_names_are_the_same_in_another_process() -> None:

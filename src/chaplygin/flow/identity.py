@@ -77,6 +77,8 @@ def _content(value: Any) -> tuple[str, bytes]:
             return _plain(value)
         case bytes():
             return "bytes", value
+        case np.ndarray() if value.dtype.hasobject:
+            return "objects", _joined([_text(value.shape), *map(_text, value.ravel().tolist())])
         case np.ndarray():
             shape = f"{value.dtype.str}{value.shape}".encode()
             return "array", shape + np.ascontiguousarray(value).tobytes()

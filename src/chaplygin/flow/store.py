@@ -14,7 +14,7 @@ import os
 import shutil
 import warnings
 from collections.abc import Iterator, Mapping
-from contextlib import ExitStack, contextmanager, suppress
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -109,7 +109,7 @@ def _reason(problem: OSError) -> str:
 
 
 def _settle(chunk: Path) -> None:
-    """Wait until a chunk is on the disk itself, so that not even a power cut can take it."""
+    """Wait until a chunk is on the disk itself, so that no mark gets there before it."""
     handle = os.open(chunk, os.O_RDONLY)
     try:
         os.fsync(handle)
@@ -130,7 +130,7 @@ def open_store(task: Task, folder: Path) -> Iterator[Store]:
     """
     with ExitStack() as stack:
         try:
-            if not folder.exists() or (folder.is_dir() and not any(folder.iterdir())):
+            if _nothing_in(folder):
                 _begin(task, folder)
             group = _ours(folder)
             stack.enter_context(_alone(folder))
@@ -162,12 +162,18 @@ def _begin(task: Task, folder: Path) -> None:
     if not folder.parent.is_dir():
         raise InputError(f"{folder} cannot be written: there is no folder {folder.parent}")
     provisional = folder.with_name(f".{folder.name}.begun")
-    shutil.rmtree(provisional, ignore_errors=True)
-    try:
-        _lay_out(task, provisional)
-        provisional.replace(folder)
-    finally:
+    with _held(folder.parent, fcntl.LOCK_EX):
         shutil.rmtree(provisional, ignore_errors=True)
+        try:
+            if _nothing_in(folder):
+                _lay_out(task, provisional)
+                provisional.replace(folder)
+        finally:
+            shutil.rmtree(provisional, ignore_errors=True)
+
+
+def _nothing_in(folder: Path) -> bool:
+    return not folder.exists() or (folder.is_dir() and not any(folder.iterdir()))
 
 
 def _lay_out(task: Task, folder: Path) -> None:
@@ -186,6 +192,7 @@ def _lay_out(task: Task, folder: Path) -> None:
                 name,
                 data=values,
                 chunks=values.shape,
+                config={"write_empty_chunks": True},
                 dimension_names=item.dimensions,
                 attributes=dict(item.attributes),
             )
@@ -253,22 +260,32 @@ def _ours(folder: Path) -> zarr.Group:
 
 @contextmanager
 def _alone(folder: Path) -> Iterator[None]:
+    """Write to a store alone."""
+    with ExitStack() as stack:
+        try:
+            stack.enter_context(_held(folder, fcntl.LOCK_EX | fcntl.LOCK_NB))
+        except BlockingIOError as problem:
+            raise InputError(
+                f"{folder} is being written by another process: wait for it"
+            ) from problem
+        yield
+
+
+@contextmanager
+def _held(folder: Path, how: int) -> Iterator[None]:
     """Hold a folder for this process; the hold ends with the process, however that ends."""
     handle = os.open(folder, os.O_RDONLY)
     try:
-        # some network file systems know no such hold
-        with suppress(OSError):
-            _hold(handle, folder)
+        try:
+            fcntl.flock(handle, how)
+        except BlockingIOError:
+            raise
+        except OSError:
+            # some network file systems know no such hold
+            pass
         yield
     finally:
         os.close(handle)
-
-
-def _hold(handle: int, folder: Path) -> None:
-    try:
-        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError as problem:
-        raise InputError(f"{folder} is being written by another process: wait for it") from problem
 
 
 def _gone_on_with(task: Task, folder: Path, group: Any) -> Store:
