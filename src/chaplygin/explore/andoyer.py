@@ -1,7 +1,7 @@
 """Andoyer variables of a momentum M and a unit vector γ, both in body axes.
 
-L = M₃, G = |M|, H = (M, γ); l is the angle of M about the third body axis from the second, and g
-the angle of γ about M (the formulas of Andoyer and Deprit as rigid body dynamics uses them).
+L = M₃, G = |M|, H = (M, γ); M₁ = √(G² − L²) sin l, M₂ = √(G² − L²) cos l; g is the angle about M
+from the line of nodes e₃ × M to the line of nodes M × γ.
 """
 
 from __future__ import annotations

@@ -109,6 +109,8 @@ class Chart:
         for row, period in zip(points, self.periods, strict=True):
             if period:
                 row[:] = np.mod(row, period)
+                # a little less than nothing is rounded up to a whole turn
+                row[row == period] = 0.0
         return np.ascontiguousarray(points.T)
 
     def require(self, points: Any) -> None:
