@@ -347,6 +347,10 @@ MISTAKES: dict[str, tuple[Any, str]] = {
         lambda: free(digits=20),
         "digits = 20: lanes compute with 16 or with 30 digits",
     ),
+    "section to thirty digits": (
+        lambda: free(digits=30, section=section(OSCILLATOR, x)),
+        "oscillator: a section is found to 16 digits; leave 'digits' at that",
+    ),
     "fewer than no deviations": (
         lambda: free(deviations=-1),
         "deviations = -1: there cannot be fewer than none",
