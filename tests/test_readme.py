@@ -6,6 +6,7 @@ import re
 import shlex
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -40,12 +41,21 @@ def test_the_shell_lines_run(
     proofs = [line for line in block("sh", "chaplygin prove").splitlines() if line]
     first = [line for line in block("sh", "sleigh.toml").splitlines() if line]
     solved = [line for line in block("sh", "chaplygin solve").splitlines() if line]
-    for line in [*lines, *proofs, *first, *solved]:
+    explored = [line for line in block("sh", "chaplygin section").splitlines() if line]
+    for line in [*lines, *proofs, *first, *solved, *explored]:
         command = shlex.split(line.split("#")[0].split(">")[0])
         monkeypatch.setattr(sys, "argv", command)
         with pytest.raises(SystemExit) as end:
             main()
         assert not end.value.code, capsys.readouterr().err
+
+
+def test_many_motions_are_computed() -> None:
+    names: dict[str, Any] = {}
+    exec(compile(block("python", "ch.draw"), "README.md", "exec"), names)
+    assert names["there"].shape == (1000, 1, 6)
+    assert dict(names["runs"].sizes) == {"run": 1000, "time": 2, "axis": 3}
+    assert not names["exact"].outcome.any()
 
 
 def test_the_sleigh_is_derived(capsys: pytest.CaptureFixture[str]) -> None:
