@@ -88,7 +88,7 @@ def test_area_of_an_ellipsoid() -> None:
 
 def test_invariant_volume_on_an_ellipsoid() -> None:
     level = prepared(free_body(VOLUME), {"energy": 1.0})
-    assert level.invariant and level.measure == "volume"
+    assert level.invariant and level.measure == "invariant measure: volume"
     found = level.draw(20_000, seed=3)
     for column, rate in zip(found.T, RATES, strict=True):
         assert uniform(0.5 + column / np.sqrt(8 / rate)) > LEAST
@@ -156,6 +156,14 @@ def test_a_wrong_measure_is_not_kept() -> None:
     end = lanes(made, tolerance=1e-9).until(begin, [3.0]).states[:, -1]
     assert mixed(made, begin, later) > LEAST
     assert mixed(made, end, later) < 1e-6
+
+
+def test_a_density_of_both_signs_is_no_measure() -> None:
+    # rho = 1/(I_13 omega_1 + I_23 omega_2)
+    level = prepared(from_catalogue("suslov"), {"energy": 1.0})
+    assert level.measure == "surface measure"
+    straight = prepared(from_catalogue("suslov"), {"energy": 1.0}, {"I_13": 0.0, "I_23": 0.0})
+    assert straight.measure.startswith("invariant measure")
 
 
 @pytest.mark.parametrize("name", ["ball", "ball, a torus"])

@@ -13,7 +13,7 @@ from ..statements import Measure
 from ..system import System
 from ..vectors import explicit
 
-__all__ = ["check", "measure", "shown", "told"]
+__all__ = ["check", "measures", "shown", "told"]
 
 #: A condition on parameters holds up to this, relative to the size of its terms.
 _ROUNDING = 1e-12
@@ -56,19 +56,23 @@ def _vanishes(system: System, formula: Any, level: Mapping[str, float], values: 
     )
 
 
-def measure(system: System, level: Mapping[str, float], values: Any) -> Measure | None:
-    """The invariant measure that holds here."""
-    for law in system.laws:
-        if isinstance(law, Measure) and all(
-            _vanishes(system, condition, level, values) for condition in law.on
-        ):
-            return law
-    return None
+def measures(system: System, level: Mapping[str, float], values: Any) -> list[Measure]:
+    """The measures claimed of a system whose conditions hold here."""
+    return [
+        law
+        for law in system.laws
+        if isinstance(law, Measure)
+        and all(_vanishes(system, condition, level, values) for condition in law.on)
+    ]
 
 
-def told(law: Measure) -> str:
+def told(law: Measure | None) -> str:
     """A measure in words, with its source."""
-    return f"{law.meaning or 'invariant measure'} {law.source}".strip()
+    if law is None:
+        return "surface measure"
+    name = "invariant measure"
+    meaning = law.meaning if law.meaning.startswith(name) else f"{name}: {law.meaning}"
+    return f"{meaning.removesuffix(': ')} {law.source}".strip()
 
 
 def shown(level: Mapping[str, float]) -> str:

@@ -18,13 +18,14 @@ from typing import Any
 import numpy as np
 
 from ..errors import InputError
+from ..statements import Measure
 from ..system import System
 from ..vectors import explicit
 from .arrays import Compiled, Sheet
 from .crossings import Slice
 from .dice import normals
 from .fibres import Bundle, bundle
-from .held import check, measure, shown, told
+from .held import check, measures, shown, told
 from .spots import Ends, Spots, Thrower, highest
 from .values import parameter_rows
 
@@ -201,7 +202,8 @@ def prepared(
     check(system, level, values)
     sheet = Sheet(system)
     made = bundle(system, sheet, level, values)
-    law = measure(system, level, values)
+    thrower = _thrower(system, sheet, made, level, values)
+    law, density = _density(system, sheet, level, thrower, values)
     conditions = [sheet.read(explicit(relation)) for relation in system.relations]
     held = {law.name: sheet.read(law.value) for law in system.integrals if law.name in level}
     conditions += [held[name] for name in level]
@@ -209,17 +211,30 @@ def prepared(
         system=system,
         values=dict(level),
         parameters=values,
-        measure="surface measure" if law is None else told(law),
+        measure=told(law),
         invariant=law is not None,
-        _thrower=_thrower(system, sheet, made, level, values),
+        _thrower=thrower,
         _held=Compiled(conditions),
         _targets=np.array([0.0] * len(system.relations) + [float(v) for v in level.values()]),
         _slopes=Compiled([term for row in sheet.slopes(conditions) for term in row]),
-        _density=None if law is None else Compiled([sheet.read(law.value)]),
+        _density=density,
         _bound=np.inf,
         _tries=1,
     )
     return _bounded(blank)
+
+
+def _density(
+    system: System, sheet: Sheet, level: Mapping[str, float], thrower: Thrower, values: Any
+) -> tuple[Measure | None, Compiled | None]:
+    """The invariant measure that holds here and has one sign on the level, and its density."""
+    states = thrower.spots(normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), thrower.numbers)).states
+    for law in measures(system, level, values):
+        density = Compiled([sheet.read(law.value)])
+        signs = np.sign(density(states, values))
+        if signs.size and (np.isfinite(signs) & (signs == signs[0, 0])).all() and signs.all():
+            return law, density
+    return None, None
 
 
 def _thrower(
