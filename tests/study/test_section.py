@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from chaplygin.errors import InputError
 from chaplygin.flow.blocks import compute
 from chaplygin.study.experiment import loads
+from chaplygin.study.figures import section as section_figure
 from chaplygin.study.figures.section import draw
 from chaplygin.study.prepare import Study, prepare
 from chaplygin.study.section import Place, Starts, coordinates_of, section_of
@@ -94,6 +95,16 @@ def test_the_figure_shows_every_point(many: xr.Dataset, names: tuple[str, ...], 
     words = [text.get_text() for text in figure.texts]
     assert f"{expected:,} points" in words
     assert any("γ" in word or r"\gamma_{3}" in word for word in words)
+
+
+def test_of_very_many_points_some_are_drawn(
+    many: xr.Dataset, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(section_figure, "MOST", 40)
+    figure = draw(many, ("phi", "h"))
+    (dots,) = figure.axes[0].collections
+    assert 0 < len(dots.get_offsets()) <= 40
+    assert any(f"{len(dots.get_offsets())} drawn" in text.get_text() for text in figure.texts)
 
 
 def test_angles_have_ticks_in_turns(many: xr.Dataset) -> None:

@@ -22,7 +22,7 @@ from .variables import readable, title_of, unit_of, with_unit
 
 __all__ = ["draw"]
 
-#: Points drawn at most; of more every so manieth is taken.
+#: Points drawn at most, unless there are more motions than that.
 MOST = 120_000
 #: Colours of starts, or of the number of the return: yellow is left out, as too pale on white.
 COLOURS = mpl.colormaps["viridis"].with_extremes(bad=FAINT)
@@ -60,14 +60,14 @@ def draw(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
     """
     if len(names) not in (2, 3):
         raise InputError(f"a section is drawn by two or three coordinates, not {len(names)}")
-    columns = [_column(dataset, name) for name in names]
-    runs, count = columns[0].shape
-    good = np.isfinite(np.stack(columns)).all(axis=0)
-    if not good.any():
+    runs, count = dataset.sizes["run"], dataset.sizes["section_point"]
+    numbers = _thinned(runs, count)
+    columns = [_column(dataset.isel(section_point=numbers), name) for name in names]
+    run, place = np.nonzero(np.isfinite(np.stack(columns)).all(axis=0))
+    if not run.size:
         raise InputError(f"the section of {title_of(dataset)} has no point to draw")
-    stride = -(-int(good.sum()) // MOST)
-    run, number = (index[::stride] for index in np.nonzero(good))
-    points = [column[run, number] for column in columns]
+    points = [column[run, place] for column in columns]
+    number = numbers[place]
     shares = number / max(count - 1, 1) if runs == 1 else run / max(runs - 1, 1)
     # starts in turn, so that none lies wholly over another
     order = np.argsort(number, kind="stable")
@@ -85,14 +85,21 @@ def draw(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
             layers = np.array_split(np.arange(len(run)), LAYERS if runs == 1 else 1)
             _space(figure, points, labels, look, layers)
         _key(figure, runs, count)
-        kept = "" if stride == 1 else f"; one in {stride} drawn"
-        place = _NAME.sub(lambda name: _typeset(name[0]), str(dataset.attrs.get("section", "")))
-        title = f"{readable(title_of(dataset))}: {place}".removesuffix(": ")
+        drawn = "" if len(numbers) == count else f"; {len(run):,} drawn"
+        where = _NAME.sub(lambda name: _typeset(name[0]), str(dataset.attrs.get("section", "")))
+        title = f"{readable(title_of(dataset))}: {where}".removesuffix(": ")
         figure.text(0.02, 0.975, title, va="top", fontsize=10)
-        figure.text(
-            0.98, 0.975, f"{int(good.sum()):,} points{kept}", ha="right", va="top", color=QUIET
-        )
+        told = f"{int(dataset['points'].sum()):,} points{drawn}"
+        figure.text(0.98, 0.975, told, ha="right", va="top", color=QUIET)
     return figure
+
+
+def _thinned(runs: int, count: int) -> Any:
+    """Which returns are drawn: all, or some by chance (every so manieth could miss a cycle)."""
+    kept = max(1, min(count, MOST // runs))
+    if kept == count:
+        return np.arange(count)
+    return np.sort(np.random.default_rng(0).choice(count, kept, replace=False))
 
 
 def _column(dataset: xr.Dataset, name: str) -> FloatArray:
