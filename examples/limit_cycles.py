@@ -49,6 +49,8 @@ J, KAPPA = np.array([0.5, 2.75, 2.8]), np.array([0.05, -0.1, 0.15])
 MASS, RADIUS = 1.0, 0.5
 #: The unbalanced ball of the catalogue, kg and m.
 EVERYDAY = {"m": 1.0, "R": 1.0, "I": (1.0, 1.5, 2.1), "c": (-0.1, 0.05, 0.2)}
+#: Relative error of a step.
+TOLERANCE = 1e-15
 #: Turns of α in one of β for which steps of the staircase are sought, by the longest cycle.
 LONGEST = 5
 LONGEST_EVERYDAY = 10
@@ -68,7 +70,7 @@ def circles(moments: np.ndarray, kappa: np.ndarray) -> Circle:
     made = torus()
     values = {f"J_{i}": J for i, J in enumerate(moments, 1)}
     values |= {f"kappa_{i}": k for i, k in enumerate(kappa, 1)}
-    returns = SectionMap(made, section(made, "beta", angle=True), values)
+    returns = SectionMap(made, section(made, "beta", angle=True), values, TOLERANCE)
     return Circle(returns, "alpha", "lambda", {"beta": 0.0})
 
 
@@ -147,7 +149,7 @@ class Ball:
         made = replace(from_catalogue("unbalanced-rubber-ball"), guards=())
         gamma = made.symbols[3:]
         height = sp.Add(*(sp.Float(a, 20) * g for a, g in zip(self.axes[0], gamma, strict=True)))
-        return Returns(SectionMap(made, section(made, height), self.values))
+        return Returns(SectionMap(made, section(made, height), self.values, TOLERANCE))
 
     def start(self, level: float, alpha: float) -> np.ndarray:
         """ω, γ on the torus F/2H = level with 2H = 1 J, at β = 0, with β and α growing.

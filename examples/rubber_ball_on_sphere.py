@@ -40,6 +40,8 @@ PERIODS, SOUGHT = (3, 4, 5), 12
 #: A start for the exponents, θ and ψ, near the direction of the section, and how long to follow it.
 START, UNTIL = (0.75, 0.3), 100_000.0
 
+#: Relative error of a step.
+TOLERANCE = 1e-15
 #: Returns of each motion in the figure.
 SHOWN = 600
 
@@ -49,7 +51,7 @@ SYSTEM = ball.rolling().with_laws(ball.ENERGY)
 def returns(k: float) -> SectionMap:
     """n₂ = 0, rising."""
     values = {"k": k} | {f"J_{i}": moment for i, moment in enumerate(J, 1)}
-    return SectionMap(SYSTEM, section(SYSTEM, "n_2"), values)
+    return SectionMap(SYSTEM, section(SYSTEM, "n_2"), values, TOLERANCE)
 
 
 def starts(k: float, theta: np.ndarray, psi: np.ndarray) -> np.ndarray:

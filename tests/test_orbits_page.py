@@ -27,7 +27,8 @@ def test_the_steps_run(capsys: pytest.CaptureFixture[str]) -> None:
     assert "quasi-periodic" in told
     (low, high) = re.search(r"from (\S+) to (\S+) ±", told).groups()
     assert abs(float(low) - 0.8705560439602) < 1e-11
-    assert abs(float(high) - 1.0136117911879) < 1e-11
+    assert abs(float(high) - 1.0136117911880) < 1e-11
+    assert names["exact"].error < 1e-28
 
 
 def test_links_lead_somewhere() -> None:

@@ -61,7 +61,8 @@ class Orbit:
     gap : float
         The greatest distance by which a step misses the next point.
     error : float
-        The last step of Newton's method, which is the error left where rounding ends it.
+        The last step of Newton's method: the error left where rounding ends it.  For a System the
+        errors of the integration come on top, which its tolerance governs.
     """
 
     names: tuple[str, ...]
