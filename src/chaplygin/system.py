@@ -233,6 +233,11 @@ class System:
         """Default value of every parameter."""
         return {p.symbol: p.default for p in self.parameters}
 
+    @cached_property
+    def constants(self) -> tuple[tuple[str, float], ...]:
+        """Name and default value of every parameter, as text and as a double."""
+        return tuple((str(p.symbol), float(p.default)) for p in self.parameters)
+
     def _check_symbols(self) -> None:
         names = [p.symbol for p in self.parameters] + [*self.symbols, *(s for s, _ in self.steps)]
         for name, count in Counter(names).items():

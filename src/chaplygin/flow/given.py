@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from ..errors import InputError
 from ..system import System
-from .values import doubles, values
+from .graph import Term
+from .values import doubles, numbers
 
 __all__ = ["moments", "require_on_phase_space", "require_rows"]
 
@@ -47,16 +48,24 @@ def require_rows(system: System, points: Any) -> None:
 
 
 def require_on_phase_space(
-    system: System, points: Any, parameters: Mapping[Any, Any] | None
+    system: System, relations: Sequence[Term], points: Any, parameters: Any
 ) -> None:
-    """Refuse starts (motions, size) that miss a relation of the system."""
-    relations = system.relations
+    """Refuse starts that miss a relation of the system.
+
+    Parameters
+    ----------
+    system : System
+    relations : sequence of Term
+        Its relations.
+    points : array (motions, size)
+    parameters : array (1 or motions, parameters)
+    """
     if not relations or not len(points):
         return
-    missed = np.abs(values(system, relations, points, parameters))
+    missed = np.abs(numbers(relations, points, parameters))
     worst = np.unravel_index(np.argmax(np.nan_to_num(missed, nan=np.inf)), missed.shape)
     if not missed[worst] <= SLACK * (1 + np.max(np.abs(points[worst[0]])) ** 2):
         raise InputError(
             f"{system.name}: start {worst[0]} misses the phase space; "
-            f"{relations[worst[1]]} is {missed[worst]:.3g} there and must vanish"
+            f"{system.relations[worst[1]]} is {missed[worst]:.3g} there and must vanish"
         )

@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextvars import ContextVar
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any, Literal
 
 import numpy as np
@@ -25,10 +25,11 @@ from .arithmetic import Double, Pair
 from .equations import Equations, Section, equations_of, section, serial
 from .given import moments as read_moments
 from .given import require_on_phase_space, require_rows
+from .graph import Term
 from .march import ENDS, march
 from .pairs import paired, parameter_pairs
 from .tables import explicit, explicit_fine
-from .values import doubles
+from .values import doubles, relation_terms
 
 __all__ = [
     "THREADS",
@@ -229,7 +230,7 @@ class Lanes:
         points = given[..., 0]
         require_rows(self.system, points)
         constants = parameter_pairs(self.system, parameters, len(points))[..., : self.words]
-        require_on_phase_space(self.system, points, parameters)
+        require_on_phase_space(self.system, self._relations, points, constants[..., 0])
         if self.deviations == 0:
             if deviations is not None:
                 raise InputError("these lanes carry no deviations: make them with some")
@@ -242,6 +243,10 @@ class Lanes:
         beside = tangents.reshape(len(points), -1, self.words)
         rows = np.concatenate([given, beside], axis=1)
         return np.ascontiguousarray(rows), np.ascontiguousarray(constants)
+
+    @cached_property
+    def _relations(self) -> tuple[Term, ...]:
+        return relation_terms(self.system)
 
     @property
     def words(self) -> int:

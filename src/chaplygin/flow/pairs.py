@@ -39,7 +39,9 @@ def parameter_pairs(system: System, parameters: Mapping[Any, Any] | None, count:
     """
     rows = parameter_rows(system, parameters, count)
     made = np.stack([rows, np.zeros_like(rows)], axis=-1)
-    given = {str(key): np.asarray(value) for key, value in (parameters or {}).items()}
+    if not parameters:
+        return made
+    given = {str(key): np.asarray(value) for key, value in parameters.items()}
     for i, parameter in enumerate(system.parameters):
         value = given.get(str(parameter.symbol))
         if value is not None and value.dtype == object:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any, Literal
 
 import numpy as np
@@ -26,7 +26,7 @@ from .keeping import correction
 from .lanes import MOST_STEPS, reason, spread, threads_here
 from .pairs import paired, parameter_pairs
 from .tables import gauss
-from .values import doubles, numbers, parameter_rows, read_system
+from .values import doubles, numbers, parameter_rows, read_system, relation_terms
 
 __all__ = ["Precise", "PreciseMotions", "precise"]
 
@@ -80,6 +80,10 @@ class Precise:
     held: tuple[str, ...]
     code: native.Native
 
+    @cached_property
+    def _relations(self) -> tuple[Term, ...]:
+        return relation_terms(self.system)
+
     def reason(self, code: int) -> str:
         """What an outcome means, in words; nothing for 0."""
         return reason(self.system, code)
@@ -114,8 +118,8 @@ class Precise:
         rows = paired("starts", starts)
         size = len(self.system.symbols)
         require_rows(self.system, rows[..., 0])
-        require_on_phase_space(self.system, rows[..., 0], parameters)
         constants = parameter_pairs(self.system, parameters, len(rows))
+        require_on_phase_space(self.system, self._relations, rows[..., 0], constants[..., 0])
         stride = constants[0].size if len(constants) > 1 else 0
         number, wanted = len(rows), len(moments)
         states = np.full((number, wanted, size, 2), np.nan)

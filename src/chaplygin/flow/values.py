@@ -15,7 +15,7 @@ from ..system import Quantity, System
 from ..vectors import explicit
 from .graph import Reader, Term, of_system, ordered
 
-__all__ = ["doubles", "formula", "parameter_rows", "read_system", "values"]
+__all__ = ["doubles", "formula", "parameter_rows", "read_system", "relation_terms", "values"]
 
 _NUMPY: Mapping[str, Any] = {
     "add": np.add,
@@ -40,6 +40,12 @@ _NUMPY: Mapping[str, Any] = {
     "sign": np.sign,
     "positive": lambda a, yes, no: np.where(a > 0, yes, no),
 }
+
+
+def relation_terms(system: System) -> tuple[Term, ...]:
+    """The relations of a system as terms."""
+    reader, _ = read_system(system)
+    return tuple(reader(relation) for relation in system.relations)
 
 
 @lru_cache(maxsize=64)
@@ -116,9 +122,7 @@ def parameter_rows(system: System, parameters: Mapping[Any, Any] | None, count: 
         If a name is unknown, a value is not finite or not admissible, or an array has another
         length.
     """
-    columns: dict[str, Any] = {
-        str(p.symbol): np.asarray(float(p.default)) for p in system.parameters
-    }
+    columns: dict[str, Any] = dict(system.constants)
     for key, value in (parameters or {}).items():
         if str(key) not in columns:
             known = ", ".join(columns) or "none"
