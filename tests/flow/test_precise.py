@@ -1,0 +1,229 @@
+"""Single motions: right to the last digit, to thirty digits, and the same to the bit."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from chaplygin.errors import InputError
+from chaplygin.flow.pairs import unpaired
+from chaplygin.flow.precise import PreciseMotions, precise
+from chaplygin.flow.trajectory import integrate
+from chaplygin.flow.values import values
+from chaplygin.statements import Integral
+
+from .small import (
+    BODIES,
+    KEPLER,
+    OSCILLATOR,
+    TOP,
+    body,
+    exactly_on_the_sphere,
+    starts,
+    u,
+    x,
+)
+
+E = 0.6
+PERICENTRE = [1 - E, 0.0, 0.0, float(np.sqrt((1 + E) / (1 - E)))]
+
+
+def exact(found: PreciseMotions) -> Any:
+    """States with all their digits."""
+    return unpaired(found.states, found.rest)
+
+
+# --- accuracy ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("digits", "allowed"), [(16, 1e-15), (30, 1e-29)])
+def test_an_oscillator(digits: Any, allowed: float) -> None:
+    """Forty turns; the frequency is read with all its digits, also where the state has 16."""
+    with mpmath.workdps(50):
+        square = mpmath.mpf("1.1")
+        flow = precise(OSCILLATOR, [1.0, 0.0], digits=digits)
+        found = exact(flow.until([[1.0, 0.0]], [1.0, 250.0], {"p": square}))
+        if digits == 16:
+            square = mpmath.mpf(1.1)
+        for k, t in enumerate((1, 250)):
+            right = mpmath.cos(mpmath.sqrt(square) * t)
+            assert abs(found[0, k, 0] - right) < allowed * max(1, t / 30)
+
+
+def test_a_planet() -> None:
+    """Kepler's equation after eight turns, to the last digits; so are its integrals."""
+    flow = precise(KEPLER, PERICENTRE)
+    assert flow.held == ("energy", "area")
+    state = flow.until([PERICENTRE], [50.0]).states[0, 0]
+    energy, area = values(KEPLER, ["energy", "area"], np.array([PERICENTRE, state])).T
+    assert abs(energy[1] - energy[0]) < 1e-15
+    assert abs(area[1] - area[0]) < 1e-15
+    with mpmath.workdps(30):
+        near, speed = mpmath.mpf(PERICENTRE[0]), mpmath.mpf(PERICENTRE[3])
+        axis = 1 / (2 / near - speed**2)
+        e = 1 - near / axis
+        mean = 50 / axis ** mpmath.mpf("1.5")
+        angle = mpmath.findroot(lambda a: a - e * mpmath.sin(a) - mean, mean)
+        right = [
+            axis * (mpmath.cos(angle) - e),
+            axis * mpmath.sqrt(1 - e**2) * mpmath.sin(angle),
+        ]
+        assert max(abs(c - r) for c, r in zip(state[:2], right, strict=True)) < 2e-14
+
+
+@pytest.mark.parametrize("name", BODIES)
+def test_bodies_keep_fifteen_digits(name: str) -> None:
+    """Against thirty digits of the same method, which the reference confirms below."""
+    system, states = body(name), starts(name, 3)
+    times = [0.1, 0.4] if name == "rattleback" else [5.0, 20.0]
+    right = precise(system, states[0], digits=30).until(exactly_on_the_sphere(states), times)
+    found = precise(system, states[0]).until(states, times)
+    size = np.abs(np.insert(right.states, 0, states, axis=1)).max(axis=1)
+    # the fast rocking of the rattleback makes more of what rounding a start does
+    allowed = 1e-13 if name == "rattleback" else 2e-14
+    assert np.max(np.abs(found.states - right.states) / size[:, None]) < allowed
+    laws = [law.value for law in system.integrals]
+    kept = values(system, [*laws, *system.relations], np.insert(found.states, 0, states, axis=1))
+    assert np.abs(kept - kept[:, :1]).max() < 4e-15 * (1 + np.abs(kept).max())
+
+
+def test_thirty_digits_against_the_reference() -> None:
+    """34 digits of another integrator, on starts that lie on the phase space to 45.
+
+    A start rounded to doubles would be moved onto it by the reference, by some 1e-17.
+    """
+    system, first = body("chaplygin-ball"), exactly_on_the_sphere(starts("chaplygin-ball", 2))
+    with mpmath.workdps(45):
+        decimals = {s: mpmath.mpf(repr(value)) for s, value in system.defaults.items()}
+    flow = precise(system, first[0], digits=30)
+    assert flow.held == ()
+    found = exact(flow.until(first, [10.0], decimals))
+    for start, state in zip(first, found[:, 0], strict=True):
+        motion = integrate(system, start, [0.0, 10.0], precision="quad")
+        with mpmath.workdps(40):
+            right = [mpmath.mpf(str(c)) for c in motion.states[-1]]
+            assert max(abs(c - r) for c, r in zip(state, right, strict=True)) < 2e-29
+
+
+def test_backward_undoes_forward() -> None:
+    ahead = precise(TOP, [0.3, -1.0, 0.7, 0, 0, 1]).until([[0.3, -1.0, 0.7, 0, 0, 1]], [20.0])
+    back = precise(TOP, ahead.states[0, 0], backward=True)
+    found = back.until(ahead.states[:, 0], [-20.0])
+    np.testing.assert_allclose(found.states[0, 0], [0.3, -1.0, 0.7, 0, 0, 1], atol=1e-14)
+    assert found.ended.tolist() == [-20.0]
+
+
+def test_times_in_between_change_nothing_much() -> None:
+    """Samples are ends of steps."""
+    flow = precise(KEPLER, PERICENTRE)
+    one = flow.until([PERICENTRE], [7.0]).states[0, -1]
+    many = flow.until([PERICENTRE], np.linspace(0, 7, 23)).states[0]
+    assert many[0].tolist() == PERICENTRE
+    np.testing.assert_allclose(many[-1], one, atol=4e-15)
+
+
+def test_what_is_held_is_what_stands_still() -> None:
+    """A wrong integral is left alone; with a right one errors stop growing."""
+    claims = (*KEPLER.laws, Integral("claim", x * u, "does not stand still"))
+    assert precise(replace(KEPLER, laws=claims), PERICENTRE).held == ("energy", "area")
+    loose = replace(KEPLER, laws=())
+    assert precise(loose, PERICENTRE).held == ()
+    drift = {}
+    for system in (loose, KEPLER):
+        found = precise(system, PERICENTRE).until([PERICENTRE], [400.0])
+        energies = values(KEPLER, ["energy"], np.vstack([PERICENTRE, found.states[0]]))[:, 0]
+        drift[system.laws] = abs(energies[1] - energies[0])
+    assert drift[KEPLER.laws] < 1e-15
+    assert drift[KEPLER.laws] <= drift[()]
+
+
+def test_relations_are_held() -> None:
+    flow = precise(TOP, [0.3, -1.0, 0.7, 0, 0, 1])
+    assert flow.held == ("relation 1",)
+    direction = flow.until([[0.3, -1.0, 0.7, 0, 0, 1]], [200.0]).states[0, 0, 3:]
+    assert abs(direction @ direction - 1) < 4e-16
+
+
+# --- the same to the bit ----------------------------------------------------------------------
+
+
+@settings(max_examples=12, deadline=None, derandomize=True)
+@given(
+    chosen=st.lists(st.integers(0, 29), min_size=1, max_size=130),
+    threads=st.sampled_from([1, 2, 5]),
+)
+def test_bits_do_not_depend_on_the_company(chosen: list[int], threads: int) -> None:
+    """Nor on the number of threads; a motion that fails leaves no trace."""
+    system, states = body("chaplygin-ball"), starts("chaplygin-ball", 30)
+    states[5, :3] = np.nan
+    masses = np.linspace(0.5, 1.5, 30)
+    flow = precise(system, states[0])
+    whole = flow.until(states, [1.0, 2.0], {"m": masses}, threads=1)
+    part = flow.until(states[chosen], [1.0, 2.0], {"m": masses[chosen]}, threads=threads)
+    assert whole.outcome[5] == 2
+    for mine, every in zip(vars(part).values(), vars(whole).values(), strict=True):
+        assert mine.tobytes() == every[chosen].tobytes()
+
+
+# --- mistakes ---------------------------------------------------------------------------------
+
+OFF = [[0, 0, 1, 0, 0, 1.0], [0, 0, 1, 0, 0.1, 1]]
+
+
+def flow() -> Any:
+    return precise(OSCILLATOR, [1.0, 0.0])
+
+
+MISTAKES: dict[str, tuple[Any, str]] = {
+    "digits": (
+        lambda: precise(OSCILLATOR, [1.0, 0.0], digits=20),
+        "digits = 20: single motions are computed to 16 or to 30 digits",
+    ),
+    "start": (
+        lambda: precise(OSCILLATOR, [1.0, 0.0, 0.0]),
+        "oscillator: the start has the shape (3,); one state is needed, x, y",
+    ),
+    "no start": (
+        lambda: precise(OSCILLATOR, None),
+        "oscillator: the start has the shape (); one state is needed, x, y",
+    ),
+    "starts": (
+        lambda: flow().until([1.0, 0.0], [1.0]),
+        "oscillator: starts have the shape (2,); (motions, 2) is needed, in the order x, y",
+    ),
+    "phase space": (
+        lambda: precise(body("chaplygin-ball"), OFF[0]).until(OFF, [1.0]),
+        "chaplygin-ball: start 1 misses the phase space; Dot(gamma, gamma) - 1 is 0.01 there and "
+        "must vanish",
+    ),
+    "times": (
+        lambda: flow().until([[1.0, 0.0]], [2.0, 1.0]),
+        "times: they must increase from 0, where the motion begins",
+    ),
+    "times backward": (
+        lambda: precise(OSCILLATOR, [1.0, 0.0], backward=True).until([[1.0, 0.0]], [1.0]),
+        "times: they must decrease from 0, where the motion begins",
+    ),
+    "parameter": (
+        lambda: precise(OSCILLATOR, [1.0, 0.0], {"k": 1}),
+        "oscillator: no parameter k; it has p",
+    ),
+    "parameter of a motion": (
+        lambda: flow().until([[1.0, 0.0]] * 2, [1.0], {"p": [1.0, -1.0]}),
+        "oscillator: p = -1 is not admissible; p > 0 must hold",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", MISTAKES)
+def test_mistakes_give_one_sentence(name: str) -> None:
+    attempt, sentence = MISTAKES[name]
+    with pytest.raises(InputError) as told:
+        attempt()
+    assert str(told.value) == sentence
