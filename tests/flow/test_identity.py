@@ -16,7 +16,7 @@ import pytest
 import sympy as sp
 
 from chaplygin.errors import InputError
-from chaplygin.flow.identity import digest, parts
+from chaplygin.flow.identity import digest, parts, settled
 from chaplygin.statements import Integral
 from chaplygin.systems import CATALOGUE, from_catalogue
 
@@ -92,15 +92,21 @@ def test_a_system_is_its_equations() -> None:
 
 @pytest.mark.parametrize("name", sorted(CATALOGUE)[::8])
 def test_systems_keep_their_names_on_the_way_to_a_worker(name: str) -> None:
-    system = from_catalogue(name)
+    system = settled(from_catalogue(name))
     assert digest(pickle.loads(pickle.dumps(system))) == digest(system)
+
+
+def test_formulas_that_sympy_rewrites_are_settled() -> None:
+    system = from_catalogue("trailers")
+    assert digest(settled(system)) != digest(system)
+    assert digest(settled(settled(system))) == digest(settled(system))
 
 
 @pytest.mark.slow
 def test_all_systems_keep_their_names_on_the_way_to_a_worker() -> None:
     names = {}
     for name in CATALOGUE:
-        system = from_catalogue(name)
+        system = settled(from_catalogue(name))
         names[name] = digest(system)
         assert digest(pickle.loads(pickle.dumps(system))) == names[name], name
     assert len(set(names.values())) == len(names)

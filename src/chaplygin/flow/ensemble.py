@@ -15,6 +15,7 @@ import sympy as sp
 from ..errors import InputError
 from ..system import System
 from .blocks import Coordinate, Progress, Task, Variable, compute
+from .identity import settled
 from .march import ENDS
 from .meanings import FRAMES, LABELS, told_of
 from .members import Members, drawn, grid, listed, one
@@ -100,7 +101,7 @@ def ensemble_task(
     everyone = members if isinstance(members, Members) else listed(state=members)
     constants = {str(name): float(value) for name, value in (parameters or {}).items()}
     moments = tuple(np.atleast_1d(np.asarray(times, dtype=float)).tolist())
-    work = Motions(system, everyone, moments, constants, tolerance, tuple(record))
+    work = Motions(settled(system), everyone, moments, constants, tolerance, tuple(record))
     twice = sorted(set(constants) & set(work.varied))
     if twice:
         raise InputError(f"{system.name}: {', '.join(twice)} is given twice")

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import functools
 import hashlib
+import pickle
 from collections.abc import Iterable, Mapping, Sequence, Set
 from dataclasses import fields, is_dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -14,7 +16,7 @@ import sympy as sp
 from ..errors import InputError
 from ..system import System
 
-__all__ = ["digest", "parts"]
+__all__ = ["digest", "parts", "settled"]
 
 #: What of a System shapes its motions; laws and texts do not.
 _OF_A_SYSTEM = ("name", "field", "definitions", "parameters", "relations", "guards")
@@ -59,6 +61,17 @@ def parts(work: Any) -> dict[str, str]:
             item.name: digest(getattr(work, item.name)) for item in fields(work)
         }
     return {"function": digest(work)}
+
+
+@lru_cache(maxsize=64)
+def settled(system: System) -> System:
+    """The same system, written so that its formulas stay as they are when it is sent to a worker.
+
+    SymPy writes some of its own products, such as −(a + b), in another way when it unpickles them;
+    and the same bits everywhere need the same formulas everywhere.
+    """
+    found: System = pickle.loads(pickle.dumps(system))
+    return found
 
 
 def _text(value: Any) -> bytes:
