@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from chaplygin.flow.arrays import Sheet
+from chaplygin.flow.bundles import bundle
 from chaplygin.flow.crossings import Slice, crossings
 from chaplygin.flow.dice import normals
-from chaplygin.flow.fibres import bundle
 from chaplygin.flow.values import parameter_rows
 from chaplygin.systems import from_catalogue
 

@@ -16,7 +16,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..flow.arrays import Sheet
-from ..flow.fibres import bundle
+from ..flow.bundles import bundle
 from ..flow.rows import dots
 from ..flow.values import parameter_rows
 from ..system import System

@@ -135,10 +135,16 @@ class Slice:
         return table[..., 0], table[..., 1:]
 
     def _tangent(self, places: Any, slopes: Any) -> Any:
-        """Slopes without their parts along the unit vectors."""
+        """Slopes in y, of slopes in the variables of the base and the direction of the ray."""
         made = slopes.copy()
+        made[:, : len(self.made.axes)] *= self.made.axes
+        return self._across(places, made)
+
+    def _across(self, places: Any, vectors: Any) -> Any:
+        """Vectors without their parts along the unit vectors."""
+        made = vectors.copy()
         for part in self.made.balls:
-            unit, own = places[part].T, slopes[:, part]
+            unit, own = places[part].T, vectors[:, part]
             made[:, part] = own - dots(own, unit)[:, None] * unit
         return made
 
@@ -174,7 +180,7 @@ class Slice:
         """Uniform points y and uniform unit tangent vectors (y, k) from normal numbers (2 y, k)."""
         half = gauss.shape[0] // 2
         places = self.made.normed(gauss[:half])
-        pushes = self._tangent(places, np.ascontiguousarray(gauss[half:].T)).T
+        pushes = self._across(places, np.ascontiguousarray(gauss[half:].T)).T
         return places, pushes / np.sqrt(squares(pushes))
 
     def moved(self, places: Any, pushes: Any, way: Any) -> tuple[Any, Any]:

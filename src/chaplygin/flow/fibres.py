@@ -8,29 +8,16 @@ over every point of the base lie an ellipsoid (a level of the energy) and planes
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import sympy as sp
 
-from ..errors import InputError
-from ..system import System
-from ..vectors import explicit
-from .arrays import Compiled, Sheet
-from .dice import normals
+from .arrays import Compiled
 from .graph import Term
 from .rows import applied, dots, solved, squares
 
-__all__ = ["Bundle", "Condition", "bundle"]
-
-#: Integrals that are tried first as the ones that bound the fibre.
-_BOUNDING = ("energy", "hamiltonian")
-#: Base points at which boundedness is looked at.
-_SAMPLE = 256
-#: Least ratio of the axes of an ellipsoid, squared.
-_DEFINITE = 1e-12
+__all__ = ["Bundle", "Condition", "Rays"]
 
 
 @dataclass(frozen=True)
@@ -60,7 +47,9 @@ class Bundle:
     size : int
         Number of state variables.
     spheres : tuple of tuples of int
-        Places of the variables of each unit vector of the base.
+        Places of the variables of each unit vector of the base; or of a vector on an ellipsoid.
+    axes : tuple of float
+        For each variable of the base: the half axis, 1 for an angle.
     angles : tuple of int
         Places of the variables of period 2π.
     fibre : tuple of int
@@ -78,6 +67,7 @@ class Bundle:
 
     size: int
     spheres: tuple[tuple[int, ...], ...]
+    axes: tuple[float, ...]
     angles: tuple[int, ...]
     fibre: tuple[int, ...]
     quadratic: Condition
@@ -123,6 +113,10 @@ class Bundle:
             places[row] = 2 * np.pi * ndtr(gauss[row])
         return places
 
+    def ground_states(self, places: Any) -> Any:
+        """The variables of the base (b, k) that points y (y, k) make."""
+        return np.array(self.axes)[:, None] * places[: len(self.ground)]
+
     def gauss(self, places: Any) -> Any:
         """Numbers of which `normed` makes the points y."""
         from scipy.special import ndtri
@@ -135,7 +129,7 @@ class Bundle:
     def over(self, places: Any, parameters: Any) -> Rays:
         """The points of the level that points y (y, k) make."""
         states = np.zeros((self.size, places.shape[1]))
-        states[list(self.ground)] = places[: len(self.ground)]
+        states[list(self.ground)] = self.ground_states(places)
         return self.fill(states, places[len(self.ground) :], parameters)
 
     def fill(self, states: Any, directions: Any, parameters: Any) -> Rays:
@@ -237,144 +231,3 @@ class Rays:
     span: Any
     normals: Any
     saddle: Any
-
-
-# --- finding the bundle ----------------------------------------------------------------------
-
-
-def bundle(system: System, sheet: Sheet, level: Mapping[str, float], values: Any) -> Bundle:
-    """How a level of the integrals lies over a base.
-
-    Parameters
-    ----------
-    system : System
-    sheet : Sheet
-        Its formulas.
-    level : mapping of str to float
-        Held integrals by name.
-    values : array (p,)
-        Parameters.
-
-    Raises
-    ------
-    InputError
-        If the level is not bounded, or is of a form for which no exact method is known here.
-    """
-    spheres, others = _spheres(system)
-    relations = [Condition("", sheet.read(relation), 0.0) for relation in others]
-    formulas = {law.name: law.value for law in system.integrals}
-    held = [Condition(name, sheet.read(formulas[name]), float(level[name])) for name in level]
-    for bound in sorted(held, key=lambda condition: condition.name not in _BOUNDING):
-        rest = [condition for condition in held if condition is not bound]
-        found = _with_bound(system, sheet, spheres, relations, bound, rest)
-        if found is not None and _bounded(found, values):
-            return found
-    given = " and ".join(f"{name} = {value:.6g}" for name, value in level.items())
-    raise InputError(
-        f"{system.name}: the level {given or 'of no integral'} is not bounded in a way that can "
-        "be seen: among what is held there must be an integral, such as the energy, that is "
-        f"quadratic and definite in {_names(system, _loose(system, spheres))}"
-    )
-
-
-def _loose(system: System, spheres: Sequence[Sequence[int]]) -> list[int]:
-    inside = {place for places in spheres for place in places}
-    return [i for i in range(len(system.symbols)) if i not in inside]
-
-
-def _names(system: System, places: Sequence[int]) -> str:
-    return ", ".join(str(system.symbols[i]) for i in places)
-
-
-def _with_bound(
-    system: System,
-    sheet: Sheet,
-    spheres: list[tuple[int, ...]],
-    relations: list[Condition],
-    bound: Condition,
-    rest: list[Condition],
-) -> Bundle | None:
-    """The bundle in which `bound` is the quadratic condition; None where that cannot be."""
-    fibre, angles = _loose(system, spheres), list[int]()
-    terms = [bound.term, *(relation.term for relation in relations)]
-    while curved := sheet.depends(_second(sheet, terms, fibre)) & set(fibre):
-        angles += sorted(curved)
-        fibre = [i for i in fibre if i not in curved]
-    degree = {id(c): _degree(sheet, c.term, fibre) for c in (*relations, bound, *rest)}
-    if degree[id(bound)] != 2 or any(degree[id(relation)] != 1 for relation in relations):
-        return None
-    linear = [*relations, *(c for c in rest if degree[id(c)] == 1)]
-    # a fibre needs two rays at least: two points at its ends would have no bounded density
-    linear = linear[: max(len(relations), len(fibre) - 2)]
-    further = [c for c in rest if c not in linear]
-    if len(fibre) - len(linear) < 2:
-        return None
-    slopes = sheet.slopes([c.term for c in (*linear, bound)])
-    second = _second(sheet, [bound.term], fibre)
-    coefficients = [
-        *(row[i] for row in slopes[:-1] for i in fibre),
-        *(c.term for c in linear),
-        *second,
-        *(slopes[-1][i] for i in fibre),
-        bound.term,
-    ]
-    return Bundle(
-        size=len(system.symbols),
-        spheres=tuple(spheres),
-        angles=tuple(angles),
-        fibre=tuple(fibre),
-        quadratic=bound,
-        linear=tuple(linear),
-        further=tuple(further),
-        coefficients=Compiled(coefficients),
-    )
-
-
-def _second(sheet: Sheet, terms: Sequence[Term], places: Sequence[int]) -> list[Term]:
-    """All second derivatives of terms in some variables."""
-    first = [row[i] for row in sheet.slopes(terms) for i in places]
-    return [row[i] for row in sheet.slopes(first) for i in places]
-
-
-def _degree(sheet: Sheet, term: Term, places: Sequence[int]) -> int:
-    """The degree of a term as a polynomial in some variables; 3 for anything higher."""
-    inside = set(places)
-    if not sheet.depends([term]) & inside:
-        return 0
-    if not sheet.depends([sheet.slopes([term])[0][i] for i in places]) & inside:
-        return 1
-    return 3 if sheet.depends(_second(sheet, [term], places)) & inside else 2
-
-
-def _at_random(made: Bundle) -> Any:
-    """States over random points of the base, their fibre zero."""
-    gauss = normals(0, np.arange(_SAMPLE), np.zeros(_SAMPLE), made.numbers)
-    states = np.zeros((made.size, _SAMPLE))
-    states[list(made.ground)] = made.normed(gauss)[: len(made.ground)]
-    return states
-
-
-def _bounded(made: Bundle, values: Any) -> bool:
-    """Whether the quadratic condition is definite on the fibres over a sample of base points."""
-    n, _, A, _, _ = made.parts(_at_random(made), values)
-    if not (np.isfinite(n).all() and np.isfinite(A).all()):
-        return False
-    across = np.eye(len(made.fibre)) - np.linalg.pinv(n) @ n if n.shape[1] else 1.0
-    sizes = np.linalg.eigvalsh(across @ A @ across if n.shape[1] else A)[:, n.shape[1] :]
-    return bool((sizes[:, 0] > _DEFINITE * sizes[:, -1]).all())
-
-
-def _spheres(system: System) -> tuple[list[tuple[int, ...]], list[sp.Expr]]:
-    """The unit vectors among the variables, and the relations that are left."""
-    places = {symbol: i for i, symbol in enumerate(system.symbols)}
-    spheres: list[tuple[int, ...]] = []
-    others: list[sp.Expr] = []
-    for relation in system.relations:
-        formula = explicit(relation)
-        free = sorted(formula.free_symbols & set(places), key=places.__getitem__)
-        unit = sp.Add(*(s**2 for s in free)) - 1
-        if free and sp.expand(formula - unit) == 0:
-            spheres.append(tuple(places[s] for s in free))
-        else:
-            others.append(formula)
-    return spheres, others

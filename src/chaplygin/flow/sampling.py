@@ -22,9 +22,10 @@ from ..statements import Measure
 from ..system import System
 from ..vectors import explicit
 from .arrays import Compiled, Sheet
+from .bundles import bundle
 from .crossings import Slice
 from .dice import normals
-from .fibres import Bundle, bundle
+from .fibres import Bundle
 from .held import check, measures, shown, told
 from .spots import Ends, Spots, Thrower, highest
 from .values import parameter_rows
