@@ -101,6 +101,20 @@ def test_what_is_there_is_gone_on_with_and_nothing_else_touched(ask: Ask, tmp_pa
     assert (tmp_path / "foreign.zarr" / "letter.txt").read_text() == "mine"
 
 
+def test_interrupted(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
+    from chaplygin.explore.charts import Chart
+
+    def interrupted(self: Chart, first: int, last: int) -> None:
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patched:
+        patched.setattr(Chart, "__call__", interrupted)
+        code, out, err = ask(*SMALL, "-o", "chart.zarr")
+    assert (code, out) == (130, "")
+    assert "interrupted; the same command goes on with what is in chart.zarr" in err
+    assert ask(*SMALL, "-o", "chart.zarr")[0] == 0
+
+
 def test_a_body_of_the_user(ask: Ask, tmp_path: Path) -> None:
     (tmp_path / "stone.toml").write_text(RATTLEBACK)
     code, _, err = ask(

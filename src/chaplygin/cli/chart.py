@@ -76,7 +76,11 @@ def command(
     clear(output, picture, force)
     task = chart(made, {"experiment": study.complete_toml()})
     with cluster(workers) as client, progress(made.title) as update:
-        found = compute(task, output, client=client, progress=update)
+        try:
+            found = compute(task, output, client=client, progress=update)
+        except KeyboardInterrupt:
+            inform(f"interrupted; the same command goes on with what is in {output}")
+            raise typer.Exit(130) from None
     save(drawn(found), picture)
     result = {"file": str(output), "figure": str(picture), **_summary(found)}
     if json:
