@@ -271,8 +271,7 @@ def figure(story: Story) -> Figure:
         sizes = np.array([step.width for step in found.steps])
         low.loglog(shares, sizes, "o-", color=colour)
         label = rf"  {found.fraction}: $\propto a^{{{found.power:.2f}}}$"
-        # two of them are close to each other
-        side = "top" if found.fraction == Fraction(3, 2) else "center"
+        side = {Fraction(4, 3): "bottom", Fraction(5, 3): "top"}.get(found.fraction, "center")
         low.text(1.0, sizes[0], label, color=colour, va=side, fontsize=9)
     noise = max(step.error for found in story.widths for step in found.steps)
     low.axhspan(noise / 100, noise, color=QUIET, alpha=0.2, lw=0)

@@ -105,11 +105,11 @@ def residue(orbit: Orbit) -> float:
     return float((2 - np.trace(orbit.multipliers.matrix)) / 4)
 
 
-def measured(k: float, count: int = 48, length: int = 4000, until: float = UNTIL) -> Found:
+def measured(k: float, count: int = 72, length: int = 4000, until: float = UNTIL) -> Found:
     """All measurements for one ratio."""
     made = returns(k)
-    line = np.linspace(0.02, np.pi - 0.02, count)
-    across = np.where(np.arange(count) % 2, np.pi / 2, 0.15 + 0.87 * line)
+    line = np.linspace(0.02 - np.pi, np.pi - 0.02, count)
+    across = np.where(np.arange(count) % 2, np.pi / 2, np.pi / 2 + 0.43 * line)
     points = made.returns(starts(k, line, across), length).states
     _, errors = average(points[..., 3] ** 2)
     (start,) = starts(k, *np.array(START)[:, None])

@@ -19,7 +19,7 @@ import numpy as np
 
 from ..errors import InputError, RunError
 from .maps import Array
-from .rotation import FIRST, Rotation, average, rotation
+from .rotation import FIRST, average
 
 __all__ = ["CircleMaps", "Plateau", "Staircase", "displacement", "plateau", "plateaus", "staircase"]
 
@@ -165,12 +165,6 @@ def staircase(
         pending = pending[errors[pending] > target]
         count *= 2
     return Staircase(values, rotations, errors)
-
-
-def verdicts(maps: CircleMaps, values: Array, count: int, start: float = 0.0) -> list[Rotation]:
-    """What kind of motion there is at some values of the parameter."""
-    orbits = maps(np.full(len(values), start), np.asarray(values, dtype=float), count)
-    return [rotation(orbit) for orbit in orbits]
 
 
 def displacement(
