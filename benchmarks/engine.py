@@ -18,7 +18,7 @@ from collections.abc import Sequence
 
 from contest import taylor
 from contest.bodies import BODIES
-from contest.tasks import QUICK, TASKS, THOROUGH, Effort, Outcome
+from contest.tasks import QUICK, TASKS, THOROUGH, Effort, Outcome, ball
 
 
 def measure(effort: Effort, tasks: Sequence[str]) -> list[Outcome]:
@@ -54,9 +54,11 @@ def main() -> None:
     if options.json:
         print(json.dumps(ratios(outcomes), indent=2))
         return
-    from contest.report import show
+    from contest import report
 
-    show(outcomes)
+    if not (options.quick or options.task):
+        outcomes.append(ball(BODIES["chaplygin-ball"], effort))
+    report.show(outcomes)
 
 
 if __name__ == "__main__":

@@ -10,10 +10,12 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
+from .bodies import BODIES
+from .peak import peak, per_step, reached
 from .programs import Result
 from .tasks import Outcome
 
-__all__ = ["machine", "show"]
+__all__ = ["arithmetic", "machine", "show"]
 
 
 def machine() -> str:
@@ -25,18 +27,33 @@ def machine() -> str:
     return f"{model}, {os.cpu_count()} processors, {wide}; load {os.getloadavg()[0]:.1f}"
 
 
+def arithmetic() -> Table:
+    """Operations a second of one core: the most it can do, and what the engine does."""
+    most = max(peak(width) for width in (2, 4, 8))
+    made = Table(title=f"arithmetic: one core does {most / 1e9:.0f} operations in a nanosecond")
+    for head in ("body", "operations of a step", "in a nanosecond", "part of the most"):
+        made.add_column(head, justify="right")
+    for body in BODIES.values():
+        done = reached(body)
+        cells = (str(per_step(body)), f"{done / 1e9:.0f}", f"{100 * done / most:.0f} %")
+        made.add_row(body.name, *cells)
+    return made
+
+
 def show(outcomes: Sequence[Outcome], width: int = 118) -> None:
     """One table for each task, body and target."""
     console = Console(width=width)
     console.print(machine())
     for outcome in outcomes:
         console.print(table(outcome))
+    console.print(arithmetic())
 
 
 def table(outcome: Outcome) -> Table:
     """Rows are programs; times in microseconds for each motion or section point."""
-    unit = "point" if outcome.task == "section" else "motion"
-    made = Table(title=f"{outcome.task}, {outcome.body}, error {outcome.target:.0e}")
+    unit = {"section": "point", "ball": "second"}.get(outcome.task, "motion")
+    target = f", error {outcome.target:.0e}" if np.isfinite(outcome.target) else ""
+    made = Table(title=f"{outcome.task}, {outcome.body}{target}")
     made.add_column("program")
     heads = ("setting", "median error", "worst", f"core µs/{unit}", "wall µs", "ratio", "compile s")
     for head in heads:

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from importlib.util import find_spec
 
 import numpy as np
 
-from . import ours, taylor
+from . import arrays, compiled, interpreted, ours, rigid, taylor
 from .bodies import Body
-from .programs import Program, Result, Trial, compare, contest
+from .programs import TOLERANCES, Program, Result, Trial, compare, contest
 
-__all__ = ["QUICK", "TASKS", "THOROUGH", "Effort", "Outcome", "Task"]
+__all__ = ["QUICK", "TASKS", "THOROUGH", "Effort", "Outcome", "Task", "ball"]
 
 #: Seeds of the starts that settings are chosen by, that errors and that times are measured by.
 REHEARSED, SCORED, TIMED = 1, 2, 3
@@ -47,8 +48,8 @@ class Effort:
         return body.long if self.thorough else min(body.long, 100.0)
 
 
-QUICK = Effort(states=6, few=2, many=128, turns=3, thorough=False)
-THOROUGH = Effort(states=24, few=6, many=1024, turns=5, thorough=True)
+QUICK = Effort(states=6, few=2, many=1024, turns=3, thorough=False)
+THOROUGH = Effort(states=16, few=4, many=1024, turns=5, thorough=True)
 
 
 @dataclass(frozen=True)
@@ -58,7 +59,7 @@ class Outcome:
     Attributes
     ----------
     each : float
-        Answers of a motion that a time is divided by (section points; 1 otherwise).
+        What a time is divided by: section points, seconds of a rolling ball, or 1.
     """
 
     task: str
@@ -75,7 +76,11 @@ class Outcome:
     @property
     def best(self) -> Result:
         """heyoka's best on one thread."""
-        rivals = [r for name, r in self.results.items() if name.startswith("heyoka")]
+        rivals = [
+            r
+            for name, r in self.results.items()
+            if name.startswith("heyoka") and "threads" not in name
+        ]
         return min((r for r in rivals if np.isfinite(r.core)), key=lambda r: r.core)
 
     @property
@@ -93,7 +98,7 @@ class Task:
     run: Callable[[Body, float, Effort], Outcome]
 
 
-def ensemble(body: Body, target: float, effort: Effort, more: Sequence[Program] = ()) -> Outcome:
+def ensemble(body: Body, target: float, effort: Effort) -> Outcome:
     """The end of many motions."""
     trial = _trial(body, effort.states, effort.many, lambda x: body.ends(x, body.span))
     rivals = [taylor.batch(body, body.span), taylor.batch(body, body.span, **FAST)]
@@ -105,9 +110,40 @@ def ensemble(body: Body, target: float, effort: Effort, more: Sequence[Program] 
             taylor.batch(body, body.span, high_accuracy=True),
             _part(taylor.scalar(body, body.span), 0.2),
             _part(taylor.scalar(body, body.span, **FAST), 0.2),
+            taylor.batch(body, body.span, threads=2, **FAST),
+            ours.ensemble(body, body.span, threads=2),
+            *_others(body),
         ]
-    programs = [ours.ensemble(body, body.span), *rivals, *more]
+    programs = [ours.ensemble(body, body.span), *rivals]
     return Outcome("ensemble", body.name, target, contest(programs, trial, target, effort.turns))
+
+
+def _others(body: Body) -> list[Program]:
+    """SciPy, and of numba, JAX and diffrax what is installed."""
+    made = [interpreted.scipy_method(body, body.span, name) for name in ("DOP853", "LSODA")]
+    if find_spec("numba"):
+        made += [compiled.numba_fixed(body, body.span), compiled.numba_adaptive(body, body.span)]
+    if find_spec("jax"):
+        made.append(arrays.jax_fixed(body, body.span))
+    if find_spec("diffrax"):
+        made.append(arrays.diffrax_adaptive(body, body.span))
+    return made
+
+
+def ball(body: Body, effort: Effort) -> Outcome:
+    """A rolling ball in a program for rigid bodies, beside one motion and many of this engine."""
+    until = body.short
+    trial = _trial(body, effort.few, 0, lambda x: body.ends(x, until))
+    programs = {"chaplygin, one motion": ours.single(body, until)}
+    settings = {"chaplygin, one motion": 16.0}
+    for step in (5e-3, 1e-3, 2e-4):
+        name = f"MuJoCo, steps of {1e3 * step:g} ms"
+        programs[name], settings[name] = rigid.mujoco_ball(body, until), step
+    alone = compare(programs, settings, trial, effort.turns)
+    many = _trial(body, effort.few, effort.many, lambda x: body.ends(x, until))
+    own = {ours.NAME: ours.ensemble(body, until)}
+    together = compare(own, {ours.NAME: TOLERANCES[6 * 8]}, many, effort.turns)
+    return Outcome("ball", body.name, np.nan, alone | together, each=until)
 
 
 def single(body: Body, target: float, effort: Effort) -> Outcome:
