@@ -53,6 +53,13 @@ def test_a_scheduler_by_its_address(cluster: distributed.LocalCluster) -> None:
     xr.testing.assert_identical(compute(task()), compute(task(), client=cluster.scheduler_address))
 
 
+def test_processes_of_this_machine(tmp_path: Path) -> None:
+    here = compute(task(), tmp_path / "a.zarr")
+    xr.testing.assert_identical(here.load(), compute(task(), client=1))
+    # nobody is called when there is nothing left to compute
+    assert compute(task(), tmp_path / "a.zarr", client="nobody").identical(here)
+
+
 def test_begun_on_a_cluster_and_ended_here(client: distributed.Client, tmp_path: Path) -> None:
     def stop(done: float) -> None:
         if done > 0.3:

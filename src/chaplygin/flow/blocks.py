@@ -172,9 +172,10 @@ def compute(
         Folder of the Zarr store that is to hold the result, usually called ``….zarr``: written
         block by block, and begun or gone on with, as it is found.  Without it everything is kept
         in memory.
-    client : dask.distributed.Client or str, optional
-        Who computes: a Dask client, the address of a scheduler (``"tcp://host:8786"``), or
-        ``"local"`` for processes of this machine.  Without it this process does.
+    client : dask.distributed.Client, str or int, optional
+        Who computes: a Dask client, the address of a scheduler (``"tcp://host:8786"``), a number
+        of processes of this machine, or ``"local"`` for as many as it has processors.  Without
+        it this process does.
     progress : callable, optional
         Told how much is done, from 0 to 1.
 

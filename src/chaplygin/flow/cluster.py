@@ -33,14 +33,15 @@ PATIENCE = "10s"
 
 
 def results(
-    client: Client | str, work: Work, blocks: Mapping[int, tuple[int, int]]
+    client: Client | str | int, work: Work, blocks: Mapping[int, tuple[int, int]]
 ) -> Iterator[tuple[int, Arrays]]:
     """Blocks in the order in which they are ready.
 
     Parameters
     ----------
-    client : dask.distributed.Client or str
-        A client, the address of a scheduler, or ``"local"``.
+    client : dask.distributed.Client, str or int
+        A client, the address of a scheduler, a number of processes of this machine, or ``"local"``
+        for as many as it has processors.
     work : callable
     blocks : mapping of int to (int, int)
         First member of every block, and the one after its last.
@@ -61,6 +62,8 @@ def results(
         ) from None
     from .store import UnfinishedError
 
+    if not blocks:
+        return
     with _connected(client) as connected:
         waiting = deque(blocks)
         blamed: Counter[int] = Counter()
@@ -129,24 +132,28 @@ def _unpacked(packed: bytes) -> Work:
 
 
 @contextmanager
-def _connected(client: Client | str) -> Iterator[Client]:
+def _connected(client: Client | str | int) -> Iterator[Client]:
     """A client; what is opened here is closed here."""
     import dask
     import distributed
 
-    if not isinstance(client, str):
-        yield client
-    elif client == "local":
+    if client == "local" or isinstance(client, int):
+        number = None if client == "local" else client
         # a worker that is killed again while it is started again is not given up
         patient = {"distributed.deploy.lost-worker-timeout": "1 day"}
         with (
             dask.config.set(patient),
             distributed.LocalCluster(
-                threads_per_worker=1, dashboard_address=":0", silence_logs=logging.ERROR
+                n_workers=number,
+                threads_per_worker=1,
+                dashboard_address=":0",
+                silence_logs=logging.ERROR,
             ) as cluster,
             distributed.Client(cluster) as connected,
         ):
             yield connected
+    elif not isinstance(client, str):
+        yield client
     else:
         try:
             connected = distributed.Client(client, timeout=PATIENCE)
