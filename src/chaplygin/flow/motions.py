@@ -174,7 +174,7 @@ class Motions:
         return _level(self.system, tuple(held.items()), tuple(values.items()))
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=512)
 def _level(
     system: System, held: tuple[tuple[str, float], ...], values: tuple[tuple[str, float], ...]
 ) -> Level:
