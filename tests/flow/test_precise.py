@@ -49,8 +49,6 @@ def test_an_oscillator(digits: Any, allowed: float) -> None:
         square = mpmath.mpf("1.1")
         flow = precise(OSCILLATOR, [1.0, 0.0], digits=digits)
         found = exact(flow.until([[1.0, 0.0]], [1.0, 250.0], {"p": square}))
-        if digits == 16:
-            square = mpmath.mpf(1.1)
         for k, t in enumerate((1, 250)):
             right = mpmath.cos(mpmath.sqrt(square) * t)
             assert abs(found[0, k, 0] - right) < allowed * max(1, t / 30)
@@ -153,7 +151,7 @@ def test_relations_are_held() -> None:
 # --- the same to the bit ----------------------------------------------------------------------
 
 
-@settings(max_examples=12, deadline=None, derandomize=True)
+@settings(max_examples=6, deadline=None, derandomize=True)
 @given(
     chosen=st.lists(st.integers(0, 29), min_size=1, max_size=130),
     threads=st.sampled_from([1, 2, 5]),
@@ -164,8 +162,8 @@ def test_bits_do_not_depend_on_the_company(chosen: list[int], threads: int) -> N
     states[5, :3] = np.nan
     masses = np.linspace(0.5, 1.5, 30)
     flow = precise(system, states[0])
-    whole = flow.until(states, [1.0, 2.0], {"m": masses}, threads=1)
-    part = flow.until(states[chosen], [1.0, 2.0], {"m": masses[chosen]}, threads=threads)
+    whole = flow.until(states, [0.5, 1.0], {"m": masses}, threads=1)
+    part = flow.until(states[chosen], [0.5, 1.0], {"m": masses[chosen]}, threads=threads)
     assert whole.outcome[5] == 2
     for mine, every in zip(vars(part).values(), vars(whole).values(), strict=True):
         assert mine.tobytes() == every[chosen].tobytes()
