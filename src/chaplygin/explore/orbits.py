@@ -18,7 +18,18 @@ from ..errors import InputError, RunError
 from .maps import Array, Image, Map
 from .multipliers import Multipliers, multipliers
 
-__all__ = ["Equations", "NoOrbitError", "Orbit", "find", "held_values", "solved"]
+__all__ = [
+    "Equations",
+    "NoOrbitError",
+    "Orbit",
+    "described",
+    "find",
+    "held_values",
+    "onto",
+    "shortest",
+    "solved",
+    "wrapped",
+]
 
 #: Singular values below this share of the greatest belong to a family.
 FAMILY = 1e-10

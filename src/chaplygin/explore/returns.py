@@ -85,10 +85,10 @@ class Returns:
 
     def __post_init__(self) -> None:
         for name in self.angles:
-            if name not in self.names:
-                raise InputError(
-                    f"angles: {name} is not a state variable; there are {', '.join(self.names)}"
-                )
+            _require_variable(self.section, name, "angles")
+        for name, value in self.section.parameters.items():
+            if np.ndim(value):
+                raise InputError(f"{name}: a map has one value of a parameter, not an array")
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -163,6 +163,13 @@ class Circle:
     varied: str
     state: Mapping[str, float]
 
+    def __post_init__(self) -> None:
+        for name in (self.angle, *self.state):
+            _require_variable(self.section, name, "state")
+        known = [str(symbol) for symbol in self.section.system.defaults]
+        if self.varied not in known:
+            raise InputError(f"varied: no parameter {self.varied}; there are {', '.join(known)}")
+
     def __call__(self, turns: Array, values: Array, count: int) -> Array:
         """Lifts of orbits, (n, count + 1) turns; see `chaplygin.explore.tongues.CircleMaps`."""
         names = [str(s) for s in self.section.system.symbols]
@@ -172,6 +179,12 @@ class Circle:
         parameters = {**self.section.parameters, self.varied: np.asarray(values, dtype=float)}
         found = replace(self.section, parameters=parameters).returns(starts, count)
         return np.concatenate([turns[:, None], found.states[:, :, place] / (2 * np.pi)], axis=1)
+
+
+def _require_variable(section: SectionMap, name: str, where: str) -> None:
+    names = [str(symbol) for symbol in section.system.symbols]
+    if name not in names:
+        raise InputError(f"{where}: {name} is not a state variable; there are {', '.join(names)}")
 
 
 @dataclass(frozen=True)
