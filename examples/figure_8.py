@@ -12,6 +12,7 @@ body of mass m inside a ball of radius R, its centre of mass at a distance c fro
 from __future__ import annotations
 
 import sys
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -157,16 +158,25 @@ def in_space(states: Any) -> Any:
     return np.stack([np.cos(angle), np.sin(angle), height, share], axis=1)
 
 
-def arriving(target: Cycle) -> tuple[Any, int, int]:
-    """A motion that leaves the reversed cycle and comes to the cycle.
-
-    Of `DEPARTURES` motions the quickest that goes there: its start, its returns, how many go there.
-    """
+def departures(target: Cycle) -> tuple[Any, Any]:
+    """Motions that begin near the reversed cycle: starts and paths."""
     origin = reversed_of(target.points[-1])
     starts = np.array([departure(origin, number) for number in range(DEPARTURES)])
-    paths = RETURN.returns(starts, RETURNS).states
-    beyond = [last_beyond(distances(path, target.points), 1e-4) for path in paths]
-    return starts[int(np.argmin(beyond))], min(beyond), sum(n < RETURNS for n in beyond)
+    return starts, RETURN.returns(starts, RETURNS).states
+
+
+def fates(paths: Any) -> str:
+    """What motions come to, by the periods of cycles."""
+    counts: Counter[str] = Counter()
+    for path in paths:
+        whole = bool(np.isfinite(path[-1, 0]))
+        cycle = closing(path) if whole else None
+        if cycle is None:
+            counts["none of these" if whole else "no more points"] += 1
+        else:
+            share = float(PLACES(cycle)[:, 2].mean())
+            counts[f"a cycle of {len(cycle)}, H/G = {share:+.2f} in the mean"] += 1
+    return "; ".join(f"{count} to {fate}" for fate, count in counts.most_common())
 
 
 def dataset(starts: Any, returns: int) -> Any:
@@ -204,10 +214,14 @@ def main(folder: Path) -> None:
     print(f"  with any F_2 at the same energy:  {thickness(in_space(apart_free)):.3f}")
 
     target = found[0]
-    start, count, going = arriving(target)
-    one = dataset(start[None], count + FURTHER)
-    print(f"Of {DEPARTURES} motions that begin near the reversed cycle {going} come to the cycle;")
-    print(f"  the quickest of them starts at {start.tolist()}")
+    starts, paths = departures(target)
+    print(f"{DEPARTURES} motions that begin near the reversed cycle come:")
+    print(f"  {fates(paths)}")
+    counts = [last_beyond(distances(path, target.points), 1e-4) for path in paths]
+    quickest = int(np.argmin(counts))
+    start = starts[quickest]
+    one = dataset(start[None], counts[quickest] + FURTHER)
+    print(f"The quickest of those that come to the cycle starts at {start.tolist()}")
     print(f"  leaves (l, L/G, H/G) = {listed(start[None])}")
     (path,) = np.concatenate([one["M"].values, one["gamma"].values], axis=2)
     origin = reversed_of(target.points[-1])

@@ -99,6 +99,19 @@ def test_a_section_in_a_plane(ask: Ask) -> None:
     assert read(Path("veselova.zarr"))["phi"].units == "rad"
 
 
+def test_a_section_of_the_section(ask: Ask) -> None:
+    arguments = [*BALL, "--within", "M_1 < 0.8", "--within", "M_3**2<9", "-o", "ball.zarr"]
+    arguments[arguments.index("20")] = "5"
+    code, out, _ = ask(*arguments, "--until", "1e4")
+    assert code == 0
+    assert "gamma_3 = 0, rising, |M_1| < 0.8, |M_3**2| < 9" in " ".join(out.split())
+    found = read(Path("ball.zarr"))
+    momenta = found["M"].values[0, : int(found["points"][0])]
+    assert len(momenta) > 0
+    assert (np.abs(momenta[:, 0]) < 0.8).all()
+    assert (momenta[:, 2] ** 2 < 9).all()
+
+
 def test_a_surface_that_is_never_met_is_an_answer(ask: Ask) -> None:
     code, out, err = ask(*BALL, "--value", "2", "--until", "10", "-o", "ball.zarr")
     assert (code, out) == (1, "")
@@ -121,6 +134,8 @@ def test_a_surface_that_is_never_met_is_an_answer(ask: Ask) -> None:
         (["--coordinates", "M_1"], "two or three are needed"),
         (["--coordinates", "M_1,M_1*M_2"], "needs a name, as in height = M_1*M_2"),
         (["--coordinates", "M_1,time=M_2"], "bears the name of something else"),
+        (["--within", "M_1"], "it is written QUANTITY<WIDTH"),
+        (["--within", "M_1<0"], "it must be positive"),
         (["--tolerance", "1"], "it must lie between 1e-16 and 0.1"),
         (["--set", "start.gamma=[0,0,0]"], "gamma"),
         (["-o", "no/where.zarr"], "no/where"),

@@ -83,5 +83,5 @@ def test_pictures_and_what_is_said(example, tmp_path, capsys, monkeypatch):
     example.main(tmp_path)
     said = capsys.readouterr().out
     assert "come to a cycle of 3 points" in said
-    assert "the quickest of them starts at" in said
+    assert "The quickest of those that come to the cycle starts at" in said
     assert {path.name for path in tmp_path.iterdir()} == {"figure_8.png", "figure_8_many.png"}

@@ -35,6 +35,10 @@ def command(
     angle: Annotated[
         bool, typer.Option("--angle", help="It is an angle: its value counts up to whole turns.")
     ] = False,
+    within: Annotated[
+        list[str] | None,
+        typer.Option(metavar="QUANTITY<WIDTH", help="Only points count where it is near zero."),
+    ] = None,
     points: Annotated[int, typer.Option(help="Points of each motion.")] = 1000,
     starts: Annotated[
         int, typer.Option(help="Motions; more than one start by chance on a level.")
@@ -77,7 +81,7 @@ def command(
     store = output if output.suffix == ".zarr" else output / "section.zarr"
     picture = store.with_suffix(".png")
     study = study_of(what, overrides)
-    place = Place(on, value, direction, angle)
+    place = Place(on, value, direction, angle, tuple(_slab(text) for text in within or ()))
     chosen = Starts(starts, None if level is None else level_of(level), seed)
     limit = abs(study.until) * max(points, 1) if until is None else until
     task, names = section_of(
@@ -97,6 +101,21 @@ def command(
         print_json(result)
     else:
         _print(study.system.title, result)
+
+
+def _slab(text: str) -> tuple[str, float]:
+    """A quantity, and how far from zero it may be."""
+    from ..errors import InputError
+
+    quantity, less, width = (part.strip() for part in text.rpartition("<"))
+    try:
+        if not (quantity and less):
+            raise ValueError
+        return quantity, float(width)
+    except ValueError:
+        raise InputError(
+            f"--within {text}: it is written QUANTITY<WIDTH, such as 'M_3 < 0.1'"
+        ) from None
 
 
 def _summary(found: xr.Dataset) -> dict[str, Any]:

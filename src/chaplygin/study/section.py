@@ -15,7 +15,7 @@ from ..explore.quantities import meaning
 from ..flow.blocks import Task
 from ..flow.lanes import section
 from ..flow.sampling import prepared
-from ..flow.section import SectionMap
+from ..flow.section import SectionMap, slab
 from ..flow.section_points import Quantity, section_task
 from ..flow.values import formula, values
 from ..system import System
@@ -44,15 +44,20 @@ class Place:
         One of `DIRECTIONS`.
     angle : bool
         Whether the quantity is an angle, whose value counts up to whole turns.
+    within : tuple of (str, float)
+        Quantities, and how far from zero they may be: a section of the section.
     """
 
     quantity: str
     value: float = 0.0
     direction: str = "rising"
     angle: bool = False
+    within: tuple[tuple[str, float], ...] = ()
 
     def __str__(self) -> str:
-        return f"{self.quantity} = {self.value:.10g}, {self.direction}".replace("both", "both ways")
+        way = "both ways" if self.direction == "both" else self.direction
+        near = "".join(f", |{quantity}| < {width:.10g}" for quantity, width in self.within)
+        return f"{self.quantity} = {self.value:.10g}, {way}{near}"
 
 
 @dataclass(frozen=True)
@@ -113,6 +118,8 @@ def section_of(
     if not until > 0:
         raise InputError(f"--until {until:g}: it must be positive")
     where = section(system, place.quantity, place.value, DIRECTIONS[place.direction], place.angle)
+    for quantity, width in place.within:
+        where = slab(where, formula(system, quantity), width)
     names, quantities, columns = coordinates_of(system, coordinates, study.variables)
     given, told = _starts(study, system, starts)
     returns = SectionMap(system, where, {}, tolerance, until=until)
