@@ -8,6 +8,10 @@ import pytest
 from chaplygin.errors import InputError
 from chaplygin.explore.continuation import follow
 from chaplygin.explore.orbits import find
+from chaplygin.explore.returns import Returns, promoted
+from chaplygin.flow.lanes import section
+from chaplygin.flow.section import SectionMap
+from chaplygin.systems import from_catalogue
 from explore.known_maps import DELAYED, HENON, STANDARD, TWICE, TWIST
 
 
@@ -54,3 +58,22 @@ def test_families_of_more_dimensions_are_refused():
         follow(TWIST, orbit, "p", 3.0, ("p",))
     with pytest.raises(InputError, match="a family of 2 dimensions"):
         follow(TWICE, find(TWICE, np.array([0.3, 1.1, 1.0]), 3), "p", 3.0)
+
+
+def test_a_limit_cycle_is_followed_in_a_parameter():
+    """To the same cycle that is found for the last value directly."""
+    ball = from_catalogue("unbalanced-rubber-ball-centred")
+    hold = {"energy": 0.5, "quadratic": 0.95}
+    near = np.array([-1.31476800, 0.10200860, -0.24651476, 0.0, -0.92401353, -0.38235977])
+    system = promoted(ball, "kappa_3")
+    made = Returns(SectionMap(system, section(system, "gamma_1"), tolerance=1e-15))
+    orbit = find(made, np.append(near, 0.15), hold=hold | {"kappa_3": 0.15})
+    branch = follow(made, orbit, "kappa_3", 0.12, hold)
+    last = branch.orbits[-1]
+    assert branch.reason == "kappa_3 reached 0.12"
+    assert last.kind == "attracting"
+    assert last.multipliers.forced == ("flow", "energy", "quadratic", "kappa_3")
+    direct = Returns(SectionMap(ball, section(ball, "gamma_1"), {"kappa_3": 0.12}, 1e-15))
+    same = find(direct, last.points[0, :6], hold=hold)
+    assert last.points[0, :6] == pytest.approx(same.points[0], abs=1e-12)
+    assert last.multipliers.values == pytest.approx(same.multipliers.values, abs=1e-11)
