@@ -140,6 +140,14 @@ def test_lanes_do_the_work() -> None:
     assert np.array_equal(data.steps, marched.steps)
 
 
+def test_there_and_back() -> None:
+    there = ensemble(BALL, draw(BALL, 5, LEVEL), TIMES)
+    last = np.concatenate([there.M[:, -1], there.gamma[:, -1]], axis=1)
+    back = ensemble(BALL, last, -TIMES)
+    assert np.allclose(back.M[:, -1], there.M[:, 0], rtol=0, atol=1e-11)
+    assert np.array_equal(back.ended, [-TIMES[-1]] * 5)
+
+
 def test_a_block_is_bounded_whatever_the_size() -> None:
     small = ensemble_task(BALL, drawn(10**9, LEVEL), TIMES)
     assert small.size == 10**9

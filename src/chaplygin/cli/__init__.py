@@ -7,7 +7,7 @@ import sys
 
 import typer
 
-from . import audit, chart, find, list_, lyapunov, prove, run, section, show, solve, study
+from . import audit, chart, ensemble, find, list_, lyapunov, prove, run, section, show, solve, study
 from .common import complain
 
 __all__ = ["app", "main"]
@@ -27,6 +27,7 @@ app.command("study")(study.command)
 app.command("solve")(solve.command)
 app.command("find")(find.command)
 app.command("prove")(prove.command)
+app.command("ensemble")(ensemble.command)
 app.command("section")(section.command)
 app.command("lyapunov")(lyapunov.command)
 app.command("chart")(chart.command)

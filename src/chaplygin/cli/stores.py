@@ -9,7 +9,7 @@ from typing import Annotated, Any
 
 import typer
 
-__all__ = ["Workers", "clear", "cluster", "level_of", "outcomes"]
+__all__ = ["Workers", "clear", "cluster", "level_of", "outcomes", "vacate"]
 
 Workers = Annotated[
     str | None,
@@ -41,6 +41,23 @@ def level_of(text: str) -> dict[str, float]:
     return found
 
 
+def vacate(output: Path, force: bool) -> None:
+    """Make room for a store where that is wished.
+
+    Raises
+    ------
+    InputError
+        If that would destroy something that is not ours.
+    """
+    import shutil
+
+    from ..flow.store import read
+
+    if output.exists() and force:
+        read(output).close()
+        shutil.rmtree(output)
+
+
 def clear(output: Path, picture: Path, force: bool) -> None:
     """Make room for a store and its picture where that is wished.
 
@@ -49,18 +66,9 @@ def clear(output: Path, picture: Path, force: bool) -> None:
     InputError
         If that would destroy something that is not ours, or was not to be replaced.
     """
-    import shutil
-
-    from ..errors import InputError
-    from ..flow.store import read
     from ..study.files import check_target
 
-    if output.exists() and force:
-        try:
-            read(output).close()
-        except (OSError, ValueError):
-            raise InputError(f"{output} is no store of such a computation and is kept") from None
-        shutil.rmtree(output)
+    vacate(output, force)
     check_target(picture, force or output.exists())
 
 
@@ -85,12 +93,7 @@ def cluster(workers: str | None) -> Iterator[Any]:
         raise InputError(
             f"--workers {workers}: it must be a number, or an address such as tcp://host:8786"
         )
-    import distributed
-
-    with distributed.Client(
-        n_workers=int(workers), threads_per_worker=1, dashboard_address=":0"
-    ) as client:
-        yield client
+    yield int(workers)
 
 
 def outcomes(variable: Any) -> dict[str, int]:

@@ -55,7 +55,7 @@ def ensemble(
         :func:`~chaplygin.flow.members.drawn` and products of them with ``*``; or starts alone, in
         flat order.
     times : array (k,)
-        Increasing from 0 or later; motions begin at 0.
+        Increasing from 0 or later, or decreasing from 0 or before; motions begin at 0.
     parameters : mapping of Symbol or name to float, optional
         Values, the same for all, that replace the defaults.
     record : sequence of str

@@ -103,7 +103,7 @@ class Motions:
     @property
     def lanes(self) -> Lanes:
         """The machine code."""
-        return lanes(self.system, tolerance=self.tolerance)
+        return lanes(self.system, tolerance=self.tolerance, backward=self.times[-1] < 0)
 
     @property
     def varied(self) -> tuple[str, ...]:

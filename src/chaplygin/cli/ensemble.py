@@ -1,0 +1,117 @@
+"""``chaplygin ensemble``: many motions at once, streamed to a store."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from .common import Force, Json, Override, What, inform, print_json, progress, study_of
+from .stores import Workers, cluster, level_of, outcomes, vacate
+
+if TYPE_CHECKING:
+    from ..flow.members import Members
+    from ..study.prepare import Study
+
+__all__ = ["command"]
+
+
+def command(
+    what: What,
+    output: Annotated[Path, typer.Option("-o", "--output", help="Zarr store to write, FILE.zarr.")],
+    starts: Annotated[
+        int, typer.Option(help="How many starts are drawn on the level; needs --level.")
+    ] = 1,
+    level: Annotated[
+        str | None,
+        typer.Option(metavar="NAME=VALUE,...", help="Integrals on whose level starts are drawn."),
+    ] = None,
+    seed: Annotated[int, typer.Option(help="Of the starts that are drawn.")] = 0,
+    over: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME=A:B:N", help="A parameter that takes N values, A to B."),
+    ] = None,
+    record: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME", help="An observable or integral to be recorded too."),
+    ] = None,
+    tolerance: Annotated[float, typer.Option(help="Error allowed in a step.")] = 1e-13,
+    workers: Workers = None,
+    overrides: Override = None,
+    force: Force = False,
+    json: Json = False,
+) -> None:
+    """Motions from many starts with many parameters; what was begun is gone on with.
+
+    Every start with every parameter: the start of the experiment, or starts drawn by chance on a
+    level of the integrals, at the times of the experiment.
+    """
+    from dataclasses import replace
+
+    from ..errors import InputError
+    from ..flow.blocks import compute
+    from ..flow.ensemble import ensemble_task
+    from ..study.followed import followed
+
+    if output.suffix != ".zarr":
+        raise InputError(f"--output {output}: its name must end in .zarr")
+    study = study_of(what, overrides)
+    task = ensemble_task(
+        followed(study),
+        _members(study, starts, level, seed, over or []),
+        study.times,
+        record=record or (),
+        tolerance=tolerance,
+    )
+    task = replace(task, attributes={**task.attributes, "experiment": study.complete_toml()})
+    vacate(output, force)
+    with cluster(workers) as client, progress(study.system.title) as update:
+        try:
+            found = compute(task, output, client=client, progress=update)
+        except KeyboardInterrupt:
+            inform(f"interrupted; the same command goes on with what is in {output}")
+            raise typer.Exit(130) from None
+    result = {
+        "file": str(output),
+        "members": found.attrs["members"],
+        "motions": found.sizes["run"],
+        "times": found.sizes["time"],
+        "outcomes": outcomes(found["outcome"]),
+    }
+    if json:
+        print_json(result)
+        return
+    typer.echo(f"{study.system.title}: {result['members']}")
+    for reason, count in result["outcomes"].items():
+        typer.echo(f"{count} of {result['motions']}: {reason}")
+    inform(f"written to {output}")
+
+
+def _members(study: Study, starts: int, level: str | None, seed: int, over: list[str]) -> Members:
+    """Who takes part."""
+    import numpy as np
+
+    from ..errors import InputError
+    from ..explore.planes import axis
+    from ..flow.ensemble import drawn, grid, one
+
+    if level is not None:
+        everyone = drawn(starts, level_of(level), seed)
+    elif starts == 1:
+        everyone = one(**_given(study))
+    else:
+        raise InputError(f"--starts {starts}: they are drawn on a level; --level is needed")
+    for text in over:
+        chosen = axis(text, "--over")
+        values = np.linspace(chosen.first, chosen.last, chosen.count)
+        everyone = everyone * grid(**{chosen.name: values})
+    return everyone
+
+
+def _given(study: Study) -> dict[str, Any]:
+    """The start of the experiment: ω and γ, from which the state follows, or the state."""
+    if set(study.given) == {"omega", "gamma"}:
+        return dict(study.given)
+    size = len(study.system.symbols)
+    return {"state": [float(value) for value in study.start[:size]]}
