@@ -89,7 +89,8 @@ def draw(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
         where = _NAME.sub(lambda name: _typeset(name[0]), str(dataset.attrs.get("section", "")))
         title = f"{readable(title_of(dataset))}: {where}".removesuffix(": ")
         figure.text(0.02, 0.975, title, va="top", fontsize=10)
-        told = f"{int(dataset['points'].sum()):,} points{drawn}"
+        there = int(np.minimum(dataset["points"].values, count).sum())
+        told = f"{there:,} points{drawn}"
         figure.text(0.98, 0.975, told, ha="right", va="top", color=QUIET)
     return figure
 
