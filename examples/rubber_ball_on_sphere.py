@@ -201,7 +201,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     report(found)
     with plt.rc_context(STYLE):
         folder.mkdir(parents=True, exist_ok=True)
-        figure(found).savefig(folder / "rubber_ball_on_sphere.png", dpi=160)
+        figure(found).savefig(folder / "rubber_ball_on_sphere.png", dpi=120)
     print(f"wrote {folder / 'rubber_ball_on_sphere.png'}")
 
 
