@@ -79,7 +79,7 @@ def _print(found: Spectrum, turned: Any) -> None:
     from rich.markup import escape
     from rich.table import Table
 
-    from ..explore.spectra import remarks, word
+    from ..explore.spectra import remarks, rounded, word
 
     typer.echo(found.system.title)
     typer.echo(
@@ -92,10 +92,11 @@ def _print(found: Spectrum, turned: Any) -> None:
     table.add_column("error", justify="right", no_wrap=True)
     table.add_column("")
     for number, item in enumerate(found.exponents, 1):
-        table.add_row(f"λ{number}", *_shown(item), word(item))
+        table.add_row(f"λ{number}", *rounded(item.value, item.error), word(item))
+    total, mean = found.total, found.volume.divergence
     if found.exponents:
-        table.add_row("sum", *_shown(found.total), word_of_sum(found.total))
-    table.add_row("divergence", *_shown(found.volume.divergence), "its mean along the motion")
+        table.add_row("sum", *rounded(total.value, total.error), word_of_sum(total))
+    table.add_row("divergence", *rounded(mean.value, mean.error), "its mean along the motion")
     table.add_section()
     for forced, rate in found.removed:
         shown = "" if rate is None else "0"
@@ -119,11 +120,3 @@ def word_of_sum(total: Average) -> str:
     if total.zero:
         return "volumes keep their size within the error"
     return "volumes grow" if total.value > 0 else "volumes shrink"
-
-
-def _shown(item: Average) -> tuple[str, str]:
-    """Value and error to the digits that the error allows."""
-    from math import floor, log10
-
-    places = max(0, 1 - floor(log10(item.error))) if item.error > 0 else 12
-    return f"{item.value:.{places}f}", f"{item.error:.{places}f}"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from math import floor, log10
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,7 +15,7 @@ from .reversors import Reversor
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["dataset", "record", "remarks", "word"]
+__all__ = ["dataset", "record", "remarks", "rounded", "word"]
 
 #: A relative error of the computation above which it is told.
 CAREFUL = 0.1
@@ -27,6 +28,12 @@ def word(item: Average) -> str:
     if item.zero:
         return "zero within its error"
     return "neighbours part" if item.value > 0 else "neighbours approach"
+
+
+def rounded(value: float, error: float) -> tuple[str, str]:
+    """A number and its error, to two digits of the error."""
+    places = max(0, 1 - floor(log10(error))) if error > 0 else 12
+    return f"{value:.{places}f}", f"{error:.{places}f}"
 
 
 def remarks(found: Spectrum, reversors: Sequence[Reversor] = ()) -> Iterator[str]:
@@ -61,8 +68,8 @@ def _convergence(found: Spectrum) -> Iterator[str]:
             )
     if abs(found.volume.balance) > CAREFUL * found.total.error:
         yield (
-            f"the sum of exponents and the mean of the divergence differ by "
-            f"{found.volume.balance:.2g} more than they may: take shorter intervals"
+            f"the mean of the divergence is uncertain by {abs(found.volume.balance):.2g} besides: "
+            "it varies faster than the points where it was taken"
         )
 
 
@@ -101,11 +108,10 @@ def _volumes(found: Spectrum) -> Iterator[str]:
         "density about it (observed, not proven)"
     )
     if found.chaotic and total.value < 0:
-        dimension, error = found.dimension
-        yield (
-            f"a chaotic set {end} it, of Kaplan–Yorke dimension {dimension:.3f} ± {error:.3f} on "
-            "the level of the integrals"
-        )
+        value, error = rounded(*found.dimension)
+        level = any(item.kind == "integral" for item, _ in found.removed)
+        place = " on the level of the integrals" if level else ""
+        yield f"a chaotic set {end} it, of Kaplan–Yorke dimension {value} ± {error}{place}"
 
 
 def _pairs(found: Spectrum, reversor: Reversor) -> Iterator[str]:

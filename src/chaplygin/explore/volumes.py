@@ -22,7 +22,7 @@ Array: TypeAlias = Any
 Values: TypeAlias = Mapping[Any, Any] | None
 
 #: Points of Gauss's rule in an interval, for the mean of the divergence.
-NODES = 8
+NODES = 16
 #: A condition in the parameters is met when it is missed by no more than this.
 MISSED = 1e-9
 #: Intervals taken together, to bound the memory.
