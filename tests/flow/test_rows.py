@@ -24,6 +24,12 @@ def test_each_row_by_itself() -> None:
         assert (applied(MATRICES[part], solved(MATRICES[part], VECTORS[part])) == whole[part]).all()
 
 
+def test_vectors_of_one_component() -> None:
+    assert np.allclose(
+        solved(MATRICES[:, :1, :1], VECTORS[:, :1]) * MATRICES[:, 0, :1], VECTORS[:, :1]
+    )
+
+
 def test_vectors_of_no_length() -> None:
     nothing = np.zeros((5, 0))
     assert (dots(nothing, nothing) == 0).all()

@@ -40,5 +40,7 @@ def solved(matrices: Any, right: Any) -> Any:
     """A⁻¹ v for matrices (k, n, n) and vectors (k, n): array (k, n)."""
     if right.shape[1] == 0:
         return right
+    if right.shape[1] == 1:
+        return right / matrices[:, 0]
     found = np.linalg.solve(matrices, right[:, :, None])
     return found[:, :, 0]
