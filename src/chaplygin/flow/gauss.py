@@ -284,7 +284,7 @@ class _Loop:
         """Find the stages; a bit tells whether they have come to rest."""
         w, d, h = self.w, self.d, whole[0]
         columns = self._columns(self.method.a)
-        rest = _Rest(self, h, 1e-31, 1e-24)
+        rest = _Rest(self, h, 1e-28, 1e-24)
         with w.forever() as leave:
             for i in range(self.size):
                 change = w.call("fma", h, self._applied(columns, "rates", i), self._y_rest(i))
