@@ -156,6 +156,11 @@ def test_a_block_is_bounded_whatever_the_size() -> None:
     assert long.block * 10**4 * 6 <= 1 << 22
 
 
+@pytest.mark.parametrize(("size", "blocks"), [(100, 7), (10**4, 64), (10**6, 245)])
+def test_workers_find_something_to_do(size: int, blocks: int) -> None:
+    assert ensemble_task(BALL, drawn(size, LEVEL), TIMES, shares=64).blocks == blocks
+
+
 @pytest.mark.parametrize(
     ("members", "options", "told"),
     [

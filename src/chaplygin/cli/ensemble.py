@@ -51,7 +51,7 @@ def command(
 
     from ..errors import InputError
     from ..flow.blocks import compute
-    from ..flow.ensemble import ensemble_task
+    from ..flow.ensemble import SHARES, ensemble_task
     from ..study.followed import followed
 
     if output.suffix != ".zarr":
@@ -63,6 +63,7 @@ def command(
         study.times,
         record=record or (),
         tolerance=tolerance,
+        shares=1 if workers is None else SHARES,
     )
     task = replace(task, attributes={**task.attributes, "experiment": study.complete_toml()})
     vacate(output, force)

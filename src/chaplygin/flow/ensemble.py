@@ -29,6 +29,9 @@ __all__ = ["drawn", "ensemble", "ensemble_task", "grid", "listed", "one"]
 #: A block holds no more members than this, nor more numbers.
 _MEMBERS, _NUMBERS = 4096, 1 << 22
 
+#: Blocks for a cluster, at least.
+SHARES = 64
+
 
 def ensemble(
     system: System,
@@ -82,7 +85,14 @@ def ensemble(
         If a store could not be written to the end.
     """
     task = ensemble_task(
-        system, members, times, parameters, record=record, tolerance=tolerance, block=block
+        system,
+        members,
+        times,
+        parameters,
+        record=record,
+        tolerance=tolerance,
+        block=block,
+        shares=1 if client is None else SHARES,
     )
     return compute(task, where, client=client, progress=progress)
 
@@ -96,8 +106,13 @@ def ensemble_task(
     record: Sequence[str] = (),
     tolerance: float = 1e-13,
     block: int | None = None,
+    shares: int = 1,
 ) -> Task:
-    """An ensemble that is still to be computed; see :func:`ensemble`."""
+    """An ensemble that is still to be computed; see :func:`ensemble`.
+
+    Unless the size of a block is given, there are as many as `shares` at least, of 16 members or
+    more, so that several workers find something to do.
+    """
     everyone = members if isinstance(members, Members) else listed(state=members)
     constants = {str(name): float(value) for name, value in (parameters or {}).items()}
     moments = tuple(np.atleast_1d(np.asarray(times, dtype=float)).tolist())
@@ -108,11 +123,12 @@ def ensemble_task(
     # a mistake shows at the first member, before any store is begun
     _, parameters, points = work.starts(0, 1)
     variables = _variables(work, points is not None)
+    share = max(16, math.ceil(everyone.size / shares))
     numbers = sum(math.prod(variable.shape) for variable in variables.values())
     return Task(
         work,
         everyone.size,
-        block or max(1, min(_MEMBERS, _NUMBERS // numbers, everyone.size)),
+        block or max(1, min(_MEMBERS, _NUMBERS // numbers, everyone.size, share)),
         variables,
         "run",
         _coordinates(work, variables),
