@@ -114,6 +114,7 @@ def _chunks(store: Path) -> list[Path]:
     ("options", "sentence"),
     [
         ({"count": 0}, "0 points: there must be one at least"),
+        ({"count": 10**9}, "do not fit into memory at once: ask for no more than"),
         ({"quantities": [Quantity("time", M[0], "")]}, "time bears the name of something else"),
         ({"starts": np.zeros((0, 6))}, "size is 0"),
     ],

@@ -24,6 +24,8 @@ __all__ = ["Columns", "Quantity", "Returns", "section_task"]
 #: Bytes of a block, about, and points at which formulas are computed at once: what is in memory
 #: at a time.
 BLOCK, PIECE = 2**26, 2**15
+#: Bytes of one motion, about, at most.
+MOST = 2**29
 
 
 @dataclass(frozen=True)
@@ -150,8 +152,8 @@ def section_task(
     Raises
     ------
     InputError
-        If there is no start, no return is asked for, parameters differ from motion to motion, or
-        a quantity bears the name of something else.
+        If there is no start, no return is asked for or too many, parameters differ from motion to
+        motion, or a quantity bears the name of something else.
     """
     if count < 1:
         raise InputError(f"{count} points: there must be one at least")
@@ -190,6 +192,11 @@ def section_task(
         notes = _notes(item.meaning, item.unit) | ({"label": item.label} if item.label else {})
         variables[item.name] = Variable(("section_point",), (count,), attributes=notes)
     width = sum(int(np.prod(item.shape[1:])) for item in variables.values())
+    if 8 * width * count > MOST:
+        raise InputError(
+            f"{count} points of one motion do not fit into memory at once: ask for no more than "
+            f"{MOST // (8 * width)}, and for more motions"
+        )
     return Task(
         work=Returns(returns, np.asarray(starts, dtype=np.float64), count, recorded, columns),
         size=len(starts),
