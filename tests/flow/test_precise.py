@@ -212,6 +212,14 @@ MISTAKES: dict[str, tuple[Any, str]] = {
         lambda: precise(OSCILLATOR, [1.0, 0.0], {"k": 1}),
         "oscillator: no parameter k; it has p",
     ),
+    "parameter that is a word": (
+        lambda: precise(OSCILLATOR, [1.0, 0.0], {"p": "much"}),
+        "oscillator: p: all must be real numbers, in rows of one length",
+    ),
+    "several parameters": (
+        lambda: precise(OSCILLATOR, [1.0, 0.0], {"p": [1.0, 2.0]}),
+        "oscillator: p has the shape (2,); it must be one number or 1, one for each motion",
+    ),
     "parameter of a motion": (
         lambda: flow().until([[1.0, 0.0]] * 2, [1.0], {"p": [1.0, -1.0]}),
         "oscillator: p = -1 is not admissible; p > 0 must hold",

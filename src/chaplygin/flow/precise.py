@@ -176,8 +176,8 @@ def precise(
         raise InputError(
             f"{system.name}: the start has the shape {point.shape}; one state is needed, {order}"
         )
-    values = tuple(sorted((str(k), float(v)) for k, v in (parameters or {}).items()))
-    names = () if digits == 30 else _standing(system, tuple(point), values)
+    constants = parameter_rows(system, parameters, 1)[0]
+    names = () if digits == 30 else _standing(system, tuple(point), tuple(constants))
     return _compiled(system, digits, backward, names)
 
 
@@ -215,7 +215,7 @@ def _candidates(system: System) -> list[tuple[str, Term]]:
 
 @lru_cache(maxsize=256)
 def _standing(
-    system: System, point: tuple[float, ...], parameters: tuple[tuple[str, float], ...]
+    system: System, point: tuple[float, ...], parameters: tuple[float, ...]
 ) -> tuple[str, ...]:
     """Names of what stands still near a state: integrals and relations.
 
@@ -224,7 +224,7 @@ def _standing(
     reader, rates = read_system(system)
     graph = reader.graph
     size = len(point)
-    constants = parameter_rows(system, dict(parameters), 1)[0]
+    constants = np.array(parameters)
     generator = np.random.default_rng(0)
     on_level = np.array([point])
     beside = on_level * (1 + 0.01 * generator.normal(size=(4, size)))
