@@ -14,22 +14,23 @@ from __future__ import annotations
 
 import argparse
 import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from importlib.util import find_spec
 
 from contest import taylor
 from contest.bodies import BODIES
 from contest.tasks import QUICK, TASKS, THOROUGH, Effort, Outcome, ball
 
 
-def measure(effort: Effort, tasks: Sequence[str]) -> list[Outcome]:
-    """Every task with every body and target."""
-    return [
-        task.run(body, target, effort)
-        for task in TASKS
-        if task.name in tasks
-        for body in BODIES.values()
-        for target in task.targets[: None if effort.thorough else 1]
-    ]
+def measure(effort: Effort, tasks: Sequence[str]) -> Iterator[Outcome]:
+    """Every task with every body and target, one after another."""
+    for task in TASKS:
+        if task.name in tasks:
+            for body in BODIES.values():
+                for target in task.targets[: None if effort.thorough else 1]:
+                    yield task.run(body, target, effort)
+    if "ball" in tasks and find_spec("mujoco"):
+        yield ball(BODIES["chaplygin-ball"], effort)
 
 
 def ratios(outcomes: Sequence[Outcome]) -> dict[str, dict[str, float]]:
@@ -46,19 +47,18 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--json", action="store_true")
     parser.add_argument("--quick", action="store_true", help="few starts, heyoka's best alone")
-    parser.add_argument("--task", action="append", choices=[task.name for task in TASKS])
+    names = [task.name for task in TASKS]
+    parser.add_argument("--task", action="append", choices=[*names, "ball"], help="it alone")
     options = parser.parse_args()
     taylor.forget()
     effort = QUICK if options.quick else THOROUGH
-    outcomes = measure(effort, options.task or [task.name for task in TASKS])
     if options.json:
+        outcomes = list(measure(effort, options.task or names))
         print(json.dumps(ratios(outcomes), indent=2))
         return
     from contest import report
 
-    if not (options.quick or options.task):
-        outcomes.append(ball(BODIES["chaplygin-ball"], effort))
-    report.show(outcomes)
+    report.show(measure(effort, options.task or [*names, "ball"]))
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
@@ -40,8 +40,8 @@ def arithmetic() -> Table:
     return made
 
 
-def show(outcomes: Sequence[Outcome], width: int = 118) -> None:
-    """One table for each task, body and target."""
+def show(outcomes: Iterable[Outcome], width: int = 118) -> None:
+    """One table for each task, body and target, as they come; arithmetic last."""
     console = Console(width=width)
     console.print(machine())
     for outcome in outcomes:

@@ -16,7 +16,9 @@ _MODEL = """
 <mujoco>
   <option timestep="{step}" gravity="0 0 -9.81" integrator="RK4" cone="elliptic" impratio="100"
           solver="Newton" tolerance="1e-14" iterations="100"/>
-  <default><geom friction="10 0 0" condim="3" solref="0.004 1" solimp="0.9999 0.9999 0.001"/></default>
+  <default>
+    <geom friction="10 0 0" condim="3" solref="0.004 1" solimp="0.9999 0.9999 0.001"/>
+  </default>
   <worldbody>
     <geom type="plane" size="50 50 1"/>
     <body pos="0 0 {R}">
