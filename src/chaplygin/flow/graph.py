@@ -251,8 +251,12 @@ class Graph:
         return slopes[node.kind]()
 
 
-def ordered(terms: Iterable[Term]) -> list[Term]:
-    """All terms on which some depend, and these, operands first."""
+def ordered(terms: Iterable[Term], wanted: Callable[[Term], bool] = lambda _: True) -> list[Term]:
+    """All terms on which some depend, and these, operands first.
+
+    A term that is not `wanted` is left out, with those on which only it depends; each is asked
+    about once.
+    """
     seen: set[int] = set()
     found: list[Term] = []
     for root in terms:
@@ -263,8 +267,9 @@ def ordered(terms: Iterable[Term]) -> list[Term]:
                 found.append(node)
             elif id(node) not in seen:
                 seen.add(id(node))
-                pending.append((node, True))
-                pending.extend((a, False) for a in reversed(node.operands))
+                if wanted(node):
+                    pending.append((node, True))
+                    pending.extend((a, False) for a in reversed(node.operands))
     return found
 
 

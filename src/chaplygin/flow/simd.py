@@ -31,7 +31,14 @@ def evaluate(
         The value of a term that is known; None if it is to be computed.
     """
     known: dict[int, Value] = {}
-    nodes = _reached(terms, leaf, known)
+
+    def unknown(node: Term) -> bool:
+        value = leaf(node)
+        if value is not None:
+            known[id(node)] = value
+        return value is None
+
+    nodes = ordered(terms, unknown)
     uses = Counter(id(a) for node in nodes for a in node.operands)
     uses.update(id(term) for term in terms)
 
@@ -51,31 +58,6 @@ def evaluate(
         if id(node) not in inside:
             known[id(node)] = _compute(arithmetic, node, fused.get(id(node)), known)
     return [known[id(term)] for term in terms]
-
-
-def _reached(
-    terms: Sequence[Term], leaf: Callable[[Term], Value], known: dict[int, Value]
-) -> list[Term]:
-    """What is to be computed, operands first; what is known goes into `known`."""
-    seen: set[int] = set()
-    found: list[Term] = []
-    for root in terms:
-        pending: list[tuple[Term, bool]] = [(root, False)]
-        while pending:
-            node, ready = pending.pop()
-            if ready:
-                found.append(node)
-                continue
-            if id(node) in seen:
-                continue
-            seen.add(id(node))
-            value = leaf(node)
-            if value is not None:
-                known[id(node)] = value
-                continue
-            pending.append((node, True))
-            pending.extend((a, False) for a in reversed(node.operands))
-    return found
 
 
 def _compute(
