@@ -78,7 +78,7 @@ def draw(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
         figure = Figure(figsize=(WIDTH, 4.6 if len(names) == 2 else 6.1))
         figure.set_label(f"Section: {title_of(dataset)}")
         if len(names) == 2:
-            axes = figure.add_axes((0.11, 0.12, 0.74, 0.8))
+            axes = figure.add_axes((0.125, 0.12, 0.74, 0.8))
             _plane(axes, points, labels, look)
         else:
             # of one motion what comes later lies above, so that its end is seen
