@@ -309,6 +309,21 @@ def test_a_store_of_another_experiment(changed: Task, difference: str, tmp_path:
     same(compute(task()), compute(task(), place))
 
 
+def test_a_store_of_another_version(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with pytest.raises(UnfinishedError):
+        stopping_after(2, monkeypatch)
+        compute(task(), tmp_path / "a.zarr")
+    monkeypatch.undo()
+    with monkeypatch.context() as patch:
+        patch.setattr("chaplygin.flow.store.program", lambda: "newer")
+        with pytest.raises(InputError, match=r"a\.zarr was begun by another version"):
+            compute(task(), tmp_path / "a.zarr")
+    whole = compute(task(), tmp_path / "a.zarr")
+    # what is complete can be read by any version
+    monkeypatch.setattr("chaplygin.flow.store.program", lambda: "newer")
+    same(whole, compute(task(), tmp_path / "a.zarr"))
+
+
 def test_one_writer_at_a_time(tmp_path: Path) -> None:
     place = tmp_path / "a.zarr"
 

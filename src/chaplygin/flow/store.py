@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import InputError, RunError
-from .identity import digest, parts
+from .identity import digest, parts, program
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -220,6 +220,7 @@ def _lay_out(task: Task, folder: Path) -> None:
                 "format": FORMAT,
                 "block": task.block,
                 "task": _description(task),
+                "program": program(),
             },
         )
         zarr.consolidate_metadata(group.store)
@@ -295,13 +296,19 @@ def _gone_on_with(task: Task, folder: Path, group: Any) -> Store:
     for name in [*here, *there]:
         if here.get(name) != there.get(name):
             raise InputError(f"{folder} holds another experiment: {_difference(name, task, group)}")
+    done = np.asarray(group[DONE][:])
+    if notes.get("program") != program() and not done.all():
+        raise InputError(
+            f"{folder} was begun by another version of the program, whose numbers may differ in "
+            "their last digits; choose another name for the store"
+        )
     for leftover in folder.rglob("*.partial"):
         leftover.unlink()
     arrays = {
         name: group[name].with_config({"write_empty_chunks": True})
         for name in (*task.variables, DONE)
     }
-    return Store(replace(task, block=notes["block"]), folder, arrays, np.asarray(group[DONE][:]))
+    return Store(replace(task, block=notes["block"]), folder, arrays, done)
 
 
 def _difference(name: str, task: Task, group: zarr.Group) -> str:
