@@ -1,0 +1,40 @@
+"""Every system of the catalogue by two methods that share nothing but its formulas."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from chaplygin.flow.lanes import lanes
+from chaplygin.flow.precise import precise
+from chaplygin.flow.starts import flat_starts
+from chaplygin.system import flat
+from chaplygin.systems import CATALOGUE, from_catalogue
+
+#: Two systems at all times, the others among the slow tests.
+SYSTEMS = [
+    pytest.param(name, marks=[pytest.mark.slow] if i % 40 else [])
+    for i, name in enumerate(CATALOGUE)
+]
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_lanes_and_collocation_agree(name: str) -> None:
+    """From the start that the catalogue names; neither ends before its time."""
+    system = replace(from_catalogue(name), motion=None, observables=())
+    chosen = CATALOGUE[name].start
+    variables = {str(part) for part in (*flat(system.state), *system.state)}
+    given = {
+        key: np.array([value], dtype=float)
+        for key, value in chosen.values.items()
+        if key in variables | {"omega", "gamma"}
+    }
+    start = flat_starts(system, given)
+    times = [min(chosen.until, 5.0)]
+    fine = precise(system, start[0]).until(start, times)
+    found = lanes(system).until(start, times)
+    assert found.outcome.tolist() == fine.outcome.tolist() == [0]
+    allowed = 1e-10 * np.maximum(1, np.abs(fine.states))
+    assert (np.abs(found.states - fine.states) < allowed).all()
