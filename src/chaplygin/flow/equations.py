@@ -100,12 +100,20 @@ class Equations:
     deviations: tuple[tuple[int, ...], ...] = ()
 
     @property
+    def acting(self) -> tuple[int, ...]:
+        """State variables on which some rate depends; a place on a plane is none."""
+        controlled = {i for group in self.groups for i in group}
+        used = {term.args[0] for term in ordered(self.rates) if term.kind == "state"}
+        return tuple(sorted(controlled & used))
+
+    @property
     def pieces(self) -> dict[str, tuple[Term, ...]]:
         """What is evaluated, by the name of the function that does it."""
         pieces = {"rates": self.rates}
         if self.section is not None and self.slope is not None:
             where = () if self.where is None else (self.where,)
             pieces["section"] = (self.section, self.slope, *where)
+            pieces["halfway"] = (self.section,)
         if self.guards:
             pieces["guards"] = self.guards
         return pieces

@@ -365,11 +365,11 @@ class _Loop:
         w, d = self.w, self.d
         square = w.op("fmul", h, h)
         worst = w.constant(0.0)
-        # a variable that happens to be zero is measured by a thousandth of the whole
+        # a variable that happens to be zero is measured by a millionth of what acts
         whole = w.constant(1e-200)
-        for i in (i for group in self.equations.groups for i in group):
+        for i in self.equations.acting:
             whole = w.call("fma", self._y(i), self._y(i), whole)
-        whole = w.op("fmul", whole, w.constant(1e-6))
+        whole = w.op("fmul", whole, w.constant(1e-12))
         for group in self.equations.groups:
             size, change = whole, w.constant(0.0)
             for i in group:

@@ -14,8 +14,8 @@ from .values import doubles, numbers
 
 __all__ = ["moments", "require_on_phase_space", "require_rows"]
 
-#: A start may miss a relation by this much; more is refused.
-SLACK = 1e-9
+#: A start may miss a relation by this share of what it consists of, and by so much besides.
+SLACK, LEAST = 1e-9, 1e-13
 
 
 def moments(times: Any, backward: bool = False) -> Any:
@@ -56,19 +56,18 @@ def require_on_phase_space(
     ----------
     system : System
     relations : sequence of Term
-        Its relations.
+        See :func:`chaplygin.flow.values.relation_terms`.
     points : array (motions, size)
     parameters : array (1 or motions, parameters)
     """
     if not relations or not len(points):
         return
-    missed = np.abs(numbers(relations, points, parameters))
-    # each start against its own size; what is no number but stands in no relation ends its lane
-    size = np.fmax.reduce(np.abs(points), axis=1)
-    places = np.argwhere(~(missed <= SLACK * (1 + size[:, None] ** 2)))
-    if places.size:
-        start, relation = places[0]
+    found = np.abs(numbers(relations, points, parameters))
+    missed, sizes = np.split(found, 2, axis=1)
+    excess = missed / (SLACK * sizes + LEAST)
+    worst = np.unravel_index(np.argmax(np.nan_to_num(excess, nan=np.inf)), excess.shape)
+    if not excess[worst] <= 1:
         raise InputError(
-            f"{system.name}: start {start} misses the phase space; {system.relations[relation]} is "
-            f"{missed[start, relation]:.3g} there and must vanish"
+            f"{system.name}: start {worst[0]} misses the phase space; "
+            f"{system.relations[worst[1]]} is {missed[worst]:.3g} there and must vanish"
         )

@@ -34,6 +34,9 @@ ENDS = (
 
 COLLAPSED, NOT_A_NUMBER, STEPS, OVER = range(1, len(ENDS))
 
+#: The stage at which the section is looked at inside a step, for what the ends do not tell.
+HALFWAY = 9
+
 #: Deviations may have so many times the error of the motion.
 LOOSER = 100.0
 
@@ -82,11 +85,12 @@ class _March:
             ("constants", max(constants, 1)),
             ("parameters", max(equations.parameters, 1)),
             ("section", 3),
+            ("halfway", 1),
             ("guards", max(len(equations.guards), 1)),
         ):
             self.space.room(name, count * words)
         for name in (
-            *("time", "target", "step", "floor", "saved", "g", "gdot", "tries", "steps"),
+            *("time", "target", "step", "floor", "saved", "g", "gdot", "g_here", "tries", "steps"),
             *("mode", "fault", "event", "fresh", "index", "samples"),
         ):
             self.space.room(name)
@@ -281,6 +285,7 @@ class _March:
             reach = w.op("fmul", w.op("fmul", w.constant(1e-8), first), w.call("fabs", gdot))
             close = w.compare("ole", w.call("fabs", g), reach)
             self.put("g", w.choose(fresh, w.choose(close, zero, g), self.get("g")))
+            self.put("g_here", w.choose(fresh, g, self.get("g_here")))
             self.put("gdot", w.choose(fresh, gdot, self.get("gdot")))
         if self.equations.guards:
             self.evaluate("guards", "y")
@@ -324,6 +329,8 @@ class _March:
             for i in range(self.dimension):
                 value = n.fma(step_number, self._sum(self.method.a[stage], i), self._y(i))
                 n.store(value, self.place("stage"), i)
+            if stage == HALFWAY and self.equations.section is not None:
+                self.evaluate("halfway", "stage")
             self.rates(stage, "stage")
         for i in range(self.dimension):
             self._advance(step_number, i)
@@ -336,6 +343,12 @@ class _March:
         factor = w.choose(w.compare("ogt", factor, w.constant(0.2)), factor, w.constant(0.2))
         factor = w.choose(w.compare("olt", factor, w.constant(5.0)), factor, w.constant(5.0))
         factor = w.choose(number, factor, w.constant(0.2))
+        if self.equations.section is not None:
+            self.evaluate("section", "new")
+            excess = self._wavering(step)
+            slower = w.op("fmul", w.constant(0.9), w.inverse_root(excess, 8))
+            factor = w.choose(w.compare("olt", slower, factor), slower, factor)
+            allowed = w.both(allowed, w.unless(w.compare("ogt", excess, w.constant(1.0))))
         reason = w.choose(number, w.constant(float(COLLAPSED)), w.constant(float(NOT_A_NUMBER)))
         self.put("fault", w.choose(live, w.choose(allowed, zero, reason), self.get("fault")))
         if self.equations.guards:
@@ -418,12 +431,12 @@ class _March:
         w, n = self.w, self.n
         fifth, third = w.constant(0.0), w.constant(0.0)
         square = w.op("fmul", step, step)
-        # a variable that happens to be zero is measured by a thousandth of the whole
+        # a variable that happens to be zero is measured by a millionth of what acts
         whole = w.constant(1e-200)
-        for i in (i for group in self.equations.groups for i in group):
+        for i in self.equations.acting:
             y = n.leading(self._y(i))
             whole = w.call("fma", y, y, whole)
-        whole = w.op("fmul", whole, w.constant(1e-6))
+        whole = w.op("fmul", whole, w.constant(1e-12))
         for group in self.equations.groups:
             e5, e3 = self._share([(i,) for i in group], square, whole)
             fifth, third = w.op("fadd", fifth, e5), w.op("fadd", third, e3)
@@ -479,7 +492,6 @@ class _March:
     ) -> tuple[str, str, str, str]:
         """Find crossings, and go to them."""
         w, n, zero = self.w, self.n, self.w.constant(0.0)
-        self.evaluate("section", "new")
         g, gdot = self.get("g"), self.get("gdot")
         g_new = n.leading(n.load(self.place("section"), 0))
         gdot_new = n.leading(n.load(self.place("section"), 1))
@@ -525,8 +537,31 @@ class _March:
         self.put("tries", tries)
         # what has just been crossed is not crossed again
         self.put("g", w.choose(moved, w.choose(back, zero, g_new), g))
+        self.put("g_here", w.choose(moved, g_new, self.get("g_here")))
         self.put("gdot", w.choose(moved, gdot_new, gdot))
         return moved, following, event, fault
+
+    def _wavering(self, step: str) -> str:
+        """The square of how far the section's function is from the cubic through both ends.
+
+        Up to 1 it crosses zero where the cubic does; beyond, it may have turned unseen in between.
+        """
+        w, n = self.w, self.n
+        x = float(sum(self.method.a[HALFWAY]))
+        g, rise = self.get("g_here"), w.op("fmul", step, self.get("gdot"))
+        g_new = n.leading(n.load(self.place("section"), 0))
+        rise_new = w.op("fmul", step, n.leading(n.load(self.place("section"), 1)))
+        cubic = w.op("fmul", w.constant((1 + 2 * x) * (1 - x) ** 2), g)
+        cubic = w.call("fma", w.constant(x * (1 - x) ** 2), rise, cubic)
+        cubic = w.call("fma", w.constant(x * x * (3 - 2 * x)), g_new, cubic)
+        cubic = w.call("fma", w.constant(x * x * (x - 1)), rise_new, cubic)
+        off = w.op("fsub", n.leading(n.load(self.place("halfway"), 0)), cubic)
+        ends = w.op("fadd", w.call("fabs", g), w.call("fabs", g_new))
+        rises = w.op("fadd", w.call("fabs", rise), w.call("fabs", rise_new))
+        allowed = w.call("fma", w.constant(0.02), rises, w.constant(1e-13))
+        allowed = w.call("fma", w.constant(0.05), ends, allowed)
+        share = w.op("fdiv", off, allowed)
+        return w.op("fmul", share, share)
 
     def _root(self, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -> str:
         """Where in a step the cubic through values and slopes at both ends vanishes."""

@@ -43,9 +43,20 @@ _NUMPY: Mapping[str, Any] = {
 
 
 def relation_terms(system: System) -> tuple[Term, ...]:
-    """The relations of a system as terms."""
+    """The relations of a system as terms, and after them the sizes of what they consist of.
+
+    The size of f is Σ |xᵢ ∂f/∂xᵢ|.
+    """
     reader, _ = read_system(system)
-    return tuple(reader(relation) for relation in system.relations)
+    graph = reader.graph
+    states = [graph.state(i) for i in range(len(system.symbols))]
+    relations = [reader(relation) for relation in system.relations]
+    zero, one = graph.number(0), graph.number(1)
+    sizes = [zero] * len(relations)
+    for x in states:
+        slopes = graph.along(relations, {s: one if s is x else zero for s in states})
+        sizes = [size + graph.call("abs", x * d) for size, d in zip(sizes, slopes, strict=True)]
+    return (*relations, *sizes)
 
 
 @lru_cache(maxsize=64)
