@@ -228,12 +228,13 @@ def test_one_value_for_all_is_the_same_as_one_for_each(flow: Lanes) -> None:
     assert _bytes(flow.until(STATES, [2.0], BALL.defaults)) == _bytes(flow.until(STATES, [2.0]))
 
 
-def test_every_start_is_held_against_its_own_size(flow: Lanes) -> None:
-    """A fast motion excuses no other; what is no number but stands in no relation ends a lane."""
-    states = np.array([[1e6, 0, 0, 0, 0, 1 + 1e-8], [0, 0, 1, 0, 0, 1 + 1e-9]])
-    assert not flow.until(states[:1], [1e-9]).outcome.any()
+def test_every_start_is_held_against_the_size_of_its_relations(flow: Lanes) -> None:
+    """A fast motion excuses nothing; what is no number but stands in no relation ends a lane."""
+    near = [[1e6, 0, 0, 0, 0, 1 + 1e-10], [0, 0, 1, 0, 0, 1 - 1e-10]]
+    assert not flow.until(near, [1e-9]).outcome.any()
+    away = np.array([[0, 0, 1, 0, 0, 1], [1e6, 0, 0, 0, 0, 1 + 1e-8]])
     with pytest.raises(InputError, match="start 1 misses the phase space"):
-        flow.until(states, [1e-9])
+        flow.until(away, [1e-9])
     found = flow.until([[np.nan, 0, 0, 0, 0, 1], [0, 0, 1, 0, 0, 1]], [1.0])
     assert found.outcome.tolist() == [2, 0]
 
