@@ -51,3 +51,20 @@ def test_mistakes_are_told():
         trapped(SINES, {"q": "1"}, ("0.2", "0.5"), 0)
     with pytest.raises(InputError, match="its state must be"):
         trapped(SINES, {}, ("0.2", "0.5"), 0, angle="phi")
+
+
+def test_a_clock_that_runs_back_or_turns_is_refused():
+    # α = π repels in time, but attracts while β decreases
+    back = System("back", "Back", {alpha: -sp.sin(alpha), beta: -1})
+    with pytest.raises(ArithmeticError, match="beta does not grow"):
+        trapped(back, {}, ("2.9", "3.4"), 0, steps=100)
+    turning = System("turning", "Turning", {alpha: -sp.sin(alpha), beta: sp.cos(alpha)})
+    with pytest.raises(ArithmeticError, match="beta does not grow"):
+        trapped(turning, {}, ("1.4", "1.7"), 0, steps=100)
+
+
+def test_numbers_that_cannot_be_read_are_refused():
+    with pytest.raises(InputError, match="interval = x: it must be a decimal number"):
+        trapped(SINES, {}, ("x", "0.5"), 0)
+    with pytest.raises(InputError, match="w = abc: it must be a decimal number"):
+        trapped(SINES, {"w": "abc"}, ("0.2", "0.5"), 0)

@@ -53,19 +53,20 @@ class Cycle:
 
 @dataclass(frozen=True)
 class _Slope:
-    """dα/dβ and its derivative by α, on boxes."""
+    """dα/dβ, its derivative by α, and dβ/dt, on boxes."""
 
-    terms: tuple[Term, Term]
+    terms: tuple[Term, Term, Term]
     nodes: list[Term]
     constants: list[Any]
     places: tuple[int, int]
 
-    def __call__(self, alpha: Any, beta: Any) -> tuple[Any, Any]:
+    def __call__(self, alpha: Any, beta: Any) -> tuple[Any, Any, Any]:
         state = dict(zip(self.places, (alpha, beta), strict=True))
         known: dict[int, Any] = {}
         for node in self.nodes:
             known[id(node)] = self._value(node, [known[id(a)] for a in node.operands], state)
-        return known[id(self.terms[0])], known[id(self.terms[1])]
+        slope, bend, clock = (known[id(term)] for term in self.terms)
+        return slope, bend, clock
 
     def _value(self, node: Term, operands: list[Any], state: Mapping[int, Any]) -> Any:
         match node.kind:
@@ -106,13 +107,22 @@ def _slope(system: System, parameters: Mapping[str, Any], angle: str, clock: str
     slope = rates[places[0]] / rates[places[1]]
     graph = reader.graph
     unit = {graph.state(i): graph.number(int(i == places[0])) for i in range(2)}
-    terms = (slope, graph.along([slope], unit)[0])
+    terms = (slope, graph.along([slope], unit)[0], rates[places[1]])
     nodes = ordered(terms)
     for node in nodes:
         if node.kind not in _KNOWN | _FUNCTIONS:
             raise InputError(f"{system.name}: {node.kind} is not known to ball arithmetic")
-    constants = [arb(parameters.get(name, repr(default))) for name, default in known.items()]
+    constants = [
+        _ball(name, parameters.get(name, repr(default))) for name, default in known.items()
+    ]
     return _Slope(terms, nodes, constants, places)
+
+
+def _ball(name: str, value: Any) -> Any:
+    try:
+        return arb(value)
+    except (ValueError, TypeError):
+        raise InputError(f"{name} = {value}: it must be a decimal number or a ball") from None
 
 
 def _parts(whole: Any) -> list[Any]:
@@ -154,25 +164,30 @@ def trapped(
 
     Raises
     ------
+    InputError
+        If the state are not the two angles, or a number cannot be read.
     ArithmeticError
-        If a slope exceeds the bound that the boxes assume.
+        If β does not grow on some box, or a slope exceeds the bound that the boxes assume.
     """
     with ctx.workprec(_BITS):
         slope = _slope(system, parameters, angle, clock)
         step = 2 * arb.pi() / steps
         reach = arb(0, 1) * (step * steepest).upper()
-        ends = [arb(x) for x in interval]
+        ends = [_ball("interval", x) for x in interval]
         outer, inner, growth = list(ends), list(ends), arb(0)
         for i in range(steps):
             beta = (step * i).union(step * (i + 1))
             low, high = outer[0] + reach, outer[1] + reach
             inside = inner[0] + reach, inner[1] + reach
-            slopes = [slope(alpha, beta)[0] for alpha in (low, high, *inside)]
+            edges = [slope(alpha, beta) for alpha in (low, high, *inside)]
+            slopes = [f for f, _, _ in edges]
             band = [slope(part, beta) for part in _parts(low.union(high))]
             bend = band[0][1]
-            for _, other in band[1:]:
+            for _, other, _ in band[1:]:
                 bend = bend.union(other)
-            if not all(abs(s) < steepest for s in (*slopes, *(f for f, _ in band))):
+            if not all(rate > 0 for _, _, rate in (*edges, *band)):
+                raise ArithmeticError(f"{clock} does not grow all the way along these motions")
+            if not all(abs(f) < steepest for f, _, _ in (*edges, *band)):
                 raise ArithmeticError("the slope on the torus exceeds its assumed bound")
             outer = [outer[0] + step * slopes[0].lower(), outer[1] + step * slopes[1].upper()]
             inner = [inner[0] + step * slopes[2].upper(), inner[1] + step * slopes[3].lower()]

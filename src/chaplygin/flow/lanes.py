@@ -14,6 +14,7 @@ from concurrent.futures import ThreadPoolExecutor
 from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from numbers import Integral, Real
 from typing import Any, Literal
 
 import numpy as np
@@ -42,6 +43,9 @@ __all__ = [
     "section",
     "threads_here",
 ]
+
+#: Numbers that one call may give back.
+MOST_NUMBERS = 1 << 32
 
 #: Attempted steps after which a motion is given up.
 MOST_STEPS = 100_000_000
@@ -208,8 +212,8 @@ class Lanes:
         """
         if self.section is None:
             raise InputError("these lanes have no section: make them with one")
-        if count < 1:
-            raise InputError(f"count = {count}: at least one crossing must be asked for")
+        if not isinstance(count, Integral) or count < 1:
+            raise InputError(f"count = {count}: it must be a whole number, at least 1")
         end = np.array([-until if self.backward and until < 0 else until], dtype=float)
         if not end[0] > 0:
             raise InputError(f"until = {until}: it must lie ahead of the start, at time 0")
@@ -272,6 +276,12 @@ class Lanes:
         self, rows: Any, constants: Any, moments: Any, wanted: int, threads: int | None
     ) -> tuple[Any, Any, Any, tuple[Any, Any, Any]]:
         number, width, words = rows.shape
+        if number * wanted * width * words > MOST_NUMBERS:
+            size = number * wanted * width * words * 8 / 2**30
+            raise InputError(
+                f"{number} motions with {wanted} states each make {size:.3g} GiB at once: ask for "
+                "fewer, or stream them (docs/ensembles.md)"
+            )
         states = np.full((number, wanted, width, words), np.nan)
         times = np.full((number, wanted), np.nan)
         counts, outcome, steps = (np.zeros(number, dtype=np.int64) for _ in range(3))
@@ -362,6 +372,10 @@ def lanes(
         digits) and 0.1, a formula has a function that machine code does not know, or the number of
         deviations is negative.
     """
+    if not isinstance(tolerance, Real):
+        raise InputError(f"tolerance {tolerance}: it must be a number")
+    if not isinstance(deviations, Integral):
+        raise InputError(f"deviations = {deviations}: it must be a whole number")
     if digits not in (16, 30):
         raise InputError(f"digits = {digits}: lanes compute with 16 or with 30 digits")
     if digits == 30 and section is not None:

@@ -34,6 +34,9 @@ ENDS = (
 
 COLLAPSED, NOT_A_NUMBER, STEPS, OVER = range(1, len(ENDS))
 
+#: The time after which a motion without an end is given up, in first steps.
+FAR = 1e12
+
 #: The stage at which the section is looked at inside a step, for what the ends do not tell.
 HALFWAY = 9
 
@@ -278,6 +281,9 @@ class _March:
         floor = w.op("fmul", w.constant(1e-12), first)
         self.put("floor", w.choose(fresh, floor, self.get("floor")))
         if self.equations.section is not None:
+            # what comes to rest never crosses anything; a lane must end all the same
+            far = w.call("minnum", self.get("target"), w.op("fmul", first, w.constant(FAR)))
+            self.put("target", w.choose(fresh, far, self.get("target")))
             self.evaluate("section", "y")
             g = n.leading(n.load(self.place("section"), 0))
             gdot = n.leading(n.load(self.place("section"), 1))

@@ -14,6 +14,7 @@ from ..expressions import parse_formula
 from ..system import Quantity, System
 from ..vectors import explicit
 from .graph import Reader, Term, of_system, ordered
+from .identity import settled
 
 __all__ = ["doubles", "formula", "parameter_rows", "read_system", "relation_terms", "values"]
 
@@ -62,7 +63,8 @@ def relation_terms(system: System) -> tuple[Term, ...]:
 @lru_cache(maxsize=64)
 def read_system(system: System) -> tuple[Reader, tuple[Term, ...]]:
     """A reader of a system's formulas and the rates of its state, kept for later."""
-    reader, rates = of_system(system)
+    # as a worker gets it, so that bits are the same everywhere
+    reader, rates = of_system(settled(system))
     return reader, tuple(rates)
 
 
