@@ -37,19 +37,10 @@ def test_a_rattleback_is_attracted(found):
     assert [item.name for item, _ in stone.removed] == ["γ² = 1", "energy", "flow"]
 
 
-def test_a_heavy_ball_is_chaotic(found):
-    ball = found[1].spectrum
-    assert ball.chaotic
-    assert ball.total.zero
-    assert ball.volume.measures == {}
-
-
 def test_reversal_of_velocities(found):
     for each in found:
-        assert [[str(s) for s in r.odd] for r in each.reversors] in (
-            [["M_1", "M_2", "M_3"]],
-            [["M_1", "M_2", "M_3"], ["M_3", "gamma_1", "gamma_2"]],
-        )
+        turned = [" ".join(map(str, r.odd)) for r in each.reversors]
+        assert turned == ["M_1 M_2 M_3", "M_3 gamma_1 gamma_2"]
 
 
 def test_sections_keep_to_their_level(found):
@@ -57,7 +48,7 @@ def test_sections_keep_to_their_level(found):
         M, gamma = each.points[:, :3], each.points[:, 3:]
         assert np.abs(gamma[:, 0]).max() < 1e-12
         assert np.abs((gamma**2).sum(axis=1) - 1).max() < 1e-9
-        assert np.ptp(M[:, 2]) > 1e-2
+        assert np.ptp(M[:, 2]) > 1e-3
 
 
 def test_pictures_and_words(example, found, tmp_path):
