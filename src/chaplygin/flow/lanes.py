@@ -194,7 +194,7 @@ class Lanes:
     ) -> Crossed:
         """Crossings of the section; a start that lies on it is not one.
 
-        Two crossings within one step cancel each other unseen.
+        Two crossings within one step are told apart where a cubic through its ends shows both.
 
         Parameters
         ----------
@@ -212,8 +212,7 @@ class Lanes:
         """
         if self.section is None:
             raise InputError("these lanes have no section: make them with one")
-        if not isinstance(count, Integral) or count < 1:
-            raise InputError(f"count = {count}: it must be a whole number, at least 1")
+        _require_count(count)
         end = np.array([-until if self.backward and until < 0 else until], dtype=float)
         if not end[0] > 0:
             raise InputError(f"until = {until}: it must lie ahead of the start, at time 0")
@@ -372,10 +371,7 @@ def lanes(
         digits) and 0.1, a formula has a function that machine code does not know, or the number of
         deviations is negative.
     """
-    if not isinstance(tolerance, Real):
-        raise InputError(f"tolerance {tolerance}: it must be a number")
-    if not isinstance(deviations, Integral):
-        raise InputError(f"deviations = {deviations}: it must be a whole number")
+    _require_numbers(tolerance, deviations)
     if digits not in (16, 30):
         raise InputError(f"digits = {digits}: lanes compute with 16 or with 30 digits")
     if digits == 30 and section is not None:
@@ -393,6 +389,18 @@ def lanes(
         {"march": _SIGNATURE},
     )
     return Lanes(system, tolerance, deviations, section, backward, digits, code)
+
+
+def _require_count(count: Any) -> None:
+    if not isinstance(count, Integral) or count < 1:
+        raise InputError(f"count = {count}: it must be a whole number, at least 1")
+
+
+def _require_numbers(tolerance: Any, deviations: Any) -> None:
+    if not isinstance(tolerance, Real):
+        raise InputError(f"tolerance {tolerance}: it must be a number")
+    if not isinstance(deviations, Integral):
+        raise InputError(f"deviations = {deviations}: it must be a whole number")
 
 
 def _text(digits: int, equations: Equations, width: int) -> tuple[str, int]:

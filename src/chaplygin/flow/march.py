@@ -34,8 +34,8 @@ ENDS = (
 
 COLLAPSED, NOT_A_NUMBER, STEPS, OVER = range(1, len(ENDS))
 
-#: The time after which a motion without an end is given up, in first steps.
-FAR = 1e12
+#: The time without a crossing after which a motion is given up, in first steps.
+FAR = 1e7
 
 #: The stage at which the section is looked at inside a step, for what the ends do not tell.
 HALFWAY = 9
@@ -93,7 +93,19 @@ class _March:
         ):
             self.space.room(name, count * words)
         for name in (
-            *("time", "target", "step", "floor", "saved", "g", "gdot", "g_here", "tries", "steps"),
+            *(
+                "time",
+                "target",
+                "step",
+                "floor",
+                "saved",
+                "g",
+                "gdot",
+                "g_here",
+                "tries",
+                "steps",
+                "last",
+            ),
             *("mode", "fault", "event", "fresh", "index", "samples"),
         ):
             self.space.room(name)
@@ -224,7 +236,15 @@ class _March:
             full = w.emit(f"icmp sge i64 {done_now}, %wanted")
             with w.when(full):
                 self._finish(lane, index)
-            if self.equations.section is None:
+            if self.equations.section is not None:
+                floor = w.load("double", self.lane("floor", lane))
+                now = w.load("double", self.lane("time", lane))
+                end = w.load("double", self.lane("last", lane))
+                far = w.emit(f"fmul double {floor}, {literal(FAR * 1e12)}")
+                far = w.emit(f"fadd double {now}, {far}")
+                far = w.emit(f"call double @llvm.minnum.f64(double {far}, double {end})")
+                w.store("double", far, self.lane("target", lane))
+            else:
                 with w.when(w.emit(f"xor i1 {full}, true")):
                     following = w.load("double", w.at("double", "%times", done_now))
                     w.store("double", following, self.lane("target", lane))
@@ -284,13 +304,14 @@ class _March:
             # what comes to rest never crosses anything; a lane must end all the same
             far = w.call("minnum", self.get("target"), w.op("fmul", first, w.constant(FAR)))
             self.put("target", w.choose(fresh, far, self.get("target")))
+            self.put("last", w.choose(fresh, end, self.get("last")))
             self.evaluate("section", "y")
             g = n.leading(n.load(self.place("section"), 0))
             gdot = n.leading(n.load(self.place("section"), 1))
             # a start on the section is not a return to it
             reach = w.op("fmul", w.op("fmul", w.constant(1e-8), first), w.call("fabs", gdot))
             close = w.compare("ole", w.call("fabs", g), reach)
-            self.put("g", w.choose(fresh, w.choose(close, zero, g), self.get("g")))
+            self.put("g", w.choose(fresh, w.choose(close, self._hence(gdot), g), self.get("g")))
             self.put("g_here", w.choose(fresh, g, self.get("g_here")))
             self.put("gdot", w.choose(fresh, gdot, self.get("gdot")))
         if self.equations.guards:
@@ -498,16 +519,21 @@ class _March:
     ) -> tuple[str, str, str, str]:
         """Find crossings, and go to them."""
         w, n, zero = self.w, self.n, self.w.constant(0.0)
-        g, gdot = self.get("g"), self.get("gdot")
+        g, g_here, gdot = self.get("g"), self.get("g_here"), self.get("gdot")
         g_new = n.leading(n.load(self.place("section"), 0))
         gdot_new = n.leading(n.load(self.place("section"), 1))
         rises = w.both(w.compare("olt", g, zero), w.compare("oge", g_new, zero))
         falls = w.both(w.compare("ogt", g, zero), w.compare("ole", g_new, zero))
+        dips, turn = self._dipping(step, g_here, g_new, gdot, gdot_new)
+        dips = w.both(w.both(running, allowed), w.both(dips, w.unless(w.either(rises, falls))))
         direction = self.equations.direction
         through = w.either(rises, falls) if direction == 0 else rises if direction > 0 else falls
         crossed = w.both(w.both(running, allowed), through)
         # running lanes: stop before a crossing and go to it
-        moved = w.both(allowed, w.unless(crossed))
+        moved = w.both(allowed, w.unless(w.either(crossed, dips)))
+        following = w.choose(dips, turn, following)
+        event = w.choose(dips, zero, event)
+        fault = w.choose(dips, zero, fault)
         with_root = w.variable(w.type, zero)
         with w.when(w.any(crossed)):
             w.store(w.type, self._root(step, g, g_new, gdot, gdot_new), with_root)
@@ -541,8 +567,8 @@ class _March:
         self.put("saved", saved)
         self.put("mode", mode)
         self.put("tries", tries)
-        # what has just been crossed is not crossed again
-        self.put("g", w.choose(moved, w.choose(back, zero, g_new), g))
+        # what has just been crossed is not crossed again, but may be crossed back
+        self.put("g", w.choose(moved, w.choose(back, self._hence(gdot_new), g_new), g))
         self.put("g_here", w.choose(moved, g_new, self.get("g_here")))
         self.put("gdot", w.choose(moved, gdot_new, gdot))
         return moved, following, event, fault
@@ -569,16 +595,57 @@ class _March:
         share = w.op("fdiv", off, allowed)
         return w.op("fmul", share, share)
 
+    def _hence(self, rate: str) -> str:
+        """On the side of the section to which the motion goes."""
+        w = self.w
+        near = w.call("copysign", w.constant(1e-300), rate)
+        return w.choose(w.compare("one", rate, w.constant(0.0)), near, w.constant(0.0))
+
+    def _dipping(self, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -> tuple[str, str]:
+        """Where the cubic has the same sign at both ends but another where it turns in between.
+
+        The second result is the step to that turn: taken, it leaves one crossing on each side.
+        """
+        w, zero = self.w, self.w.constant(0.0)
+        a, b, c, d = self._cubic(step, g, g_new, gdot, gdot_new)
+        turns = w.both(
+            w.compare("olt", w.op("fmul", g, a), zero), w.compare("ogt", w.op("fmul", g, b), zero)
+        )
+        place = w.variable(w.type, zero)
+        with w.when(w.any(turns)):
+            # a + 2 c x + 3 d x² = 0, without cancellation
+            cubed = w.op("fmul", w.constant(3.0), d)
+            root = w.call("fma", c, c, w.op("fneg", w.op("fmul", cubed, a)))
+            root = w.call("sqrt", w.call("maxnum", root, zero))
+            whole = w.op("fneg", w.op("fadd", c, w.call("copysign", root, c)))
+            first, second = w.op("fdiv", a, whole), w.op("fdiv", whole, cubed)
+            inside = w.both(w.compare("ogt", first, zero), w.compare("olt", first, w.constant(1.0)))
+            x = w.choose(inside, first, second)
+            value = w.call("fma", w.call("fma", w.call("fma", d, x, c), x, a), x, g)
+            other = w.compare("olt", w.op("fmul", value, g), zero)
+            within = w.both(
+                w.compare("ogt", x, w.constant(0.01)), w.compare("olt", x, w.constant(0.99))
+            )
+            turn = w.choose(w.both(turns, w.both(other, within)), w.op("fmul", x, step), zero)
+            w.store(w.type, turn, place)
+        turn = w.load(w.type, place)
+        return w.compare("one", turn, zero), turn
+
+    def _cubic(
+        self, step: str, g: str, g_new: str, gdot: str, gdot_new: str
+    ) -> tuple[str, str, str, str]:
+        """a, b, c and d: g + a x + c x² + d x³ goes through both ends, b is its slope at 1."""
+        w = self.w
+        a, b = w.op("fmul", step, gdot), w.op("fmul", step, gdot_new)
+        rise = w.op("fsub", g_new, g)
+        d = w.op("fsub", w.op("fadd", a, b), w.op("fmul", w.constant(2.0), rise))
+        return a, b, w.op("fsub", w.op("fsub", rise, a), d), d
+
     def _root(self, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -> str:
         """Where in a step the cubic through values and slopes at both ends vanishes."""
         w = self.w
-        one = w.constant(1.0)
-        a, b = w.op("fmul", step, gdot), w.op("fmul", step, gdot_new)
-        rise = w.op("fsub", g_new, g)
-        # g + a x + c x² + d x³
-        d = w.op("fsub", w.op("fadd", a, b), w.op("fmul", w.constant(2.0), rise))
-        c = w.op("fsub", w.op("fsub", rise, a), d)
-        low, high = w.constant(0.0), one
+        a, _, c, d = self._cubic(step, g, g_new, gdot, gdot_new)
+        low, high = w.constant(0.0), w.constant(1.0)
         x = w.op("fdiv", g, w.op("fsub", g, g_new))
         upward = w.compare("olt", g, w.constant(0.0))
         for _ in range(5):
