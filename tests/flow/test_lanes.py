@@ -384,7 +384,7 @@ MISTAKES: dict[str, tuple[Any, str]] = {
     ),
     "no crossing": (
         lambda: cut().returns([[1, 2]], 0),
-        "count = 0: at least one crossing must be asked for",
+        "count = 0: it must be a whole number, at least 1",
     ),
     "until before the start": (
         lambda: cut().returns([[1, 2]], 1, until=-1.0),
