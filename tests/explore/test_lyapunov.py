@@ -18,6 +18,7 @@ from chaplygin.flow.linearise import linearise
 from chaplygin.statements import Integral, Symmetry
 from chaplygin.study.prepare import catalogue_experiment, prepare
 from chaplygin.system import System
+from chaplygin.systems import CATALOGUE
 from chaplygin.vectors import scalar
 from explore.motions import carousel, henon_heiles, henon_heiles_start, lorenz, saddle, top
 
@@ -115,6 +116,25 @@ def test_separatrix_of_a_top() -> None:
     assert set(found.fading) == {"flow", "square"}
     assert _removed(found) == ["energy"]
     assert found.values == pytest.approx([sqrt(1 / 12), -sqrt(1 / 12)], abs=1e-3)
+
+
+# --- volumes ---------------------------------------------------------------------------------
+
+FEW = ("marble-body", "suslov", "heavy-disk", "ball-bearing", "chaplygin-sleigh-reduced")
+
+
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(name, marks=() if name in FEW else pytest.mark.slow) for name in CATALOGUE],
+)
+def test_exponents_and_divergence_agree_to_rounding(name: str) -> None:
+    system, start = _start(name)
+    system = dataclasses.replace(system, guards=())
+    # short, since some run into singular points and others vary fast
+    found = spectrum(system, start, until=CATALOGUE[name].start.until / 40, intervals=100)
+    size = 1 + abs(found.volume.divergence.value)
+    assert abs(found.volume.balance) < 1e-8 * size
+    assert all(abs(defect) < 1e-8 * size for defect in found.volume.measures.values())
 
 
 # --- what is forced --------------------------------------------------------------------------
