@@ -48,7 +48,7 @@ class Effort:
         return body.long if self.thorough else min(body.long, 100.0)
 
 
-QUICK = Effort(states=6, few=2, many=1024, turns=3, thorough=False)
+QUICK = Effort(states=6, few=2, many=512, turns=3, thorough=False)
 THOROUGH = Effort(states=16, few=4, many=1024, turns=5, thorough=True)
 
 
@@ -156,6 +156,8 @@ def single(body: Body, target: float, effort: Effort) -> Outcome:
             taylor.scalar(body, until, **FAST),
             taylor.scalar(body, until, high_accuracy=True),
         ]
+    for rival in programs[1:]:
+        rival.settings = taylor.ORDERS[-4:-1]  # where rounding takes over
     return Outcome("single", body.name, target, _finest(programs, trial, target, effort.turns))
 
 

@@ -32,7 +32,7 @@ __all__ = [
 
 #: The coarsest tolerance of each order.
 ORDERS = tuple(math.exp(2 * (1 - order)) * 1.0001 for order in range(7, 21))
-WIDE_ORDERS = tuple(math.exp(2 * (1 - order)) * 1.0001 for order in range(28, 40))
+WIDE_ORDERS = tuple(math.exp(2 * (1 - order)) * 1.0001 for order in range(32, 38))
 RISING = hy.event_direction.positive
 
 
