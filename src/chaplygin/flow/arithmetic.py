@@ -52,6 +52,14 @@ class Arithmetic(Protocol):
         """a b + c."""
         ...
 
+    def plus(self, a: Value, b: Value) -> Value:
+        """a + b with an error measured by the larger of the two."""
+        ...
+
+    def fused(self, a: Value, b: Value, c: Value) -> Value:
+        """a b + c with an error measured by the larger of product and c."""
+        ...
+
     def neg(self, a: Value) -> Value:
         """−a."""
         ...
@@ -118,6 +126,14 @@ class Double:
     def fma(self, a: Value, b: Value, c: Value) -> Value:
         """a b + c, rounded once."""
         return self.writer.call("fma", a, b, c)
+
+    def plus(self, a: Value, b: Value) -> Value:
+        """a + b."""
+        return self.add(a, b)
+
+    def fused(self, a: Value, b: Value, c: Value) -> Value:
+        """a b + c, rounded once."""
+        return self.fma(a, b, c)
 
     def neg(self, a: Value) -> Value:
         """−a."""
@@ -219,6 +235,20 @@ class Pair:
     def fma(self, a: Value, b: Value, c: Value) -> Value:
         """a b + c."""
         return self.add(self.mul(a, b), c)
+
+    def plus(self, a: Value, b: Value) -> Value:
+        """a + b in half the operations.
+
+        Where a and b nearly cancel the error is below 2⁻¹⁰⁴ of these and not of what is left:
+        rounded numbers are uncertain by as much.
+        """
+        w = self.writer
+        s, rest = self.two_sum(a[0], b[0])
+        return self.fast_sum(s, w.op("fadd", rest, w.op("fadd", a[1], b[1])))
+
+    def fused(self, a: Value, b: Value, c: Value) -> Value:
+        """a b + c with an error measured by the larger of product and c."""
+        return self.plus(self.mul(a, b), c)
 
     def neg(self, a: Value) -> Value:
         """−a."""

@@ -334,9 +334,9 @@ class _Loop:
             for j, column in enumerate(columns):
                 each = w.splat(w.load("double", self.at("rates", i * self.stages + j)))
                 term = p.mul(column, p.whole(each))
-                total = term if total is None else p.add(total, term)
+                total = term if total is None else p.plus(total, term)
             start = tuple(w.splat(w.load("double", self.at("y", 2 * i + k))) for k in range(2))
-            p.store(p.fma(whole, total, start), self.at("fine_stage"), i)
+            p.store(p.fused(whole, total, start), self.at("fine_stage"), i)
             rate = self.d.load(self.at("rates"), i)
             p.store(p.whole(rate), self.at("fine_before"), i)
 
@@ -355,7 +355,7 @@ class _Loop:
                 changes.append(change)
             for i in range(self.size):
                 more = w.op("fmul", h, self._applied(columns, "fresh", i))
-                stage = p.add(p.load(self.at("fine_stage"), i), p.whole(more))
+                stage = p.plus(p.load(self.at("fine_stage"), i), p.whole(more))
                 p.store(stage, self.at("fine_stage"), i)
             rest.look(changes, leave)
         return rest.place
@@ -408,7 +408,7 @@ class _Loop:
     def _fine_total(self, value: Value) -> Value:
         by = self.stages // 2
         while by:
-            value = self.p.add(value, tuple(self._turned(part, by) for part in value))
+            value = self.p.plus(value, tuple(self._turned(part, by) for part in value))
             by //= 2
         return value
 

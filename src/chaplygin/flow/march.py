@@ -430,9 +430,9 @@ class _March:
             rates = self.place("rates", stage * self.dimension)
             k = n.load(rates, members[0])
             for i in members[1:]:
-                k = n.add(k, n.load(rates, i))
+                k = n.plus(k, n.load(rates, i))
             a = n.number(weight)
-            total = n.mul(a, k) if total is None else n.fma(a, k, total)
+            total = n.mul(a, k) if total is None else n.fused(a, k, total)
         return total
 
     def _apart(self, weights: Sequence[Fraction], *members: int) -> Value:

@@ -71,15 +71,15 @@ def _compute(
                 a = arithmetic.neg(a)
             else:
                 other = arithmetic.neg(other)
-        return arithmetic.fma(a, b, other)
+        return arithmetic.fused(a, b, other)
     values = [known[id(a)] for a in node.operands]
     match node.kind:
         case "number":
             return arithmetic.number(node.args[0])
         case "add":
-            return arithmetic.add(*values)
+            return arithmetic.plus(*values)
         case "sub":
-            return arithmetic.sub(*values)
+            return arithmetic.plus(values[0], arithmetic.neg(values[1]))
         case "mul":
             return arithmetic.mul(*values)
         case "neg":
