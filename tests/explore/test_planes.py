@@ -9,6 +9,7 @@ import pytest
 
 from chaplygin.errors import InputError
 from chaplygin.explore.planes import INADMISSIBLE, NO_STATE, axis, plane
+from chaplygin.explore.quantities import named
 from chaplygin.flow.values import values
 from chaplygin.systems import entry
 from chaplygin.systems.ball_on_sphere_equations import equations
@@ -141,6 +142,14 @@ def test_what_is_held_is_not_moved() -> None:
 def test_mistakes(x: str, y: str, more: dict[str, object], message: str) -> None:
     with pytest.raises(InputError, match=message):
         plane(BALL, axis(x), axis(y), START, **more)
+
+
+def test_a_mistake_names_what_is_of_use_in_the_order_of_declaration() -> None:
+    with pytest.raises(InputError) as caught:
+        plane(BALL, axis("k_9=0:1:2"), axis("energy=0:1:2"), START)
+    told = str(caught.value)
+    names = [*map(str, (*BALL.defaults, *BALL.symbols)), *named(BALL)]
+    assert told.endswith(f"allowed: {', '.join(names)}")
 
 
 def test_starts_that_are_incomplete() -> None:

@@ -234,7 +234,7 @@ def plane(
         elif item.symbol not in used:
             raise InputError(
                 f"{item.name}: {system.name} has neither parameter, variable nor quantity of this "
-                f"name, and no formula uses it{nearest(item.name, [*symbols, *levels])}"
+                f"name, and no formula uses it{nearest(item.name, _useful(given))}"
             )
     made: list[tuple[sp.Symbol, sp.Expr]] = []
     asked: list[tuple[sp.Expr, sp.Expr]] = []
@@ -246,11 +246,16 @@ def plane(
         else:
             raise InputError(
                 f"{name}: {system.name} has neither parameter, variable nor quantity of this name"
-                f"{nearest(name, [*symbols, *levels])}"
+                f"{nearest(name, _useful(given))}"
             )
     # parameters first: formulas of the start may use them
     made.sort(key=lambda pair: pair[0] not in system.defaults)
     return Plane(system, given, base, x, y, tuple(made), tuple(asked), _held(given, held))
+
+
+def _useful(system: System) -> list[str]:
+    """Names for the user, in the order of declaration; not those defined on the way."""
+    return list(dict.fromkeys(map(str, (*system.defaults, *system.symbols, *named(system)))))
 
 
 def _held(given: System, held: Collection[str]) -> tuple[sp.Symbol, ...]:
