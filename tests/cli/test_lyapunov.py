@@ -36,6 +36,7 @@ def test_the_table(ask: Ask) -> None:
     assert (code, err) == (0, "")
     for part in ("λ1", "λ2", "sum", "divergence", "γ² = 1", "energy", "quadratic", "flow"):
         assert any(line.startswith(part) for line in out.splitlines())
+    assert "exponents in 1/s" in out
     assert "zero within its error" in out
     assert "M changes sign" in out
     assert "(proven)" in out

@@ -40,7 +40,7 @@ def ask(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp
 def test_the_points_of_one_motion(ask: Ask) -> None:
     code, out, err = ask(*BALL, "-o", "ball.zarr")
     assert code == 0
-    for part in ("gamma_3 = 0, rising", "the start of the experiment", "20 of 1 motions"):
+    for part in ("gamma_3 = 0, rising", "the start of the experiment", "20 of 1 motion"):
         assert part in out
     assert "written to ball.zarr, picture: ball.png" in err
     assert Path("ball.png").read_bytes().startswith(b"\x89PNG")
@@ -95,7 +95,7 @@ def test_a_section_in_a_plane(ask: Ask) -> None:
         *("--coordinates", "phi = atan2(gamma_2, gamma_1), omega_3", "-o", "veselova.zarr"),
     )
     assert code == 0
-    assert "30 of 1 motions" in out
+    assert "30 of 1 motion" in out
     assert read(Path("veselova.zarr"))["phi"].units == "rad"
 
 
@@ -119,6 +119,16 @@ def test_a_surface_that_is_never_met_is_an_answer(ask: Ask) -> None:
     assert err.count("\n") == 1
 
 
+def test_interrupted(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("chaplygin.flow.blocks.compute", interrupted)
+    code, out, err = ask(*BALL, "-o", "ball.zarr")
+    assert (code, out) == (130, "")
+    assert "interrupted; the same command goes on with what is in ball.zarr" in err
+
+
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
@@ -127,6 +137,7 @@ def test_a_surface_that_is_never_met_is_an_answer(ask: Ask) -> None:
         (["--on", "m"], "contains no state"),
         (["--direction", "up"], "--direction up: it must be one of rising, falling, both"),
         (["--points", "0"], "0 points: there must be one at least"),
+        (["-o", "ball.nc"], "--output ball.nc: its name must end in .zarr"),
         (["--starts", "0"], "--starts 0: there must be one at least"),
         (["--until", "-1"], "--until -1: it must be positive"),
         (["--level", "energy"], "--level energy: it is written NAME=VALUE"),

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from .common import Force, Json, Override, What, inform, print_json, progress, study_of
-from .stores import Workers, clear, cluster, outcomes
+from .stores import Workers, clear, cluster, outcomes, resumable
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -75,12 +75,8 @@ def command(
     )
     clear(output, picture, force)
     task = chart(made, {"experiment": study.complete_toml()})
-    with cluster(workers) as client, progress(made.title) as update:
-        try:
-            found = compute(task, output, client=client, progress=update)
-        except KeyboardInterrupt:
-            inform(f"interrupted; the same command goes on with what is in {output}")
-            raise typer.Exit(130) from None
+    with cluster(workers) as client, progress(made.title) as update, resumable(output):
+        found = compute(task, output, client=client, progress=update)
     save(drawn(found), picture)
     result = {"file": str(output), "figure": str(picture), **_summary(found)}
     if json:

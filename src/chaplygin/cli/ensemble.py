@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from .common import Force, Json, Override, What, inform, print_json, progress, study_of
-from .stores import Workers, cluster, level_of, outcomes, vacate
+from .stores import Workers, cluster, level_of, outcomes, resumable, vacate
 
 if TYPE_CHECKING:
     from ..flow.members import Members
@@ -67,12 +67,8 @@ def command(
     )
     task = replace(task, attributes={**task.attributes, "experiment": study.complete_toml()})
     vacate(output, force)
-    with cluster(workers) as client, progress(study.system.title) as update:
-        try:
-            found = compute(task, output, client=client, progress=update)
-        except KeyboardInterrupt:
-            inform(f"interrupted; the same command goes on with what is in {output}")
-            raise typer.Exit(130) from None
+    with cluster(workers) as client, progress(study.system.title) as update, resumable(output):
+        found = compute(task, output, client=client, progress=update)
     result = {
         "file": str(output),
         "members": found.attrs["members"],

@@ -83,8 +83,8 @@ def _print(found: Spectrum, turned: Any) -> None:
 
     typer.echo(found.system.title)
     typer.echo(
-        f"followed to t = {found.until:g}, counted from {found.began:g}, "
-        f"{len(found.growth)} intervals of {found.interval:.3g}"
+        f"followed to t = {found.until:g} s, counted from {found.began:g} s, "
+        f"{len(found.growth)} intervals of {found.interval:.3g} s; exponents in 1/s"
     )
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
     table.add_column("", style="bold", no_wrap=True)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from .common import Force, Json, Override, What, inform, print_json, progress, study_of
-from .stores import Workers, clear, cluster, level_of, outcomes
+from .stores import Workers, clear, cluster, level_of, outcomes, resumable
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -72,12 +72,14 @@ def command(
     A section exists where some quantity passes a value; every motion is followed until it has
     passed so many times.
     """
-    from ..errors import RunError
+    from ..errors import InputError, RunError
     from ..flow.blocks import compute
     from ..study.figures.files import save
     from ..study.figures.section import draw
     from ..study.section import Place, Starts, section_of
 
+    if output.suffix not in ("", ".zarr") and not output.is_dir():
+        raise InputError(f"--output {output}: its name must end in .zarr, or be that of a folder")
     store = output if output.suffix == ".zarr" else output / "section.zarr"
     picture = store.with_suffix(".png")
     study = study_of(what, overrides)
@@ -90,7 +92,8 @@ def command(
     if output != store:
         output.mkdir(exist_ok=True)
     clear(store, picture, force)
-    with cluster(workers) as client, progress(f"{study.system.title}, {place}") as update:
+    title = f"{study.system.title}, {place}"
+    with cluster(workers) as client, progress(title) as update, resumable(store):
         found = compute(task, store, client=client, progress=update)
     result = {"file": str(store), "figure": str(picture), **_summary(found)}
     if not result["points"]:
@@ -157,16 +160,17 @@ def _print(title: str, result: dict[str, Any]) -> None:
     from rich.table import Table
 
     typer.echo(title)
+    motions = "1 motion" if result["runs"] == 1 else f"{result['runs']:,} motions"
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False, show_header=False)
     table.add_column(style="bold", no_wrap=True)
     table.add_column()
     table.add_row("section", escape(result["section"]))
     table.add_row("starts", escape(result["starts"]))
-    table.add_row("points", f"{result['points']:,} of {result['runs']} motions")
+    table.add_row("points", f"{result['points']:,} of {motions}")
     table.add_row("longest motion", f"{result['longest']:.6g} s")
     for name, drift in result["drift"].items():
         table.add_row(f"drift of {escape(name)}", f"{drift:.1e}")
     for reason, count in result["outcomes"].items():
-        table.add_row("", escape(f"{count}: {reason}"))
+        table.add_row(f"{count:,} of {result['runs']:,}", escape(reason))
     Console().print(table)
     inform(f"written to {result['file']}, picture: {result['figure']}")

@@ -9,7 +9,9 @@ from typing import Annotated, Any
 
 import typer
 
-__all__ = ["Workers", "clear", "cluster", "level_of", "outcomes", "vacate"]
+from .common import inform
+
+__all__ = ["Workers", "clear", "cluster", "level_of", "outcomes", "resumable", "vacate"]
 
 Workers = Annotated[
     str | None,
@@ -94,6 +96,16 @@ def cluster(workers: str | None) -> Iterator[Any]:
             f"--workers {workers}: it must be a number, or an address such as tcp://host:8786"
         )
     yield int(workers)
+
+
+@contextmanager
+def resumable(store: Path) -> Iterator[None]:
+    """Say how an interrupted command goes on, and end it with exit code 130."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        inform(f"interrupted; the same command goes on with what is in {store}")
+        raise typer.Exit(130) from None
 
 
 def outcomes(variable: Any) -> dict[str, int]:
