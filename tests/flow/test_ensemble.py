@@ -215,3 +215,11 @@ def test_another_start_is_another_experiment(tmp_path: Path) -> None:
         ensemble(BALL, other, TIMES, where=tmp_path / "a.zarr")
     with pytest.raises(InputError, match="another experiment: its tolerance is 1e-13, not 1e-12;"):
         ensemble(BALL, SPUN, TIMES, where=tmp_path / "a.zarr", tolerance=1e-12)
+
+
+def test_another_formula_of_the_same_name_is_another_experiment(tmp_path: Path) -> None:
+    (energy, *others) = BALL.laws
+    ensemble(BALL, SPUN, TIMES, record=("energy",), where=tmp_path / "a.zarr")
+    doubled = replace(BALL, laws=(replace(energy, value=2 * energy.value), *others))
+    with pytest.raises(InputError, match="another experiment: its system of the work is another"):
+        ensemble(doubled, SPUN, TIMES, record=("energy",), where=tmp_path / "a.zarr")

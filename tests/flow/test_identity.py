@@ -17,7 +17,7 @@ import sympy as sp
 
 from chaplygin.errors import InputError
 from chaplygin.flow.identity import digest, parts, settled
-from chaplygin.statements import Integral
+from chaplygin.statements import Identity, Measure, Symmetry
 from chaplygin.systems import CATALOGUE, from_catalogue
 
 x, y = sp.symbols("x y")
@@ -83,11 +83,27 @@ def test_equal_values_have_equal_names() -> None:
 
 def test_a_system_is_its_equations() -> None:
     system = from_catalogue("chaplygin-ball")
-    other = replace(system, summary="in other words").with_laws(Integral("more", sp.Integer(1)))
+    other = replace(system, summary="in other words").with_laws(Identity("same", sp.Integer(0)))
     assert digest(other) == digest(system) == digest(pickle.loads(pickle.dumps(system)))
     assert digest(from_catalogue("chaplygin-ball", m=2.0)) != digest(system)
     assert digest(replace(system, guards=())) == digest(system)
     assert digest(from_catalogue("rattleback")) != digest(system)
+
+
+def test_a_system_is_what_is_measured_along_its_motions() -> None:
+    system = from_catalogue("rattleback").lifted()
+    energy, seen = system.integrals[0], system.observables[0]
+    others = [
+        replace(system, laws=(replace(energy, value=2 * energy.value), *system.laws[1:])),
+        replace(system, observables=(replace(seen, value=2 * seen.value),)),
+        replace(system, observables=()),
+        system.with_laws(Symmetry("turned", {system.symbols[0]: 1})),
+        system.with_laws(Measure("smooth", {sp.Integer(2): 1})),
+    ]
+    assert len({digest(item) for item in (system, *others)}) == 1 + len(others)
+    assert digest(replace(system, laws=(replace(energy, meaning="E"), *system.laws[1:]))) == digest(
+        system
+    )
 
 
 @pytest.mark.parametrize("name", sorted(CATALOGUE)[::8])

@@ -15,12 +15,13 @@ import numpy as np
 import sympy as sp
 
 from ..errors import InputError
+from ..statements import Integral, Law, Measure, Symmetry
 from ..system import System
 
 __all__ = ["digest", "parts", "program", "settled"]
 
-#: What of a System shapes its motions; laws and texts do not.
-_OF_A_SYSTEM = ("name", "field", "definitions", "parameters", "relations", "guards")
+#: What of a System shapes its motions.
+_OF_A_SYSTEM = ("name", "field", "definitions", "parameters", "relations", "guards", "start")
 
 
 def digest(value: Any) -> str:
@@ -110,7 +111,7 @@ def _content(value: Any) -> tuple[str, bytes]:
         case functools.partial():
             return "partial", _joined([_text(parts(value))])
         case System():
-            return "System", _joined([_text(getattr(value, name)) for name in _OF_A_SYSTEM])
+            return "System", _joined([_text(item) for item in _of_a_system(value)])
         case Mapping():
             pairs = sorted((_text(key), _text(item)) for key, item in value.items())
             return "mapping", _joined([part for pair in pairs for part in pair])
@@ -120,6 +121,26 @@ def _content(value: Any) -> tuple[str, bytes]:
             return "sequence", _joined([_text(item) for item in value])
         case _:
             return _named(value)
+
+
+def _of_a_system(system: System) -> list[Any]:
+    """What shapes the motions of a System and what is measured along them; texts do not."""
+    seen = [(item.name, item.value) for item in system.observables]
+    laws = [(law.name, law.on, formula) for law in system.laws for formula in _used(law)]
+    return [*(getattr(system, name) for name in _OF_A_SYSTEM), seen, laws]
+
+
+def _used(law: Law) -> tuple[Any, ...]:
+    """The formula of a law from which numbers are made: recorded, drawn by, or divided out."""
+    match law:
+        case Integral():
+            return (law.value,)
+        case Measure():
+            return (law.density,)
+        case Symmetry():
+            return (law.field,)
+        case _:
+            return ()
 
 
 def _plain(value: Any) -> tuple[str, bytes]:
