@@ -15,9 +15,8 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from ...errors import InputError
-from ...lettering import GREEK
 from .style import INK, QUIET, STYLE, WIDTH
-from .variables import readable, title_of, unit_of, with_unit
+from .variables import readable, title_of, typeset, unit_of, with_unit, wrapped
 
 __all__ = ["chart"]
 
@@ -62,7 +61,8 @@ def chart(dataset: xr.Dataset, name: str | None = None) -> Figure:
         axes = figure.add_subplot()
         axes.set_title(readable(title_of(dataset)), fontsize=10.5, loc="left", color=INK)
         extent = (*_edges(dataset[x].values), *_edges(dataset[y].values))
-        _draw_numbers(figure, axes, number, values, extent)
+        if np.isfinite(values).any():
+            _draw_numbers(figure, axes, number, values, extent)
         patches = list(_draw_reasons(axes, outcome, values, extent))
         axes.set_xlabel(_label(dataset, x))
         axes.set_ylabel(_label(dataset, y))
@@ -92,15 +92,13 @@ def _draw_numbers(figure: Figure, axes: Axes, number: Any, values: Any, extent: 
     )
     bar = figure.colorbar(image, ax=axes, extend=beyond, pad=0.02)
     bar.outline.set_linewidth(0.6)
-    title = readable(str(number.attrs.get("long_name", number.name)))
+    title = wrapped(str(number.attrs.get("long_name", number.name)))
     bar.set_label(with_unit(title, unit_of(number.to_dataset(name="value"), "value")))
 
 
 def _norm(values: Any) -> tuple[Normalize, str]:
     """From numbers to colours, and at which ends there are numbers beyond."""
     finite = values[np.isfinite(values)]
-    if not len(finite):
-        return Normalize(0.0, 1.0), "neither"
     low, high = np.quantile(finite, [BEYOND, 1 - BEYOND])
     if low == high:
         low, high = float(finite.min()), float(finite.max())
@@ -138,15 +136,7 @@ def _draw_reasons(axes: Axes, outcome: Any, values: Any, extent: Any) -> Iterato
 def _label(dataset: xr.Dataset, name: str) -> str:
     """Name, meaning and unit of an axis."""
     meaning = str(dataset[name].attrs.get("long_name", name))
-    letters = _letters(name)
-    text = letters if meaning == name else f"{readable(meaning)}  {letters}"
+    letters = typeset(name)
+    shown = wrapped(meaning) if meaning != name else letters
+    text = f"{shown}  {letters}" if letters.startswith("$") and shown != letters else shown
     return with_unit(text, unit_of(dataset, name))
-
-
-def _letters(name: str) -> str:
-    """A name as it is set in formulas: gamma_1 as γ₁; words stay words."""
-    head, _, index = name.partition("_")
-    letter = f"\\{head}" if head in GREEK else head
-    if len(head) > 1 and head not in GREEK:
-        return name.replace("_", " ")
-    return f"${letter}_{{{index}}}$" if index else f"${letter}$"

@@ -18,7 +18,7 @@ from matplotlib.figure import Figure
 from ...errors import InputError
 from ..drawing import FloatArray
 from .style import FAINT, QUIET, STYLE, WIDTH
-from .variables import readable, title_of, unit_of, with_unit
+from .variables import readable, title_of, typeset, unit_of, with_unit
 
 __all__ = ["draw"]
 
@@ -86,7 +86,7 @@ def draw(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
             _space(figure, points, labels, look, layers)
         _key(figure, runs, count)
         drawn = "" if len(numbers) == count else f"; {len(run):,} drawn"
-        where = _NAME.sub(lambda name: _typeset(name[0]), str(dataset.attrs.get("section", "")))
+        where = _NAME.sub(lambda name: typeset(name[0]), str(dataset.attrs.get("section", "")))
         title = f"{readable(title_of(dataset))}: {where}".removesuffix(": ")
         figure.text(0.02, 0.975, title, va="top", fontsize=10)
         there = int(np.minimum(dataset["points"].values, count).sum())
@@ -125,18 +125,7 @@ def _label(dataset: xr.Dataset, name: str) -> str:
         shown, units = str(dataset[name].attrs.get("label", name)), unit_of(dataset, name)
     else:
         shown, units = f"{vector}_{index}", unit_of(dataset, vector)
-    return with_unit(_typeset(shown), units)
-
-
-def _typeset(name: str) -> str:
-    """A name as a formula where it looks like one: M_1, gamma_3, but not "height"."""
-    if "/" in name:
-        return "/".join(map(_typeset, name.split("/")))
-    letter, _, index = name.partition("_")
-    if len(letter) == 1 or letter in ("gamma", "omega", "alpha", "beta", "theta", "psi", "phi"):
-        letter = letter if len(letter) == 1 else f"\\{letter}"
-        return f"${letter}_{{{index}}}$" if index else f"${letter}$"
-    return readable(name)
+    return with_unit(typeset(shown), units)
 
 
 def _size(count: int) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import textwrap
 from collections.abc import Iterable
 
 import numpy as np
@@ -10,6 +11,7 @@ import xarray as xr
 from matplotlib.mathtext import MathTextParser
 
 from ...errors import InputError
+from ...lettering import GREEK
 from ..drawing import FloatArray
 
 NEEDED = {
@@ -86,6 +88,28 @@ def readable(text: str) -> str:
 
 def _shifted(characters: str, mark: str, table: dict[str, str]) -> str:
     return f"${mark}{{{''.join(table[c] for c in characters)}}}$"
+
+
+#: A name with an index, or the word for a Greek letter: what is set as a letter within a text.
+_LETTER = re.compile(rf"\b(?:[A-Za-z]+_\w+|{'|'.join(GREEK)})\b")
+
+
+def typeset(name: str) -> str:
+    """A name as it is set in formulas: M_1 as M₁, gamma_3 as γ₃; words stay words."""
+    if "/" in name:
+        return "/".join(map(typeset, name.split("/")))
+    letter, _, index = name.partition("_")
+    if len(letter) > 1 and letter not in GREEK:
+        return readable(name.replace("_", " "))
+    shown = f"\\{letter}" if letter in GREEK else letter
+    return f"${shown}_{{{index}}}$" if index else f"${shown}$"
+
+
+def wrapped(text: str, width: int = 50) -> str:
+    """A text in lines of some `width` characters, the names in its formulas set as letters."""
+    spaced = re.sub(r",(?=\S)", ", ", text)
+    lines = textwrap.wrap(spaced, width, break_long_words=False, break_on_hyphens=False)
+    return "\n".join(readable(_LETTER.sub(lambda name: typeset(name[0]), line)) for line in lines)
 
 
 def unit_of(dataset: xr.Dataset, name: str) -> str:
