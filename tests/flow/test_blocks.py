@@ -373,7 +373,9 @@ def test_work_that_gives_something_else(variables: dict[str, Variable], told: st
         compute(Task(counted_rows, 40, 10, variables))
 
 
+@pytest.mark.parametrize("number", [0, 2.5])
 @pytest.mark.parametrize("name", ["size", "block"])
-def test_no_members_are_refused(name: str) -> None:
-    with pytest.raises(InputError, match=f"the {name} is 0: at least 1 is needed"):
-        task(**{name: 0})
+def test_no_members_are_refused(name: str, number: Any) -> None:
+    told = f"^the {name} is {number}: a whole number, at least 1, is needed$"
+    with pytest.raises(InputError, match=told):
+        task(**{name: number})

@@ -173,12 +173,45 @@ def test_workers_find_something_to_do(size: int, blocks: int) -> None:
         (SPUN, {"parameters": {"mass": 1.0}}, "no parameter"),
         (SPUN, {"record": ("height",)}, "there is no height to be recorded; there are law_energy"),
         (np.zeros((3, 5)), {}, r"each row of state has the shape \(5,\); \(6,\) is needed"),
+        ("abc", {}, "^members of an ensemble: state: all must be real numbers"),
+        (SPUN, {"block": 0}, "^the block is 0: a whole number, at least 1, is needed$"),
+        (SPUN, {"parameters": {"m": "abc"}}, "^chaplygin-ball: m: all must be real numbers"),
+        (SPUN, {"parameters": {"m": [1, 2]}}, "m must be one number; what varies belongs to the"),
     ],
-    ids=["missing", "name", "level", "both", "integral", "twice", "unknown", "record", "shape"],
+    ids=[
+        "missing",
+        "name",
+        "level",
+        "both",
+        "integral",
+        "twice",
+        "unknown",
+        "record",
+        "shape",
+        "text",
+        "block",
+        "word",
+        "row",
+    ],
 )
 def test_mistakes_are_told(members: Any, options: dict[str, Any], told: str) -> None:
     with pytest.raises(InputError, match=told):
         ensemble(BALL, members, TIMES, **options)
+
+
+@pytest.mark.parametrize("times", [[], [[]], [0, "later"], [1, 0.5], [-2, -1]], ids=str)
+def test_times_are_refused_in_a_sentence(times: Any) -> None:
+    with pytest.raises(InputError, match=r"^times: [^\n]*$"):
+        ensemble_task(BALL, SPUN, times)
+
+
+def test_the_same_numbers_are_the_same_experiment(tmp_path: Path) -> None:
+    mass = BALL.parameters[0]
+    same = [None, {}, {"m": mass.default}, {mass.symbol: int(mass.default)}]
+    made = [ensemble(BALL, SPUN, [1.0], given, where=tmp_path / "a.zarr") for given in same]
+    assert all(bits(made[0]) == bits(other) for other in made)
+    with pytest.raises(InputError, match="another experiment: its parameters is"):
+        ensemble(BALL, SPUN, [1.0], {"m": 2.0}, where=tmp_path / "a.zarr")
 
 
 def test_no_store_is_begun_for_a_mistake_that_shows(tmp_path: Path) -> None:

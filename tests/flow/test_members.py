@@ -68,12 +68,27 @@ def test_they_say_what_they_are() -> None:
         (grid, "at least one is needed"),
         (lambda: listed(m=[]), "at least one is needed"),
         (lambda: drawn(0, {"energy": 1.0}), "at least one is needed"),
+        (lambda: drawn("few", {}), "few starts cannot be drawn; at least one is needed"),
+        (lambda: listed(m="abc"), "m: all must be real numbers"),
+        (lambda: one(M=[[1], [1, 2]]), "M: all must be real numbers, in rows of one length"),
         (lambda: listed(m=[1, 2], R=[1]), r"different lengths \(m 2, R 1\)"),
         (lambda: one(m=float("nan")), "m must be finite numbers"),
         (lambda: one(m=1) * grid(m=[1, 2]), "m is given twice"),
         (lambda: drawn(1, {}) * drawn(1, {}), "starts are drawn twice"),
     ],
-    ids=["list", "grid", "empty", "drawn", "lengths", "nan", "twice", "drawn-twice"],
+    ids=[
+        "list",
+        "grid",
+        "empty",
+        "drawn",
+        "few",
+        "text",
+        "ragged",
+        "lengths",
+        "nan",
+        "twice",
+        "drawn-twice",
+    ],
 )
 def test_mistakes_are_told(made: Any, told: str) -> None:
     with pytest.raises(InputError, match=told):

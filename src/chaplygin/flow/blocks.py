@@ -108,7 +108,7 @@ class Task:
     Raises
     ------
     InputError
-        If size or block are not positive.
+        If size or block are no whole numbers from 1 on.
     """
 
     work: Work
@@ -121,8 +121,9 @@ class Task:
 
     def __post_init__(self) -> None:
         for name in ("size", "block"):
-            if getattr(self, name) < 1:
-                raise InputError(f"the {name} is {getattr(self, name)}: at least 1 is needed")
+            number = getattr(self, name)
+            if not isinstance(number, int | np.integer) or number < 1:
+                raise InputError(f"the {name} is {number}: a whole number, at least 1, is needed")
 
     def members(self, block: int) -> tuple[int, int]:
         """First member of a block, and the one after its last."""

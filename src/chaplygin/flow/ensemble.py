@@ -15,11 +15,13 @@ import sympy as sp
 from ..errors import InputError
 from ..system import System
 from .blocks import Coordinate, Progress, Task, Variable, compute
+from .given import moments
 from .identity import settled
 from .march import ENDS
 from .meanings import FRAMES, LABELS, told_of
 from .members import Members, drawn, grid, listed, one
 from .motions import Motions, recorded
+from .values import doubles
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -114,10 +116,15 @@ def ensemble_task(
     more, so that several workers find something to do.
     """
     everyone = members if isinstance(members, Members) else listed(state=members)
-    constants = {str(name): float(value) for name, value in (parameters or {}).items()}
-    moments = tuple(np.atleast_1d(np.asarray(times, dtype=float)).tolist())
-    work = Motions(settled(system), everyone, moments, constants, tolerance, tuple(record))
-    twice = sorted(set(constants) & set(work.varied))
+    work = Motions(
+        settled(system),
+        everyone,
+        _times(times),
+        _constants(system, parameters),
+        tolerance,
+        tuple(record),
+    )
+    twice = sorted({str(name) for name in parameters or ()} & set(work.varied))
     if twice:
         raise InputError(f"{system.name}: {', '.join(twice)} is given twice")
     # a mistake shows at the first member, before any store is begun
@@ -125,15 +132,37 @@ def ensemble_task(
     variables = _variables(work, points is not None)
     share = max(16, math.ceil(everyone.size / shares))
     numbers = sum(math.prod(variable.shape) for variable in variables.values())
+    fitting = max(1, min(_MEMBERS, _NUMBERS // numbers, everyone.size, share))
     return Task(
         work,
         everyone.size,
-        block or max(1, min(_MEMBERS, _NUMBERS // numbers, everyone.size, share)),
+        fitting if block is None else block,
         variables,
         "run",
         _coordinates(work, variables),
         {**_attributes(work), **_draw(work, parameters)},
     )
+
+
+def _times(times: Any) -> tuple[float, ...]:
+    """The times of an ensemble, if motions can be looked at there."""
+    given = np.atleast_1d(doubles("times", times))
+    moments(given, backward=bool(given.size) and bool(given.flat[-1] < 0))
+    return tuple(given.tolist())
+
+
+def _constants(system: System, parameters: Mapping[Any, float] | None) -> dict[str, float]:
+    """Values of parameters by name, without those that are the default: they say nothing new."""
+    found, defaults = {}, dict(system.constants)
+    for name, value in (parameters or {}).items():
+        number = doubles(f"{system.name}: {name}", value)
+        if number.ndim:
+            raise InputError(
+                f"{system.name}: {name} must be one number; what varies belongs to the members"
+            )
+        if defaults.get(str(name)) != float(number):
+            found[str(name)] = float(number)
+    return found
 
 
 def _variables(work: Motions, drawn: bool) -> dict[str, Variable]:

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import InputError
+from .values import doubles
 
 __all__ = ["Drawn", "Listed", "Members", "drawn", "grid", "listed", "one"]
 
@@ -155,7 +156,7 @@ def listed(**values: Any) -> Members:
 
 def one(**values: Any) -> Members:
     """A single member: numbers, and vectors by their components."""
-    return listed(**{name: np.asarray(value)[np.newaxis] for name, value in values.items()})
+    return listed(**{name: _numbers(name, value)[np.newaxis] for name, value in values.items()})
 
 
 def grid(**values: Any) -> Members:
@@ -178,13 +179,19 @@ def drawn(count: int, level: Mapping[str, float], seed: int = 0) -> Members:
     InputError
         If there are none.
     """
-    if count < 1:
-        raise InputError("members of an ensemble: at least one is needed")
+    if not isinstance(count, int | np.integer) or count < 1:
+        raise InputError(
+            f"members of an ensemble: {count} starts cannot be drawn; at least one is needed"
+        )
     return Members((Drawn(count, dict(level), seed),))
 
 
+def _numbers(name: str, value: Any) -> Any:
+    return doubles(f"members of an ensemble: {name}", value)
+
+
 def _finite(name: str, value: Any) -> Any:
-    array = np.atleast_1d(np.asarray(value, dtype=float))
+    array = np.atleast_1d(_numbers(name, value))
     if not np.all(np.isfinite(array)):
         raise InputError(f"members of an ensemble: {name} must be finite numbers")
     return array
