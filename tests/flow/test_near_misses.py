@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -10,7 +12,7 @@ from chaplygin.errors import InputError
 from chaplygin.flow.equations import Section
 from chaplygin.flow.lanes import lanes, section
 from chaplygin.mechanics.start import starting_state
-from chaplygin.system import System
+from chaplygin.system import Guard, System
 from chaplygin.systems import from_catalogue
 
 x, y = sp.symbols("x y", real=True)
@@ -68,3 +70,20 @@ def test_more_than_memory_holds_is_refused() -> None:
     flow = lanes(OSCILLATOR, section=Section(x, 1))
     with pytest.raises(InputError, match="GiB at once: ask for fewer, or stream them"):
         flow.returns([[0.0, 1.0]], 10**11)
+
+
+@pytest.mark.parametrize(
+    ("guard", "time"),
+    [
+        (sp.Rational(9, 10) - x, np.arcsin(0.9)),
+        (sp.sqrt(sp.Rational(1, 2) - x), np.pi / 6),
+        (sp.log(sp.Rational(9, 10) - x) + 10, np.arcsin(0.9 - np.exp(-10))),
+    ],
+)
+def test_no_guard_is_jumped_over(guard: sp.Expr, time: float) -> None:
+    guarded = replace(OSCILLATOR, guards=(Guard("height", guard, "it is too high"),))
+    for start in ([0.0, 1.0], [-0.6, 0.8]):
+        flow = lanes(guarded)
+        found = flow.until([start], [100.0])
+        assert flow.reason(found.outcome[0]) == "it is too high"
+        assert found.ended[0] == pytest.approx(time - np.arcsin(start[0]), abs=1e-10)

@@ -469,7 +469,7 @@ class _Loop:
                 f"ptr {self.at('wide_constants')})"
             )
             for i in reversed(range(len(self.equations.guards))):
-                passed = w.any(w.compare("ole", d.load(self.at("guards"), i), w.constant(0.0)))
+                passed = w.any(w.compare("ule", d.load(self.at("guards"), i), w.constant(0.0)))
                 with w.when(passed):
                     w.store("i1", "false", taken)
                     w.store("i64", str(len(ENDS) + i), reason)

@@ -37,7 +37,7 @@ COLLAPSED, NOT_A_NUMBER, STEPS, OVER = range(1, len(ENDS))
 #: The time without a crossing after which a motion is given up, in first steps.
 FAR = 1e7
 
-#: The stage at which the section is looked at inside a step, for what the ends do not tell.
+#: The stage at which section and guards are looked at inside a step: its ends do not tell all.
 HALFWAY = 9
 
 #: Deviations may have so many times the error of the motion.
@@ -323,14 +323,24 @@ class _March:
         self.put("event", w.choose(ended, w.constant(_END), self.get("event")))
         self.put("fresh", zero)
 
-    def _notice_guards(self, among: str) -> str:
-        """Mark lanes whose state a guard forbids; the mask of those that none does."""
+    def _passed(self) -> list[str]:
+        """For each guard, where it is not positive; what is no number is not."""
         w, n = self.w, self.n
+        places = range(len(self.equations.guards))
+        values = [n.leading(n.load(self.place("guards"), i)) for i in places]
+        return [w.compare("ule", value, w.constant(0.0)) for value in values]
+
+    def _notice_guards(self, among: str, before: Sequence[str] = ()) -> str:
+        """Mark lanes whose state a guard forbids; the mask of those that none does.
+
+        `before` are masks of guards that were passed earlier in the step.
+        """
+        w = self.w
         fine = "splat (i1 true)"
         fault = self.get("fault")
-        for i in reversed(range(len(self.equations.guards))):
-            value = n.leading(n.load(self.place("guards"), i))
-            passed = w.compare("ole", value, w.constant(0.0))
+        for i, passed in reversed(list(enumerate(self._passed()))):
+            if before:
+                passed = w.either(passed, before[i])
             fine = w.both(fine, w.unless(passed))
             code = w.constant(float(len(ENDS) + i))
             fault = w.choose(w.both(among, passed), code, fault)
@@ -351,6 +361,7 @@ class _March:
         arrived = w.op("fadd", time, step)
         # a step that the clock can show, so that no time is lost by rounding
         step_number = n.difference(arrived, time)
+        halfway: list[str] = []
         step = n.leading(step_number)
         for stage in range(1, len(self.method.b)):
             for i in range(self.dimension):
@@ -358,6 +369,9 @@ class _March:
                 n.store(value, self.place("stage"), i)
             if stage == HALFWAY and self.equations.section is not None:
                 self.evaluate("halfway", "stage")
+            if stage == HALFWAY and self.equations.guards:
+                self.evaluate("guards", "stage")
+                halfway = self._passed()
             self.rates(stage, "stage")
         for i in range(self.dimension):
             self._advance(step_number, i)
@@ -380,7 +394,7 @@ class _March:
         self.put("fault", w.choose(live, w.choose(allowed, zero, reason), self.get("fault")))
         if self.equations.guards:
             self.evaluate("guards", "new")
-            fine = self._notice_guards(allowed)
+            fine = self._notice_guards(allowed, halfway)
             factor = w.choose(w.both(allowed, w.unless(fine)), w.constant(0.5), factor)
             allowed = w.both(allowed, fine)
         following = w.op("fmul", step, factor)
