@@ -10,7 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from functools import cached_property
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 import sympy as sp
@@ -18,20 +19,24 @@ import sympy as sp
 from ..claims import equation
 from ..flow.formulas import Formulas
 from ..flow.linearise import components, taking_part
+from ..flow.sizes import sizes_at
 from ..flow.tangent import TangentSpace
 from ..notation import text
 from ..statements import Law, Symmetry
 from ..system import System
 from ..vectors import explicit
 
-__all__ = ["Forced", "Removed", "forced"]
+__all__ = ["Forced", "Removed", "forced", "vanish"]
 
+Values: TypeAlias = Mapping[Any, Any] | None
 Kind = Literal["relation", "integral", "flow", "symmetry", "quadrature"]
 
 #: Relative size below which a vector counts as dependent on others.
 DEPENDENT = 1e-8
 #: Relative size below which a number counts as zero.
 ZERO = 1e-10
+#: States near by: how many, how far in sizes of the state, and the seed of their directions.
+BESIDE, NEAR, SEED = 4, 0.1, 20080830
 
 _REASONS: Mapping[Kind, str] = {
     "relation": "holds on the phase space",
@@ -79,18 +84,22 @@ class Forced:
     removed : tuple of Removed
     dependent : tuple of str
         Integrals and fields that depend on those removed before at this start, and force nothing.
+    sizes : (size,) array
+        By which deviations are measured.
     """
 
     space: TangentSpace
     removed: tuple[Removed, ...]
     dependent: tuple[str, ...]
+    sizes: Any
 
 
 def forced(
     system: System,
     start: Sequence[float],
-    parameters: Mapping[Any, Any] | None = None,
+    parameters: Values = None,
     kept: Collection[str] = (),
+    sizes: Any = None,
 ) -> Forced:
     """The zero exponents that laws and relations force on the motion from a start.
 
@@ -103,6 +112,8 @@ def forced(
         Values that replace the defaults.
     kept : collection of str
         Names of what is not to be removed, because it forces no zero on this motion.
+    sizes : (size,) array, optional
+        By which deviations are measured; those of the start if left out.
 
     Returns
     -------
@@ -110,7 +121,9 @@ def forced(
         With integrals and fields that are independent at the start: dependence is kept by the
         motion.
     """
-    at = _At(system, np.array([start], dtype=np.float64), parameters)
+    state = np.array([start], dtype=np.float64)
+    measures = sizes_at(system, state[:, None], parameters)[0] if sizes is None else sizes
+    at = _At(system, state, measures, parameters)
     across, along = _Span(), _Span()
     removed: list[Removed] = []
     dependent: list[str] = []
@@ -118,10 +131,10 @@ def forced(
     for item in _conditions(at):
         if item.removed.name in kept:
             continue
-        gradient = at.slopes(item.formulas)[0]
         if item.on and not at.on_level(item.on, across):
             continue
-        if across.take(gradient, ZERO):
+        gradients = at.slopes(item.formulas)[:, 0]
+        if across.take(gradients[0], _floor(gradients)):
             conditions.append(item.formulas[0])
             removed.append(item.removed)
         else:
@@ -133,7 +146,8 @@ def forced(
     ]
     rows: list[Any] = []
     for named, row in _tangent(at, fields, across):
-        if along.take(row @ at.vectors(fields), at.speed):
+        vectors = row @ at.vectors(fields)
+        if along.take(vectors[0], _floor(vectors)):
             rows.append(row)
             removed.append(named)
         else:
@@ -141,7 +155,33 @@ def forced(
     directions = tuple(item.formulas for item in fields)
     mixed = np.array(rows).reshape(len(rows), len(fields))
     space = TangentSpace(system, tuple(conditions), directions, mixed)
-    return Forced(space, tuple(removed), tuple(dependent))
+    return Forced(space, tuple(removed), tuple(dependent), measures)
+
+
+def vanish(
+    system: System, level: Sequence[Any], state: Any, parameters: Values, sizes: Any
+) -> bool:
+    """Whether formulas vanish at a state, up to rounding of what they consist of.
+
+    Parameters
+    ----------
+    system : System
+    level : sequence of sympy.Expr
+    state, sizes : (size,) arrays
+    parameters : mapping of Symbol or name to number, optional
+    """
+    values = np.abs(Formulas(system, level)(state, parameters))
+    reach = np.linalg.norm(Formulas(system, level).slopes(state, parameters) * sizes, axis=1)
+    named = [item.symbol for item in system.parameters]
+    parts = [symbol * sp.diff(formula, symbol) for formula in level for symbol in named]
+    shares = np.abs(Formulas(system, parts)(state, parameters)).reshape(len(level), len(named))
+    return bool(np.all(values <= ZERO * (reach + shares.sum(axis=1))))
+
+
+def _floor(vectors: Any) -> float:
+    """The length below which the first of some vectors counts as zero beside those near by."""
+    lengths = np.linalg.norm(vectors, axis=1)
+    return ZERO * float(np.fmax.reduce(lengths, initial=0.0))
 
 
 @dataclass(frozen=True)
@@ -182,33 +222,30 @@ class _At:
 
     system: System
     state: Any
-    parameters: Mapping[Any, Any] | None
+    sizes: Any
+    parameters: Values
 
-    def values(self, formulas: Sequence[Any]) -> Any:
-        return Formulas(self.system, formulas)(self.state, self.parameters)[0]
+    @cached_property
+    def places(self) -> Any:
+        """The state, and some near by, which show how large a vector is that vanishes here."""
+        moves = np.random.default_rng(SEED).standard_normal((BESIDE, self.state.shape[1]))
+        return np.concatenate([self.state, self.state + NEAR * self.sizes * moves])
 
     def slopes(self, formulas: Sequence[Any]) -> Any:
-        return Formulas(self.system, formulas).slopes(self.state, self.parameters)[0]
+        """Measured gradients, (places, formulas, size)."""
+        return Formulas(self.system, formulas).slopes(self.places, self.parameters) * self.sizes
 
     def vectors(self, items: Sequence[_Item]) -> Any:
-        """The fields of some items, one a row."""
+        """The fields of some items, measured, (places, items, size)."""
         parts = [part for item in items for part in item.formulas]
-        return self.values(parts).reshape(len(items), self.state.shape[1])
-
-    @property
-    def speed(self) -> float:
-        """A rate that counts as rest."""
-        size = 1.0 + float(np.abs(self.state).max())
-        return ZERO * size * float(np.abs(self.slopes(self.system.rates)).max(initial=0.0))
+        flat = Formulas(self.system, parts)(self.places, self.parameters)
+        return flat.reshape(len(flat), len(items), len(self.sizes)) / self.sizes
 
     def on_level(self, level: Sequence[Any], span: _Span) -> bool:
         """Whether the state lies on a level, which deviations within the span keep."""
-        size = 1.0 + float(np.abs(self.state).max())
-        if np.abs(self.values(level)).max() > ZERO * size:
-            return False
-        return all(
+        return vanish(self.system, level, self.state[0], self.parameters, self.sizes) and all(
             np.linalg.norm(span.rest(row)) <= DEPENDENT * np.linalg.norm(row)
-            for row in self.slopes(level)
+            for row in self.slopes(level)[0]
         )
 
 
@@ -259,18 +296,18 @@ def _tangent(at: _At, fields: Sequence[_Item], across: _Span) -> Iterator[tuple[
     The combinations have constant coefficients: the rate of an integral along a symmetry is an
     integral again.
     """
-    vectors = at.vectors(fields)
+    vectors = at.vectors(fields)[0]
     sizes = np.linalg.norm(vectors, axis=1)
     outward = vectors @ np.array(across.basis).reshape(-1, vectors.shape[1]).T
     within = np.linalg.norm(outward, axis=1) <= DEPENDENT * sizes
     loose = [i for i, tangent in enumerate(within) if not tangent]
     if loose:
-        _, strengths, rotation = np.linalg.svd(outward[loose].T)
+        _, strengths, rotation = np.linalg.svd(outward[loose].T / sizes[loose])
         rank = int((strengths > DEPENDENT * strengths[0]).sum())
         names = " and ".join(fields[i].removed.name for i in loose)
         for row in rotation[rank:]:
             mixed = np.zeros(len(fields))
-            mixed[loose] = row
+            mixed[loose] = row / sizes[loose]
             yield Removed(f"a combination of {names}", "symmetry"), mixed
     for item, tangent, row in zip(fields, within, np.eye(len(fields)), strict=True):
         if tangent:

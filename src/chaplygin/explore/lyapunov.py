@@ -16,11 +16,12 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 
 from ..errors import InputError, RunError
-from ..flow.formulas import Formulas
+from ..flow.given import require_on_phase_space
 from ..flow.lanes import Lanes, lanes
-from ..flow.tangent import TangentSpace, propagate
+from ..flow.sizes import sizes_along
+from ..flow.tangent import propagate
+from ..flow.values import parameter_rows, relation_terms
 from ..system import System
-from ..vectors import explicit
 from .averages import Average, average, batched, resolution
 from .forced import Forced, Removed, forced
 from .volumes import NODES, Followed, Volume, volume
@@ -42,8 +43,6 @@ MOST = 2_000_000
 #: Logarithm of the ratio of lengths that deviations may reach in an interval: at first, and later.
 APART = (12.0, 28.0)
 FIRST = 8
-#: A relation may miss zero at the start by so much.
-OFF = 1e-9
 #: Draws of the bootstrap, and its seed.
 DRAWS, SEED = 400, 20080830
 
@@ -228,11 +227,12 @@ def spectrum(
         raise InputError(f"intervals = {intervals}: there must be from 100 to {MOST}")
     _check(system, start, parameters)
     told = progress or (lambda done: None)
-    found = forced(system, start, parameters)
+    sizes = sizes_along(system, [start], until, parameters, tolerance)[0]
+    found = forced(system, start, parameters, sizes=sizes)
     run = _followed(found, start, (until, intervals), parameters, tolerance, told)
     kept = _not_forced(found, run)
     if kept:
-        found = forced(system, start, parameters, kept)
+        found = forced(system, start, parameters, kept, sizes)
         run = _followed(found, start, (until, intervals), parameters, tolerance, told)
     return _evaluated(system, found, run, until, tolerance, parameters, kept)
 
@@ -249,7 +249,7 @@ def _followed(
     space = found.space
     machine = lanes(space.system, tolerance=tolerance, deviations=space.dimension)
     until, count = times
-    while (run := _run(machine, space, start, (until, count), parameters, progress)) is None:
+    while (run := _run(machine, found, start, (until, count), parameters, progress)) is None:
         count *= 2
         if count > MOST:
             raise RunError("deviations grow too fast to be followed", 0.0)
@@ -279,19 +279,14 @@ def _check(system: System, start: Sequence[float], parameters: Values) -> None:
             f"{system.name}: the start has {len(start)} numbers; {len(system.symbols)} are needed "
             f"({', '.join(map(str, system.symbols))})"
         )
-    relations = [explicit(relation) for relation in system.relations]
-    values = Formulas(system, relations)([start], parameters)[0]
-    for relation, value in zip(system.relations, values, strict=True):
-        if not abs(value) <= OFF:
-            raise InputError(
-                f"{system.name}: the start misses the phase space; the relation {relation} is "
-                f"{value:.6g} there and must vanish"
-            )
+    points = np.array([start], dtype=np.float64)
+    constants = parameter_rows(system, parameters, 1)
+    require_on_phase_space(system, relation_terms(system), points, constants)
 
 
 def _run(
     machine: Lanes,
-    space: TangentSpace,
+    found: Forced,
     start: Sequence[float],
     times: tuple[float, int],
     parameters: Values,
@@ -300,12 +295,15 @@ def _run(
     """The motion; None where deviations grow too far apart within an interval."""
     until, count = times
     interval = until / count
+    space = found.space
     places, _ = np.polynomial.legendre.leggauss(NODES)
     inner = interval * (1 + places) / 2
     first = np.array([start], dtype=np.float64)
     states, nodes = [first[0]], []
-    lengths, sizes = [], [space.excluded(first, parameters)[1][0]]
-    stretches = propagate(machine, space, first, interval, parameters, nodes=inner, threads=1)
+    lengths, sizes = [], [space.excluded(first, parameters, found.sizes)[1][0]]
+    stretches = propagate(
+        machine, space, first, interval, parameters, sizes=found.sizes, nodes=inner, threads=1
+    )
     for k in range(count):
         stretch = next(stretches)
         code = int(stretch.outcome[0])

@@ -3,9 +3,10 @@
 One deviation, or several, is carried along each motion and made of length one after each interval.
 The logarithms of the lengths lost add up to L(t): the largest exponent is the slope of L, the fast
 Lyapunov indicator its greatest value (Froeschlé, Lega, Gonczi 1997), and MEGNO compares it with its
-mean (Cincotta, Simó 2000).  Exponents are taken of what integrals and the flow do not force to be
-zero; indicators of all deviations that the relations allow, among which those of a regular motion
-part evenly with time.
+mean (Cincotta, Simó 2000).  Lengths are measured with each vector of the state divided by its size
+along the motion, so that the numbers are the same in all units.  Exponents are taken of what
+integrals and the flow do not force to be zero; indicators of all deviations that the relations
+allow, among which those of a regular motion part evenly with time.
 """
 
 from __future__ import annotations
@@ -13,14 +14,14 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 
 from ..errors import InputError
-from ..flow.formulas import Formulas
 from ..flow.lanes import lanes
-from ..flow.levels import picked, projected
+from ..flow.levels import picked
+from ..flow.sizes import sizes_along
 from ..flow.tangent import TangentSpace, orthonormal
 from ..system import System
 from ..vectors import explicit
@@ -43,8 +44,8 @@ __all__ = [
 UNSETTLED = 0.2
 #: Batches by whose means an error is told, and Student's factor for 95 % of them.
 BATCHES, STUDENT = 16, 2.131
-#: A motion is put back on the relations where it misses them by more than this.
-MISSED = 1e-10
+#: An interval is parted at most so often where a deviation in it shrinks to nothing beside others.
+PARTED = 64
 
 
 @dataclass(frozen=True)
@@ -86,6 +87,9 @@ class Parting(ABC):
         return orthonormal(deviations, basis)
 
 
+_Arrays: TypeAlias = tuple[Any, Any, Any, Any]
+
+
 @dataclass(frozen=True)
 class Grown:
     """Deviations along motions.
@@ -93,9 +97,10 @@ class Grown:
     Attributes
     ----------
     logarithms : (n, intervals, d) array
-        Of the lengths lost in each interval; not numbers after the end of a motion.
+        Of the lengths lost in each interval; not numbers after the end of a motion, and all of
+        them where deviations part too fast to be told.
     frames : (n, d, size) array
-        The deviations at the end, of length one.
+        The deviations at the end, of length one in the measures of the motion.
     outcome : (n,) array of int
         0, or why a motion ended.
     ended : (n,) array
@@ -151,39 +156,70 @@ def grown(
         In flat order, on the phase space.
     parameters : mapping of Symbol or name to number or (n,) array
     """
-    flow = lanes(rule.system, tolerance=rule.tolerance, deviations=deviations)
     states = np.array(starts, dtype=np.float64)
-    frames = space.frames(states, parameters, flow.deviations)
-    logarithms = np.full((len(states), rule.intervals, flow.deviations), np.nan)
+    sizes = sizes_along(rule.system, states, rule.until, parameters, rule.tolerance)
+    found = _grown(rule, space, (deviations, 1), (states, sizes), parameters)
+    pieces = 2
+    while pieces <= PARTED and len(lost := np.flatnonzero(_lost(found))):
+        chosen = picked(parameters, lost)
+        again = _grown(rule, space, (deviations, pieces), (states[lost], sizes[lost]), chosen)
+        for known, new in zip(found, again, strict=True):
+            known[lost] = new
+        pieces *= 2
+    found[0][_lost(found)] = np.nan
+    return Grown(*found)
+
+
+def _lost(found: _Arrays) -> Any:
+    """Motions that were followed to their end, while deviations became too short beside others."""
+    logarithms, _, outcome, _ = found
+    return (outcome == 0) & ~np.isfinite(logarithms).all(axis=(1, 2))
+
+
+def _grown(
+    rule: Parting,
+    space: TangentSpace,
+    counts: tuple[int, int],
+    begin: tuple[Any, Any],
+    parameters: Parameters,
+) -> _Arrays:
+    """Logarithms, frames, outcomes and times reached.
+
+    Parameters
+    ----------
+    counts : pair of int
+        Deviations, and pieces of each interval.
+    begin : pair of (n, size) arrays
+        The starts, and the sizes by which deviations are measured.
+    """
+    deviations, pieces = counts
+    flow = lanes(rule.system, tolerance=rule.tolerance, deviations=deviations)
+    states, sizes = begin[0].copy(), begin[1]
+    relations = tangent(rule.system)
+    frames = space.frames(states, parameters, flow.deviations, sizes)
+    logarithms = np.full((len(states), rule.intervals * pieces, flow.deviations), np.nan)
     outcome, ended = np.zeros(len(states), dtype=np.int64), np.zeros(len(states))
-    interval = rule.until / rule.intervals
-    for k in range(rule.intervals):
+    interval = rule.until / logarithms.shape[1]
+    for k in range(logarithms.shape[1]):
         live = np.flatnonzero(outcome == 0)
         if not len(live):
             break
         chosen = picked(parameters, live)
-        run = flow.until(states[live], [interval], chosen, deviations=frames[live])
+        carried = frames[live] * sizes[live, None]
+        run = flow.until(states[live], [interval], chosen, deviations=carried)
         ended[live] = k * interval + run.ended
         outcome[live] = run.outcome
         going = run.outcome == 0
         live, chosen = live[going], picked(chosen, going)
-        states[live] = _kept(rule.system, run.states[going, 0], chosen)
-        basis, _ = space.excluded(states[live], chosen)
-        frames[live], lengths = rule.renewed(run.deviations[going, 0], basis)
+        level = np.zeros((len(live), len(relations.conditions)))
+        states[live] = relations.kept(run.states[going, 0], level, chosen, sizes[live])
+        basis, _ = space.excluded(states[live], chosen, sizes[live])
+        frames[live], lengths = rule.renewed(run.deviations[going, 0] / sizes[live, None], basis)
         with np.errstate(divide="ignore"):
             logarithms[live, k] = np.log(lengths)
     frames[outcome != 0] = np.nan
-    return Grown(logarithms, frames, outcome, ended)
-
-
-def _kept(system: System, states: Any, parameters: Parameters) -> Any:
-    """States put back on the relations where they have drifted off."""
-    relations = Formulas(system, tuple(explicit(relation) for relation in system.relations))
-    missed = np.abs(relations(states, parameters)).max(axis=1, initial=0.0)
-    far = np.flatnonzero(missed > MISSED)
-    if len(far):
-        states[far], _ = projected(relations, states[far], 0.0, picked(parameters, far))
-    return states
+    parted = logarithms.reshape(len(states), rule.intervals, pieces, flow.deviations)
+    return parted.sum(axis=2), frames, outcome, ended
 
 
 class Exponent(Parting):

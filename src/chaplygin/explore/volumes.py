@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -14,7 +14,7 @@ from ..statements import Measure
 from ..system import System
 from ..vectors import explicit
 from .averages import Average, average
-from .forced import Forced
+from .forced import Forced, vanish
 
 __all__ = ["NODES", "Followed", "Volume", "volume"]
 
@@ -23,8 +23,6 @@ Values: TypeAlias = Mapping[Any, Any] | None
 
 #: Points of Gauss's rule in an interval, for the mean of the divergence.
 NODES = 16
-#: A condition in the parameters is met when it is missed by no more than this.
-MISSED = 1e-9
 #: Intervals taken together, to bound the memory.
 PIECE = 512
 
@@ -71,7 +69,9 @@ def volume(
     growth = np.empty(len(kept))
     for first in range(0, len(kept), PIECE):
         some = kept[first : first + PIECE]
-        rates = found.space.divergence(some.reshape(-1, some.shape[-1]), parameters, relations)
+        rates = found.space.divergence(
+            some.reshape(-1, some.shape[-1]), parameters, relations, found.sizes
+        )
         growth[first : first + PIECE] = rates.reshape(some.shape[:2]) @ weights
     growth *= run.interval / 2
     span = len(growth) * run.interval
@@ -82,26 +82,28 @@ def volume(
     ends = run.states[[skipped, -1]]
     measures = {
         name: float(growth.sum() - change) / span
-        for name, change in _densities(system, ends, relations, parameters)
+        for name, change in _densities(system, ends, found.sizes, parameters)
     }
     return Volume(average(growth, run.interval, skipped * run.interval), balance, measures)
 
 
 def _densities(
-    system: System, ends: Array, relations: Sequence[Any], parameters: Values
+    system: System, ends: Array, sizes: Array, parameters: Values
 ) -> Iterator[tuple[str, float]]:
     """For each invariant measure, the growth of volumes that it allows between two states."""
     moving = set(system.symbols) | {symbol for symbol, _ in system.steps}
-    _, sizes = orthonormal(Formulas(system, relations).slopes(ends, parameters))
+    relations = [explicit(relation) for relation in system.relations]
+    gradients = Formulas(system, relations).slopes(ends, parameters) * sizes
+    _, lengths = orthonormal(gradients)
     for law in system.laws:
         if not isinstance(law, Measure):
             continue
         level = [explicit(condition) for condition in law.on]
         if any(condition.free_symbols & moving for condition in level):
             continue
-        if np.abs(Formulas(system, level)(ends, parameters)).max(initial=0.0) > MISSED:
+        if not vanish(system, level, ends[0], parameters, sizes):
             continue
         density = Formulas(system, [explicit(law.value)])(ends, parameters)[:, 0]
         # volumes are those of the surface: the form of the law times the size of the gradients
-        logarithm = np.log(sizes).sum(axis=1) - np.log(np.abs(density))
+        logarithm = np.log(lengths).sum(axis=1) - np.log(np.abs(density))
         yield law.name, float(logarithm[1] - logarithm[0])

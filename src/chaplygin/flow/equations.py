@@ -13,7 +13,7 @@ from ..system import System
 from .graph import Graph, Term, ordered
 from .values import formula, read_system
 
-__all__ = ["Equations", "Section", "equations_of", "section", "serial", "serial_terms"]
+__all__ = ["Equations", "Section", "equations_of", "groups", "section", "serial", "serial_terms"]
 
 
 @dataclass(frozen=True)
@@ -139,7 +139,7 @@ def equations_of(
     return Equations(
         graph,
         tuple(every),
-        _groups(system),
+        groups(system),
         len(system.parameters),
         value,
         slope,
@@ -163,7 +163,8 @@ def _variations(graph: Graph, rates: Sequence[Term], deviations: int) -> list[Te
     return found
 
 
-def _groups(system: System) -> tuple[tuple[int, ...], ...]:
+def groups(system: System) -> tuple[tuple[int, ...], ...]:
+    """The places of the components of each vector of the state; scalars stand alone."""
     found, first = [], 0
     for variable in system.state:
         width = 1 if isinstance(variable, sp.Symbol) else len(variable.symbols)

@@ -5,6 +5,10 @@ interval; there they are made orthonormal again, and the logarithms of the lengt
 add up to the Lyapunov exponents (Benettin et al. 1980).  What cannot grow is taken out at the end
 of every interval, so that rounding cannot bring it back: deviations stay tangent to relations and
 integrals, and are counted modulo the flow and the symmetries.
+
+Lengths and angles of deviations are measured with each variable divided by a fixed size, so that
+they are the same in all units: what is called orthonormal below is so in these measures, and
+gradients are those with respect to the measured variables.  See :mod:`chaplygin.flow.sizes`.
 """
 
 from __future__ import annotations
@@ -19,7 +23,7 @@ import numpy as np
 from ..system import System
 from .formulas import Formulas
 from .lanes import Lanes
-from .levels import projected
+from .levels import REDUNDANT, picked
 
 __all__ = ["Stretch", "TangentSpace", "orthonormal", "propagate"]
 
@@ -30,6 +34,10 @@ Values: TypeAlias = Mapping[Any, Any] | None
 DEPENDENT = 1e-12
 #: A state is put back on its level when it misses it by more than this, relatively.
 DRIFTED = 1e-11
+#: Steps by which it is put back.
+STEPS = 3
+#: Sizes of the variables unless others are given.
+ONE = np.ones(1)
 #: Seed of the frames that deviations start from.
 SEED = 20080830
 
@@ -116,51 +124,80 @@ class TangentSpace:
     def _rates(self) -> Formulas:
         return Formulas(self.system, self.system.rates)
 
-    def normals(self, states: Array, parameters: Values = None) -> Array:
+    def normals(self, states: Array, parameters: Values = None, sizes: Array = ONE) -> Array:
         """The gradients of the conditions, (n, conditions, size)."""
-        return self._conditions.slopes(states, parameters)
+        return self._conditions.slopes(states, parameters) * sizes[..., None, :]
 
     def level(self, states: Array, parameters: Values = None) -> Array:
         """The values of the conditions, (n, conditions): zero for relations."""
         return self._conditions(states, parameters)
 
-    def kept(self, states: Array, level: Array, parameters: Values = None) -> Array:
+    def kept(
+        self, states: Array, level: Array, parameters: Values = None, sizes: Array = ONE
+    ) -> Array:
         """States put back on the level of the conditions where they have drifted off, (n, size)."""
-        missed = np.abs(self.level(states, parameters) - level) / (1.0 + np.abs(level))
-        far = np.flatnonzero(missed.max(axis=1, initial=0.0) > DRIFTED)
+        normals = self.normals(states, parameters, sizes)
+        reach = np.abs(level) + np.sqrt((normals**2).sum(axis=2))
+        missed = np.abs(self.level(states, parameters) - level)
+        far = np.flatnonzero((missed > DRIFTED * reach).any(axis=1))
         if not len(far):
             return states
-        some = {s: v[far] if np.ndim(v) else v for s, v in (parameters or {}).items()}
-        states = states.copy()
-        states[far], _ = projected(self._conditions, states[far], level[far], some)
+        states, measures = states.copy(), np.broadcast_to(sizes, states.shape)
+        for _ in range(STEPS):
+            some = picked(parameters, far)
+            normals = self.normals(states[far], some, measures[far])
+            lengths = np.sqrt((normals**2).sum(axis=2))
+            excess = self.level(states[far], some) - level[far]
+            usable = (np.isfinite(lengths) & np.isfinite(excess) & (lengths > 0)).all(axis=1)
+            far, normals, lengths = far[usable], normals[usable], lengths[usable][:, :, None]
+            if not len(far):
+                break
+            inverse = np.linalg.pinv(normals / lengths, rcond=REDUNDANT)
+            steps = (inverse @ (excess[usable][:, :, None] / lengths))[:, :, 0]
+            states[far] -= steps * measures[far]
         return states
 
-    def fields(self, states: Array, parameters: Values = None) -> Array:
+    def fields(self, states: Array, parameters: Values = None, sizes: Array = ONE) -> Array:
         """The directions that are divided out, (n, mixed, size)."""
         found = self._directions(states, parameters)
         found = found.reshape(len(found), len(self.directions), len(self.system.symbols))
         mixed = [sum(c * found[:, j] for j, c in enumerate(row)) for row in self.mixed]
-        return np.stack(mixed, axis=1) if mixed else found[:, :0]
+        return (np.stack(mixed, axis=1) if mixed else found[:, :0]) / sizes[..., None, :]
 
-    def excluded(self, states: Array, parameters: Values = None) -> tuple[Array, Array]:
+    def excluded(
+        self, states: Array, parameters: Values = None, sizes: Array = ONE
+    ) -> tuple[Array, Array]:
         """An orthonormal basis of what is no deviation that counts.
+
+        Parameters
+        ----------
+        states : (n, size) array
+        parameters : mapping, optional
+        sizes : (size,) or (n, size) array, optional
+            By which deviations are measured.
 
         Returns
         -------
         basis : (n, conditions + mixed, size) array
-        sizes : (n, conditions + mixed) array
+        lengths : (n, conditions + mixed) array
             Logarithms of what is left of each of these vectors beside the ones before it, with
             the opposite sign for a gradient: how long a deviation is that changes its condition
             by one.
         """
-        normals, across = orthonormal(self.normals(states, parameters))
-        fields, along = orthonormal(self.fields(states, parameters), normals)
+        normals, across = orthonormal(self.normals(states, parameters, sizes))
+        fields, along = orthonormal(self.fields(states, parameters, sizes), normals)
         with np.errstate(divide="ignore"):
-            sizes = np.concatenate([-np.log(across), np.log(along)], axis=1)
-        return np.concatenate([normals, fields], axis=1), sizes
+            lengths = np.concatenate([-np.log(across), np.log(along)], axis=1)
+        return np.concatenate([normals, fields], axis=1), lengths
 
-    def frames(self, states: Array, parameters: Values = None, count: int | None = None) -> Array:
-        """Orthonormal deviations to start from, the same at the same state.
+    def frames(
+        self,
+        states: Array,
+        parameters: Values = None,
+        count: int | None = None,
+        sizes: Array = ONE,
+    ) -> Array:
+        """Orthonormal deviations to start from, measured, the same at the same state.
 
         Parameters
         ----------
@@ -168,6 +205,8 @@ class TangentSpace:
         parameters : mapping, optional
         count : int, optional
             How many; `dimension` if left out.
+        sizes : (size,) or (n, size) array, optional
+            By which deviations are measured.
 
         Returns
         -------
@@ -176,17 +215,23 @@ class TangentSpace:
         shape = (self.dimension if count is None else count, len(self.system.symbols))
         chosen = np.random.default_rng(SEED).standard_normal(shape)
         vectors = np.broadcast_to(chosen, (len(states), *shape))
-        return orthonormal(vectors, self.excluded(states, parameters)[0])[0]
+        return orthonormal(vectors, self.excluded(states, parameters, sizes)[0])[0]
 
     def divergence(
-        self, states: Array, parameters: Values = None, relations: Sequence[Any] = ()
+        self,
+        states: Array,
+        parameters: Values = None,
+        relations: Sequence[Any] = (),
+        sizes: Array = ONE,
     ) -> Array:
         """The divergence of the equations on the surface where relations vanish, (n,).
 
         It is the rate of the logarithm of a volume of deviations tangent to `relations`.
         """
         jacobian = self._rates.slopes(states, parameters)
+        jacobian *= sizes[..., None, :] / sizes[..., :, None]
         gradients = Formulas(self.system, relations).slopes(states, parameters)
+        gradients *= sizes[..., None, :]
         normals, _ = orthonormal(gradients)
         across = np.einsum("nki,nij,nkj->n", normals, jacobian, normals)
         return np.einsum("nii->n", jacobian) - across
@@ -203,7 +248,7 @@ class Stretch:
     ends : (n, size) array
         The motions at its end; not a number after a motion has failed.
     frames : (n, d, size) array
-        Deviations, orthonormal again.
+        Deviations, measured, orthonormal again.
     lengths : (n, d) array
         The logarithms of the lengths that were taken off.
     sizes : (n, conditions + mixed) array
@@ -230,6 +275,7 @@ def propagate(
     interval: float,
     parameters: Values = None,
     *,
+    sizes: Array = ONE,
     frames: Array | None = None,
     nodes: Array | None = None,
     threads: int | None = None,
@@ -245,8 +291,10 @@ def propagate(
     interval : float
         Its length.
     parameters : mapping of Symbol or name to number or (n,) array, optional
+    sizes : (size,) or (n, size) array, optional
+        By which deviations are measured.
     frames : (n, d, size) array, optional
-        Deviations to start from, orthonormal; those of ``space.frames`` if left out.
+        Deviations to start from, measured, orthonormal; those of ``space.frames`` if left out.
     nodes : (nodes,) array, optional
         Inner times of the interval, between 0 and `interval`, at which states are wanted.
     threads : int, optional
@@ -258,16 +306,18 @@ def propagate(
     states = np.asarray(starts, dtype=np.float64)
     inner = np.empty(0) if nodes is None else np.asarray(nodes, dtype=np.float64)
     times = np.append(inner, interval)
-    frames = space.frames(states, parameters, lanes.deviations) if frames is None else frames
+    measures = sizes[..., None, :]
+    if frames is None:
+        frames = space.frames(states, parameters, lanes.deviations, sizes)
     level = space.level(states, parameters)
     while True:
-        carried = frames if frames.shape[1] else None
+        carried = frames * measures if frames.shape[1] else None
         run = lanes.until(states, times, parameters, deviations=carried, threads=threads)
-        states = space.kept(run.states[:, -1], level, parameters)
-        basis, sizes = space.excluded(states, parameters)
+        states = space.kept(run.states[:, -1], level, parameters, sizes)
+        basis, excluded = space.excluded(states, parameters, sizes)
         if run.deviations is not None:
-            frames = run.deviations[:, -1]
+            frames = run.deviations[:, -1] / measures
         frames, lengths = orthonormal(frames, basis)
         with np.errstate(divide="ignore"):
             logs = np.log(lengths)
-        yield Stretch(run.states[:, :-1], states, frames, logs, sizes, run.outcome, run.ended)
+        yield Stretch(run.states[:, :-1], states, frames, logs, excluded, run.outcome, run.ended)
