@@ -338,9 +338,8 @@ class _March:
         w = self.w
         fine = "splat (i1 true)"
         fault = self.get("fault")
-        for i, passed in reversed(list(enumerate(self._passed()))):
-            if before:
-                passed = w.either(passed, before[i])
+        for i, now in reversed(list(enumerate(self._passed()))):
+            passed = w.either(now, before[i]) if before else now
             fine = w.both(fine, w.unless(passed))
             code = w.constant(float(len(ENDS) + i))
             fault = w.choose(w.both(among, passed), code, fault)
