@@ -179,6 +179,53 @@ def test_a_block_that_is_not_marked_does_not_count(tmp_path: Path) -> None:
     assert not [*tmp_path.rglob("*.partial")]
 
 
+@pytest.mark.parametrize("emptied", [True, False], ids=["emptied", "deleted"])
+def test_a_finished_block_that_lost_a_part(emptied: bool, tmp_path: Path) -> None:
+    place, log = tmp_path / "a.zarr", tmp_path / "log"
+    compute(task(log=str(log)), place)
+    for chunk in (place / "orbit" / "c" / "1" / "0" / "0", place / "mass" / "c" / "3"):
+        chunk.unlink()
+        if emptied:
+            chunk.touch()
+    with pytest.raises(InputError) as told:
+        read(place)
+    assert str(told.value) == (
+        f"{place} is damaged: of its finished blocks 2 have lost a part, the first is 1; run the "
+        "same into it again, and they are computed again"
+    )
+    same(compute(task()), compute(task(log=str(log)), place))
+    assert log.read_text().split()[4:] == ["10", "30"]
+
+
+@pytest.mark.parametrize("content", [b"", b"half of it"], ids=["empty", "nonsense"])
+def test_marks_that_cannot_be_read(content: bytes, tmp_path: Path) -> None:
+    place = tmp_path / "a.zarr"
+    compute(task(), place)
+    (place / "done" / "c" / "0").write_bytes(content)
+    told = (
+        f"{place} is damaged: which of its blocks are finished cannot be read; delete it or "
+        "choose another name for the store, and run the same again"
+    )
+    refused(told, task(), place)
+    with pytest.raises(InputError) as error:
+        read(place)
+    assert str(error.value) == told
+
+
+def test_marks_are_on_the_disk_before_a_block_counts(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    settled: list[str] = []
+
+    def settle(chunk: Path) -> None:
+        settled.append(chunk.relative_to(tmp_path / "a.zarr").parts[0])
+
+    monkeypatch.setattr("chaplygin.flow.store._settle", settle)
+    compute(task(block=35), tmp_path / "a.zarr")
+    assert set(settled[:-1]) == set(task().variables)
+    assert settled[-1] == "done"
+
+
 # --- what goes wrong with the store ---------------------------------------------------------------
 
 

@@ -3,7 +3,8 @@
 A block has a chunk of every variable.  Each chunk appears whole or not at all, and when all of them
 are there (and on the disk), the block is marked in the array ``done``, which again appears whole or
 not at all.  So a block that is marked is complete, whatever happened; one that is not is computed
-again, to the same bits.  The store as such appears at once too, under a provisional name first.
+again, to the same bits, and so is one whose chunks have been deleted since.  The store as such
+appears at once too, under a provisional name first.
 """
 
 from __future__ import annotations
@@ -89,10 +90,11 @@ class Store:
         try:
             for name, array in arrays.items():
                 self.arrays[name][first:last] = array
-                _settle(self.folder.joinpath(name, "c", str(block), *["0"] * (array.ndim - 1)))
+                _settle(_chunk(self.folder, name, block, array.ndim))
             marked = self.done.copy()
             marked[block] = True
             self.arrays[DONE][:] = marked
+            _settle(_chunk(self.folder, DONE, 0, 1))
         except OSError as problem:
             raise self._unfinished(problem) from problem
         self.done = marked
@@ -106,6 +108,11 @@ class Store:
 
 def _reason(problem: OSError) -> str:
     return "the disk is full" if problem.errno == errno.ENOSPC else problem.strerror or str(problem)
+
+
+def _chunk(folder: Path, name: str, block: int, dimensions: int) -> Path:
+    """The file that holds an array's share of a block."""
+    return folder.joinpath(name, "c", str(block), *["0"] * (dimensions - 1))
 
 
 def _settle(chunk: Path) -> None:
@@ -148,11 +155,18 @@ def read(folder: str | Path) -> xr.Dataset:
     Raises
     ------
     InputError
-        If there is none, or it is none of ours.
+        If there is none, it is none of ours, or part of it has been lost.
     """
     import xarray as xr
 
-    _ours(Path(folder))
+    place = Path(folder)
+    group = _ours(place)
+    lost = _lost(place, group, _marks(place, group))
+    if lost:
+        raise InputError(
+            f"{place} is damaged: of its finished blocks {len(lost)} have lost a part, the first "
+            f"is {lost[0]}; run the same into it again, and they are computed again"
+        )
     dataset = xr.open_dataset(folder, engine="zarr", chunks=None, decode_times=False)
     return dataset.drop_vars(DONE)
 
@@ -259,6 +273,32 @@ def _ours(folder: Path) -> zarr.Group:
     return group
 
 
+def _marks(folder: Path, group: Any) -> Any:
+    """Which blocks are marked as complete."""
+    try:
+        return np.asarray(group[DONE][:])
+    except (RuntimeError, ValueError) as problem:
+        raise InputError(
+            f"{folder} is damaged: which of its blocks are finished cannot be read; delete it or "
+            "choose another name for the store, and run the same again"
+        ) from problem
+
+
+def _lost(folder: Path, group: Any, done: Any) -> list[int]:
+    """Blocks that are marked, but of which a chunk is missing or empty."""
+    told = (name.partition("variable ") for name in group[DONE].attrs["task"])
+    sizes = {name: group[name].ndim for before, found, name in told if found and not before}
+    return [
+        block
+        for block in np.flatnonzero(done).tolist()
+        if not all(_there(_chunk(folder, name, block, size)) for name, size in sizes.items())
+    ]
+
+
+def _there(chunk: Path) -> bool:
+    return chunk.is_file() and chunk.stat().st_size > 0
+
+
 @contextmanager
 def _alone(folder: Path) -> Iterator[None]:
     """Write to a store alone."""
@@ -296,7 +336,8 @@ def _gone_on_with(task: Task, folder: Path, group: Any) -> Store:
     for name in [*here, *there]:
         if here.get(name) != there.get(name):
             raise InputError(f"{folder} holds another experiment: {_difference(name, task, group)}")
-    done = np.asarray(group[DONE][:])
+    done = _marks(folder, group)
+    done[_lost(folder, group, done)] = False
     if notes.get("program") != program() and not done.all():
         raise InputError(
             f"{folder} was begun by another version of the program, whose numbers may differ in "
