@@ -28,6 +28,8 @@ def test_coordinates() -> None:
     names, quantities, _ = coordinates_of(BALL, "phi = atan2(gamma_2, gamma_1), energy")
     assert names == ("phi", "energy")
     assert [item.unit for item in quantities] == ["rad", "J"]
+    _, (spin,), _ = coordinates_of(BALL, "omega_1, M_2")
+    assert spin.unit == "rad/s"
     names, _, reduced = coordinates_of(BALL, "andoyer-ratio: l, L/G")
     assert names == ("l", "L_over_G")
     assert reduced is not None
@@ -95,6 +97,14 @@ def test_the_figure_shows_every_point(many: xr.Dataset, names: tuple[str, ...], 
     words = [text.get_text() for text in figure.texts]
     assert f"{expected:,} points" in words
     assert any("γ" in word or r"\gamma_{3}" in word for word in words)
+
+
+def test_both_views_of_space_have_a_labelled_upright_axis(many: xr.Dataset) -> None:
+    figure = draw(many, ("M_1", "M_2", "phi"))
+    figure.draw_without_rendering()
+    for view in figure.axes[:2]:
+        assert view.get_zlabel() == r"$\phi$  (rad)"
+        assert all(tick.get_text() for tick in view.get_zticklabels())
 
 
 def test_of_very_many_points_some_are_drawn(

@@ -14,10 +14,10 @@ from ..system import System, flat
 from .followed import followed
 from .prepare import Study
 
-__all__ = ["chart_of", "plane_of"]
+__all__ = ["VECTORS", "chart_of", "plane_of"]
 
 #: Meaning and unit of the vectors of a rolling body.
-_VECTORS = {
+VECTORS = {
     "omega": ("angular velocity", "rad/s"),
     "gamma": ("normal at the contact", "1"),
     "M": ("angular momentum", "kg m^2/s"),
@@ -54,7 +54,7 @@ def chart_of(
     """
     made = plane_of(study, x, y, formulas=formulas, held=held)
     span = study.until if until is None else until
-    number = asked(made.system, of, span, variables={**_VECTORS, **study.variables})
+    number = asked(made.system, of, span, variables={**VECTORS, **study.variables})
     return Chart(made, number.rule, number.name, number.title, number.unit)
 
 
@@ -68,7 +68,7 @@ def plane_of(
 ) -> Plane:
     """A plane through the start of an experiment; its axes know their meaning and unit."""
     system = followed(study)
-    told = {**_VECTORS, **study.variables}
+    told = {**VECTORS, **study.variables}
 
     def described(item: Axis) -> Axis:
         words, unit = meaning(system, item.name, told)

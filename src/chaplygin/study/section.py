@@ -19,6 +19,7 @@ from ..flow.section import SectionMap, slab
 from ..flow.section_points import Quantity, section_task
 from ..flow.values import formula, values
 from ..system import System
+from .chart import VECTORS
 from .followed import followed
 from .prepare import Study
 
@@ -149,8 +150,8 @@ def _starts(study: Study, system: System, starts: Starts) -> tuple[Any, str]:
         return own, "the start of the experiment"
     level = dict(starts.level or _level(system, own))
     chosen = prepared(system, level)
-    held = ", ".join(f"{name} = {value!r}" for name, value in level.items())
-    told = f"{starts.count} drawn on {held} by {chosen.measure} (seed {starts.seed})"
+    held = ", ".join(f"{name} = {value:.6g}" for name, value in level.items())
+    told = f"{starts.count} drawn on {held} by the {chosen.measure} (seed {starts.seed})"
     return chosen.draw(starts.count, seed=starts.seed), told
 
 
@@ -257,7 +258,7 @@ def coordinates_of(
                 f"--coordinates {text}: the formula {part.strip()} needs a name, as in "
                 f"height = {part.strip()}"
             )
-        words, unit = meaning(system, name, variables or {})
+        words, unit = meaning(system, name, {**VECTORS, **(variables or {})})
         if equals:
             words, unit = right, "rad" if isinstance(value, ANGLES) else ""
         quantities.append(Quantity(name, value, words, unit or "1"))

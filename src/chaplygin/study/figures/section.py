@@ -157,7 +157,7 @@ def _space(
 ) -> None:
     """Two views above three projections; within a layer, near points hide far ones."""
     for i, (height, turn) in enumerate(VIEWS):
-        view: Any = figure.add_axes((-0.02 + 0.46 * i, 0.4, 0.44, 0.56), projection="3d")
+        view: Any = figure.add_axes((-0.02 + 0.48 * i, 0.4, 0.42, 0.56), projection="3d")
         view.patch.set_visible(False)
         view.computed_zorder = False
         for layer, part in enumerate(layers):
@@ -172,10 +172,9 @@ def _space(
             axis.set_major_locator(mpl.ticker.MaxNLocator(4))
             axis.line.set_color(QUIET)
             axis._axinfo["grid"].update(color=FAINT, linewidth=0.4)
-        if i:
-            # the upright axis of both stands between them
-            view.zaxis.set_label_text("")
-            view.zaxis.set_ticklabels([])
+            axis.labelpad = -4
+        view.zaxis.set_rotate_label(False)
+        view.zaxis.label.set_rotation(90)
         view.tick_params(pad=-1, labelsize=7)
     small = look | {"s": 0.6 * look["s"]}
     for i, (a, b) in enumerate(combinations(range(3), 2)):
