@@ -143,6 +143,8 @@ def test_a_body_of_the_user(ask: Ask, tmp_path: Path) -> None:
         ({"--until": "-3"}, "until"),
         ({"--hold": "q"}, "q: no variable of the start"),
         ({"--workers": "none"}, "--workers none"),
+        ({"--workers": "0"}, "--workers 0: it must be a whole number from 1 on"),
+        ({"--workers": "-1"}, "--workers -1: it must be a whole number from 1 on"),
     ],
 )
 def test_mistakes(ask: Ask, change: dict[str, str], message: str, tmp_path: Path) -> None:

@@ -12,9 +12,11 @@ import types
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import dask
 import distributed
+import numpy as np
 import pytest
 import xarray as xr
 
@@ -140,6 +142,16 @@ def test_no_scheduler(address: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("chaplygin.flow.cluster.PATIENCE", "0.2s")
     with pytest.raises(InputError, match=f"^there is no Dask scheduler at '{address}'"):
         compute(task(), client=address)
+
+
+@pytest.mark.parametrize("client", [0, -1, 2.5, False, np.int64(0), ["local"]], ids=repr)
+def test_no_cluster(client: Any) -> None:
+    with pytest.raises(InputError) as told:
+        compute(task(), client=client)
+    assert str(told.value) == (
+        f"there is no cluster {client!r}: a Dask client, an address such as 'tcp://host:8786', "
+        "'local' or a number of processes from 1 on is needed"
+    )
 
 
 def test_dask_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -93,7 +93,8 @@ def cluster(workers: str | None) -> Iterator[Any]:
         return
     if not workers.isdecimal() or int(workers) < 1:
         raise InputError(
-            f"--workers {workers}: it must be a number, or an address such as tcp://host:8786"
+            f"--workers {workers}: it must be a whole number from 1 on, or an address such as "
+            "tcp://host:8786"
         )
     yield int(workers)
 

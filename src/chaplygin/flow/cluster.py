@@ -14,6 +14,8 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from ..errors import InputError
 from .blocks import Arrays, Divisible, Work
 
@@ -49,7 +51,8 @@ def results(
     Raises
     ------
     InputError
-        If Dask is not installed, the scheduler cannot be reached, or its workers lack a module.
+        If Dask is not installed, the client is none of these, the scheduler cannot be reached, or
+        its workers lack a module.
     UnfinishedError
         If a block brings down one worker after another, or the cluster disappears.
     """
@@ -137,8 +140,17 @@ def _connected(client: Client | str | int) -> Iterator[Client]:
     import dask
     import distributed
 
-    if client == "local" or isinstance(client, int):
-        number = None if client == "local" else client
+    if isinstance(client, distributed.Client):
+        yield client
+        return
+    whole = isinstance(client, int | np.integer)
+    if not isinstance(client, str) and not (whole and client >= 1):
+        raise InputError(
+            f"there is no cluster {client!r}: a Dask client, an address such as "
+            "'tcp://host:8786', 'local' or a number of processes from 1 on is needed"
+        )
+    if whole or client == "local":
+        number = int(client) if whole else None
         # a worker that is killed again while it is started again is not given up
         patient = {"distributed.deploy.lost-worker-timeout": "1 day"}
         with (
@@ -152,8 +164,6 @@ def _connected(client: Client | str | int) -> Iterator[Client]:
             distributed.Client(cluster) as connected,
         ):
             yield connected
-    elif not isinstance(client, str):
-        yield client
     else:
         try:
             connected = distributed.Client(client, timeout=PATIENCE)
