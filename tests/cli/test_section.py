@@ -76,7 +76,7 @@ def test_many_motions_on_a_level(ask: Ask) -> None:
     assert np.nanmax(np.abs(np.arctan2(gamma[..., 1], gamma[..., 0]) - 0.5)) < 1e-12
     assert np.nanmax(np.abs(found["h"] - gamma[..., 2] ** 2)) < 1e-15
     assert np.nanmax(np.abs(found["area"] - 0.3)) < 1e-11
-    assert "energy = 1.0, area = 0.3" in found.attrs["starts"]
+    assert "energy = 1, area = 0.3" in found.attrs["starts"]
     again = json.loads(ask(*arguments)[1])
     assert again == record
     other = list(arguments)
@@ -117,6 +117,16 @@ def test_a_surface_that_is_never_met_is_an_answer(ask: Ask) -> None:
     assert (code, out) == (1, "")
     assert err.startswith("error: no motion passes gamma_3 = 2, rising: the time was over")
     assert err.count("\n") == 1
+    # nothing stays that would refuse the corrected command
+    assert ask(*BALL, "-o", "ball.zarr")[0] == 0
+
+
+def test_a_file_is_no_folder(ask: Ask) -> None:
+    Path("notes").write_text("mine")
+    code, _, err = ask(*BALL, "-o", "notes")
+    assert (code, err.count("\n")) == (2, 1)
+    assert "--output notes: a file has this name" in err
+    assert Path("notes").read_text() == "mine"
 
 
 def test_interrupted(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -150,6 +160,7 @@ def test_interrupted(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
         (["--tolerance", "1"], "it must lie between 1e-16 and 0.1"),
         (["--set", "start.gamma=[0,0,0]"], "gamma"),
         (["-o", "no/where.zarr"], "no/where"),
+        (["-o", "no/where"], "--output no/where: there is no folder no"),
     ],
 )
 def test_mistakes_are_told_in_one_sentence(ask: Ask, arguments: list[str], sentence: str) -> None:

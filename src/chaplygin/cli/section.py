@@ -72,15 +72,15 @@ def command(
     A section exists where some quantity passes a value; every motion is followed until it has
     passed so many times.
     """
-    from ..errors import InputError, RunError
+    from shutil import rmtree
+
+    from ..errors import RunError
     from ..flow.blocks import compute
     from ..study.figures.files import save
     from ..study.figures.section import draw
     from ..study.section import Place, Starts, section_of
 
-    if output.suffix not in ("", ".zarr") and not output.is_dir():
-        raise InputError(f"--output {output}: its name must end in .zarr, or be that of a folder")
-    store = output if output.suffix == ".zarr" else output / "section.zarr"
+    store = _store(output)
     picture = store.with_suffix(".png")
     study = study_of(what, overrides)
     place = Place(on, value, direction, angle, tuple(_slab(text) for text in within or ()))
@@ -97,13 +97,31 @@ def command(
         found = compute(task, store, client=client, progress=update)
     result = {"file": str(store), "figure": str(picture), **_summary(found)}
     if not result["points"]:
+        found.close()
+        # another section may be asked for under the same name
+        rmtree(store)
         reasons = ", ".join(result["outcomes"])
-        raise RunError(f"no motion passes {place}: {reasons}", float(found["ended"].max()), found)
+        raise RunError(f"no motion passes {place}: {reasons}", result["longest"])
     save(draw(found, names), picture)
     if json:
         print_json(result)
     else:
         _print(study.system.title, result)
+
+
+def _store(output: Path) -> Path:
+    """The store that is meant: itself, or that in a folder."""
+    from ..errors import InputError
+
+    if output.suffix == ".zarr":
+        return output
+    if output.suffix and not output.is_dir():
+        raise InputError(f"--output {output}: its name must end in .zarr, or be that of a folder")
+    if output.is_file():
+        raise InputError(f"--output {output}: a file has this name, which must be that of a folder")
+    if not output.parent.is_dir():
+        raise InputError(f"--output {output}: there is no folder {output.parent}")
+    return output / "section.zarr"
 
 
 def _slab(text: str) -> tuple[str, float]:
