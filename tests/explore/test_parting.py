@@ -75,3 +75,15 @@ def test_nothing_can_part() -> None:
 def test_too_few_intervals() -> None:
     with pytest.raises(InputError, match="intervals = 10: at least 32 are needed"):
         Exponent(SADDLE, 10.0, intervals=10)
+
+
+def test_intervals_are_parted_where_neighbours_part_fast() -> None:
+    # within an interval of 1, one deviation shrinks by exp(−100) beside the other
+    found = Total(SADDLE, 32.0, intervals=32)(ORIGIN[:1], {s: 0.5, r: 100.0})
+    assert found["value"] == pytest.approx([0.5 - 100.0], rel=1e-6)
+
+
+def test_no_number_is_told_where_they_part_too_fast() -> None:
+    found = Total(SADDLE, 32.0, intervals=32)(ORIGIN[:2], {s: 0.5, r: np.array([3000.0, 0.5])})
+    assert np.isnan(found["value"][0])
+    assert found["value"][1] == pytest.approx(0.0, abs=1e-9)

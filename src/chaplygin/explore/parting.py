@@ -44,8 +44,9 @@ __all__ = [
 UNSETTLED = 0.2
 #: Batches by whose means an error is told, and Student's factor for 95 % of them.
 BATCHES, STUDENT = 16, 2.131
-#: An interval is parted at most so often where a deviation in it shrinks to nothing beside others.
-PARTED = 64
+#: Logarithm of the share of others to which a deviation may shrink in an interval before it is
+#: lost in the error of these; the interval is parted then, into so many pieces at most.
+APART, PARTED = 16.0, 64
 
 
 @dataclass(frozen=True)
@@ -87,7 +88,7 @@ class Parting(ABC):
         return orthonormal(deviations, basis)
 
 
-_Arrays: TypeAlias = tuple[Any, Any, Any, Any]
+_Arrays: TypeAlias = tuple[Any, Any, Any, Any, Any]
 
 
 @dataclass(frozen=True)
@@ -167,13 +168,13 @@ def grown(
             known[lost] = new
         pieces *= 2
     found[0][_lost(found)] = np.nan
-    return Grown(*found)
+    return Grown(*found[:4])
 
 
 def _lost(found: _Arrays) -> Any:
     """Motions that were followed to their end, while deviations became too short beside others."""
-    logarithms, _, outcome, _ = found
-    return (outcome == 0) & ~np.isfinite(logarithms).all(axis=(1, 2))
+    _, _, outcome, _, shrunk = found
+    return (outcome == 0) & ~(shrunk <= APART)
 
 
 def _grown(
@@ -183,7 +184,7 @@ def _grown(
     begin: tuple[Any, Any],
     parameters: Parameters,
 ) -> _Arrays:
-    """Logarithms, frames, outcomes and times reached.
+    """Logarithms, frames, outcomes, times reached, and how far deviations shrank beside others.
 
     Parameters
     ----------
@@ -218,8 +219,9 @@ def _grown(
         with np.errstate(divide="ignore"):
             logarithms[live, k] = np.log(lengths)
     frames[outcome != 0] = np.nan
+    shrunk = np.maximum(logarithms.max(axis=2), 0.0) - logarithms.min(axis=2)
     parted = logarithms.reshape(len(states), rule.intervals, pieces, flow.deviations)
-    return parted.sum(axis=2), frames, outcome, ended
+    return parted.sum(axis=2), frames, outcome, ended, shrunk.max(axis=1)
 
 
 class Exponent(Parting):
