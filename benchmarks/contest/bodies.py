@@ -15,9 +15,9 @@ import sympy as sp
 
 import chaplygin
 from chaplygin.flow import cache
+from chaplygin.flow.starts import flat_starts
 from chaplygin.flow.translate import Translator
 from chaplygin.mechanics.rolling import Field
-from chaplygin.mechanics.start import starting_state
 from chaplygin.system import System
 from chaplygin.systems import unbalanced_ball
 
@@ -76,12 +76,9 @@ class Body:
     def starts(self, seed: int, count: int) -> np.ndarray:
         """Random states: γ uniform on the sphere, ω uniform in a cube."""
         dice = np.random.default_rng([seed, *self.name.encode()])
-        found = []
-        for _ in range(count):
-            gamma, omega = dice.normal(size=3), dice.uniform(-self.spin, self.spin, size=3)
-            state = starting_state(self.system, list(omega), list(gamma))
-            found.append([float(x) for x in state[: self.size]])
-        return np.array(found)
+        gamma = dice.normal(size=(count, 3))
+        omega = dice.uniform(-self.spin, self.spin, size=(count, 3))
+        return np.asarray(flat_starts(self.system, {"omega": omega, "gamma": gamma}))
 
     def ends(self, starts: np.ndarray, until: float) -> np.ndarray:
         """The states at a time, to 34 digits rounded."""

@@ -45,7 +45,7 @@ class Effort:
 
     def long(self, body: Body) -> float:
         """How long single motions are."""
-        return body.long if self.thorough else min(body.long, 100.0)
+        return body.long if self.thorough else min(body.long, 300.0)
 
 
 QUICK = Effort(states=6, few=2, many=512, turns=3, thorough=False)
