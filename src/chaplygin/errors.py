@@ -46,3 +46,23 @@ class RunError(RuntimeError):
 
     def __str__(self) -> str:
         return f"{self.reason} (the last good time is {self.time:.9g})"
+
+
+class EarlyEndError(RunError):
+    """A motion that ended before its time.
+
+    Parameters
+    ----------
+    system
+        Name of the system.
+    reason, time
+        As of a RunError.
+    """
+
+    def __init__(self, system: str, reason: str, time: float) -> None:
+        super().__init__(reason, time)
+        self.args = (system, reason, time)
+        self.system = system
+
+    def __str__(self) -> str:
+        return f"{self.system}: the motion ends at t = {self.time:.6g} s: {self.reason}"

@@ -40,6 +40,8 @@ def test_the_table(ask: Ask) -> None:
     assert "zero within its error" in out
     assert "M changes sign" in out
     assert "(proven)" in out
+    assert all(len(line) <= 80 for line in out.splitlines() if not line.endswith("."))
+    assert "-0.000 " not in out
 
 
 def test_nothing_left(ask: Ask) -> None:
@@ -53,7 +55,7 @@ def test_motions_that_come_to_rest(ask: Ask) -> None:
     code, out, _ = ask("chaplygin-sleigh")
     assert code == 0
     assert "λ1             -0.382" in out
-    assert "Flow forces no zero on this motion" in out
+    assert "No zero is forced by flow on this motion" in out
 
 
 def test_plain_values(ask: Ask) -> None:
@@ -62,6 +64,8 @@ def test_plain_values(ask: Ask) -> None:
     plain = json.loads(out)
     assert plain["parameters"]["g"] == 9.5
     assert plain["until"] == 2
+    assert plain["units"]["exponents"] == "1/s"
+    assert plain["units"]["until"] == "s"
     assert len(plain["exponents"]) == 3
     assert [item["name"] for item in plain["removed"]] == ["γ² = 1", "energy", "flow"]
     holding = {" ".join(r["odd"]): r["holds"] for r in plain["reversors"]}
@@ -92,7 +96,23 @@ def test_a_motion_that_ends_early(ask: Ask) -> None:
     fallen = ("--set", "start.gamma=[1,0,1e-9]", "--set", "start.omega=[0,0.1,0]")
     code, _, err = ask("heavy-disk", *fallen)
     assert code == 1
-    assert "the normal force changes sign" in err
+    assert "error: heavy-disk: the motion ends at t = " in err
+    assert err.endswith(" s: the normal force changes sign\n")
+
+
+def test_errors_as_large_as_the_rates_decide_nothing(ask: Ask) -> None:
+    code, out, _ = ask("rattleback")
+    assert code == 0
+    assert "nothing can be told yet; follow the motion longer (--until)" in out
+    assert "regular" not in out
+    assert "come in pairs" not in out
+
+
+def test_a_density_without_bounds_forbids_nothing(ask: Ask) -> None:
+    code, out, _ = ask(Path(__file__).parents[2] / "examples" / "sleigh.toml")
+    assert code == 0
+    assert "it grows beyond all bounds along this motion, and so forbids nothing" in out
+    assert "about what it tends to there is no invariant measure" in out
 
 
 @pytest.mark.parametrize(
@@ -103,6 +123,7 @@ def test_a_motion_that_ends_early(ask: Ask) -> None:
         (("suslov", "--tolerance", "1e-30"), "tolerance"),
         (("suslov", "--level", "energy"), "NAME=VALUE"),
         (("suslov", "--level", "spin=1"), "spin"),
+        (("suslov", "-o", "found.zarr"), "--output found.zarr: its name must end in .nc"),
     ],
 )
 def test_mistakes(ask: Ask, arguments: tuple[str, ...], message: str) -> None:

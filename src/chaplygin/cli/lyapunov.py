@@ -43,6 +43,7 @@ def command(
     json: Json = False,
 ) -> None:
     """Lyapunov exponents of a motion with errors, and those that are zero because they must be."""
+    from ..errors import InputError
     from ..explore.lyapunov import spectrum
     from ..explore.reversors import reversors
     from ..explore.spectra import record
@@ -52,6 +53,8 @@ def command(
     from ..study.followed import followed
 
     if output is not None:
+        if output.suffix != ".nc":
+            raise InputError(f"--output {output}: its name must end in .nc")
         check_target(output, force)
     study = study_of(what, overrides)
     system = followed(study)
@@ -84,7 +87,7 @@ def _print(found: Spectrum, turned: Any) -> None:
     typer.echo(found.system.title)
     typer.echo(
         f"followed to t = {found.until:g} s, counted from {found.began:g} s, "
-        f"{len(found.growth)} intervals of {found.interval:.3g} s; exponents in 1/s"
+        f"{len(found.growth)} intervals; exponents in 1/s"
     )
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
     table.add_column("", style="bold", no_wrap=True)
@@ -97,20 +100,27 @@ def _print(found: Spectrum, turned: Any) -> None:
     if found.exponents:
         table.add_row("sum", *rounded(total.value, total.error), word_of_sum(total))
     table.add_row("divergence", *rounded(mean.value, mean.error), "its mean along the motion")
-    table.add_section()
+    zeros = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
+    zeros.add_column("", style="bold", no_wrap=True)
+    zeros.add_column("exponent", justify="right", no_wrap=True)
+    zeros.add_column("seen", justify="right", no_wrap=True)
+    zeros.add_column("")
     for forced, rate in found.removed:
-        shown = "" if rate is None else "0"
-        seen = "" if rate is None else f"; seen {rate:.1e}"
+        shown = ("", "") if rate is None else ("0", f"{rate:.1e}" if rate else "0")
         kind = "" if forced.name == forced.kind else f"{forced.kind}: "
-        table.add_row(escape(forced.name), shown, "", f"{kind}{forced.reason}{seen}")
+        zeros.add_row(escape(forced.name), *shown, f"{kind}{forced.reason}")
     console = Console()
     typer.echo()
     console.print(table)
+    if found.removed:
+        typer.echo()
+        console.print(zeros)
     typer.echo()
     if found.dependent:
         typer.echo(f"Nothing more is forced by {', '.join(found.dependent)} at this start.")
     for text in remarks(found, turned):
-        typer.echo(f"{text[:1].upper()}{text[1:]}.")
+        first = text[0].upper() if text[0].isascii() else text[0]
+        typer.echo(f"{first}{text[1:]}.")
 
 
 def word_of_sum(total: Average) -> str:

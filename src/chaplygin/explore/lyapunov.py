@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from ..errors import InputError, RunError
+from ..errors import EarlyEndError, InputError, RunError
 from ..flow.given import require_on_phase_space
 from ..flow.lanes import Lanes, lanes
 from ..flow.sizes import sizes_along
@@ -308,7 +308,8 @@ def _run(
         stretch = next(stretches)
         code = int(stretch.outcome[0])
         if code:
-            raise RunError(machine.reason(code), k * interval + float(stretch.ended[0]))
+            ended = k * interval + float(stretch.ended[0])
+            raise EarlyEndError(machine.system.name, machine.reason(code), ended)
         spread = float(np.ptp(stretch.lengths[0])) if space.dimension else 0.0
         if not max(spread, np.abs(stretch.lengths[0]).max(initial=0.0)) <= APART[k >= FIRST]:
             return None

@@ -33,7 +33,8 @@ def word(item: Average) -> str:
 def rounded(value: float, error: float) -> tuple[str, str]:
     """A number and its error, to two digits of the error."""
     places = max(0, 1 - floor(log10(error))) if error > 0 else 12
-    return f"{value:.{places}f}", f"{error:.{places}f}"
+    # a zero has no sign
+    return f"{round(value, places) + 0.0:.{places}f}", f"{error:.{places}f}"
 
 
 def remarks(found: Spectrum, reversors: Sequence[Reversor] = ()) -> Iterator[str]:
@@ -48,14 +49,24 @@ def remarks(found: Spectrum, reversors: Sequence[Reversor] = ()) -> Iterator[str
     yield from _convergence(found)
     for name in found.fading:
         yield (
-            f"{name} forces no zero on this motion, because its size does not last: the motion "
-            "comes to rest, or runs away"
+            f"no zero is forced by {name} on this motion, because its size does not last: the "
+            "motion comes to rest, or runs away"
         )
     yield from _kind(found)
     yield from _volumes(found)
     holding = [reversor for reversor in reversors if reversor.holds(found.parameters)]
     if holding:
         yield from _pairs(found, holding[0])
+
+
+def _undecided(found: Spectrum) -> bool:
+    """Whether an error is no smaller than what deviations grow and shrink by on the way."""
+    counted = found.growth[round(found.began / found.interval) :]
+    rates = counted.std(axis=0) / found.interval
+    return any(
+        item.error > max(2 * item.resolution, CAREFUL * rate)
+        for item, rate in zip(found.exponents, rates, strict=True)
+    )
 
 
 def _convergence(found: Spectrum) -> Iterator[str]:
@@ -78,6 +89,12 @@ def _kind(found: Spectrum) -> Iterator[str]:
         yield "integrals, relations and symmetries force all exponents to be zero"
     elif found.chaotic:
         yield "the largest exponent is positive: the motion is chaotic (observed)"
+    elif all(item.zero for item in found.exponents) and _undecided(found):
+        yield (
+            "no exponent is told from zero, but the errors are not small beside the rates at which "
+            "deviations grow and shrink on the way: nothing can be told yet; follow the motion "
+            "longer (--until)"
+        )
     elif all(item.zero for item in found.exponents) and found.settled:
         yield (
             "no exponent is told from zero: the motion is regular as far as this time shows "
@@ -88,24 +105,27 @@ def _kind(found: Spectrum) -> Iterator[str]:
 
 
 def _volumes(found: Spectrum) -> Iterator[str]:
+    total = found.total
+    changing = bool(found.exponents) and total.settled and not total.zero
     for name, defect in found.volume.measures.items():
-        if abs(defect) <= CAREFUL * found.total.error:
+        if abs(defect) <= CAREFUL * total.error:
+            limit = "grows beyond all bounds" if total.value < 0 else "goes to zero"
             yield (
                 f"the density of the invariant measure {name!r} accounts for the mean of the "
                 f"divergence, to {abs(defect):.1g}"
+                + (f": it {limit} along this motion, and so forbids nothing" if changing else "")
             )
         else:
             yield (
                 f"the density of the invariant measure {name!r} does not account for the mean of "
                 f"the divergence, by {abs(defect):.1g}: the motion runs where it has no value"
             )
-    total = found.total
-    if not found.exponents or not total.settled or total.zero:
+    if not changing:
         return
     way, end = ("shrink", "attracts") if total.value < 0 else ("grow", "repels")
     yield (
-        f"volumes {way} along this motion: there is no invariant measure with a smooth positive "
-        "density about it (observed, not proven)"
+        f"volumes {way} along this motion: about what it tends to there is no invariant measure "
+        "with a smooth positive density (observed, not proven)"
     )
     if found.chaotic and total.value < 0:
         value, error = rounded(*found.dimension)
@@ -116,7 +136,7 @@ def _volumes(found: Spectrum) -> Iterator[str]:
 
 def _pairs(found: Spectrum, reversor: Reversor) -> Iterator[str]:
     yield (f"the equations are reversible (proven): {reversor.words(found.system)} with the time")
-    if found.exponents and found.settled:
+    if found.exponents and found.settled and not _undecided(found):
         yield (
             "the exponents come in pairs of opposite sign within their errors"
             if found.symmetric
@@ -131,6 +151,8 @@ def record(found: Spectrum, reversors: Sequence[Reversor] = ()) -> dict[str, Any
         "system": found.system.name,
         "parameters": found.parameters,
         "start": found.start.tolist(),
+        "units": dict.fromkeys(("exponents", "seen", "sum", "mean_divergence"), "1/s")
+        | dict.fromkeys(("until", "counted_from", "interval"), "s"),
         "until": found.until,
         "counted_from": found.began,
         "interval": found.interval,
