@@ -104,3 +104,24 @@ def test_mistakes_are_told():
 def test_no_orbit_is_said_to_be_found_where_there_is_none():
     with pytest.raises(NoOrbitError, match="no periodic orbit"):
         find(HENON, np.array([0.6, 0.2, -1.0]), hold=("a",))
+
+
+@pytest.mark.parametrize("scale", [1e-15, 1e5, 1e15])
+def test_orbits_are_the_same_in_all_units(scale):
+    # moments of inertia and (mass times length²) in other units: centimetres, grams
+    ball = from_catalogue("unbalanced-rubber-ball-centred")
+    near = np.array([-1.15, 0.31, -0.13, 0.19, 0.905, 0.38])
+    near[3:] /= np.linalg.norm(near[3:])
+    near[:3] -= near[3:] * (near[:3] @ near[3:])
+    found = []
+    for factor in (1.0, scale):
+        numbers = {str(symbol): factor * value for symbol, value in ball.defaults.items()}
+        made = Returns(SectionMap(ball, section(ball, "gamma_1"), numbers))
+        hold = {"energy": 0.5 * factor, "quadratic": 0.95 * factor**2}
+        found.append(find(made, made.section.iterate(near[None], 100)[0], hold=hold))
+    plain, scaled = found
+    assert scaled.values["energy"] == pytest.approx(0.5 * scale, rel=1e-11)
+    assert scaled.values["quadratic"] == pytest.approx(0.95 * scale**2, rel=1e-11)
+    assert scaled.duration == pytest.approx(plain.duration, rel=1e-10)
+    assert scaled.multipliers.values == pytest.approx(plain.multipliers.values, rel=1e-7)
+    assert scaled.multipliers.forced == plain.multipliers.forced

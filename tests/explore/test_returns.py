@@ -44,7 +44,10 @@ def test_slopes_keep_integrals_and_agree_with_differences():
     assert kept @ tangent.T == pytest.approx(first @ tangent.T, abs=1e-10)
     for direction in tangent:
         step = 1e-5 * direction
-        ends = [made.image(onto(made, point + sign * step)).points for sign in (1, -1)]
+        ends = [
+            made.image(onto(made, point + sign * step, made.sizes(point))).points
+            for sign in (1, -1)
+        ]
         assert slope @ direction == pytest.approx((ends[0] - ends[1])[0] / 2e-5, abs=1e-6)
 
 

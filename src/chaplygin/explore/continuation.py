@@ -78,7 +78,7 @@ class Branch:
 
 @dataclass(frozen=True)
 class _Place:
-    """An orbit of the branch with its tangent, a unit vector of the space of all points."""
+    """An orbit of the branch with its tangent, a unit vector in the measured space of points."""
 
     orbit: Orbit
     tangent: Array
@@ -104,7 +104,7 @@ class _Follower:
         map = self.equations.map
         row = map.integrals.names.index(self.varied)
         rate = map.integrals.slopes(points[:1])[0, row]
-        speed = float(rate @ tangent[: points.shape[1]])
+        speed = float((rate * self.equations.sizes) @ tangent[: points.shape[1]])
         turned = speed < 0 if ahead is None else float(ahead @ tangent) < 0
         if turned:
             tangent, speed = -tangent, -speed
@@ -112,8 +112,10 @@ class _Follower:
 
     def step(self, here: _Place, length: float) -> _Place:
         """The place at a distance along the tangent."""
-        guess = here.orbit.points + length * here.tangent.reshape(here.orbit.points.shape)
-        row = (here.tangent, float(here.tangent @ guess.ravel()))
+        sizes = self.equations.sizes
+        way = length * here.tangent.reshape(here.orbit.points.shape)
+        guess = here.orbit.points + way * sizes
+        row = (here.tangent, float(here.tangent @ (guess / sizes).ravel()))
         points, error = solved(self.equations, guess, row)
         return self.place(points, error, here.tangent)
 
@@ -143,7 +145,8 @@ def follow(
     hold : names, or mapping of str to float
         Integrals that keep their values (for names: those of the orbit).
     step, longest : float
-        The first and the longest step, in the space of all points of the orbit.
+        The first and the longest step, in the space of all points of the orbit, each vector of
+        them divided by its size there.
     most : int
         The greatest number of orbits.
 
@@ -156,7 +159,7 @@ def follow(
     start = held_values(made, orbit.points[0], [varied])[varied]
     if varied in held:
         raise InputError(f"hold: {varied} cannot be held and varied")
-    follower = _Follower(Equations(made, held), varied)
+    follower = _Follower(Equations(made, held, made.sizes(orbit.points)), varied)
     here = follower.place(orbit.points, orbit.error, None)
     if (until - start) * here.speed < 0:
         here = _Place(here.orbit, -here.tangent, -here.speed)
@@ -177,7 +180,7 @@ def follow(
             events.append(end)
             reason = f"{varied} reached {until:g}"
             break
-        if len(places) > 2 and _passes(here, there, places[0]):
+        if len(places) > 2 and _passes(here, there, places[0], follower.equations.sizes):
             reason = "the branch is closed"
             break
         length = taken * (LONGER if turn < _STRAIGHT else 1.0)
@@ -206,12 +209,12 @@ def _turn(here: _Place, there: _Place) -> float:
     return float(np.arccos(np.clip(here.tangent @ there.tangent, -1.0, 1.0)))
 
 
-def _passes(here: _Place, there: _Place, first: _Place) -> bool:
+def _passes(here: _Place, there: _Place, first: _Place, sizes: Array) -> bool:
     """Whether a step goes by the orbit with which the branch began, in its direction."""
-    begin, step = here.orbit.points, there.orbit.points - here.orbit.points
+    begin, step = here.orbit.points / sizes, (there.orbit.points - here.orbit.points) / sizes
     length = float(np.linalg.norm(step))
     for k in range(len(begin)):
-        way = np.roll(first.orbit.points, k, axis=0) - begin
+        way = np.roll(first.orbit.points, k, axis=0) / sizes - begin
         tangent = np.roll(first.tangent.reshape(begin.shape), k, axis=0).ravel()
         share = float((way * step).sum()) / length**2
         aside = float(np.linalg.norm(way - share * step))

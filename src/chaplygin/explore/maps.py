@@ -13,7 +13,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-__all__ = ["Image", "Kept", "Map", "Plain", "slope_of"]
+__all__ = ["Image", "Kept", "Map", "Plain", "measured", "slope_of"]
 
 Array = np.ndarray[Any, Any]
 Function = Callable[[Array], Array]
@@ -104,9 +104,21 @@ class Map(Protocol):
         """See above."""
         ...
 
+    def sizes(self, points: Array) -> Array:
+        """By which coordinates are measured about points (n, size), so that units do not matter."""
+        ...
+
     def image(self, points: Array, count: int = 1, *, slopes: bool = False) -> Image:
         """Images of points (n, size) after `count` steps; slopes on demand."""
         ...
+
+
+def measured(values: Array, slopes: Array, sizes: Array) -> tuple[Array, Array]:
+    """Values (..., r) and slopes (..., r, size) of functions, divided by their measured slopes."""
+    local = slopes * sizes
+    lengths = np.sqrt((local**2).sum(axis=-1))
+    lengths[lengths == 0] = 1.0
+    return values / lengths, local / lengths[..., None]
 
 
 def slope_of(function: Function) -> Function:
@@ -172,6 +184,10 @@ class Plain:
             return np.stack([function(points) for function in self.keeps.values()], axis=1)
 
         return Kept(tuple(self.keeps), values, slope_of(values))
+
+    def sizes(self, points: Array) -> Array:
+        """All ones: coordinates of formulas are taken as they are."""
+        return np.ones(len(self.names))
 
     def image(self, points: Array, count: int = 1, *, slopes: bool = False) -> Image:
         """Images of points (n, size) after `count` steps."""

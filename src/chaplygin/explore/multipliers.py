@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .maps import Array, Map
+from .maps import Array, Map, measured
 
 __all__ = ["Multipliers", "multipliers", "stability"]
 
@@ -36,7 +36,8 @@ class Multipliers:
     errors : array (d,)
         How far rounding and integration may have moved each.
     matrix : array (d, d)
-        The derivative of the return, on an orthonormal basis of the level.
+        The derivative of the return, on an orthonormal basis of the level, each vector of the
+        state being measured by its size.
     """
 
     values: Array
@@ -92,7 +93,11 @@ def multipliers(made: Map, point: Array, slope: Array) -> Multipliers:
     slope : array (size, size)
         The derivative there of the return to this point.
     """
-    domain = made.domain.slopes(point[None])[0]
+    sizes = made.sizes(point[None])
+    slope = slope * sizes / sizes[:, None]
+    _, domain = measured(
+        np.zeros(len(made.domain.names)), made.domain.slopes(point[None])[0], sizes
+    )
     basis = complement(domain)
     forced = list(made.forced)
     defect = float(np.finfo(float).eps) * max(1.0, float(np.linalg.norm(slope))) * len(point)
@@ -100,7 +105,7 @@ def multipliers(made: Map, point: Array, slope: Array) -> Multipliers:
         left = gradient @ slope @ basis
         defect = max(defect, float(np.linalg.norm(left) / np.linalg.norm(gradient)))
     for name, gradient in zip(
-        made.integrals.names, made.integrals.slopes(point[None])[0], strict=True
+        made.integrals.names, made.integrals.slopes(point[None])[0] * sizes, strict=True
     ):
         across = gradient @ basis
         size = float(np.linalg.norm(across))

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import InputError, RunError
-from .maps import Array, Image, Map
+from .maps import Array, Image, Map, measured
 from .multipliers import Multipliers, multipliers
 
 __all__ = [
@@ -105,13 +105,20 @@ class Equations:
     map : Map
     held : mapping of str to float
         Integrals with the values that they must have.
+    sizes : array (size,)
+        By which coordinates are measured.
     """
 
     map: Map
     held: Mapping[str, float]
+    sizes: Array
 
     def __call__(self, points: Array) -> tuple[Array, Array, Image]:
-        """Residuals, their derivatives by all coordinates of all points, and the images."""
+        """Residuals, their derivatives by all measured coordinates of all points, and the images.
+
+        The residual of a function is the measured distance to where it has its value, to first
+        order.
+        """
         count, size = points.shape
         image = self.map.image(points, slopes=True)
         if not np.isfinite(image.points).all():
@@ -120,17 +127,20 @@ class Equations:
         gaps, _ = wrapped(np.roll(points, -1, axis=0) - image.points, self.map.periods)
         closing = np.zeros((count, size, count, size))
         for k in range(count):
-            closing[k, :, k] -= image.slopes[k]
+            closing[k, :, k] -= image.slopes[k] * self.sizes / self.sizes[:, None]
             closing[k, :, (k + 1) % count] += np.eye(size)
         domain = self.map.domain
         places = np.zeros((count, len(domain.names), count, size))
-        for k, slope in enumerate(domain.slopes(points)):
+        missed, local = measured(domain.values(points), domain.slopes(points), self.sizes)
+        for k, slope in enumerate(local):
             places[k, :, k] = slope
         rows = [self.map.integrals.names.index(name) for name in self.held]
         levels = np.zeros((len(rows), count, size))
-        levels[:, 0] = self.map.integrals.slopes(points[:1])[0, rows]
         excess = self.map.integrals.values(points[:1])[0, rows] - list(self.held.values())
-        residuals = np.concatenate([gaps.ravel(), domain.values(points).ravel(), excess])
+        excess, levels[:, 0] = measured(
+            excess, self.map.integrals.slopes(points[:1])[0, rows], self.sizes
+        )
+        residuals = np.concatenate([(gaps / self.sizes).ravel(), missed.ravel(), excess])
         blocks = (closing, places, levels)
         slopes = np.concatenate([block.reshape(-1, count * size) for block in blocks])
         return residuals, slopes, image
@@ -171,14 +181,14 @@ def shortest(slopes: Array, residuals: Array) -> Array:
     return found
 
 
-def onto(made: Map, points: Array) -> Array:
+def onto(made: Map, points: Array, sizes: Array) -> Array:
     """The points of the domain of a map that are next to given ones, to rounding."""
     for _ in range(8):
-        misses = made.domain.values(points)
+        misses, slopes = measured(made.domain.values(points), made.domain.slopes(points), sizes)
         if not misses.size or np.abs(misses).max() < 1e-15:
             break
-        slopes = np.linalg.pinv(made.domain.slopes(points), rcond=FAMILY)
-        points = points - np.einsum("nij,nj->ni", slopes, misses)
+        inverse = np.linalg.pinv(slopes, rcond=FAMILY)
+        points = points - np.einsum("nij,nj->ni", inverse, misses) * sizes
     return points
 
 
@@ -193,45 +203,49 @@ def solved(
     points : array (period, size)
         A guess.
     row : pair of array (period·size,) and float, optional
-        A further equation: the product with all coordinates has this value.
+        A further equation: the product with all measured coordinates has this value.
 
     Raises
     ------
     NoOrbitError
         If the iteration does not come to rest on an orbit.
     """
+    sizes = equations.sizes
 
     def evaluated(place: Array) -> tuple[Array, Array]:
         residuals, slopes, _ = equations(place)
         if row is not None:
             direction, value = row
-            residuals = np.append(residuals, direction @ place.ravel() - value)
+            residuals = np.append(residuals, direction @ (place / sizes).ravel() - value)
             slopes = np.concatenate([slopes, direction[None]])
         return residuals, slopes
 
-    points = onto(equations.map, points)
+    points = onto(equations.map, points, sizes)
     residuals, slopes = evaluated(points)
     last = np.inf
     for _ in range(STEPS):
         step = shortest(slopes, residuals).reshape(points.shape)
-        size, scale = float(np.abs(step).max()), 1.0 + float(np.abs(points).max())
+        size, scale = float(np.abs(step).max()), 1.0 + float(np.abs(points / sizes).max())
         if size >= 0.9 * last and size < 1e-10 * scale:
             break
-        moved = _damped(equations.map, evaluated, points, step, float(np.linalg.norm(residuals)))
+        moved = _damped(
+            equations, evaluated, points, step * sizes, float(np.linalg.norm(residuals))
+        )
         if moved is None:
             break
         points, residuals, slopes = moved
         last = size
         if size < 1e-15 * scale:
             break
-    scale = 1.0 + float(np.abs(points).max())
+    scale = 1.0 + float(np.abs(points / sizes).max())
     if np.abs(residuals).max() > CLOSED * scale:
         raise NoOrbitError("Newton's method found no periodic orbit near the guess", points)
-    return points, float(np.abs(shortest(slopes, residuals)).max())
+    last_step = shortest(slopes, residuals).reshape(points.shape) * sizes
+    return points, float(np.abs(last_step).max())
 
 
 def _damped(
-    made: Map,
+    equations: Equations,
     evaluated: Callable[[Array], tuple[Array, Array]],
     points: Array,
     step: Array,
@@ -239,7 +253,7 @@ def _damped(
 ) -> tuple[Array, Array, Array] | None:
     """The step, or the greatest half, quarter, … of it that makes the residuals smaller."""
     for power in range(HALVINGS):
-        place = onto(made, points + step * 0.5**power)
+        place = onto(equations.map, points + step * 0.5**power, equations.sizes)
         try:
             residuals, slopes = evaluated(place)
         except NoOrbitError:
@@ -295,11 +309,12 @@ def find(
             f"guess: its shape {points.shape} must be ({len(made.names)},) or "
             f"({period}, {len(made.names)}) for the coordinates {', '.join(made.names)}"
         )
-    points = onto(made, points)
+    sizes = made.sizes(points)
+    points = onto(made, points, sizes)
     held = held_values(made, points[0], hold)
     while len(points) < period:
         points = np.concatenate([points, made.image(points[-1:]).points])
-    points, error = solved(Equations(made, held), points)
+    points, error = solved(Equations(made, held, sizes), points)
     return described(made, points, error)
 
 

@@ -17,6 +17,7 @@ import sympy as sp
 from ..errors import InputError
 from ..flow.formulas import Formulas
 from ..flow.section import SectionMap
+from ..flow.sizes import sizes_at
 from ..statements import Integral
 from ..system import System
 from ..vectors import explicit
@@ -131,6 +132,11 @@ class Returns:
         if any(condition.free_symbols - set(values) for condition in conditions):
             return False
         return all(abs(float(condition.subs(values))) < 1e-12 for condition in conditions)
+
+    def sizes(self, points: Array) -> Array:
+        """The greatest sizes of the vectors of the state at points (n, size), (size,)."""
+        found: Array = sizes_at(self.section.system, points[None], self.section.parameters)[0]
+        return found
 
     def image(self, points: Array, count: int = 1, *, slopes: bool = False) -> Image:
         """Where points (n, size) return for the time numbered `count`."""
