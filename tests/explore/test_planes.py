@@ -99,7 +99,7 @@ def test_a_start_by_angular_velocity_stays_what_it_is() -> None:
     made = plane(
         ROLLING,
         axis("k=-2:0.75:5"),
-        axis("I_3=2:3:3"),
+        axis("I_3=2:2.4:3"),
         ENTRY.start.values,
         formulas={"a": "k*R/(1-k)"},
     )
@@ -117,6 +117,14 @@ def test_cells_without_a_motion_say_why() -> None:
     assert np.all(reasons[[0, 3], 2:] == NO_STATE)
     assert np.all(reasons[[1, 2], 2:] == 0)
     assert np.array_equal(np.isnan(cells.starts).any(axis=1), cells.reasons != 0)
+
+
+def test_cells_of_bodies_that_cannot_be_say_so() -> None:
+    made = plane(ROLLING, axis("I_1=-1:4:6"), axis("m=-1:1:3"), ENTRY.start.values)
+    reasons = made.cells(0, 3).reasons.reshape(3, 6)
+    assert np.all(reasons[:2] == INADMISSIBLE)
+    # I_2 + I_3 = 3.6
+    assert reasons[2].tolist() == [INADMISSIBLE, INADMISSIBLE, 0, 0, 0, INADMISSIBLE]
 
 
 def test_what_is_held_is_not_moved() -> None:

@@ -6,12 +6,14 @@ import re
 
 import numpy as np
 import pytest
+import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import reference
 from chaplygin.errors import InputError
-from chaplygin.mechanics.body import Body
+from chaplygin.mechanics.body import Body, rigid
+from chaplygin.mechanics.rolling import Rolling
 from chaplygin.mechanics.shapes import Ball
 
 BALL = Ball(1.0)
@@ -105,3 +107,16 @@ def test_diagonal_matrix_means_principal_axes():
     off = ((1.0, 0.1, 0.0), (0.1, 1.0, 0.0), (0.0, 0.0, 1.0))
     assert not Body(1.0, off, BALL).principal
     assert Body(1.0, off, BALL).inertia == off
+
+
+def test_what_the_moments_of_a_body_must_satisfy() -> None:
+    a, b, c = symbols = sp.symbols("a b c", real=True)
+    asked = rigid(symbols)
+    assert asked == {a: (a > 0, a <= b + c), b: (b > 0, b <= a + c), c: (c > 0, c <= a + b)}
+
+
+def test_products_of_inertia_may_have_either_sign() -> None:
+    tensor = ((1.0, 0.1, 0.0), (0.1, 1.0, 0.0), (0.0, 0.0, 1.0))
+    system = Rolling(Body(1.0, tensor, BALL)).system()
+    asked = {str(p.symbol): len(p.admissible) for p in system.parameters if "I_" in str(p.symbol)}
+    assert asked == {"I_11": 2, "I_12": 0, "I_13": 0, "I_22": 2, "I_23": 0, "I_33": 2}

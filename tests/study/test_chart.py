@@ -18,7 +18,7 @@ def study(text: str) -> Study:
 
 def test_a_rolling_body_starts_by_its_angular_velocity() -> None:
     made = plane_of(
-        study('[system]\nname = "chaplygin-ball"\n'), axis("I_3=1.8:2.6:3"), axis("omega_2=-1:1:3")
+        study('[system]\nname = "chaplygin-ball"\n'), axis("I_3=1.8:2.4:3"), axis("omega_2=-1:1:3")
     )
     assert (made.x.meaning, made.x.unit) == ("moment of inertia about body axis 3", "kg m^2")
     assert (made.y.meaning, made.y.unit) == ("angular velocity, component 2", "rad/s")

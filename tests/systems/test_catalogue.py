@@ -7,6 +7,7 @@ import pytest
 import sympy as sp
 
 from chaplygin.errors import InputError
+from chaplygin.flow.lanes import lanes
 from chaplygin.flow.trajectory import integrate
 from chaplygin.mechanics.rolling import Rolling
 from chaplygin.system import System
@@ -116,6 +117,19 @@ def test_inadmissible_parameters_are_refused(name, parameters, message):
     with pytest.raises(InputError) as caught:
         from_catalogue(name, **parameters)
     assert message in str(caught.value)
+
+
+@pytest.mark.parametrize("name", ["unbalanced-ball", "rattleback", "heavy-disk"])
+def test_no_motion_of_a_body_that_cannot_be(name):
+    system, start = built.system(name), built.study(name).start
+    state, sizes = start[: len(system.symbols)], system.constants
+    for i in (1, 2, 3):
+        others = sum(dict(sizes)[f"I_{j}"] for j in (1, 2, 3) if j != i)
+        for value, told in ((0.0, f"I_{i} > 0"), (-others, f"I_{i} > 0"), (1.01 * others, " <= ")):
+            with pytest.raises(InputError, match=f"I_{i} = .* is not admissible; .*{told}.* must"):
+                integrate(system, state, [0.0, 1.0], parameters={f"I_{i}": value})
+            with pytest.raises(InputError, match=f"I_{i} = .* is not admissible; .*{told}.* must"):
+                lanes(system).until([state], [1.0], {f"I_{i}": value})
 
 
 def test_a_case_is_decided_by_the_numbers_alone():

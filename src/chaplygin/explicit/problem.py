@@ -13,6 +13,7 @@ import mpmath
 import sympy as sp
 from flint import arb, fmpq
 
+from ..admissible import conditions, satisfied
 from ..errors import InputError
 from ..laws.errors import NotExactError, OutOfReachError, UnknownSymbolError
 from ..laws.jets import Evaluator, Jet
@@ -77,15 +78,13 @@ class Problem:
         return self
 
     def _check_admissible(self) -> None:
-        values = {s: sp.Rational(str(exact(value))) for s, value in self.parameters.items()}
-        for parameter in self.system.parameters:
-            for condition in parameter.admissible:
-                if condition.subs(values) == sp.false:
-                    raise InputError(
-                        f"{self.system.name}: {parameter.symbol} = "
-                        f"{self.parameters[parameter.symbol]} is not admissible; {condition} must "
-                        "hold"
-                    )
+        values = {s: float(exact(value)) for s, value in self.parameters.items()}
+        for parameter, condition in conditions(self.system.parameters):
+            if not satisfied(condition, values):
+                raise InputError(
+                    f"{self.system.name}: {parameter.symbol} = "
+                    f"{self.parameters[parameter.symbol]} is not admissible; {condition} must hold"
+                )
 
     @property
     def numbers(self) -> dict[str, Fraction]:

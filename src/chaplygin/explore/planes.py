@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from ..admissible import conditions, satisfied
 from ..errors import InputError
 from ..expressions import nearest, parse
 from ..flow.formulas import Formulas
@@ -328,9 +329,7 @@ def _admissible(system: System, known: Mapping[sp.Symbol, Any], count: int) -> A
     good = np.ones(count, dtype=bool)
     for parameter in system.parameters:
         good &= np.isfinite(known[parameter.symbol])
-        for condition in parameter.admissible:
-            if condition not in (sp.true, True):
-                names = sorted(condition.free_symbols, key=str)
-                with np.errstate(all="ignore"):
-                    good &= sp.lambdify(names, condition, "numpy")(*(known[n] for n in names))
+    with np.errstate(all="ignore"):
+        for _, condition in conditions(system.parameters):
+            good &= satisfied(condition, known)
     return good

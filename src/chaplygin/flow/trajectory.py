@@ -15,6 +15,7 @@ import mpmath
 import numpy as np
 import sympy as sp
 
+from ..admissible import conditions, satisfied
 from ..errors import InputError, RunError
 from ..system import System
 from ..vectors import explicit
@@ -189,14 +190,13 @@ def _check_admissible(system: System, values: Mapping[sp.Symbol, Any]) -> None:
     for symbol, value in values.items():
         if not math.isfinite(float(value)):
             raise InputError(f"{system.name}: {symbol} = {value} must be a finite number")
-    numbers = {symbol: sp.Float(_text(value), 40) for symbol, value in values.items()}
-    for parameter in system.parameters:
-        for condition in parameter.admissible:
-            if condition.subs(numbers) == sp.false:
-                raise InputError(
-                    f"{system.name}: {parameter.symbol} = {values[parameter.symbol]} is not "
-                    f"admissible; {condition} must hold"
-                )
+    numbers = {symbol: float(value) for symbol, value in values.items()}
+    for parameter, condition in conditions(system.parameters):
+        if not satisfied(condition, numbers):
+            raise InputError(
+                f"{system.name}: {parameter.symbol} = {values[parameter.symbol]} is not "
+                f"admissible; {condition} must hold"
+            )
 
 
 def _moments(times: Sequence[Any], kind: Any) -> list[Any]:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from ..admissible import conditions, satisfied
 from ..errors import InputError
 from ..expressions import parse_formula
 from ..system import Quantity, System
@@ -159,25 +160,16 @@ def parameter_rows(system: System, parameters: Mapping[Any, Any] | None, count: 
 
 
 def _require_admissible(system: System, rows: Any) -> None:
-    symbols = [p.symbol for p in system.parameters]
-    for parameter in system.parameters:
-        for condition in parameter.admissible:
-            used, check = _condition(condition)
-            holds = check(*(rows[:, symbols.index(s)] for s in used))
-            bad = np.flatnonzero(~np.broadcast_to(holds, len(rows)))
-            if bad.size:
-                value = rows[bad[0], symbols.index(parameter.symbol)]
-                raise InputError(
-                    f"{system.name}: {parameter.symbol} = {value:.10g} is not admissible; "
-                    f"{condition} must hold"
-                )
-
-
-@lru_cache(maxsize=256)
-def _condition(condition: sp.Basic) -> tuple[list[sp.Symbol], Any]:
-    """The symbols of a relation, and whether it holds as a function of them."""
-    used = sorted(condition.free_symbols, key=str)
-    return used, sp.lambdify(used, condition, "numpy")
+    columns = {p.symbol: rows[:, place] for place, p in enumerate(system.parameters)}
+    for parameter, condition in conditions(system.parameters):
+        holds = satisfied(condition, columns)
+        bad = np.flatnonzero(~np.broadcast_to(holds, len(rows)))
+        if bad.size:
+            value = columns[parameter.symbol][bad[0]]
+            raise InputError(
+                f"{system.name}: {parameter.symbol} = {value:.10g} is not admissible; "
+                f"{condition} must hold"
+            )
 
 
 def values(

@@ -7,11 +7,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import sympy as sp
 
 from ..errors import InputError
 from .shapes import Shape
 
-__all__ = ["Body", "check_inertia", "check_mass"]
+__all__ = ["Body", "check_inertia", "check_mass", "rigid"]
 
 
 @dataclass(frozen=True)
@@ -74,6 +75,15 @@ def _numbers(inertia: Sequence[float] | Sequence[Sequence[float]]) -> np.ndarray
         return np.asarray(inertia, dtype=float)
     except (TypeError, ValueError):
         return np.empty(0)
+
+
+def rigid(moments: Sequence[sp.Symbol]) -> dict[sp.Symbol, tuple[sp.Basic, ...]]:
+    """What three moments of inertia about orthogonal axes must satisfy, for each of them.
+
+    They are positive, and none is greater than the sum of the others.
+    """
+    total = sp.Add(*moments)
+    return {moment: (moment > 0, moment <= total - moment) for moment in moments}
 
 
 def check_mass(mass: float) -> None:

@@ -48,7 +48,7 @@ from .attitude import (
     tie,
     unit_length,
 )
-from .body import Body
+from .body import Body, rigid
 from .contact import Contact
 from .contact import contact as contact_of
 from .shapes import check_values
@@ -171,9 +171,11 @@ def _body_parameters(body: Body, inertia: Diagonal | Symmetric) -> tuple[Paramet
     entries = inertia.independent(body.tensor)
     axis = "moment of inertia about body axis" if body.principal else "entry of the inertia tensor"
     parameters = [Parameter(m, "mass", body.mass, "kg", (m > 0,))]
+    asked = rigid(tuple(explicit(inertia).diagonal()))
     for symbol, value in zip(inertia.symbols, entries, strict=True):
         label = str(symbol).removeprefix("I_")
-        parameters.append(Parameter(symbol, f"{axis} {label}", float(value), "kg m^2"))
+        conditions = asked.get(symbol, ())
+        parameters.append(Parameter(symbol, f"{axis} {label}", float(value), "kg m^2", conditions))
     if any(body.gyrostat):
         parameters += [
             Parameter(s, f"gyrostatic momentum, body axis {i}", x, "kg m^2/s")
