@@ -58,7 +58,7 @@ def test_store_picture_and_table(ask: Ask, tmp_path: Path) -> None:
     assert code == 0
     assert "largest Lyapunov exponent" in out
     assert "4 of 12 have a number" in out
-    assert "8: no state with these values was found" in out
+    assert "8 of 12   no state with these values was found" in out
     assert "written to chart.zarr, picture: chart.png" in err
     assert (tmp_path / "chart.png").read_bytes().startswith(b"\x89PNG")
     found = xr.open_zarr("chart.zarr")

@@ -136,8 +136,8 @@ def _print(title: str, result: dict[str, Any]) -> None:
     for word in ("lowest", "median", "highest"):
         if result[word] is not None:
             table.add_row(word, f"{result[word]:.6g}{unit}")
-    table.add_row("cells", f"{result['with_number']} of {result['cells']} have a number")
+    table.add_row("cells", f"{result['with_number']:,} of {result['cells']:,} have a number")
     for reason, count in result["outcomes"].items():
-        table.add_row("", escape(f"{count}: {reason}"))
+        table.add_row(f"{count:,} of {result['cells']:,}", escape(reason))
     Console().print(table)
     inform(f"written to {result['file']}, picture: {result['figure']}")

@@ -72,6 +72,7 @@ def command(
     result = {
         "file": str(output),
         "members": found.attrs["members"],
+        "measure": found.attrs.get("measure", ""),
         "motions": found.sizes["run"],
         "times": found.sizes["time"],
         "outcomes": outcomes(found["outcome"]),
@@ -80,8 +81,10 @@ def command(
         print_json(result)
         return
     typer.echo(f"{study.system.title}: {result['members']}")
+    if result["measure"]:
+        typer.echo(f"starts drawn by the {result['measure']}")
     for reason, count in result["outcomes"].items():
-        typer.echo(f"{count} of {result['motions']}: {reason}")
+        typer.echo(f"{count:,} of {result['motions']:,} motions: {reason}")
     inform(f"written to {output}")
 
 
