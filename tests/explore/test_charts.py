@@ -13,6 +13,7 @@ from chaplygin.explore.rules import KINDS, asked
 from chaplygin.explore.watching import Highest
 from chaplygin.flow.blocks import compute
 from chaplygin.system import Guard, Observable, Parameter, System
+from chaplygin.systems import entry
 
 x, y, c = sp.symbols("x y c", real=True)
 
@@ -98,7 +99,8 @@ def test_every_kind_of_number_is_finite(word: str) -> None:
         observables=PENDULUM.observables,
     )
     made = plane(free, axis("c=0.5:2:3"), axis("y=0.1:1.5:2"), {"x": 0.5, "y": 0.0})
-    number = asked(free, f"{word}:height" if KINDS[word].of else word, 30.0)
+    of = "x" if word == "frequency" else "height"
+    number = asked(free, f"{word}:{of}" if KINDS[word].of else word, 30.0)
     found = compute(chart(Chart(made, number.rule, number.name, number.title, number.unit)))
     assert np.isfinite(found[number.name].values).all()
     assert not found["outcome"].values.any()
@@ -125,6 +127,21 @@ def test_numbers_of_formulas() -> None:
 def test_numbers_that_are_none(text: str, message: str) -> None:
     with pytest.raises(InputError, match=message):
         asked(PENDULUM, text, 1.0)
+
+
+@pytest.mark.parametrize(
+    ("quantity", "wrong"),
+    [
+        ("gamma_1", "it stays within bounds and makes no turns"),
+        ("m*gamma_1*gamma_2 - 2", "it stays within bounds"),
+        ("energy", "it is measured in J"),
+    ],
+)
+def test_what_is_no_angle_has_no_frequency(quantity: str, wrong: str) -> None:
+    ball = entry("chaplygin-ball").system()
+    with pytest.raises(InputError, match=wrong):
+        asked(ball, f"frequency:{quantity}", 1.0)
+    assert asked(ball, "frequency:atan2(gamma_2, gamma_1)", 1.0).unit == "1/s"
 
 
 def test_an_axis_like_a_result_is_refused() -> None:

@@ -25,7 +25,7 @@ from ..system import System, flat
 from ..vectors import Vector, explicit, normed
 from .quantities import named
 
-__all__ = ["NO_NUMBER", "REASONS", "Axis", "Cells", "Plane", "axis", "plane"]
+__all__ = ["NO_NUMBER", "REASONS", "Axis", "Cells", "Plane", "axis", "directions", "plane"]
 
 #: Why a cell has no motion or no number; −1 in a store is what is not computed yet.
 NO_STATE, INADMISSIBLE, NO_NUMBER = -2, -3, -4
@@ -177,7 +177,7 @@ class Plane:
             met = met & there
         if targets:
             # directions keep still as long as something else can be moved
-            wider = fixed | _directions(self.given)
+            wider = fixed | directions(self.given)
             moved = self._others(wider) if any(self._others(wider)) else self._others(fixed)
             wanted = np.stack([*(np.zeros(len(starts)) for _ in relations), *targets], axis=1)
             level = Formulas(self.given, (*relations, *(value for value, _ in self.levels)))
@@ -307,7 +307,7 @@ def _by_velocity(system: System, start: Mapping[str, Any]) -> System:
     )
 
 
-def _directions(system: System) -> set[sp.Symbol]:
+def directions(system: System) -> set[sp.Symbol]:
     """Components of the vectors whose length the relations make one."""
     relations = [explicit(relation) for relation in system.relations]
     vectors = [name for name in system.state if isinstance(name, Vector)]

@@ -14,6 +14,7 @@ from ..flow.values import formula
 from ..system import System
 from .charts import Rule
 from .parting import Alignment, Exponent, Fastest, Megno, Total
+from .planes import directions
 from .quantities import meaning
 from .watching import Duration, Frequency, Highest, Lowest, Mean
 from .winding import Winding
@@ -115,8 +116,23 @@ def asked(
         return Asked(kind.make(system, until, tolerance=tolerance), word, kind.title, kind.unit)
     value: Any = formula(system, quantity)
     made = kind.make(system, until, value, tolerance=tolerance)
-    unit = kind.unit.format(meaning(system, quantity, variables or {})[1] or "unknown")
+    measured = meaning(system, quantity, variables or {})[1] or "unknown"
+    if kind.make is Frequency:
+        _require_angle(system, text, value, measured)
+    unit = kind.unit.format(measured)
     return Asked(made, word, kind.title.format(quantity), unit)
+
+
+def _require_angle(system: System, text: str, value: Any, unit: str) -> None:
+    """Raise InputError where a formula is known to be no angle."""
+    varying = value.free_symbols - set(system.defaults)
+    if unit not in ("rad", "1", "unknown"):
+        wrong = f"it is measured in {unit}"
+    elif varying <= directions(system) and value.is_polynomial(*varying):
+        wrong = "it stays within bounds and makes no turns"
+    else:
+        return
+    raise InputError(f"{text}: {wrong}; an angle is needed, such as atan2(gamma_2, gamma_1)")
 
 
 def _rotation(kind: _Kind, system: System, text: str, until: float, tolerance: float) -> Asked:
