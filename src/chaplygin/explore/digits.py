@@ -18,7 +18,7 @@ from ..flow.pairs import unpaired
 from ..flow.precise import precise
 from ..flow.slopes import slopes
 from ..vectors import explicit
-from .maps import Array
+from .maps import Array, measured
 from .orbits import NoOrbitError, Orbit, held_values, shortest, wrapped
 from .returns import Returns
 
@@ -38,7 +38,7 @@ class Refined:
         Its first point on the section, in flat order.
     duration : mpf
     error : float
-        The last step of Newton's method.
+        The last step of Newton's method, in sizes of the vectors of the state.
     """
 
     point: list[Any]
@@ -64,33 +64,37 @@ def refined(made: Returns, orbit: Orbit, hold: Mapping[str, float] | Iterable[st
         If the iteration does not come to rest.
     """
     held = held_values(made, orbit.points[0], hold)
-    problem = _Problem(made, held)
+    sizes = np.append(made.sizes(orbit.points[:1]), orbit.duration)
+    problem = _Problem(made, held, sizes)
     with mpmath.workdps(_DIGITS):
         point = [mpmath.mpf(float(x)) for x in orbit.points[0]]
         duration = mpmath.mpf(orbit.duration)
-        scale = 1 + float(np.abs(orbit.points).max())
         last = np.inf
         for _ in range(_STEPS):
             step = problem.step(point, duration)
-            size = float(np.abs(step).max())
+            size = float(np.abs(step / sizes).max())
             if size > last / 2:
                 break
             point = [x + mpmath.mpf(float(s)) for x, s in zip(point, step[:-1], strict=True)]
             duration += mpmath.mpf(float(step[-1]))
             last = size
-            if size < _REST * scale:
+            if size < _REST:
                 break
-        if last > 1e-20 * scale:
+        if last > 1e-20:
             raise NoOrbitError("the orbit could not be refined beyond doubles", orbit.points)
         return Refined(point, duration, last)
 
 
 @dataclass(frozen=True)
 class _Problem:
-    """What a point and a duration satisfy: closure, relations, the section, held integrals."""
+    """What a point and a duration satisfy: closure, relations, the section, held integrals.
+
+    Point and duration are measured by `sizes`.
+    """
 
     made: Returns
     held: Mapping[str, float]
+    sizes: Array
 
     def step(self, point: list[Any], duration: Any) -> Array:
         """The shortest step of point and duration to first order, in doubles."""
@@ -116,19 +120,21 @@ class _Problem:
             mpmath.mpf(0) if t == 0 else int(t) * self._period(i) for i, t in enumerate(turns)
         ]
         gaps = [float(m - t) for m, t in zip(misses, whole_turns, strict=True)]
-        levels, level_slopes = self._levels(point)
+        sizes = self.sizes[:-1]
+        excess, rows = measured(*self._levels(point), sizes)
         closing = np.column_stack(
             [moved.deviations[0, 0].T - np.eye(size), [float(r) for r in rates]]
         )
-        matrix = np.vstack([closing, np.column_stack([level_slopes, np.zeros(len(levels))])])
-        return shortest(matrix, np.array([*gaps, *levels]))
+        ends = closing * self.sizes / sizes[:, None]
+        matrix = np.vstack([ends, np.column_stack([rows, np.zeros(len(rows))])])
+        return shortest(matrix, np.concatenate([gaps / sizes, excess])) * self.sizes
 
     def _period(self, index: int) -> Any:
         """A period with all digits, where it is a turn."""
         period = float(self.made.periods[index])
         return 2 * mpmath.pi if period == 2 * np.pi else mpmath.mpf(period)
 
-    def _levels(self, point: list[Any]) -> tuple[list[float], Array]:
+    def _levels(self, point: list[Any]) -> tuple[Array, Array]:
         """Relations, the section and integrals less their values, with slopes."""
         section = self.made.section
         laws = {law.name: law.value for law in section.system.integrals}
@@ -137,7 +143,7 @@ class _Problem:
         targets = [0.0] * (len(wanted) - len(self.held)) + list(self.held.values())
         excess = [float(v - mpmath.mpf(t)) for v, t in zip(values, targets, strict=True)]
         made = [[float(rows[i, j]) for j in range(len(point))] for i in range(len(wanted))]
-        return excess, np.array(made)
+        return np.array(excess), np.array(made)
 
     def _numbers(self, formulas: Any, point: Any) -> tuple[Any, Any]:
         """Formulas and their slopes with all digits."""

@@ -24,8 +24,10 @@ Values: TypeAlias = Mapping[Any, Any] | None
 
 #: Part of a motion over which its vectors are looked at, and how often.
 STRETCH, LOOKS = 0.1, 32
-#: A vector smaller than this share of what it does to the others, and they to it, counts as zero.
-SMALL = 1e-8
+#: A vector smaller than this share of the size by which it acts as much as others counts as zero.
+SMALL = 1e-10
+#: Two vectors act on each other if they do so at this share of the fastest rate, at least.
+COUPLED = 1e-4
 
 
 def sizes_along(
@@ -60,7 +62,7 @@ def sizes_at(system: System, states: Array, parameters: Values = None) -> Array:
     """The greatest sizes of the vectors of the state among some states of each motion.
 
     A vector u that is zero beside others v has the size with which each acts on the other as
-    strongly, |v| √(|∂u̇/∂v| / |∂v̇/∂u|) at the first state, and 1 if there is none.
+    strongly, |v| √(|∂u̇/∂v| / |∂v̇/∂u|) at the first state, and 1 if none acts on it so.
 
     Parameters
     ----------
@@ -81,11 +83,12 @@ def sizes_at(system: System, states: Array, parameters: Values = None) -> Array:
     acting = np.array(
         [[np.abs(slopes[:, p][:, :, q]).max(axis=(1, 2)) for q in parts] for p in parts]
     )
-    with np.errstate(divide="ignore", invalid="ignore"):
-        ratios = np.sqrt(acting / np.swapaxes(acting, 0, 1))
-        balanced = np.where(np.isfinite(ratios), ratios, 0.0) * norms.T
-    for i in range(len(parts)):
-        balanced[i, i] = 0.0
+    back = np.swapaxes(acting, 0, 1)
+    rates = np.sqrt(acting) * np.sqrt(back)
+    coupled = rates > COUPLED * rates.max(axis=(0, 1))
+    coupled &= ~np.eye(len(parts), dtype=bool)[:, :, None]
+    ratios = np.sqrt(np.divide(acting, back, out=np.zeros_like(acting), where=coupled))
+    balanced = ratios * norms.T
     beside = balanced.max(axis=1).T
     found = np.where(norms > SMALL * beside, norms, beside)
     found = np.where(found > 0, found, 1.0)
