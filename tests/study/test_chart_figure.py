@@ -81,18 +81,20 @@ def test_a_chart_without_numbers_can_be_drawn() -> None:
     figure = chart(made(np.full((2, 2), np.nan), np.full((2, 2), -2, np.int16)))
     assert figure.legends[0].get_texts()[0].get_text() == "no state (4 of 4 cells)"
     # nothing is coloured, so colours are not explained
-    assert len(figure.axes) == 1
+    (axes,) = figure.axes
+    assert axes.get_title(loc="left") == "Coin: exponent"
 
 
 def test_formulas_are_set_as_mathematics_in_lines_of_the_height_of_the_chart() -> None:
     dataset = made(np.arange(12.0).reshape(3, 4))
-    title = "rotation number of atan2(gamma_2 - gamma_1,gamma_1 + gamma_3) on gamma_3"
+    title = "rotation number of atan2(gamma_2 - gamma_1,gamma_1 + gamma_3) on M_1 + M_2 + M_3"
     dataset["lyapunov"].attrs.update(long_name=title, units="1")
     figure = chart(dataset)
     bar = figure.axes[1].yaxis.label
     assert bar.get_text().split("\n") == [
-        r"rotation number of atan2($\gamma_{2}$ - $\gamma_{1}$,",
-        r"$\gamma_{1}$ + $\gamma_{3}$) on $\gamma_{3}$",
+        r"rotation number of atan2($\gamma_{2}$ - $\gamma_{1}$, $\gamma_{1}$ + $\gamma_{3}$) on "
+        "$M_{1}$ + $M_{2}$ +",
+        "$M_{3}$",
     ]
     figure.draw_without_rendering()
     assert bar.get_window_extent().height < figure.axes[0].get_window_extent().height

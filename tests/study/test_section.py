@@ -99,6 +99,16 @@ def test_the_figure_shows_every_point(many: xr.Dataset, names: tuple[str, ...], 
     assert any("γ" in word or r"\gamma_{3}" in word for word in words)
 
 
+def test_few_starts_have_a_field_of_their_own_each(many: xr.Dataset) -> None:
+    figure = draw(many, ("M_1", "M_2"))
+    (fields,) = (c for c in figure.axes[1].collections if c.get_array() is not None)
+    assert fields.get_array().size == many.sizes["run"]
+    shown = {tuple(colour) for colour in figure.axes[0].collections[0].get_facecolors()}
+    # a start that never passes has no point
+    starts = np.flatnonzero(many["points"].values) + 1
+    assert shown == {tuple(colour) for colour in fields.cmap(fields.norm(starts))}
+
+
 def test_both_views_of_space_have_a_labelled_upright_axis(many: xr.Dataset) -> None:
     figure = draw(many, ("M_1", "M_2", "phi"))
     figure.draw_without_rendering()

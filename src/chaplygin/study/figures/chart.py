@@ -59,10 +59,13 @@ def chart(dataset: xr.Dataset, name: str | None = None) -> Figure:
         figure = Figure(figsize=(WIDTH, 4.6), layout="constrained")
         figure.set_label(f"{number.attrs.get('long_name', wanted)}: {title_of(dataset)}")
         axes = figure.add_subplot()
-        axes.set_title(readable(title_of(dataset)), fontsize=10.5, loc="left", color=INK)
+        title = readable(title_of(dataset))
         extent = (*_edges(dataset[x].values), *_edges(dataset[y].values))
         if np.isfinite(values).any():
             _draw_numbers(figure, axes, number, values, extent)
+        else:
+            title = f"{title}: {_title(number)}"
+        axes.set_title(title, fontsize=10.5, loc="left", color=INK)
         patches = list(_draw_reasons(axes, outcome, values, extent))
         axes.set_xlabel(_label(dataset, x))
         axes.set_ylabel(_label(dataset, y))
@@ -92,8 +95,12 @@ def _draw_numbers(figure: Figure, axes: Axes, number: Any, values: Any, extent: 
     )
     bar = figure.colorbar(image, ax=axes, extend=beyond, pad=0.02)
     bar.outline.set_linewidth(0.6)
-    title = wrapped(str(number.attrs.get("long_name", number.name)))
-    bar.set_label(with_unit(title, unit_of(number.to_dataset(name="value"), "value")))
+    bar.set_label(with_unit(_title(number), unit_of(number.to_dataset(name="value"), "value")))
+
+
+def _title(number: Any) -> str:
+    """What the numbers are."""
+    return wrapped(str(number.attrs.get("long_name", number.name)))
 
 
 def _norm(values: Any) -> tuple[Normalize, str]:

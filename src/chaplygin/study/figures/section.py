@@ -27,6 +27,8 @@ MOST = 120_000
 #: Colours of starts, or of the number of the return: yellow is left out, as too pale on white.
 COLOURS = mpl.colormaps["viridis"].with_extremes(bad=FAINT)
 PALEST = 0.92
+#: So many starts have a field of their own each in the key.
+FEW = 12
 #: Into so many layers one above the other a single motion is drawn.
 LAYERS = 40
 #: From where space is seen: height and turn in degrees.
@@ -189,10 +191,12 @@ def _key(figure: Figure, runs: int, count: int) -> None:
     last = count if runs == 1 else runs
     if last < 2:
         return
-    colours = mpl.colors.ListedColormap(COLOURS(np.linspace(0.0, PALEST, 256)))
+    few = 1 < runs <= FEW
+    colours = mpl.colors.ListedColormap(COLOURS(np.linspace(0.0, PALEST, runs if few else 256)))
+    ends = Normalize(0.5, last + 0.5) if few else Normalize(1, last)
     place = figure.add_axes((0.905, 0.44, 0.014, 0.44))
-    bar = figure.colorbar(ScalarMappable(Normalize(1, last), colours), cax=place)
+    bar = figure.colorbar(ScalarMappable(ends, colours), cax=place)
     bar.set_label("number of the return" if runs == 1 else "start", fontsize=9)
     bar.ax.tick_params(labelsize=7)
-    bar.locator = mpl.ticker.MaxNLocator(5, integer=True)
+    bar.locator = mpl.ticker.MaxNLocator(FEW if few else 5, integer=True)
     bar.update_ticks()

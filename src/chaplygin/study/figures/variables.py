@@ -105,11 +105,20 @@ def typeset(name: str) -> str:
     return f"${shown}_{{{index}}}$" if index else f"${shown}$"
 
 
+#: The first of the characters that mean nothing by themselves.
+_NOBODYS = 0xE000
+
+
 def wrapped(text: str, width: int = 50) -> str:
     """A text in lines of some `width` characters, the names in its formulas set as letters."""
-    spaced = re.sub(r",(?=\S)", ", ", text)
-    lines = textwrap.wrap(spaced, width, break_long_words=False, break_on_hyphens=False)
-    return "\n".join(readable(_LETTER.sub(lambda name: typeset(name[0]), line)) for line in lines)
+    names = list(map(typeset, _LETTER.findall(text)))
+    # a name is a letter wide: one of those that have no meaning stands for it
+    places = iter(range(_NOBODYS, _NOBODYS + len(names)))
+    short = _LETTER.sub(lambda _: chr(next(places)), re.sub(r",(?=\S)", ", ", text))
+    line = "\n".join(textwrap.wrap(short, width, break_long_words=False, break_on_hyphens=False))
+    for place, name in enumerate(names, _NOBODYS):
+        line = line.replace(chr(place), name)
+    return "\n".join(map(readable, line.split("\n")))
 
 
 def unit_of(dataset: xr.Dataset, name: str) -> str:
