@@ -12,6 +12,7 @@ from dataclasses import replace
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
+from ..mechanics.body import rigid
 from ..statements import ConformallyHamiltonian, Integral, Law, PoissonStructure
 from ..system import Parameter, System
 from ..vectors import (
@@ -73,9 +74,10 @@ def hamiltonian_form(structure: PoissonStructure) -> ConformallyHamiltonian:
 
 
 def inertia_parameters(moments: tuple[float, float, float]) -> tuple[Parameter, ...]:
-    """The three numbers I_1, I_2, I_3 of a positive tensor."""
+    """The principal moments of inertia I_1, I_2, I_3 of a body."""
+    asked = rigid(I.symbols)
     return tuple(
-        Parameter(s, f"moment of inertia about body axis {i}", value, "kg m^2", (s > 0,))
+        Parameter(s, f"moment of inertia about body axis {i}", value, "kg m^2", asked[s])
         for i, (s, value) in enumerate(zip(I.symbols, moments, strict=True), 1)
     )
 
