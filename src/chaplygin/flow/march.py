@@ -34,8 +34,8 @@ ENDS = (
 
 COLLAPSED, NOT_A_NUMBER, STEPS, OVER = range(1, len(ENDS))
 
-#: The time without a crossing after which a motion is given up, in first steps.
-FAR = 1e7
+#: Steps without a crossing after which a motion is given up: what comes to rest crosses nothing.
+VAIN = 1e6
 
 #: The stage at which section and guards are looked at inside a step: its ends do not tell all.
 HALFWAY = 9
@@ -104,7 +104,7 @@ class _March:
                 "g_here",
                 "tries",
                 "steps",
-                "last",
+                "marked",
             ),
             *("mode", "fault", "event", "fresh", "index", "samples"),
         ):
@@ -210,6 +210,7 @@ class _March:
             ("samples", "0.0"),
             ("tries", "0.0"),
             ("steps", "0.0"),
+            ("marked", "0.0"),
             ("mode", literal(_RUNNING)),
             ("fresh", "1.0"),
         ):
@@ -237,13 +238,8 @@ class _March:
             with w.when(full):
                 self._finish(lane, index)
             if self.equations.section is not None:
-                floor = w.load("double", self.lane("floor", lane))
-                now = w.load("double", self.lane("time", lane))
-                end = w.load("double", self.lane("last", lane))
-                far = w.emit(f"fmul double {floor}, {literal(FAR * 1e12)}")
-                far = w.emit(f"fadd double {now}, {far}")
-                far = w.emit(f"call double @llvm.minnum.f64(double {far}, double {end})")
-                w.store("double", far, self.lane("target", lane))
+                steps = w.load("double", self.lane("steps", lane))
+                w.store("double", steps, self.lane("marked", lane))
             else:
                 with w.when(w.emit(f"xor i1 {full}, true")):
                     following = w.load("double", w.at("double", "%times", done_now))
@@ -301,10 +297,6 @@ class _March:
         floor = w.op("fmul", w.constant(1e-12), first)
         self.put("floor", w.choose(fresh, floor, self.get("floor")))
         if self.equations.section is not None:
-            # what comes to rest never crosses anything; a lane must end all the same
-            far = w.call("minnum", self.get("target"), w.op("fmul", first, w.constant(FAR)))
-            self.put("target", w.choose(fresh, far, self.get("target")))
-            self.put("last", w.choose(fresh, end, self.get("last")))
             self.evaluate("section", "y")
             g = n.leading(n.load(self.place("section"), 0))
             gdot = n.leading(n.load(self.place("section"), 1))
@@ -418,6 +410,12 @@ class _March:
         limit = w.splat(w.emit("sitofp i64 %limit to double"))
         late = w.both(w.compare("oeq", event, zero), w.both(live, w.compare("oge", steps, limit)))
         self.put("fault", w.choose(late, w.constant(float(STEPS)), self.get("fault")))
+        if self.equations.section is not None:
+            vain = w.op("fsub", steps, self.get("marked"))
+            vain = w.both(w.compare("oeq", event, zero), w.compare("oge", vain, w.constant(VAIN)))
+            vain = w.both(live, vain)
+            self.put("fault", w.choose(vain, w.constant(float(OVER)), self.get("fault")))
+            late = w.either(late, vain)
         event = w.choose(w.either(lost, late), w.constant(_END), event)
         self.put("step", w.choose(live, following, zero))
         self.put("event", event)
