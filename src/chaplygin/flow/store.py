@@ -341,7 +341,7 @@ def _gone_on_with(task: Task, folder: Path, group: Any) -> Store:
     if notes.get("program") != program() and not done.all():
         raise InputError(
             f"{folder} was begun by another version of the program, whose numbers may differ in "
-            "their last digits; choose another name for the store"
+            f"their last digits; {_CHOICE}"
         )
     for leftover in folder.rglob("*.partial"):
         leftover.unlink()
@@ -352,10 +352,17 @@ def _gone_on_with(task: Task, folder: Path, group: Any) -> Store:
     return Store(replace(task, block=notes["block"]), folder, arrays, done)
 
 
+#: What a user may do about a store that is there.
+_CHOICE = "choose another name for the store, or remove it (commands: --force)"
+
+
 def _difference(name: str, task: Task, group: zarr.Group) -> str:
     """In words what is another one there: with both values if they can be told."""
     _, _, attribute = name.partition("attribute ")
     if not attribute:
-        return f"its {name} is another one; choose another name for the store"
-    there, here = (notes.get(attribute) for notes in (group.attrs, task.attributes))
-    return f"its {attribute} is {there!r}, not {here!r}; choose another name for the store"
+        return f"its {name} is another one; {_CHOICE}"
+    called = attribute.replace("section_value", "section").replace("_", " ")
+    there, here = (str(notes.get(attribute)) for notes in (group.attrs, task.attributes))
+    if "\n" in there + here:
+        return f"its {called} is another one; {_CHOICE}"
+    return f"its {called} is {there}, not {here}; {_CHOICE}"
