@@ -76,8 +76,11 @@ class Body:
     def starts(self, seed: int, count: int) -> np.ndarray:
         """Random states: γ uniform on the sphere, ω uniform in a cube."""
         dice = np.random.default_rng([seed, *self.name.encode()])
-        gamma = dice.normal(size=(count, 3))
-        omega = dice.uniform(-self.spin, self.spin, size=(count, 3))
+        # one after the other: fewer starts are the first of more
+        drawn = [
+            (dice.normal(size=3), dice.uniform(-self.spin, self.spin, size=3)) for _ in range(count)
+        ]
+        gamma, omega = np.array(drawn).transpose(1, 0, 2)
         return np.asarray(flat_starts(self.system, {"omega": omega, "gamma": gamma}))
 
     def ends(self, starts: np.ndarray, until: float) -> np.ndarray:

@@ -92,7 +92,17 @@ def _processor() -> str:
 def _generator() -> str:
     """The modules that write the texts, so that a change of them counts."""
     names = (
-        *("arithmetic", "equations", "gauss", "graph", "keeping", "march", "native", "polish"),
+        *(
+            "arithmetic",
+            "equations",
+            "gauss",
+            "graph",
+            "identity",
+            "keeping",
+            "march",
+            "native",
+            "polish",
+        ),
         *("series", "simd", "special", "split", "tables", "writer"),
     )
     folder = Path(__file__).parent
