@@ -45,10 +45,10 @@ class Effort:
 
     def long(self, body: Body) -> float:
         """How long single motions are."""
-        return body.long if self.thorough else min(body.long, 300.0)
+        return body.long if self.thorough else min(body.long, 200.0)
 
 
-QUICK = Effort(states=6, few=2, many=512, turns=3, thorough=False)
+QUICK = Effort(states=5, few=2, many=320, turns=3, thorough=False)
 THOROUGH = Effort(states=16, few=4, many=1024, turns=5, thorough=True)
 
 
@@ -168,10 +168,10 @@ def section(body: Body, target: float, effort: Effort) -> Outcome:
     programs = [
         ours.crossings(body, body.span, most=64),
         taylor.batch_section(body, body.span),
-        _part(taylor.scalar_section(body, body.span), 0.2),
     ]
     if effort.thorough:
         programs.append(taylor.batch_section(body, body.span, **FAST))
+        programs.append(_part(taylor.scalar_section(body, body.span), 0.2))
     results = contest(programs, trial, target, effort.turns)
     return Outcome("section", body.name, target, results, each=float(points.mean()))
 
