@@ -68,8 +68,9 @@ def single(body: Body, until: float) -> Program:
     """Collocation with a lane for each stage; it has no setting but the number of digits."""
 
     def build(_: float) -> Run:
+        made = precise(body.system, body.starts(0, 1)[0])
+
         def run(starts: np.ndarray) -> np.ndarray:
-            made = precise(body.system, starts[0])
             return np.asarray(made.until(starts, [until], threads=1).states[:, -1])
 
         return run
@@ -81,8 +82,10 @@ def thirty(body: Body, until: float) -> Program:
     """The same in two doubles for each number."""
 
     def build(_: float) -> Run:
+        made = precise(body.system, body.starts(0, 1)[0], digits=30)
+
         def run(starts: np.ndarray) -> np.ndarray:
-            found = precise(body.system, starts[0], digits=30).until(starts, [until], threads=1)
+            found = made.until(starts, [until], threads=1)
             high, low = (part[:, -1].astype(hy.real128) for part in (found.states, found.rest))
             return np.asarray(high + low)
 
