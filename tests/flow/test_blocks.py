@@ -352,7 +352,9 @@ def test_a_store_of_another_experiment(changed: Task, difference: str, tmp_path:
     with pytest.raises(InputError) as error:
         compute(changed, place)
     assert str(error.value).startswith(f"{place} holds another experiment: {difference}")
-    assert str(error.value).endswith("; choose another name for the store, or remove it (commands: --force)")
+    assert str(error.value).endswith(
+        "; choose another name for the store, or remove it (commands: --force)"
+    )
     same(compute(task()), compute(task(), place))
 
 
