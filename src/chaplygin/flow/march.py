@@ -16,6 +16,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from .arithmetic import Arithmetic, Value
+from .cubic import dipping, hence, root
 from .equations import Equations
 from .simd import functions
 from .tables import Explicit
@@ -42,6 +43,12 @@ HALFWAY = 9
 
 #: Deviations may have so many times the error of the motion.
 LOOSER = 100.0
+
+#: Vectors that the lanes keep between steps.
+_KEPT = (
+    "time target step floor saved g gdot g_here tries steps marked "
+    "mode fault event fresh index samples"
+)
 
 # what has to be looked at in a lane
 _SAMPLE, _POINT, _END = 1.0, 2.0, 3.0
@@ -92,22 +99,7 @@ class _March:
             ("guards", max(len(equations.guards), 1)),
         ):
             self.space.room(name, count * words)
-        for name in (
-            *(
-                "time",
-                "target",
-                "step",
-                "floor",
-                "saved",
-                "g",
-                "gdot",
-                "g_here",
-                "tries",
-                "steps",
-                "marked",
-            ),
-            *("mode", "fault", "event", "fresh", "index", "samples"),
-        ):
+        for name in _KEPT.split():
             self.space.room(name)
 
     # --- places ------------------------------------------------------------------------------
@@ -303,7 +295,7 @@ class _March:
             # a start on the section is not a return to it
             reach = w.op("fmul", w.op("fmul", w.constant(1e-8), first), w.call("fabs", gdot))
             close = w.compare("ole", w.call("fabs", g), reach)
-            self.put("g", w.choose(fresh, w.choose(close, self._hence(gdot), g), self.get("g")))
+            self.put("g", w.choose(fresh, w.choose(close, hence(w, gdot), g), self.get("g")))
             self.put("g_here", w.choose(fresh, g, self.get("g_here")))
             self.put("gdot", w.choose(fresh, gdot, self.get("gdot")))
         if self.equations.guards:
@@ -535,7 +527,7 @@ class _March:
         gdot_new = n.leading(n.load(self.place("section"), 1))
         rises = w.both(w.compare("olt", g, zero), w.compare("oge", g_new, zero))
         falls = w.both(w.compare("ogt", g, zero), w.compare("ole", g_new, zero))
-        dips, turn = self._dipping(step, g_here, g_new, gdot, gdot_new)
+        dips, turn = dipping(w, step, g_here, g_new, gdot, gdot_new)
         dips = w.both(w.both(running, allowed), w.both(dips, w.unless(w.either(rises, falls))))
         direction = self.equations.direction
         through = w.either(rises, falls) if direction == 0 else rises if direction > 0 else falls
@@ -545,13 +537,13 @@ class _March:
         following = w.choose(dips, turn, following)
         event = w.choose(dips, zero, event)
         fault = w.choose(dips, zero, fault)
-        with_root = w.variable(w.type, zero)
+        place = w.variable(w.type, zero)
         with w.when(w.any(crossed)):
-            w.store(w.type, self._root(step, g, g_new, gdot, gdot_new), with_root)
-        root = w.load(w.type, with_root)
+            w.store(w.type, root(w, step, g, g_new, gdot, gdot_new), place)
+        ahead = w.load(w.type, place)
         saved = self.get("saved")
         saved = w.choose(crossed, following, saved)
-        following = w.choose(crossed, root, following)
+        following = w.choose(crossed, ahead, following)
         event = w.choose(crossed, zero, event)
         fault = w.choose(crossed, zero, fault)
         mode = w.choose(crossed, w.constant(_REFINING), self.get("mode"))
@@ -579,7 +571,7 @@ class _March:
         self.put("mode", mode)
         self.put("tries", tries)
         # what has just been crossed is not crossed again, but may be crossed back
-        self.put("g", w.choose(moved, w.choose(back, self._hence(gdot_new), g_new), g))
+        self.put("g", w.choose(moved, w.choose(back, hence(w, gdot_new), g_new), g))
         self.put("g_here", w.choose(moved, g_new, self.get("g_here")))
         self.put("gdot", w.choose(moved, gdot_new, gdot))
         return moved, following, event, fault
@@ -605,73 +597,6 @@ class _March:
         allowed = w.call("fma", w.constant(0.05), ends, allowed)
         share = w.op("fdiv", off, allowed)
         return w.op("fmul", share, share)
-
-    def _hence(self, rate: str) -> str:
-        """On the side of the section to which the motion goes."""
-        w = self.w
-        near = w.call("copysign", w.constant(1e-300), rate)
-        return w.choose(w.compare("one", rate, w.constant(0.0)), near, w.constant(0.0))
-
-    def _dipping(self, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -> tuple[str, str]:
-        """Where the cubic has the same sign at both ends but another where it turns in between.
-
-        The second result is the step to that turn: taken, it leaves one crossing on each side.
-        """
-        w, zero = self.w, self.w.constant(0.0)
-        a, b, c, d = self._cubic(step, g, g_new, gdot, gdot_new)
-        turns = w.both(
-            w.compare("olt", w.op("fmul", g, a), zero), w.compare("ogt", w.op("fmul", g, b), zero)
-        )
-        place = w.variable(w.type, zero)
-        with w.when(w.any(turns)):
-            # a + 2 c x + 3 d x² = 0, without cancellation
-            cubed = w.op("fmul", w.constant(3.0), d)
-            root = w.call("fma", c, c, w.op("fneg", w.op("fmul", cubed, a)))
-            root = w.call("sqrt", w.call("maxnum", root, zero))
-            whole = w.op("fneg", w.op("fadd", c, w.call("copysign", root, c)))
-            first, second = w.op("fdiv", a, whole), w.op("fdiv", whole, cubed)
-            inside = w.both(w.compare("ogt", first, zero), w.compare("olt", first, w.constant(1.0)))
-            x = w.choose(inside, first, second)
-            value = w.call("fma", w.call("fma", w.call("fma", d, x, c), x, a), x, g)
-            other = w.compare("olt", w.op("fmul", value, g), zero)
-            within = w.both(
-                w.compare("ogt", x, w.constant(0.01)), w.compare("olt", x, w.constant(0.99))
-            )
-            turn = w.choose(w.both(turns, w.both(other, within)), w.op("fmul", x, step), zero)
-            w.store(w.type, turn, place)
-        turn = w.load(w.type, place)
-        return w.compare("one", turn, zero), turn
-
-    def _cubic(
-        self, step: str, g: str, g_new: str, gdot: str, gdot_new: str
-    ) -> tuple[str, str, str, str]:
-        """a, b, c and d: g + a x + c x² + d x³ goes through both ends, b is its slope at 1."""
-        w = self.w
-        a, b = w.op("fmul", step, gdot), w.op("fmul", step, gdot_new)
-        rise = w.op("fsub", g_new, g)
-        d = w.op("fsub", w.op("fadd", a, b), w.op("fmul", w.constant(2.0), rise))
-        return a, b, w.op("fsub", w.op("fsub", rise, a), d), d
-
-    def _root(self, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -> str:
-        """Where in a step the cubic through values and slopes at both ends vanishes."""
-        w = self.w
-        a, _, c, d = self._cubic(step, g, g_new, gdot, gdot_new)
-        low, high = w.constant(0.0), w.constant(1.0)
-        x = w.op("fdiv", g, w.op("fsub", g, g_new))
-        upward = w.compare("olt", g, w.constant(0.0))
-        for _ in range(5):
-            value = w.call("fma", w.call("fma", w.call("fma", d, x, c), x, a), x, g)
-            slope = w.call("fma", w.constant(3.0), w.op("fmul", d, x), w.op("fadd", c, c))
-            slope = w.call("fma", slope, x, a)
-            above = w.emit(
-                f"xor {w.mask} {w.compare('ogt', value, w.constant(0.0))}, {w.unless(upward)}"
-            )
-            high, low = w.choose(above, x, high), w.choose(above, low, x)
-            trial = w.op("fsub", x, w.op("fdiv", value, slope))
-            inside = w.both(w.compare("ogt", trial, low), w.compare("olt", trial, high))
-            middle = w.op("fmul", w.constant(0.5), w.op("fadd", low, high))
-            x = w.choose(inside, trial, middle)
-        return w.op("fmul", x, step)
 
 
 def march(

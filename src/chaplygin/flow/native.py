@@ -88,23 +88,17 @@ def _processor() -> str:
     )
 
 
+#: The modules that write the texts.
+_WRITERS = (
+    "arithmetic cubic equations gauss graph identity keeping march native polish "
+    "series simd special split tables writer"
+)
+
+
 @lru_cache
 def _generator() -> str:
-    """The modules that write the texts, so that a change of them counts."""
-    names = (
-        *(
-            "arithmetic",
-            "equations",
-            "gauss",
-            "graph",
-            "identity",
-            "keeping",
-            "march",
-            "native",
-            "polish",
-        ),
-        *("series", "simd", "special", "split", "tables", "writer"),
-    )
+    """What is written there, so that a change of it counts."""
+    names = _WRITERS.split()
     folder = Path(__file__).parent
     return hashlib.sha256(b"".join((folder / f"{n}.py").read_bytes() for n in names)).hexdigest()
 
