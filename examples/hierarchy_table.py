@@ -10,10 +10,8 @@ import argparse
 
 from chaplygin.explore.hierarchy import Place, place
 from chaplygin.explore.proofs import Patience
+from chaplygin.laws.budget import EFFORT
 from chaplygin.systems import CATALOGUE, entry
-
-SECONDS = 120.0
-"""For the proof of one law."""
 
 HEAD = ("system", "dim", "integrals", "left", "measure", "Poisson", "symmetry", "class")
 
@@ -23,7 +21,7 @@ SIGNS = {"kept": "positive", "changes": "singular", "unknown": "sign undecided"}
 def found(name: str) -> Place:
     """The place of a system of the catalogue, with its suggested parameters."""
     system = entry(name).system()
-    patience = Patience(SECONDS)
+    patience = Patience(EFFORT)
     return place(system, patience.verdicts(system), patience, entry(name).rolling())
 
 

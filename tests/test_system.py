@@ -9,6 +9,7 @@ import pytest
 import sympy as sp
 
 from chaplygin.errors import InputError
+from chaplygin.mechanics.quasivelocity import Frame, Mechanism
 from chaplygin.statements import Integral
 from chaplygin.system import Motion, Observable, Parameter, System
 from chaplygin.vectors import Diagonal, Symmetric, Vector, cross, dot, normed, scalar
@@ -93,6 +94,48 @@ def test_unknown_symbols_are_refused(change: dict[str, object], message: str) ->
     with pytest.raises(InputError) as error:
         replace(top(), **change)
     assert str(error.value).startswith(f"top: {message}, which is neither a state variable")
+
+
+@pytest.mark.parametrize("other", [sp.Symbol("s"), sp.Symbol("s", positive=True)])
+@pytest.mark.parametrize("role", ["field", "definitions", "parameters", "motion"])
+def test_names_that_are_written_alike_are_refused(other: sp.Symbol, role: str) -> None:
+    """`s` of the system is a real symbol; the other one is another symbol for SymPy."""
+    system = top()
+    more = {
+        "field": (*system.field, (other, sp.S.Zero)),
+        "definitions": (*system.definitions, (other, sp.S.One)),
+        "parameters": (*system.parameters, Parameter(other, "other", 1.0)),
+        "motion": Motion({other: sp.S.One}, (), ()),
+    }
+    with pytest.raises(InputError, match="top: s stands for two things; each state variable"):
+        replace(system, **{role: more[role]})
+
+
+def test_a_vector_has_a_name_of_its_own() -> None:
+    with pytest.raises(InputError, match="top: s stands for two things"):
+        replace(top(), field={M: cross(M, omega), gamma: cross(gamma, omega), Vector("s"): M})
+
+
+def test_a_formula_with_a_symbol_that_is_only_written_alike_is_told() -> None:
+    field = {M: cross(M, omega), gamma: sp.Symbol("gamma_1") * gamma}
+    with pytest.raises(InputError) as error:
+        replace(top(), field=field)
+    assert str(error.value) == (
+        "top: the rate of gamma_1 uses gamma_1 (no assumptions; the known gamma_1 has real=True), "
+        "which is neither a state variable, an earlier definition nor a parameter"
+    )
+
+
+@pytest.mark.parametrize("other", [sp.Symbol("q"), sp.Symbol("q", positive=True)])
+def test_names_of_a_mechanism_that_are_written_alike_are_refused(other: sp.Symbol) -> None:
+    q, w = scalar("q"), scalar("w")
+    with pytest.raises(InputError, match="frame: q stands for two things"):
+        Frame({q: w, other: w}, (w,))
+    parameters = (Parameter(other, "other", 1.0),)
+    with pytest.raises(InputError, match="point: q stands for two things"):
+        Mechanism("point", Frame({q: w}, (w,)), w**2 / 2, parameters=parameters)
+    with pytest.raises(InputError, match=r"the Lagrangian uses q \("):
+        Mechanism("point", Frame({q: w}, (w,)), w**2 / 2 + other)
 
 
 def test_a_system_cannot_be_changed() -> None:

@@ -6,7 +6,7 @@ What a law says is written here as pairs of a left side and a formula, for eithe
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from itertools import product
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -26,7 +26,7 @@ from .statements import (
     Separation,
     Symmetry,
 )
-from .vectors import Vector, explicit, scalar
+from .vectors import Diagonal, Vector, explicit, scalar
 
 if TYPE_CHECKING:
     from .system import System
@@ -133,6 +133,7 @@ def formulas(law: Law) -> list[Any]:
             found = [value for _, value in law.quantities] + list(law.equations)
         case Identity():
             found = list(law.value) if isinstance(law.value, tuple | list) else [law.value]
+            found += [value for _, value in law.quantities]
         case _:
             found = []
     return [sp.sympify(formula) for formula in (*found, *law.on)]
@@ -173,8 +174,19 @@ def sides(law: Law, system: System, notation: Notation) -> list[Side]:
             return [*named, *((write(left), right) for left, right in stated)]
         case Identity():
             parts = law.value if isinstance(law.value, tuple | list) else (law.value,)
-            return [("0", part) for part in parts]
+            named = [(write(name), value) for name, value in law.quantities]
+            return [*named, *(_identity(part, bool(named), write) for part in parts)]
     return []
+
+
+def _identity(vanishing: Any, named: bool, write: Callable[[Any], str]) -> Side:
+    """0 = a; or with the derivatives on the left, as of the equations of motion: q̇ = f(q)."""
+    scalar_part = not isinstance(sp.sympify(vanishing), sp.MatrixBase | sp.MatrixExpr)
+    if scalar_part and (named or sp.sympify(vanishing).has(Rate)):
+        left, right = _solved(vanishing)
+        if named or right != 0:
+            return write(left), right
+    return "0", vanishing
 
 
 def _field(law: Symmetry, system: System, notation: Notation) -> list[Side]:
@@ -218,6 +230,11 @@ def _isomorphism(law: Isomorphism, system: System, notation: Notation) -> list[S
     lines: list[Side] = [(_primed(name, str(name) in taken, write), f) for name, f in law.map]
     constants = {str(s) for s in system.defaults}
     lines += [(_primed(s, str(s) in constants, write), value) for s, value in law.constants]
+    named = [name for name, _ in law.map if str(name) in taken]
+    named += [s for s, _ in law.constants if str(s) in constants]
+    for condition in law.onto:
+        left, right = equation(_renamed(condition, named))
+        lines.append((write(left), right))
     if law.time != 1:
         tau, t = write(scalar("tau")), write(scalar("t"))
         gone = notation.gradient(tau, t).text.replace("∂", "d").replace(r"\partial", "d")
@@ -226,11 +243,23 @@ def _isomorphism(law: Isomorphism, system: System, notation: Notation) -> list[S
 
 
 def _primed(name: Any, needed: bool, write: Callable[[Any], str]) -> str:
-    if not needed:
-        return write(name)
+    return write(_primed_symbol(name) if needed else name)
+
+
+def _primed_symbol(name: Any) -> Any:
     base, bar, index = str(name).partition("_")
     kind = Vector if isinstance(name, Vector) else scalar
-    return write(kind(f"{base}prime{bar}{index}"))
+    return kind(f"{base}prime{bar}{index}")
+
+
+def _renamed(formula: Any, names: Iterable[Any]) -> Any:
+    """A formula with primes at some symbols and vectors, and at the tensors made of them."""
+    whole = list(names)
+    single = {s for name in whole for s in ((name,) if name.is_Symbol else name.symbols)}
+    tensors = [t for t in formula.atoms(Diagonal) if set(t.symbols) <= single]
+    changed = {name: _primed_symbol(name) for name in (*whole, *single)}
+    changed |= {t: Diagonal(f"{t}prime") for t in tensors}
+    return formula.xreplace(changed)
 
 
 # --- Poisson brackets ----------------------------------------------------------------------

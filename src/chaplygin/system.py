@@ -17,7 +17,16 @@ from .vectors import Diagonal, Symmetric, Vector, explicit
 if TYPE_CHECKING:
     from .explicit.solution import Solution
 
-__all__ = ["Guard", "Motion", "Observable", "Parameter", "System", "flat", "flat_pairs"]
+__all__ = [
+    "Guard",
+    "Motion",
+    "Observable",
+    "Parameter",
+    "System",
+    "flat",
+    "flat_pairs",
+    "unknown_names",
+]
 
 Name: TypeAlias = Vector | sp.Symbol
 Quantity: TypeAlias = Vector | Diagonal | Symmetric | sp.Symbol
@@ -135,6 +144,29 @@ def flat_pairs(pairs: Pairs) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
     return tuple(found)
 
 
+def unknown_names(formula: sp.Expr, known: Iterable[sp.Symbol]) -> str:
+    """The symbols of a formula that are not known, as text; empty if there are none.
+
+    A symbol that is written like a known one but has other assumptions is told as such.
+    """
+    given = {str(s): s for s in known}
+    found = []
+    for symbol in sorted(formula.free_symbols - set(given.values()), key=str):
+        like = given.get(str(symbol))
+        found.append(
+            str(symbol)
+            if like is None
+            else f"{symbol} ({_assumed(symbol)}; the known {like} has {_assumed(like)})"
+        )
+    return ", ".join(found)
+
+
+def _assumed(symbol: sp.Symbol) -> str:
+    """What was assumed of a symbol when it was made."""
+    told = [f"{key}={value}" for key, value in sorted(symbol._assumptions_orig.items())]
+    return ", ".join(told) or "no assumptions"
+
+
 @dataclass(frozen=True)
 class System:
     """A vector field on a phase space, with what is claimed of it.
@@ -166,7 +198,8 @@ class System:
     Raises
     ------
     InputError
-        If a formula uses a symbol that is neither state, definition nor parameter.
+        If a formula uses a symbol that is neither state, definition nor parameter, or two of
+        these have the same name.
     """
 
     name: str
@@ -240,7 +273,10 @@ class System:
 
     def _check_symbols(self) -> None:
         names = [p.symbol for p in self.parameters] + [*self.symbols, *(s for s, _ in self.steps)]
-        for name, count in Counter(names).items():
+        moved = flat(name for name, _ in self.motion.field) if self.motion else ()
+        whole = [n for n, _ in (*self.field, *self.definitions) if not isinstance(n, sp.Symbol)]
+        # whatever is proved, recorded or printed later knows them by their names alone
+        for name, count in Counter(map(str, (*names, *moved, *whole))).items():
             if count > 1:
                 raise InputError(
                     f"{self.name}: {name} stands for two things; each state variable, definition "
@@ -258,11 +294,11 @@ class System:
             self._require(explicit(relation), known, f"the relation {relation}")
 
     def _require(self, value: sp.Expr, known: set[sp.Symbol], where: str) -> None:
-        missing = sorted(map(str, value.free_symbols - known))
+        missing = unknown_names(value, known)
         if missing:
             raise InputError(
-                f"{self.name}: {where} uses {', '.join(missing)}, which is neither a state "
-                "variable, an earlier definition nor a parameter"
+                f"{self.name}: {where} uses {missing}, which is neither a state variable, an "
+                "earlier definition nor a parameter"
             )
 
     # --- making other systems --------------------------------------------------------------

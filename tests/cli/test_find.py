@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -131,7 +132,27 @@ def test_ctrl_c_keeps_what_is_found(find: Ask, monkeypatch: pytest.MonkeyPatch) 
     assert json.loads(out)["complete"] is False
 
 
-def test_a_proof_out_of_time_is_said_so(find: Ask) -> None:
-    code, out, _ = find("integrals", "rubber-chaplygin-ball", "--seconds", "1e-9")
+def test_a_proof_out_of_reach_is_said_so(find: Ask) -> None:
+    code, out, _ = find("integrals", "rubber-chaplygin-ball", "--effort", "1e-9")
     assert code == 0
     assert "observed only, undecided" in out
+
+
+def test_conditions_of_a_proof_are_told(find: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
+    original = search.integrals
+
+    def where(question: Question, progress: Any) -> Iterator[Finding]:
+        for finding in original(question, progress):
+            assert finding.verdict is not None
+            verdict = replace(finding.verdict, decision="proven where", conditions=("k > 0",))
+            yield replace(finding, verdict=verdict)
+
+    monkeypatch.setattr(search, "integrals", where)
+    code, out, _ = find("integrals", "chaplygin-ball")
+    assert code == 0
+    assert "proven where k > 0; repeats" in out
+    assert "observed" not in out
+    _, out, _ = find("integrals", "chaplygin-ball", "--json")
+    found = json.loads(out)["found"]
+    assert {f["verdict"] for f in found} == {"proven where"}
+    assert all(f["conditions"] == ["k > 0"] for f in found)

@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import json
+import re
+from dataclasses import replace
 from importlib import import_module
 
 import pytest
 
-from chaplygin.laws.certificate import check
+from chaplygin.check.__main__ import main as check_files
+from chaplygin.laws.verdict import Verdict
+from chaplygin.notation import width
+from chaplygin.paper import Claim
 from cli.test_cli import ask
 
 __all__ = ["ask"]
@@ -27,6 +32,7 @@ def test_prove_as_json_has_the_fields_of_the_audit(ask):
     rows = json.loads(out)
     fields = {"source", "statement", "printed", "corrected", "verdict", "note", "seconds"}
     assert all(fields <= set(row) for row in rows)
+    assert all(row["conditions"] == [] and row["effort"] > 0 for row in rows)
     assert {row["verdict"] for row in rows} == {"proven"}
 
 
@@ -52,7 +58,7 @@ def test_one_law_by_its_name(ask):
     [
         (("prove", "veselova", "--law", "spin"), "its laws are"),
         (("prove", "veselow"), "did you mean 'veselova'"),
-        (("prove", "veselova", "--seconds", "0"), "must be positive"),
+        (("prove", "veselova", "--effort", "0"), "must be a positive number"),
         (("audit", "--section", "13"), "sections 1 to 12"),
         (("audit", "--workers", "0"), "at least one process"),
         (("audit", "-o", "missing/audit.html"), "no folder missing"),
@@ -72,7 +78,7 @@ def test_certificates_can_be_checked(ask, tmp_path):
     assert "c.json" in err
     (certificate,) = json.loads((tmp_path / "c.json").read_text())
     assert certificate["verdict"] == "proven"
-    assert check(certificate)
+    assert check_files([str(tmp_path / "c.json")]) == 0
     code, _, err = ask("prove", "veselova", "--law", "momentum", "--certificate", "c.json")
     assert code == 2
     assert "exists already" in err
@@ -101,6 +107,44 @@ def test_audit_as_json(ask):
     assert any("(6.1)" in row["source"] for row in wrong)
 
 
+def test_the_audit_speaks_unicode_on_a_terminal_and_latex_to_programs(ask, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    code, out, _ = ask("audit", "--section", "6", "--workers", "1")
+    assert code == 0
+    words = " ".join(out.split())
+    assert "the integral is F − 2 det I (γ, I⁻¹γ); with U = (K/2)(γ, Iγ)" in words
+    assert "refuted → proven" in out
+    assert "§6 The Veselova system" in out
+    assert not re.search(r"[\\$]|frac|mathbf", out)
+    assert all(width(line.rstrip()) <= 80 for line in out.splitlines())
+    _, printed, _ = ask("audit", "--section", "6", "--json", "--workers", "1")
+    notes = [row.get("note", "") for row in json.loads(printed)]
+    assert any(r"U = \frac{K}{2}" in note for note in notes)
+
+
+def test_the_audit_tells_what_is_proven_in_part(ask, monkeypatch):
+    judged = import_module("chaplygin.study.audit")
+    part = Verdict("part", "proven where", shown="a part", conditions=("x > 0", "not y = 0"))
+    refuted = Verdict("wrong", "refuted", shown="a point")
+    unknown = Verdict("open", "undecided", reason="20 million terms remained")
+    claims = (
+        Claim("(1)", "as printed", lambda: part),
+        Claim("(2)", "$x^2$", lambda: refuted, lambda: unknown, "$x^3$", "the exponent"),
+    )
+    verdicts = ((part, None), (refuted, unknown))
+    made = tuple(
+        judged.Judgement(1, claim, *pair, 0.5) for claim, pair in zip(claims, verdicts, strict=True)
+    )
+    monkeypatch.setattr(judged, "audit", lambda *_: (made, 0))
+    code, out, _ = ask("audit")
+    assert code == 0
+    assert "x > 0, not y = 0" in out
+    assert "20 million terms remained" in out
+    assert "as printed: 0 proven, 1 proven where, 1 refuted, 0 undecided" in out
+    assert "corrected: 0 proven, 0 proven where, 0 refuted, 1 undecided" in out
+    assert "x²" in out and "x³" in out
+
+
 def test_an_interrupted_proof_prints_what_is_done(ask, monkeypatch):
     proofs = import_module("chaplygin.laws.prove")
     original = proofs.prove
@@ -119,3 +163,50 @@ def test_an_interrupted_proof_prints_what_is_done(ask, monkeypatch):
     assert "proven" in out
     assert "interrupted" in err
     assert "were not tried" in err
+
+
+# --- proven where a condition holds --------------------------------------------------------
+
+
+@pytest.fixture
+def conditional(monkeypatch):
+    """The momentum of every system is proven where a condition holds."""
+    proofs = import_module("chaplygin.laws.prove")
+    original = proofs.prove
+
+    def where(system, law, **options):
+        found = original(system, law, **options)
+        if law.name != "momentum":
+            return found
+        return replace(found, decision="proven where", conditions=("gamma_3 > 0", "not k = 0"))
+
+    monkeypatch.setattr(proofs, "prove", where)
+    monkeypatch.setattr("chaplygin.explore.proofs.prove", where)
+
+
+def test_conditions_are_told_and_do_not_count_as_proven(ask, conditional):
+    code, out, _ = ask("prove", "veselova")
+    assert code == 1
+    assert "1 proven where a condition holds" in out
+    assert "momentum: proven where gamma_3 > 0, not k = 0" in out
+    code, out, _ = ask("prove", "veselova", "--json")
+    assert code == 1
+    rows = {row["law"]: row for row in json.loads(out)}
+    assert rows["momentum"]["verdict"] == "proven where"
+    assert rows["momentum"]["conditions"] == ["gamma_3 > 0", "not k = 0"]
+    assert rows["energy"]["verdict"] == "proven"
+    assert rows["energy"]["conditions"] == []
+
+
+def test_show_names_the_conditions_and_counts_without_the_law(ask, conditional):
+    _, out, _ = ask("show", "veselova", "--json")
+    place = json.loads(out)["place"]
+    assert {"law": "momentum", "why": "proven where gamma_3 > 0, not k = 0"} in place["uncounted"]
+    assert "momentum" not in {fact["law"] for fact in place["integrals"]}
+
+
+def test_the_report_names_the_conditions(ask, conditional, tmp_path):
+    assert ask("study", "veselova", "-o", "report", "--set", "run.until=0.5")[0] == 0
+    page = (tmp_path / "report" / "report.html").read_text()
+    assert '<td class="proven-where">proven where gamma_3 &gt; 0, not k = 0</td>' in page
+    assert "momentum</a>, proven where gamma_3 &gt; 0, not k = 0." in page

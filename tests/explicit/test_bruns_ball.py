@@ -33,7 +33,7 @@ def test_proven(name):
 def test_sum_and_product_exchanged_are_refuted(name):
     law = LAWS[name]
     turned = {total: product, product: total}
-    wrong = replace(law, equations=tuple(e.xreplace(turned) for e in law.equations))
+    wrong = replace(law, value=tuple(e.xreplace(turned) for e in law.value))
     assert prove(SEPARABLE.system, wrong).decision == "refuted"
 
 

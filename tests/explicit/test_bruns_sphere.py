@@ -40,7 +40,7 @@ def test_proven(name):
 def test_another_weight_is_refuted():
     law = LAWS["field"]
     first = SEPARABLE.system.parameters[1].symbol
-    wrong = replace(law, equations=tuple(e + first * WEIGHT for e in law.equations))
+    wrong = replace(law, value=tuple(e + first * WEIGHT for e in law.value))
     assert prove(SEPARABLE.system, wrong).decision == "refuted"
 
 

@@ -13,7 +13,7 @@ from chaplygin.explicit.chaplygin_ball import chaplygin_ball
 from chaplygin.explicit.chaplygin_chart import chart, frozen
 from chaplygin.explicit.separable import nuprime
 from chaplygin.laws.prove import prove
-from chaplygin.statements import Identity, Reduction
+from chaplygin.statements import Identity
 from chaplygin.vectors import explicit
 from explicit.along import at, follows, located, slips, states
 
@@ -58,7 +58,7 @@ def test_a_slip_at_a_level_is_refuted(law):
     (place,) = (i for i, (name, _) in enumerate(law.quantities) if str(name) == "sigma")
     name, value = law.quantities[place]
     quantities = (*law.quantities[:place], (name, 2 * value), *law.quantities[place + 1 :])
-    wrong = Reduction(law.name, quantities, law.equations)
+    wrong = Identity(law.name, law.value, quantities=quantities)
     assert prove(FROZEN, wrong).decision == "refuted"
 
 

@@ -37,7 +37,7 @@ def test_proven(name):
 def test_exchanged_weights_are_refuted():
     (flow,) = (law for law in SEPARABLE.laws if law.name == "flow")
     turned = {alpha: beta, beta: alpha}
-    wrong = replace(flow, equations=tuple(e.xreplace(turned) for e in flow.equations))
+    wrong = replace(flow, value=tuple(e.xreplace(turned) for e in flow.value))
     assert prove(SEPARABLE.system, wrong).decision == "refuted"
 
 

@@ -43,7 +43,7 @@ def course(numerator: Any, x: Any, denominator: Any = one, sign: int = 1, edge: 
     rate = sign * made.square(start).sqrt()
     chart = chart_of(made, start, rate)
     assert not isinstance(chart, Steady)
-    return Course(chart, start, rate, lambda x, rate: [x, rate * rate])
+    return Course(chart, start, rate, lambda x, rate: [x, rate * rate], units=(1.0, 1.0))
 
 
 def positions(found: Course, times: list[float]) -> list[float]:

@@ -27,7 +27,7 @@ def roots_law(separable, masses):
     middle = sp.Add(*(t * (total - e) for t, e in zip(terms, I, strict=True)))
     last = sp.Add(*(t * rest / e for t, e in zip(terms, I, strict=True)))
     whole = sp.Add(*terms)
-    return replace(law, name="roots", equations=(S * whole - middle, P * whole - last))
+    return replace(law, name="roots", value=(S * whole - middle, P * whole - last))
 
 
 CASES = {

@@ -20,8 +20,15 @@ def test_rounding_is_made_up() -> None:
 
 
 def test_more_than_rounding_is_refused() -> None:
-    with pytest.raises(InputError, match=r"misses the constraints by 0\.0001"):
-        on_phase_space(SYSTEM, (), (0.8, 0.1, -0.6, 0.6, 0.0, 0.8 + 0.0001 / 1.6), VALUES)
+    for unit in (1.0, 1e-7, 1e7):
+        omega = (0.8 * unit, 0.1 * unit, -0.6 * unit)
+        # γ² − 1 misses 0.0001 of 3·0.8² + 1
+        with pytest.raises(InputError, match=r"misses the constraints by 3\.42e-05 of the size"):
+            on_phase_space(SYSTEM, (), (*omega, 0.6, 0.0, 0.8 + 0.0001 / 1.6), VALUES)
+        with pytest.raises(InputError, match=r"by 2\.08e-06 of the size"):
+            # 4·10⁻⁶ of 3·0.8·0.8
+            tilted = (0.8 * unit, 0.1 * unit, -0.600005 * unit)
+            on_phase_space(SYSTEM, (), (*tilted, 0.6, 0.0, 0.8), VALUES)
 
 
 def test_conditions_on_parameters_are_not_on_the_state() -> None:

@@ -9,12 +9,13 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
-from chaplygin.explore.hierarchy import Place, place
+from chaplygin.explore.hierarchy import Place, Uncounted, place
 from chaplygin.explore.lie import fields, lie
 from chaplygin.explore.proofs import Patience
 from chaplygin.explore.sign import sign
 from chaplygin.explore.sources import sources
 from chaplygin.explore.standing import Standing
+from chaplygin.laws.budget import EFFORT
 from chaplygin.laws.verdict import Verdict
 from chaplygin.statements import (
     ConformallyHamiltonian,
@@ -34,8 +35,8 @@ x, p = vectors("x p")
 
 def found(system: System, **verdicts: Verdict) -> Place:
     """The place, with some verdicts replaced."""
-    patience = Patience(20.0)
-    return place(system, patience.verdicts(system) | verdicts, Patience(20.0))
+    patience = Patience(EFFORT // 5)
+    return place(system, patience.verdicts(system) | verdicts, Patience(EFFORT // 5))
 
 
 def of(name: str, **parameters: float) -> Place:
@@ -233,7 +234,7 @@ def turning(i: int) -> Symmetry:
 
 def solved_by(system: System, needed: int) -> list[str]:
     """Symmetry fields by which Theorem 3 applies, if `needed` are enough."""
-    standing, patience = Standing(system), Patience(10.0)
+    standing, patience = Standing(system), Patience(EFFORT // 10)
     chosen = fields(standing, system.laws, patience)
     own = [s for s in sources(system.laws) if len(s.functions) == 1]
     return [f.law for f in lie(standing, needed, own, chosen, patience)]
@@ -296,13 +297,44 @@ def test_a_fast_answer_says_what_it_leaves_out(
 ) -> None:
     monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path))
     system = entry("chaplygin-ball").system()
-    patience = Patience(1.0, 1e-9)
-    patience.spent = 1.0
+    patience = Patience(EFFORT, 1)
+    patience.spent = 1
     verdicts = patience.verdicts(system)
     assert {v.decision for v in verdicts.values()} == {"undecided"}
-    assert all("were spent" in v.reason for v in verdicts.values())
+    assert all("was spent" in v.reason for v in verdicts.values())
     named = replace(system, laws=system.laws[:1])
-    assert "were spent" in str(place(named, verdicts, patience))
+    assert "was spent" in str(place(named, verdicts, patience))
+
+
+def test_what_is_proven_where_a_condition_holds_does_not_count() -> None:
+    system = entry("heavy-disk").system()
+    name = next(law.name for law in system.laws if isinstance(law, Measure))
+    whole = found(system)
+    assert name in {density.law.law for density in whole.measures}
+    partly = Verdict(name, "proven where", conditions=("gamma_3 > 0", "not omega_1 = 0"))
+    standing = found(system, **{name: partly})
+    words = "proven where gamma_3 > 0, not omega_1 = 0"
+    assert name not in {density.law.law for density in standing.measures}
+    assert Uncounted(name, words) in standing.uncounted
+
+
+def test_a_measure_left_open_is_named_where_it_would_decide() -> None:
+    oscillator = System(
+        "oscillator", "oscillator", {x: p, p: -x}, laws=(Measure("volume", {sp.S.One: 1}),)
+    )
+    for verdict, words in (
+        (Verdict("volume", "undecided", reason="too large"), "volume is undecided"),
+        (Verdict("volume", "proven where", conditions=("x > 0",)), "volume is proven where x > 0"),
+    ):
+        told = classified_with(oscillator, verdict)
+        assert f"No invariant measure is proven ({words})" in told
+    refuted = classified_with(oscillator, Verdict("volume", "refuted"))
+    assert "No invariant measure is proven:" in refuted
+
+
+def classified_with(system: System, verdict: Verdict) -> str:
+    """What is said of motions, with nothing proven besides."""
+    return " ".join(str(place(system, {verdict.law: verdict}, Patience(1, 1))).split())
 
 
 # --- measures on the configuration ---------------------------------------------------------
@@ -310,9 +342,19 @@ def test_a_fast_answer_says_what_it_leaves_out(
 
 def with_what_moves(name: str) -> Place:
     """The place, with the body and the surface known."""
-    item, patience = entry(name), Patience(20.0)
+    item, patience = entry(name), Patience(EFFORT // 5)
     system = item.system()
     return place(system, patience.verdicts(system), patience, item.rolling())
+
+
+def test_a_question_that_was_not_tried_is_told() -> None:
+    item = entry("rattleback")
+    system = item.system()
+    told = str(place(replace(system, laws=()), {}, Patience(1, 0), item.rolling()))
+    words = "whether one has a density that depends on the configuration alone was not tried"
+    assert words in " ".join(told.split())
+    told = str(place(replace(system, laws=()), {}, Patience(EFFORT // 10), item.rolling()))
+    assert "was not tried" not in told
 
 
 def test_the_absence_of_a_measure_is_told_with_its_witness() -> None:

@@ -364,12 +364,12 @@ def test_a_store_of_another_version(tmp_path: Path, monkeypatch: pytest.MonkeyPa
         compute(task(), tmp_path / "a.zarr")
     monkeypatch.undo()
     with monkeypatch.context() as patch:
-        patch.setattr("chaplygin.flow.store.program", lambda: "newer")
+        patch.setattr("chaplygin.flow.store.core", lambda: "newer")
         with pytest.raises(InputError, match=r"a\.zarr was begun by another version"):
             compute(task(), tmp_path / "a.zarr")
     whole = compute(task(), tmp_path / "a.zarr")
     # what is complete can be read by any version
-    monkeypatch.setattr("chaplygin.flow.store.program", lambda: "newer")
+    monkeypatch.setattr("chaplygin.flow.store.core", lambda: "newer")
     same(whole, compute(task(), tmp_path / "a.zarr"))
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 import os
-import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -100,27 +99,10 @@ def test_code_for_another_processor_is_not_used(
     assert not doubling(4).found
 
 
-def test_a_change_of_the_generator_counts(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_change_of_the_program_counts(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     doubling(4)
-    monkeypatch.setattr(native, "_generator", lambda: "another one")
+    monkeypatch.setattr(native, "core", lambda: "another one")
     assert not doubling(4).found
-
-
-def test_the_generator_is_all_that_writes_text() -> None:
-    """Every module of the room that a text passes through is part of the key."""
-    room = Path(native.__file__).parent
-    seen: set[str] = set()
-    pending = ["march", "gauss"]
-    while pending:
-        name = pending.pop()
-        if name not in seen:
-            seen.add(name)
-            source = (room / f"{name}.py").read_text()
-            pending += re.findall(r"^ *from \.(\w+) import", source, re.MULTILINE)
-    # formulas are read into terms, which are part of every key themselves
-    written = seen - {"values"}
-    named = native._WRITERS.split()
-    assert written <= set(named)
 
 
 @pytest.mark.parametrize("place", ["a file in its way", "read-only"])

@@ -97,9 +97,15 @@ def test_an_empty_level_is_refused():
         Ground(from_catalogue("chaplygin-ball"), (normed(gamma) - 2,)).point(random.Random(0))
 
 
-def test_a_level_without_real_points_is_said():
+def test_a_level_without_real_points_is_empty():
     ground = Ground(from_catalogue("chaplygin-ball"), (normed(M) + 1,))
-    with precise(), pytest.raises(OutOfReachError, match="no real point"):
+    with precise(), pytest.raises(InputError, match="empty"):
+        ground.point(random.Random(0))
+
+
+def test_a_level_on_which_no_real_point_is_found_is_said():
+    ground = Ground(from_catalogue("chaplygin-ball"), (normed(M) - M.symbols[0] + 1,))
+    with precise(), pytest.raises((OutOfReachError, InputError)):
         ground.point(random.Random(0))
 
 

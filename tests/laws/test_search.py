@@ -361,7 +361,7 @@ def test_the_energy_of_a_rattleback() -> None:
     [
         ({"degree": 40, "gamma_degree": 12}, "GB"),
         ({"degree": -1}, "must not be negative"),
-        ({"seconds": 0.0}, "must be positive"),
+        ({"effort": 0}, "must be a positive number of term operations"),
         ({"at": ["q = 1"]}, "unknown name 'q'"),
         ({"at": ["gamma_1 = 1"]}, "unknown name 'gamma_1'"),
         ({"at": ["1 = 2"]}, "mentions no parameter"),
@@ -391,10 +391,10 @@ def test_symmetries_need_more_room_than_integrals() -> None:
         next(symmetries(replace(question, ansatz=replace(question.ansatz, gamma_degree=10))))
 
 
-def test_a_field_with_a_logarithm_is_refused() -> None:
+def test_a_field_with_an_arc_tangent_is_refused() -> None:
     x, y = scalar("x"), scalar("y")
-    system = System(name="odd", title="Odd", field={x: sp.log(y), y: x})
-    with pytest.raises(InputError, match="log"):
+    system = System(name="odd", title="Odd", field={x: sp.atan(y), y: x})
+    with pytest.raises(InputError, match="atan"):
         list(integrals(ask(system)))
 
 

@@ -9,8 +9,8 @@ import pytest
 import sympy as sp
 
 from chaplygin.errors import InputError
+from chaplygin.expressions.exact import exact_number
 from chaplygin.laws.existence.closed_form import closed_form, density
-from chaplygin.laws.existence.families import exact
 from chaplygin.laws.existence.form import one_form
 from chaplygin.laws.existence.transport import log_density_on_surface
 from chaplygin.laws.prove import prove
@@ -48,7 +48,7 @@ def rolling(shape, moments=MOMENTS, surface=PLANE, contact="rubber", **more):
 def kept(body):
     """Whether dσ = θ is proven for a density in closed form, with the numbers of the body."""
     form = one_form(body)
-    numbers = tuple(p.symbol - exact(p.default) for p in form.system.parameters)
+    numbers = tuple(p.symbol - exact_number(p.default) for p in form.system.parameters)
     system, law = form.integrated(closed_form(body, form, numbers))
     spin = True if form.spin is None else prove(form.system, replace(form.spin, on=numbers))
     return spin and prove(system, replace(law, on=numbers))
@@ -171,7 +171,7 @@ class TestEllipsoid:
         moments = line_of(axes, 1.0, 4.0, -6.0)
         assert moments == (2.0, 2.75, 3.5)
         form = one_form(rolling(Ellipsoid(axes), moments))
-        numbers = tuple(p.symbol - exact(p.default) for p in form.system.parameters)
+        numbers = tuple(p.symbol - exact_number(p.default) for p in form.system.parameters)
         assert prove(form.system, replace(form.closed, on=numbers))
         # σ = −½ log (γ, (B + 4E)γ)
         squares = sp.Add(
@@ -273,10 +273,10 @@ def test_the_form_is_the_divergence_of_the_equations_of_motion(contact, surface,
         relations=made.relations,
     )
     law = Measure("tied", (*density(body, ()), (sp.exp(z), 1)))
-    # time for the points at which it would be refuted, not for a proof
-    assert prove(tied, law, seconds=1.0).decision != "refuted"
+    # effort for the points at which it would be refuted, not for a proof
+    assert prove(tied, law, effort=10_000_000).decision != "refuted"
     wrong = Measure("tied", (*density(body, ()), (sp.exp(2 * z), 1)))
-    assert prove(tied, wrong, seconds=1.0).decision == "refuted"
+    assert prove(tied, wrong, effort=10_000_000).decision == "refuted"
 
 
 # --- mechanisms ----------------------------------------------------------------------------

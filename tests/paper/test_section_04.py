@@ -11,7 +11,7 @@ from chaplygin.flow.trajectory import integrate
 from chaplygin.laws.prove import prove
 from chaplygin.paper import section_04_3
 from chaplygin.paper.tori import F_1, F_2, canonical_in, not_hamiltonian, theta_1, theta_2
-from chaplygin.statements import Rate, Reduction
+from chaplygin.statements import Identity, Rate
 from chaplygin.system import System
 from chaplygin.systems import CATALOGUE
 from chaplygin.systems import chaplygin_sleigh as sleigh
@@ -115,8 +115,9 @@ def test_sleigh_from_newtons_laws():
     across = sleigh.m * (Rate(Rate(Y)) * c - Rate(Rate(X)) * s)
     moment = sleigh.I * Rate(sleigh.Omega) + sleigh.a * across
     system = CATALOGUE["chaplygin-sleigh"].system()
-    assert prove(system, Reduction("newton", quantities, (along, moment)))
-    assert not prove(system, Reduction("newton", quantities, (along, moment - along - across)))
+    assert prove(system, Identity("newton", (along, moment), quantities=quantities))
+    wrong = (along, moment - along - across)
+    assert not prove(system, Identity("newton", wrong, quantities=quantities))
 
 
 def test_sleigh_ends_up_going_straight_on():

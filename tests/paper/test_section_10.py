@@ -197,3 +197,65 @@ def test_a_balanced_ball_is_not_said_to_have_limit_cycles():
     balanced = (CASE[0], ("0", "0", "0"), CASE[2])
     assert displacement(BELOW, upwards=True, case=balanced) < 0
     assert displacement(ABOVE, upwards=True, case=balanced) < 0
+
+
+@pytest.mark.parametrize("level", [0.8, 1.6, 2.6, 2.77])
+def test_levels_between_the_outer_moments_are_tori(level):
+    """Roots ξ, η on a motion keep to the ranges of `tori`, and reach both ends of both."""
+    moments = TENSOR
+    low = (moments[0], min(level, moments[1]))
+    high = (max(level, moments[1]), moments[2])
+    gamma = None
+    for angle in np.linspace(0.1, 3.0, 30):
+        try:
+            start = on_the_level_of(level, angle)
+        except StopIteration:
+            continue
+        gamma = start[3:]
+        break
+    assert gamma is not None
+    times = np.linspace(0, 60, 600)
+    found = solve_ivp(rolling, (0, 60), start, "DOP853", times, rtol=1e-8, atol=1e-10)
+    roots = np.array([np.sort(quadratic_roots(column[3:])) for column in found.y.T])
+    for values, (first, last) in zip(roots.T, (low, high), strict=True):
+        room = last - first
+        assert first - 1e-6 < values.min() < first + 0.05 * room
+        assert last - 0.05 * room < values.max() < last + 1e-6
+
+
+def rolling(_, state):
+    """(10.4)."""
+    omega, gamma = state[:3], state[3:]
+    return np.concatenate([spin_rate(omega, gamma), np.cross(gamma, omega)])
+
+
+def quadratic_roots(gamma):
+    """The roots of Σ γᵢ²/(Jᵢ − z)."""
+    total = np.zeros(3)
+    for i, g in enumerate(gamma):
+        others = [j for n, j in enumerate(TENSOR) if n != i]
+        total += g**2 * np.poly(others)
+    return np.roots(total)
+
+
+def on_the_level_of(level, angle):
+    """ω, γ with 2H = 1 and F/2H = `level`."""
+    gamma = np.array([0.3, np.cos(angle), np.sin(angle)])
+    gamma /= np.linalg.norm(gamma)
+    first = np.cross(gamma, [1.0, 0.0, 0.0])
+    first /= np.linalg.norm(first)
+    second = np.cross(gamma, first)
+    s = KAPPA @ gamma
+
+    def excess(turn):
+        omega = np.cos(turn) * first + np.sin(turn) * second
+        M = (TENSOR - s) * omega
+        across = np.cross(M, gamma)
+        return (across @ across + s * (M @ omega)) / (M @ omega) - level
+
+    turns = np.linspace(0, np.pi, 200)
+    values = [excess(turn) for turn in turns]
+    i = next(i for i in range(199) if values[i] * values[i + 1] < 0)
+    turn = brentq(excess, turns[i], turns[i + 1], xtol=1e-14)
+    omega = np.cos(turn) * first + np.sin(turn) * second
+    return np.concatenate([omega / np.sqrt((TENSOR - s) * omega @ omega), gamma])

@@ -8,10 +8,11 @@ import pytest
 import sympy as sp
 
 from chaplygin.laws.verdict import Verdict
-from chaplygin.paper import claims, remarks
+from chaplygin.paper import Claim, claims, remarks
+from chaplygin.paper.contrary import contrary
 from chaplygin.statements import Integral
 from chaplygin.study import audit as module
-from chaplygin.study.audit import TITLES, audit, counts, page
+from chaplygin.study.audit import DECISIONS, TITLES, Judgement, audit, counts, page
 from chaplygin.systems import from_catalogue
 from chaplygin.vectors import normed, vectors
 
@@ -55,7 +56,7 @@ def test_an_interrupted_audit_keeps_what_is_done(monkeypatch, tmp_path):
     done, left = audit(SECTION, workers=1)
     assert len(done) == rounds[0] > 0
     assert left == len(claims(SECTION)) - len(done) > 0
-    assert all(j.printed.decision in ("proven", "refuted", "undecided") for j in done)
+    assert all(j.printed.decision in DECISIONS for j in done)
 
 
 def test_a_case_of_several_laws_holds_when_all_hold():
@@ -71,6 +72,67 @@ def test_a_case_of_several_laws_holds_when_all_hold():
     assert joined((ball, wrong)).decision == "refuted"
     given = Verdict("direct", "undecided", reason="tried")
     assert joined(given) is given
+
+
+PARTLY = Verdict("part", "proven where", shown="a part", conditions=("x > 0",))
+OPEN = Verdict("open", "undecided", reason="too large")
+
+
+def partly_proven():
+    """A claim that is proven where x > 0, and one put right by what is not decided."""
+    refuted = Verdict("wrong", "refuted", shown="a point")
+    claim = Claim("(1)", "$x$", lambda: PARTLY, note="read $x$ so")
+    wrong = Claim("(2)", "$x$", lambda: refuted, lambda: OPEN, "$x = 1$", "x")
+    return Judgement(1, claim, PARTLY, None, 0.1), Judgement(1, wrong, refuted, OPEN, 0.1)
+
+
+def test_conditions_of_all_parts_are_kept(monkeypatch):
+    verdicts = iter(
+        (
+            Verdict("a", "proven where", conditions=("x > 0",)),
+            Verdict("b", "proven"),
+            Verdict("c", "proven where", conditions=("y > 0", "x > 0")),
+        )
+    )
+    monkeypatch.setattr(module, "prove", lambda *_: next(verdicts))
+    joined = module._joined(((None, None),) * 3)
+    assert joined.decision == "proven where"
+    assert joined.conditions == ("x > 0", "y > 0")
+
+
+def test_what_is_proven_in_part_or_open_is_counted_as_such():
+    table = counts(partly_proven())
+    assert table["printed"] == {"proven": 0, "proven where": 1, "refuted": 1, "undecided": 0}
+    assert table["corrected"] == {"proven": 0, "proven where": 0, "refuted": 0, "undecided": 1}
+
+
+def test_records_tell_conditions_and_reasons():
+    part, open_one = (judgement.record() for judgement in partly_proven())
+    assert part["printed"] == "proven where"
+    assert part["conditions"] == ["x > 0"]
+    assert "reason" not in part
+    assert part["note"] == "read $x$ so"
+    assert open_one["verdict"] == "undecided"
+    assert open_one["reason"] == "too large"
+    assert "conditions" not in open_one
+
+
+def test_the_page_tells_conditions_and_reasons():
+    body = page(partly_proven(), 1).split("</style>")[1]
+    assert '<div class="verdict proven-where">proven where</div>' in body
+    assert "Proven where x &gt; 0." in body
+    assert "Undecided: too large" in body
+    # each decision has its column for both forms, and each row its numbers
+    rows = re.findall(r"<tr>.*?</tr>", body, flags=re.S)
+    cells = [len(re.findall(r"<t[hd]", row)) for row in rows]
+    assert cells[1:] == [3 + 2 * len(DECISIONS)] * (len(rows) - 1)
+
+
+def test_the_opposite_of_what_is_proven_in_part_is_undecided():
+    opposite = contrary(PARTLY)
+    assert opposite.decision == "undecided"
+    assert opposite.reason == "excluded only where x > 0"
+    assert not opposite.conditions
 
 
 def test_counts_add_up(judged):

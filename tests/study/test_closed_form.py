@@ -62,6 +62,10 @@ class Spinning(Solution):
     def form(self) -> ClosedForm:
         return FORM
 
+    @property
+    def pace(self) -> float:
+        return self.rate
+
     def states(self, times: Any) -> Any:
         half = self.rate * np.asarray(times) / 2
         rest = np.zeros_like(half)

@@ -10,7 +10,9 @@ import typer
 from .common import Force, Json, inform, print_json, progress
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
+
+    from rich.console import RenderableType
 
     from ..study.audit import Judgement
 
@@ -61,38 +63,64 @@ def command(
 
 
 def _print(judgements: Sequence[Judgement]) -> None:
-    from rich import box
+    from itertools import groupby
+
     from rich.console import Console
-    from rich.markup import escape
-    from rich.table import Table
 
-    from ..study.audit import counts
-    from .prove import styled
+    from ..study.audit import TITLES, counts
 
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
-    table.add_column("Where", style="bold")
-    table.add_column("As printed", no_wrap=True)
-    table.add_column("Corrected", no_wrap=True)
-    table.add_column("Note")
-    table.add_column("Time", justify="right", no_wrap=True)
-    for judgement in judgements:
-        corrected = judgement.corrected
-        table.add_row(
-            escape(judgement.claim.source),
-            styled(judgement.printed.decision),
-            styled(corrected.decision) if corrected is not None else "",
-            escape(_plain(judgement.claim.note or judgement.printed.reason)),
-            f"{judgement.seconds:.2f} s",
-        )
-    console = Console()
-    console.print(table)
+    console = Console(highlight=False)
+    for section, found in groupby(judgements, key=lambda j: j.section):
+        console.print(f"\n[bold]§{section} {TITLES[section]}[/]\n")
+        for judgement in found:
+            console.print(_claim(judgement))
     numbers = counts(judgements)
     console.print(f"\n{len(judgements)} claims")
     for form, label in (("printed", "as printed"), ("corrected", "corrected")):
-        found = ", ".join(f"{n} {decision}" for decision, n in numbers[form].items())
-        console.print(f"{label}: {found}")
+        listed = ", ".join(f"{n} {decision}" for decision, n in numbers[form].items())
+        console.print(f"{label}: {listed}")
 
 
-def _plain(note: str) -> str:
-    """A note without the signs of formulas."""
-    return note.replace("$", "").replace("\\", "")
+def _claim(judgement: Judgement) -> RenderableType:
+    """Where a claim stands, what came of it, and below that what there is to say."""
+    from rich.console import Group
+    from rich.markup import escape
+    from rich.table import Table
+
+    from ..plain import plain_words
+    from .prove import styled
+
+    head = Table.grid(padding=(0, 2), expand=True)
+    head.add_column(ratio=1)
+    head.add_column(justify="right", no_wrap=True)
+    head.add_column(justify="right", no_wrap=True, min_width=8)
+    verdicts = [v for v in (judgement.printed, judgement.corrected) if v is not None]
+    shown = " → ".join(styled(verdict.decision) for verdict in verdicts)
+    head.add_row(
+        f"[bold]{escape(plain_words(judgement.claim.source))}[/]",
+        shown,
+        f"{judgement.seconds:.2f} s",
+    )
+    told = Table.grid(padding=(0, 2, 0, 0))
+    told.add_column(no_wrap=True, style="dim", min_width=11)
+    told.add_column()
+    for label, words in _told(judgement):
+        told.add_row(f"  {label}", escape(words))
+    return Group(head, told) if told.rows else head
+
+
+def _told(judgement: Judgement) -> Iterator[tuple[str, str]]:
+    """What is said of a claim, each with its label: both forms where the printed one fails."""
+    from ..plain import plain_words
+
+    claim = judgement.claim
+    if not judgement.printed:
+        yield "printed", plain_words(claim.statement)
+    if judgement.corrected is not None:
+        yield "corrected", plain_words(claim.correction)
+    if claim.note:
+        yield "note", plain_words(claim.note)
+    if judgement.conditions:
+        yield "where", ", ".join(judgement.conditions)
+    if judgement.reason:
+        yield "undecided", judgement.reason

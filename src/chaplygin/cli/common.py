@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from ..study.prepare import Study
 
 __all__ = [
+    "Effort",
     "Force",
     "Json",
     "Override",
@@ -23,6 +24,7 @@ __all__ = [
     "What",
     "complain",
     "inform",
+    "operations",
     "print_json",
     "progress",
     "study_of",
@@ -38,6 +40,15 @@ Override = Annotated[
     list[str] | None,
     typer.Option(
         "--set", metavar="KEY=VALUE", help="Override a key of the experiment, e.g. body.mass=2."
+    ),
+]
+Effort = Annotated[
+    float,
+    typer.Option(
+        metavar="FACTOR",
+        help="How much work the proof of one law may take before it is left undecided: 1 is a "
+        "thousand million operations, some minutes on one core; 0.1 a tenth of that. Operations "
+        "are counted, so that every machine comes to the same answer.",
     ),
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")]
@@ -62,6 +73,22 @@ def inform(text: str) -> None:
 def print_json(value: Any) -> None:
     """The result for another program."""
     typer.echo(json.dumps(value, indent=2, ensure_ascii=False))
+
+
+def operations(effort: float) -> int:
+    """The term operations that ``--effort`` stands for.
+
+    Raises
+    ------
+    InputError
+        If it is not positive and finite.
+    """
+    from ..errors import InputError
+    from ..laws.budget import EFFORT
+
+    if not 0 < effort < float("inf"):
+        raise InputError(f"--effort {effort:g}: it must be a positive number")
+    return max(1, round(effort * EFFORT))
 
 
 def study_of(what: str, overrides: list[str] | None, precision: str | None = None) -> Study:

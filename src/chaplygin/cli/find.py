@@ -7,7 +7,17 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from .common import Json, Override, What, inform, print_json, progress, study_of
+from .common import (
+    Effort,
+    Json,
+    Override,
+    What,
+    inform,
+    operations,
+    print_json,
+    progress,
+    study_of,
+)
 
 if TYPE_CHECKING:
     from ..laws.search import Finding, Question
@@ -66,7 +76,7 @@ def command(
     parameter_degree: Annotated[
         int, typer.Option(help="Largest degree of coefficients in the parameters.")
     ] = 3,
-    seconds: Annotated[float, typer.Option(help="Time for the proof of one law.")] = 60.0,
+    effort: Effort = 1.0,
     json: Json = False,
 ) -> None:
     """Search for integrals, invariant measures or symmetries, and prove what is found."""
@@ -90,7 +100,7 @@ def command(
         bases=bases,
         powers=power,
         parameter_degree=parameter_degree,
-        seconds=seconds,
+        effort=operations(effort),
     )
     found, complete = _collected(kind, question)
     elapsed = time.monotonic() - began
@@ -159,7 +169,11 @@ def _shown(finding: Finding) -> list[str]:
     law, verdict = finding.law, finding.verdict
     if law is None or verdict is None:
         return [f"  observed modulo a prime only: {finding.remark}"]
-    status = "proven" if verdict else f"observed only, {verdict.decision}: {verdict.reason}"
+    status = (
+        verdict.stated
+        if verdict.decision in ("proven", "proven where")
+        else f"observed only, {verdict.words}"
+    )
     known = f"; repeats {finding.known}" if finding.known else ""
     label = "ρ" if finding.kind == "measure" else text(scalar(law.name))
     if finding.kind == "symmetry":
@@ -228,6 +242,7 @@ def _finding_json(finding: Finding, text: Any, latex: Any) -> dict[str, Any]:
         "formula": {n: t for n, (t, _) in shown.items()} if len(shown) > 1 else shown[""][0],
         "latex": {n: v for n, (_, v) in shown.items()} if len(shown) > 1 else shown[""][1],
         "verdict": verdict.decision,
+        "conditions": list(verdict.conditions),
         "reason": verdict.reason,
         "repeats": finding.known,
         "seconds": round(verdict.seconds, 3),

@@ -7,7 +7,18 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from .common import Force, Json, Override, What, inform, print_json, progress, study_of
+from .common import (
+    Effort,
+    Force,
+    Json,
+    Override,
+    What,
+    inform,
+    operations,
+    print_json,
+    progress,
+    study_of,
+)
 
 if TYPE_CHECKING:
     from ..laws.verdict import Verdict
@@ -16,7 +27,7 @@ if TYPE_CHECKING:
 
 __all__ = ["command", "styled"]
 
-COLOURS = {"proven": "green", "refuted": "red", "undecided": "yellow"}
+COLOURS = {"proven": "green", "proven where": "cyan", "refuted": "red", "undecided": "yellow"}
 
 
 def command(
@@ -25,7 +36,7 @@ def command(
     only: Annotated[
         list[str] | None, typer.Option("--law", metavar="LAW", help="Only this law, by its name.")
     ] = None,
-    seconds: Annotated[float, typer.Option(help="Time for the proof of one law.")] = 120.0,
+    effort: Effort = 1.0,
     certificate: Annotated[
         Path | None,
         typer.Option(metavar="FILE", help="Write certificates (JSON) that a program can check."),
@@ -33,12 +44,13 @@ def command(
     force: Force = False,
     json: Json = False,
 ) -> None:
-    """Prove or refute the laws of a system; exit 1 when one is not proven."""
-    from ..errors import InputError
+    """Prove or refute the laws of a system; exit 1 unless all are proven without conditions.
+
+    A law that is proven where some condition holds, undecided or refuted makes the exit status 1.
+    """
     from ..study.files import check_target
 
-    if seconds <= 0:
-        raise InputError(f"--seconds {seconds:g}: it must be positive")
+    allowed = operations(effort)
     if certificate is not None:
         check_target(certificate, force)
     claims = _chosen(_claims(what, overrides), only or [], what)
@@ -48,15 +60,15 @@ def command(
         with progress("Proving") as report:
             for count, (system, law) in enumerate(claims):
                 report(count / len(claims))
-                done.append((system, law, _verdict(system, law, seconds, certificate)))
+                done.append((system, law, _verdict(system, law, allowed, certificate)))
     except KeyboardInterrupt:
         interrupted = True
     if json:
-        print_json([_record(*row) for row in done])
+        print_json([_record(*row, allowed) for row in done])
     else:
-        _print(done)
+        _print(done, allowed)
     if certificate is not None:
-        _write(certificate, [verdict.certificate for _, _, verdict in done])
+        _write(certificate, [verdict for _, _, verdict in done])
     if interrupted:
         inform(f"interrupted: {len(claims) - len(done)} of {len(claims)} laws were not tried")
     if interrupted or not all(verdict for _, _, verdict in done):
@@ -89,16 +101,16 @@ def _chosen(
     return [pair for pair in claims if not only or pair[1].name in only]
 
 
-def _verdict(system: System, law: Law, seconds: float, certificate: Path | None) -> Verdict:
+def _verdict(system: System, law: Law, effort: int, certificate: Path | None) -> Verdict:
     from ..laws.certificate import certified
     from ..laws.prove import prove
 
     if certificate is None:
-        return prove(system, law, seconds=seconds)
-    return certified(system, law, seconds)
+        return prove(system, law, effort=effort)
+    return certified(system, law, effort)
 
 
-def _record(system: System, law: Law, verdict: Verdict) -> dict[str, Any]:
+def _record(system: System, law: Law, verdict: Verdict, effort: int) -> dict[str, Any]:
     from ..claims import level
     from ..laws.prove import prove
     from ..typeset import latex, law_latex
@@ -107,11 +119,15 @@ def _record(system: System, law: Law, verdict: Verdict) -> dict[str, Any]:
     record = {
         "source": law.source,
         "statement": _words(law),
-        "printed": (prove(system, printed) if printed is not None else verdict).decision,
+        "printed": verdict.decision
+        if printed is None
+        else prove(system, printed, effort=effort).decision,
         "corrected": law_latex(law, system),
         "verdict": verdict.decision,
+        "conditions": list(verdict.conditions),
         "note": law.misprint,
         "seconds": round(verdict.seconds, 3),
+        "effort": verdict.effort,
         "system": system.name,
         "law": law.name,
         "level": level(law, system, latex),
@@ -139,7 +155,7 @@ def styled(decision: str) -> str:
     return f"[{COLOURS[decision]}]{decision}[/]"
 
 
-def _print(done: list[tuple[System, Law, Verdict]]) -> None:
+def _print(done: list[tuple[System, Law, Verdict]], effort: int) -> None:
     from rich import box
     from rich.console import Console
     from rich.markup import escape
@@ -173,9 +189,11 @@ def _print(done: list[tuple[System, Law, Verdict]]) -> None:
             f"{verdict.seconds:.2f} s",
         )
         if law.as_printed is not None:
-            wrong = prove(system, law.as_printed)
+            wrong = prove(system, law.as_printed, effort=effort)
             table.add_row("", escape(f"as printed: {law.misprint}"), "", styled(wrong.decision))
     console.print(table)
+    if len(done) > 1:
+        console.print(f"\n{_counted([verdict for _, _, verdict in done])}")
     for _, law, verdict in done:
         if verdict.witness is not None:
             point = ", ".join(f"{n} = {v}" for n, v in verdict.witness["point"].items())
@@ -184,15 +202,29 @@ def _print(done: list[tuple[System, Law, Verdict]]) -> None:
                 f"{point}",
                 markup=False,
             )
+        elif verdict.conditions:
+            console.print(f"\n{law.name}: {verdict.stated}", markup=False)
         elif verdict.reason:
             console.print(f"\n{law.name}: {verdict.reason}", markup=False)
 
 
-def _write(path: Path, certificates: list[Any]) -> None:
+def _counted(verdicts: list[Verdict]) -> str:
+    """How many laws there are of each verdict."""
+    decisions = [verdict.decision for verdict in verdicts]
+    found = (f"{decisions.count(d)} {d}" for d in COLOURS if d in decisions)
+    return f"{len(verdicts)} laws: {', '.join(found).replace('where', 'where a condition holds')}"
+
+
+def _write(path: Path, verdicts: list[Verdict]) -> None:
     import json
 
     from ..study.files import completed
 
+    made = [verdict.certificate for verdict in verdicts if verdict.certificate is not None]
     with completed(path) as place:
-        place.write_text(json.dumps(certificates, ensure_ascii=False))
-    inform(f"certificates: {path}")
+        place.write_text(json.dumps(made, ensure_ascii=False))
+    inform(f"certificates of {len(made)} of {len(verdicts)} laws: {path}")
+    for verdict in verdicts:
+        if verdict.certificate is None:
+            why = verdict.uncertified or "it is undecided"
+            inform(f"no certificate of {verdict.law}: {why}")

@@ -85,4 +85,7 @@ def command(
     for words in filter(None, (legend(study), *told(study)) if form == "text" else ()):
         typer.echo("\n" + textwrap.fill(words, 100))
     if form == "text":
-        typer.echo(f"\n{standing_of(system, study.rolling or study.mechanism)}")
+        place = standing_of(system, study.rolling or study.mechanism)
+        typer.echo(f"\n{place}")
+        if any("effort" in entry.why for entry in place.uncounted):
+            typer.echo(f"\nMore effort may decide what is left: chaplygin prove {what}")

@@ -141,6 +141,8 @@ def _print(study: Study, solution: Solution, moments: list[Fraction], digits: in
         console.print(table)
     if study.system.motion is not None and not in_space(study, solution):
         inform("the attitude and the place in space are not part of this closed form")
+    if digits is not None and solution.left_open:
+        inform(solution.left_open)
     if len(shown) < len(moments):
         inform(
             f"{len(shown)} of {len(moments)} times are shown; --json prints and -o writes all "

@@ -24,7 +24,7 @@ def rolling_of(system: System, values: Mapping[Any, Any]) -> Rolling | None:
     """The rolling body of which a system holds the equations, with its numbers.
 
     Bodies of the catalogue and balls with any inertia tensor are tried; the equations that they
-    lead to must be those of the system, formula by formula.
+    lead to must be those of the system, formula by formula, and their numbers its numbers.
 
     Parameters
     ----------
@@ -39,21 +39,24 @@ def rolling_of(system: System, values: Mapping[Any, Any]) -> Rolling | None:
         except InputError:
             # a body and a surface that do not fit
             continue
-        if (made.field, made.definitions) == (system.field, system.definitions):
+        own = {str(symbol): float(value) for symbol, value in made.defaults.items()}
+        formulas = (made.field, made.definitions) == (system.field, system.definitions)
+        if formulas and own == numbers:
             return rolling
     return None
 
 
 def _candidates(numbers: Mapping[str, float]) -> Iterator[Rolling]:
-    """Rolling bodies that have just these parameters."""
-    for entry in CATALOGUE.values():
-        if set(entry.defaults) == set(numbers):
-            try:
-                rolling = entry.rolling(numbers)
-            except InputError:
-                continue
-            if rolling is not None:
-                yield rolling
+    """Rolling bodies that are given by these parameters, or by some of them."""
+    entries = [entry for entry in CATALOGUE.values() if set(entry.defaults) <= set(numbers)]
+    # a body of revolution is given by one moment for two axes, and by no centre across its axis
+    for entry in sorted(entries, key=lambda entry: -len(entry.defaults)):
+        try:
+            rolling = entry.rolling({name: numbers[name] for name in entry.defaults})
+        except InputError:
+            continue
+        if rolling is not None:
+            yield rolling
     yield from _balls(numbers)
 
 

@@ -29,7 +29,7 @@ from typing import Any
 
 import sympy as sp
 
-from ..statements import Identity, Law, Reduction
+from ..statements import Identity, Law
 from ..systems import from_catalogue
 from ..systems.chaplygin_ball import K
 from ..systems.chaplygin_bracket import DET_IQ, D
@@ -96,11 +96,11 @@ def _separation(separable: Separable) -> tuple[Law, ...]:
     parts = {twice: dot(M, omega), momentum: normed(M)}
     level: dict[str, Any] = {"on": separable.level, "source": separable.source}
     return (
-        Reduction(
+        Identity(
             "clock",
-            SHAPE,
             (explicit(DET_IQ) - kappa * (D**2 + D * total + product),),
             "the clock in the coordinates",
+            SHAPE,
             source=separable.source,
         ),
         Identity(
@@ -109,18 +109,18 @@ def _separation(separable: Separable) -> tuple[Law, ...]:
             "Lagrange's identity for a vector γ that turns with any velocity, here called M",
             source=separable.source,
         ),
-        Reduction(
+        Identity(
             "kinetic",
-            {**SHAPE, **parts, **_bend(cross(gamma, omega))},
             _modulo(kinetic - (total + D - z) * (total - z) * bent),
             "energy and momentum without a field",
+            {**SHAPE, **parts, **_bend(cross(gamma, omega))},
             **level,
         ),
-        Reduction(
+        Identity(
             "field",
-            {**SHAPE, **parts, **dict(separable.constants)},
             _modulo(z * kinetic - (first * z**2 + second * z + third)),
             "energy and momentum integral in the field",
+            {**SHAPE, **parts, **dict(separable.constants)},
             **level,
         ),
     )

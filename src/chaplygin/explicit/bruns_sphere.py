@@ -22,7 +22,7 @@ from typing import Any
 
 import sympy as sp
 
-from ..statements import Reduction
+from ..statements import Identity
 from ..systems import from_catalogue
 from ..systems.chaplygin_ball import K
 from ..vectors import Diagonal, dot, explicit, scalar, vectors
@@ -77,21 +77,21 @@ def hollow_ball_in_bruns_field() -> Separable:
     return replace(separable, laws=(*kept, _field(separable)))
 
 
-def _field(separable: Separable) -> Reduction:
+def _field(separable: Separable) -> Identity:
     """What the field adds, modulo (z − z₁)(z − z₂)."""
     level = E_2 * (HALF - z) - E_3
     ratio = level - D * (HALF - z) ** 2
     added = form * z * level + inverse * ratio - WEIGHT * level + DET_J * (HALF - z) ** 2
     rest = sp.Poly(added, z).rem(sp.Poly(z**2 - total * z + product, z))
-    return Reduction(
+    return Identity(
         "field",
+        tuple(rest.all_coeffs()),
+        "what the field adds, in the coordinates",
         {
             **_coordinates(separable),
             form: dot(gamma, I * gamma),
             inverse: DET_J * dot(gamma, J**-1 * gamma),
         },
-        tuple(rest.all_coeffs()),
-        "what the field adds, in the coordinates",
         source=separable.source,
     )
 

@@ -30,8 +30,10 @@ Rate: TypeAlias = Callable[[Any], Any]
 
 #: Nodes on a panel of time; what the last coefficients may be beside the largest.
 _NODES, _TAIL = 24, 1e-13
-#: The shortest panel, and Newton steps for a time; it takes three or four.
-_SHORTEST, _STEPS = 1e-6, 60
+#: Halvings and Newton steps at most; of the latter it takes three or four.
+_HALVINGS, _STEPS = 80, 60
+#: The part of the way that is tried as the first panel.
+_AHEAD = 0.1
 
 
 @dataclass(frozen=True)
@@ -110,7 +112,8 @@ def _moments(rate: Rate, wanted: Any) -> Any:
     if np.any(goals < 0):
         raise InputError("times: a motion is carried forward from time 0; none may be negative")
     found = np.zeros_like(goals)
-    left, width, done = 0.0, 1.0, 0.0
+    # at first a part of the way, at the rate of the start
+    left, done, width = 0.0, 0.0, _AHEAD * float(np.max(goals) / rate(np.zeros(1))[0])
     open_ = goals > 0
     while open_.any():
         slope, width = _panel(rate, left, width)
@@ -126,7 +129,7 @@ def _moments(rate: Rate, wanted: Any) -> Any:
 def _panel(rate: Rate, left: float, width: float) -> tuple[Any, float]:
     """Coefficients of the rate on a panel narrow enough to be resolved, and its width."""
     nodes = chebyshev.chebpts1(_NODES)
-    while width > _SHORTEST:
+    for _ in range(_HALVINGS):
         values = rate(left + width / 2 * (1 + nodes))
         slope = chebyshev.chebfit(nodes, values, _NODES - 1)
         if np.max(np.abs(slope[-3:])) <= _TAIL * np.max(np.abs(slope)):

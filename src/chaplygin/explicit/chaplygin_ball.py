@@ -19,7 +19,7 @@ from typing import Any
 
 import sympy as sp
 
-from ..statements import Isomorphism, Law, Reduction
+from ..statements import Identity, Isomorphism, Law
 from ..system import System
 from ..systems import from_catalogue
 from ..systems.chaplygin_ball_clebsch import DET_I, K, beta
@@ -81,15 +81,15 @@ def _separation(system: System) -> tuple[Law, ...]:
     momentum = [pair for pair in onto.map if pair[0] == K]
     return (
         replace(onto, target=onto.target.with_laws(separation)),
-        Reduction(
+        Identity(
             "curve",
-            (*momentum, *onto.constants, (h, dot(M, omega) / 2), (f, normed(M)), *constants),
             (
                 E * DET_J - h * DET_I,
                 q_1 * DET_J - (4 * h * D - f) * DET_I,
                 beta * DET_J - D * (f - 2 * h * D),
             ),
             "the curve in Fedorov's variables",
+            (*momentum, *onto.constants, (h, dot(M, omega) / 2), (f, normed(M)), *constants),
             on=onto.on,
             source=onto.source,
         ),

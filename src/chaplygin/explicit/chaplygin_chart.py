@@ -24,7 +24,7 @@ from typing import Any
 
 import sympy as sp
 
-from ..statements import Identity, Integral, Law, Reduction
+from ..statements import Identity, Integral, Law
 from ..system import Guard, Parameter, System
 from ..systems.chaplygin_bracket import A, D, I, J, R, m
 from ..vectors import Diagonal, cross, dot, explicit, identity, normed, scalar, vectors
@@ -175,11 +175,11 @@ def _still() -> tuple[Law, ...]:
     }
     # any two vectors may stand for ν and ν′
     known |= {nu: gammaprime, nuprime: Mprime}
-    constants = Reduction(
+    constants = Identity(
         "constants",
-        computed,
         (D_ZERO - Dprime, stretch - e, n - e / N, BETA / n - b),
         "D′, e, n and β/n = b",
+        computed,
         source=SOURCE,
     )
     claims = {
@@ -217,7 +217,7 @@ def _still() -> tuple[Law, ...]:
     return (
         constants,
         *(
-            Reduction(name, known, tuple(equations), meaning, source=SOURCE)
+            Identity(name, tuple(equations), meaning, known, source=SOURCE)
             for name, (meaning, equations) in claims.items()
         ),
     )

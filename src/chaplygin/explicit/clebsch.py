@@ -16,7 +16,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ..statements import Rate, Reduction
+from ..statements import Identity, Rate
 from ..systems import from_catalogue
 from ..systems.clebsch import alpha, beta
 from ..systems.e3 import Gamma, I, M
@@ -54,12 +54,18 @@ def clebsch_case() -> Separable:
     return replace(separable, laws=(_flow(separable), *kept))
 
 
-def _flow(separable: Separable) -> Reduction:
+def _flow(separable: Separable) -> Identity:
     """żₖ (b′ − a′z) = zₖ′ (b − az), z being the other coordinate, for (a′, b′) = (0, 1)."""
     a, b = separable.speeds
     inverse = sp.Mul(*I.symbols) * I**-1
-    return Reduction(
+    return Identity(
         "flow",
+        (
+            dot(nu, nu) - 1,
+            Rate(total) - b * total_slope + a * product_slope,
+            Rate(product) - b * product_slope + a * (total * product_slope - product * total_slope),
+        ),
+        "both flows on one torus",
         {
             nu: separable.direction,
             nuprime: separable.turning,
@@ -68,12 +74,6 @@ def _flow(separable: Separable) -> Reduction:
             total_slope: -2 * dot(nu, I * nuprime),
             product_slope: 2 * dot(nu, inverse * nuprime),
         },
-        (
-            dot(nu, nu) - 1,
-            Rate(total) - b * total_slope + a * product_slope,
-            Rate(product) - b * product_slope + a * (total * product_slope - product * total_slope),
-        ),
-        "both flows on one torus",
         on=separable.level,
         source=separable.source,
     )

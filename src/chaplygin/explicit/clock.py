@@ -62,6 +62,8 @@ class Clock:
         mean_clock = self.flow.mean
         ideal = np.stack([turned(rate, times, 4.0) for rate in self.Omega], axis=1) + self.v_0
         tau = times / mean_clock
+        # in which the faster phase grows by one
+        period = 1 / np.max(np.abs(self.V))
         delta = np.zeros_like(tau)
         # mean δ + p(v) = 0 is the equation of the clock; its left side grows with δ
         low, high = np.full_like(tau, -np.inf), np.full_like(tau, np.inf)
@@ -75,7 +77,7 @@ class Clock:
             outside = (following <= low) | (following >= high)
             outside &= np.isfinite(low) & np.isfinite(high)
             following[outside] = (low[outside] + high[outside]) / 2
-            settled = np.abs(following - delta) <= 4e-16 * np.maximum(1.0, np.abs(delta))
+            settled = np.abs(following - delta) <= 4e-16 * np.maximum(period, np.abs(delta))
             delta = following
             if settled.all():
                 break

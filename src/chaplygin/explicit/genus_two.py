@@ -24,6 +24,7 @@ __all__ = ["BITS", "GenusTwo", "solved"]
 
 #: Working precision of the set-up, in bits.
 BITS = 320
+QUATERNION = 4
 
 
 @dataclass(frozen=True)
@@ -72,10 +73,38 @@ class GenusTwo(Solution):
             return reduced.T
         return np.concatenate([reduced, self.lift.at(moment)]).T
 
+    @property
+    def pace(self) -> float:
+        """How fast the phases grow with time, in turns."""
+        V_1, V_2 = (abs(number(x)) for x in self.prepared.torus.V)
+        return (V_1 + V_2) / number(self.clock.mean)
+
+    @property
+    def left_open(self) -> str:
+        """What of the state :meth:`rigorous` cannot bound, and why, in a sentence; or nothing."""
+        of = self.separable
+        lifted = len(self.start) - len(of.system.symbols)
+        if of.system.motion is None or len(of.fixed) > 1:
+            return ""
+        if not of.fixed:
+            return (
+                f"{of.title}: no direction is known that stays in space, so that the attitude has "
+                "no error bounds; for those of "
+                f"{', '.join(map(str, of.system.state))} give a start without attitude"
+            )
+        if lifted == QUATERNION:
+            return ""
+        return (
+            f"{of.title}: one direction alone is known that stays in space, so that the place "
+            "there has no error bounds"
+        )
+
     def rigorous(self, time: Any, digits: int = 30) -> tuple[Any, ...]:
         """The lifted state at one time as balls."""
         from .rigorous import rigorous_state
 
+        if not self.separable.fixed and self.left_open:
+            raise InputError(self.left_open)
         return rigorous_state(self, time, digits)
 
     @cached_property

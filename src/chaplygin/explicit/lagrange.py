@@ -28,20 +28,17 @@ from .lagrange_form import form_of
 from .one_variable import Course, Steady, chart_of
 from .one_variable.charts import BALLS, DOUBLES, Chart, Equation
 from .one_variable.panels import working_bits
-from .one_variable.roots import vanishes
 from .problem import exact
 from .revolution import balls_of, needed
 from .revolution.angles import Turning
 from .revolution.body import BITS
+from .sizes import GIVEN, vanishes
 from .solution import ClosedForm, Solution
 
 __all__ = ["LagrangeSolution", "Top", "recognised", "solve_top"]
 
 #: Digits behind the fast evaluator.
 FAST = 19
-
-#: How far Γ may be from a unit vector.
-SLACK = 1e-9
 
 
 def recognised(system: System) -> bool:
@@ -141,7 +138,7 @@ def solve_top(
     with ctx.workprec(BITS):
         numbers = [_ball(x) for x in start]
         length = sum((x * x for x in numbers[3:]), arb(0)).sqrt()
-        if not abs(length - 1) < SLACK:
+        if not vanishes(length - 1, arb(1), GIVEN):
             raise InputError(
                 f"start: |Gamma| is {float(length):.9g}, and must be 1, the length of the vertical"
             )
@@ -190,6 +187,11 @@ class LagrangeSolution(Solution):
         self.system, self.parameters, self.top, self.chart = system, parameters, top, chart
         self._momentum, self._vertical, self._rate = begin
 
+    @property
+    def pace(self) -> float:
+        """How fast the phase of u grows with time, or φ where u rests."""
+        return abs(float(self._spin)) if isinstance(self.chart, Steady) else 1 / self.course.moment
+
     @cached_property
     def course(self) -> Course:
         """u with φ; not for a steady motion."""
@@ -205,7 +207,7 @@ class LagrangeSolution(Solution):
 
     def rigorous(self, time: Any, digits: int = 30) -> tuple[Any, ...]:
         """The state at one time as balls that contain the exact one."""
-        work = needed(time, digits, 1)
+        work = needed(time, digits, 1, self.pace)
         with ctx.workprec(working_bits(work)):
             moment = balls_of(time)
             if isinstance(self.chart, Steady):

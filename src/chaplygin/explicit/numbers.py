@@ -23,6 +23,7 @@ __all__ = [
     "ball_function",
     "components",
     "evaluated",
+    "exact",
     "needed",
     "number",
 ]
@@ -53,6 +54,19 @@ def ball(value: Any) -> Any:
         sign, mantissa, exponent, _ = value._mpf_
         return (-1) ** int(sign) * arb(int(mantissa)) * arb(2) ** int(exponent)
     return arb(str(float(value)) if isinstance(value, np.floating) else str(value))
+
+
+def exact(value: Any) -> Fraction:
+    """A number as a fraction: the decimal that a double is written as, the middle of a ball."""
+    if isinstance(value, arb):
+        mantissa, exponent = value.mid().man_exp()
+        return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    if isinstance(value, mpmath.mpf):
+        sign, mantissa, exponent, _ = value._mpf_
+        return Fraction((-1) ** sign * int(mantissa)) * Fraction(2) ** int(exponent)
+    if isinstance(value, sp.Rational):
+        return Fraction(int(value.p), int(value.q))
+    return value if isinstance(value, Fraction) else Fraction(str(value))
 
 
 def number(value: Any) -> float:

@@ -30,7 +30,7 @@ def abelian(curve: Curve, left: int, end: Any = None) -> Pair:
     left : int
         Number of the left end of a bounded interval.
     end : arb, optional
-        In radians, from −π to π; π, the other end of the interval, if left out.
+        In radians, from −½π to ³⁄₂π; π, the other end of the interval, if left out.
     """
     low, high = curve.ends(left)
     middle, half = (low + high) / 2, (high - low) / 2

@@ -51,6 +51,16 @@ class Turned(Solution):
         """That of the motion in the other axes."""
         return self.inner.form
 
+    @property
+    def pace(self) -> float:
+        """That of the motion in the other axes."""
+        return self.inner.pace
+
+    @property
+    def left_open(self) -> str:
+        """That of the motion in the other axes."""
+        return self.inner.left_open
+
     def states(self, times: Any) -> Any:
         """Lifted states at `times` (n,), as an array (n, size), in double precision."""
         turn = np.array([[number(x) for x in row] for row in self.matrix.tolist()])

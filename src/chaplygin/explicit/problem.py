@@ -9,9 +9,8 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
-import mpmath
 import sympy as sp
-from flint import arb, fmpq
+from flint import fmpq
 
 from ..admissible import conditions, satisfied
 from ..errors import InputError
@@ -19,9 +18,10 @@ from ..laws.errors import NotExactError, OutOfReachError, UnknownSymbolError
 from ..laws.jets import Evaluator, Jet
 from ..laws.numbers import Rationals
 from ..mechanics.rolling import Rolling
-from ..mechanics.start import DIGITS, SLACK, evaluate
 from ..system import System
 from ..vectors import explicit
+from .numbers import exact
+from .sizes import RESOLUTION, Sized, measured, sized
 
 __all__ = ["Problem", "exact", "same_field"]
 
@@ -92,39 +92,24 @@ class Problem:
         return {str(symbol): exact(value) for symbol, value in self.parameters.items()}
 
     def values(self, formulas: Sequence[Any]) -> list[Any]:
-        """Scalar formulas of the system at the start, to 50 digits."""
-        with mpmath.workdps(DIGITS):
-            lifted = self.system.lifted() if self.system.motion else self.system
-            known = {
-                **{s: _long(value) for s, value in self.parameters.items()},
-                **{s: _long(x) for s, x in zip(lifted.symbols, self.start, strict=True)},
-            }
-            return evaluate(lifted, [explicit(formula) for formula in formulas], known)
+        """Scalar formulas of the system at the start, as fractions or to 60 digits."""
+        return [found.value for found in self.measured(formulas)]
 
-    def vanish(self, formulas: Sequence[Any]) -> bool:
-        """Whether scalar formulas of the system vanish at the start, but for rounding."""
-        size = 1 + max(abs(float(x)) for x in self.start)
-        return all(abs(value) <= SLACK * size**2 for value in self.values(formulas))
+    def measured(self, formulas: Sequence[Any]) -> list[Sized]:
+        """The same with the sizes of their terms."""
+        lifted = self.system.lifted() if self.system.motion else self.system
+        known = {s: exact(value) for s, value in self.parameters.items()}
+        start = measured(lifted.state, lifted.symbols, [exact(x) for x in self.start])
+        wanted = [explicit(formula) for formula in formulas]
+        return sized(
+            wanted,
+            {**{s: Sized(x, abs(x)) for s, x in known.items()}, **start},
+            lifted.needed(wanted),
+        )
 
-
-def exact(number: Any) -> Fraction:
-    """A number as a fraction: the decimal that a double is written as, the middle of a ball."""
-    if isinstance(number, arb):
-        mantissa, exponent = number.mid().man_exp()
-        return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
-    if isinstance(number, mpmath.mpf):
-        sign, mantissa, exponent, _ = number._mpf_
-        return Fraction((-1) ** sign * int(mantissa)) * Fraction(2) ** int(exponent)
-    if isinstance(number, sp.Rational):
-        return Fraction(int(number.p), int(number.q))
-    return number if isinstance(number, Fraction) else Fraction(str(number))
-
-
-def _long(number: Any) -> Any:
-    if isinstance(number, mpmath.mpf):
-        return number
-    fraction = exact(number)
-    return mpmath.mpf(fraction.numerator) / fraction.denominator
+    def vanish(self, formulas: Sequence[Any], part: fmpq = RESOLUTION) -> bool:
+        """Whether scalar formulas vanish at the start, or leave but a part of their terms."""
+        return all(value.vanishes(part) for value in self.measured(formulas))
 
 
 def same_field(

@@ -27,7 +27,7 @@ _LEVEL = 2e-16
 _GRID = 32
 #: Points of the grid at most.
 _POINTS = 2**18
-#: A term is slow when it is so much larger after integration than the mean.
+#: A term is slow when integration, over a turn of the phases, makes it so much larger than all.
 _SLOW = 100.0
 
 
@@ -187,9 +187,9 @@ def quadrature(
     own = float(coefficients[still].real.sum())
     coefficients[still] = 0
     # a bound of the error that dividing by a small number makes
-    divided = np.where(
-        speeds == 0, np.inf, np.abs(coefficients) / np.maximum(np.abs(speeds), 1e-300)
-    )
+    turn = max(abs(number(x)) for x in V)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        divided = np.where(speeds == 0, np.inf, turn * np.abs(coefficients) / np.abs(speeds))
     # of a function that is rounding altogether nothing is left
     scale = np.max(np.abs(function.coefficients), initial=0.0)
     apart = ~still & (np.abs(coefficients) > 0) & (divided > _SLOW * scale)

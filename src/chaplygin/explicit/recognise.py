@@ -17,7 +17,7 @@ from itertools import permutations
 from typing import Any, TypeAlias
 
 import sympy as sp
-from flint import arb
+from flint import arb, ctx, fmpq
 
 from ..mechanics.rolling import Rolling
 from ..statements import Isomorphism
@@ -32,6 +32,7 @@ from .principal import in_principal_axes, told_back
 from .problem import Problem, exact, same_field
 from .refusals import Condition, degenerate, refusal
 from .separable import Separable
+from .sizes import RESOLUTION, ROUNDED
 from .solution import Solution
 
 __all__ = ["RECOGNISERS", "Likeness", "likeness", "solution_of"]
@@ -156,10 +157,12 @@ class Likeness:
 def likeness(problem: Problem) -> Likeness | None:
     """The system that separates and has the field of a problem.
 
-    What depends on parameters alone must vanish exactly; what depends on the start, but for the
-    rounding of a start.
+    What depends on parameters alone must vanish exactly.  What depends on the start must vanish
+    too, relative to the sizes of its terms: to the fifty digits of a start, or, where no system
+    has the motion so exactly, but for the rounding of doubles.
     """
     numbers = {symbol: exact(value) for symbol, value in problem.parameters.items()}
+    rounded: Likeness | None = None
     missed: Likeness | None = None
     places = [place for place in SEPARABLE if place.may_be(problem)]
     for place in sorted(places, key=lambda place: not place.fits(problem)):
@@ -168,15 +171,18 @@ def likeness(problem: Problem) -> Likeness | None:
             continue
         for formulas in _matches(problem, known.system):
             if _agree(problem.system, numbers, known.system, formulas):
-                found = _like(problem, known, formulas)
+                found = _like(problem, known, formulas, RESOLUTION)
                 if not found.level:
                     return found
-                missed = missed or found
+                near = _like(problem, known, formulas, ROUNDED)
+                rounded = rounded or (None if near.level else near)
+                missed = missed or near
                 break
-    return missed
+    return rounded or missed
 
 
-def _like(problem: Problem, known: Separable, formulas: Formulas) -> Likeness:
+def _like(problem: Problem, known: Separable, formulas: Formulas, part: fmpq) -> Likeness:
+    """The likeness of a system, whose level may be missed by a part of the terms."""
     own = expressed(known, problem.system, formulas)
     names = translation(known.system, problem.system, formulas)
     numbers = {s: sp.Rational(str(exact(x))) for s, x in problem.parameters.items()}
@@ -196,7 +202,7 @@ def _like(problem: Problem, known: Separable, formulas: Formulas) -> Likeness:
     for told, formula in conditions:
         if formula.free_symbols & state:
             moving.append(formula)
-            holds = problem.vanish([formula])
+            holds = problem.vanish([formula], part)
         else:
             holds = sp.sympify(formula).xreplace(numbers) == 0
         if not holds:
@@ -254,6 +260,7 @@ def _agree(
 def _separated(problem: Problem) -> Solution | None:
     from .curve import DegenerateError
     from .degenerate import solved_degenerate
+    from .degenerate.uniform import resting
     from .genus_two import solved
 
     found = likeness(problem)
@@ -264,7 +271,9 @@ def _separated(problem: Problem) -> Solution | None:
     if axial is not None or found.level:
         return axial
     # a start has fifty digits: roots that coincide differ by as little, and are told first
-    solution = solved_degenerate(found.own, values, problem.start)
+    solution: Solution | None = resting(problem.system, values, problem.start)
+    if solution is None:
+        solution = solved_degenerate(found.own, values, problem.start)
     if solution is not None:
         return solution
     try:
@@ -276,16 +285,19 @@ def _separated(problem: Problem) -> Solution | None:
 def _axial(problem: Problem, found: Likeness, values: Mapping[sp.Symbol, Any]) -> Solution | None:
     """Bodies with two equal moments, and those that turn uniformly."""
     from .degenerate.revolution import chaplygin_of_revolution, veselova_of_revolution
+    from .degenerate.start import PRECISION
 
     own, name = found.own, found.known.name
     if problem.system.motion is None or name not in (*TURNING, *ROLLING):
         return None
-    numbers = {symbol: ball(value) for symbol, value in values.items()}
-    moments = evaluated(own.poles, numbers)
-    if name in TURNING:
-        return veselova_of_revolution(problem.system, values, problem.start, moments)
-    m, R = (numbers[scalar(s)] for s in ("m", "R"))
-    return chaplygin_of_revolution(problem.system, values, problem.start, moments, m * R * R, R)
+    with ctx.workprec(PRECISION):
+        numbers = {symbol: ball(value) for symbol, value in values.items()}
+        moments = evaluated(own.poles, numbers)
+        if name in TURNING:
+            return veselova_of_revolution(problem.system, values, problem.start, moments)
+        m, R = (numbers[scalar(s)] for s in ("m", "R"))
+        D = m * R * R
+        return chaplygin_of_revolution(problem.system, values, problem.start, moments, D, R)
 
 
 def _principal(problem: Problem) -> Solution | None:

@@ -15,12 +15,13 @@ from ..statements import ConformallyHamiltonian, Integral, Law, Measure
 from ..systems import rubber_ball_ratio
 from ..systems.ball_on_sphere import ratio
 from .problem import Problem
+from .sizes import ROUNDED
 
 __all__ = ["Condition", "NoClosedFormError", "degenerate", "refusal"]
 
 
-#: A condition so short is written out, and numbers so close are the same.
-SHORT, SAME = 30, 1e-30
+#: A condition so short is written out.
+SHORT = 30
 
 
 class NoClosedFormError(InputError):
@@ -87,7 +88,7 @@ def degenerate(problem: Problem) -> NoClosedFormError:
 
 def _known(problem: Problem) -> str:
     """The laws that hold at the start, in words."""
-    laws = [law for law in problem.system.laws if problem.vanish(law.on)]
+    laws = [law for law in problem.system.laws if problem.vanish(law.on, ROUNDED)]
     words = [law.meaning or law.name for law in laws if isinstance(law, Integral)]
     words += [phrase for kind, phrase in _FORMS.items() if any(isinstance(x, kind) for x in laws)]
     if not words:
@@ -117,9 +118,9 @@ def _named(problem: Problem, condition: Condition) -> str:
     written = text(condition.written)
     if len(written) <= SHORT:
         return f"{written} = 0"
-    laws = [law for law in problem.system.integrals if problem.vanish(law.on)]
-    value, *others = problem.values([condition.formula, *(law.value for law in laws)])
-    same = [law for law, other in zip(laws, others, strict=True) if abs(value - other) < SAME]
+    laws = [law for law in problem.system.integrals if problem.vanish(law.on, ROUNDED)]
+    value, *others = problem.measured([condition.formula, *(law.value for law in laws)])
+    same = [law for law, other in zip(laws, others, strict=True) if (value - other).vanishes()]
     return f"the {same[0].meaning} vanishes" if same else f"{written} = 0"
 
 

@@ -16,7 +16,7 @@ from ..system import System
 
 __all__ = ["LATEST", "ClosedForm", "Figure", "Solution", "States", "checked"]
 
-#: The latest time in double precision; phases Ωt lose their digits beyond 1e15.
+#: The largest phase Ωt in double precision; its digits are lost beyond 1e15.
 LATEST = 1e13
 
 
@@ -89,18 +89,25 @@ class States:
         return by_name(self.system, self.values, name)
 
 
-def checked(times: Any) -> Any:
+def checked(times: Any, pace: float) -> Any:
     """Times (n,) at which states in double precision have a meaning.
+
+    Parameters
+    ----------
+    times : array (n,)
+    pace : float
+        That of the motion.
 
     Raises
     ------
     InputError
-        If one is not finite, or beyond `LATEST`.
+        If one is not finite, or the phases there are beyond `LATEST`.
     """
-    if not np.all(np.isfinite(times)) or np.any(np.abs(times) > LATEST):
+    if not np.all(np.isfinite(times)) or np.any(np.abs(times) * pace > LATEST):
         raise InputError(
-            f"times: in double precision they must be within ±{LATEST:g}, beyond which the phase "
-            "of the motion is lost; evaluation with error bounds (--digits, rigorous) goes further"
+            f"times: in double precision they must be within ±{LATEST / (pace or 1.0):.3g}, beyond "
+            "which the phase of the motion is lost; evaluation with error bounds (--digits, "
+            "rigorous) goes further"
         )
     return times
 
@@ -127,6 +134,16 @@ class Solution(ABC):
     def states(self, times: Any) -> Any:
         """Lifted states at `times` (n,), as an array (n, size), in double precision."""
 
+    @property
+    @abstractmethod
+    def pace(self) -> float:
+        """How fast the phases of the motion grow with time, about; 0 at rest."""
+
+    @property
+    def left_open(self) -> str:
+        """What of the state :meth:`rigorous` cannot bound, and why, in a sentence; or nothing."""
+        return ""
+
     @abstractmethod
     def rigorous(self, time: Any, digits: int = 30) -> tuple[Any, ...]:
         """The lifted state at one time as balls (``flint.arb``) that contain the exact one.
@@ -135,7 +152,13 @@ class Solution(ABC):
         ----------
         time : float, int, str, Fraction or arb
         digits : int
-            Relative accuracy aimed at; the radii of the balls say what was reached.
+            Relative accuracy aimed at; the radii of the balls say what was reached.  They are
+            infinite for a place in space that is left open.
+
+        Raises
+        ------
+        InputError
+            If the attitude would be left open, or so many digits cannot be had.
         """
 
     def __call__(self, times: Any) -> States:
@@ -146,5 +169,5 @@ class Solution(ABC):
         InputError
             If a time is not finite, or so large that doubles lose the phase.
         """
-        moments = checked(np.atleast_1d(np.asarray(times, dtype=float)))
+        moments = checked(np.atleast_1d(np.asarray(times, dtype=float)), self.pace)
         return States(self.system, moments, self.states(moments))

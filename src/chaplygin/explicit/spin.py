@@ -21,7 +21,7 @@ from typing import Any, TypeAlias
 import numpy as np
 import sympy as sp
 
-from ..statements import Rate, Reduction
+from ..statements import Identity, Rate
 from ..vectors import constant, cross, dot, explicit, normed, unit, vectors
 from .numbers import number
 from .separable import Separable, nu, nuprime
@@ -216,7 +216,7 @@ def spinning(of: Separable, reference: Reference) -> sp.Expr:
     )
 
 
-def stated(of: Separable, reference: Reference) -> Reduction:
+def stated(of: Separable, reference: Reference) -> Identity:
     """That the angle about the fixed vector grows at the rate of :func:`spinning`.
 
     With κ and a the first two vectors of the triad the rate is (ȧ + ω×a, κ×a), and κ is fixed.
@@ -225,8 +225,10 @@ def stated(of: Separable, reference: Reference) -> Reduction:
     across = reference.vector - dot(reference.vector, kappa) * kappa
     velocity = constant([Rate(s) for s in a.symbols]) + cross(omega, a)
     still = constant([Rate(s) for s in kappa.symbols]) + cross(omega, kappa)
-    return Reduction(
+    return Identity(
         "spin",
+        (*explicit(still), explicit(dot(velocity, cross(kappa, a))) - spinning(of, reference)),
+        "the rate of turning about a direction that stays in space",
         {
             **dict(of.constants),
             nu: of.direction,
@@ -235,8 +237,6 @@ def stated(of: Separable, reference: Reference) -> Reduction:
             level: across,
             a: level / sp.sqrt(normed(level)),
         },
-        (*explicit(still), explicit(dot(velocity, cross(kappa, a))) - spinning(of, reference)),
-        "the rate of turning about a direction that stays in space",
         on=of.level,
         source=of.source,
     )

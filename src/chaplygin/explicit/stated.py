@@ -18,7 +18,7 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
-from ..statements import Law, Rate, Reduction, Separation
+from ..statements import Identity, Law, Rate, Reduction
 from ..vectors import cross, explicit, normed, scalar, vectors
 from .poles import gaps
 from .separable import Separable, nu, nuprime
@@ -66,38 +66,41 @@ def stated(separable: Separable) -> tuple[Law, ...]:
         for difference in _entries(explicit(name - formula))
     ]
     fixed = [
-        Reduction(
+        Identity(
             f"fixed_{number}",
-            {**constants, still: vector},
             tuple(explicit(cross(_rate(still) + cross(omega, still), still))),
             "a direction that stays in space",
+            {**constants, still: vector},
             **common,
         )
         for number, vector in enumerate(separable.fixed, 1)
     ]
-    return (
+    kept = [
         Reduction(
             "constants",
             constants,
             tuple(Rate(symbol) for symbol in moving),
             "constants of the motion",
             **common,
-        ),
-        Reduction(
+        )
+    ]
+    return (
+        *(kept if moving else ()),
+        Identity(
             "direction",
-            known,
             (explicit(normed(nu)) - 1, *turned),
             "a unit vector and its derivative in the new time",
+            known,
             **common,
         ),
-        Separation(
+        Identity(
             "separation",
-            {**known, **_symmetric(separable)},
             _separated(separable),
             "separated equations on a curve of genus two",
+            {**known, **_symmetric(separable)},
             **common,
         ),
-        Reduction("reconstruction", known, tuple(given), "the state from ν and ν′", **common),
+        Identity("reconstruction", tuple(given), "the state from ν and ν′", known, **common),
         *fixed,
     )
 

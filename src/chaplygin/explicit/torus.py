@@ -12,14 +12,18 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from flint import arb
+from flint import arb, fmpq
 
 from .curve import Curve
 from .numbers import number
 from .periods import Lattice, Pair, abelian, lattice
+from .sizes import vanishes
 from .theta import Theta
 
 __all__ = ["Divisor", "Torus", "divisor_of", "torus"]
+
+#: What a motion may miss of its start, relative to ν and ν′: near separatrices digits are lost.
+_PASSED = fmpq(1, 2**30)
 
 Triple = tuple[Any, Any, Any]
 
@@ -200,9 +204,11 @@ def torus(
         v_0,
         turning,
     )
-    for found, given in zip(sum(made.ball(v_0), ()), (*nu, *nuprime), strict=True):
-        if not abs(found - given) < arb(2) ** -30 * (1 + abs(given)):
-            raise ArithmeticError("the closed form does not pass through its start")
+    for found, given in zip(made.ball(v_0), (nu, nuprime), strict=True):
+        size = sum((abs(x) for x in given), arb(0))
+        for x, y in zip(found, given, strict=True):
+            if not vanishes(x - y, size, _PASSED):
+                raise ArithmeticError("the closed form does not pass through its start")
     return made
 
 
@@ -218,7 +224,7 @@ def _at(curve: Curve, left: int, s: Any) -> Any:
 
 
 def _angle(curve: Curve, left: int, z: Any, y: Any) -> Any:
-    """The place s of a point on its oval, from −π to π, accurate at the turning points too."""
+    """The place s of a point on its oval, from −½π to ³⁄₂π, accurate at the turning points too."""
     low, high = curve.ends(left)
     half = (high - low) / 2
     others = abs(curve.leading)
@@ -227,7 +233,8 @@ def _angle(curve: Curve, left: int, z: Any, y: Any) -> Any:
             others = others * abs(z - root)
     sine = y / (half * others.sqrt())
     cosine = ((low + high) / 2 - z) / half
-    return arb.atan2(sine, cosine)
+    # the branch is cut where no turning point is
+    return arb.pi() - arb.atan2(sine, -cosine) if cosine < 0 else arb.atan2(sine, cosine)
 
 
 def _phases(periods: Lattice, angles: Sequence[Any]) -> Pair:

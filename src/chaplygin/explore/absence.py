@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,6 +18,9 @@ from .proofs import HERE, Fact, Patience
 __all__ = ["Decided", "decided"]
 
 
+_OPEN = "whether one has a density that depends on the configuration alone"
+
+
 @dataclass(frozen=True)
 class Decided:
     """What is known of measures with a density on the configuration space.
@@ -29,10 +31,13 @@ class Decided:
         The measure, if there is one.
     absence : str
         That there is none, and the witness; empty otherwise.
+    open : str
+        That neither is known of a body or mechanism; empty otherwise.
     """
 
     measures: tuple[Density, ...] = ()
     absence: str = ""
+    open: str = ""
 
 
 def decided(given: Rolling | Mechanism | None, patience: Patience) -> Decided:
@@ -44,18 +49,19 @@ def decided(given: Rolling | Mechanism | None, patience: Patience) -> Decided:
         What moves, with its numbers; nothing can be said without it.
     patience : Patience
     """
-    allowed = min(patience.seconds, patience.altogether - patience.spent)
-    if given is None or allowed <= 0:
+    if given is None:
         return Decided()
-    began = time.monotonic()
+    if patience.over:
+        return Decided(open=f"{_OPEN} was not tried")
     try:
-        found = measure_exists(given, seconds=allowed)
+        found = measure_exists(given, effort=patience.effort)
     except (InputError, OutOfReachError, ZeroDivisionError):
-        return Decided()
-    finally:
-        patience.spent += time.monotonic() - began
+        return Decided(open=f"{_OPEN} is undecided")
+    patience.spent += sum(verdict.effort for verdict in found.verdicts)
     if found.decision == "none":
         return Decided(absence=_witness(found))
+    if found.decision == "undecided":
+        return Decided(open=f"{_OPEN} is undecided")
     # of a mechanism the density may depend on coordinates that its equations do without
     if found and isinstance(given, Rolling):
         return Decided((Density(_fact(found), "kept"),))

@@ -15,7 +15,14 @@ from ..laws.verdict import Verdict
 from ..mechanics.quasivelocity import Mechanism
 from ..mechanics.rolling import Rolling
 from ..notation import text
-from ..statements import Integral, Isomorphism, Law, Reduction
+from ..statements import (
+    ConformallyHamiltonian,
+    Integral,
+    Isomorphism,
+    Law,
+    Measure,
+    Reduction,
+)
 from ..system import System
 from ..vectors import scalar
 from .absence import Decided, decided
@@ -110,8 +117,19 @@ def _counted(
         except (OutOfReachError, InputError) as reason:
             made = _unknown(replace(system, laws=special), verdicts, str(reason))
         found.append(replace(made, level=words))
-    main = _placed(whole, laws.general, patience, given)
+    main = _placed(whole, laws.general, patience, given, _open(system, verdicts))
     return replace(main, uncounted=laws.uncounted, levels=tuple(found))
+
+
+def _open(system: System, verdicts: Mapping[str, Verdict]) -> tuple[str, ...]:
+    """Laws that would give a measure and are neither proven nor refuted, and how they stand."""
+    giving = [law for law in system.laws if isinstance(law, Measure | ConformallyHamiltonian)]
+    stands = ((law.name, verdicts.get(law.name)) for law in giving)
+    return tuple(
+        f"{name} is {verdict.stated}"
+        for name, verdict in stands
+        if verdict is not None and verdict.decision in ("undecided", "proven where")
+    )
 
 
 def _holds(system: System, law: Law, on: tuple[Any, ...], patience: Patience) -> bool:
@@ -129,6 +147,7 @@ def _placed(
     laws: Sequence[Law],
     patience: Patience,
     given: Rolling | Mechanism | None = None,
+    left: tuple[str, ...] = (),
 ) -> Place:
     system = standing.system
     variables = len(system.symbols)
@@ -158,6 +177,7 @@ def _placed(
         liouville=forms.liouville,
         reversal=(),
         reductions=tuple(_told(law) for law in laws if isinstance(law, Reduction)),
+        open=(*left, existence.open) if existence.open else left,
     )
     if not found.lasting and not standing.on:
         found = replace(found, reversal=_reversed(system))

@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 
 from ..laws.errors import OutOfReachError
-from ..laws.residuals import components
+from ..laws.named import components
 from ..statements import Isomorphism, Law, Measure
 from ..system import System
 from ..systems import CATALOGUE

@@ -13,6 +13,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from ..laws.budget import EFFORT
 from ..laws.verdict import Verdict
 from ..mechanics.quasivelocity import Mechanism
 from ..mechanics.rolling import Rolling
@@ -21,9 +22,9 @@ from .proofs import Fact, Patience
 
 __all__ = ["Bracket", "Density", "Kind", "Place", "Statement", "Uncounted", "place", "standing_of"]
 
-#: Seconds for the proof of one law, and for all, where the place must be there at once.
-PATIENCE = 1.0
-ALTOGETHER = 2.0
+#: Term operations for the proof of one law, and for all, where the place must be there at once.
+PATIENCE = EFFORT // 50
+ALTOGETHER = EFFORT // 25
 
 
 @dataclass(frozen=True)
@@ -194,8 +195,8 @@ def place(
     system : System
         Its parameters count with their present values (their defaults), taken as exact decimals.
     verdicts : mapping of str to Verdict
-        On its laws, by name; a law without a verdict does not count.  By default what is proven
-        already, or can be within `patience`.
+        On its laws, by name; a law without a verdict does not count.  By default what can
+        be proven with `patience`.
     patience : Patience, optional
         For the proofs needed besides: that symmetries leave the integrals alone, that integrals
         are in involution, laws of the targets of isomorphisms, laws restricted to a level.
@@ -216,5 +217,5 @@ def place(
 
 
 def standing_of(system: System, given: Rolling | Mechanism | None = None) -> Place:
-    """The place of a system by what is proven already, or can be in about two seconds."""
+    """The place of a system by what can be proven with little effort, in a few seconds."""
     return place(system, given=given)

@@ -39,6 +39,8 @@ class Found:
         Variables whose change of sign reverses the motion.
     reductions : tuple of Fact
         Proven reductions and separations of variables.
+    open : tuple of str
+        What would give a measure but is not proven without conditions, and how it stands.
     """
 
     dimension: int
@@ -52,6 +54,7 @@ class Found:
     liouville: tuple[Fact, ...]
     reversal: tuple[str, ...]
     reductions: tuple[Fact, ...]
+    open: tuple[str, ...] = ()
 
     @property
     def remaining(self) -> int:
@@ -292,6 +295,8 @@ def _attraction(found: Found) -> list[Statement]:
         known = "No invariant measure is proven"
         if found.absence:
             known += ", and none has a density that depends on the configuration alone"
+        if found.open:
+            known += f" ({'; '.join(found.open)})"
         return [Statement(f"{known}: {kinds} are not excluded.")]
     if best.sign == "kept":
         return [

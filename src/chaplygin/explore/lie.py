@@ -8,8 +8,8 @@ from typing import Any
 
 import sympy as sp
 
+from ..laws.named import components
 from ..laws.rank import rank
-from ..laws.residuals import components
 from ..statements import Integral, Law, Symmetry
 from ..vectors import Vector, explicit
 from .proofs import HERE, Fact, Patience, fact_of

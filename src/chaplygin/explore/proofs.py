@@ -1,13 +1,11 @@
-"""Verdicts within a given time, and the proven laws as facts that can be pointed to."""
+"""Verdicts within a given effort, and the proven laws as facts that can be pointed to."""
 
 from __future__ import annotations
 
-import time
 from dataclasses import dataclass, field
 
 from ..claims import heading
 from ..errors import InputError
-from ..laws.memory import fingerprint, recall
 from ..laws.prove import prove
 from ..laws.verdict import Verdict
 from ..statements import Law
@@ -15,6 +13,8 @@ from ..system import System
 
 __all__ = ["HERE", "Fact", "Patience", "fact_of"]
 
+NOT_TRIED = "not tried, as the effort for all laws together was spent"
+"""Why a law is left undecided that no work was left for."""
 HERE = "found here"
 """Source of a law that is not claimed of a system but was tried and proven."""
 
@@ -61,43 +61,40 @@ def fact_of(law: Law, system: str = "") -> Fact:
 
 @dataclass
 class Patience:
-    """How long proofs may take: a verdict that is kept on disk costs nothing.
+    """How much work proofs may take, counted so that every machine comes to the same answer.
+
+    What a verdict costs is what its proof took, whether it was made now or kept on disk, and a
+    proof that took more than is allowed here does not count: what is said depends neither on the
+    machine nor on what was proven before.
 
     Parameters
     ----------
-    seconds : float
-        For one law.
-    altogether : float
-        For all laws asked for, from the first to the last.
+    effort : int
+        Term operations for one law.
+    altogether : int, optional
+        Term operations after which no further law is tried.
     """
 
-    seconds: float
-    altogether: float = float("inf")
-    spent: float = field(default=0.0, init=False)
+    effort: int
+    altogether: int | None = None
+    spent: int = field(default=0, init=False)
+
+    @property
+    def over(self) -> bool:
+        """Whether no further law is tried."""
+        return self.altogether is not None and self.spent >= self.altogether
 
     def verdict(self, system: System, law: Law) -> Verdict:
-        """What can be proven of a law in the time that is left."""
-        allowed = min(self.seconds, self.altogether - self.spent)
-        began = time.monotonic()
+        """What can be proven of a law with the effort allowed."""
+        if self.over:
+            return Verdict(law.name, "undecided", reason=NOT_TRIED)
         try:
-            if allowed > 0:
-                return self._explained(prove(system, law, seconds=allowed))
-            kept = recall(fingerprint(system, law))
+            found = prove(system, law, effort=self.effort)
         except InputError as problem:
             return Verdict(law.name, "undecided", reason=str(problem))
-        finally:
-            self.spent += time.monotonic() - began
-        return kept or Verdict(law.name, "undecided", reason=self._over())
+        self.spent += found.effort
+        return found
 
     def verdicts(self, system: System) -> dict[str, Verdict]:
         """The verdicts on all laws of a system, by name."""
         return {law.name: self.verdict(system, law) for law in system.laws}
-
-    def _explained(self, verdict: Verdict) -> Verdict:
-        if "the time given ran out" not in verdict.reason:
-            return verdict
-        reason = f"not proven within {self.seconds:g} s"
-        return Verdict(verdict.law, "undecided", reason=reason, seconds=verdict.seconds)
-
-    def _over(self) -> str:
-        return f"not tried, as the {self.altogether:g} s for all proofs together were spent"

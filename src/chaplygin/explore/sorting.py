@@ -70,4 +70,4 @@ def sorted_laws(whole: Standing, verdicts: Mapping[str, Verdict]) -> Sorted:
 def _why(verdict: Verdict | None) -> str:
     if verdict is None:
         return "without a verdict"
-    return f"{verdict.decision}: {verdict.reason}" if verdict.reason else verdict.decision
+    return verdict.words

@@ -11,13 +11,14 @@ from typing import Any, TypeVar
 import sympy as sp
 from flint import arb
 
+from ..expressions.exact import exact_number
 from ..laws.errors import NotExactError, OutOfReachError
 from ..laws.ground import Ground
 from ..laws.jets import Evaluator, Jet
+from ..laws.named import components
 from ..laws.numbers import precise
 from ..laws.rank import rank
 from ..laws.rates import without_rates
-from ..laws.residuals import components
 from ..statements import Isomorphism, Law
 from ..system import System
 from ..vectors import explicit
@@ -33,7 +34,7 @@ SEED = 20130400
 
 def present(system: System) -> dict[sp.Symbol, sp.Rational]:
     """The present values of all parameters as the rational numbers that their decimals say."""
-    return {p.symbol: sp.Rational(repr(float(p.default))) for p in system.parameters}
+    return {p.symbol: exact_number(p.default) for p in system.parameters}
 
 
 def at_present(system: System, values: Mapping[sp.Symbol, Any]) -> System:

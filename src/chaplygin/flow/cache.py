@@ -22,6 +22,8 @@ from typing import Any
 
 import platformdirs
 
+from ..provenance import core
+
 __all__ = ["digest", "folder", "remember"]
 
 _KEEP = 200
@@ -44,17 +46,12 @@ def _processor() -> str:
     return platform.processor()
 
 
-def _generator() -> str:
-    """The text of the modules that turn formulas into code, so that a change of them counts."""
-    return "".join(path.read_text() for path in sorted(Path(__file__).parent.glob("*.py")))
-
-
 def digest(*parts: str) -> str:
     """A name for code shaped by `parts`, on this machine and with these versions."""
     text = "\x00".join(
         (
             *parts,
-            _generator(),
+            core(),
             platform.platform(),
             platform.python_version(),
             _processor(),

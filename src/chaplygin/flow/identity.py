@@ -8,7 +8,6 @@ import pickle
 from collections.abc import Iterable, Mapping, Sequence, Set
 from dataclasses import fields, is_dataclass
 from functools import lru_cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -18,7 +17,7 @@ from ..errors import InputError
 from ..statements import Integral, Law, Measure, Symmetry
 from ..system import System
 
-__all__ = ["digest", "parts", "program", "settled"]
+__all__ = ["digest", "parts", "settled"]
 
 #: What of a System shapes its motions.
 _OF_A_SYSTEM = ("name", "field", "definitions", "parameters", "relations", "guards", "start")
@@ -63,15 +62,6 @@ def parts(work: Any) -> dict[str, str]:
             item.name: digest(getattr(work, item.name)) for item in fields(work)
         }
     return {"function": digest(work)}
-
-
-@lru_cache(maxsize=1)
-def program() -> str:
-    """A digest of the program text that computes: a change of it may change last digits."""
-    package = Path(__file__).parents[1]
-    rooms = (package / room for room in ("flow", "explore"))
-    sources = [path for room in rooms for path in sorted(room.glob("*.py"))]
-    return digest([path.read_bytes() for path in sources])
 
 
 @lru_cache(maxsize=64)

@@ -8,13 +8,13 @@ import itertools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from pathlib import Path
 from typing import Any
 
 import llvmlite
 import llvmlite.binding as llvm
 import numpy as np
 
+from ..provenance import core
 from . import cache
 
 __all__ = ["Native", "aligned", "load", "width"]
@@ -88,21 +88,6 @@ def _processor() -> str:
     )
 
 
-#: The modules that write the texts.
-_WRITERS = (
-    "arithmetic cubic equations gauss graph identity keeping march native polish "
-    "series simd special split tables writer"
-)
-
-
-@lru_cache
-def _generator() -> str:
-    """What is written there, so that a change of it counts."""
-    names = _WRITERS.split()
-    folder = Path(__file__).parent
-    return hashlib.sha256(b"".join((folder / f"{n}.py").read_bytes() for n in names)).hexdigest()
-
-
 def _compile(text: str) -> bytes:
     module = llvm.parse_assembly(text + _ATTRIBUTES)
     machine = _machine()
@@ -138,7 +123,7 @@ def load(
     signatures : dict of str to sequence of ctypes types
         Of each function that is to be called from Python.
     """
-    name = hashlib.sha256("\x00".join((key, _processor(), _generator())).encode()).hexdigest()
+    name = hashlib.sha256("\x00".join((key, _processor(), core())).encode()).hexdigest()
 
     def make() -> tuple[bytes, int]:
         written, room = text()

@@ -23,7 +23,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import InputError, RunError
-from .identity import digest, parts, program
+from ..provenance import core
+from .identity import digest, parts
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -234,7 +235,7 @@ def _lay_out(task: Task, folder: Path) -> None:
                 "format": FORMAT,
                 "block": task.block,
                 "task": _description(task),
-                "program": program(),
+                "program": core(),
             },
         )
         zarr.consolidate_metadata(group.store)
@@ -338,7 +339,7 @@ def _gone_on_with(task: Task, folder: Path, group: Any) -> Store:
             raise InputError(f"{folder} holds another experiment: {_difference(name, task, group)}")
     done = _marks(folder, group)
     done[_lost(folder, group, done)] = False
-    if notes.get("program") != program() and not done.all():
+    if notes.get("program") != core() and not done.all():
         raise InputError(
             f"{folder} was begun by another version of the program, whose numbers may differ in "
             f"their last digits; {_CHOICE}"

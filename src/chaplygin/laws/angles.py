@@ -19,8 +19,9 @@ from ..statements import ConformallyHamiltonian, Law, PoissonStructure, Symmetry
 from ..system import Parameter, System
 from ..vectors import explicit, scalar
 from .errors import OutOfReachError
+from .jets import MOST_MULTIPLES
 
-__all__ = ["Circles", "circles", "without_angles"]
+__all__ = ["Circles", "circles", "formulas_of", "without_angles"]
 
 
 @dataclass(frozen=True)
@@ -50,7 +51,8 @@ class Circles:
         changed = {
             f.name: self._formula(getattr(law, f.name))
             for f in fields(law)
-            if f.name not in ("name", "source", "misprint", "meaning", "as_printed", "target")
+            if f.name
+            not in ("name", "source", "misprint", "meaning", "as_printed", "target", "onto")
         }
         if isinstance(law, Symmetry):
             changed["field"] = self._pushed(dict(_flat(law.field)))
@@ -171,7 +173,7 @@ def without_angles(system: System, law: Law) -> tuple[System, Law]:
     OutOfReachError
         As :func:`circles`.
     """
-    made = circles(system, law.on, _formulas_of(law))
+    made = circles(system, law.on, formulas_of(law))
     return (system, law) if made is None else (made.system, made.law(law))
 
 
@@ -187,18 +189,18 @@ def _angles(system: System, nodes: Iterable[sp.Expr]) -> list[sp.Symbol]:
     return sorted(found, key=str)
 
 
-def _formulas_of(value: Any) -> list[Any]:
+def formulas_of(value: Any) -> list[Any]:
     """All formulas in a law."""
     if isinstance(value, sp.Basic):
         return [value]
     if isinstance(value, tuple):
-        return [f for part in value for f in _formulas_of(part)]
+        return [f for part in value for f in formulas_of(part)]
     if isinstance(value, Law):
-        skip = {"target", "as_printed"}
+        skip = {"target", "as_printed", "onto"}
         if isinstance(value, Symmetry):
             skip |= {"field"}
         parts = [getattr(value, f.name) for f in fields(value) if f.name not in skip]
-        return [f for part in parts for f in _formulas_of(part)]
+        return [f for part in parts for f in formulas_of(part)]
     return []
 
 
@@ -247,6 +249,9 @@ def _replacements(
     table = {}
     for node in concerned:
         # in terms of the unit angles, so that only whole multiples are taken apart
+        multiples = [abs(sp.diff(node.args[0], a) / lost[a][2]) for a in angles]
+        if any(m.is_Rational and m > MOST_MULTIPLES for m in multiples):
+            raise OutOfReachError(f"{node} holds a high multiple of an angle that stands elsewhere")
         scaled = node.xreplace({angle: halves[angle] / lost[angle][2] for angle in angles})
         opened = sp.expand_trig(_by_sine_and_cosine(node, scaled))
         value = opened.xreplace(

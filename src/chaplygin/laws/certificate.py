@@ -1,214 +1,188 @@
 """Certificates: what another program needs in order to check a verdict.
 
-A certificate of a proof holds the equations of the system, the law, the ring, the relations with
-their quotients, and every residual as an identity of polynomials
-
-    multiplier · numerator = Σ quotient_i · relation_i,
-
-where the residual is numerator / ∏ factor^power.  Polynomials are lists of pairs: a coefficient
-and the powers of the generators of the ring, ``[generator, exponent, …]``.
-A certificate of a refutation holds the point and the residual there.
+A certificate of a proof holds the claim in full, a ring with what its generators stand for, every
+residual as a fraction of polynomials, and a tree of identities by which the numerators vanish; a
+certificate of a refutation holds a point.  The format is that of :mod:`chaplygin.check`, which
+shares no code with this; every certificate passes its check before it is handed out.
 """
 
 from __future__ import annotations
 
-import random
-import time
-from collections.abc import Mapping
+import contextlib
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
-import sympy as sp
-from sympy.polys.rings import PolyRing
-
-from ..errors import InputError
-from ..statements import Law
+from ..check import FORMAT, BadInputError, CheckError, check
+from ..check.claims import Claim as CheckedClaim
+from ..check.claims import read_claim
+from ..check.formulas import name, parse_condition
+from ..check.witness import located
+from ..statements import Law, Separation
 from ..system import System
-from .budget import Budget
-from .errors import SpareNeededError
-from .functions import Fractions
+from .alternatives import alternatives
+from .budget import EFFORT, Budget
+from .errors import NoRealValueError, OutOfReachError
 from .ground import Ground
+from .identities import Excluded, Made, proof_text
 from .numbers import precise
-from .prove import everything, prove, standing, tried
+from .phase_space import standing
+from .places import place
+from .proof import MOST_RUNS, turned
+from .prove import prove
+from .trial import trials
+from .unreduced import Unreduced, UnreducedFormal
 from .verdict import Verdict
+from .writing import claim_text
 
-__all__ = ["certified", "check"]
+__all__ = ["certified"]
 
-
-class _Unreduced(Fractions):
-    """Fractions whose numerators are kept as they come, so that the quotients can be given."""
-
-    def reduce(self, poly: Any) -> Any:
-        """Nothing is reduced."""
-        return poly
-
-    def vanishes(self, element: Any) -> bool:
-        """Whether an element is zero modulo the relations, the numerator staying as it is."""
-        return not element.poly or not self.divided(element.poly)[2]
-
-    def divided(self, poly: Any) -> tuple[Any, list[Any], Any]:
-        """Multiplier, quotients by the relations and remainder."""
-        multiplier = self.ring.constant(1)
-        quotients = [self.ring.constant(0) for _ in self._chain]
-        for main, _, _ in (("", None, None), *self._chain):
-            if main:
-                poly, factor, quotients = self._pseudo_divided(poly, quotients, main)
-                multiplier = multiplier * factor
-            poly = self._divided_by_leads(poly, quotients)
-        return multiplier, quotients, poly
-
-    def _divided_by_leads(self, poly: Any, quotients: list[Any]) -> Any:
-        while poly:
-            before = poly
-            for i, (_, relation, _) in enumerate(self._chain):
-                quotient, poly = divmod(poly, relation)
-                quotients[i] = quotients[i] + quotient
-            if poly == before:
-                break
-        return poly
-
-    def _pseudo_divided(
-        self, poly: Any, quotients: list[Any], main: str
-    ) -> tuple[Any, Any, list[Any]]:
-        index = next(i for i, (name, _, _) in enumerate(self._chain) if name == main)
-        relation = self._chain[index][1]
-        position = self.names.index(main)
-        degree = int(relation.degrees()[position])
-        lead = self.coefficient(relation, position, degree)
-        total = self.ring.constant(1)
-        while poly and (height := int(poly.degrees()[position])) >= degree:
-            top = self.coefficient(poly, position, height)
-            step = top * self.generators[main] ** (height - degree)
-            poly = lead * poly - step * relation
-            quotients = [lead * q for q in quotients]
-            quotients[index] = quotients[index] + step
-            total = total * lead
-        return poly, total, quotients
+Text = dict[str, Any]
 
 
-def certified(system: System, law: Law, seconds: float = 300.0) -> Verdict:
-    """Prove or refute a law, with a certificate.
+def certified(system: System, law: Law, effort: int = EFFORT) -> Verdict:
+    """Prove or refute a law, with a certificate that checks.
+
+    Parameters
+    ----------
+    system : System
+    law : Law
+    effort : int
+        Term operations allowed for the verdict, and as many again for the certificate.
+
+    Returns
+    -------
+    Verdict
+        Without a certificate where the law is undecided, or where none can be made: then
+        `uncertified` says why.
 
     Raises
     ------
     InputError
         As for :func:`chaplygin.laws.prove.prove`.
     """
-    verdict = prove(system, law, seconds=seconds)
-    before: list[tuple[System, Law]] = []
-    if verdict.decision != "undecided":
-        *before, (system, law) = standing(system, law)
-    content: dict[str, Any] = {"verdict": verdict.decision, **_statement(system, law)}
+    verdict = prove(system, law, effort=effort)
+    if verdict.decision == "undecided":
+        return verdict
+    try:
+        made = _certificate(system, law, verdict, effort)
+        check(made)
+    except OutOfReachError as reason:
+        return replace(verdict, uncertified=str(reason))
+    except (BadInputError, CheckError) as reason:
+        return replace(verdict, uncertified=f"the certificate does not check: {reason}")
+    return replace(verdict, certificate=made)
+
+
+def _certificate(system: System, law: Law, verdict: Verdict, effort: int) -> Text:
+    if isinstance(law, Separation) and verdict.decision != "refuted":
+        raise OutOfReachError("the check does not see whether equations separate")
+    claim = claim_text(system, law)
+    content = {"format": FORMAT, "verdict": verdict.decision, "claim": claim}
     if verdict.decision == "refuted":
-        content["witness"] = verdict.witness
-    elif verdict.decision == "proven":
-        content |= _identities(Ground(system, law.on), law, seconds)
-        content["before"] = [
-            _statement(*claim) | _identities(Ground(claim[0], claim[1].on), claim[1], seconds)
-            for claim in before
-        ]
-    else:
-        content["reason"] = verdict.reason
-    return replace(verdict, certificate=content)
-
-
-def _statement(system: System, law: Law) -> dict[str, Any]:
-    """The system and the law as text that SymPy reads."""
-    parts = {n: v for n, v in vars(law).items() if n not in ("as_printed", "misprint")}
-    return {
-        "system": system.name,
-        "field": {str(s): str(r) for s, r in zip(system.symbols, system.rates, strict=True)},
-        "definitions": {str(s): str(e) for s, e in system.steps},
-        "relations": [str(c) for c in Ground(system, law.on).conditions],
-        "law": {"kind": type(law).__name__, **{n: _text(v) for n, v in parts.items()}},
-    }
-
-
-def _text(value: Any) -> Any:
-    if isinstance(value, System):
-        return {
-            "name": value.name,
-            **{str(s): str(r) for s, r in zip(value.symbols, value.rates, strict=True)},
-        }
-    if isinstance(value, tuple):
-        return [_text(part) for part in value]
-    if isinstance(value, Law):
-        return {n: _text(v) for n, v in vars(value).items()}
-    return str(value)
-
-
-def _identities(ground: Ground, law: Law, seconds: float) -> dict[str, Any]:
+        return content | {"witness": _witness(verdict)}
+    if verdict.decision == "proven where":
+        content["conditions"] = list(_asked(verdict))
+    read = read_claim(claim, "the claim")
     with precise():
-        field, _ = tried(law, ground, random.Random(1))
-    sample = {name: float(value) for name, value in field.values.items()}
-    spare = 8
-    while True:
-        budget = Budget(deadline=time.monotonic() + seconds)
-        ring = ground.fractions(_Unreduced, spare, sample, budget)
-        try:
-            residuals = list(everything(law, ground, ring))
-        except SpareNeededError:
-            spare *= 2
-            continue
-        return {
-            "ring": list(ring.names),
-            "exchanged": {
-                str(e.name): f"{e.factor}*{e.parameter} + {e.rest}" for e in ground.exchanged
-            },
-            "inverted": {
-                str(a): str(j) for i in ground.inverted for a, j in zip(i.name, i.of, strict=True)
-            },
-            "settled": {str(p): str(v) for p, v in ground.settled.items()},
-            "auxiliary": ring.meanings,
-            "conditions": [_terms(relation) for _, relation, _ in ring.relations],
-            "residuals": [_identity(ring, what, residual) for what, residual in residuals],
-        }
+        sample = _sample(system, law, read)
+    content["sample"] = sample
+    return content | {"proofs": _proofs(system, law, read, sample, verdict, Budget(effort=effort))}
 
 
-def _identity(ring: _Unreduced, what: str, residual: Any) -> dict[str, Any]:
-    multiplier, quotients, rest = ring.divided(residual.poly)
-    if rest:
-        raise InputError(f"no certificate: {what} leaves a remainder")
+def _witness(verdict: Verdict) -> Text:
+    witness = verdict.witness or {}
+    if "place" not in witness:
+        raise OutOfReachError(
+            "what is refuted is no formula that fails at a point, but a dimension on "
+            "the whole level"
+        )
     return {
-        "what": what,
-        "numerator": _terms(residual.poly),
-        "denominator": [[_terms(ring.factors[n]), -p] for n, p in residual.powers.items()],
-        "multiplier": _terms(multiplier),
-        "quotients": [_terms(q) for q in quotients],
+        "point": witness["place"],
+        "what": witness["what"],
+        "index": witness["index"],
+        "residual": witness["value"],
     }
 
 
-def _terms(poly: Any) -> list[Any]:
-    """A polynomial as pairs of a coefficient and the powers [generator, exponent, …]."""
-    return [
-        [str(number), [x for i, n in enumerate(exponents) if n for x in (i, int(n))]]
-        for exponents, number in poly.to_dict().items()
-    ]
+def _asked(verdict: Verdict) -> tuple[str, ...]:
+    if not verdict.formulas or not all(verdict.formulas):
+        raise OutOfReachError("its conditions are not those of single formulas")
+    return verdict.formulas
 
 
-def check(certificate: Mapping[str, Any]) -> bool:
-    """Whether the identities of a certificate of a proof hold, as polynomials.
+def _sample(system: System, law: Law, read: CheckedClaim) -> Text:
+    """A point of the level at which the law is defined, as a certificate gives it."""
+    for alternative in alternatives(system, law):
+        claim = standing(alternative.system, alternative.law)[-1]
+        for ground in Ground(claim.system, claim.law.on).components:
+            points = replace(ground, inner=True) if ground.parent else ground
+            for trial in trials(claim.law, points):
+                made = None if trial.witness else place(claim, points, trial.values)
+                if made is not None and _is_located(read, made):
+                    return made
+    raise OutOfReachError("no point of its level was found with coordinates that can be written")
 
-    This reads the certificate alone and uses SymPy's polynomials, not the arithmetic of the
-    prover.
-    """
-    ring = PolyRing(certificate["ring"], sp.QQ, sp.lex)
 
-    def poly(terms: list[Any]) -> Any:
-        made = {}
-        for number, powers in terms:
-            exponents = [0] * len(ring.symbols)
-            for i, n in zip(powers[::2], powers[1::2], strict=True):
-                exponents[i] = n
-            made[tuple(exponents)] = sp.QQ(*map(int, f"{number}/1".split("/")[:2]))
-        return ring.from_dict(made)
+def _is_located(read: CheckedClaim, made: Text) -> bool:
+    try:
+        located(read, made)
+    except CheckError:
+        return False
+    return True
 
-    conditions = [poly(terms) for terms in certificate["conditions"]]
-    for item in certificate["residuals"]:
-        multiplier = poly(item["multiplier"])
-        total = multiplier * poly(item["numerator"])
-        for quotient, condition in zip(item["quotients"], conditions, strict=True):
-            total = total - poly(quotient) * condition
-        if total or not multiplier:
-            return False
-    return all(check(part) for part in certificate.get("before", ()))
+
+# --- proofs --------------------------------------------------------------------------------------
+
+
+def _proofs(
+    system: System,
+    law: Law,
+    read: CheckedClaim,
+    sample: Mapping[str, Any],
+    verdict: Verdict,
+    budget: Budget,
+) -> list[Text]:
+    ground = Ground(system, law.on)
+    numbers = located(read, sample)
+    point = {str(s): float(numbers(name(str(s))).mid()) for s in ground.generators}
+    asked = [(words, parse_condition(words, "a condition")[0][0]) for words in verdict.formulas]
+
+    def excluded(made: Made, poly: Any) -> str | None:
+        """The condition of the verdict that excludes the zeros of a polynomial."""
+        return next((words for words, formula in asked if made.states(formula, poly)), None)
+
+    def written(kind: type[Unreduced], signs: Mapping[str, int]) -> Made:
+        return Made(kind, read, law, ground, point, budget, signs)
+
+    first = written(Unreduced, {})
+    if not first.field.decisions:
+        return [proof_text(first, excluded, decided=False)]
+    with contextlib.suppress(OutOfReachError):
+        formal = written(UnreducedFormal, {})
+        if not formal.field.decisions:
+            return [proof_text(formal, excluded, decided=False)]
+    return _by_signs(first, written, excluded)
+
+
+def _by_signs(
+    first: Made, written: Callable[[type[Unreduced], Mapping[str, int]], Made], excluded: Excluded
+) -> list[Text]:
+    """A proof for every choice of signs for which the law is defined and holds."""
+    found = [proof_text(first, excluded, decided=True)]
+    waiting = turned(first.field, 0)
+    runs = 1
+    while waiting:
+        signs, size, _ = waiting.pop()
+        runs += 1
+        if runs > MOST_RUNS:
+            raise OutOfReachError(f"its roots have signs in more than {MOST_RUNS} ways")
+        try:
+            made = written(Unreduced, signs)
+        except (NoRealValueError, ZeroDivisionError):
+            continue
+        # where the law needs a sign, the check finds that a condition asks for it
+        with contextlib.suppress(OutOfReachError):
+            found.append(proof_text(made, excluded, decided=True))
+        waiting += turned(made.field, size)
+    return found

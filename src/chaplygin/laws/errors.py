@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 __all__ = [
+    "EffortSpentError",
     "EmptyLevelError",
+    "NoRealValueError",
     "NotExactError",
     "OutOfReachError",
     "SpareNeededError",
@@ -12,11 +14,19 @@ __all__ = [
 
 
 class OutOfReachError(Exception):
-    """The computation would be too large, take too long, or meets a formula it cannot treat."""
+    """The computation would be too large, or meets a formula it cannot treat."""
+
+
+class EffortSpentError(OutOfReachError):
+    """The computation takes more operations than are allowed."""
 
 
 class NotExactError(Exception):
     """A value has no exact rational form."""
+
+
+class NoRealValueError(OutOfReachError):
+    """A root of what is negative, at all points that are spoken of."""
 
 
 class SpareNeededError(Exception):

@@ -17,6 +17,12 @@ from sympy.core.function import AppliedUndef
 from ..statements import Identity, Integral, Isomorphism, Law, Measure, Rate, Reduction
 from ..system import System
 from ..vectors import explicit
+from .components import Decomposition
+from .errors import OutOfReachError, SpareNeededError
+from .functions import Fractions
+from .jets import Evaluator, Jet
+from .signs import Signs
+from .triangular import numerator
 
 __all__ = ["Graph", "graph"]
 
@@ -34,11 +40,15 @@ class Graph:
     law : Law
     consistency : Identity
         That the variables that are gone move as their expressions do.
+    excluded : tuple of sympy.Expr
+        Factors of these variables that could vanish on a part of the level that is not in the
+        closure of the rest.
     """
 
     system: System
     law: Law
     consistency: Identity
+    excluded: tuple[sp.Expr, ...] = ()
 
 
 def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None:
@@ -86,7 +96,44 @@ def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None
         # the volume d^n x divided by the differentials of the conditions
         changed["density"] = (*law.density, *((factor, -sp.S.One) for factor in factors))
     agreement = tuple(Rate(s) - rates[s] for s in gone)
-    return Graph(made, replace(law, **changed), Identity("the conditions are kept", agreement))
+    consistency = Identity("the conditions are kept", agreement)
+    excluded = _excluded(system, (*system.relations, *law.on), factors)
+    return Graph(made, replace(law, **changed), consistency, excluded)
+
+
+def _excluded(
+    system: System, conditions: Iterable[Any], factors: Iterable[sp.Expr]
+) -> tuple[sp.Expr, ...]:
+    """Factors whose zeros could hold a component of the level.
+
+    Values of functions are variables here like any other: what holds for all their values holds
+    for those that the functions have.
+    """
+    factors = [factor for factor in factors if not factor.is_number]
+    spare = 8
+    while factors:
+        try:
+            return tuple(f for f in factors if not _thin(system, tuple(conditions), f, spare))
+        except SpareNeededError:
+            spare *= 2
+        except OutOfReachError:
+            return tuple(factors)
+    return ()
+
+
+def _thin(system: System, conditions: tuple[Any, ...], factor: sp.Expr, spare: int) -> bool:
+    symbols = (*system.symbols, *(p.symbol for p in system.parameters))
+    draft = Fractions([str(s) for s in symbols], spare)
+    seeds = {s: Jet(draft.generator(str(s)), {}) for s in symbols}
+    evaluate = Evaluator(draft, seeds.get, dict(system.steps))
+    equations = [numerator(draft, evaluate.value(explicit(c))) for c in conditions]
+    lead = numerator(draft, evaluate.value(factor))
+    equations += [poly for _, poly, _ in draft.relations]
+    made = Decomposition(
+        draft, draft.names, {str(s) for s in system.symbols}, Signs(draft.ring, {})
+    )
+    parts = [part for part, _ in lead.factor()[1]]
+    return all(made.within((*equations, part), len(equations) + 1) for part in parts)
 
 
 def _written(formula: sp.Expr, steps: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:

@@ -13,10 +13,14 @@ from typing import Any
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
+from ..expressions.exact import exact_number
 from ..statements import Rate
 from .errors import OutOfReachError, UnknownSymbolError
 
 __all__ = ["Evaluator", "Exchange", "Inversion", "Jet"]
+
+#: Multiples of an angle whose sine is written in the sine and cosine of the angle.
+MOST_MULTIPLES = 24
 
 #: Along the field of the system.
 ALONG = -1
@@ -110,7 +114,7 @@ class Evaluator:
         self.field = field
         self.steps = dict(steps)
         self.exchanged = tuple(exchanged)
-        self.zeros = frozenset(zeros)
+        self.zeros = tuple(zeros)
         self.inverted = tuple(inverted)
         self.moving = moving
         self._inverse = {s: (i, n) for i in inverted for n, s in enumerate(i.name)}
@@ -174,7 +178,11 @@ class Evaluator:
         if formula.is_Rational:
             return self._constant(formula)
         if formula.is_Float:
-            return self._constant(sp.nsimplify(formula, rational=True))
+            return self._constant(exact_number(formula))
+        if formula is sp.pi:
+            return Jet(self.field.pi(), {})
+        if formula is sp.E:
+            return Jet(self.field.exponential(self.field.one), {})
         if formula.is_Add:
             return self._fold(formula.args, Jet.__add__)
         if formula.is_Mul:
@@ -271,8 +279,9 @@ class Evaluator:
         values = [jet.value for jet in inner]
 
         def named(counts: tuple[int, ...]) -> Any:
-            label = "".join(map(str, counts)) if any(counts) else ""
-            return self.field.opaque(f"{function}{'_' + label if label else ''}", values)
+            if self._is_zero(function, counts, values):
+                return self.field.zero
+            return self.field.unspecified(function, counts, values)
 
         slopes: dict[int, Any] = {}
         for j, jet in enumerate(inner):
@@ -282,7 +291,17 @@ class Evaluator:
                 for i, slope in jet.slopes.items():
                     part = partial * slope
                     slopes[i] = slopes[i] + part if i in slopes else part
-        return Jet(self.field.zero if formula in self.zeros else named(orders), slopes)
+        return Jet(named(orders), slopes)
+
+    def _is_zero(self, function: str, orders: tuple[int, ...], values: Sequence[Any]) -> bool:
+        """Whether the conditions say that a value of an unspecified function is zero."""
+        for zero in self.zeros:
+            other, counts, places = _taken_apart(zero)
+            if (other, counts) == (function, orders):
+                there = [self.value(place) for place in places]
+                if self.field.same(there, values):
+                    return True
+        return False
 
     def _function(self, formula: Any) -> Jet:
         field = self.field
@@ -292,23 +311,25 @@ class Evaluator:
             return self(_as_ratio(formula))
         if isinstance(formula, sp.sinh | sp.cosh | sp.tanh):
             return self(formula.rewrite(sp.exp))
+        if not (formula.args and formula.is_Function):
+            raise OutOfReachError(f"{formula}, which is no real number or function of the state")
         inner = [self(part) for part in formula.args]
         values = [jet.value for jet in inner]
         one = field.one
         if isinstance(formula, sp.log):
-            return inner[0].through(field.opaque("log", values), one / values[0])
+            return inner[0].through(field.known("log", values), one / values[0])
         if isinstance(formula, sp.atan2):
             upper, lower = inner
             square = lower.value * lower.value + upper.value * upper.value
-            made = upper.through(field.opaque("atan2", values), lower.value / square)
+            made = upper.through(field.known("atan2", values), lower.value / square)
             return made + lower.through(field.zero, field.zero - upper.value / square)
         x = values[0]
         if isinstance(formula, sp.atan):
-            return inner[0].through(field.opaque("atan", values), one / (one + x * x))
+            return inner[0].through(field.known("atan", values), one / (one + x * x))
         if isinstance(formula, sp.asin | sp.acos):
             rest = field.root(one - x * x, 2)
             sign = one if isinstance(formula, sp.asin) else field.zero - one
-            return inner[0].through(field.opaque(type(formula).__name__, values), sign / rest)
+            return inner[0].through(field.known(type(formula).__name__, values), sign / rest)
         if isinstance(formula, sp.Abs):
             raise OutOfReachError("an absolute value; write it with a square root")
         raise OutOfReachError(
@@ -317,7 +338,7 @@ class Evaluator:
 
     def _circular(self, formula: Any) -> Jet:
         angle = formula.args[0]
-        spread = sp.expand_trig(formula)
+        spread = sp.expand_trig(formula) if _few_multiples(angle) else formula
         if spread != formula:
             return self(spread)
         inner = self(angle)
@@ -325,6 +346,12 @@ class Evaluator:
         if isinstance(formula, sp.sin):
             return inner.through(sine, cosine)
         return inner.through(cosine, self.field.zero - sine)
+
+
+def _few_multiples(angle: Any) -> bool:
+    """Whether sine and cosine of the multiples in an angle are short polynomials."""
+    factors = (term.as_coeff_Mul()[0] for term in sp.Add.make_args(sp.expand(angle)))
+    return all(abs(factor) <= MOST_MULTIPLES for factor in factors)
 
 
 def _as_ratio(formula: Any) -> Any:

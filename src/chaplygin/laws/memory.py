@@ -1,6 +1,6 @@
 """Verdicts kept on disk between processes, each under a digest of everything it depends on.
 
-A verdict depends on the system, the law, the text of the prover and the versions of the exact
+A verdict depends on the system, the law, the program text and the versions of the exact
 arithmetic; whatever changes one of them makes another digest, so that nothing stale is read.
 """
 
@@ -10,8 +10,8 @@ import contextlib
 import hashlib
 import json
 import os
+import platform
 import tempfile
-from functools import cache
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -19,11 +19,16 @@ from typing import Any
 import platformdirs
 import sympy as sp
 
+from ..provenance import core
 from ..statements import Law
-from ..system import System
+from ..system import Guard, Parameter, System
 from .verdict import Verdict
 
-__all__ = ["digest", "fingerprint", "recall", "remember", "source_text"]
+__all__ = ["digest", "fingerprint", "recall", "remember"]
+
+
+FOR_THE_READER = frozenset({"as_printed", "meaning", "misprint", "source", "unit"})
+"""What of a law no proof depends on."""
 
 
 def folder() -> Path:
@@ -33,62 +38,88 @@ def folder() -> Path:
     return home / "verdicts"
 
 
-@cache
-def source_text(*rooms: str) -> str:
-    """The text of the modules in some rooms of the package, or of the whole package."""
-    home = Path(__file__).parent.parent
-    roots = [home / room for room in rooms] or [home]
-    paths = sorted(p for r in roots for p in ([r] if r.is_file() else r.rglob("*.py")))
-    return "".join(f"{path.relative_to(home)}\n{path.read_text()}" for path in paths)
-
-
 def digest(*parts: str) -> str:
     """A name for a verdict that depends on `parts` and on the versions of the arithmetic."""
-    versions = (f"{name} {version(name)}" for name in ("python-flint", "sympy"))
-    return hashlib.sha256("\x00".join((*parts, *versions)).encode()).hexdigest()
+    names = ("chaplygin", "mpmath", "python-flint", "sympy")
+    versions = (f"{name} {version(name)}" for name in names)
+    return hashlib.sha256(
+        "\x00".join((*parts, platform.python_version(), *versions)).encode()
+    ).hexdigest()
 
 
 def fingerprint(system: System, law: Law) -> str:
     """A name for the verdict on a law of a system."""
-    shape = (
-        system.field,
-        system.definitions,
-        system.relations,
-        tuple((p.symbol, p.default) for p in system.parameters),
-        tuple(guard.value for guard in system.guards),
-    )
-    return digest(_written(shape), _written(law), source_text("laws"))
+    return digest(_written(system), _written(law), core())
 
 
 def _written(value: Any) -> str:
-    """Everything a value is made of, as text."""
+    """Everything that a value is made of and a proof may depend on, as text."""
     if isinstance(value, sp.Basic | sp.MatrixBase):
         return str(sp.srepr(value))
     if isinstance(value, System):
-        return _written((value.field, value.definitions, value.relations))
+        shape = (value.field, value.definitions, value.relations, value.parameters, value.guards)
+        return f"System{_written(shape)}"
+    if isinstance(value, Parameter):
+        # meaning and unit are for the reader
+        return f"Parameter{_written((value.symbol, value.default, value.admissible))}"
+    if isinstance(value, Guard):
+        return f"Guard{_written((value.value, value.lift_off))}"
     if isinstance(value, tuple | list):
         return f"({', '.join(map(_written, value))})"
     if isinstance(value, Law):
-        parts = {name: v for name, v in vars(value).items() if name != "as_printed"}
+        parts = {name: v for name, v in vars(value).items() if name not in FOR_THE_READER}
         return f"{type(value).__name__}{ {n: _written(v) for n, v in parts.items()} }"
     return repr(value)
 
 
-def recall(name: str) -> Verdict | None:
-    """The verdict kept under a name, if there is one that can be read."""
-    try:
-        content: dict[str, Any] = json.loads((folder() / f"{name}.json").read_text())
-        return Verdict(**content)
-    except (OSError, ValueError, TypeError):
-        return None
+def recall(name: str, effort: int | None = None) -> Verdict | None:
+    """The verdict kept under a name, if there is one that can be read.
+
+    Parameters
+    ----------
+    name : str
+    effort : int, optional
+        Term operations allowed.  The verdict is what they lead to by themselves: one that took
+        fewer, or one for which just as many were spent; whatever else is kept does not count.
+    """
+    kept = _read(name)
+    if effort is None or (kept is not None and kept.effort < effort):
+        return kept
+    return _read(_limited(name, effort))
 
 
-def remember(name: str, verdict: Verdict) -> None:
-    """Keep a verdict; where the disk does not allow it, it is computed again next time."""
-    content = {n: v for n, v in vars(verdict).items() if n != "certificate"}
+def remember(name: str, verdict: Verdict, effort: int | None = None) -> None:
+    """Keep a verdict; where the disk does not allow it, it is computed again next time.
+
+    Parameters
+    ----------
+    name : str
+    verdict : Verdict
+    effort : int, optional
+        Term operations that were allowed.  Where all of them were spent, the verdict is kept for
+        this effort alone, since more may lead further and fewer not so far.
+    """
+    if effort is not None and verdict.effort >= effort:
+        name = _limited(name, effort)
+    content = {n: v for n, v in vars(verdict).items() if n not in ("certificate", "uncertified")}
     with contextlib.suppress(OSError):
         folder().mkdir(parents=True, exist_ok=True)
         handle, path = tempfile.mkstemp(dir=folder())
         with os.fdopen(handle, "w") as stream:
             json.dump(content, stream)
         Path(path).replace(folder() / f"{name}.json")
+
+
+def _limited(name: str, effort: int) -> str:
+    """The name of what all of an effort led to."""
+    return f"{name}-{effort}"
+
+
+def _read(name: str) -> Verdict | None:
+    try:
+        content: dict[str, Any] = json.loads((folder() / f"{name}.json").read_text())
+        for listed in ("conditions", "formulas"):
+            content[listed] = tuple(content.get(listed, ()))
+        return Verdict(**content)
+    except (OSError, ValueError, TypeError):
+        return None

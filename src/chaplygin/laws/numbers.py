@@ -31,7 +31,7 @@ def precise() -> AbstractContextManager[None]:
 def _invented(seed: str) -> fmpq:
     """A rational number that depends on its seed alone: the value of an unspecified function."""
     generator = random.Random(seed)
-    return fmpq(generator.randint(20, 60), generator.randint(20, 60))
+    return fmpq(generator.choice((-1, 1)) * generator.randint(20, 60), generator.randint(20, 60))
 
 
 def exact_root(value: fmpq, degree: int) -> fmpq:
@@ -95,14 +95,21 @@ class Rationals:
         """The exponential."""
         raise NotExactError
 
-    def opaque(self, name: str, arguments: Sequence[Any]) -> Any:
-        """A value of an unspecified function; of a known one there is none."""
-        if name in KNOWN:
-            raise NotExactError
-        return _invented(f"{name}{arguments}")
+    def pi(self) -> Any:
+        """The number π."""
+        raise NotExactError
 
+    def known(self, name: str, arguments: Sequence[Any]) -> Any:
+        """A value of a function such as the logarithm, which is not rational."""
+        raise NotExactError
 
-KNOWN = {"log", "acos", "asin", "atan", "atan2"}
+    def unspecified(self, function: str, orders: Sequence[int], arguments: Sequence[Any]) -> Any:
+        """A value of an unspecified function, or of one of its partial derivatives."""
+        return _invented(f"{function}{tuple(orders)}{arguments}")
+
+    def same(self, first: Sequence[Any], second: Sequence[Any]) -> bool:
+        """Whether a function has one value at two places."""
+        return list(first) == list(second)
 
 
 class Balls:
@@ -116,7 +123,7 @@ class Balls:
     def __init__(self, values: Mapping[str, Any]) -> None:
         self.values = {name: arb(value) for name, value in values.items()}
         self.one, self.zero = arb(1), arb(0)
-        self._seen: list[tuple[str, tuple[Any, ...], Any]] = []
+        self._seen: list[tuple[tuple[str, tuple[int, ...]], tuple[Any, ...], Any]] = []
 
     def rational(self, value: Any) -> Any:
         """A rational number."""
@@ -157,15 +164,31 @@ class Balls:
         """The exponential."""
         return element.exp()
 
-    def opaque(self, name: str, arguments: Sequence[Any]) -> Any:
-        """A function value: computed for a known function, invented for an unspecified one."""
-        if name in KNOWN:
-            first, *rest = arguments
-            method = getattr(arb, name)
-            return method(first, *rest)
-        for other, places, known in self._seen:
-            if other == name and all(a.overlaps(b) for a, b in zip(places, arguments, strict=True)):
-                return known
-        made = _invented(f"{name}{[a.str(12, radius=False) for a in arguments]}")
-        self._seen.append((name, tuple(arguments), arb(made.p) / arb(made.q)))
+    def pi(self) -> Any:
+        """The number π."""
+        return arb.pi()
+
+    def known(self, name: str, arguments: Sequence[Any]) -> Any:
+        """A value of a function such as the logarithm; ZeroDivisionError where it has none."""
+        first, *rest = arguments
+        value = getattr(arb, name)(first, *rest)
+        if not value.is_finite():
+            raise ZeroDivisionError
+        return value
+
+    def unspecified(self, function: str, orders: Sequence[int], arguments: Sequence[Any]) -> Any:
+        """A value of an unspecified function, or of one of its partial derivatives."""
+        key = (function, tuple(orders))
+        for other, places, value in self._seen:
+            if other == key and self.same(places, arguments):
+                return value
+        made = _invented(f"{key}{[a.str(12, radius=False) for a in arguments]}")
+        self._seen.append((key, tuple(arguments), arb(made.p) / arb(made.q)))
         return self._seen[-1][2]
+
+    def same(self, first: Sequence[Any], second: Sequence[Any]) -> bool:
+        """Whether a function may be given one value at two places.
+
+        Places whose balls overlap are the same, or a function can have one value at both.
+        """
+        return all(a.overlaps(b) for a, b in zip(first, second, strict=True))

@@ -24,14 +24,17 @@ from ..statements import (
     PoissonStructure,
     Rate,
     Reduction,
+    Separation,
     Symmetry,
 )
 from ..vectors import explicit
 from .ground import Ground
 from .jets import Evaluator, Jet
+from .named import components, named, scalars
 from .rates import without_rates, without_second_rates
+from .separated import separated
 
-__all__ = ["components", "preserved", "residuals"]
+__all__ = ["arrived", "pfaffian", "preserved", "residuals"]
 
 Residuals: TypeAlias = Iterator[tuple[str, Any]]
 
@@ -49,24 +52,6 @@ def preserved(ground: Ground, field: Any) -> Residuals:
         yield f"invariance of {text(condition)} = 0", along.slope(condition)
 
 
-def _scalars(value: Any) -> list[sp.Expr]:
-    """The scalar formulas of a scalar, vector, matrix or tuple of these."""
-    if isinstance(value, (tuple, list)):
-        return [scalar for part in value for scalar in _scalars(part)]
-    made = explicit(sp.sympify(value))
-    return list(made) if isinstance(made, sp.MatrixBase) else [made]
-
-
-def components(pairs: Sequence[tuple[Any, Any]], ground: Ground) -> dict[sp.Symbol, sp.Expr]:
-    """Pairs (name, formula) as scalar symbols with scalar formulas, rates written out."""
-    found: dict[sp.Symbol, sp.Expr] = {}
-    for name, formula in pairs:
-        symbols = (name,) if isinstance(name, sp.Symbol) else name.symbols
-        scalars = (without_rates(scalar, ground) for scalar in _scalars(formula))
-        found.update(zip(symbols, scalars, strict=True))
-    return found
-
-
 # --- integrals, identities, reductions -----------------------------------------------------
 
 
@@ -77,20 +62,31 @@ def _(law: Integral, ground: Ground, field: Any) -> Residuals:
 
 @residuals.register
 def _(law: Identity, ground: Ground, field: Any) -> Residuals:
-    formulas = [without_second_rates(f, ground) for f in _scalars(law.value)]
+    quantities = named(law, ground)
+    formulas = [without_second_rates(f, ground, quantities) for f in scalars(law.value)]
+    if not formulas:
+        raise InputError(f"the law {law.name!r} states nothing: it has no formula")
     rated = any(f.has(Rate) for f in formulas)
-    evaluate = ground.along(field) if rated else ground.evaluator(field)
+    evaluate = (ground.along(field) if rated else ground.evaluator(field)).with_steps(quantities)
     for i, formula in enumerate(formulas, 1):
         yield f"component {i}", evaluate.value(formula)
 
 
 @residuals.register
 def _(law: Reduction, ground: Ground, field: Any) -> Residuals:
-    quantities = components(law.quantities, ground)
+    quantities = named(law, ground)
     evaluate = ground.along(field).with_steps(quantities)
     for i, equation in enumerate(law.equations, 1):
         formula = without_second_rates(explicit(equation), ground, quantities)
         yield f"equation {i}", evaluate.value(formula)
+
+
+@residuals.register
+def _(law: Separation, ground: Ground, field: Any) -> Residuals:
+    yield from residuals.dispatch(Reduction)(law, ground, field)
+    evaluate = ground.evaluator(field).with_steps(named(law, ground))
+    for what, formula in separated(law, ground):
+        yield what, evaluate.value(formula)
 
 
 # --- invariant measure ---------------------------------------------------------------------
@@ -161,13 +157,17 @@ def _product(field: Any, first: Sequence[Any], second: Sequence[Any]) -> Any:
 
 
 def _solution(field: Any, matrix: Sequence[Sequence[Any]], right: Sequence[Any]) -> list[Any]:
-    """Solution of a small linear system, by Gauss and Jordan."""
+    """Solution of a small linear system with a Gram matrix, by Gauss and Jordan.
+
+    The pivots of a Gram matrix, taken in order, are the squared distances of each vector from the
+    span of those before it: none is zero where the vectors are independent.  So no rows are
+    exchanged, and a zero pivot says that the gradients of the conditions depend on each other,
+    where the volume that the conditions cut out is not defined.
+    """
     rows = [[*row, value] for row, value in zip(matrix, right, strict=True)]
     for i in range(len(rows)):
-        pivot = next((j for j in range(i, len(rows)) if not field.vanishes(rows[j][i])), None)
-        if pivot is None:
+        if field.vanishes(rows[i][i]):
             raise ZeroDivisionError
-        rows[i], rows[pivot] = rows[pivot], rows[i]
         rows[i] = [x / rows[i][i] for x in rows[i]]
         for j in range(len(rows)):
             if j != i:
@@ -230,7 +230,7 @@ def _(law: PoissonStructure, ground: Ground, field: Any) -> Residuals:
         )
     if law.rank is not None:
         for rows in combinations(range(size), law.rank + 2):
-            yield f"Pfaffian of {rows}", _pfaffian(field, values, rows)
+            yield f"Pfaffian of {rows}", pfaffian(field, values, rows)
 
 
 def _casimir(field: Any, name: str, function: Jet, values: Sequence[Sequence[Any]]) -> Residuals:
@@ -241,7 +241,7 @@ def _casimir(field: Any, name: str, function: Jet, values: Sequence[Sequence[Any
         yield f"{name}, component {i}", total
 
 
-def _pfaffian(field: Any, matrix: Sequence[Sequence[Any]], rows: tuple[int, ...]) -> Any:
+def pfaffian(field: Any, matrix: Sequence[Sequence[Any]], rows: tuple[int, ...]) -> Any:
     """Pfaffian of a principal submatrix; all of one size vanish when the rank is below it."""
     if not rows:
         return field.one
@@ -249,7 +249,7 @@ def _pfaffian(field: Any, matrix: Sequence[Sequence[Any]], rows: tuple[int, ...]
     total = field.zero
     for position, other in enumerate(rest):
         remaining = tuple(r for r in rest if r != other)
-        part = matrix[first][other] * _pfaffian(field, matrix, remaining)
+        part = matrix[first][other] * pfaffian(field, matrix, remaining)
         total = total + part if position % 2 == 0 else total - part
     return total
 
@@ -277,29 +277,57 @@ def _(law: ConformallyHamiltonian, ground: Ground, field: Any) -> Residuals:
 def _(law: Isomorphism, ground: Ground, field: Any) -> Residuals:
     along = ground.along(field)
     target = law.target
-    images = {s: along(f) for s, f in components(law.map, ground).items()}
+    images = components(law.map, ground)
+    for symbol, formula in components(law.constants, ground).items():
+        yield f"rate of {symbol}", along.slope(formula)
+    given = {s: Jet(jet.value, {}) for s, jet in arrived(law, ground, along).items()}
+    there = Evaluator(field, given.get, dict(target.steps))
+    for relation in target.relations:
+        yield f"{relation} in {target.name}", there.value(explicit(relation))
+    for condition in law.onto:
+        yield f"{condition} in {target.name}", there.value(explicit(condition))
+    speed = along.value(explicit(law.time))
+    for symbol, rate in zip(target.symbols, target.rates, strict=True):
+        yield f"rate of {symbol}", along.slope(images[symbol]) - speed * there.value(rate)
+
+
+def arrived(law: Isomorphism, ground: Ground, evaluate: Evaluator) -> dict[sp.Symbol, Jet]:
+    """State and parameters of the target, as this system gives them, and what `onto` needs.
+
+    Raises
+    ------
+    InputError
+        If the law leaves one of them open.
+    """
+    target = law.target
+    images, constants = components(law.map, ground), components(law.constants, ground)
     missing = set(target.symbols) - set(images)
     if missing:
         raise InputError(
             f"the law {law.name!r} does not say what {', '.join(sorted(map(str, missing)))} of "
             f"{target.name} is"
         )
-    constants = {s: along(f) for s, f in components(law.constants, ground).items()}
-    for symbol, constant in constants.items():
-        yield f"rate of {symbol}", _slope(field, constant, -1)
-    own = {str(s) for s in ground.symbols}
+    own = {p.symbol for p in ground.system.parameters}
     for parameter in target.parameters:
-        if parameter.symbol not in constants:
-            if str(parameter.symbol) not in own:
-                raise InputError(
-                    f"the law {law.name!r} does not say what the parameter {parameter.symbol} of "
-                    f"{target.name} is"
-                )
-            constants[parameter.symbol] = along(parameter.symbol)
-    given = {s: Jet(jet.value, {}) for s, jet in {**constants, **images}.items()}
-    there = Evaluator(field, given.get, dict(target.steps))
-    for relation in target.relations:
-        yield f"{relation} in {target.name}", there.value(explicit(relation))
-    speed = along.value(explicit(law.time))
-    for symbol, rate in zip(target.symbols, target.rates, strict=True):
-        yield f"rate of {symbol}", _slope(field, images[symbol], -1) - speed * there.value(rate)
+        symbol = parameter.symbol
+        if symbol in constants:
+            continue
+        if symbol not in own:
+            moving = symbol in ground.system.symbols
+            but = f", but {ground.system.name} has a state variable of this name" if moving else ""
+            raise InputError(
+                f"the law {law.name!r} does not say what the parameter {symbol} of {target.name} "
+                f"is{but}"
+            )
+        constants[symbol] = symbol
+    theirs = {*images, *constants, *(s for s, _ in target.steps)}
+    state = set(ground.system.symbols)
+    beside = {s for condition in law.onto for s in explicit(condition).free_symbols} - theirs
+    if turning := {s for s in beside if ground.expanded(s).free_symbols & state}:
+        raise InputError(
+            f"the law {law.name!r}: its level of {target.name} uses "
+            f"{', '.join(sorted(map(str, turning)))}, which depends on the state of "
+            f"{ground.system.name}; it may use what {target.name} has, and constants"
+        )
+    given = {**{s: s for s in beside}, **constants, **images}
+    return {s: evaluate(formula) for s, formula in given.items()}

@@ -10,7 +10,7 @@ from .algebra import Element
 from .errors import EmptyLevelError, OutOfReachError
 from .functions import Fractions
 
-__all__ = ["Terms", "Triangle", "numerator", "triangle"]
+__all__ = ["Terms", "Triangle", "chain", "numerator", "triangle"]
 
 Poly = Any
 
@@ -56,16 +56,26 @@ def triangle(
     OutOfReachError
         If no choice of main variables was found.
     """
-    chain = _chain(draft, names, conditions, moving, _merit)
-    if chain is None:
-        # orthonormal frames: the linear conditions must come first
-        chain = _chain(draft, names, conditions, moving, _merit_by_degree)
-    if chain is None:
-        raise OutOfReachError("the conditions of the level cannot be made triangular")
-    ordered = _sorted(draft, chain)
+    ordered = chain(draft, names, conditions, moving)
     mains = [main for main, _ in ordered]
     order = (*reversed(mains), *(n for n in names if n not in mains))
     return Triangle(order, tuple((main, _named(draft, poly)) for main, poly in ordered))
+
+
+def chain(
+    draft: Fractions, names: Sequence[str], conditions: Sequence[Poly], moving: set[str]
+) -> list[tuple[str, Poly]]:
+    """Main variables and polynomials of a triangular set, from the lowest to the highest.
+
+    Parameters, errors: as for :func:`triangle`.
+    """
+    found = _chain(draft, names, conditions, moving, _merit)
+    if found is None:
+        # orthonormal frames: the linear conditions must come first
+        found = _chain(draft, names, conditions, moving, _merit_by_degree)
+    if found is None:
+        raise OutOfReachError("the conditions of the level cannot be made triangular")
+    return _sorted(draft, found)
 
 
 def _named(draft: Fractions, poly: Poly) -> Terms:
@@ -105,17 +115,12 @@ def _chain(
         chain.append((main, waiting.pop(index)))
 
 
-def numerator(draft: Fractions, element: Element, condition: Any) -> Poly:
-    """The polynomial whose vanishing a condition states."""
+def numerator(draft: Fractions, element: Element) -> Poly:
+    """The polynomial that vanishes where an element does."""
     poly = element.poly
     for number, power in element.powers.items():
         for _ in range(max(power, 0)):
             poly = poly * draft.factors[number]
-    highest = poly.degrees()[: draft.spare] if poly else ()
-    if any(highest):
-        raise OutOfReachError(
-            f"the condition {condition} = 0 contains a root or a function; state it as a polynomial"
-        )
     return poly
 
 

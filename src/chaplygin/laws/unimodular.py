@@ -18,6 +18,7 @@ from typing import Any
 from ..errors import InputError
 from ..mechanics.quasivelocity import Mechanism
 from ..mechanics.rolling import Rolling
+from .budget import EFFORT
 from .existence.bodies import decide_body
 from .existence.mechanisms import decide_mechanism
 from .existence.value import Existence
@@ -26,7 +27,7 @@ __all__ = ["Existence", "measure_exists"]
 
 
 @singledispatch
-def measure_exists(given: Any, name: str = "", *, seconds: float = 60.0) -> Existence:
+def measure_exists(given: Any, name: str = "", *, effort: int = EFFORT) -> Existence:
     """Decide whether an invariant measure exists whose density depends on the configuration alone.
 
     Parameters
@@ -36,8 +37,8 @@ def measure_exists(given: Any, name: str = "", *, seconds: float = 60.0) -> Exis
         constraints are linear and homogeneous in the velocities, and do not depend on the time.
     name : str
         For the reader; by default that of the mechanism.
-    seconds : float
-        Time for a single proof.
+    effort : int
+        Term operations that a single proof may take.
 
     Returns
     -------
@@ -55,10 +56,10 @@ def measure_exists(given: Any, name: str = "", *, seconds: float = 60.0) -> Exis
 
 
 @measure_exists.register
-def _(given: Rolling, name: str = "rolling-body", *, seconds: float = 60.0) -> Existence:
-    return decide_body(given, name, seconds)
+def _(given: Rolling, name: str = "rolling-body", *, effort: int = EFFORT) -> Existence:
+    return decide_body(given, name, effort)
 
 
 @measure_exists.register
-def _(given: Mechanism, name: str = "", *, seconds: float = 60.0) -> Existence:
-    return decide_mechanism(given, name or given.name, seconds)
+def _(given: Mechanism, name: str = "", *, effort: int = EFFORT) -> Existence:
+    return decide_mechanism(given, name or given.name, effort)

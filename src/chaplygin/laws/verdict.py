@@ -7,7 +7,7 @@ from typing import Any, Literal
 
 __all__ = ["Decision", "Verdict"]
 
-Decision = Literal["proven", "refuted", "undecided"]
+Decision = Literal["proven", "proven where", "refuted", "undecided"]
 
 
 @dataclass(frozen=True)
@@ -18,9 +18,16 @@ class Verdict:
     ----------
     law : str
         Name of the law.
-    decision : ``"proven"``, ``"refuted"`` or ``"undecided"``
-        Proven: an exact computation; refuted: an exact or ball-arithmetic witness; undecided:
-        neither, for the `reason` given.
+    decision : ``"proven"``, ``"proven where"``, ``"refuted"`` or ``"undecided"``
+        Proven: an exact computation that covers the whole level; proven where: one that covers
+        the points of the level that satisfy `conditions`; refuted: an exact or ball-arithmetic
+        witness; undecided: none of these, for the `reason` given.
+    conditions : tuple of str
+        What the points covered satisfy, such as ``"x > 0"`` or ``"not y = 0"``; empty unless the
+        decision is "proven where".
+    formulas : tuple of str
+        The conditions in the words of Python, such as ``"x > 0"`` or ``"y != 0"``; an empty text
+        for one that says more than a formula does.
     shown : str
         What was shown, in a few words.
     reason : str
@@ -28,20 +35,41 @@ class Verdict:
     terms : int
         Size of the largest polynomial met.
     seconds : float
+        Time that it took, on the machine that decided it.
+    effort : int
+        Term operations that it took; with fewer allowed it stays undecided.
     witness : mapping, optional
-        Of a refutation: the point (name ↦ exact number or ball) and the residual there.
+        Of a refutation: the ``"point"`` (name ↦ exact number or ball), ``"what"`` fails there
+        and the ``"residual"``; and for its check the point as a certificate gives it
+        (``"place"``), the number of the residual (``"index"``) and its ``"value"``.
     certificate : mapping, optional
         What another program needs in order to check the verdict.
+    uncertified : str
+        Why there is no certificate, where one was asked for.
     """
 
     law: str
     decision: Decision
     shown: str = ""
     reason: str = ""
+    conditions: tuple[str, ...] = ()
+    formulas: tuple[str, ...] = ()
     terms: int = 0
     seconds: float = 0.0
+    effort: int = 0
     witness: dict[str, Any] | None = None
     certificate: dict[str, Any] | None = field(default=None, repr=False)
+    uncertified: str = ""
+
+    @property
+    def stated(self) -> str:
+        """The decision, with the conditions under which it holds."""
+        return " ".join((self.decision, ", ".join(self.conditions))).rstrip()
+
+    @property
+    def words(self) -> str:
+        """The decision, with its conditions and with the reason for leaving it open."""
+        return f"{self.stated}: {self.reason}" if self.reason else self.stated
 
     def __bool__(self) -> bool:
         return self.decision == "proven"

@@ -200,7 +200,7 @@ def _without_spin(ball: RollingBall, omega: list[Any], normal: list[Any]) -> lis
         return omega
     excess = _dot(omega, normal)
     nearest = [w - excess * n for w, n in zip(omega, normal, strict=True)]
-    if abs(excess) > SLACK * (1 + max(map(abs, omega))):
+    if abs(excess) > SLACK * max(map(abs, omega)):
         raise InputError(
             f"omega: (omega, n) = {float(excess):.6g}, and a rubber ball, which does not spin "
             f"about the normal, needs 0; the nearest admissible omega is {_shown(nearest)}"

@@ -15,6 +15,7 @@ from typing import Any
 import sympy as sp
 
 from ..errors import InputError
+from ..expressions.exact import exactly
 from ..vectors import scalar
 from .completion import Coefficients, Field, along, completed
 from .germs import expanded
@@ -83,7 +84,7 @@ class Distribution:
     @cached_property
     def fixed(self) -> Distribution:
         """The same with the values of the parameters put in."""
-        table = {s: sp.Rational(repr(v)) if isinstance(v, float) else v for s, v in self.constants}
+        table = {s: exactly(v) for s, v in self.constants}
         return replace(
             self,
             relations=tuple(f.xreplace(table) for f in self.relations),

@@ -18,6 +18,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from ..errors import InputError
+from ..expressions.exact import exact_number
 from .series import Numbers, Series
 
 __all__ = ["Germs", "angles", "combination", "expanded", "turned"]
@@ -125,7 +126,7 @@ class Germs:
         if formula.is_Rational:
             return self.constant(self.numbers.number(formula))
         if formula.is_Float:
-            return self.constant(self.numbers.number(sp.Rational(str(formula))))
+            return self.constant(self.numbers.number(exact_number(formula)))
         if formula.is_Symbol:
             return self._symbol(formula)
         if formula.is_Add or formula.is_Mul:
@@ -139,8 +140,11 @@ class Germs:
             return self._circular(formula)
         if isinstance(formula, sp.exp):
             return self._exponential(formula)
-        if formula.func in _SLOPES or formula is sp.pi:
+        if formula.func in _SLOPES:
             return self._opaque(formula)
+        if formula.is_number:
+            # π, e, π^e: numbers of their own
+            return self.constant(self._formal_value(formula))
         if isinstance(formula, (AppliedUndef, sp.Derivative)):
             return self._unspecified(formula)
         raise InputError(
@@ -186,10 +190,8 @@ class Germs:
         return self._formal[formula]
 
     def _opaque(self, formula: sp.Expr) -> Series:
-        value = self._formal_value(formula)
-        if formula is sp.pi:
-            return self.constant(value)
         argument = formula.args[0]
+        value = self._formal_value(formula)
         return self.series(argument).primitive(value, self.series(_SLOPES[formula.func](argument)))
 
     def _unspecified(self, formula: sp.Expr) -> Series:

@@ -15,6 +15,7 @@ from typing import Any, TypeAlias
 import sympy as sp
 
 from ..errors import InputError
+from ..expressions.exact import exactly
 from .germs import Angles, Germs, angles, expanded
 from .series import IrrationalError, Numbers, Series
 
@@ -139,7 +140,7 @@ def at(
     InputError
         If a relation does not hold at the point.
     """
-    given = {s: sp.nsimplify(v, rational=True) for s, v in point.items()}
+    given = {s: exactly(v) for s, v in point.items()}
     return _place(space, given, numbers, dice)
 
 
@@ -192,7 +193,7 @@ def _tried(
 
 
 def _rational(value: Any) -> sp.Expr:
-    return sp.sympify(value) if not isinstance(value, float) else sp.Rational(repr(value))
+    return exactly(sp.sympify(value))
 
 
 def _circle(
@@ -211,7 +212,8 @@ def _circle(
         turns = angle / sp.pi
         if angle == 0 or turns.is_Rational:
             exact = (sp.sin(angle), sp.cos(angle))
-            return (plain.series(exact[0]).value, plain.series(exact[1]).value), False
+            if not any(value.has(sp.sin, sp.cos) for value in exact):
+                return (plain.series(exact[0]).value, plain.series(exact[1]).value), False
     t = plain.numbers.drawn(dice)
     if core.is_Symbol and core not in constants and core not in given and plain.numbers.exact:
         shown[core] = 2 * n * sp.atan(sp.Rational(int(t.p), int(t.q)))

@@ -13,6 +13,7 @@ of no account.  The fields on the coordinates are then dependent, and the struct
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -22,7 +23,7 @@ import sympy as sp
 
 from ..errors import InputError
 from ..statements import Law
-from ..system import Guard, Observable, Parameter, flat, flat_pairs
+from ..system import Guard, Observable, Parameter, flat, flat_pairs, unknown_names
 from ..vectors import Vector, cross, explicit, scalar, unit
 
 __all__ = ["TIME", "Frame", "Mechanism", "Structure", "coordinates", "euclidean", "rotations"]
@@ -117,9 +118,8 @@ class Frame:
         return {q: e for q, e in zip(self.coordinates, column, strict=True) if e != 0}
 
     def _check(self) -> None:
-        for name, count in _counted((*self.coordinates, *self.w)).items():
-            if count > 1:
-                raise InputError(f"frame: {name} stands for two things; rename one of them")
+        for name in _twice((*self.coordinates, *self.w)):
+            raise InputError(f"frame: {name} stands for two things; rename one of them")
         velocities = set(self.w)
         for q, rate in zip(self.coordinates, self.qdot, strict=True):
             rest = rate.xreplace(dict.fromkeys(velocities, sp.S.Zero))
@@ -131,11 +131,9 @@ class Frame:
                 )
 
 
-def _counted(names: Iterable[sp.Symbol]) -> dict[sp.Symbol, int]:
-    found: dict[sp.Symbol, int] = {}
-    for name in names:
-        found[name] = found.get(name, 0) + 1
-    return found
+def _twice(names: Iterable[sp.Symbol]) -> list[str]:
+    """Names that several symbols have."""
+    return [name for name, count in Counter(map(str, names)).items() if count > 1]
 
 
 def coordinates(*names: Name, dot: str = "dot") -> Frame:
@@ -258,9 +256,9 @@ class Mechanism:
     def _check(self) -> None:
         parameters = {p.symbol for p in self.parameters}
         known = {TIME, *parameters}
-        for s, count in _counted((*parameters, *self.symbols, *(s for s, _ in self.steps))).items():
-            if count > 1:
-                raise InputError(f"{self.name}: {s} stands for two things; rename one of them")
+        named = (*(p.symbol for p in self.parameters), *self.symbols, *(s for s, _ in self.steps))
+        for name in _twice(named):
+            raise InputError(f"{self.name}: {name} stands for two things; rename one of them")
         still = known | set(self.frame.coordinates)
         defined = {s for s, _ in self.steps}
         for q, rate in zip(self.frame.coordinates, self.frame.qdot, strict=True):
@@ -291,9 +289,9 @@ class Mechanism:
             self._require(force, known, f"the force along {s}")
 
     def _require(self, value: sp.Expr, known: set[sp.Symbol], where: str) -> None:
-        missing = sorted(map(str, value.free_symbols - known))
+        missing = unknown_names(value, known)
         if missing:
             raise InputError(
-                f"{self.name}: {where} uses {', '.join(missing)}, which is neither a coordinate "
-                "nor a velocity, a definition or a parameter"
+                f"{self.name}: {where} uses {missing}, which is neither a coordinate nor a "
+                "velocity, a definition or a parameter"
             )

@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from ..errors import InputError
+from ..expressions.exact import exact_number, exactly
 from ..statements import Identity, Integral, Law
 from ..system import System
 from ..vectors import scalar
@@ -35,8 +36,10 @@ from .reduction_multiplier import (
     is_closed,
     multiplier,
     over_rational,
+    poles,
 )
 from .reduction_system import chaplygin_system, lifted, motion_law, with_base
+from .settled import settled
 from .suslov import equations
 
 __all__ = ["ChaplyginForm", "chaplygin_form"]
@@ -80,6 +83,10 @@ class ChaplyginForm:
         `system` in the time τ and canonical variables, where S̄ is exact in closed form.
     local : Local
         Evaluates (4.4) at points.
+    on : tuple of Expr
+        Expressions in the parameters that vanish for the numbers of the mechanism and are a case
+        of their own, with a multiplier or another than elsewhere.  They are settled in all
+        systems here.
     """
 
     original: System
@@ -97,6 +104,7 @@ class ChaplyginForm:
     lifted: System | None
     hamiltonian: System | None
     local: Local
+    on: tuple[sp.Expr, ...] = ()
 
     def claims(self) -> Iterator[tuple[System, Law]]:
         """All that is claimed, as pairs of a system and a law of it."""
@@ -133,6 +141,40 @@ def chaplygin_form(
     InputError
         If the system is not of this kind: the sentence says in what it differs.
     """
+    found = _reduced(mechanism, levels)
+    special = _special(mechanism, found)
+    if special is None:
+        return found
+    level, value = special
+    inner = chaplygin_form(settled(mechanism, value), levels)
+    return replace(inner, on=(level, *inner.on))
+
+
+def _special(
+    mechanism: Mechanism, found: ChaplyginForm
+) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]] | None:
+    """A level of the parameters that is a case of its own, and on which their numbers lie.
+
+    With the level comes the parameter that it gives.
+    """
+    numbers = {p.symbol: exact_number(p.default) for p in mechanism.parameters}
+    excepted = poles(found.multiplier) if found.multiplier is not None else ()
+    if found.obstruction is not None:
+        excepted = found.obstruction.vanishing
+    for factor in excepted:
+        if factor.xreplace(numbers) != 0:
+            continue
+        for symbol in sorted(factor.free_symbols & set(numbers), key=str):
+            slope = sp.diff(factor, symbol)
+            # linear, with a coefficient that does not vanish for the numbers at hand
+            if not slope.has(symbol) and slope.xreplace(numbers) != 0:
+                value = sp.cancel(symbol - factor / slope)
+                return symbol - value, {symbol: value}
+    return None
+
+
+def _reduced(mechanism: Mechanism, levels: Sequence[float | sp.Expr] | None) -> ChaplyginForm:
+    """The reduction for parameters near their numbers."""
     moved = motion(mechanism)
     here = base(mechanism, moved)
     found = _integrals(mechanism, moved, here)
@@ -232,7 +274,7 @@ def _levels(
                 f"{mechanism.name}: {len(given)} levels are given, but it is reduced on levels of "
                 f"{count} linear integrals"
             )
-        return [c if isinstance(c, sp.Expr) else sp.Rational(repr(float(c))) for c in given]
+        return [exactly(c) for c in given]
     used = {p.symbol for p in mechanism.parameters} | set(mechanism.symbols)
     used |= {s for s, _ in mechanism.steps}
     names = ["c"] if count == 1 else [f"c_{i + 1}" for i in range(count)]
@@ -257,5 +299,10 @@ def _integrals(mechanism: Mechanism, moved: Motion, here: Base) -> list[Linear]:
             f"{len(found) or 'no'} integral linear in the momenta, with coefficients up to degree "
             "two in the coordinates, was found to take the others; it is not shown to be a "
             "generalised Chaplygin system"
+            + (
+                " for general values of its parameters (put special values in as numbers)"
+                if mechanism.parameters
+                else ""
+            )
         )
     return found[:needed]

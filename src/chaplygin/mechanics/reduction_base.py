@@ -156,7 +156,13 @@ def _sphere(mechanism: Mechanism, motion: Motion, vector: Vector) -> Base:
     first, second, third = (motion.anchor.row(i).xreplace(place) for i in index)
     rates = sp.Matrix.vstack(-third / sine, (across * first - turn * second) / sine)
     fixed = {q: sp.S.Zero for q in motion.coordinates if q not in place}
-    return Base((theta, phi), place, fixed, rates, vector, on_base(motion, {**place, **fixed}))
+    moved = on_base(motion, {**place, **fixed})
+    if not _spans(mechanism, sp.Matrix.vstack(rates, moved.constraints)):
+        raise InputError(
+            f"{mechanism.name}: {vector} does not move freely under the constraints, so that it "
+            "does not reduce to two coordinates"
+        )
+    return Base((theta, phi), place, fixed, rates, vector, moved)
 
 
 def _pair(mechanism: Mechanism, motion: Motion, needed: list[sp.Symbol]) -> Base:

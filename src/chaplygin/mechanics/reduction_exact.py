@@ -59,6 +59,13 @@ def on_circles(formula: sp.Expr, owner: str = "") -> sp.Expr:
     formula = formula.rewrite([sp.tan, sp.cot, sp.sec, sp.csc], sp.cos).rewrite(sp.tan, sp.cos)
     if formula.has(sp.Function):
         formula = sp.expand_trig(formula)
+    constants = sorted(map(str, formula.atoms(sp.NumberSymbol)))
+    if constants:
+        raise InputError(
+            f"{owner}: {constants[0]} stands where the search for a multiplier needs rational "
+            f"coefficients; give it a name, as a parameter with the value "
+            f"{float(sp.sympify(constants[0])):.16g}"
+        )
     names = {}
     for f in formula.atoms(sp.Function):
         if not (isinstance(f, sp.sin | sp.cos) and isinstance(f.args[0], sp.Symbol)):
@@ -67,6 +74,11 @@ def on_circles(formula: sp.Expr, owner: str = "") -> sp.Expr:
                 "are rational in the coordinates, their sines and cosines"
             )
         names[f] = circle(f.args[0])[isinstance(f, sp.cos)]
+    taken = sorted(map(str, formula.free_symbols & set(names.values())))
+    if taken:
+        raise InputError(
+            f"{owner}: the name {taken[0]} is needed for a sine or cosine; rename what has it"
+        )
     formula = formula.xreplace(names)
     if any(not p.exp.is_Integer for p in formula.atoms(sp.Pow)):
         raise InputError(
@@ -110,7 +122,7 @@ class Formulas:
         made = [on_circles(sp.sympify(f), owner) for f in formulas]
         below = {r for f in made for r in f.atoms(sp.Rational) if r.q != 1}
         # quotients of integers would become floating-point numbers
-        self._parts = {r: scalar(f"part_{r.p}_{r.q}") for r in below}
+        self._parts = {r: sp.Dummy(f"part_{r.p}_{r.q}") for r in below}
         made = [f.xreplace(self._parts) for f in made]
         self.symbols = tuple(
             sorted({s for f in made for s in f.free_symbols} - {*self._parts.values()}, key=str)

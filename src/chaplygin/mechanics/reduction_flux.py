@@ -19,16 +19,20 @@ from itertools import combinations_with_replacement, product
 
 import sympy as sp
 
+from ..expressions.exact import exact_number
 from ..vectors import Vector
 from .quasivelocity import Mechanism
 from .reduction_base import Base
 from .reduction_exact import Formulas
 from .reduction_integrals import solutions
 from .reduction_multiplier import Multiplier, as_positive, over_rational
+from .vanishing import vanishes
 
 __all__ = ["Flux", "flux", "indefinite"]
 
 HALF = sp.Rational(1, 2)
+SHORT = 300
+"""Operations up to which a form is compared with the solid angle."""
 
 
 @dataclass(frozen=True)
@@ -110,12 +114,26 @@ def _of_part(
     if _is_odd(mechanism, base, part):
         return Flux(sp.S.Zero, "the form is odd in the unit vector")
     roots = [f for f, e in multiplier.powers if e.is_Rational and (2 * e) % 2 == 1]
+    if not roots:
+        g = _constant_density(base, vector, over_rational(multiplier, part))
+        return Flux(None, "") if g is None else Flux(4 * sp.pi * g, "a multiple of the solid angle")
     if len(roots) != 1 or not all(e.is_Rational for _, e in multiplier.powers):
         return Flux(None, "")
     form = sp.hessian(roots[0], vector.symbols) / 2
     if not _definite(mechanism, vector, roots[0]):
         return Flux(None, "")
     return _through_ellipsoid(mechanism, base, vector, multiplier, part, roots[0], form)
+
+
+def _constant_density(base: Base, vector: Vector, form: sp.Expr) -> sp.Expr | None:
+    """g where S̄ = g sin θ with a constant g; else None."""
+    density = form / sp.sin(base.coordinates[0])
+    if density.free_symbols & set(base.coordinates) or sp.count_ops(density) > SHORT:
+        return None
+    pole = dict(zip(vector.symbols, (sp.S.Zero, sp.S.Zero, sp.S.One), strict=True))
+    g = density.xreplace(pole)
+    unit = sp.Add(*(s**2 for s in vector.symbols)) - 1
+    return g if g.is_finite is not False and vanishes(density - g, [unit]) else None
 
 
 def indefinite(mechanism: Mechanism, base: Base, found: Multiplier) -> tuple[sp.Expr, ...]:
@@ -136,7 +154,7 @@ def _has_both_signs(mechanism: Mechanism, vector: Vector, form: sp.Expr) -> bool
 
 
 def _defaults(mechanism: Mechanism) -> dict[sp.Symbol, sp.Rational]:
-    return {p.symbol: sp.Rational(repr(float(p.default))) for p in mechanism.parameters}
+    return {p.symbol: exact_number(p.default) for p in mechanism.parameters}
 
 
 def _smooth(mechanism: Mechanism, vector: Vector, value: sp.Expr) -> bool:

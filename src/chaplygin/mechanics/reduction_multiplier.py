@@ -139,6 +139,16 @@ def _joined(first: Quotient, second: Quotient) -> sp.Expr:
     return sp.cancel(sp.together(first.formula() + second.formula()))
 
 
+def poles(found: Multiplier) -> tuple[sp.Expr, ...]:
+    """Factors in the parameters below the exponents of N: where one vanishes there is no such N."""
+    below = {
+        factor
+        for _, exponent in found.powers
+        for factor, _ in sp.factor_list(sp.denom(sp.together(exponent)))[1]
+    }
+    return tuple(sorted(below, key=str))
+
+
 def closed(local: Local, chart: Chart, parameters: Sequence[Parameter]) -> Obstruction | None:
     """None if the form is closed at some rational points, else a point where it is not.
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from ..notation import text
+from .reduction_multiplier import poles
 
 if TYPE_CHECKING:
     from .reduction import ChaplyginForm
@@ -52,10 +53,14 @@ def _rows(form: ChaplyginForm) -> Iterator[tuple[str, str]]:
         momenta = f"{text(constant)} = {text(integral.in_momenta)}, M = ∂L/∂({velocities})"
         yield "level", momenta
     yield "energy", f"L = E₂ − E₀ from {form.role}"
+    if form.on:
+        yield "where", f"{', '.join(f'{text(f)} = 0' for f in form.on)}, a case of its own"
     if form.multiplier is None:
         yield from _refused(form)
         return
     yield "multiplier", f"N = {text(form.multiplier.value)}"
+    for factor in poles(form.multiplier):
+        yield "", f"not where {text(factor)} = 0, which is a case of its own"
     for factor in form.singular:
         yield "singular", f"where {text(factor)} = 0"
     yield "gyroscopic", f"S̄ = {text(form.gyroscopic)}"

@@ -20,6 +20,7 @@ import sympy as sp
 from ..errors import InputError
 from .balance import Balance, balance
 from .elimination import Factored, product
+from .germs import expanded
 from .quasivelocity import TIME, Mechanism
 from .sampling import negligible, precisely, rank
 from .tape import Derivation, Step
@@ -172,11 +173,21 @@ def _check(parts: Balance) -> None:
 
 
 def _pivot(parts: Balance, row: Mapping[int, sp.Expr]) -> int:
-    """The velocity for which a constraint is solved: its coefficient is the simplest."""
+    """The velocity for which a constraint is solved: its coefficient is the simplest.
+
+    A coefficient in which no parameter stands is preferred, as it vanishes for no value of them.
+    """
     entries = [c for c in row.values() if c != 0]
     points = parts.at(entries)
     regular = [s for s, c in row.items() if c != 0 and rank([[points[0].value(c)]])[0]]
-    return min(regular, key=lambda s: (not row[s].is_number, sp.count_ops(row[s]), -s))
+    steps = dict(parts.tape.steps(entries))
+    parameters = {p.symbol for p in parts.mechanism.parameters}
+
+    def effort(s: int) -> tuple[bool, bool, int, int]:
+        fixed = not expanded(row[s], steps).free_symbols & parameters
+        return (not row[s].is_number, not fixed, sp.count_ops(row[s]), -s)
+
+    return min(regular, key=effort)
 
 
 def _field(parts: Balance, column: Sequence[sp.Expr]) -> Derivation:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
+from ..expressions.exact import exact_number
 from ..laws.verdict import Verdict
 from ..system import System
 from ..vectors import explicit
@@ -23,7 +24,7 @@ def rational_point(system: System, state: Mapping[str, object]) -> dict[sp.Symbo
     state : mapping of str to number or text
         Values by the name of the scalar, such as ``{"gamma_1": "2/7"}``.
     """
-    point = {p.symbol: sp.Rational(str(p.default)) for p in system.parameters}
+    point = {p.symbol: exact_number(p.default) for p in system.parameters}
     names = {str(s): s for s in (*system.symbols, *point)}
     return point | {names[name]: sp.Rational(str(value)) for name, value in state.items()}
 

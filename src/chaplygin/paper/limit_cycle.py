@@ -30,6 +30,8 @@ CASE: Case = (("0.5", "2.75", "2.8"), ("0.05", "-0.1", "0.15"), "0.95")
 #: α at which the displacement is negative and positive.
 BELOW, ABOVE = Fraction(13, 5), Fraction(11, 2)
 STEPS = 1500
+#: Of the numbers with which the polygons are computed.
+BITS = 64
 #: A bound of f that the boxes are checked against.
 STEEPEST = 8
 
@@ -75,17 +77,17 @@ def displacement(start: Fraction, upwards: bool, case: Case = CASE, steps: int =
     ArithmeticError
         If a slope exceeds the bound that the boxes assume.
     """
-    ctx.prec = 64
-    step = 2 * arb.pi() / steps
-    alpha = arb(start.numerator) / start.denominator
-    for i in range(steps):
-        beta = (step * i).union(step * (i + 1))
-        slope = _slope(alpha.union(alpha + STEEPEST * step), beta, case)
-        if not slope < STEEPEST:
-            raise ArithmeticError("the slope on the torus exceeds its assumed bound")
-        side = slope.upper() if upwards else slope.lower()
-        alpha = alpha + step * side
-    return alpha - arb(start.numerator) / start.denominator - 4 * arb.pi()
+    with ctx.workprec(BITS):
+        step = 2 * arb.pi() / steps
+        alpha = arb(start.numerator) / start.denominator
+        for i in range(steps):
+            beta = (step * i).union(step * (i + 1))
+            slope = _slope(alpha.union(alpha + STEEPEST * step), beta, case)
+            if not slope < STEEPEST:
+                raise ArithmeticError("the slope on the torus exceeds its assumed bound")
+            side = slope.upper() if upwards else slope.lower()
+            alpha = alpha + step * side
+        return alpha - arb(start.numerator) / start.denominator - 4 * arb.pi()
 
 
 def limit_cycle(proofs: Sequence[Verdict] = ()) -> Verdict:

@@ -11,6 +11,7 @@ from collections.abc import Mapping
 
 import sympy as sp
 
+from ..expressions.exact import exactly
 from ..laws.verdict import Verdict
 from ..system import System
 from ..vectors import explicit
@@ -26,7 +27,7 @@ def _jets(system: System, point: Point) -> tuple[dict[sp.Symbol, sp.Expr], dict[
     slopes: dict[sp.Symbol, Point] = {s: {s: sp.S.One} for s in system.symbols}
     for symbol, formula in system.steps:
         slopes[symbol] = _slopes(formula, values, slopes)
-        values[symbol] = sp.nsimplify(formula.xreplace(values), rational=True)
+        values[symbol] = exactly(formula.xreplace(values))
     return values, slopes
 
 

@@ -102,7 +102,7 @@ def contact_tensor() -> Case:
     return ball(), Identity("tensor", matrix * omega - M)
 
 
-def veselova() -> Case:
+def veselova() -> tuple[System, Identity]:
     """(1.21) with (1.22) keeps (ω, γ)."""
     right = cross(I * omega, omega) + COUPLE
     torque_0 = -dot(A * gamma, right) / dot(A * gamma, gamma)
@@ -130,16 +130,38 @@ def bound(point: sp.MatrixExpr, torque_0: sp.Expr) -> System:
     )
 
 
-def from_rolling() -> Case:
+def from_rolling() -> tuple[System, Identity]:
     """(1.17) for r = −Rγ, λ₀ = 0 is (1.20)."""
     return bound(-R * gamma, sp.S.Zero), Identity("ball", newton_euler() - _ball_balance())
 
 
-def from_fixed_point() -> Case:
+def from_fixed_point() -> tuple[System, Identity]:
     """(1.17) for r = 0 is (1.21), for every λ₀."""
     right = cross(I * omega, omega) + COUPLE + nu * gamma
     left = I * rate(omega) - right
     return bound(constant([0, 0, 0]), nu), Identity("fixed_point", newton_euler() - left)
+
+
+def ball_from_reduced() -> tuple[System, Identity]:
+    """The Chaplygin ball in (1.18) with r = −Rγ and λ₀ of (1.19), left less right side.
+
+    Ĩ = J − mR² γ⊗γ with J = I + mR², so that Ĩ⁻¹γ is along J⁻¹γ.
+    """
+    along = (I + m * R**2 * identity) ** -1 * gamma
+    # what is left with λ₀ = 0 is the bracket of (1.19) less Ĩω̇
+    bracket = I * rate(omega) + m * R**2 * cross(gamma, cross(rate(omega), gamma)) - _ball_balance()
+    torque_0 = -dot(along, bracket) / dot(gamma, along)
+    return ball(), Identity("reduced", _ball_balance() - torque_0 * gamma)
+
+
+def from_reduced() -> Case:
+    """Both systems satisfy (1.18) with (1.19), which for r = 0 is (1.21) with (1.22)."""
+    return ball_from_reduced(), veselova()
+
+
+def from_unreduced() -> Case:
+    """The ball is (1.17) with λ₀ = 0, the Veselova system (1.17) with r = 0 and (1.22)."""
+    return from_rolling(), from_fixed_point(), veselova()
 
 
 # --- (1.23) --------------------------------------------------------------------------------
@@ -200,6 +222,17 @@ def plane_limit() -> Case:
 
 
 CLAIMS = (
+    Claim(
+        "§1.4, first sentences",
+        "the equations of motion of the first two systems (the Chaplygin ball and the Veselova "
+        "system) can be obtained as particular cases of system (1.18)",
+        from_reduced,
+        from_unreduced,
+        r"they can be obtained as particular cases of system (1.17): the ball with $\lambda_0 = 0$ "
+        r"and $\mathbf r = -a\boldsymbol\gamma$, the Veselova system with $\mathbf r = 0$",
+        "(1.17) is meant, as the next sentences have it; λ₀ of (1.18) is (1.19), which keeps "
+        "(ω, γ), while the ball may spin: of the two only the Veselova system is a case of (1.18)",
+    ),
     Claim(
         "§1.4, before (1.20)",
         r"setting $\lambda_0=0$ and $\mathbf r=-a\boldsymbol\gamma$ in (1.17), where $a$ is the "

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from ..expressions.exact import exact_number
 from ..laws.verdict import Verdict
 from ..mechanics.body import Body
 from ..mechanics.rolling import Field, roll
@@ -57,7 +58,7 @@ def celtic_stone() -> Verdict:
     """An ellipsoid whose axes are not its principal axes of inertia spins about the vertical."""
     inertia = ((1.0, 0.25, 0.0), (0.25, 1.5, 0.0), (0.0, 0.0, 2.0))
     made = roll(Body(1.0, inertia, Ellipsoid((1.0, 0.75, 0.5))), field=Field(10.0))
-    point = {p.symbol: sp.nsimplify(p.default, rational=True) for p in made.parameters}
+    point = {p.symbol: exact_number(p.default) for p in made.parameters}
     upright = dict(zip((*M, *gamma), map(sp.Integer, (0, 0, 2, 0, 0, 1)), strict=True))
     return excludes_measure(made, {**point, **upright})
 
@@ -65,7 +66,7 @@ def celtic_stone() -> Verdict:
 def suslov_skew() -> Verdict:
     """Rotation about ω ∥ (I_23, −I_13, 0), which is also the vertical."""
     made = CATALOGUE["suslov"].system({"I_1": 5.0, "I_2": 6.0, "I_3": 7.0, "I_13": 1.5, "I_23": 2})
-    point = {p.symbol: sp.nsimplify(p.default, rational=True) for p in made.parameters}
+    point = {p.symbol: exact_number(p.default) for p in made.parameters}
     axis = (sp.Rational(4, 5), -sp.Rational(3, 5), sp.S.Zero)
     rest = dict(zip((*suslov.omega, *suslov.gamma), (*axis, *axis), strict=True))
     return excludes_measure(made, {**point, **rest})

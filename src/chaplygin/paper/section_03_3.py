@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import combinations, product
 
 import sympy as sp
@@ -16,7 +17,7 @@ from ..statements import (
     PoissonStructure,
     Rate,
 )
-from ..system import System
+from ..system import Guard, System
 from .claim import Case, Claim, Remark
 from .contrary import contrary
 from .rest import excludes_measure
@@ -173,7 +174,8 @@ def change_of_time() -> Case:
     law = Isomorphism(
         "time", hamiltonian(J, H, x), {s: s for s in x}, time=N, meaning="change of time"
     )
-    return hamiltonian(J, H, x, N), law
+    forward = Guard("time", N, "the new time stands still")
+    return replace(hamiltonian(J, H, x, N), guards=(forward,)), law
 
 
 # --- Remark 8 ------------------------------------------------------------------------------

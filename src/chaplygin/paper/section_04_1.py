@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import sympy as sp
 
+from ..expressions.exact import exact_number
 from ..laws.prove import prove
 from ..laws.verdict import Verdict
 from ..statements import (
     ConformallyHamiltonian,
+    Identity,
     Integral,
     Isomorphism,
     Measure,
     PoissonStructure,
     Rate,
-    Reduction,
 )
 from ..system import System
 from ..systems import CATALOGUE
@@ -47,7 +48,7 @@ def lie_measure() -> Verdict:
     made = CATALOGUE["chaplygin-sleigh-reduced"].system()
     if not prove(made, named(made, "energy")):
         return Verdict("measure", "undecided", reason="the energy of the example is not proven")
-    point = {p.symbol: sp.nsimplify(p.default, rational=True) for p in made.parameters}
+    point = {p.symbol: exact_number(p.default) for p in made.parameters}
     straight_on = dict(zip(made.symbols, (sp.S.One, sp.S.Zero), strict=True))
     return contrary(excludes_measure(made, {**point, **straight_on}))
 
@@ -56,7 +57,7 @@ def lie_measure() -> Verdict:
 
 
 def _top(angle: sp.Symbol, rate: sp.Expr) -> Case:
-    law = Reduction("quadrature", {}, (Rate(angle) - rate,))
+    law = Identity("quadrature", Rate(angle) - rate)
     return CATALOGUE["lagrange-top-angles"].system(), law
 
 
@@ -200,7 +201,7 @@ def remark_11() -> Case:
     field = {theta_1: sp.S.One, theta_2: sp.S.One, theta_3: sp.cos(theta_1 - theta_2)}
     made = system("resonant", "a resonant triangular field", field)
     mean = Integral("mean", sp.cos(theta_1 - theta_2))
-    return (made, mean), (made, Reduction("rate", {}, (Rate(theta_3) - mean.value,)))
+    return (made, mean), (made, Identity("rate", Rate(theta_3) - mean.value))
 
 
 def corollary_1_printed() -> Verdict:

@@ -17,8 +17,9 @@ from ..statements import (
 )
 from ..system import System
 from .claim import Case, Claim, Remark
+from .conclusion import concluded
 from .contrary import contrary
-from .tori import F_1, F_2, canonical_in, not_hamiltonian, theta_1, theta_2
+from .tori import F_1, F_2, canonical_in, not_hamiltonian, of_rank_two, theta_1, theta_2
 from .unspecified import of, system
 
 ANGLES = (theta_1, theta_2)
@@ -85,6 +86,12 @@ def _constant_ratio() -> tuple[tuple[System, Law], ...]:
     )
 
 
+def never_hamiltonian() -> Verdict:
+    """n = 3 with a varying rotation number has no Hamiltonian form, n = 4 has one of rank two."""
+    none = not_hamiltonian()
+    return concluded("reduction", none.shown, (none, *of_rank_two()))
+
+
 def different_periods() -> Case:
     """λ₁ = λ₂ = 1, Φ = 2 + cos(θ₁ − θ₂): the period is 2πΦ, constant on each trajectory alone."""
     spread = 2 + sp.cos(theta_1 - theta_2)
@@ -96,7 +103,7 @@ def different_periods() -> Case:
     )
 
 
-def equal_periods() -> Case:
+def equal_periods() -> tuple[tuple[System, Law], ...]:
     """In angle–action variables the shifts of the angles commute with the motion.
 
     They take any trajectory of a torus into any other one, with its period.
@@ -136,6 +143,16 @@ CLAIMS = (
         "when the rotation number is constant",
         "the hypotheses are missing: for n = 3 with a varying rotation number (4.3) is not N J ∇H; "
         "the correction is proved for n = 3 and n = 4",
+    ),
+    Claim(
+        "§4.2, after Corollary 2",
+        "A Euler–Jacobi integrable system cannot generally (without resort to changes of time) be "
+        "reduced to the Hamiltonian form",
+        never_hamiltonian,
+        note="not all can: for n = 3 a varying rotation number excludes it. For n ≥ 4 every such "
+        "system has a Hamiltonian form of rank two, v∧∂/∂F₁, near a torus "
+        "where the rotation number has a differential that is not zero, or is constant; what "
+        "different periods exclude is one in which the integrals commute",
     ),
     Claim(
         "§4.2, resonant tori",

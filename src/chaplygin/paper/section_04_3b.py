@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 
 from ..statements import Identity, Isomorphism, PoissonStructure, Rate, Reduction
-from ..system import System
+from ..system import Guard, System
 from ..systems import generalised_chaplygin as chaplygin
 from ..systems.generalised_chaplygin import P_1, P_2, S, q_1, q_2
 from .claim import Case, Claim
@@ -79,7 +81,8 @@ def linear() -> Case:
     a_1, a_2, m11, m12, m22, l1, l2, b = of("a1 a2 m11 m12 m22 l1 l2 b", *q)
     first, second = a_1 * m11 + a_2 * m12, a_1 * m12 + a_2 * m22
     rest = b - first * l1 - second * l2
-    return made, Reduction("linear", momenta, (turning - first * P_1 - second * P_2 - rest,))
+    value = turning - first * P_1 - second * P_2 - rest
+    return made, Identity("linear", value, quantities=momenta)
 
 
 # --- Liouville equation --------------------------------------------------------------------
@@ -181,9 +184,10 @@ def theorem_6() -> Case:
     target, structure = _target()
     map_ = {q_1: q_1, q_2: q_2, p[0]: rho * P_1, p[1]: rho * P_2}
     made = _density()
+    forward = replace(made, guards=(Guard("density", rho, "the density of the measure vanishes"),))
     return (
         (made, Identity("S_bar", _bar(rho, S) - rho * B)),
-        (made, Isomorphism("new_time", target, map_, time=rho)),
+        (forward, Isomorphism("new_time", target, map_, time=rho)),
         (target, structure),
     )
 

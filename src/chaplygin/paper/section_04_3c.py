@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from ..statements import Identity, Rate
+from ..system import System
 from .claim import Case, Claim, Remark
 from .section_04_3 import new_time_motion, q, u
 from .unspecified import of, system
@@ -42,6 +43,49 @@ def canonical_momenta() -> Case:
     return made, Identity("canonical", tuple(difference))
 
 
+# --- exactness -----------------------------------------------------------------------------
+
+(psi,) = of("Psi", *q)
+
+
+def on_torus() -> tuple[System, Identity]:
+    """Ω = dω on the torus, when S̄ = g′(q₂) + ∂Ψ/∂q₁ with periodic g and Ψ.
+
+    g′ is the mean of S̄ over q₁, and ∂Ψ/∂q₁ the rest, whose mean vanishes, so that there is a
+    periodic Ψ.  A periodic g exists if and only if the mean of g′, the integral of Ω, vanishes.
+    """
+    (mean,) = of("g", q[1])
+    spread = sp.diff(mean, q[1]) + sp.diff(psi, q[0])
+    return _closed("torus", (-mean, psi), spread)
+
+
+def on_sphere() -> tuple[System, Identity]:
+    """Ω = dω on the sphere, q = (θ, φ), when S̄ = g′(θ) + sin θ ∂Ψ/∂φ, where ω = g dφ − Ψ sin θ dθ.
+
+    With Ω = f times the area, g′ is sin θ times the mean of f over φ, and Ψ the periodic primitive
+    of the rest without mean: in each harmonic exp(imφ) it is f/(im), as smooth at the poles as f.
+    g = ∫g′ dθ from the one pole vanishes there like θ², and at the other one, as g dφ needs, if and
+    only if the integral of Ω does.
+    """
+    (mean,) = of("g", q[0])
+    spread = sp.diff(mean, q[0]) + sp.sin(q[0]) * sp.diff(psi, q[1])
+    return _closed("sphere", (-psi * sp.sin(q[0]), mean), spread)
+
+
+def _closed(
+    name: str, potential: tuple[sp.Expr, sp.Expr], spread: sp.Expr
+) -> tuple[System, Identity]:
+    """∂ω₂/∂q₁ − ∂ω₁/∂q₂ = S̄."""
+    made = system(name, name, dict.fromkeys(q, sp.S.Zero))
+    curl = sp.diff(potential[1], q[0]) - sp.diff(potential[0], q[1])
+    return made, Identity("exact", curl - spread)
+
+
+def exact() -> Case:
+    """The potentials on the torus and on the sphere; that they are needed is Stokes' theorem."""
+    return on_torus(), on_sphere()
+
+
 CLAIMS = (
     Claim(
         "§4.3, Lagrange–Euler equations",
@@ -56,14 +100,18 @@ CLAIMS = (
         "reduced to the canonical form",
         canonical_momenta,
     ),
+    Claim(
+        "§4.3, exactness",
+        "If the manifold on which $q_1$ and $q_2$ are defined is compact, then the form Ω is "
+        r"exact iff $\int_{\mathcal{M}}\Omega = 0$",
+        exact,
+        note="shown with ω written out on the torus and the sphere; on any connected orientable "
+        "surface without boundary it is de Rham's theorem. On a disk, whose boundary is part of "
+        r"it, $\Omega = dq_1\wedge dq_2$ is exact and its integral is not zero",
+    ),
 )
 
 REMARKS = (
-    Remark(
-        "§4.3, exactness",
-        "On a compact manifold the form Ω is exact iff its integral is zero",
-        "de Rham's theorem, for a connected orientable surface without boundary",
-    ),
     Remark(
         "§4.3, end",
         "If Ω is not exact, one speaks of the impossibility of global reduction of the equations "

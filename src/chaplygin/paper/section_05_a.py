@@ -14,16 +14,17 @@ import sympy as sp
 from ..laws.prove import prove
 from ..laws.verdict import Verdict
 from ..statements import Identity, Integral, Rate, Reduction, Symmetry
-from ..system import System
+from ..system import Parameter, System
 from ..systems import CATALOGUE
 from ..systems import rubber_body_of_revolution as catalogue
 from ..systems.angles import in_angles, phi, theta
 from ..systems.rubber_profile import HEIGHT, POTENTIAL, A, B, chi_1, chi_2, from_support, n
 from ..systems.veselova import spinning_general
-from ..vectors import Diagonal, constant, cross, dot, normed, scalar, unit, vectors
+from ..vectors import Diagonal, constant, cross, dot, normed, scalar, unit, vectors, zero
 from .claim import Case, Claim
 from .independence import independent, rational_point
 from .lens import curvatures, height, lens, linear_integral, slope
+from .unspecified import system
 
 M, omega, gamma, r = vectors("M omega gamma r")
 I = Diagonal("I")
@@ -130,9 +131,28 @@ def only_spheres() -> Verdict:
     )
 
 
+def edge() -> tuple[System, Identity]:
+    """Where γ₃ = 0, the left side of the lens's condition is (I₃ + mp²)p².
+
+    There r₁² + r₂² = p² and ρ₂ = p for every support function p.  A smooth closed strictly convex
+    body of revolution touches the plane with every normal, and p > 0 at γ₃ = 0, where p is the
+    distance of the tangent plane from the axis that it is parallel to.
+    """
+    first, second = from_support(HEIGHT)
+    across = HEIGHT - g_3 * HEIGHT.diff(g_3)
+    along = across + LEAN * HEIGHT.diff(g_3, 2)
+    third, reach = I.symbols[2], first**2 * LEAN
+    left = third * g_3 * second * along + (third + m * reach) * HEIGHT * across
+    made = system(
+        "contact", "a contact point, at rest", {gamma: zero}, relations=(normed(gamma) - 1,)
+    )
+    made = replace(made, parameters=(Parameter(m, "mass", 1.3), Parameter(third, "moment", 0.2)))
+    return made, Identity("edge", left - (third + m * HEIGHT**2) * HEIGHT**2, on=(g_3,))
+
+
 def other_bodies() -> Case:
-    """M₃/√(I₃ + m(r₁² + r₂²)) for a lens."""
-    return lens(), linear_integral()
+    """M₃/√(I₃ + m(r₁² + r₂²)) for a lens, and that only a body with an edge is one."""
+    return (lens(), linear_integral()), edge()
 
 
 def lie() -> Case:
@@ -274,8 +294,12 @@ CLAIMS = (
         "There are other bodies: if, with the height p of the centre of mass and the radii of "
         "curvature ρ₁ along and ρ₂ across the meridian, "
         r"$I_3\gamma_3 r_3\rho_1 + (I_3 + m(r_1^2 + r_2^2))p\rho_2 = 0$, then "
-        r"$M_3/\sqrt{I_3 + m(r_1^2 + r_2^2)}$ is an integral.",
-        "too strong; read, as for (5.1), as elementary functions of ω and γ once r(γ) is given",
+        r"$M_3/\sqrt{I_3 + m(r_1^2 + r_2^2)}$ is an integral. They have an edge: at "
+        r"$\gamma_3 = 0$ the left side is $(I_3 + mp^2)p^2 > 0$.",
+        "too strong; read, as for (5.1), as elementary functions of ω and γ once r(γ) is given. A "
+        "smooth closed strictly convex body has points with γ₃ = 0 and is none of these; a lens, "
+        "two smooth caps that meet in an edge, is one. Whether a smooth closed body that is no "
+        "sphere has an elementary integral of another form is not decided",
     ),
     Claim(
         "§5, Lie's theorem",

@@ -5,15 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from ..laws.verdict import Verdict
-from ..statements import (
-    ConformallyHamiltonian,
-    Identity,
-    Law,
-    Measure,
-    PoissonStructure,
-    Rate,
-    Reduction,
-)
+from ..statements import Identity, Measure, Rate, Reduction
 from ..system import System
 from ..systems import CATALOGUE
 from ..systems.angles import phi, theta
@@ -21,8 +13,7 @@ from ..systems.rubber_profile import A, B
 from ..vectors import constant, explicit, scalar, vectors
 from .claim import Case, Claim
 from .section_05_a import body, body_in_angles, constants, quadratures
-from .tori import F_1, F_2, theta_1, theta_2
-from .unspecified import of, system
+from .tori import of_rank_two
 
 M, omega, gamma, r, c = vectors("M omega gamma r c")
 m, g, R, I_1, I_2, I_3 = (scalar(s) for s in ("m", "g", "R", "I_1", "I_2", "I_3"))
@@ -56,26 +47,7 @@ def determinant() -> Case:
 
 def proposition() -> Case:
     """θ̇² and φ̇ are functions of θ on a level, φ̇ has the sign of k ≠ 0, and the form on tori."""
-    return quadratures(), nowhere_zero(), *on_tori()
-
-
-def on_tori() -> tuple[tuple[System, Law], ...]:
-    """(4.2) with n = 4 and two angles: the bracket v∧∂/∂F₁ of rank two, and H = F₁.
-
-    The rotation number depends on F₂ alone: it may be taken as F₂ where it has a differential,
-    and F₂ is any function where it is constant.  F₁ completes the coordinates of the plane (h, k).
-    """
-    (speed,), (rotation,) = of("f", F_1, F_2), of("r", F_2)
-    rates = (speed, rotation * speed)
-    nothing = sp.S.Zero
-    field = dict(zip((theta_1, theta_2, F_1, F_2), (*rates, nothing, nothing), strict=True))
-    made = system("two_angles", "(4.2) with two angles", field)
-    matrix = sp.zeros(4)
-    for i, rate in enumerate(rates):
-        matrix[i, 2], matrix[2, i] = rate, -rate
-    structure = PoissonStructure("bracket", matrix, casimirs=(F_2,), rank=2)
-    form = ConformallyHamiltonian("form", sp.S.One, structure, F_1)
-    return (made, structure), (made, form)
+    return quadratures(), nowhere_zero(), *of_rank_two()
 
 
 def nowhere_zero() -> tuple[System, Identity]:

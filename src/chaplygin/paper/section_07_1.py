@@ -6,6 +6,8 @@ from functools import cache
 
 import sympy as sp
 
+from ..laws.prove import prove
+from ..laws.verdict import Verdict
 from ..mechanics.body import Body
 from ..mechanics.rolling import Field, roll
 from ..mechanics.shapes import Ball
@@ -27,7 +29,12 @@ from ..vectors import (
     vectors,
 )
 from .claim import Case, Claim, Remark
+from .conclusion import concluded
+from .contrary import contrary
 from .independence import independent, rational_point
+from .section_04_2 import equal_periods
+from .tori import of_rank_two
+from .unequal_periods import unequal_periods
 
 M, omega, gamma, k = vectors("M omega gamma k")
 I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")
@@ -165,6 +172,19 @@ def gyrostat() -> Case:
     return CATALOGUE["chaplygin-ball-gyrostat"].system(), Integral("momentum", normed(M + k))
 
 
+def periods_exclude_printed() -> Verdict:
+    """A bracket of rank two near the very torus on which periods differ."""
+    shown = "v∧∂/∂F₁ is a bracket of rank two near the torus with different periods"
+    return contrary(concluded("no form", shown, (unequal_periods(), *of_rank_two())))
+
+
+def periods_exclude() -> Verdict:
+    """Proposition 4 against the periods, and the bracket of rank two."""
+    shown = f"{unequal_periods().shown}; Proposition 4 would make them equal"
+    shifts = tuple(prove(made, law) for made, law in equal_periods())
+    return concluded("no form of rank four", shown, (unequal_periods(), *shifts, *of_rank_two()))
+
+
 CLAIMS = (
     Claim(
         "(7.1)",
@@ -245,6 +265,31 @@ CLAIMS = (
         gyrostat,
         note=r"the integral is $(M + k)^2$, with the equations of §7.4",
     ),
+    Claim(
+        "Remark 21, periods",
+        "The periods of motion for the orbits lying on the two-dimensional invariant resonance "
+        "tori are not the same.",
+        unequal_periods,
+        note="for one ball and one torus with $(M, \\gamma) = 0$, by rigorous bounds: "
+        "$I = \\mathrm{diag}(0.2, 2, 2.1)$, $D = 5$, where one angle of the torus turns twice "
+        "while the other turns once; two of its closed motions have the periods 21.76 and 21.81 "
+        "for $2H = 1$",
+    ),
+    Claim(
+        "Remark 21, Hamiltonian form",
+        "Without a time substitution, the equations of motion of the Chaplygin ball are not "
+        "Hamiltonian because the periods on resonance tori are not the same.",
+        periods_exclude_printed,
+        periods_exclude,
+        "Near a resonant torus on which the periods differ the equations have, without a time "
+        "substitution, no Hamiltonian form whose bracket has rank four and makes the integrals "
+        "commute; a Hamiltonian form of rank two they do have there.",
+        "(3.5) admits brackets of any rank, such as (3.8) of rank two, and different periods do "
+        "not exclude one: near this torus, where the rotation number has a differential that is "
+        "not zero, $v\\wedge\\partial/\\partial F_1$ is one, with $F_1$ as Hamiltonian and the "
+        "rotation number as Casimir function. Whether there is one on the whole phase space is "
+        "not decided",
+    ),
 )
 
 REMARKS = (
@@ -261,8 +306,8 @@ REMARKS = (
     ),
     Remark(
         "Remark 21",
-        "History of the Hamiltonisation of the Chaplygin ball; without a change of time the "
-        "equations are not Hamiltonian, as periods on resonant tori differ.",
-        "history; the numerical result is cited from [46]",
+        "History of the Hamiltonisation of the Chaplygin ball.",
+        "history; what is said of periods and of the Hamiltonian form is judged above, the form "
+        "after a change of time with (7.5)",
     ),
 )

@@ -9,11 +9,12 @@ from ..mechanics.rolling import roll
 from ..mechanics.shapes import Ball
 from ..mechanics.surfaces import Plane, Sphere, Surface
 from ..statements import Identity, Integral, Measure
-from ..system import System
+from ..system import Parameter, System
 from ..systems import ball_on_sphere_equations as ball
 from ..systems import rubber_ball_ratio as rubber
 from ..systems.rates import rate
-from ..vectors import Diagonal, cross, dot, identity, normed, scalar, vectors
+from ..vectors import Diagonal, cross, dot, identity, normed, scalar, vectors, zero
+from . import unspecified
 from .claim import Case, Claim, Remark
 
 M, omega, gamma, n = vectors("M omega gamma n")
@@ -21,6 +22,7 @@ I = Diagonal("I")
 #: Mass, radius of the body, signed radius of the supporting sphere, as `roll` names them.
 m, R, a = scalar("m"), scalar("R"), scalar("a")
 d, k = ball.d, ball.k
+kappa = scalar("kappa")
 HALF = sp.S.Half
 
 
@@ -36,7 +38,7 @@ def dynamics() -> Case:
     return (rolled(Sphere(2.0)), law), (rolled(Sphere(1.0), hollow=True), law)
 
 
-def kinematics(ratio: sp.Expr) -> Case:
+def kinematics(ratio: sp.Expr) -> tuple[System, Identity]:
     """ṅ = k n×ω with the ratio given."""
     law = Identity("kinematics", rate(gamma) - ratio * cross(gamma, omega), "motion of the normal")
     return rolled(Sphere(2.0)), law
@@ -48,7 +50,33 @@ def momentum(sign: int, moment: sp.Expr) -> Case:
     return rolled(Sphere(2.0)), Identity("momentum", M - made, "momentum about the contact")
 
 
-def on_plane() -> Case:
+def flattened(ratio: sp.Expr) -> tuple[System, Identity]:
+    """ṅ = n×ω where a curvature κ vanishes, for ṅ = `ratio` n×ω with any ω."""
+    made = unspecified.system(
+        "limit",
+        "a ball of the ratio given",
+        {gamma: ratio * cross(gamma, omega), omega: zero},
+        parameters=(
+            Parameter(kappa, "a curvature", 0.0),
+            Parameter(R, "radius of the body", 0.8),
+            Parameter(a, "radius of the surface", 2.0),
+        ),
+    )
+    law = Identity("kinematics", rate(gamma) - cross(gamma, omega), "a plane", on=(kappa,))
+    return made, law
+
+
+def large_body() -> Case:
+    """The radius of the body grows, k = a/(a + R) with R = 1/κ."""
+    return kinematics(a / (a + R)), flattened(a * kappa / (1 + a * kappa))
+
+
+def large_surface() -> Case:
+    """The radius of the surface grows, k = a/(a + R) with a = 1/κ, to the ball on a plane."""
+    return kinematics(a / (a + R)), flattened(1 / (1 + R * kappa)), *on_plane()
+
+
+def on_plane() -> tuple[tuple[System, Identity], ...]:
     """k = 1 is a ball on a plane."""
     law = Identity("kinematics", rate(gamma) - cross(gamma, omega), "motion of the normal")
     return (rolled(Plane()), law), (
@@ -139,8 +167,13 @@ CLAIMS = (
         "§8.1, k = 1",
         r"The case $k = 1$ corresponds to $a \rightarrow \infty$, i.e. a ball is rolling over a "
         "plane.",
-        on_plane,
-        note="here a is the radius of the surface, at odds with the words after (8.1)",
+        large_body,
+        large_surface,
+        r"The case $k = 1$ corresponds to $b \rightarrow \infty$, $b$ the radius of the surface, "
+        "i.e. a ball is rolling over a plane.",
+        "read as after (8.1), where a is the radius of the body: as it grows, k tends to 0 and not "
+        "to 1. Here the letters are those of the formula k = a/(a + b), in which a is the radius "
+        "of the surface",
     ),
     Claim(
         "(8.2)",
@@ -160,8 +193,8 @@ CLAIMS = (
         "For $k = -1$ the radii of the body, $a$, and of the fixed ball, $b$, are connected by "
         r"$\frac{b}{a} = \frac{1}{2}$.",
         radii,
-        note="true of the words; the letters are those after (8.1), not those of k = a/(a + b), "
-        "in which b = −2a",
+        note="read as after (8.1), without the sign of a hollow body; with the letters of "
+        "k = a/(a + b), as in §9.2, it would be b = −2a",
     ),
     Claim(
         "(8.3)",

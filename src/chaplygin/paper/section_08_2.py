@@ -6,6 +6,7 @@ from typing import Any
 
 import sympy as sp
 
+from ..laws.verdict import Verdict
 from ..statements import Identity, Integral, PoissonStructure
 from ..system import System
 from ..systems import ball_around_sphere_chaplygin as chart
@@ -15,6 +16,9 @@ from ..systems.e3 import Gamma, lie_poisson
 from ..systems.rates import rate
 from ..vectors import cross, dot, identity, normed
 from .claim import Case, Claim, Remark
+from .conclusion import concluded
+from .contrary import contrary
+from .two_quadratures import alike, not_the_same
 
 M, n, J, A, d, k = ball.M, ball.n, ball.J, ball.A, ball.d, ball.k
 u, v = chart.u, chart.v
@@ -139,7 +143,36 @@ def with_area() -> Case:
     return ball.equations(), law
 
 
+def as_chaplygins_problem() -> Verdict:
+    """The statement that `not_the_same` contradicts."""
+    return contrary(not_the_same())
+
+
+def like_chaplygins_problem() -> Verdict:
+    """A Chaplygin system with b = 0, Hamiltonian on e(3), separated on a curve of genus two."""
+    made = chart.reduced()
+    reducing = tuple((made, law) for law in made.laws if law.name in ("energy", "ball"))
+    return concluded(
+        "alike",
+        "(8.6) with the right Φ is linear in the velocities; reduced to e(3) and separated",
+        (*reducing, (reduced(), e3.to_ball()), alike()),
+    )
+
+
 CLAIMS = (
+    Claim(
+        "§8.2, first paragraph",
+        "For $k = -1$ and $F_2 = 0$ the problem is identical to the integration of the equations "
+        "of motion in Chaplygin's problem (a ball on a plane) with zero integral of areas.",
+        as_chaplygins_problem,
+        like_chaplygins_problem,
+        "It is similar: a Chaplygin system (4.4) with $b = 0$, which the reducing multiplier makes "
+        "Hamiltonian on the zero orbit of $e(3)$, and whose trajectories are $\\frac{dw_1}"
+        "{\\sqrt{R(w_1)}} \\pm \\frac{dw_2}{\\sqrt{R(w_2)}} = 0$ with a polynomial $R$ of degree "
+        "six. Two of its roots depend on the level $F_1/H$, in Chaplygin's problem one.",
+        "read as: the same quadratures, for all levels, up to affine substitutions, which alone "
+        "keep this form; as a comparison of methods it is right",
+    ),
     Claim(
         "(8.4)",
         r"Using $F_2 = 0$: $\boldsymbol{\omega} = \frac{\mathbf{B}\mathbf{n} \times "
@@ -256,12 +289,6 @@ CLAIMS = (
 )
 
 REMARKS = (
-    Remark(
-        "§8.2",
-        "This problem is identical to the integration in Chaplygin's problem (a ball on a plane) "
-        "with zero integral of areas.",
-        "a comparison of methods: both go by reducing multiplier and separation of variables",
-    ),
     Remark(
         "§8.2, after (8.6)",
         "The expressions of $T$ and $\\Phi$ are too bulky to be given.",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations_with_replacement, product
 
 import sympy as sp
@@ -10,7 +10,9 @@ import sympy as sp
 from ..statements import Identity, Integral
 from ..system import System
 from ..systems import ball_around_sphere_coordinates as chart
+from ..systems import ball_around_sphere_hamiltonian as e3
 from ..systems import ball_on_sphere_equations as ball
+from ..systems.e3 import Gamma, M
 from ..systems.rates import rate
 from ..vectors import cross, scalar
 from .claim import Case, Claim, Remark
@@ -97,6 +99,31 @@ def algebra(turns: int, factor: sp.Expr) -> Case:
             third = right[3 - i - j] if i != j else Turned(made.turns, sp.S.Zero)
             found += difference(made, Turned(third.turns, sign * third.real))
     return darboux_plane(), Identity("algebra", tuple(found), "brackets of e(3)")
+
+
+def _square(part: Turned) -> sp.Expr:
+    """The square of i^turns times a real formula, which is real."""
+    return (-1) ** part.turns * part.real**2
+
+
+def quadratic_in_momenta() -> Case:
+    """H and F₂ of (8.7) by (8.8), for both signs in γ₂: ½ (p, Gp) with a matrix G(x, y).
+
+    m_i and γ_i enter as squares alone, which are real.
+    """
+    found: list[sp.Expr] = []
+    for sign in (1, -1):
+        pairs = zip((*M, *Gamma), (*momenta(0, sp.S.One), *normals(sign)), strict=True)
+        squares = {letter**2: _square(part) for letter, part in pairs}
+        for value in (e3.energy(e3.delta()), e3.second(e3.delta())):
+            written = value.xreplace(squares)
+            first, mixed, last = (
+                sp.diff(written, p, q) for p, q in ((p_1, p_1), (p_1, p_2), (p_2, p_2))
+            )
+            found.append(written - (first * p_1**2 / 2 + mixed * p_1 * p_2 + last * p_2**2 / 2))
+            found += [sp.diff(entry, p) for entry in (first, mixed, last) for p in (p_1, p_2)]
+    made = replace(darboux_plane(), parameters=e3.parameters(e3.ENTRIES[0].defaults))
+    return made, Identity("quadratic", tuple(found), "quadratic forms of p₁ and p₂")
 
 
 # --- Liouville's form ----------------------------------------------------------------------
@@ -276,6 +303,13 @@ CLAIMS = (
         "and the right γ₂",
     ),
     Claim(
+        "(8.9)",
+        r"Using (8.8), the pair $(H, F_2)$ has the form $H = a(x, y)p_1^2 + 2b(x, y)p_1p_2 + c(x, "
+        r"y)p_2^2$, $F_2 = A(x, y)p_1^2 + 2B(x, y)p_1p_2 + C(x, y)p_2^2$.",
+        quadratic_in_momenta,
+        note="for the (8.8) printed as well as for the right one; with the right δ and A",
+    ),
+    Claim(
         "(8.10)",
         "To get separable variables it is sufficient to solve the equation $(B - bs)^2 = (A - "
         "as)(C - cs)$.",
@@ -330,12 +364,6 @@ CLAIMS = (
 )
 
 REMARKS = (
-    Remark(
-        "(8.9)",
-        "By (8.8) the pair $(H, F_2)$ takes the form $H = a(x, y)p_1^2 + 2b(x, y)p_1p_2 + c(x, "
-        "y)p_2^2$, and $F_2$ likewise.",
-        "names the coefficients: m is linear in p₁, p₂, and both functions are quadratic in m",
-    ),
     Remark(
         "§8.3, after (8.12)",
         "For $d = 0$ the method differs from the classical ones, although these approaches are "

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import sympy as sp
 
-from ..statements import ConformallyHamiltonian, Identity, Reduction
-from ..system import Parameter, System
+from ..statements import ConformallyHamiltonian, Identity
+from ..system import Guard, Parameter, System
 from ..systems import rubber_ball_on_e3 as e3
 from ..systems import rubber_ball_ratio as ratio
 from ..systems import rubber_ball_sphero_conical as conical
@@ -33,7 +34,7 @@ def with_point() -> System:
 
 def in_coordinates(name: str, *equations: sp.Expr) -> Case:
     """Equations that the roots ξ, η of (9.5) satisfy on the phase space of (9.2)."""
-    return with_point(), Reduction(name, COORDINATES, equations)
+    return with_point(), Identity(name, equations, quantities=COORDINATES)
 
 
 def conics() -> Case:
@@ -149,7 +150,7 @@ def _bracket(first: sp.Expr, second: sp.Expr) -> sp.Expr:
 
 
 def algebra() -> Case:
-    """(9.13), from the canonical bracket of ξ, η, p_ξ, p_η."""
+    """(9.13), from the canonical bracket of ξ, η, p_ξ, p_η, where J₁ < η < J₂ < ξ < J₃."""
     momentum, direction = _on_coordinates()
     values = []
     for i, j in ((0, 1), (1, 2), (2, 0)):
@@ -161,7 +162,13 @@ def algebra() -> Case:
             _bracket(direction[i], direction[j]),
         ]
     values += [_bracket(momentum[i], direction[i]) for i in range(3)]
-    return conical.canonical_form(), Identity("brackets", tuple(values), "brackets of M and γ")
+    order = (J_1, eta, J_2, xi, J_3)
+    guards = tuple(
+        Guard(f"order {i}", above - below, "two coordinates meet")
+        for i, (below, above) in enumerate(pairwise(order), 1)
+    )
+    made = replace(conical.canonical_form(), guards=guards)
+    return made, Identity("brackets", tuple(values), "brackets of M and γ")
 
 
 def energy_on_e3() -> Case:

@@ -7,7 +7,8 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ..statements import Identity, Integral, Isomorphism, Rate, Reduction
+from ..laws.verdict import Verdict
+from ..statements import Identity, Integral, Isomorphism, Rate
 from ..system import System
 from ..systems import power_potential_on_sphere as point
 from ..systems import rubber_ball_on_e3 as e3
@@ -19,6 +20,8 @@ from ..systems.rubber_ball_separated import LEVER, SCALED, SPREAD, TRACE, rho, r
 from ..systems.rubber_ball_sphero_conical import cubic
 from ..vectors import constant, cross, dot, gradient, normed, scalar, vectors, zero
 from .claim import Case, Claim, Remark
+from .contrary import contrary
+from .normal_variations import no_second_integral
 from .quadratic_integrals import no_quadratic_integral
 from .section_09_3 import with_point, z
 
@@ -85,6 +88,7 @@ def onto_point(strength: sp.Expr) -> Case:
         {M: M, gamma: gamma},
         time=STIFFNESS,
         constants={h: strength * energy},
+        onto=(point.HAMILTONIAN,),
     )
     return e3.hamiltonian_form(), law
 
@@ -115,7 +119,7 @@ COORDINATES = {rho: sp.sqrt(RHO_SQUARED), **roots(u, v, *SCALED)}
 
 def in_coordinates(name: str, equations: Sequence[sp.Expr], *levels: sp.Expr) -> Case:
     """Equations that u, v satisfy on the phase space of (9.2)."""
-    return with_point(), Reduction(name, COORDINATES, tuple(equations), on=levels)
+    return with_point(), Identity(name, tuple(equations), quantities=COORDINATES, on=levels)
 
 
 def conics(factor: sp.Expr) -> Case:
@@ -177,12 +181,19 @@ def separable() -> Case:
     made = separated.canonical_form()
     return (
         (made, separated.separated()),
+        (made, separated.momenta()),
         (made, separated.CONSTANT),
         (ratio.rolling(), separated.separation()),
     )
 
 
 HALVES = sp.Rational(3, 2)
+
+
+def integrable() -> Verdict:
+    """The statement that `no_second_integral` contradicts."""
+    return contrary(no_second_integral())
+
 
 CLAIMS = (
     Claim(
@@ -278,6 +289,18 @@ CLAIMS = (
         "integrals on all levels of the energy",
     ),
     Claim(
+        "§9.4, integrability for other k",
+        "In the other cases the Hamiltonian system (9.17) is likely integrable.",
+        integrable,
+        no_second_integral,
+        r"Not in all other cases: for $k = -\frac12$ and a $\mathbf J$ with three different "
+        r"eigenvalues there is no second integral that is meromorphic in $\mathbf M$ and "
+        r"$\boldsymbol\gamma$.",
+        "“not” is lost, as the next sentences show; by the theorem of Morales and Ramis, from the "
+        "variations of a motion along a great circle. In particular no integral is a polynomial in "
+        "M of any degree with coefficients rational in γ. Other k are not decided",
+    ),
+    Claim(
         "§9.5, g(z)",
         r"$g(z) = \sum_{i=1}^3\frac{n_i^2}{J_i(J_i-z)} = \frac{(z-u)(z-v)}{(\det\mathbf J)A(z)}$.",
         lambda: conics(1 / DET_J),
@@ -342,8 +365,7 @@ REMARKS = (
     ),
     Remark(
         "§9.4, after (9.17)",
-        "In the other cases the Hamiltonian system (9.17) is likely integrable; integrals of "
-        "higher degree in momenta still may exist.",
-        "a conjecture; the context asks for “not integrable”",
+        "Integrals of higher degree in momenta still may exist.",
+        "not decided but for $k = -\\frac12$, see above",
     ),
 )

@@ -15,6 +15,7 @@ from ..systems import from_catalogue, veselova
 from ..systems import unbalanced_rubber_ball_centred as centred
 from ..vectors import Diagonal, Vector, cross, dot, normed, zero
 from .claim import Case, Claim, Remark
+from .conclusion import concluded
 from .independence import independent, rational_point
 from .limit_cycle import CASE, limit_cycle
 from .measure_of_rubber_ball import only_symmetric_balls
@@ -126,6 +127,31 @@ def rank_of_rubber() -> Verdict:
     return independent(made, functions, rational_point(made, state | NORMAL))
 
 
+def tori() -> Verdict:
+    """The levels of H and F₂ are tori for |κ| < J₁, κ = 2mRa, J₁ < F₂/2H ≠ J₂ < J₃, H > 0.
+
+    With ξ < η the roots of Σ γᵢ²/(Jᵢ − z) and s = (κ, γ) a level consists of the γ with ξ between
+    J₁ and λ = F₂/2H, η between J₂ and J₃ for λ < J₂, and of one velocity for each sign of ξ̇ and η̇:
+    their squares are given by ξ, η and s, and ξ − s, η − s are positive.  Angles α and β, mod 2π,
+    count these points once if α̇ and β̇ > 0, and once more if α̇ < 0 < β̇, and neither rate vanishes:
+    two tori.  For λ > J₂ the same with ξ and η, J₁ and J₃ exchanged.
+    """
+    made = centred.centred()
+    return concluded(
+        "tori",
+        "for 2mR|a| < J₁ every level with J₁ < F₂/2H < J₃, F₂/2H ≠ J₂ consists of two tori, with "
+        "angles on which the rates have no zero",
+        (
+            centred.balance(),
+            (made, centred.ENERGY),
+            (made, centred.QUADRATIC),
+            centred.quadratic_forms(),
+            centred.on_torus(),
+            centred.on_torus(centred.torus(centred.EXCHANGED, 2.4)),
+        ),
+    )
+
+
 def with_limit_cycle() -> Verdict:
     """Limit cycles on a torus of a particular ball, with all that this rests on."""
     made = centred.centred()
@@ -214,6 +240,15 @@ CLAIMS = (
         "§10.2, integral manifold",
         r"The common level surface of the integrals of the system (10.4) is two-dimensional.",
         rank_of_rubber,
+    ),
+    Claim(
+        "§10.2, tori",
+        r"At least for small $\mathbf a$, the integral manifold is generally a two-dimensional "
+        "torus.",
+        tori,
+        note="two of them on each level; shown without perturbation for $2mR|\\mathbf a| < J_1 < "
+        "J_2 < J_3$, $J_i$ the principal moments about the geometric centre plus $mR^2$, and every "
+        "level with $H > 0$ and $F_2/2H$ between $J_1$ and $J_3$, save $J_2$",
     ),
     Claim(
         "§10.2, perturbation",

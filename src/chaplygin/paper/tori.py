@@ -8,10 +8,20 @@ import sympy as sp
 
 from ..laws.prove import prove
 from ..laws.verdict import Verdict
-from ..statements import Identity
+from ..statements import ConformallyHamiltonian, Identity, Law, PoissonStructure
+from ..system import System
 from .unspecified import of, system
 
-__all__ = ["F_1", "F_2", "canonical_in", "not_hamiltonian", "theta_1", "theta_2", "theta_3"]
+__all__ = [
+    "F_1",
+    "F_2",
+    "canonical_in",
+    "not_hamiltonian",
+    "of_rank_two",
+    "theta_1",
+    "theta_2",
+    "theta_3",
+]
 
 theta_1, theta_2, theta_3, F_1, F_2 = sp.symbols("theta_1:4 F_1:3", real=True)
 
@@ -40,6 +50,28 @@ def canonical_in(
     turn = sp.Add(*(sp.diff(shift, F) * mixed[0, k] for k, F in enumerate((F_1, F_2))))
     angles = sp.Matrix([[0, turn], [-turn, 0]])
     return angles.row_join(mixed).col_join((-mixed.T).row_join(sp.zeros(2)))
+
+
+def of_rank_two() -> tuple[tuple[System, Law], ...]:
+    """v = (f, r f, 0, 0) with f(θ, F), r(F₂) is Hamiltonian with v∧∂/∂F₁, without a new time.
+
+    [v, ∂/∂F₁] is along v when r does not depend on F₁, which is Jacobi's identity for v∧∂/∂F₁.
+    (4.3) with two integrals or more has this form, f = λ₁/Φ and r = λ₂/λ₁, near every torus where
+    the rotation number r has a differential that is not zero, with F₂ = r, and where it is
+    constant.
+    """
+    (speed,), (rotation,) = of("f", theta_1, theta_2, F_1, F_2), of("r", F_2)
+    rates = (speed, rotation * speed)
+    still = dict.fromkeys((F_1, F_2), sp.S.Zero)
+    made = system(
+        "flow_on_tori", "(4.3)", {**dict(zip((theta_1, theta_2), rates, strict=True)), **still}
+    )
+    matrix = sp.zeros(4)
+    for i, rate in enumerate(rates):
+        matrix[i, 2], matrix[2, i] = rate, -rate
+    structure = PoissonStructure("bracket", matrix, casimirs=(F_2,), rank=2)
+    form = ConformallyHamiltonian("form", sp.S.One, structure, F_1)
+    return (made, structure), (made, form)
 
 
 @cache

@@ -18,16 +18,21 @@ from multiprocessing import get_context
 from typing import Any
 
 from .._version import __version__
-from ..laws.memory import digest, recall, remember, source_text
+from ..laws.budget import EFFORT
+from ..laws.memory import digest, recall, remember
 from ..laws.prove import prove
 from ..laws.verdict import Decision, Verdict
 from ..mathml import mathml
 from ..paper import Case, Claim, claims, remarks
+from ..provenance import whole
 
-__all__ = ["TITLES", "Judgement", "audit", "counts", "page"]
+__all__ = ["DECISIONS", "TITLES", "Judgement", "audit", "counts", "page"]
 
-#: What a verdict on a claim depends on.
-ROOMS = ("paper", "systems", "laws", "mechanics", "vectors.py", "statements.py", "system.py")
+THOROUGH = 4 * EFFORT
+"""Term operations that the proof of one claim may take."""
+
+#: What may come of a claim, in the order in which it is counted.
+DECISIONS: tuple[Decision, ...] = ("proven", "proven where", "refuted", "undecided")
 
 
 @dataclass(frozen=True)
@@ -43,8 +48,20 @@ class Judgement:
     corrected: Verdict | None
     seconds: float
 
+    @property
+    def conditions(self) -> tuple[str, ...]:
+        """Where what is proven holds, if not everywhere, in the printed form or the right one."""
+        found = (v.conditions for v in (self.printed, self.corrected) if v is not None)
+        return tuple(dict.fromkeys(text for texts in found for text in texts))
+
+    @property
+    def reason(self) -> str:
+        """Why something is undecided; empty otherwise."""
+        found = (v.reason for v in (self.printed, self.corrected) if v is not None)
+        return "; ".join(dict.fromkeys(reason for reason in found if reason))
+
     def record(self) -> dict[str, Any]:
-        """The judgement for another program."""
+        """The judgement for another program; formulas in LaTeX between dollar signs."""
         made: dict[str, Any] = {
             "source": self.claim.source,
             "statement": self.claim.statement,
@@ -55,27 +72,32 @@ class Judgement:
             made["verdict"] = self.corrected.decision
         if self.claim.note:
             made["note"] = self.claim.note
-        reasons = [v.reason for v in (self.printed, self.corrected) if v is not None and v.reason]
-        if reasons:
-            made["reason"] = "; ".join(reasons)
+        if self.conditions:
+            made["conditions"] = list(self.conditions)
+        if self.reason:
+            made["reason"] = self.reason
         made["seconds"] = round(self.seconds, 3)
         return made
 
 
 def _joined(case: Case) -> Verdict:
-    """The verdict on a case: all of its parts must hold."""
+    """The verdict on a case: all of its parts must hold, under all of their conditions."""
     if isinstance(case, Verdict):
         return case
     if isinstance(case[0], tuple):
-        verdicts = [prove(system, law) for system, law in case]
+        verdicts = [prove(system, law, effort=THOROUGH) for system, law in case]
     else:
-        verdicts = [prove(case[0], case[1])]
-    decisive = [v for v in verdicts if v.decision == "refuted"] or [
-        v for v in verdicts if v.decision == "undecided"
-    ]
-    chosen = (decisive or verdicts)[0]
+        verdicts = [prove(case[0], case[1], effort=THOROUGH)]
+    weakest = next(
+        decision
+        for decision in ("refuted", "undecided", "proven where", "proven")
+        if any(v.decision == decision for v in verdicts)
+    )
+    chosen = next(v for v in verdicts if v.decision == weakest)
+    conditions = tuple(dict.fromkeys(text for v in verdicts for text in v.conditions))
     return replace(
         chosen,
+        conditions=conditions if weakest == "proven where" else (),
         terms=max(v.terms for v in verdicts),
         seconds=sum(v.seconds for v in verdicts),
     )
@@ -88,8 +110,7 @@ def _kept(name: str, decide: Callable[[], Case]) -> Verdict:
         return found
     started = time.monotonic()
     verdict = replace(_joined(decide()), seconds=time.monotonic() - started)
-    if not verdict.reason.startswith("the time given ran out"):
-        remember(name, verdict)
+    remember(name, verdict)
     return verdict
 
 
@@ -103,7 +124,7 @@ def judge(number: int, section: int | None) -> tuple[Verdict, Verdict | None]:
 
 
 def _name(claim: Claim, form: str) -> str:
-    return digest(claim.source, claim.statement, form, source_text(*ROOMS))
+    return digest(claim.source, claim.statement, form, whole())
 
 
 def audit(
@@ -178,9 +199,9 @@ def _judgement(
 
 
 def counts(judgements: Iterable[Judgement]) -> dict[str, dict[Decision, int]]:
-    """How many claims are proven, refuted, undecided: as printed, and as corrected."""
+    """How many claims came to each of `DECISIONS`: as printed, and as corrected."""
     table: dict[str, dict[Decision, int]] = {
-        form: {"proven": 0, "refuted": 0, "undecided": 0} for form in ("printed", "corrected")
+        form: dict.fromkeys(DECISIONS, 0) for form in ("printed", "corrected")
     }
     for judgement in judgements:
         table["printed"][judgement.printed.decision] += 1
@@ -225,6 +246,7 @@ def page(judgements: Sequence[Judgement], section: int | None = None) -> str:
     return environment.get_template("audit.html").render(
         version=__version__,
         titles=TITLES,
+        decisions=DECISIONS,
         sections=sections,
         notes=notes,
         counts=counts(judgements),

@@ -97,7 +97,7 @@ def evaluated(study: Study, solution: Solution, times: Any) -> Trajectory:
         In double precision.
     """
     began = clock.perf_counter()
-    moments = checked(np.asarray(times, dtype=float))
+    moments = checked(np.asarray(times, dtype=float), solution.pace)
     states = solution.states(moments)
     seconds = clock.perf_counter() - began
     system = study.watched.lifted() if in_space(study, solution) else study.watched

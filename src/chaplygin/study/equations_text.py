@@ -9,6 +9,7 @@ import sympy as sp
 
 from ..errors import InputError
 from ..expressions import FUNCTIONS
+from ..expressions.exact import exactly
 from ..statements import Integral, Measure, Symmetry
 from ..system import System
 from ..vectors import Vector, explicit
@@ -87,5 +88,4 @@ def _written(formula: Any) -> str:
     for part in sp.preorder_traversal(value):
         if not isinstance(part, _WRITABLE) and part not in _CONSTANTS:
             raise InputError(f"{type(part).__name__} in {formula} cannot be written to a file")
-    floats = {number: sp.Rational(repr(float(number))) for number in value.atoms(sp.Float)}
-    return str(sp.sstr(value.xreplace(floats)))
+    return str(sp.sstr(exactly(value)))

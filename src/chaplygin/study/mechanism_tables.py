@@ -6,7 +6,6 @@ names are known.  The description of a field completes the sentence "… must be
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from typing import Annotated, Any, Self
 
@@ -19,6 +18,7 @@ from pydantic import (
     model_validator,
 )
 
+from .given_numbers import given_numbers
 from .mistakes import shown
 from .tables import FORMULA, THREE, Table, Vector
 
@@ -52,11 +52,7 @@ def _formula(value: object) -> str:
 
 def _number(value: object) -> float | tuple[float, ...]:
     """A number, or the components of a vector."""
-    listed = value if isinstance(value, list | tuple) else [value]
-    numbers = [float(x) for x in listed if isinstance(x, int | float) and not isinstance(x, bool)]
-    if len(numbers) < len(listed) or not numbers or not all(map(math.isfinite, numbers)):
-        raise ValueError(f"must be {NUMBER}, not {shown(value)}")
-    return tuple(numbers) if isinstance(value, list | tuple) else numbers[0]
+    return given_numbers(value, NUMBER)
 
 
 #: A formula, for a table of them by name.

@@ -18,6 +18,7 @@ from ..explore.hierarchy import Place, place
 from ..explore.proofs import Patience
 from ..explore.telling import rows
 from ..flow.trajectory import Trajectory
+from ..laws.budget import EFFORT
 from ..mechanics.surfaces import Plane
 from ..statements import Law
 from ..typeset import claims_html, latex, mathml, motion_html, system_html
@@ -31,9 +32,9 @@ from .summary import drift, legend
 
 __all__ = ["render"]
 
-#: Seconds that the proof of one law may take, and all proofs together.
-PATIENCE = 10.0
-ALTOGETHER = 120.0
+#: Term operations that the proof of one law may take, and those of all together.
+PATIENCE = EFFORT // 10
+ALTOGETHER = EFFORT
 
 #: Figures in the order in which the page shows them, with heading and caption.
 PLATES = {
@@ -125,7 +126,7 @@ def render(
                 "meaning": law.meaning,
                 "formula": Markup(mathml(latex(law.value))),
                 "source": law.source,
-                "verdict": verdicts[law.name].decision,
+                "verdict": verdicts[law.name],
                 "value": f"{float(trajectory.recorded[f'law_{law.name}'][0]):.12g}",
                 "drift": f"{drift(trajectory.recorded[f'law_{law.name}']):.1e}",
             }

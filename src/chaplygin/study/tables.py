@@ -7,7 +7,6 @@ Units are SI, angles in radians.
 from __future__ import annotations
 
 import keyword
-import math
 import re
 from typing import Annotated, ClassVar, Literal
 
@@ -29,7 +28,7 @@ from pydantic import (
 from ..errors import InputError
 from ..expressions import RESERVED, parse
 from ..mechanics.body import check_inertia
-from .mistakes import shown
+from .given_numbers import given_numbers
 
 __all__ = [
     "BallTable",
@@ -315,11 +314,7 @@ class SystemStartTable(_StartTable):
 
 def _state_value(value: object) -> float | tuple[float, ...]:
     """A number, or numbers in brackets; which of both a variable needs, its system says."""
-    listed = value if isinstance(value, list | tuple) else [value]
-    numbers = [float(x) for x in listed if isinstance(x, int | float) and not isinstance(x, bool)]
-    if len(numbers) < len(listed) or not all(map(math.isfinite, numbers)):
-        raise ValueError(f"must be {STATE}, not {shown(value)}")
-    return tuple(numbers) if isinstance(value, list | tuple) else numbers[0]
+    return given_numbers(value, STATE)
 
 
 StateTable = dict[str, Annotated[float | tuple[float, ...], PlainValidator(_state_value)]]

@@ -24,7 +24,7 @@ from typing import Any
 
 import sympy as sp
 
-from ..statements import Identity, Law, Reduction, Separation
+from ..statements import Identity, Law
 from ..system import Parameter, System
 from ..vectors import Diagonal, Vector, constant, cross, identity, scalar
 from . import ball_on_sphere_equations as ball
@@ -209,9 +209,8 @@ def _laws() -> tuple[Law, ...]:
             "neither (M, ω) nor M² has a term with v₁v₂",
             source="(8.11)",
         ),
-        Separation(
+        Identity(
             "separation",
-            (),
             (
                 (u[0] - u[1]) ** 2 * u[0] ** 2 * cubic(u[0]) * scale(u[1])
                 - _driven(energies[0], momenta[0]),
@@ -248,7 +247,7 @@ def liouville() -> Identity:
     )
 
 
-def of_ball() -> Reduction:
+def of_ball() -> Identity:
     """The coordinates on the ball of `ball.vanishing_area`: the roots of a quadratic."""
     names = [scalar(f"b_{i}") for i in range(3)]
     weights = [
@@ -260,8 +259,10 @@ def of_ball() -> Reduction:
         for a, w in zip(A.symbols, weights, strict=True)
     ]
     area = sp.Mul(*J.symbols) * ball.rho_2
-    return Reduction(
+    return Identity(
         "coordinates",
+        (*found, names[2] * scale(u[0]) * scale(u[1]) - E_3**2 * area),
+        "n in the coordinates, and det I_Q",
         {
             names[2]: sp.Add(*weights),
             names[1]: sp.Add(*(w * (TRACE - a) for w, a in zip(weights, A.symbols, strict=True))),
@@ -270,8 +271,6 @@ def of_ball() -> Reduction:
             u[0]: (names[1] + root) / (2 * names[2]),
             u[1]: (names[1] - root) / (2 * names[2]),
         },
-        (*found, names[2] * scale(u[0]) * scale(u[1]) - E_3**2 * area),
-        "n in the coordinates, and det I_Q",
         source="§8.3",
     )
 

@@ -9,12 +9,13 @@ axes; J and d as in (8.1).
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
 from ..statements import Integral, Isomorphism
-from ..system import Parameter, System
+from ..system import Guard, Parameter, System
 from ..vectors import Diagonal, dot, explicit, identity, normed, scalar, zero
 from . import ball_around_sphere_chaplygin as chaplygin
 from . import ball_on_sphere_equations as ball
@@ -173,7 +174,8 @@ def to_ball() -> Isomorphism:
 def build(p: Numbers) -> System:
     """(8.7), with F₂ = M²."""
     made = reduced(energy(delta()), sp.Mul(*J.symbols) * second(delta()), p)
-    return made.with_laws(to_ball())
+    forward = Guard("time", slowness(), "the time of the ball stands still")
+    return replace(made, guards=(forward,)).with_laws(to_ball())
 
 
 _DEFAULTS = {"J_1": 2.0, "J_2": 2.5, "J_3": 3.1, "d": 1.0}

@@ -87,6 +87,7 @@ def laws(p: Numbers) -> tuple[Law, ...]:
             {name: name for name in (M, alpha, beta, gamma)},
             constants={m: D_3, R: sp.S.One},
             meaning="a single supporting ball",
+            onto=(normed(alpha) - 1, normed(beta) - 1),
             source=SOURCE,
             on=(D_1, D_2),
         ),

@@ -32,6 +32,7 @@ from ..vectors import constant, cross, dot, explicit, gradient, normed, scalar, 
 from .rates import rate
 
 __all__ = [
+    "TANGENT",
     "any_marble",
     "any_rubber",
     "any_supported_marble",
@@ -54,6 +55,8 @@ NUMBERS = ball_parameters(1.0, 0.4, 1.0)
 
 NEWTON = "Newton's and Euler's equations with the reactions of all constraints"
 PARTICLE = "the centre is a particle of mass m + μ/b²"
+#: What vanishes for a particle that stays on its surface, in the definitions of `particle`.
+TANGENT = (dot(v, df),)
 
 
 def _particle_on(
@@ -192,6 +195,7 @@ def any_marble() -> System:
             {R: R, v: v, sigma: sigma},
             constants={mtilde: mtilde, beta: mu / b},
             meaning=f"{PARTICLE} on which the spin acts",
+            onto=TANGENT,
             source="Propositions 2, 3",
         ),
     )
@@ -211,6 +215,7 @@ def any_rubber() -> System:
             {R: R, v: v},
             constants={mtilde: mtilde},
             meaning=PARTICLE,
+            onto=TANGENT,
             source="Proposition 3",
         ),
     )

@@ -17,7 +17,7 @@ from ..system import Parameter, System
 from ..vectors import Diagonal, dot, explicit, gradient, normed, scalar, vectors
 from .ball_entry import ball_entry
 from .ball_laws import ROLLING, quadratic
-from .ball_on_any_surface import any_rubber, particle
+from .ball_on_any_surface import TANGENT, any_rubber, particle
 from .entry import Numbers
 
 __all__ = ["ENTRIES", "any_quadric"]
@@ -59,6 +59,7 @@ def _particle(ball: RollingBall) -> tuple[Law, ...]:
             {R: R, v: v},
             constants={mtilde: mtilde},
             meaning="the centre is a particle of mass m + μ/b² on the ellipsoid",
+            onto=(ball.kinematics.surface, *TANGENT),
             source="Proposition 3",
         ),
     )

@@ -14,7 +14,7 @@ from ..mechanics.body import check_inertia
 from ..statements import Integral, Isomorphism
 from ..system import Parameter, System
 from ..vectors import Diagonal, constant, cross, dot, normed, scalar, vectors
-from . import clebsch
+from . import clebsch, neumann
 from .chaplygin_bracket import DET_IQ, DET_J, A, D, J, gamma
 from .e3 import Gamma, inertia_parameters
 from .e3 import M as CLEBSCH_MOMENTUM
@@ -112,6 +112,7 @@ def onto_clebsch() -> Isomorphism:
             clebsch.beta: -sp.S.One,
         },
         meaning="Clebsch case (6.14) with I = IJ⁻¹, α = 1, β = −1",
+        onto=(dot(CLEBSCH_MOMENTUM, Gamma), neumann.SECOND),
         on=AREA,
         source="Theorem 10",
     )
@@ -134,6 +135,7 @@ def onto_fedorov() -> Isomorphism:
         1 / density,
         constants={beta: D / DET_J * level},
         meaning="Clebsch case in Fedorov's variables",
+        onto=(dot(K, gamma), beta * DET_J * SPREAD - D * dot(J * K, INVERSE * K)),
         on=AREA,
         source=SOURCE,
     )

@@ -15,6 +15,7 @@ from ..errors import InputError
 from ..mechanics.body import check_mass
 from ..statements import (
     ConformallyHamiltonian,
+    Identity,
     Integral,
     Law,
     Measure,
@@ -178,25 +179,25 @@ def _gyroscopic(along: sp.Expr, turning: sp.Expr, angle: sp.Expr) -> sp.Expr:
     return -m * (along * sine + a * turning * cosine) / cosine**2
 
 
-def _chaplygin_law() -> Reduction:
+def _chaplygin_law() -> Identity:
     """The equations (4.7) for q₁ = φ, q₂ = x; y follows from ẏ = ẋ tan φ."""
     P_1, P_2 = chaplygin.P_1, chaplygin.P_2
     S = chaplygin.S
     # ∂H/∂φ at fixed momenta is −∂L/∂φ with L = ½m(ẋ/cos φ − bφ̇)² + ½J φ̇²
     by_angle = -m * u * v * sp.tan(phi)
-    return Reduction(
+    return Identity(
         "chaplygin_form",
-        {
-            P_1: J * Omega - m * b * u,
-            P_2: m * u / sp.cos(phi),
-            S: _gyroscopic(u, Omega, phi),
-        },
         (
             Rate(P_1) + by_angle - Rate(x) * S,
             Rate(P_2) + Rate(phi) * S,
             Rate(y) - Rate(x) * sp.tan(phi),
         ),
         "the form (4.4) with b(q) = 0, in q₁ = φ and q₂ = x",
+        {
+            P_1: J * Omega - m * b * u,
+            P_2: m * u / sp.cos(phi),
+            S: _gyroscopic(u, Omega, phi),
+        },
         source="§4.3, after (4.4)",
     )
 

@@ -154,6 +154,7 @@ def _nutation() -> Reduction:
             - (1 - gamma_3**2) * (2 * h - I_3 * w**2 - m * V_f**2 - 2 * m * g * R * s)
             + (c - I_3 * w * gamma_3) ** 2 / I_1,
             V - V_f,
+            *map(Rate, (h, c, w, f)),
         ),
         "quadrature for γ₃, the cosine of the nutation, with the values of the integrals",
         source="§11.3, [99]",

@@ -12,6 +12,7 @@ from sympy.matrices.expressions import MatrixExpr
 from ..mechanics.body import check_inertia
 from ..statements import (
     ConformallyHamiltonian,
+    Identity,
     Integral,
     Law,
     Measure,
@@ -32,6 +33,8 @@ theta, phi, psi = sp.symbols("theta phi psi", real=True)
 p_theta, p_phi, p_psi = sp.symbols("p_theta p_phi p_psi", real=True)
 M_1, M_2, M_3 = M.symbols
 Gamma_1, Gamma_2, Gamma_3 = Gamma.symbols
+#: Values of the energy and of the area integral.
+h_0, c_0 = scalar("h_0"), scalar("c_0")
 
 SOURCE = "§4.1"
 ANGULAR = "kg m^2/s"
@@ -79,24 +82,25 @@ def on_e3(p: Numbers) -> System:
             Measure("volume", {sp.S.One: sp.S.One}, "volume of M and Γ", source="§3.3"),
             Reduction(
                 "nutation",
-                {},
+                {h_0: hamiltonian, c_0: area},
                 (
                     I_1 * Rate(Gamma_3) ** 2
-                    - (2 * (hamiltonian - P * Gamma_3) - M_3**2 / I_3) * (1 - Gamma_3**2)
-                    + (area - M_3 * Gamma_3) ** 2 / I_1,
+                    - (2 * (h_0 - P * Gamma_3) - M_3**2 / I_3) * (1 - Gamma_3**2)
+                    + (c_0 - M_3 * Gamma_3) ** 2 / I_1,
+                    Rate(h_0),
+                    Rate(c_0),
+                    Rate(M_3),
                 ),
                 "equation for cos θ = Γ₃ alone, with the values of the integrals",
                 source=SOURCE,
             ),
-            Reduction(
+            Identity(
                 "intrinsic_rotation",
-                {turned: sp.atan2(Gamma_1, Gamma_2)},
-                (
-                    Rate(turned)
-                    - (1 / I_3 - 1 / I_1) * M_3
-                    - (M_3 - area * Gamma_3) / (I_1 * (1 - Gamma_3**2)),
-                ),
+                Rate(turned)
+                - (1 / I_3 - 1 / I_1) * M_3
+                - (M_3 - area * Gamma_3) / (I_1 * (1 - Gamma_3**2)),
                 "rate of the angle of intrinsic rotation, by the nutation",
+                {turned: sp.atan2(Gamma_1, Gamma_2)},
                 source=SOURCE,
             ),
         ),
@@ -122,21 +126,19 @@ def canonical() -> PoissonStructure:
     return PoissonStructure("canonical", matrix, rank=6, meaning="canonical bracket", source=SOURCE)
 
 
-def quadratures() -> Reduction:
+def quadratures() -> Identity:
     """Precession and intrinsic rotation by the nutation."""
     across = (p_psi - p_phi * sp.cos(theta)) / sp.sin(theta) ** 2
     along = (p_phi - p_psi * sp.cos(theta)) / sp.sin(theta) ** 2
     difference = (1 / I_3 - 1 / I_1) * p_phi
     meaning = "rates of precession and of intrinsic rotation, by the nutation"
-    return Reduction(
+    return Identity(
         "quadratures",
-        {},
         (Rate(psi) - across / I_1, Rate(phi) - difference - along / I_1),
         meaning,
         source=SOURCE,
-        as_printed=Reduction(
+        as_printed=Identity(
             "quadratures",
-            {},
             (Rate(psi) - across, Rate(phi) - difference - across),
             meaning,
             source=SOURCE,

@@ -56,10 +56,14 @@ def separation() -> Separation:
     return Separation(
         "separation",
         {**coordinates(Gamma), h: H, f: SECOND},
-        tuple(
-            (u - v) ** 2 * Rate(z) ** 2
-            - 8 * cubic(z) * ((h - c * trace / 2) * z + c * z**2 / 2 - f)
-            for z in (u, v)
+        (
+            *(
+                (u - v) ** 2 * Rate(z) ** 2
+                - 8 * cubic(z) * ((h - c * trace / 2) * z + c * z**2 / 2 - f)
+                for z in (u, v)
+            ),
+            Rate(h),
+            Rate(f),
         ),
         "separated equations in sphero-conical coordinates",
         source="Remark 16",

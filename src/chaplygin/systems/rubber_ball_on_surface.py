@@ -24,7 +24,7 @@ from ..statements import Identity, Integral, Isomorphism, Law
 from ..system import Parameter, System
 from ..vectors import constant, cross, dot, scalar, unit, vectors
 from .ball_entry import ball_entry
-from .ball_on_any_surface import particle, tangential
+from .ball_on_any_surface import TANGENT, particle, tangential
 from .entry import Numbers
 from .rates import rate
 
@@ -109,6 +109,7 @@ def _as_particle(ball: RollingBall) -> tuple[Law, ...]:
             {R: R, v: v},
             constants={mtilde: heavier, fall: m * g / heavier},
             meaning="the centre is a particle of mass m + μ/b²",
+            onto=(ball.kinematics.surface, *TANGENT),
             source="Proposition 3, Remark 6",
         ),
     )

@@ -163,6 +163,7 @@ def to_sphere() -> Isomorphism:
         time=REDUCING * k**2 / DET_J / RHO_SQUARED ** (1 / k),
         constants={power_potential_on_sphere.h: DET_J / k**2 * energy},
         meaning="trajectories of a point on a sphere in the potential −h (γ, Jγ)^(−1/k)",
+        onto=(power_potential_on_sphere.HAMILTONIAN,),
         source="(9.16), (9.17)",
     )
     return replace(

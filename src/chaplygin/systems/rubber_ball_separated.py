@@ -13,7 +13,15 @@ import sympy as sp
 
 from ..errors import InputError
 from ..mechanics.body import check_inertia
-from ..statements import ConformallyHamiltonian, Integral, Isomorphism, Law, Rate, Separation
+from ..statements import (
+    ConformallyHamiltonian,
+    Identity,
+    Integral,
+    Isomorphism,
+    Law,
+    Rate,
+    Separation,
+)
 from ..system import Guard, System
 from ..vectors import constant, cross, dot, normed, scalar, vectors
 from . import rubber_ball_on_e3
@@ -25,7 +33,7 @@ from .rubber_ball_sphero_conical import CANONICAL, cubic
 omega, n, e, edot = vectors("omega n e edot")
 u, v, p_u, p_v = (scalar(name) for name in ("u", "v", "p_u", "p_v"))
 udot, vdot = scalar("udot"), scalar("vdot")
-Delta, rho, h, F = (scalar(name) for name in ("Delta", "rho", "h", "F"))
+Delta, rho, h, F, C = (scalar(name) for name in ("Delta", "rho", "h", "F", "C"))
 #: A(u), A(v), their derivatives, and what 𝓗 is divided by.
 A_u, A_v, B_u, B_v, Q, H = (scalar(name) for name in ("A_u", "A_v", "B_u", "B_v", "Q", "H"))
 
@@ -84,10 +92,14 @@ def separation() -> Separation:
     return Separation(
         "separation",
         quantities,
-        tuple(
-            DET_J * RHO_SQUARED * (u - v) ** 2 * Rate(z) ** 2 / 4
-            - cubic(z) * (2 * h * z * (TRACE - z) - F)
-            for z in (u, v)
+        (
+            *(
+                DET_J * RHO_SQUARED * (u - v) ** 2 * Rate(z) ** 2 / 4
+                - cubic(z) * (2 * h * z * (TRACE - z) - F)
+                for z in (u, v)
+            ),
+            Rate(h),
+            Rate(F),
         ),
         meaning="separated equations of the case k = −1",
         on=(k + 1,),
@@ -162,18 +174,34 @@ CONSTANT = Integral(
 
 
 def separated() -> Separation:
-    """A(z) p_z² = ½ det J (H z(tr J − z) − C) and z′ = ±2 A(z) p_z / Q for z = u, v."""
-    constant_C = scalar("C")
-    energies = tuple(
-        cubic(z) * p**2 - DET_J / 2 * (H * z * (TRACE - z) - constant_C)
-        for z, p in ((u, p_u), (v, p_v))
-    )
-    velocities = (Q * Rate(u) - 2 * A_u * p_u, Q * Rate(v) + 2 * A_v * p_v)
+    """Q² z′² = 2 det J A(z) (h z(tr J − z) − C) for z = u, v, with the values h of 𝓗 and C."""
     return Separation(
         "separated",
-        {constant_C: CONSTANT.value},
-        (*energies, *velocities),
+        {h: H, C: CONSTANT.value},
+        (
+            *(
+                Q**2 * Rate(z) ** 2 - 2 * DET_J * curve * (h * z * (TRACE - z) - C)
+                for z, curve in ((u, A_u), (v, A_v))
+            ),
+            Rate(h),
+            Rate(C),
+        ),
         meaning="separated equations",
+        source="§9.5",
+    )
+
+
+def momenta() -> Identity:
+    """A(z) p_z² = ½ det J (H z(tr J − z) − C) and z′ = ±2 A(z) p_z / Q for z = u, v."""
+    energies = tuple(
+        cubic(z) * p**2 - DET_J / 2 * (H * z * (TRACE - z) - C) for z, p in ((u, p_u), (v, p_v))
+    )
+    velocities = (Q * Rate(u) - 2 * A_u * p_u, Q * Rate(v) + 2 * A_v * p_v)
+    return Identity(
+        "momenta",
+        (*energies, *velocities),
+        "separated momenta",
+        {C: CONSTANT.value},
         source="§9.5",
     )
 
@@ -187,6 +215,7 @@ def laws() -> tuple[Law, ...]:
             "hamiltonian", sp.S.One, CANONICAL, H, "canonical form", source="§9.5"
         ),
         separated(),
+        momenta(),
         to_ball(),
     )
 

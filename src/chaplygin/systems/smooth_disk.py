@@ -167,14 +167,15 @@ S = sp.sqrt(1 - gamma_3**2)
 
 def _nutation() -> Reduction:
     """γ₃ alone, with the values of the integrals."""
-    value = scalar("h_0")
+    energy, area = scalar("h_0"), scalar("c_0")
     return Reduction(
         "nutation",
-        {value: HALF * dot(M, omega) + m * g * h},
+        {energy: HALF * dot(M, omega) + m * g * h, area: AREA},
         (
             (I_1 + m * R**2 * gamma_3**2) * Rate(gamma_3) ** 2
-            - (1 - gamma_3**2) * (2 * value - M_3**2 / I_3 - 2 * m * g * R * S)
-            + (AREA - M_3 * gamma_3) ** 2 / I_1,
+            - (1 - gamma_3**2) * (2 * energy - M_3**2 / I_3 - 2 * m * g * R * S)
+            + (area - M_3 * gamma_3) ** 2 / I_1,
+            *map(Rate, (energy, area, M_3)),
         ),
         "quadrature for γ₃, the cosine of the nutation, with the values of the integrals",
         source=SOURCE,

@@ -224,6 +224,7 @@ def _quadratic_laws() -> tuple[Law, ...]:
             time=sp.sqrt(first),
             constants={suslov_bracket.d: sp.sqrt(second / first)},
             meaning="Hamiltonian form of Suslov's problem with the five-dimensional bracket",
+            onto=(normed(gamma) - 1,),
             source="§3.4, (3.8)",
         ),
     )

@@ -56,6 +56,9 @@ DEFAULTS = {
 #: Well apart, so that J₁ < λ < J₂ < J₃ and |κ| < J₁ hold in a neighbourhood.
 APART = {"J_1": 1.0, "J_2": 2.0, "J_3": 3.0, "kappa_1": 0.2, "kappa_2": -0.3, "kappa_3": 0.4}
 
+#: The same with J₁ and J₃ exchanged: with ξ and η exchanged too, the case J₂ < λ < J₃.
+EXCHANGED = {**APART, "J_1": APART["J_3"], "J_3": APART["J_1"]}
+
 #: For sphero-conical coordinates of any place.
 NET = {**APART, "J_1": 0.5, "J_2": 0.9, "J_3": 1.35}
 
@@ -163,8 +166,10 @@ def quadratic_forms() -> tuple[System, Identity]:
     return made, Identity("forms", values, "energy and integral on the sphere", source="§10.2")
 
 
-def torus() -> System:
-    """The motion with 2H = 1 and F = λ, J₁ < λ < J₂, on its torus.
+def torus(numbers: Numbers = APART, constant_of_torus: float = 1.4) -> System:
+    """The motion with 2H = 1 and F = λ on its torus, λ between J₁ and J₂.
+
+    `APART` has J₁ < λ < J₂; `EXCHANGED`, with λ from 2 to 3, stands for J₂ < λ < J₃.
 
     State α, β with ξ = J₁cos²β + λsin²β, η = J₂cos²α + J₃sin²α; its time τ has
     dt = (η − ξ) √((ξ − s)(η − s)) dτ.  The definitions P² and Q² hold (dβ/dτ)² and (dα/dτ)².
@@ -179,8 +184,8 @@ def torus() -> System:
         name="unbalanced-rubber-ball-torus",
         title="Unbalanced rubber ball on its torus",
         parameters=(
-            *parameters(APART),
-            Parameter(level, "constant F/2H of the torus", 1.4, "kg m^2"),
+            *parameters(numbers),
+            Parameter(level, "constant F/2H of the torus", constant_of_torus, "kg m^2"),
         ),
         definitions={
             xi: J_1 * sp.cos(beta) ** 2 + level * sp.sin(beta) ** 2,
@@ -194,9 +199,9 @@ def torus() -> System:
     )
 
 
-def on_torus() -> tuple[System, Identity]:
+def on_torus(made: System | None = None) -> tuple[System, Identity]:
     """That α and β give ξ, η and γ as they should: (9.6), and ξ′², η′² by `quadratic_forms`."""
-    made = torus()
+    made = made or torus()
     squares = tuple(g**2 - square(i, xi, eta) for i, g in enumerate(gamma.symbols))
     rates = (
         Rate(xi) ** 2 + 4 * cubic(xi) * (level - xi) * (xi - s),

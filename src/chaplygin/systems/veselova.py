@@ -184,6 +184,7 @@ def onto_neumann(p: Numbers) -> Isomorphism:
         1 / DENSITY,
         {neumann.c: 2 * KINETIC / DET_I},
         "Neumann system on a level of the energy",
+        onto=(neumann.SECOND,),
         source="Theorem 8",
     )
 
@@ -193,8 +194,13 @@ def separation() -> Separation:
     return Separation(
         "separation",
         {**coordinates(gamma), h: KINETIC, F: normed(cross(I * omega, gamma))},
-        tuple(
-            u * v * (u - v) ** 2 * Rate(z) ** 2 - 4 * z * cubic(z) * (2 * h * z - F) for z in (u, v)
+        (
+            *(
+                u * v * (u - v) ** 2 * Rate(z) ** 2 - 4 * z * cubic(z) * (2 * h * z - F)
+                for z in (u, v)
+            ),
+            Rate(h),
+            Rate(F),
         ),
         "separated equations in sphero-conical coordinates",
         source="Remark 16",

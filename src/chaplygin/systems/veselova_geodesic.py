@@ -10,7 +10,7 @@ from ..mechanics.body import check_inertia
 from ..statements import Integral, Isomorphism
 from ..system import Parameter, System
 from ..vectors import constant, dot, explicit, normed, scalar
-from . import clebsch
+from . import clebsch, neumann
 from .clebsch import alpha, beta
 from .e3 import Gamma, I, M, e3_system, inertia_parameters
 from .entry import Entry, Numbers, Start
@@ -105,6 +105,7 @@ def to_clebsch(target: System, sign: int = 1) -> Isomorphism:
         sign * sp.sqrt(I_1 * I_2 * I_3),
         {c: normed(M) * dot(Gamma, I * Gamma) / (I_1 * I_2 * I_3)},
         "Clebsch case with c = M²(Γ, IΓ)/det I",
+        onto=(dot(M, Gamma), neumann.SECOND),
         source="Proposition 6",
     )
 

@@ -67,7 +67,9 @@ def test_integrals_hold_the_exact_value() -> None:
     digits = 30
     with ctx.workprec(working_bits(digits)):
         # almost singular at ±i/100
-        known = integrals(lambda s: [1 / (s * s + arb("0.0001")), s.cos()], arb(-2), arb(3), digits)
+        known = integrals(
+            lambda s: [1 / (s * s + arb("0.0001")), s.cos()], arb(-2), arb(3), digits, (1, 1)
+        )
         for place in (arb(3), arb(-2), arb("0.7"), arb("1e-5")):
             exact = 100 * (100 * place.mid()).atan()
             assert known.value(0, place.mid()).overlaps(exact)
@@ -84,8 +86,8 @@ def test_mirrored_integrals_are_those_of_the_whole() -> None:
         def rates(s: acb) -> list[acb]:
             return [1 + s.cos() / 2, s]
 
-        whole = integrals(rates, arb(-2), arb(2), 20)
-        half = integrals(rates, arb(-2), arb(2), 20, parities=(-1, 1))
+        whole = integrals(rates, arb(-2), arb(2), 20, (1, 1))
+        half = integrals(rates, arb(-2), arb(2), 20, (1, 1), parities=(-1, 1))
         for index in range(2):
             for place in (arb("-1.9"), arb("-0.3"), arb("1.1")):
                 assert whole.value(index, place).overlaps(half.value(index, place))
@@ -99,6 +101,7 @@ def test_nested_integrals() -> None:
             arb(-1),
             arb(2),
             25,
+            (1, 1),
             lambda s, rates, sums: [sums[0].cos() * rates[0]],
         )
         assert known.value(1, arb(2)).overlaps(arb(4).sin())
@@ -107,7 +110,7 @@ def test_nested_integrals() -> None:
 
 def test_a_singular_integral_is_refused() -> None:
     with ctx.workprec(working_bits(19)), pytest.raises(InputError, match="singular"):
-        integrals(lambda s: [1 / (s - 1)], arb(0), arb(2), 19)
+        integrals(lambda s: [1 / (s - 1)], arb(0), arb(2), 19, (1,))
 
 
 def test_reduced_phases_are_exact() -> None:

@@ -13,17 +13,16 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-import mpmath
 import sympy as sp
 from flint import fmpq, fmpq_mpoly
 
 from ...errors import InputError
 from ...mechanics.body import check_inertia
-from ...mechanics.start import DIGITS, SLACK, evaluate
 from ...notation import text
 from ...vectors import explicit
 from ..problem import exact
 from ..separable import Separable
+from ..sizes import ROUNDED, Sized, measured, sized
 from .families import Axis, Plane, Z, numbers, plane_named, plane_of
 from .plane import RING, Arrangement, arrangement, rational
 from .regions import Boundary, Equilibrium, Kinds, Region
@@ -102,23 +101,23 @@ def located(diagram: Diagram, state: Mapping[Any, Any]) -> tuple[float, float]:
         made for.
     """
     system, plane = diagram.plane.system, diagram.plane
-    given = {str(name): value for name, value in state.items()}
-    missing = [str(symbol) for symbol in system.symbols if str(symbol) not in given]
+    values = {str(name): value for name, value in state.items()}
+    missing = [str(symbol) for symbol in system.symbols if str(symbol) not in values]
     if missing:
         raise InputError(f"{plane.name}: the state gives no value for {', '.join(missing)}")
-    with mpmath.workdps(DIGITS):
-        known = {s: exact(given[str(s)]) for s in system.symbols} | dict(diagram.parameters)
-        numbers = {s: mpmath.mpf(v.numerator) / v.denominator for s, v in known.items()}
-        conditions = [*system.relations, *plane.level]
-        formulas = [*conditions, *(axis.value for axis in plane.axes)]
-        *level, x, y = evaluate(system, [explicit(formula) for formula in formulas], numbers)
-    for condition, value in zip(conditions, level, strict=True):
-        if abs(value) > SLACK * (1 + max(abs(v) for v in numbers.values())) ** 2:
+    numbers = [exact(values[str(s)]) for s in system.symbols]
+    known = measured(system.state, system.symbols, numbers)
+    known |= {s: Sized(exact(x), abs(exact(x))) for s, x in diagram.parameters.items()}
+    conditions = [*system.relations, *plane.level]
+    formulas = [explicit(f) for f in (*conditions, *(axis.value for axis in plane.axes))]
+    *level, x, y = sized(formulas, known, system.needed(formulas))
+    for condition, found in zip(conditions, level, strict=True):
+        if not found.vanishes(ROUNDED):
             raise InputError(
-                f"{plane.name}: {text(condition)} is {mpmath.nstr(value, 5)} in this state and "
+                f"{plane.name}: {text(condition)} is {float(found.value):.5g} in this state and "
                 "must vanish"
             )
-    return float(x), float(y)
+    return float(x.value), float(y.value)
 
 
 def bifurcation_diagram(

@@ -5,12 +5,12 @@ Either one of the variables z₁, z₂ stays at e and the other one runs around 
 rotations), or e has closed the gap between the two variables and the motion runs from one such
 motion to another (separatrices).
 
-The numbers of a start are taken exactly (a float as the binary number that it is, a fraction as it
-stands), moved onto the phase space in many digits, and a collision is recognised when it is exact
-to within 1e-40 of the largest root: nothing is rounded off towards a degenerate motion.  A start
-that is merely near to one belongs to the generic case, whose roots are as many digits apart as they
-are.  Every collision between the two variables, or of one of them with the end of its oval, is
-covered; where two pairs of roots have collided at once the answer is None.
+The numbers of a start are taken exactly (a float as the decimal that it is written as, a fraction
+as it stands), moved onto the phase space in many digits, and a collision is recognised when it is
+exact to within 1e-40 of the largest root: nothing is rounded off towards a degenerate motion.  A
+start that is merely near to one belongs to the generic case, whose roots are as many digits apart
+as they are.  Every collision between the two variables, or of one of them with the end of its oval,
+is covered; where two pairs of roots have collided at once the answer is None.
 """
 
 from __future__ import annotations

@@ -68,6 +68,11 @@ class Axial(ABC):
 
     @property
     @abstractmethod
+    def length(self) -> Any:
+        """A length of the body, with which paths are compared; 1 for a body with a fixed point."""
+
+    @property
+    @abstractmethod
     def shown(self) -> tuple[tuple[Any, Any], ...]:
         """The equations, for a reader."""
 
@@ -166,6 +171,11 @@ class VeselovaAxial(Axial):
     def velocity(self, F: Any, u: Any, rate: Any) -> list[Any] | None:
         """Rate of the place."""
         return None
+
+    @property
+    def length(self) -> Any:
+        """Nothing is compared with it."""
+        return arb(1)
 
     @property
     def rising(self) -> Any:
@@ -304,6 +314,11 @@ class ChaplyginAxial(Axial):
         """Rate of the place."""
         omega, R = self.omega(F, u, rate), F.number(self.R)
         return [R * omega[1], -R * omega[0], 0 * u]
+
+    @property
+    def length(self) -> Any:
+        """The radius."""
+        return self.R
 
     @property
     def rising(self) -> Any:

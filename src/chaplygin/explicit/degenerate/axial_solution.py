@@ -117,7 +117,8 @@ class AxialSolution(Solution):
     @cached_property
     def course(self) -> Course:
         """u with φ and the place."""
-        return Course(self.chart, self.u, self.rate, self._rates)
+        units = (1.0, *(float(self.axial.length.mid()),) * 3)
+        return Course(self.chart, self.u, self.rate, self._rates, units=units)
 
     def _axes(self, F: Any, u: Any, rate: Any) -> list[list[Any]]:
         """f₁, f₂ and e."""
@@ -150,6 +151,11 @@ class AxialSolution(Solution):
         with ctx.workprec(working_bits(FAST)):
             return FastAxial(self)
 
+    @property
+    def pace(self) -> float:
+        """How fast the phase of u grows with time."""
+        return 1 / self.course.moment
+
     def states(self, times: Any) -> Any:
         """Lifted states at `times` (n,), in double precision."""
         return self._fast(np.asarray(times, dtype=float))
@@ -165,7 +171,7 @@ class AxialSolution(Solution):
             If more digits are needed than the start is carried with.
         """
         near = self.states(np.array([float(balls_of(time).mid())]))[0]
-        work = needed(time, digits, 1)
+        work = needed(time, digits, 1, self.pace)
         with ctx.workprec(working_bits(work)):
             at = self.course.place(balls_of(time), work)
             u = self.chart.place(BALLS, at.phase)

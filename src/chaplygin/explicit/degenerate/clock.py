@@ -24,7 +24,7 @@ Integrands = Callable[[Any, Any], Any]
 
 #: |κ| beyond which e^{−|κ|} is lost in a double.
 FADED = 38.0
-#: An integrand so much smaller than the largest one vanishes but for rounding.
+#: A velocity so much smaller than the largest one vanishes but for rounding.
 TINY = 1e-6
 #: Nodes on a panel, and the phases (U, κ) that it may cover.
 NODES = 24
@@ -123,7 +123,9 @@ def _periodic(motion: Periodic, integrands: Integrands, turn: Any) -> Quadrature
         nu, rate = direction_array(*motion.array(tau, 0.0))
         waves = np.fft.rfft(integrands(nu, rate)) / count
         size = np.abs(waves).max(-1, keepdims=True)
-        size = np.maximum(size, TINY * size.max())
+        # the clock and the velocities have different units
+        size[1:] = np.maximum(size[1:], TINY * size[1:].max(initial=0.0))
+        size[size == 0] = 1.0
         last = (np.abs(waves[:, -(count // 8) :]) / size).max()
         if last < 1e-16 or count >= 1 << 14:
             break

@@ -9,9 +9,10 @@ from flint import arb
 
 from ..numbers import components, number
 from ..separable import Separable
+from ..sizes import vanishes
 from ..solution import ClosedForm, Figure
 from .motion import Asymptotic, Periodic
-from .start import COLLIDED, Beginning
+from .start import Beginning
 
 __all__ = ["form_of"]
 
@@ -99,5 +100,5 @@ def _ovals(
 
 def _others(beginning: Beginning, e: Any) -> list[Any]:
     """The roots that have not collided, in increasing order."""
-    near = COLLIDED * beginning.size
-    return sorted((r for r in beginning.roots if abs((r - e).mid()) > near), key=lambda r: r.mid())
+    apart = (r for r in beginning.roots if not vanishes((r - e).mid(), beginning.size))
+    return sorted(apart, key=lambda r: r.mid())

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from itertools import product
+from itertools import pairwise, product
 from typing import Any
 
 import numpy as np
 from flint import arb, arb_mat
 
+from ..sizes import vanishes
 from .curve import Oval, oval_around
 from .motion import Asymptotic, Periodic, direction, direction_array
-from .start import COLLIDED, Beginning
+from .start import Beginning
 
 __all__ = ["double_roots", "motion"]
 
@@ -24,10 +25,10 @@ def double_roots(beginning: Beginning) -> list[tuple[Any, list[Any]]]:
     Poles come first in the list of roots, so that a collision with a pole is put at the pole.
     """
     found = []
-    roots, near = beginning.roots, COLLIDED * beginning.size
+    roots = beginning.roots
     for i, one in enumerate(roots):
         for j in range(i + 1, len(roots)):
-            if abs((one - roots[j]).mid()) < near:
+            if vanishes((one - roots[j]).mid(), beginning.size):
                 found.append((one, [r for k, r in enumerate(roots) if k not in (i, j)]))
     return found
 
@@ -40,13 +41,16 @@ def motion(beginning: Beginning, e: Any, others: list[Any]) -> Periodic | Asympt
     Periodic, Asymptotic or None
         None when both variables move away from e, or the curve degenerates further.
     """
+    ordered = sorted(others, key=lambda root: root.mid())
+    if any(vanishes((y - x).mid(), beginning.size) for x, y in pairwise(ordered)):
+        return None
     if _stays(beginning, e):
         z = beginning.total[0] - e
         oval = oval_around(beginning.leading, others, z)
         return None if oval is None else _one_frequency(beginning, e, z, oval)
     oval = oval_around(beginning.leading, others, e)
-    apart = beginning.separating(e).mid()
-    if oval is None or apart > COLLIDED * beginning.size * beginning.size:
+    apart, size = beginning.separating(e).mid(), beginning.size * beginning.size
+    if oval is None or (apart > 0 and not vanishes(apart, size)):
         return None
     return _between(beginning, e, oval)
 
@@ -57,12 +61,11 @@ def _stays(beginning: Beginning, e: Any) -> bool:
     At a pole it does where the component and its rate vanish: both variables may pass it together.
     """
     parts = zip(beginning.poles, beginning.nu, beginning.nuprime, strict=True)
-    scale = 1 + sum((abs(x.mid()) for x in beginning.nuprime), arb(0))
-    near = COLLIDED * beginning.size
+    speed = sum((abs(x.mid()) for x in beginning.nuprime), arb(0))
     for pole, nu, rate in parts:
-        if abs((pole - e).mid()) < near:
-            return bool(abs(nu.mid()) + abs(rate.mid()) / scale < COLLIDED)
-    return bool(abs(beginning.separating(e).mid()) < near * beginning.size)
+        if vanishes((pole - e).mid(), beginning.size):
+            return vanishes(nu.mid(), arb(1)) and vanishes(rate.mid(), speed)
+    return vanishes(beginning.separating(e).mid(), beginning.size * beginning.size)
 
 
 def _one_frequency(beginning: Beginning, e: Any, z: Any, oval: Oval) -> Periodic:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ...statements import Integral, Law, Rate, Reduction
+from ...statements import Identity, Integral, Law, Rate, Reduction
 from ...systems import chaplygin_bracket
 from ...systems.veselova import F, I, gamma, h, omega
 from ...vectors import cross, dot, explicit, normed, scalar, vectors
@@ -29,6 +29,7 @@ def veselova_laws() -> tuple[Law, ...]:
     G = I_3 + (I_1 - I_3) * gamma_3**2
     L = cross(I * omega, gamma)
     L_3, across = explicit(L)[2], explicit(cross(gamma, L))[2]
+    energy = dot(omega, I * omega) / 2
     return (
         Integral(
             "axial",
@@ -39,15 +40,22 @@ def veselova_laws() -> tuple[Law, ...]:
         ),
         Reduction(
             "nutation",
-            {u: gamma_3, own: omega_3**2 * G, h: dot(omega, I * omega) / 2, F: normed(L)},
+            {u: gamma_3, own: omega_3**2 * G, h: energy},
+            (I_1 * Rate(u) ** 2 - 2 * h * (1 - u**2) + own, Rate(own), Rate(h)),
+            "equation of the angle between the vertical and the axis of symmetry",
+            on=EQUAL,
+            source="§6.1",
+        ),
+        Identity(
+            "axis",
             (
-                I_1 * Rate(u) ** 2 - 2 * h * (1 - u**2) + own,
                 F - 2 * h * I_1 - (I_3 - I_1) * own,
                 # the components of e in the frame of γ and L
-                L_3 + I_1 * Rate(u),
+                L_3 + I_1 * Rate(gamma_3),
                 across**2 - own * G,
             ),
-            "equation of the angle between the vertical and the axis of symmetry",
+            "the axis of symmetry in the frame of the vertical and the momentum",
+            {own: omega_3**2 * G, h: energy, F: normed(L)},
             on=EQUAL,
             source="§6.1",
         ),
@@ -61,23 +69,27 @@ def chaplygin_laws() -> tuple[Law, ...]:
     _, _, gamma_3 = gamma.symbols
     W = 1 - D * dot(gamma, A * gamma)
     area = dot(M, gamma)
+    spun = (M_3 + D * area * gamma_3 / I_1) ** 2
+    A_1, _, A_3 = A.symbols
     return (
         Integral(
             "axial",
-            (M_3 + D * area * gamma_3 / I_1) ** 2 / W,
+            spun / W,
             "constant of a ball with I₁ = I₂",
             on=EQUAL,
             source="§7.1",
         ),
         Reduction(
             "nutation",
-            {u: gamma_3, f: normed(M), g: area},
+            {u: gamma_3, f: normed(M), g: area, own: spun / W},
             (
                 (I_1 + D) ** 2 * Rate(u) ** 2
                 - f * (1 - u**2)
                 + g**2
                 - 2 * g * u * M_3
                 + sp.sympify(M_3) ** 2,
+                (M_3 + D * g * u / I_1) ** 2 - own * (1 - D * (A_1 * (1 - u**2) + A_3 * u**2)),
+                *map(Rate, (f, g, own)),
             ),
             "equation of the angle between the vertical and the axis of symmetry",
             on=EQUAL,

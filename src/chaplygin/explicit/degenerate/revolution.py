@@ -15,11 +15,12 @@ from flint import arb, ctx
 from ...system import System
 from ..one_variable import chart_of
 from ..one_variable.charts import Oscillating
+from ..sizes import vanishes
 from ..solution import Solution
 from ..start import on_phase_space
 from .axial import Axial, ChaplyginAxial, VeselovaAxial
 from .axial_solution import AxialSolution, Scene
-from .start import COLLIDED, PRECISION, exact_ball
+from .start import PRECISION, exact_ball
 from .uniform import uniform
 
 __all__ = ["chaplygin_of_revolution", "equal_pair", "veselova_of_revolution"]
@@ -32,10 +33,10 @@ def equal_pair(moments: Sequence[Any]) -> int | None:
 
     None when all three differ; the last axis when all are equal.
     """
-    near = COLLIDED * max(abs(moment) for moment in moments)
+    size = max(abs(moment) for moment in moments)
     for axis in (2, 1, 0):
         one, other = (moments[k] for k in range(3) if k != axis)
-        if abs((one - other).mid()) < near:
+        if vanishes((one - other).mid(), size):
             return axis
     return None
 
@@ -91,7 +92,7 @@ def veselova_of_revolution(
     values : mapping of Symbol to number
         Its parameters.
     start : sequence of 10 numbers
-        The lifted state at t = 0; floats are exact binary numbers.
+        The lifted state at t = 0; floats are the decimals that they are written as.
     moments : three arb
         I₁, I₂, I₃.
 

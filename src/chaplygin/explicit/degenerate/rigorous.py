@@ -40,6 +40,8 @@ REACH = 4
 POINTLIKE, BOX_BITS = 1e-6, 64
 #: Boxes smaller than this are not divided any further.
 SMALLEST = 0.02
+#: Places of a turn at which the sizes of the integrands are seen.
+PLACES = 8
 
 
 def rigorous_state(solution: Degenerate, time: Any, digits: int) -> tuple[Any, ...]:
@@ -57,7 +59,7 @@ def rigorous_state(solution: Degenerate, time: Any, digits: int) -> tuple[Any, .
         If more digits are needed than the start is carried with.
     """
     moment = balls_of(time)
-    work = needed(time, digits, 1)
+    work = needed(time, digits, 1, solution.pace)
     with ctx.workprec(working_bits(work)):
         return Rigorous(solution, work).state(moment)
 
@@ -192,6 +194,15 @@ class Rigorous:
 
         return rates
 
+    @cached_property
+    def _units(self) -> tuple[float, ...]:
+        """The rate of the clock, and the largest velocity, at some places of a turn."""
+        rates = self._integrands(self._exactly)
+        seen = [rates(acb(2 * arb.pi() * k / PLACES)) for k in range(PLACES)]
+        sizes = [[float(abs(f.real).mid()) for f in row] for row in seen]
+        fastest = max((x for row in sizes for x in row[1:]), default=0.0) or 1.0
+        return (max(row[0] for row in sizes), fastest, fastest)
+
     def _exactly(self, sigma: Any) -> tuple[list[Any], list[Any]]:
         return self.solution.motion.at(sigma / self._speed)
 
@@ -215,7 +226,8 @@ class Rigorous:
             ends = (arb(0), min(high, arb(pieces), key=float))
         key = (float(ends[0]), float(ends[1]))
         if key not in self._windows:
-            self._windows[key] = integrals(self._integrands(self._exactly), *ends, self.digits)
+            rates = self._integrands(self._exactly)
+            self._windows[key] = integrals(rates, *ends, self.digits, self._units)
         return self._windows[key]
 
     @cached_property
@@ -241,7 +253,8 @@ class Rigorous:
             return motion.combined(U, down, up, acb(doubt, doubt))
 
         low, high = (arb(-7), arb("0.5")) if side < 0 else (arb(0), arb(7))
-        return Tail(edge, integrals(self._integrands(numerators), low, high, self.digits), side)
+        rates = self._integrands(numerators)
+        return Tail(edge, integrals(rates, low, high, self.digits, self._units), side)
 
     @cached_property
     def _tails(self) -> dict[int, Tail]:

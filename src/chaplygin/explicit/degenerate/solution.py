@@ -174,6 +174,11 @@ class Degenerate(Solution):
 
     # --- answers -----------------------------------------------------------------------------
 
+    @property
+    def pace(self) -> float:
+        """Periods in a unit of time."""
+        return 1 / float(self.turn.mid())
+
     def states(self, times: Any) -> Any:
         """Lifted states (n, size) at `times` (n,), in double precision."""
         moment: Moment = self.clock.when(np.asarray(times, dtype=float))

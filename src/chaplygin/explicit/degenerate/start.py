@@ -18,12 +18,10 @@ from ..numbers import ball, components, evaluated
 from ..separable import Separable
 from ..start import on_phase_space
 
-__all__ = ["COLLIDED", "PRECISION", "Beginning", "begin", "constants_of", "exact_ball"]
+__all__ = ["PRECISION", "Beginning", "begin", "constants_of", "exact_ball"]
 
 #: Bits in which starts are worked out.
 PRECISION = 420
-#: Roots nearer to each other than this, relative to the largest, have collided.
-COLLIDED = arb("1e-40")
 
 
 @dataclass(frozen=True)
@@ -105,7 +103,8 @@ def begin(separable: Separable, values: Mapping[Any, Any], start: Sequence[Any])
     values : mapping of Symbol to number
         The parameters of its system.
     start : sequence of numbers
-        The state, reduced or lifted, in flat order; floats are taken as exact binary numbers.
+        The state, reduced or lifted, in flat order; floats are taken as the decimals that they are
+        written as.
     """
     with ctx.workprec(PRECISION):
         return _begin(separable, values, start)

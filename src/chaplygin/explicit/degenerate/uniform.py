@@ -24,18 +24,19 @@ from flint import arb, ctx
 
 from ...mechanics.attitude import attitude
 from ...system import System, flat_pairs
-from ...vectors import Vector
-from ..numbers import evaluated
+from ...vectors import Vector, explicit
+from ..numbers import evaluated, exact
 from ..one_variable.panels import working_bits
 from ..revolution import balls_of, needed
 from ..revolution.angles import Turning
+from ..sizes import Sized, measured, sized, vanishes
 from ..solution import ClosedForm, Figure, Solution
+from ..start import on_phase_space
 from .quaternion import cross, dot, product, times, times_array
+from .start import PRECISION, exact_ball
 
-__all__ = ["UniformSolution", "uniform"]
+__all__ = ["UniformSolution", "resting", "uniform"]
 
-#: What is left of a rate, relative to the velocities of the motion, counts as zero.
-STILL = arb("1e-40")
 #: Places along a turn about ω at which the field is compared with that turn.
 ANGLES = 7
 
@@ -78,11 +79,16 @@ class UniformSolution(Solution):
         """ω − Ω."""
         return [w - x for w, x in zip(self.omega, self.turning, strict=True)]
 
+    @property
+    def pace(self) -> float:
+        """The faster one of the two rotations."""
+        return max(float(_length(x).mid()) for x in (self.turning, self._apart))
+
     # --- in balls --------------------------------------------------------------------------
 
     def rigorous(self, time: Any, digits: int = 30) -> tuple[Any, ...]:
         """The lifted state at one time as balls that contain the exact one."""
-        with ctx.workprec(working_bits(needed(time, digits, 1))):
+        with ctx.workprec(working_bits(needed(time, digits, 1, self.pace))):
             t = balls_of(time)
             back = _turn([-x for x in self.turning], t)
             state = [x for vector in self.vectors for x in product(back, vector)]
@@ -213,15 +219,52 @@ def uniform(
     vectors = [start[k : k + 3] for k in range(0, size, 3)]
     changes = [rates[k : k + 3] for k in range(0, size, 3)]
     omega = [known[symbol] for symbol in _OMEGA]
-    scale = abs(sum((abs(x) for x in (*start[:size], *omega)), arb(1)))
     for turning in (*_allowed(vectors, changes, moments), omega):
         angles = [arb(0)] if turning is not omega else [arb(k) for k in range(ANGLES)]
         if all(
-            _turns(system, values, _turned(vectors, turning, angle), turning, scale)
+            _turns(system, values, _turned(vectors, turning, angle), turning, _length(omega))
             for angle in angles
         ):
             return _made(system, values, start, vectors, turning, omega)
     return None
+
+
+def resting(
+    system: System, values: Mapping[sp.Symbol, Any], start: Sequence[Any]
+) -> UniformSolution | None:
+    """The motion on which the reduced state rests, if the start is an equilibrium of it.
+
+    Parameters
+    ----------
+    system : System
+        Of two vectors, whatever its field; not lifted.
+    values : mapping of Symbol to number
+        Its parameters.
+    start : sequence of numbers
+        The state, reduced or lifted.
+
+    Raises
+    ------
+    InputError
+        If the start is off the phase space.
+    """
+    with ctx.workprec(PRECISION):
+        known = {symbol: exact_ball(value) for symbol, value in values.items()}
+        size = len(system.symbols)
+        given = [exact_ball(x) for x in start]
+        state = on_phase_space(system, (), given[:size], known)
+        numbers = measured(system.state, system.symbols, [exact(x) for x in state])
+        fixed = {s: Sized(exact(x), abs(exact(x))) for s, x in known.items()}
+        rates = [explicit(rate) for rate in system.rates]
+        if not all(x.vanishes() for x in sized(rates, {**fixed, **numbers}, system.steps)):
+            return None
+        found = {**known, **dict(zip(system.symbols, state, strict=True))}
+        for symbol, formula in system.steps:
+            (found[symbol],) = evaluated([formula], found)
+        zero = [arb(0)] * 3
+        vectors = [state[k : k + 3] for k in range(0, size, 3)]
+        omega = [found.get(symbol, arb(0)) for symbol in _OMEGA]
+        return _made(system, known, (*state, *given[size:]), vectors, zero, omega)
 
 
 def _turned(vectors: Sequence[Any], turning: Sequence[Any], angle: Any) -> list[Any]:
@@ -238,15 +281,23 @@ def _turns(
     values: Mapping[sp.Symbol, Any],
     vectors: Sequence[Any],
     turning: Sequence[Any],
-    scale: Any,
+    speed: Any,
 ) -> bool:
-    """Whether the rates of all vectors x are −Ω×x, and ω is the same, at a state."""
+    """Whether the rates of all vectors x are −Ω×x at a state, relative to |ω||x|."""
     known = {**values, **dict(zip(system.symbols, _flat(vectors), strict=True))}
     for symbol, formula in system.steps:
         (known[symbol],) = evaluated([formula], known)
     rates = evaluated(system.rates, known)
-    sides = _flat([cross(turning, vector) for vector in vectors])
-    return all(abs((x + y).mid()) < STILL * scale for x, y in zip(rates, sides, strict=True))
+    sides = [cross(turning, vector) for vector in vectors]
+    return all(
+        vanishes((x + y).mid(), speed * _length(vector))
+        for number, (vector, side) in enumerate(zip(vectors, sides, strict=True))
+        for x, y in zip(rates[3 * number : 3 * number + 3], side, strict=True)
+    )
+
+
+def _length(vector: Sequence[Any]) -> Any:
+    return dot(vector, vector).sqrt()
 
 
 def _flat(vectors: Sequence[Any]) -> list[Any]:
@@ -257,16 +308,18 @@ def _allowed(
     vectors: Sequence[Any], changes: Sequence[Any], moments: Sequence[Any]
 ) -> list[list[Any]]:
     """Ω along an axis of symmetry, or zero."""
-    near = arb("1e-40") * max(abs(moment) for moment in moments)
+    size = max(abs(moment) for moment in moments)
     found = [[arb(0)] * 3]
-    equal = [abs((moments[(i + 1) % 3] - moments[(i + 2) % 3]).mid()) < near for i in range(3)]
+    equal = [vanishes((moments[(i + 1) % 3] - moments[(i + 2) % 3]).mid(), size) for i in range(3)]
     for i in (i for i in range(3) if equal[i]):
         axis = [arb(int(k == i)) for k in range(3)]
-        sides = [cross(axis, vector) for vector in vectors]
-        square = sum((dot(side, side) for side in sides), arb(0))
-        if square.mid() > near:
-            share = sum((dot(c, s) for c, s in zip(changes, sides, strict=True)), arb(0)) / square
-            found.append([-share * x for x in axis])
+        for vector, change in zip(vectors, changes, strict=True):
+            # every vector across the axis turns at the same rate, if the motion is uniform
+            side = cross(axis, vector)
+            if not vanishes(_length(side).mid(), _length(vector)):
+                share = dot(change, side) / dot(side, side)
+                found.append([-share * x for x in axis])
+                break
     return found
 
 

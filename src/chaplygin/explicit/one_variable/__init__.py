@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from flint import acb, arb, ctx
 
+from ..sizes import vanishes
 from .charts import (
     BALLS,
     Asymptotic,
@@ -26,7 +27,7 @@ from .charts import (
 )
 from .panels import Integrals, Table, integrals, working_bits
 from .reduction import pair, reduced
-from .roots import End, next_end, vanishes
+from .roots import End, next_end
 from .slopes import slope, value
 
 __all__ = ["Course", "Places", "Steady", "chart_of"]
@@ -152,6 +153,9 @@ class Course:
         σ of further quadratures.
     parities : tuple of 1 and −1
         Of the time (odd) and all quadratures as functions of σ, where they have one.
+    units : tuple of float
+        Of all quadratures, the nested ones included: 1 for angles, a length of the body for the
+        path.
     """
 
     chart: Chart
@@ -160,6 +164,7 @@ class Course:
     rates: Rates
     nested: Nested | None = None
     parities: tuple[int, ...] = ()
+    units: tuple[float, ...] = (1.0,)
 
     # --- quadratures -----------------------------------------------------------------------
 
@@ -178,6 +183,11 @@ class Course:
     def _known(self) -> dict[int, Integrals]:
         return {}
 
+    @cached_property
+    def moment(self) -> float:
+        """The time in which σ grows by one, at the turning point."""
+        return float(abs(self.chart.clock(acb(0)).real).mid())
+
     def horizon(self, digits: int) -> Any:
         """Where integrals end: at half a period, or where the tail begins."""
         return arb.pi() if self.periodic else arb(digits) * arb("1.152") + 3
@@ -193,7 +203,8 @@ class Course:
         nested = self.nested and partial(self.nested, self.chart)
         with ctx.workprec(working_bits(digits)):
             end = self.horizon(digits)
-            return integrals(self._forms, -end, end, digits, nested, self.parities)
+            units = (self.moment, *self.units)
+            return integrals(self._forms, -end, end, digits, units, nested, self.parities)
 
     def advances(self, digits: int) -> tuple[Any, ...]:
         """The period, and what every quadrature gains in it (arb); for a periodic motion."""

@@ -180,6 +180,7 @@ def integrals(
     low: Any,
     high: Any,
     digits: int,
+    units: Sequence[float],
     nested: Nested | None = None,
     parities: Sequence[int] = (),
 ) -> Integrals:
@@ -192,8 +193,10 @@ def integrals(
     low, high : arb
         With low ≤ 0 < high; their middles are taken.
     digits : int
-        The error bound is 10^−digits relative to each function on each panel, or absolute where
-        functions are smaller than one.
+        The error bound is 10^−digits relative to each function on each panel, or to its unit
+        where it is smaller.
+    units : sequence of float
+        Of all functions, the further ones included: sizes beside which others are small.
     nested : callable, optional
         Further functions, of σ, the first ones and their integrals.
     parities : sequence of 1 and −1, optional
@@ -205,7 +208,7 @@ def integrals(
     InputError
         If a function is singular on the interval.
     """
-    build = _Build(rates, nested, digits)
+    build = _Build(rates, nested, digits, units)
     right = build.side(arb(0), high.mid())
     if parities:
         left = [panel.mirrored(parities) for panel in right]
@@ -219,6 +222,7 @@ class _Build:
     rates: Rates
     nested: Nested | None
     digits: int
+    units: Sequence[float]
 
     def side(self, start: Any, end: Any) -> list[Panel]:
         """Panels from `start` outwards, to the right or to the left."""
@@ -248,7 +252,7 @@ class _Build:
             for x, reach, height in BOXES
         ]
         middle = self.rates(acb(centre))
-        bounds = _bounds((self.rates(box) for box in boxes), middle)
+        bounds = _bounds((self.rates(box) for box in boxes), middle, self.units)
         if bounds is None:
             return None
         n = degree(self.digits)
@@ -261,7 +265,7 @@ class _Build:
             around = [_around(s, m, half) for s, m in zip(series, bounds, strict=True)]
             inside = self.nested(acb(centre), middle, [acb(s.at(arb(0))) for s in series])
             every = (self.nested(box, self.rates(box), around) for box in boxes)
-            further = _bounds(every, inside)
+            further = _bounds(every, inside, self.units[len(middle) :])
             if further is None:
                 return None
             rows = [
@@ -275,9 +279,14 @@ class _Build:
         return Panel(low, high, tuple(series), first, tuple(bounds))
 
 
-def _bounds(around: Iterable[Sequence[Any]], middle: Sequence[Any]) -> list[Any] | None:
+def _bounds(
+    around: Iterable[Sequence[Any]], middle: Sequence[Any], units: Sequence[float]
+) -> list[Any] | None:
     """Bounds of functions in all boxes, if they are not too large beside those in the middle."""
-    limits = [10 * RHO**6 * max(1.0, float(f.abs_upper())) for f in middle]
+    limits = [
+        10 * RHO**6 * max(unit, float(f.abs_upper()))
+        for f, unit in zip(middle, units, strict=False)
+    ]
     bounds = [arb(0)] * len(middle)
     for box in around:
         for index, (f, limit) in enumerate(zip(box, limits, strict=True)):

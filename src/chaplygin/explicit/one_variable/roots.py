@@ -10,15 +10,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from flint import arb, ctx, fmpq
+from flint import arb, ctx
 
 from ...errors import InputError
+from ..sizes import vanishes
 from .slopes import Formula, jet, slope
 
-__all__ = ["RESOLUTION", "End", "next_end", "vanishes"]
-
-#: What is smaller than this, relative to its size, is zero: starts are read to 50 digits.
-RESOLUTION = fmpq(1, 10**40)
+__all__ = ["End", "next_end"]
 
 #: Intervals are not halved below this width.
 NARROWEST = 1e-13
@@ -46,11 +44,6 @@ class End:
     place: Any
     double: bool = False
     edge: bool = False
-
-
-def vanishes(ball: Any, size: Any) -> bool:
-    """Whether a number cannot be told from zero, `size` being what is not small."""
-    return bool(abs(ball).lower() <= arb(RESOLUTION) * abs(size).upper())
 
 
 def next_end(

@@ -129,10 +129,18 @@ def balls_of(time: Any) -> Any:
     return arb(fmpq(value.numerator, value.denominator))
 
 
-def needed(time: Any, digits: int, powers: int) -> int:
-    """Digits to work with, so that `digits` are left when errors grow with t to some power."""
+def needed(time: Any, digits: int, powers: int, pace: float) -> int:
+    """Digits to work with, so that `digits` are left when errors grow with t to some power.
+
+    Parameters
+    ----------
+    time : number
+    digits, powers : int
+    pace : float
+        How fast a phase of the motion grows with the time.
+    """
     large = abs(float(time.mid())) if isinstance(time, arb) else abs(float(exact(time)))
-    grown = digits + powers * max(0, int(np.ceil(np.log10(large + 1)))) + 5
+    grown = digits + powers * max(0, int(np.ceil(np.log10(large * pace + 1)))) + 5
     wanted = 10 * -(-grown // 10)
     if wanted > MOST:
         raise InputError(
@@ -169,6 +177,7 @@ class RevolutionSolution(Solution):
             turning_rates(level),
             path_rates(level),
             path_parities(chart),
+            (1.0, 1.0, *(abs(float(level.body.p(acb(begin.normal[2])).real)),) * 2),
         )
         with ctx.workprec(working_bits(FAST)):
             self._form = form_of(level, self.course)
@@ -177,6 +186,11 @@ class RevolutionSolution(Solution):
     def form(self) -> ClosedForm:
         """The quadrature, its roots and rates."""
         return self._form
+
+    @property
+    def pace(self) -> float:
+        """How fast the phase of θ grows with time."""
+        return 1 / self.course.moment
 
     # --- constants -------------------------------------------------------------------------
 
@@ -222,7 +236,7 @@ class RevolutionSolution(Solution):
         InputError
             If more digits are needed than the start is carried with.
         """
-        work = needed(time, digits, 1 if self.course.periodic else 2)
+        work = needed(time, digits, 1 if self.course.periodic else 2, self.pace)
         with ctx.workprec(working_bits(work)):
             frame = self._frame(work)
             at = self.course.place(balls_of(time), work)
@@ -308,13 +322,18 @@ class SteadySolution(Solution):
         self._form = steady_form(level, rest, self._rates)
 
     @property
+    def pace(self) -> float:
+        """The faster one of φ̇ and ψ̇."""
+        return max(abs(float(rate)) for rate in self._rates)
+
+    @property
     def form(self) -> ClosedForm:
         """The equilibrium of θ and its rates."""
         return self._form
 
     def rigorous(self, time: Any, digits: int = 30) -> tuple[Any, ...]:
         """The lifted state at one time as balls that contain the exact one."""
-        with ctx.workprec(working_bits(needed(time, digits, 1))):
+        with ctx.workprec(working_bits(needed(time, digits, 1, self.pace))):
             t = balls_of(time)
             phi, psi = (a + w * t for a, w in zip(self._angles, self._rates, strict=True))
             place = self._origin + glide(t, self._rates[1], self._speed)

@@ -23,9 +23,9 @@ from ...mechanics.surfaces import Plane
 from ...vectors import scalar, vectors
 from ..one_variable.charts import Equation
 from ..one_variable.formula import program
-from ..one_variable.roots import vanishes
 from ..one_variable.slopes import value
 from ..problem import exact
+from ..sizes import vanishes
 
 __all__ = ["BITS", "Body", "Level", "body_of", "level_of"]
 

@@ -17,7 +17,8 @@ from .state import assembled, path_speed
 
 __all__ = ["FastRevolution", "Frame", "spins"]
 
-#: Below this rate of precession (rad/s) the path in a tail is computed as that of a slow turn.
+#: Below this angle of precession, in the time of one unit of the phase, the path in a tail is
+#: computed as that of a slow turn.
 SLOW = 1e-3
 
 
@@ -124,6 +125,8 @@ class _Tail:
         φ and ψ as functions of the time.
     rate, speed : acb
         Of the precession, and of the path.
+    slow : bool
+        Whether the precession is so slow that its rate is no good divisor.
     facing : float
         ψ where the tail begins.
     corner : complex
@@ -135,6 +138,7 @@ class _Tail:
     precession: Turning
     rate: Any
     speed: Any
+    slow: bool
     facing: float
     corner: complex
 
@@ -152,6 +156,7 @@ class _Tail:
             Turning.of(rate, psi - rate * begins),
             rate,
             acb(path_speed(level, acb(end.place))),
+            abs(float(rate)) * course.moment < SLOW,
             float(psi),
             _complex(acb(x, y)),
         )
@@ -160,7 +165,7 @@ class _Tail:
         """φ, ψ and the path, replaced where the motion is in this tail."""
         there = at.beyond * self.side > 0
         psi = self.precession(times)
-        if abs(float(self.rate)) < SLOW:
+        if self.slow:
             way = np.exp(1j * self.facing) * glides(at.beyond, self.rate, self.speed)
         else:
             speed = _complex(self.speed) / (1j * float(self.rate))

@@ -21,6 +21,7 @@ from flint import acb, arb
 
 from ...errors import InputError
 from ..one_variable.charts import BALLS, Chart, Connecting, Oscillating
+from ..sizes import GIVEN, vanishes
 from .body import Body, Level, level_of
 
 __all__ = [
@@ -32,9 +33,6 @@ __all__ = [
     "path_speed",
     "turning_rates",
 ]
-
-#: How far a start may be from the phase space.
-SLACK = 1e-9
 
 
 @dataclass(frozen=True)
@@ -75,20 +73,19 @@ def begin_of(state: Sequence[Any]) -> Begin:
     length = sum((x * x for x in normal), arb(0)).sqrt()
     size = sum((q * q for q in attitude), arb(0)).sqrt()
     spin = sum((w * x for w, x in zip(omega, normal, strict=True)), arb(0))
-    scale = 1 + sum((abs(w) for w in omega), arb(0))
+    rate = sum((abs(w) for w in omega), arb(0))
     w, x, y, z = attitude
     row = (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y))
     apart = sum((abs(a - b) for a, b in zip(row, normal, strict=True)), arb(0))
-    for defect, name in (
-        (abs(length - 1), "|gamma| = 1"),
-        (abs(spin) / scale, "(omega, gamma) = 0"),
-        (abs(size - 1), "|attitude| = 1"),
-        (apart, "gamma = the vertical of the attitude"),
+    for defect, scale, name in (
+        (length - 1, arb(1), "|gamma| = 1"),
+        (spin, rate, "(omega, gamma) = 0"),
+        (size - 1, arb(1), "|attitude| = 1"),
+        (apart, arb(1), "gamma = the vertical of the attitude"),
     ):
-        if not defect < SLACK:
-            raise InputError(
-                f"start: it misses {name} by {float(defect.mid()):.3g}, and must satisfy it"
-            )
+        if not vanishes(defect, scale, GIVEN):
+            missed = float(abs(defect / scale).mid())
+            raise InputError(f"start: it misses {name} by {missed:.3g}, and must satisfy it")
     normal = tuple(x / length for x in normal)
     spin = spin / length
     omega = tuple(w - spin * x for w, x in zip(omega, normal, strict=True))

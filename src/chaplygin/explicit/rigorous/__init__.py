@@ -14,7 +14,7 @@ from ...errors import InputError
 from ..numbers import ball, components, number
 from ..prepared import Prepared, chain, prepared
 from .formula import Branch, direction
-from .quadrature import RigorousQuadrature, bits_for, quadratures
+from .quadrature import RigorousQuadrature, bits_for, quadratures, speed_of
 from .theta import numerators_at
 from .turn import Pair, PathRates, Turn, path_rates
 
@@ -25,9 +25,9 @@ __all__ = ["RigorousMotion", "rigorous_motion", "rigorous_state"]
 
 #: Bits lost between the start and the phases, at most on motions that are not nearly degenerate.
 _LOST = 100
-#: The latest time; the phases of a later one would need hundreds of digits.
+#: Turns of the phases up to the latest time; those of a later one would need hundreds of digits.
 _LATEST = 1e60
-#: Times are prepared for up to whole powers of 10 to this.
+#: Motions are prepared for turns of the phases up to whole powers of 10 to this.
 _DECADES = 6
 
 
@@ -77,7 +77,8 @@ class RigorousMotion:
             return None
         with ctx.workprec(self.clock.bits):
             rate = self._pair.turning(self.prepared)
-        return quadratures(self.prepared.torus, rate, self.digits, self.reach)[0]
+        # an angle may grow by some whole turns in one turn of the phases
+        return quadratures(self.prepared.torus, rate, self.digits + 1, self.reach)[0]
 
     @cached_property
     def _paths(self) -> tuple[PathRates, tuple[RigorousQuadrature, ...]] | None:
@@ -94,11 +95,11 @@ class RigorousMotion:
     def _lifted(
         self, tau: Any, there: tuple[list[Any], list[Any]], rough: Sequence[float]
     ) -> list[Any]:
-        """Attitude and places; balls of radius 1 and ∞ where nothing better is known."""
+        """Attitude and places; balls of infinite radius where nothing is known."""
         start = self.solution.start[-len(rough) :]
         places = [arb(0, arb("inf")) for _ in start[4:]]
         if self._pair is None:
-            return [arb(0, 1)] * 4 + places
+            raise InputError(self.solution.left_open)
         turn = self._turn(self._pair)
         if self._paths is not None:
             rates, integrals = self._paths
@@ -120,13 +121,18 @@ class RigorousMotion:
         """The lifted state at one time, as balls (arb).
 
         The sign of the quaternion, which the attitude leaves open, is that of the evaluation in
-        double precision.  Where no direction is known to stay in space the attitude is left open
-        (balls of radius 1), and where less than two are, so is the place (infinite balls).
+        double precision.  Where one direction alone is known to stay in space the place is left
+        open (infinite balls).
 
         Parameters
         ----------
         time : float, int, str, Fraction or arb
             With |τ| ≤ reach there.
+
+        Raises
+        ------
+        InputError
+            If no direction is known to stay in space, by which the attitude would be known.
         """
         with ctx.workprec(self.clock.bits):
             moment = ball(time)
@@ -155,18 +161,27 @@ def rigorous_motion(solution: GenusTwo, digits: int, until: Any) -> RigorousMoti
         If the motion is so close to a separatrix that the bounds would take too long, or the time
         is beyond all measure.
     """
-    latest = number(ball(until))
-    if not abs(latest) <= _LATEST:
-        raise InputError(f"time: bounds are computed up to |t| = {_LATEST:g}, not at {latest:g}")
     own = solution.prepared
-    reach = 10 + 1.1 * abs(latest) / number(solution.clock.mean)
+    turns = 10 + 1.1 * _turns(solution, until)
+    reach = turns / speed_of(own.torus)
     start: Sequence[Any] = solution.start[: len(own.separable.system.symbols)]
-    with ctx.workprec(bits_for(digits, reach) + _LOST):
+    with ctx.workprec(bits_for(digits, turns) + _LOST):
         exact = prepared(own.separable, solution.parameters, start)
         rate = components(own.separable.clock)
         branch = Branch(rate, exact.values, chain(own.separable, rate)[1])
     (clock,) = quadratures(exact.torus, branch, digits, reach)
     return RigorousMotion(solution, exact, clock, digits, reach)
+
+
+def _turns(solution: GenusTwo, time: Any) -> float:
+    """Turns of the phases up to a time."""
+    latest = number(ball(time))
+    pace = solution.pace
+    if not abs(latest) * pace <= _LATEST:
+        raise InputError(
+            f"time: bounds are computed up to |t| = {_LATEST / pace:.3g}, not at {latest:g}"
+        )
+    return abs(latest) * pace
 
 
 def rigorous_state(solution: GenusTwo, time: Any, digits: int) -> tuple[Any, ...]:
@@ -184,8 +199,7 @@ def rigorous_state(solution: GenusTwo, time: Any, digits: int) -> tuple[Any, ...
     InputError
         See :func:`rigorous_motion`.
     """
-    length = abs(number(ball(time)))
-    steps = ceil(log10(max(length, 1.0)) / _DECADES)
+    steps = ceil(log10(max(_turns(solution, time), 1.0)) / _DECADES)
     return _ready(_Itself(solution), digits, _DECADES * max(1, steps)).state(time)
 
 
@@ -204,5 +218,6 @@ class _Itself:
 
 @lru_cache(maxsize=4)
 def _ready(itself: _Itself, digits: int, decades: int) -> RigorousMotion:
-    """A motion prepared for all times up to a power of ten, kept for the next time asked."""
-    return rigorous_motion(itself.solution, digits, 10**decades)
+    """A motion prepared for turns up to a power of ten, kept for the next time asked."""
+    until = 10**decades / itself.solution.pace
+    return rigorous_motion(itself.solution, digits, until)

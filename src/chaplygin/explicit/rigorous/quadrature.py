@@ -29,7 +29,7 @@ from .formula import Branch, direction
 from .strip import least, lines_of, strip_bound
 from .theta import Line, Numerators, numerators_at
 
-__all__ = ["RigorousQuadrature", "bits_for", "quadratures"]
+__all__ = ["RigorousQuadrature", "bits_for", "quadratures", "speed_of"]
 
 #: Points of the grid beyond which the answer would take minutes.
 _MOST = 1_500_000
@@ -37,9 +37,14 @@ _MOST = 1_500_000
 _SLOW = 2.0**-20
 
 
-def bits_for(digits: int, reach: float) -> int:
-    """Working precision for so many decimal places after the point up to |τ| = reach."""
-    return ceil(digits * log(10) / log(2) + log(1 + abs(reach)) / log(2)) + 80
+def speed_of(torus: Torus) -> float:
+    """How fast the phases grow with τ, in turns."""
+    return abs(number(torus.V[0])) + abs(number(torus.V[1]))
+
+
+def bits_for(digits: int, turns: float) -> int:
+    """Working precision for so many digits after so many turns of the phases."""
+    return ceil(digits * log(10) / log(2) + log(1 + turns) / log(2)) + 80
 
 
 @dataclass(frozen=True)
@@ -102,7 +107,7 @@ class RigorousQuadrature:
     def _divided(self) -> tuple[Any, list[tuple[Any, Any]]]:
         """g_κ/(2πi κ·V) as a matrix, and the slow terms (g_κ exp(2πi κ·v₀), π κ·V)."""
         V, v_0 = self.torus.V, self.torus.v_0
-        limit = _SLOW * (abs(number(V[0])) + abs(number(V[1])))
+        limit = _SLOW * speed_of(self.torus)
         slow, rows = [], []
         for j, one in enumerate(self._numbers(0)):
             row = []
@@ -164,8 +169,8 @@ class RigorousQuadrature:
         """
         with ctx.workprec(self.bits):
             value, small = arb(value), self._least
-            goal = (arb(2) ** (30 - self.bits)) * (1 + abs(value))
             tau = (value / self.mean).mid()
+            goal = (arb(2) ** (30 - self.bits)) * (1 / arb(speed_of(self.torus)) + abs(tau))
             miss = self.at(tau) - value
             for _ in range(100):
                 step = (miss.mid() / self.rate(tau)).mid()
@@ -211,10 +216,10 @@ def quadratures(
     Parameters
     ----------
     torus : Torus
-        Known to `bits_for(digits, reach)` bits and some more.
+        Known to `bits_for` so many digits and turns, and some more.
     branch : Branch
     digits : int
-        Decimal places after the point that are wanted.
+        Digits that are wanted of what a formula gains in a turn of the phases.
     reach : float
         The largest |τ| at which they are wanted.
 
@@ -223,13 +228,15 @@ def quadratures(
     InputError
         If the strip is so narrow that the grid would be too fine.
     """
-    bits = bits_for(digits, reach)
+    turns = abs(reach) * speed_of(torus)
+    bits = bits_for(digits, turns)
     with ctx.workprec(bits):
         branch.learn(*direction(*numerators_at(torus, arb(0))))
         periods, shifts = _symmetry(torus, branch)
         strip = strip_bound(torus, branch, periods)
         rates = [2 * pi * r / p for r, p in zip(strip.half, periods, strict=True)]
-        wanted = digits * log(10) + log(1 + abs(reach)) + log(1 + max(strip.bounds)) + 5
+        steepest = max(m / size for m, size in zip(strip.bounds, strip.sizes, strict=True))
+        wanted = digits * log(10) + log(1 + turns) + log(1 + steepest) + 5
         wanted -= sum(min(0.0, log(rate)) for rate in rates)
         halves = [ceil(wanted / rate) for rate in rates]
         counts = [2 * half + 1 for half in halves]

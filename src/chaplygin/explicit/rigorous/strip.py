@@ -41,10 +41,13 @@ class Strip:
         r₁, r₂.
     bounds : tuple of float
         M for each formula.
+    sizes : tuple of float
+        The largest value of each on the real torus, or so; 1 for one that vanishes.
     """
 
     half: tuple[float, float]
     bounds: tuple[float, ...]
+    sizes: tuple[float, ...]
 
 
 def lines_of(counts: Sequence[int], periods: Sequence[int]) -> tuple[Line, Line]:
@@ -118,7 +121,10 @@ def strip_bound(torus: Torus, branch: Branch, periods: Sequence[int]) -> Strip:
         for stretch in (1.6, 1.6, 1.25, 1.25):
             for wider in ((half[0] * stretch, half[1]), (half[0], half[1] * stretch)):
                 half = wider if max(wider) < _WIDEST and proven(wider) else half
-        return Strip(half, _bounds(torus, branch, half, periods, boxes))
+        real = _values(torus, branch, (0.0, 0.0), periods, boxes)
+        sizes = (float(np.abs(value.middle).max()) for value in real)
+        bounds = _bounds(torus, branch, half, periods, boxes)
+        return Strip(half, bounds, tuple(size or 1.0 for size in sizes))
 
 
 def least(torus: Torus, branch: Branch, periods: Sequence[int]) -> float:

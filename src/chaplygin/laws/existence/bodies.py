@@ -13,6 +13,7 @@ from dataclasses import replace
 from ...mechanics.rolling import Rolling
 from ...mechanics.shapes import Disk, Implicit, Torus
 from ...statements import Measure
+from ..budget import EFFORT
 from ..prove import prove
 from ..verdict import Verdict
 from .closed_form import closed_form, density
@@ -24,13 +25,13 @@ from .value import Existence
 
 __all__ = ["decide_body"]
 
-PATIENCE = 12.0
-"""Seconds for each attempt to prove the density as a law of the equations of motion."""
-POINTS_ALONE = 0.01
-"""Seconds that leave no time for a proof."""
+PATIENCE = EFFORT // 10
+"""Term operations for each attempt to prove the density as a law of the equations of motion."""
+POINTS_ALONE = 1
+"""Term operations that leave nothing for a proof."""
 
 
-def decide_body(rolling: Rolling, name: str, seconds: float) -> Existence:
+def decide_body(rolling: Rolling, name: str, effort: int) -> Existence:
     """Decide for a body with its numbers.
 
     Parameters
@@ -38,8 +39,8 @@ def decide_body(rolling: Rolling, name: str, seconds: float) -> Existence:
     rolling : Rolling
     name : str
         Of the system, for the reader.
-    seconds : float
-        Time after which a proof is given up.
+    effort : int
+        Term operations after which a proof is given up.
     """
     form = one_form(rolling)
     theorem = criterion(rolling)
@@ -48,7 +49,7 @@ def decide_body(rolling: Rolling, name: str, seconds: float) -> Existence:
     numbers = tried[-1]
     for law in form.conditions:
         # points are tried before anything is proven
-        verdict = prove(form.system, replace(law, on=numbers), seconds=POINTS_ALONE)
+        verdict = prove(form.system, replace(law, on=numbers), effort=POINTS_ALONE)
         if verdict.decision == "refuted":
             return Existence(
                 name,
@@ -60,21 +61,21 @@ def decide_body(rolling: Rolling, name: str, seconds: float) -> Existence:
     made = Existence(name, "exists", criterion=theorem)
     powers = closed_form(rolling, form, numbers)
     if powers is not None:
-        found = tuple(_integrated(form, powers, numbers, seconds))
+        found = tuple(_integrated(form, powers, numbers, effort))
         if all(found):
             made = replace(made, verdicts=found)
-            return _with_density(made, rolling, powers, tried, seconds)
+            return _with_density(made, rolling, powers, tried, effort)
     for level in (numbers, *tried[:-1]):
-        found = tuple(_proofs(form, level, seconds))
+        found = tuple(_proofs(form, level, effort))
         if all(found):
-            return _with_quadrature(replace(made, verdicts=found), rolling, form, level, seconds)
-    return replace(made, decision="undecided", reason=found[-1].reason, verdicts=found)
+            return _with_quadrature(replace(made, verdicts=found), rolling, form, level, effort)
+    return replace(made, decision="undecided", reason=found[-1].words, verdicts=found)
 
 
-def _proofs(form: OneForm, level: Level, seconds: float) -> Iterator[Verdict]:
+def _proofs(form: OneForm, level: Level, effort: int) -> Iterator[Verdict]:
     """Verdicts on the conditions, up to the first that is not proven."""
     for law in form.conditions:
-        verdict = prove(form.system, replace(law, on=level), seconds=seconds)
+        verdict = prove(form.system, replace(law, on=level), effort=effort)
         yield verdict
         if not verdict:
             return
@@ -92,11 +93,11 @@ def _obstruction(verdict: Verdict, form: OneForm) -> dict[str, object]:
     return {"what": what, "point": point, "residual": witness["residual"]}
 
 
-def _integrated(form: OneForm, powers: Powers, level: Level, seconds: float) -> Iterator[Verdict]:
+def _integrated(form: OneForm, powers: Powers, level: Level, effort: int) -> Iterator[Verdict]:
     """Verdicts on the spin and on dσ = θ, up to the first that is not proven."""
     laws = [(form.system, form.spin)] if form.spin is not None else []
     for system, law in (*laws, form.integrated(powers)):
-        verdict = prove(system, replace(law, on=level), seconds=seconds)
+        verdict = prove(system, replace(law, on=level), effort=effort)
         yield verdict
         if not verdict:
             return
@@ -107,9 +108,9 @@ def _with_density(
     rolling: Rolling,
     powers: Powers,
     tried: tuple[Level, ...],
-    seconds: float,
+    effort: int,
 ) -> Existence:
-    """The measure as a law of the equations of motion, on the most general level proven in time.
+    """The measure as a law of the equations of motion, on the most general level proven.
 
     That dσ = θ for the numbers of the body has been proven, from which it follows for these.
     """
@@ -121,19 +122,19 @@ def _with_density(
     )
     for level in tried:
         again = replace(law, on=level)
-        verdict = prove(system, again, seconds=min(seconds, PATIENCE))
+        verdict = prove(system, again, effort=min(effort, PATIENCE))
         if verdict:
             return replace(made, density=again, system=system, verdicts=(*made.verdicts, verdict))
     return replace(made, density=replace(law, on=tried[-1]), system=system)
 
 
 def _with_quadrature(
-    made: Existence, rolling: Rolling, form: OneForm, level: Level, seconds: float
+    made: Existence, rolling: Rolling, form: OneForm, level: Level, effort: int
 ) -> Existence:
     """The measure whose 1-form is closed, without a closed form of its density."""
     if isinstance(rolling.body.shape, (Disk, Torus)):
         # lying flat is outside their domain, a sphere without its poles
-        turned = prove(form.system, replace(form.period, on=level), seconds=seconds)
+        turned = prove(form.system, replace(form.period, on=level), effort=effort)
         made = replace(made, verdicts=(*made.verdicts, turned))
         if not turned:
             return replace(

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from ...expressions.exact import exact_number
 from ...mechanics.contact import contact
 from ...mechanics.rolling import Rolling
 from ...mechanics.shapes import Ball, Ellipsoid, Implicit
@@ -22,7 +23,6 @@ from ...mechanics.surfaces import Plane
 from ...vectors import Diagonal, Symmetric, Vector, dot, explicit, normed, scalar
 from ..ground import Ground
 from ..numbers import Balls, precise
-from .families import exact
 from .form import OneForm, Powers
 
 __all__ = ["closed_form", "density"]
@@ -101,7 +101,10 @@ def closed_form(rolling: Rolling, form: OneForm, numbers: Sequence[sp.Expr]) -> 
     numbers : sequence of sympy.Expr
         The level on which every parameter has its number.
     """
-    if form.scale.xreplace({p.symbol: exact(p.default) for p in form.system.parameters}) == 0:
+    if (
+        form.scale.xreplace({p.symbol: exact_number(p.default) for p in form.system.parameters})
+        == 0
+    ):
         return ()
     bases = _bases(rolling)
     rows, right = _samples(form, bases, tuple(numbers))

@@ -7,18 +7,18 @@ there is proved anew for every body.  docs/measures.md has the theorems and thei
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from fractions import Fraction
 from itertools import combinations
 
 import sympy as sp
 
+from ...expressions.exact import exact_number
 from ...mechanics.rolling import Rolling
 from ...mechanics.shapes import Ball, Ellipsoid
 from ...mechanics.surfaces import Plane
 from ...system import Parameter
 from ...vectors import Diagonal, Vector, scalar
 
-__all__ = ["Level", "criterion", "exact", "levels"]
+__all__ = ["Level", "criterion", "levels"]
 
 Level = tuple[sp.Expr, ...]
 
@@ -31,12 +31,6 @@ SPHERICAL: Level = (I.symbols[0] - I.symbols[1], I.symbols[1] - I.symbols[2])
 _ALIKE = (I.symbols, b)
 
 
-def exact(number: float) -> sp.Rational:
-    """A default value as the decimal fraction that was written."""
-    value = Fraction(repr(float(number)))
-    return sp.Rational(value.numerator, value.denominator)
-
-
 def collinear() -> sp.Expr:
     """Vanishes where the points (I_i b_i², I_i − m b_i²) of the plane lie on a line."""
     x = [i * s**2 for i, s in zip(I.symbols, b, strict=True)]
@@ -46,7 +40,7 @@ def collinear() -> sp.Expr:
 
 def levels(rolling: Rolling, parameters: Sequence[Parameter]) -> Iterator[Level]:
     """Levels that contain the numbers of the body, the most general ones first."""
-    values = {p.symbol: exact(p.default) for p in parameters}
+    values = {p.symbol: exact_number(p.default) for p in parameters}
     yield ()
     for level in (SPHERICAL, coincidences(values), *_special(rolling)):
         known = all(e.free_symbols <= set(values) for e in level)

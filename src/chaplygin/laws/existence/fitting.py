@@ -16,11 +16,9 @@ from ...statements import Identity
 from ...system import System
 from .lifted import Lifted
 from .parametric import Level, settled
+from .positive import Powers
 
-__all__ = ["Powers", "fitted", "integrated"]
-
-#: Bases with exponents.
-Powers = tuple[tuple[sp.Expr, sp.Expr], ...]
+__all__ = ["fitted", "integrated"]
 
 SEED = 20080830
 POINTS = 6

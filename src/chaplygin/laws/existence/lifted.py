@@ -12,7 +12,9 @@ themselves do, σ exists about the point (Frobenius' theorem).
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import count
 
 import sympy as sp
 
@@ -64,24 +66,25 @@ def lift(restriction: Restriction) -> Lifted:
     q = mechanism.frame.coordinates
     parameters = tuple(p.symbol for p in mechanism.parameters)
     tape = Tape(restriction.definitions, (*q, *mechanism.frame.w, *parameters))
-    count = range(len(restriction.velocities))
+    many = range(len(restriction.velocities))
     theta = []
-    for beta in count:
+    for beta in many:
         divergence = sp.Add(
             *(
                 tape.along(Derivation(((x, sp.S.One),)), restriction.anchor[i][beta])
                 for i, x in enumerate(q)
             )
         )
-        trace = sp.Add(*(_bracket(restriction, beta, s)[s] for s in count))
+        trace = sp.Add(*(_bracket(restriction, beta, s)[s] for s in many))
         theta.append(tape.name(tape.short(-divergence - trace), "theta"))
     fields = [
         {x: restriction.anchor[i][beta] for i, x in enumerate(q) if restriction.anchor[i][beta]}
-        for beta in count
+        for beta in many
     ]
     steps = tape.steps([*theta, *(value for field in fields for value in field.values())])
     _check_levels(restriction, fields, dict(steps))
-    height = scalar("z_sigma")
+    taken = {str(s) for s in (*q, *mechanism.frame.w, *parameters, *(s for s, _ in steps))}
+    height = scalar(next(n for n in _heights() if n not in taken))
     constants = tuple((p.symbol, p.default) for p in mechanism.parameters)
 
     def spanned(
@@ -103,6 +106,11 @@ def lift(restriction: Restriction) -> Lifted:
     ]
     low, high = spanned(fields, q), spanned(raised, (*q, height))
     return Lifted(tuple(theta), steps, height, low, high, mechanism.parameters)
+
+
+def _heights() -> Iterator[str]:
+    """Names for z."""
+    return (f"z_sigma{'_' * more}" for more in count())
 
 
 def _bracket(restriction: Restriction, first: int, second: int) -> tuple[sp.Expr, ...]:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import sympy as sp
 
 from ...errors import InputError
+from ...expressions.exact import exact_number
 from ...mechanics.germs import expanded
 from ...mechanics.growth import generic
 from ...mechanics.places import NoPointError
@@ -15,24 +16,26 @@ from ...mechanics.restriction import Restriction, restricted
 from ...mechanics.suslov import equations
 from ...statements import Measure
 from ...system import System
+from ..budget import EFFORT
 from ..prove import prove
 from ..verdict import Verdict
-from .families import exact
-from .fitting import Powers, fitted, integrated
+from .fitting import fitted, integrated
 from .lifted import Lifted, lift
 from .parametric import Level, branches
+from .positive import Powers, Signs, positive
 from .value import Existence
 
 __all__ = ["decide_mechanism"]
 
 FURTHER = 3
-PATIENCE = 10.0
-"""Seconds for the proof in all variables of the motion, where one in the coordinates remains."""
+PATIENCE = EFFORT // 10
+"""Term operations for the proof in all variables of the motion; one in the coordinates remains."""
 
-Found: TypeAlias = tuple[Level, Measure, Verdict]
+Domain: TypeAlias = tuple[Any, ...]
+Found: TypeAlias = tuple[Level, Measure, Verdict, Domain]
 
 
-def decide_mechanism(mechanism: Mechanism, name: str, seconds: float) -> Existence:
+def decide_mechanism(mechanism: Mechanism, name: str, effort: int) -> Existence:
     """Decide for a mechanism with its parameters left open.
 
     Parameters
@@ -40,8 +43,8 @@ def decide_mechanism(mechanism: Mechanism, name: str, seconds: float) -> Existen
     mechanism : Mechanism
     name : str
         For the reader.
-    seconds : float
-        Time after which a proof is given up.
+    effort : int
+        Term operations after which a proof is given up.
     """
     restriction = restricted(mechanism)
     lifted = lift(restriction)
@@ -49,23 +52,24 @@ def decide_mechanism(mechanism: Mechanism, name: str, seconds: float) -> Existen
     system = equations(mechanism)
     base = generic(lifted.base, parameters)
     if generic(lifted.lifted, parameters).final == base.final:
-        return _everywhere(restriction, lifted, system, name, seconds)
-    found, complete = _levels(restriction, lifted, system, len(base.growth), seconds)
-    values = {p.symbol: exact(p.default) for p in mechanism.parameters}
-    met = [level for level, _, _ in found if all(c.xreplace(values) == 0 for c in level)]
+        return _everywhere(restriction, lifted, system, name, effort)
+    found, complete = _levels(restriction, lifted, system, len(base.growth), effort)
+    values = {p.symbol: exact_number(p.default) for p in mechanism.parameters}
+    met = [made for made in found if all(c.xreplace(values) == 0 for c in made[0])]
     obstruction = None if met else _obstruction(lifted)
     if found:
-        shown = next((law for level, law, _ in found if level in met), found[0][1])
+        _, law, _, domain = (*met, *found)[0]
         return Existence(
             name,
             "conditional",
-            density=shown,
+            density=law,
             system=system,
-            conditions=tuple(level for level, _, _ in found),
+            domain=domain,
+            conditions=tuple(level for level, *_ in found),
             complete=complete,
             holds=bool(met),
             obstruction=obstruction,
-            verdicts=tuple(verdict for _, _, verdict in found),
+            verdicts=tuple(verdict for _, _, verdict, _ in found),
         )
     if obstruction is None:
         return Existence(
@@ -74,17 +78,26 @@ def decide_mechanism(mechanism: Mechanism, name: str, seconds: float) -> Existen
             reason="for general parameters there is none; for their own values no obstruction was "
             "found at a rational point, and no density",
         )
-    reason = "there is none for any values of the parameters" if complete and parameters else ""
+    reason = ""
+    if parameters:
+        reason = (
+            "there is none for any values of the parameters"
+            if complete
+            else "for other values of the parameters than their own it is not decided"
+        )
     return Existence(name, "none", obstruction=obstruction, complete=complete, reason=reason)
 
 
 def _everywhere(
-    restriction: Restriction, lifted: Lifted, system: System, name: str, seconds: float
+    restriction: Restriction, lifted: Lifted, system: System, name: str, effort: int
 ) -> Existence:
     """No obstruction at a generic point: the density, if it is found."""
-    made = _measure(restriction, lifted, system, (), seconds)
+    made = _measure(restriction, lifted, system, (), effort)
     if made is not None:
-        return Existence(name, "exists", density=made[0], system=system, verdicts=made[1:])
+        law, verdict, domain = made
+        return Existence(
+            name, "exists", density=law, system=system, domain=domain, verdicts=(verdict,)
+        )
     return Existence(
         name,
         "undecided",
@@ -94,7 +107,7 @@ def _everywhere(
 
 
 def _levels(
-    restriction: Restriction, lifted: Lifted, system: System, steps: int, seconds: float
+    restriction: Restriction, lifted: Lifted, system: System, steps: int, effort: int
 ) -> tuple[list[Found], bool]:
     """Levels in the parameters on which a measure is proven, and whether there are no others."""
     proven: list[Found] = []
@@ -105,7 +118,7 @@ def _levels(
         for more in range(FURTHER):
             solved = branches(lifted, steps + more, _positive(restriction), volume)
             proofs = [
-                (level, _measure(restriction, lifted, system, level, seconds))
+                (level, _measure(restriction, lifted, system, level, effort))
                 for level in solved.levels
             ]
             proven = [(level, *made) for level, made in proofs if made is not None]
@@ -131,13 +144,15 @@ def _positive(restriction: Restriction) -> frozenset[sp.Symbol]:
     parameters = restriction.mechanism.parameters
     declared = {p.symbol for p in parameters if (p.symbol > 0) in p.admissible}
     diagonal = {row[i] for i, row in enumerate(restriction.kinetic)}
+    L = restriction.mechanism.L
+    diagonal |= {sp.diff(L, s, 2) for s in restriction.mechanism.frame.w}
     return frozenset(declared | (diagonal & {p.symbol for p in parameters}))
 
 
 def _measure(
-    restriction: Restriction, lifted: Lifted, system: System, level: Level, seconds: float
-) -> tuple[Measure, Verdict] | None:
-    """A proven measure on a level."""
+    restriction: Restriction, lifted: Lifted, system: System, level: Level, effort: int
+) -> tuple[Measure, Verdict, Domain] | None:
+    """A proven measure on a level, and where its density is shown to be positive."""
     steps = dict(restriction.definitions)
     jacobian: Powers = (
         (_volume(restriction), sp.S.One),
@@ -148,6 +163,7 @@ def _measure(
     if found is None:
         return None
     potential, powers = found
+    powers, domain = positive(powers, _signs(restriction))
     law = Measure(
         "configuration_measure",
         powers,
@@ -155,14 +171,25 @@ def _measure(
         on=level,
     )
     try:
-        verdict = prove(system, law, seconds=min(seconds, PATIENCE))
+        verdict = prove(system, law, effort=min(effort, PATIENCE))
     except InputError as reason:
         # the equations of motion may be singular where the distribution is not
         verdict = Verdict(law.name, "undecided", reason=str(reason))
     if not verdict:
         # dσ = θ along the admissible fields is the same statement, in fewer variables
-        verdict = prove(*integrated(lifted, potential, level), seconds=seconds)
-    return (law, verdict) if verdict else None
+        verdict = prove(*integrated(lifted, potential, level), effort=effort)
+    return (law, verdict, domain) if verdict else None
+
+
+def _signs(restriction: Restriction) -> Signs:
+    """What is known of signs in a density: the kinetic form is positive."""
+    mechanism = restriction.mechanism
+    return Signs(
+        _positive(restriction),
+        mechanism.frame.relations,
+        (_volume(restriction),),
+        tuple((p.symbol, exact_number(p.default)) for p in mechanism.parameters),
+    )
 
 
 def _obstruction(lifted: Lifted) -> dict[str, object] | None:

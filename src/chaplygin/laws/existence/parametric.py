@@ -15,16 +15,18 @@ from typing import Any
 import sympy as sp
 
 from ...mechanics.distribution import Field
-from ...mechanics.places import drawn
+from ...mechanics.places import NoPointError, drawn
 from ...mechanics.reduction_exact import Formulas, Quotient, as_formula, circle, quotients
 from ...mechanics.series import Rational
 from ...mechanics.tape import Derivation, Tape
 from .lifted import Lifted
+from .positive import definite
 
 __all__ = ["Branches", "Level", "branches", "settled"]
 
 SEED = 20080830
 POINTS = 3
+ATTEMPTS = 40
 
 Level = tuple[sp.Expr, ...]
 
@@ -77,18 +79,32 @@ def branches(
     found: dict[sp.Expr, None] = {}
     regular: list[sp.Expr] = []
     clean = True
+    name = given.lifted.name
+    evaluated = [(symbol, Formulas([formula], name)) for symbol, formula in order]
+    wanted = Formulas([*entries, metric], name)
+
+    def at_point() -> tuple[list[Any], Any]:
+        """Entries and metric at a point where all of them have values."""
+        for _ in range(ATTEMPTS):
+            known = {**names, **_point(given, dice, one)}
+            try:
+                for symbol, formula in evaluated:
+                    known[symbol] = formula.at(known, one)[0]
+                *values, volume = wanted.at(known, one)
+            except ZeroDivisionError:
+                continue
+            return values, volume
+        raise NoPointError
+
+    width = len(coordinates)
     for _ in range(POINTS):
-        known = {**names, **_point(given, dice, one)}
-        for symbol, formula in order:
-            known[symbol] = Formulas([formula], given.lifted.name).at(known, one)[0]
-        values = Formulas(entries, given.lifted.name).at(known, one)
-        width = len(coordinates)
+        values, volume = at_point()
         matrix = [values[i * width : (i + 1) * width] for i in range(len(rows))]
-        (volume,) = Formulas([metric], given.lifted.name).at(known, one)
         regular.append(as_formula(volume.above))
         left, constant = _eliminated(matrix, coordinates.index(given.height))
         found |= dict.fromkeys(as_formula(value.above) for value in left)
-        clean = clean and constant
+        # where a denominator vanishes nothing was computed
+        clean = clean and constant and all(_finite(v.below, volume, positive) for v in values)
     levels, complete = _solved(tuple(found), positive)
     kept = {
         _tidied(level): None
@@ -183,6 +199,15 @@ def _eliminated(matrix: list[list[Any]], height: int) -> tuple[list[Any], bool]:
                 rows[i] = [x - factor * y for x, y in zip(row, pivot, strict=True)]
 
 
+def _finite(below: Any, volume: Any, positive: frozenset[sp.Symbol]) -> bool:
+    """Whether a denominator vanishes for no parameters for which the kinetic form is definite."""
+    given = {str(factor) for factor, _ in volume.above.factor()[1]}
+    return all(
+        str(factor) in given or definite(as_formula(factor), positive)
+        for factor, _ in below.factor()[1]
+    )
+
+
 def _plain(value: Any) -> bool:
     return bool(value.above.is_constant() and value.below.is_constant())
 
@@ -198,7 +223,7 @@ def _solved(
     found: list[Level] = []
     complete = True
     for factor, _ in sp.factor_list(chosen)[1]:
-        if _definite(factor, positive):
+        if definite(factor, positive):
             continue
         parameter = _linear(factor, positive)
         if parameter is None:
@@ -213,25 +238,10 @@ def _solved(
     return found, complete
 
 
-def _definite(factor: sp.Expr, positive: frozenset[sp.Symbol]) -> bool:
-    """Whether a polynomial has one sign for positive parameters."""
-    if not factor.free_symbols:
-        return True
-    poly = sp.Poly(factor, *sorted(factor.free_symbols, key=str))
-    if len({bool(c > 0) for c in poly.coeffs()}) > 1:
-        return False
-    named = [
-        [(s, p) for s, p in zip(poly.gens, powers, strict=True) if p] for powers in poly.monoms()
-    ]
-    even = all(p % 2 == 0 or s in positive for term in named for s, p in term)
-    # even powers of parameters of any sign may vanish together, positive ones do not
-    return even and any(all(s in positive for s, _ in term) for term in named)
-
-
 def _linear(factor: sp.Expr, positive: frozenset[sp.Symbol]) -> sp.Symbol | None:
     """A parameter in which a factor is linear, with a coefficient that does not vanish."""
     for symbol in sorted(factor.free_symbols, key=lambda s: (s in positive, str(s))):
         slope = sp.diff(factor, symbol)
-        if symbol not in slope.free_symbols and (slope.is_number or _definite(slope, positive)):
+        if symbol not in slope.free_symbols and (slope.is_number or definite(slope, positive)):
             return symbol
     return None

@@ -33,6 +33,8 @@ class Existence:
         The measure in closed form, a law of `system` that has been proven.
     system : System, optional
         The equations of motion on which `density` is a law.
+    domain : tuple of relations
+        Where these hold, `density` is shown to be positive and smooth.
     conditions : tuple of tuples of sympy.Expr
         Levels in the parameters on which a measure exists; on each all expressions vanish.
     complete : bool
@@ -57,6 +59,7 @@ class Existence:
     decision: Outcome
     density: Measure | None = None
     system: System | None = field(default=None, repr=False)
+    domain: tuple[Any, ...] = ()
     conditions: tuple[tuple[sp.Expr, ...], ...] = ()
     complete: bool = False
     holds: bool = False
@@ -77,6 +80,8 @@ class Existence:
             lines.append(f"density: {text(self.density.value)}")
             if self.density.on:
                 lines.append("where " + _level(self.density.on))
+            if self.domain:
+                lines.append("positive and smooth where " + ", ".join(map(text, self.domain)))
         elif self.log_density is not None:
             lines.append("density: by quadrature, no closed form was found")
         if self.obstruction:

@@ -9,6 +9,7 @@ from typing import Any, Literal
 import sympy as sp
 
 from ...statements import Integral, Measure, Symmetry
+from ..budget import EFFORT
 from ..verdict import Verdict
 from .ansatz import Ansatz
 from .stage import Stage
@@ -44,8 +45,8 @@ class Question:
         Largest power of a divisor.
     parameter_degree : int
         Largest degree in the parameters of a coefficient.
-    seconds : float
-        Time that the proof of one law may take.
+    effort : int
+        Term operations that the proof of one law may take.
     """
 
     stage: Stage
@@ -55,7 +56,7 @@ class Question:
     bases: tuple[sp.Expr, ...] = ()
     powers: int = 1
     parameter_degree: int = 3
-    seconds: float = 60.0
+    effort: int = EFFORT
 
 
 @dataclass(frozen=True)

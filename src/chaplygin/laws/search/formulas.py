@@ -24,6 +24,8 @@ _PRODUCT = re.compile(
     rf"|(?P<e>{_WORD})\s*(?:\*\*\s*2|\^\s*2)(?!\d)",
     re.ASCII,
 )
+#: A comma outside parentheses.
+_COMMA = re.compile(r",(?![^()]*\))")
 _PLAIN = str.maketrans(
     {**{chr(0x2080 + i): f"_{i}" for i in range(10)}, "²": "**2", "³": "**3", "−": "-", "⋅": "·"}
 )
@@ -82,6 +84,9 @@ def _operand(words: Iterable[str], named: Mapping[str, Any], where: str) -> Any:
 def _read(text: str, system: System, names: Mapping[str, sp.Symbol], where: str) -> sp.Expr:
     named = _named(system)
     products: dict[str, sp.Expr] = {}
+    prefix = "product"
+    while any(name.startswith(prefix) for name in names):
+        prefix += "_"
 
     def replaced(match: re.Match[str]) -> str:
         if match["e"] is not None:
@@ -91,7 +96,7 @@ def _read(text: str, system: System, names: Mapping[str, sp.Symbol], where: str)
         else:
             sides = (match["a"] or match["c"], match["b"] or match["d"])
         left, right = (_operand(re.findall(_WORD, side, re.ASCII), named, where) for side in sides)
-        symbol = f"product{len(products)}"
+        symbol = f"{prefix}{len(products)}"
         products[symbol] = dot(left, right)
         return f" {symbol} "
 
@@ -141,22 +146,32 @@ def condition(text: str, system: System, where: str = "") -> sp.Expr:
     return made
 
 
-def quantities(names: str, system: System, where: str = "") -> tuple[sp.Symbol, ...]:
-    """The scalars of vectors and scalars given by name, separated by commas.
+def quantities(names: str, system: System, where: str = "") -> tuple[sp.Expr, ...]:
+    """The scalars of vectors and scalars given by name, and formulas, separated by commas.
+
+    Parameters
+    ----------
+    names : str
+        Such as ``"M, gamma_3"`` or ``"x, log(x)"``.
+    system : System
+    where : str
+        Put before the message of an error.
 
     Raises
     ------
     InputError
-        If a name is unknown.
+        If a name is unknown, or what is no name is no formula.
     """
     scalars, named = _scalars(system), _named(system)
     vectors = {name: v for name, v in named.items() if isinstance(v, Vector)}
-    found: list[sp.Symbol] = []
-    for name in filter(None, (part.strip() for part in spelt(names).split(","))):
+    found: list[sp.Expr] = []
+    for name in filter(None, (part.strip() for part in _COMMA.split(spelt(names)))):
         if name in vectors:
             found += vectors[name].symbols
         elif name in scalars:
             found.append(scalars[name])
+        elif not re.fullmatch(_WORD, name, re.ASCII):
+            found.append(formula(name, system, where))
         else:
             allowed = [*vectors, *(s for s in scalars if s.rpartition("_")[0] not in named)]
             raise InputError(f"unknown variable {name!r}{nearest(name, allowed)}", where)

@@ -10,6 +10,7 @@ from math import comb, gcd, lcm
 import numpy as np
 import sympy as sp
 
+from ...errors import InputError
 from ...statements import Integral
 from ..prove import prove
 from .ansatz import Ansatz, Exponents, Table, table
@@ -279,7 +280,7 @@ class _Search:
     def _finding(self, formula: sp.Expr, degree: int) -> Finding:
         name = f"F_{len(self.formulas)}"
         law = Integral(name, formula, on=self.stage.on)
-        verdict = prove(self.stage.system, law, seconds=self.question.seconds)
+        verdict = prove(self.stage.system, law, effort=self.question.effort)
         return Finding("integral", law, verdict, known=self._recognised(formula, degree))
 
     def _recognised(self, formula: sp.Expr, degree: int) -> str:
@@ -288,7 +289,11 @@ class _Search:
         value = self.sample(formula).value
         others = [row for row in products if (row != value).any()]
         for law in self.stage.system.integrals:
-            told = self.sample(law.value)
+            try:
+                told = self.sample(law.value)
+            except InputError:
+                # its functions are beyond the search, and so it is nothing found here
+                continue
             if self.sample.along(told).any():
                 continue
             found = combination(np.array([*others, value]).T, told.value)

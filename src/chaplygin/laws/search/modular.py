@@ -19,6 +19,7 @@ import numpy.typing as npt
 import sympy as sp
 
 from ...errors import InputError
+from ...expressions.exact import exact_number
 from ...vectors import Dot, explicit
 
 __all__ = [
@@ -37,6 +38,8 @@ PRIMES = (2_147_483_647, 2_147_483_587, 2_147_483_579, 2_147_483_563)
 """Moduli; they leave the remainder 3 on division by 4, which makes square roots easy."""
 
 _MODULUS = ContextVar("modulus", default=PRIMES[0])
+_SIMPLE = 1000
+"""Operations up to which the argument of a logarithm is factored."""
 _WILD = 1_234_567  # prime to the order of the multiplicative group
 
 Integers: TypeAlias = npt.NDArray[np.int64]
@@ -115,6 +118,22 @@ class Jet:
         return total
 
 
+def _factors(formula: sp.Expr) -> dict[sp.Expr, sp.Expr]:
+    """Factors with their exponents, of numbers the primes; signs are left out."""
+    if sp.count_ops(formula) <= _SIMPLE:
+        formula = sp.factor(formula)
+    found: dict[sp.Expr, sp.Expr] = {}
+    for base, exponent in formula.as_powers_dict().items():
+        if base.is_Rational and base != 0:
+            primes = sp.factorint(abs(base))
+            parts = {sp.Integer(p): exponent * k for p, k in primes.items()}
+        else:
+            parts = {base: exponent}
+        for part, power_ in parts.items():
+            found[part] = found.get(part, sp.S.Zero) + power_
+    return found
+
+
 class Evaluator:
     """Formulas in given symbols, evaluated once each.
 
@@ -171,10 +190,13 @@ class Evaluator:
                 return self(self._definitions[formula])
             case Dot():
                 return self(explicit(formula))
+            case sp.NumberSymbol():
+                # transcendental: any number will do that has roots
+                return self.constant(pow(int(1000 * sp.N(formula)), 2 * _WILD, prime()))
             case sp.Rational():
                 return self.constant(int(formula.p) * pow(int(formula.q), -1, prime()))
             case sp.Float():
-                return self(sp.Rational(str(formula)))
+                return self(exact_number(formula))
             case sp.Add():
                 total = self(formula.args[0])
                 for term in formula.args[1:]:
@@ -187,14 +209,19 @@ class Evaluator:
                 return product
             case sp.Pow() if formula.exp.is_Integer:
                 return self._raised(self(formula.base), int(formula.exp))
-            case sp.Pow() if formula.exp.is_Rational and formula.exp.q == 2:
-                return self._raised(self._root(self(formula.base)), int(formula.exp.p))
-            case sp.Pow():
+            case sp.Pow() if formula.exp.is_Rational and formula.exp.q.bit_count() == 1:
+                root = self(formula.base)
+                for _ in range(formula.exp.q.bit_length() - 1):
+                    root = self._root(root)
+                return self._raised(root, int(formula.exp.p))
+            case sp.Pow() if not formula.exp.is_Rational:
                 return self._symbolic_power(formula.base, formula.exp)
             case sp.exp():
                 inner = self(formula.args[0])
                 value = power(inner.value, _WILD)
                 return inner.chained(value, value)
+            case sp.log():
+                return self._logarithm(formula.args[0])
             case sp.sin() | sp.cos():
                 return self._circular(formula)
             case sp.tan():
@@ -202,9 +229,28 @@ class Evaluator:
             case sp.cot():
                 return self(sp.cos(formula.args[0]) / sp.sin(formula.args[0]))
         raise InputError(
-            f"the search needs formulas of +, −, ×, /, powers, exp, sines and cosines; {formula} "
-            "is not one"
+            "the search needs formulas of +, −, ×, /, powers, square roots, exp, log, sines and "
+            "cosines; "
+            f"{formula} is not one"
         )
+
+    def _logarithm(self, argument: sp.Expr) -> Jet:
+        """log |f|: a sum over the factors of f of functions that depend on them wildly."""
+        total = self.constant(0)
+        for base, exponent in _factors(self._written_out(argument)).items():
+            jet = self(base)
+            self.good &= jet.value != 0
+            # even, as a factor is known up to its sign alone
+            value = power(jet.value * jet.value % prime(), _WILD)
+            total = total + self(exponent) * jet.chained(value, inverse(jet.value))
+        return total
+
+    def _written_out(self, formula: sp.Expr) -> sp.Expr:
+        """A formula without definitions."""
+        formula = explicit(formula)
+        while used := formula.free_symbols & set(self._definitions):
+            formula = formula.xreplace({s: explicit(self._definitions[s]) for s in used})
+        return formula
 
     def _circular(self, formula: sp.Expr) -> Jet:
         """Sine or cosine of an angle: a point of the circle that depends on the angle wildly."""

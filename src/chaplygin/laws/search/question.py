@@ -8,6 +8,7 @@ import sympy as sp
 
 from ...errors import InputError
 from ...system import System
+from ..budget import EFFORT, allowed
 from .ansatz import Ansatz, default_momenta
 from .finding import Question
 from .formulas import condition, formula, quantities
@@ -35,7 +36,7 @@ def ask(
     bases: Sequence[str] | None = None,
     powers: int = 1,
     parameter_degree: int = 3,
-    seconds: float = 60.0,
+    effort: int = EFFORT,
 ) -> Question:
     """Put a question to the search.
 
@@ -45,8 +46,9 @@ def ask(
     degree, gamma_degree : int
         Largest degrees in the momenta and in the coordinates.
     momenta, coordinates : str
-        Names of vectors and scalars, separated by commas; by default M and ω, and all that is
-        left of the state.  An angle enters by its sine and cosine.
+        Names of vectors and scalars, and formulas such as ``"log(x)"``, separated by commas; by
+        default M and ω, and all that is left of the state.  An angle enters by its sine and
+        cosine.
     at : sequence of str
         Conditions on the parameters, such as ``"k = -1"``.
     on : sequence of str
@@ -60,8 +62,8 @@ def ask(
         Largest power of a divisor.
     parameter_degree : int
         Largest degree in the parameters of a coefficient.
-    seconds : float
-        Time that the proof of one law may take.
+    effort : int
+        Term operations that the proof of one law may take.
 
     Returns
     -------
@@ -80,8 +82,7 @@ def ask(
     ):
         if value < least:
             raise InputError(f"{name} is {value}; it must not be negative")
-    if not seconds > 0:
-        raise InputError(f"seconds is {seconds}; it must be positive")
+    allowed(effort)
     given = quantities(momenta, system, "momenta")
     second = quantities(coordinates, system, "coordinates")
     families = (given,) if given else default_momenta(system)
@@ -114,18 +115,18 @@ def ask(
         else tuple(formula(text, system, "base") for text in bases),
         powers=powers,
         parameter_degree=parameter_degree,
-        seconds=seconds,
+        effort=effort,
     )
 
 
-def _rest(system: System, momenta: tuple[sp.Symbol, ...]) -> tuple[sp.Symbol, ...]:
+def _rest(system: System, momenta: tuple[sp.Expr, ...]) -> tuple[sp.Symbol, ...]:
     """The state without what is momentum-like."""
     names = [n for n in system.state if getattr(n, "name", "") in _MOMENTUM_LIKE]
     like = {s for name in names if not isinstance(name, sp.Symbol) for s in name.symbols}
     return tuple(s for s in system.symbols if s not in like | set(momenta))
 
 
-def _without_angles(system: System, symbols: tuple[sp.Symbol, ...]) -> tuple[sp.Expr, ...]:
+def _without_angles(system: System, symbols: tuple[sp.Expr, ...]) -> tuple[sp.Expr, ...]:
     """Angles replaced by their sines and cosines."""
     angles = _angles(system)
     found: list[sp.Expr] = []

@@ -32,11 +32,18 @@ def has_real_points(made: Stage) -> bool:
     residual = sp.lambdify(made.system.symbols, [f.xreplace(numbers) for f in formulas], "numpy")
 
     def function(x: Any) -> Any:
-        return np.asarray(residual(*x), dtype=float)
+        with np.errstate(all="ignore"):
+            return np.asarray(residual(*x), dtype=float)
 
     rng = np.random.default_rng(0)
     for _ in range(_TRIES):
         start = rng.normal(size=len(made.system.symbols))
-        if np.abs(least_squares(function, start).fun).max() < _RESIDUAL:
-            return True
+        # roots and logarithms may have no value there, but where all is positive
+        for chosen in (start, np.abs(start)):
+            try:
+                reached = least_squares(function, chosen)
+            except ValueError:
+                continue
+            if np.abs(reached.fun).max() < _RESIDUAL:
+                return True
     return False

@@ -26,6 +26,8 @@ __all__ = ["Sample", "Stage", "stage"]
 _PROBE = 64
 _PATIENCE = 3
 _NEXT = 1_000_003
+_MOST = 120
+"""Values of the parameters that are tried."""
 
 
 @dataclass(frozen=True)
@@ -161,11 +163,20 @@ class Stage:
             have = len(next(iter(values.values())))
             if fruitless == _PATIENCE:
                 # a root of parameters alone that does not exist for these values of them
-                return self.sample(points, seed + _NEXT, common=common)
+                return self._again(points, seed, common)
         made = self._jets({s: v[:points] for s, v in values.items()})
         if not made.evaluate.good.all():
-            return self.sample(points, seed + _NEXT, common=common)
+            return self._again(points, seed, common)
         return made
+
+    def _again(self, points: int, seed: int, common: bool) -> Sample:
+        """Points with other values of the parameters."""
+        if seed > _MOST * _NEXT:
+            raise InputError(
+                f"{self.system.name}: no points were found modulo a prime at which the roots in "
+                "the equations exist; give the root of a number a name, as a parameter"
+            )
+        return self.sample(points, seed + _NEXT, common=common)
 
     def _jets(self, values: Mapping[sp.Symbol, Integers]) -> Sample:
         symbols = self.system.symbols

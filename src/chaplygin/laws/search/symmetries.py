@@ -159,9 +159,7 @@ class _Search:
                 field.append((name, constant([components[s] for s in name.symbols])))
         self.count += 1
         law = Symmetry(f"u_{self.count}", tuple(field), on=self.stage.on)
-        return Finding(
-            "symmetry", law, prove(self.stage.system, law, seconds=self.question.seconds)
-        )
+        return Finding("symmetry", law, prove(self.stage.system, law, effort=self.question.effort))
 
 
 def _fields(

@@ -1,0 +1,21 @@
+"""An independent checker of certificates.
+
+A certificate says what is claimed of a system and why it is so: proofs in polynomials, or a point
+at which the claim fails.  This package reads it with its own parser, evaluates the claim with its
+own arithmetic and computes every identity of polynomials; it shares no code with what made the
+certificate, and needs nothing but FLINT.
+
+On the command line::
+
+    python -m chaplygin.check FILE…
+
+What polynomials have to do with formulas is tested at random points (see
+:mod:`chaplygin.check.proof`); everything else is computed exactly.
+"""
+
+from __future__ import annotations
+
+from .certificate import FORMAT, check
+from .errors import BadInputError, CheckError
+
+__all__ = ["FORMAT", "BadInputError", "CheckError", "check"]

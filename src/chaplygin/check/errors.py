@@ -1,0 +1,17 @@
+"""How a check ends badly; each message is one sentence for a reader."""
+
+from __future__ import annotations
+
+__all__ = ["BadInputError", "CheckError", "UndefinedError"]
+
+
+class CheckError(Exception):
+    """A certificate does not check."""
+
+
+class BadInputError(Exception):
+    """What was given is no certificate."""
+
+
+class UndefinedError(Exception):
+    """A formula is not defined at a point, or not certainly so."""

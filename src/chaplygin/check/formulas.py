@@ -1,0 +1,396 @@
+"""Formulas as texts in Python syntax, read into trees; nothing is ever executed.
+
+A formula is a number, a name, a sum, a product, a power, a call of a known function, ``Rate(f)``,
+or a value of an unspecified function or of one of its partial derivatives.  Numbers are exact:
+``0.1`` is one tenth.  Equal formulas are one object, so that they are compared by identity.
+"""
+
+from __future__ import annotations
+
+import re
+import weakref
+from collections.abc import Iterable, Iterator, Mapping
+from fractions import Fraction
+from typing import Any
+
+from .errors import CheckError
+
+__all__ = [
+    "KNOWN",
+    "Formula",
+    "call",
+    "function",
+    "name",
+    "names_in",
+    "number",
+    "parse",
+    "parse_condition",
+    "power",
+    "product",
+    "replaced",
+    "total",
+    "walk",
+]
+
+#: Known functions and how many arguments they take.
+KNOWN = {
+    **dict.fromkeys(
+        ("sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "exp", "log"), 1
+    ),
+    **dict.fromkeys(("asin", "acos", "atan", "sqrt", "Abs", "Rate"), 1),
+    "atan2": 2,
+}
+
+#: Formulas may be nested in brackets as deep as this.
+DEPTH = 120
+LENGTH = 5_000_000
+DIGITS = 5_000
+
+_TOKEN = re.compile(
+    r"\s*(?:(?P<number>\d+(?:\.\d*)?(?:[eE][+-]?\d{1,4})?|\.\d+(?:[eE][+-]?\d{1,4})?)"
+    r"|(?P<name>[^\W\d]\w*)"
+    r"|(?P<sign>\*\*|<=|>=|==|!=|[-+*/(),<>&]))"
+)
+
+
+class Formula:
+    """A node: its kind, what it is called or worth, and its parts."""
+
+    __slots__ = ("__weakref__", "kind", "parts", "word")
+
+    def __init__(self, kind: str, word: Any, parts: tuple[Formula, ...]) -> None:
+        self.kind, self.word, self.parts = kind, word, parts
+
+    def __repr__(self) -> str:
+        return f"{self.kind}({self.word}, {', '.join(map(repr, self.parts))})"
+
+
+_ALL: weakref.WeakValueDictionary[Any, Formula] = weakref.WeakValueDictionary()
+
+
+def _made(kind: str, word: Any, parts: Iterable[Formula] = ()) -> Formula:
+    parts = tuple(parts)
+    key = (kind, word, parts)
+    found = _ALL.get(key)
+    if found is None:
+        found = Formula(kind, word, parts)
+        _ALL[key] = found
+    return found
+
+
+def number(value: Fraction | int) -> Formula:
+    """A rational number."""
+    return _made("number", Fraction(value))
+
+
+def name(word: str) -> Formula:
+    """A symbol."""
+    return _made("name", word)
+
+
+def total(parts: Iterable[Formula]) -> Formula:
+    """A sum."""
+    parts = tuple(parts)
+    return parts[0] if len(parts) == 1 else _made("sum", None, parts)
+
+
+def product(parts: Iterable[Formula]) -> Formula:
+    """A product."""
+    parts = tuple(parts)
+    return parts[0] if len(parts) == 1 else _made("product", None, parts)
+
+
+def power(base: Formula, exponent: Formula) -> Formula:
+    """A power."""
+    return _made("power", None, (base, exponent))
+
+
+def call(word: str, parts: Iterable[Formula]) -> Formula:
+    """A value of a known function."""
+    return _made("call", word, parts)
+
+
+def function(word: str, orders: Iterable[int], places: Iterable[Formula]) -> Formula:
+    """A value of a derivative of an unspecified function: how often by each place."""
+    return _made("function", (word, tuple(orders)), places)
+
+
+def walk(formulas: Iterable[Formula]) -> Iterator[Formula]:
+    """Every node of some formulas, once."""
+    waiting, seen = list(formulas), set()
+    while waiting:
+        node = waiting.pop()
+        if node not in seen:
+            seen.add(node)
+            waiting.extend(node.parts)
+            yield node
+
+
+def names_in(formulas: Iterable[Formula]) -> set[str]:
+    """Names of all symbols."""
+    return {node.word for node in walk(formulas) if node.kind == "name"}
+
+
+def replaced(formula: Formula, table: Mapping[str, Formula]) -> Formula:
+    """A formula with symbols replaced."""
+    if formula.kind == "name":
+        return table.get(formula.word, formula)
+    if not formula.parts:
+        return formula
+    return _made(formula.kind, formula.word, [replaced(part, table) for part in formula.parts])
+
+
+def parse(text: Any, what: str) -> Formula:
+    """Read a formula.
+
+    Raises
+    ------
+    CheckError
+        If the text is no formula.
+    """
+    return _Reader(text, what).whole()
+
+
+def parse_condition(text: Any, what: str) -> list[tuple[Formula, str]]:
+    """Read a condition on parameters: formulas with ``>``, ``>=``, ``=`` or ``!=`` (to zero)."""
+    return _Reader(text, what).condition()
+
+
+class _Reader:
+    """A recursive descent through the tokens of one text."""
+
+    def __init__(self, text: Any, what: str) -> None:
+        if not isinstance(text, str) or len(text) > LENGTH:
+            raise CheckError(f"{what} is no text of a formula")
+        self.text, self.what = text, what
+        self.tokens = list(self._tokens())
+        self.at = 0
+        self.depth = 0
+
+    def _wrong(self, why: str) -> CheckError:
+        shown = self.text if len(self.text) < 80 else self.text[:77] + "..."
+        return CheckError(f"{self.what}: the formula {shown!r} {why}")
+
+    def _tokens(self) -> Iterator[tuple[str, str]]:
+        at, end = 0, len(self.text.rstrip())
+        while at < end:
+            found = _TOKEN.match(self.text, at)
+            if found is None:
+                raise self._wrong(f"has an unexpected {self.text[at:].lstrip()[0]!r}")
+            yield str(found.lastgroup), found.group(found.lastgroup or 0)
+            at = found.end()
+
+    def _peek(self) -> str:
+        return self.tokens[self.at][1] if self.at < len(self.tokens) else ""
+
+    def _take(self, *signs: str) -> str | None:
+        if self.at < len(self.tokens) and self.tokens[self.at] in [("sign", s) for s in signs]:
+            self.at += 1
+            return self.tokens[self.at - 1][1]
+        return None
+
+    def _expect(self, sign: str) -> None:
+        if self._take(sign) is None:
+            raise self._wrong(f"lacks a {sign!r}")
+
+    def _end(self) -> None:
+        if self.at < len(self.tokens):
+            raise self._wrong(f"has an unexpected {self._peek()!r}")
+
+    def whole(self) -> Formula:
+        found = self.sum()
+        self._end()
+        return found
+
+    # --- conditions ----------------------------------------------------------------------------
+
+    def condition(self) -> list[tuple[Formula, str]]:
+        found = self._both()
+        self._end()
+        return found
+
+    def _both(self) -> list[tuple[Formula, str]]:
+        found = self._one()
+        while self._take("&"):
+            found += self._one()
+        return found
+
+    def _one(self) -> list[tuple[Formula, str]]:
+        for word, sign in (("Ne", "!="), ("Eq", "=")):
+            if self.tokens[self.at : self.at + 2] == [("name", word), ("sign", "(")]:
+                self.at += 2
+                first = self.sum()
+                self._expect(",")
+                second = self.sum()
+                self._expect(")")
+                return [(_difference(first, second), sign)]
+        start = self.at
+        try:
+            return [self._compared()]
+        except CheckError:
+            self.at = start
+            if self._take("(") is None:
+                raise
+            found = self._both()
+            self._expect(")")
+            return found
+
+    def _compared(self) -> tuple[Formula, str]:
+        first = self.sum()
+        sign = self._take(">", ">=", "<", "<=", "==", "!=")
+        if sign is None:
+            raise self._wrong("compares nothing")
+        second = self.sum()
+        if sign in ("<", "<="):
+            first, second, sign = second, first, sign.replace("<", ">")
+        return _difference(first, second), sign.replace("==", "=")
+
+    # --- sums, products, powers ------------------------------------------------------------------
+
+    def sum(self) -> Formula:
+        self.depth += 1
+        if self.depth > DEPTH:
+            raise self._wrong("is nested too deep")
+        parts = [self._product()]
+        while (sign := self._take("+", "-")) is not None:
+            part = self._product()
+            parts.append(part if sign == "+" else _negated(part))
+        self.depth -= 1
+        return total(parts)
+
+    def _product(self) -> Formula:
+        parts = [self._signed()]
+        while (sign := self._take("*", "/")) is not None:
+            part = self._signed()
+            parts.append(part if sign == "*" else _inverse(part))
+        numbers = [part for part in parts if part.kind == "number"]
+        if len(numbers) == len(parts):
+            value = Fraction(1)
+            for part in numbers:
+                value *= part.word
+            return number(value)
+        return product(parts)
+
+    def _signed(self) -> Formula:
+        negative = False
+        while (sign := self._take("+", "-")) is not None:
+            negative ^= sign == "-"
+        found = self._power()
+        return _negated(found) if negative else found
+
+    def _power(self) -> Formula:
+        base = self._atom()
+        if self._take("**") is None:
+            return base
+        self.depth += 1
+        if self.depth > DEPTH:
+            raise self._wrong("is nested too deep")
+        exponent = self._signed()
+        self.depth -= 1
+        return power(base, exponent)
+
+    def _atom(self) -> Formula:
+        if self._take("("):
+            inner = self.sum()
+            self._expect(")")
+            return inner
+        if self.at >= len(self.tokens):
+            raise self._wrong("ends too early")
+        kind, word = self.tokens[self.at]
+        if kind == "sign":
+            raise self._wrong(f"has an unexpected {word!r}")
+        self.at += 1
+        if kind == "number":
+            if len(word) > DIGITS:
+                raise self._wrong("has a number that is too long")
+            return number(Fraction(word))
+        if self._take("(") is None:
+            return name(word)
+        return self._called(word)
+
+    # --- calls -----------------------------------------------------------------------------------
+
+    def _called(self, word: str) -> Formula:
+        if word == "Derivative":
+            return self._derivative()
+        if word == "Subs":
+            return self._substituted()
+        places = [self.sum()]
+        while self._take(","):
+            places.append(self.sum())
+        self._expect(")")
+        if word not in KNOWN:
+            return function(word, [0] * len(places), places)
+        if len(places) != KNOWN[word]:
+            raise self._wrong(f"gives {word} {len(places)} arguments")
+        return call(word, places)
+
+    def _derivative(self) -> Formula:
+        inner = self.sum()
+        if inner.kind != "function":
+            raise self._wrong("has a derivative that is not of one unspecified function")
+        word, orders = inner.word
+        counts = list(orders)
+        while self._take(","):
+            bracket = self._take("(")
+            variable, count = self.sum(), 1
+            if bracket:
+                if self._take(","):
+                    times = self.sum()
+                    if times.kind != "number" or times.word.denominator != 1 or times.word < 1:
+                        raise self._wrong("has a derivative of an order that is no number")
+                    count = int(times.word)
+                    self._take(",")
+                self._expect(")")
+            if variable.kind != "name" or inner.parts.count(variable) != 1:
+                raise self._wrong("has a derivative that is not by one place of its function")
+            counts[inner.parts.index(variable)] += count
+        self._expect(")")
+        return function(word, counts, inner.parts)
+
+    def _list(self) -> list[Formula]:
+        if self._take("(") is None:
+            return [self.sum()]
+        found = [self.sum()]
+        while self._take(","):
+            if self._peek() != ")":
+                found.append(self.sum())
+        self._expect(")")
+        return found
+
+    def _substituted(self) -> Formula:
+        inner = self.sum()
+        self._expect(",")
+        start = self.at
+        variables = self._list()
+        self._expect(",")
+        points = self._points(start, len(variables))
+        self._take(",")
+        self._expect(")")
+        if any(v.kind != "name" for v in variables) or len(points) != len(variables):
+            raise self._wrong("substitutes for something that is no name")
+        return replaced(inner, {v.word: p for v, p in zip(variables, points, strict=True)})
+
+    def _points(self, start: int, count: int) -> list[Formula]:
+        """Places after the variables: a bracketed list if the variables stand in one."""
+        if self.tokens[start] == ("sign", "("):
+            return self._list()
+        return [self.sum()]
+
+
+def _negated(part: Formula) -> Formula:
+    if part.kind == "number":
+        return number(-part.word)
+    return product((number(-1), part))
+
+
+def _inverse(part: Formula) -> Formula:
+    if part.kind == "number" and part.word:
+        return number(1 / part.word)
+    return power(part, number(-1))
+
+
+def _difference(first: Formula, second: Formula) -> Formula:
+    if second.kind == "number" and not second.word:
+        return first
+    return total((first, _negated(second)))

@@ -1,0 +1,95 @@
+"""Rational formulas as quotients of polynomials, exactly."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from .errors import UndefinedError
+from .evaluate import exact_value
+from .formulas import Formula
+from .polynomials import Poly, Ring
+
+__all__ = ["Quotient", "quotient"]
+
+#: Numerator and denominator.
+Quotient = tuple[Poly, Poly]
+
+TERMS = 200_000
+
+
+def quotient(
+    formula: Formula,
+    ring: Ring,
+    known: Callable[[str], Quotient | None],
+    definitions: Mapping[str, Formula],
+) -> Quotient:
+    """Numerator and denominator of a rational formula.
+
+    Parameters
+    ----------
+    formula : Formula
+    ring : Ring
+    known : callable
+        The value of a symbol, or None if it is not known in the ring.
+    definitions : mapping of name to formula
+
+    Raises
+    ------
+    UndefinedError
+        If the formula is not rational, or divides by zero.
+    """
+    one = ring.constant(1)
+    seen: dict[Formula, Quotient] = {}
+
+    def made(node: Formula) -> Quotient:
+        if node not in seen:
+            seen[node] = _checked(evaluated(node))
+        return seen[node]
+
+    def evaluated(node: Formula) -> Quotient:
+        if node.kind == "number":
+            return ring.constant(node.word), one
+        if node.kind == "name":
+            found = known(node.word)
+            if found is None and node.word in definitions:
+                found = made(definitions[node.word])
+            if found is None:
+                raise UndefinedError(f"{node.word} has no value here")
+            return found
+        if node.kind == "sum":
+            above, below = made(node.parts[0])
+            for part in node.parts[1:]:
+                upper, lower = made(part)
+                if below == lower:
+                    above = above + upper
+                else:
+                    above, below = above * lower + upper * below, below * lower
+            return above, below
+        if node.kind == "product":
+            above, below = one, one
+            for part in node.parts:
+                upper, lower = made(part)
+                above, below = above * upper, below * lower
+            return above, below
+        if node.kind == "power":
+            return raised(node)
+        raise UndefinedError("the formula is not rational")
+
+    def raised(node: Formula) -> Quotient:
+        exponent = exact_value(node.parts[1], definitions)
+        if exponent is None or exponent.denominator != 1 or abs(exponent) > 200:
+            raise UndefinedError("the formula is not rational")
+        above, below = made(node.parts[0])
+        if exponent < 0:
+            above, below = below, above
+            if below.is_zero():
+                raise UndefinedError("a division by zero")
+        return above ** abs(int(exponent)), below ** abs(int(exponent))
+
+    return made(formula)
+
+
+def _checked(found: Quotient) -> Quotient:
+    if len(found[0]) + len(found[1]) > TERMS:
+        raise UndefinedError("the formula is too large")
+    return found

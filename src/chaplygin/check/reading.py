@@ -1,0 +1,94 @@
+"""Data of a certificate taken out with a look at what they are."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+from .errors import CheckError
+
+__all__ = ["choice", "field", "integer", "items", "listed", "mapping", "only", "rational", "text"]
+
+_RATIONAL = re.compile(r"-?\d{1,40000}(/\d{1,40000})?")
+
+
+def mapping(data: Any, what: str) -> Mapping[str, Any]:
+    """A mapping with names as keys."""
+    if not isinstance(data, Mapping) or not all(isinstance(key, str) for key in data):
+        raise CheckError(f"{what} is no mapping")
+    return data
+
+
+def only(data: Mapping[str, Any], what: str, *allowed: str) -> None:
+    """No fields but these."""
+    strange = sorted(set(data) - set(allowed))
+    if strange:
+        raise CheckError(f"{what} has a field {strange[0]!r}, which means nothing here")
+
+
+def field(data: Mapping[str, Any], key: str, what: str) -> Any:
+    """A field that must be there."""
+    if key not in data:
+        raise CheckError(f"{what} lacks the field {key!r}")
+    return data[key]
+
+
+def listed(data: Any, what: str) -> Sequence[Any]:
+    """A list."""
+    if not isinstance(data, (list, tuple)):
+        raise CheckError(f"{what} is no list")
+    return data
+
+
+def items(data: Any, size: int, what: str) -> Sequence[Any]:
+    """A list of so many things."""
+    found = listed(data, what)
+    if len(found) != size:
+        raise CheckError(f"{what} has {len(found)} parts instead of {size}")
+    return found
+
+
+def text(data: Any, what: str) -> str:
+    """A text."""
+    if not isinstance(data, str):
+        raise CheckError(f"{what} is no text")
+    return data
+
+
+def integer(data: Any, what: str, lowest: int, highest: int) -> int:
+    """A whole number between bounds."""
+    if isinstance(data, bool) or not isinstance(data, int) or not lowest <= data <= highest:
+        raise CheckError(f"{what} is no whole number from {lowest} to {highest}")
+    return data
+
+
+def rational(data: Any, what: str) -> Fraction:
+    """A rational number as a text such as ``-3/4``, or a whole number."""
+    if isinstance(data, int) and not isinstance(data, bool):
+        return Fraction(data)
+    if not isinstance(data, str) or _RATIONAL.fullmatch(data) is None:
+        raise CheckError(f"{what} is no rational number")
+    above, _, below = data.partition("/")
+    bottom = _whole(below or "1")
+    if bottom == 0:
+        raise CheckError(f"{what} divides by zero")
+    return Fraction(_whole(above), bottom)
+
+
+def _whole(digits: str) -> int:
+    """A whole number of any length, which int() would refuse."""
+    if len(digits) < 4000:
+        return int(digits)
+    middle = len(digits) // 2
+    head, tail = digits[:-middle], digits[-middle:]
+    sign = -1 if head.startswith("-") else 1
+    return _whole(head) * int(10**middle) + sign * _whole(tail)
+
+
+def choice(data: Any, what: str, *allowed: Any) -> Any:
+    """One of some values."""
+    if isinstance(data, bool) or not isinstance(data, (str, int)) or data not in allowed:
+        raise CheckError(f"{what} is none of {', '.join(map(str, allowed))}")
+    return data

@@ -1,0 +1,60 @@
+"""Values of unspecified functions: invented once for every function, order and place."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+from typing import Any
+
+from flint import arb
+
+from .jets import Jet, Number, add, multiply
+
+__all__ = ["Functions"]
+
+
+class Functions:
+    """Smooth functions about which nothing is known, at one point.
+
+    A smooth function may have any values and derivatives at finitely many different places, so
+    each is chosen freely, but the same where all places agree.
+
+    Parameters
+    ----------
+    seed : str
+        The choice is the same for the same seed and the same order of questions.
+    """
+
+    def __init__(self, seed: str) -> None:
+        self._generator = random.Random(seed)
+        self._known: dict[tuple[str, tuple[int, ...]], list[tuple[tuple[Any, ...], Any]]] = {}
+
+    def settle(self, word: str, orders: Sequence[int], places: Sequence[Any], value: Any) -> None:
+        """Give a value that is not chosen freely."""
+        self._known.setdefault((word, tuple(orders)), []).append((tuple(places), value))
+
+    def value(self, word: str, orders: tuple[int, ...], places: Sequence[Number]) -> Number:
+        """A value, with derivatives as the places have them."""
+        level = max((p.level for p in places if isinstance(p, Jet)), default=0)
+        if level == 0:
+            return self._chosen(word, orders, tuple(places))
+        moving = {i: p for i, p in enumerate(places) if isinstance(p, Jet) and p.level == level}
+        lower = [moving[i].value if i in moving else p for i, p in enumerate(places)]
+        slopes: dict[int, Number] = {}
+        for i, place in moving.items():
+            if not place.slopes:
+                continue
+            partial = self.value(word, tuple(n + (i == j) for j, n in enumerate(orders)), lower)
+            for k, slope in place.slopes.items():
+                part = multiply(partial, slope)
+                slopes[k] = add(slopes[k], part) if k in slopes else part
+        return Jet(level, self.value(word, orders, lower), slopes)
+
+    def _chosen(self, word: str, orders: tuple[int, ...], places: tuple[Any, ...]) -> Any:
+        table = self._known.setdefault((word, orders), [])
+        for known, value in table:
+            if all(a.overlaps(b) for a, b in zip(known, places, strict=True)):
+                return value
+        made = arb(self._generator.randint(-(2**24), 2**24)) / 2**20
+        table.append((places, made))
+        return made

@@ -1,0 +1,329 @@
+"""Points: of a refutation, where a residual is not zero; or of a proof, where the law is defined.
+
+Coordinates are rational numbers, roots of triangular polynomials that change their sign, or values
+of formulas.  That a condition holds at a point is shown exactly where it is a rational function of
+rational and algebraic coordinates; otherwise a ball around its value must contain zero and be
+narrower than 1e-50.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+from flint import arb, ctx, fmpq
+
+from .claims import Claim
+from .domain import domain
+from .errors import CheckError, UndefinedError
+from .evaluate import Place
+from .formulas import Formula, names_in, number, parse
+from .jets import ball
+from .laws import each_residual, rank_at_least, ranked, residuals
+from .polynomials import Poly, Ring
+from .proof import Condition
+from .quotients import quotient
+from .reading import field, integer, listed, mapping, only, rational, text
+from .unspecified import Functions
+
+__all__ = ["check_sample", "check_witness", "failing", "located"]
+
+PRECISION = 1200
+NARROW = 50
+#: Halvings of an interval until a polynomial is steep in it.
+BISECTIONS = 300
+
+_DECIMAL = re.compile(r"-?\d{1,2000}(\.\d{1,2000})?([eE][+-]?\d{1,4})?")
+
+
+def check_witness(claim: Claim, data: Any) -> None:
+    """Check a refutation: at a point of the level a residual is certainly not zero."""
+    what = "the witness"
+    data = mapping(data, what)
+    only(data, what, "point", "what", "index", "residual", "functions")
+    with ctx.workprec(PRECISION):
+        point = _Point(claim, field(data, "point", what))
+        point.check()
+        values = residuals(claim, point.place)
+        index = integer(field(data, "index", what), f"the index of {what}", 0, len(values) - 1)
+        if values[index].contains(0):
+            raise CheckError("the residual at the witness is not certainly different from zero")
+        stated = field(data, "residual", what)
+        if not _stated(stated).overlaps(values[index]):
+            raise CheckError(f"the residual at the witness is not {stated}")
+
+
+def located(claim: Claim, data: Any) -> Place:
+    """A point of the level in the domain of the law; CheckError where it is none."""
+    with ctx.workprec(PRECISION):
+        point = _Point(claim, data)
+        point.check()
+        return point.place
+
+
+def failing(claim: Claim, data: Any) -> tuple[int, str]:
+    """The first residual that is certainly not zero at a point of the level: number and value.
+
+    Raises
+    ------
+    CheckError
+        If there is none, or the point is none of the level.
+    """
+    with ctx.workprec(PRECISION):
+        point = _Point(claim, data)
+        point.check()
+        for index, value in enumerate(each_residual(claim, point.place)):
+            if not value.contains(0):
+                return index, str(value.str(30))
+    raise CheckError("every residual may be zero at the point")
+
+
+def check_sample(claim: Claim, data: Any, conditions: Sequence[Condition]) -> None:
+    """Check that the law is defined at a point of its level, with the rank that it says."""
+    with ctx.workprec(PRECISION):
+        point = _Point(claim, data)
+        point.check()
+        for condition in conditions:
+            value = point.place(condition.formula)
+            if not (value > 0 if condition.positive else value != 0):
+                raise CheckError(f"the sample does not satisfy {condition.text}")
+        residuals(claim, point.place)
+        if ranked(claim) and not rank_at_least(claim, point.place):
+            raise CheckError("at the sample the rank is not as the law says")
+
+
+def _stated(data: Any) -> Any:
+    """A number as a text: a fraction, a decimal, or a ball such as ``[1.5 +/- 1e-20]``."""
+    words = text(data, "the residual at the witness")
+    try:
+        return ball(rational(words, "the residual"))
+    except CheckError:
+        pass
+    try:
+        return arb(words)
+    except ValueError:
+        raise CheckError(f"the residual at the witness, {words!r}, is no number") from None
+
+
+def _decimal(data: Any, what: str) -> Fraction:
+    words = text(data, what)
+    if _DECIMAL.fullmatch(words) is None:
+        raise CheckError(f"{what} is no decimal number")
+    return Fraction(words)
+
+
+class _Point:
+    """Values of state and parameters, exact where they can be."""
+
+    def __init__(self, claim: Claim, data: Any) -> None:
+        self.claim = claim
+        self.system = claim.system
+        self.functions = Functions("witness")
+        self.balls: dict[str, Any] = {}
+        self.rationals: dict[str, Fraction] = {}
+        self.chain: list[tuple[str, Poly]] = []
+        self.ring = Ring(self.system.symbols)
+        zeros = [c for c in claim.conditions if c.kind == "function"]
+        for word, value in mapping(data, "the point").items():
+            if word not in self.system.symbols:
+                raise CheckError(f"the point gives {word}, which is neither state nor parameter")
+            self._settle_zeros(zeros)
+            self._read(word, value)
+        for word in self.system.symbols:
+            if word not in self.balls:
+                raise CheckError(f"the point does not give {word}")
+        self._settle_zeros(zeros)
+        settled = {word: number(value) for word, value in self.rationals.items()}
+        self.place = self.system.place(self.balls, self.functions, settled)
+
+    def _partial_place(self) -> Place:
+        settled = {word: number(value) for word, value in self.rationals.items()}
+        return Place(self.balls, self.system.definitions, {}, self.functions, settled)
+
+    def _settle_zeros(self, zeros: list[Formula]) -> None:
+        """Values of unspecified functions that a condition says are zero."""
+        for zero in list(zeros):
+            if self.system.reach(zero.parts) <= {*self.balls, *self.system.definitions}:
+                place = self._partial_place()
+                word, orders = zero.word
+                self.functions.settle(word, orders, [place(p) for p in zero.parts], arb(0))
+                zeros.remove(zero)
+
+    def _read(self, word: str, data: Any) -> None:
+        what = f"the value of {word}"
+        if not isinstance(data, Mapping):
+            self.rationals[word] = rational(data, what)
+            self.balls[word] = ball(self.rationals[word])
+            return
+        only(data, what, "root", "formula")
+        if set(data) == {"formula"}:
+            formula = parse(data["formula"], what)
+            if not names_in([formula]) <= {*self.balls, *self.system.definitions, "pi", "E"}:
+                raise CheckError(f"{what} uses what is not known before it")
+            self.balls[word] = self._partial_place()(formula)
+        elif set(data) == {"root"}:
+            self._read_root(word, mapping(data["root"], what), what)
+        else:
+            raise CheckError(f"{what} is neither a number, a root nor a formula")
+
+    def _read_root(self, word: str, data: Mapping[str, Any], what: str) -> None:
+        only(data, what, "poly", "near", "radius")
+        stated = mapping(field(data, "poly", what), what)
+        only(stated, what, "ring", "terms")
+        names = [text(n, what) for n in listed(field(stated, "ring", what), what)]
+        if word not in names or not set(names) <= {*self.balls, word}:
+            raise CheckError(f"{what} is a root of a polynomial in what is not known before it")
+        if len(set(names)) < len(names):
+            raise CheckError(f"{what} has a generator twice")
+        small = Ring(names)
+        poly = small.read(field(stated, "terms", what), what)
+        middle = _decimal(field(data, "near", what), what)
+        radius = _decimal(field(data, "radius", what), what)
+        if radius <= 0:
+            raise CheckError(f"{what} has a radius that is not positive")
+        self.balls[word] = _root(poly, small, word, self.balls, middle, radius, what)
+        table = {n: self.ring.index[n] for n in names}
+        made = {}
+        for exponents, coefficient in poly.to_dict().items():
+            spread = [0] * len(self.ring.names)
+            for name, exponent in zip(names, exponents, strict=True):
+                spread[table[name]] = int(exponent)
+            made[tuple(spread)] = coefficient
+        self.chain.append((word, self.ring.context.from_dict(made)))
+
+    # --- what must hold ------------------------------------------------------------------------
+
+    def check(self) -> None:
+        """That the point lies on the level and in the domain of the system and the law."""
+        for condition in self.claim.conditions:
+            if not self._vanishes(condition):
+                raise CheckError("the point does not satisfy a condition of the level")
+        for formula, sign in self.system.admissible:
+            if not self._admissible(formula, sign):
+                raise CheckError("the parameters of the point are not admissible")
+        for guard in self.system.guards:
+            if not self.place(guard) > 0:
+                raise CheckError("a guard is not positive at the point")
+        settled = {word: number(value) for word, value in self.rationals.items()}
+        try:
+            domain(self.claim, settled).values(self.place)
+        except UndefinedError:
+            raise CheckError("the law is not certainly defined at the point") from None
+
+    def _admissible(self, formula: Formula, sign: str) -> bool:
+        value = self.place(formula)
+        if sign == ">":
+            return bool(value > 0)
+        if sign == "!=":
+            return bool(value != 0)
+        return bool(sign == ">=" and value >= 0) or self._vanishes(formula)
+
+    def _vanishes(self, formula: Formula) -> bool:
+        ring = self.ring
+
+        def known(word: str) -> tuple[Poly, Poly] | None:
+            if word in self.rationals:
+                return ring.constant(self.rationals[word]), ring.constant(1)
+            if any(word == main for main, _ in self.chain):
+                return ring.generator(word), ring.constant(1)
+            return None
+
+        definitions = {
+            **self.system.definitions,
+            **{word: number(value) for word, value in self.rationals.items()},
+        }
+        try:
+            above, below = quotient(formula, ring, known, definitions)
+        except UndefinedError:
+            value = self.place(formula)
+            return bool(value.contains(0) and value.rad() < arb(10) ** -NARROW)
+        if not self._value(below) != 0:
+            raise CheckError("a condition of the level is not defined at the point")
+        for word, poly in reversed(self.chain):
+            above = self._remainder(above, self._with_rationals(poly), word)
+        return bool(above.is_zero())
+
+    def _value(self, poly: Poly) -> Any:
+        return self.ring.value(poly, [self.balls[n] for n in self.ring.names])
+
+    def _with_rationals(self, poly: Poly) -> Poly:
+        table = {
+            word: fmpq(value.numerator, value.denominator) for word, value in self.rationals.items()
+        }
+        made: Poly = poly.subs({w: v for w, v in table.items() if w in self.ring.index})
+        return made
+
+    def _remainder(self, poly: Poly, divisor: Poly, word: str) -> Poly:
+        """Remainder of a division in one variable, times powers of the divisor's first factor."""
+        position = self.ring.index[word]
+        degree = _degree(divisor, position)
+        lead = _coefficient(self.ring, divisor, position, degree)
+        if degree < 1 or not self._value(lead) != 0:
+            raise CheckError(f"the polynomial whose root {word} is has no certain degree")
+        variable = self.ring.generator(word)
+        while not poly.is_zero() and (height := _degree(poly, position)) >= degree:
+            top = _coefficient(self.ring, poly, position, height)
+            poly = lead * poly - top * variable ** (height - degree) * divisor
+        return poly
+
+
+def _degree(poly: Poly, position: int) -> int:
+    return int(poly.degrees()[position]) if not poly.is_zero() else -1
+
+
+def _coefficient(ring: Ring, poly: Poly, position: int, degree: int) -> Poly:
+    found = {}
+    for exponents, coefficient in poly.to_dict().items():
+        if exponents[position] == degree:
+            rest = list(map(int, exponents))
+            rest[position] = 0
+            found[tuple(rest)] = coefficient
+    return ring.context.from_dict(found)
+
+
+def _root(
+    poly: Poly,
+    ring: Ring,
+    word: str,
+    balls: Mapping[str, Any],
+    middle: Fraction,
+    radius: Fraction,
+    what: str,
+) -> Any:
+    """A ball around a root in an interval at whose ends a polynomial has different signs."""
+
+    def value(at: Any, of: Poly = poly) -> Any:
+        return ring.value(of, [at if n == word else balls[n] for n in ring.names])
+
+    def sign(at: Fraction) -> int:
+        found = value(ball(at))
+        return 1 if found > 0 else -1 if found < 0 else 0
+
+    low, high = middle - radius, middle + radius
+    left, right = sign(low), sign(high)
+    if left * right >= 0:
+        raise CheckError(f"{what} is no certain root in the interval given")
+    slope = poly.derivative(ring.index[word])
+    while high - low > radius / 2**BISECTIONS:
+        here = ball(low).union(ball(high))
+        if value(here, slope) != 0:
+            return _narrowed(here, value, lambda at: value(at, slope))
+        # a root may lie at one of the points that part the interval
+        points = [low + (high - low) * Fraction(share, 8) for share in (4, 3, 5)]
+        inside = next(((at, found) for at in points if (found := sign(at))), None)
+        if inside is None:
+            break
+        low, high = (inside[0], high) if inside[1] == left else (low, inside[0])
+    return ball(low).union(ball(high))
+
+
+def _narrowed(here: Any, value: Callable[[Any], Any], slope: Callable[[Any], Any]) -> Any:
+    """A ball with one root made narrower by Newton's method: the root stays in it."""
+    while True:
+        middle = here.mid()
+        after = middle - value(middle) / slope(here)
+        if not after.rad() < here.rad() / 2:
+            return here
+        here = here.intersection(after)

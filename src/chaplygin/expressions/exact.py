@@ -1,0 +1,93 @@
+"""Decimal numbers as the rational numbers that they say, and nothing more."""
+
+from __future__ import annotations
+
+import math
+import operator
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+import sympy
+from mpmath import libmp
+
+from ..errors import InputError
+
+__all__ = ["exact_number", "exactly"]
+
+_DOUBLE = 53
+"""Bits of a double, whose shortest decimal says it."""
+
+
+def exact_number(number: Any) -> sympy.Rational:
+    """The rational number that a decimal number says.
+
+    Of a double this is the shortest decimal that reads back as it: 0.1 is 1/10, and
+    0.333333333333333 is not 1/3.  Of a number with more or fewer bits it is the decimal with as
+    many digits as these carry.
+
+    Parameters
+    ----------
+    number : int, float, Fraction, sympy.Rational, sympy.Float or mpmath number
+
+    Returns
+    -------
+    sympy.Rational
+
+    Raises
+    ------
+    InputError
+        If it is not a finite number, or none of these.
+    """
+    if isinstance(number, sympy.Rational):
+        return number
+    if isinstance(number, Fraction):
+        return sympy.Rational(number.numerator, number.denominator)
+    if isinstance(number, sympy.Float):
+        return _decimal(number._mpf_, number._prec)
+    if isinstance(number, mpmath.mpf):
+        return _decimal(number._mpf_, number.context.prec)
+    if isinstance(number, float):
+        return _shortest(float(number))
+    try:
+        return sympy.Integer(operator.index(number))
+    except TypeError:
+        pass
+    if not hasattr(number, "__float__") or isinstance(number, sympy.Basic):
+        raise InputError(f"{number} is no number that has an exact value as a decimal")
+    return _shortest(float(number))
+
+
+def exactly(formula: Any) -> Any:
+    """A formula in which every decimal number is the rational number that it says.
+
+    Parameters
+    ----------
+    formula : sympy.Basic, or a number as of `exact_number`
+
+    Raises
+    ------
+    InputError
+        If a number is not finite.
+    """
+    if not isinstance(formula, sympy.Basic | sympy.MatrixBase):
+        return exact_number(formula)
+    decimals = formula.atoms(sympy.Float)
+    return formula.xreplace({x: exact_number(x) for x in decimals}) if decimals else formula
+
+
+def _shortest(number: float) -> sympy.Rational:
+    if not math.isfinite(number):
+        raise InputError(f"{number} is not a finite number")
+    fraction = Fraction(repr(number))
+    return sympy.Rational(fraction.numerator, fraction.denominator)
+
+
+def _decimal(number: Any, bits: int) -> sympy.Rational:
+    """A number of mpmath as a decimal with the digits that so many bits carry."""
+    if number in (libmp.finf, libmp.fninf, libmp.fnan):
+        raise InputError(f"{libmp.to_str(number, 5)} is not a finite number")
+    if bits == _DOUBLE:
+        return _shortest(float(libmp.to_float(number)))
+    fraction = Fraction(libmp.to_str(number, libmp.prec_to_dps(bits)))
+    return sympy.Rational(fraction.numerator, fraction.denominator)

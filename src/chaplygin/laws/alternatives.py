@@ -1,0 +1,92 @@
+"""Conditions with functions that are products: one alternative for each factor.
+
+A condition such as y sin x = 0 or f(x) y = 0 says that one of its factors vanishes.  Conditions
+that are polynomials are decomposed exactly, see :mod:`chaplygin.laws.components`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import product
+
+import sympy as sp
+
+from ..statements import Law
+from ..system import System
+from ..vectors import explicit
+from .errors import OutOfReachError
+
+__all__ = ["Alternative", "alternatives"]
+
+MOST = 32
+"""Alternatives that are followed."""
+
+
+@dataclass(frozen=True)
+class Alternative:
+    """A part of a level on which certain factors of its conditions vanish.
+
+    Attributes
+    ----------
+    system : System
+    law : Law
+        With factors in place of the conditions they are factors of.
+    chosen : tuple of sympy.Expr
+        The factors, of those conditions that have several.
+    """
+
+    system: System
+    law: Law
+    chosen: tuple[sp.Expr, ...] = ()
+
+
+def alternatives(system: System, law: Law) -> tuple[Alternative, ...]:
+    """The parts of the level of a law that its conditions with functions distinguish."""
+    relations = [_factors(explicit(c)) for c in system.relations]
+    level = [_factors(explicit(c)) for c in law.on]
+    if all(len(made) == 1 for made in (*relations, *level)):
+        return (Alternative(system, law),)
+    several = [len(made) > 1 for made in (*relations, *level)]
+    found = []
+    for choice in _first(product(*relations, *level)):
+        split = len(relations)
+        found.append(
+            Alternative(
+                replace(system, relations=choice[:split], laws=()),
+                replace(law, on=choice[split:], as_printed=None),
+                tuple(c for c, one in zip(choice, several, strict=True) if one),
+            )
+        )
+    return tuple(found)
+
+
+def _first(choices: Iterator[tuple[sp.Expr, ...]]) -> Iterator[tuple[sp.Expr, ...]]:
+    for number, choice in enumerate(choices):
+        if number == MOST:
+            raise OutOfReachError(f"the level falls into more than {MOST} parts")
+        yield choice
+
+
+def _factors(condition: sp.Expr) -> tuple[sp.Expr, ...]:
+    """The factors of a condition that holds functions; the condition itself if it is polynomial."""
+    functions = condition.atoms(sp.Function, sp.Derivative, sp.Subs)
+    roots = any(not power.exp.is_Integer for power in condition.atoms(sp.Pow))
+    if not functions and not roots:
+        return (condition,)
+    # functions and roots are symbols here: they are factored with, not into
+    names = {
+        part: sp.Dummy(real=True)
+        for part in sp.preorder_traversal(condition)
+        if isinstance(part, sp.Function | sp.Derivative | sp.Subs)
+        or (part.is_Pow and not part.exp.is_Integer)
+    }
+    above, _ = sp.fraction(sp.together(condition.xreplace(names)))
+    back = {symbol: part for part, symbol in names.items()}
+    found = []
+    for part in sp.Mul.make_args(sp.factor(above)):
+        factor = part.xreplace(back)
+        base = factor.base if factor.is_Pow and factor.exp.is_positive else factor
+        if not base.is_number and not isinstance(base, sp.exp):
+            found.append(base)
+    return tuple(dict.fromkeys(found)) or (condition,)

@@ -1,0 +1,243 @@
+"""What is known of the signs of polynomials on the domain of a system.
+
+Known are the signs of parameters and of other quantities that the system declares (admissible
+sets, guards, assumptions of symbols), and what follows from them term by term.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from enum import IntEnum
+from typing import Any
+
+from flint import fmpq
+
+__all__ = ["Sign", "Signs", "completed"]
+
+Poly = Any
+
+MANY = 400
+"""Polynomials of more terms are not compared with facts."""
+
+
+class Sign(IntEnum):
+    """The sign of a real quantity, as far as it is known."""
+
+    NEGATIVE = -2
+    NOT_POSITIVE = -1
+    UNKNOWN = 0
+    NOT_NEGATIVE = 1
+    POSITIVE = 2
+
+    def times(self, other: Sign) -> Sign:
+        """The sign of a product."""
+        if not self or not other:
+            return Sign.UNKNOWN
+        size = min(abs(self), abs(other))
+        return Sign(size if (self > 0) == (other > 0) else -size)
+
+
+@dataclass(frozen=True)
+class Signs:
+    """Known signs in one ring of polynomials.
+
+    Parameters
+    ----------
+    ring : fmpq_mpoly_ctx
+    known : mapping of str to Sign
+        Signs of generators.
+    facts : sequence of (polynomial, Sign)
+        Further polynomials with a known sign.
+    nonzero : sequence of polynomials
+        Polynomials that do not vanish, whatever their sign.
+    conditions : sequence of polynomials
+        Polynomials that vanish.
+    """
+
+    ring: Any
+    known: Mapping[str, Sign]
+    facts: Sequence[tuple[Poly, Sign]] = ()
+    nonzero: Sequence[Poly] = ()
+    conditions: Sequence[Poly] = ()
+
+    def with_positive(self, name: str) -> Signs:
+        """The same, with one more positive generator."""
+        return replace(self, known={**self.known, name: Sign.POSITIVE})
+
+    def of(self, poly: Poly) -> Sign:
+        """The sign of a polynomial wherever the facts and the conditions hold."""
+        found = self._of_one(poly)
+        if abs(found) < Sign.POSITIVE and poly and len(poly) <= MANY:
+            content, parts = poly.factor()
+            if len(parts) > 1 or any(power > 1 for _, power in parts):
+                product = _number(content)
+                for part, power in parts:
+                    product = product.times(self._of_power(part, int(power)))
+                found = product or found
+        return found
+
+    def never_zero(self, poly: Poly) -> bool:
+        """Whether a polynomial is certainly not zero."""
+        if abs(self.of(poly)) == Sign.POSITIVE:
+            return True
+        return self._said_nonzero(poly)
+
+    def _said_nonzero(self, poly: Poly) -> bool:
+        return any(_ratio(poly, fact) is not None for fact in self.nonzero)
+
+    def _of_power(self, poly: Poly, power: int) -> Sign:
+        sign = self._of_one(poly)
+        if power % 2:
+            return sign
+        strict = abs(sign) == Sign.POSITIVE or self._said_nonzero(poly)
+        return Sign.POSITIVE if strict else Sign.NOT_NEGATIVE
+
+    def squares(self, poly: Poly) -> list[Poly] | None:
+        """Polynomials that all vanish where `poly` does, if it is a sum of terms of one sign.
+
+        ``[1]`` where it cannot vanish; None where it is no such sum.
+        """
+        terms = [self._term(exponents, number) for exponents, number in poly.to_dict().items()]
+        if all(sign > 0 for sign, _ in terms) or all(sign < 0 for sign, _ in terms):
+            return [base for _, base in terms]
+        return self._linear_squares(poly)
+
+    # --- one polynomial --------------------------------------------------------------------
+
+    def _of_one(self, poly: Poly) -> Sign:
+        found = self._by_terms(poly)
+        if found is Sign.UNKNOWN and len(poly) <= MANY:
+            found = self._by_facts(poly) or self._by_conditions(poly) or self._by_squares(poly)
+        return found
+
+    def _by_terms(self, poly: Poly) -> Sign:
+        signs = []
+        for exponents, number in poly.to_dict().items():
+            sign, base = self._term(exponents, number)
+            if sign is Sign.UNKNOWN:
+                return Sign.UNKNOWN
+            signs.append(sign if base.is_constant() else Sign(sign // abs(sign)))
+        return _sum(signs)
+
+    def _term(self, exponents: Sequence[int], number: fmpq) -> tuple[Sign, Poly]:
+        """The sign of a term where it does not vanish, and a monomial that vanishes with it."""
+        sign, base = _number(number), self.ring.constant(1)
+        for index, exponent in enumerate(exponents):
+            if not exponent:
+                continue
+            own = self.known.get(self.ring.name(index), Sign.UNKNOWN)
+            if abs(own) != Sign.POSITIVE:
+                base = base * self.ring.gen(index)
+            if exponent % 2:
+                sign = sign.times(own) if own else Sign.UNKNOWN
+                if sign is Sign.UNKNOWN:
+                    return sign, base
+                sign = Sign(2 if sign > 0 else -2)
+        return sign, base
+
+    def _by_facts(self, poly: Poly) -> Sign:
+        """A polynomial that is a multiple of a fact, up to terms of the same sign."""
+        for fact, sign in self.facts:
+            for exponents, number in fact.to_dict().items():
+                own = poly[exponents] if exponents in poly else fmpq(0)
+                if own == 0:
+                    continue
+                ratio = own / number
+                rest = poly - ratio * fact
+                part = sign.times(_number(ratio))
+                if not rest:
+                    return part
+                found = _sum([part, self._by_terms(rest)])
+                if found:
+                    return found
+        return Sign.UNKNOWN
+
+    def _by_conditions(self, poly: Poly) -> Sign:
+        """The same after a multiple of a condition has taken the constant away."""
+        constant = _constant(poly)
+        for condition in self.conditions:
+            own = _constant(condition)
+            if constant != 0 and own != 0:
+                found = self._by_terms(poly - (constant / own) * condition)
+                if found:
+                    return found
+        return Sign.UNKNOWN
+
+    def _by_squares(self, poly: Poly) -> Sign:
+        for sign in (Sign.POSITIVE, Sign.NEGATIVE):
+            bases = self._linear_squares(poly if sign > 0 else -poly, definite=True)
+            if bases is not None:
+                strict = any(base.is_constant() for base in bases)
+                return sign if strict else Sign(sign // 2)
+        return Sign.UNKNOWN
+
+    def _linear_squares(self, poly: Poly, definite: bool = False) -> list[Poly] | None:
+        """Linear forms whose squares, with positive weights, add up to a quadratic polynomial."""
+        if not poly or poly.total_degree() != 2:
+            return None
+        for given in (poly,) if definite else (poly, -poly):
+            found = completed(given, self.ring)
+            if found is not None:
+                return [base for _, base in found]
+        return None
+
+
+def _number(value: fmpq) -> Sign:
+    return Sign(2 * ((value > 0) - (value < 0)))
+
+
+def _sum(signs: Iterable[Sign]) -> Sign:
+    """The sign of a sum."""
+    signs = list(signs)
+    if not signs:
+        return Sign.UNKNOWN
+    if all(sign > 0 for sign in signs):
+        return max(signs)
+    if all(sign < 0 for sign in signs):
+        return min(signs)
+    return Sign.UNKNOWN
+
+
+def _constant(poly: Poly) -> fmpq:
+    zero = (0,) * poly.context().nvars()
+    return poly[zero] if zero in poly else fmpq(0)
+
+
+def _ratio(poly: Poly, other: Poly) -> fmpq | None:
+    """The number by which one polynomial is a multiple of another."""
+    if not other or not poly or len(poly) != len(other):
+        return None
+    ratio = poly.leading_coefficient() / other.leading_coefficient()
+    return ratio if poly == ratio * other else None
+
+
+def completed(poly: Poly, ring: Any) -> list[tuple[fmpq, Poly]] | None:
+    """Weights and linear forms whose weighted squares add up to a quadratic polynomial.
+
+    Squares are completed one variable after the other; None unless all weights are positive.
+    The last form is 1 where a positive number remains.
+    """
+    found: list[tuple[fmpq, Poly]] = []
+    rest = poly
+    for index in range(ring.nvars()):
+        if not rest or not int(rest.degrees()[index]):
+            continue
+        parts: dict[int, dict[tuple[int, ...], fmpq]] = {1: {}, 2: {}}
+        for exponents, number in rest.to_dict().items():
+            power = int(exponents[index])
+            if power:
+                lower = tuple(0 if i == index else int(e) for i, e in enumerate(exponents))
+                parts[power][lower] = number
+        square = ring.from_dict(parts[2]) if parts[2] else ring.constant(0)
+        if not square or not square.is_constant() or not square.leading_coefficient() > 0:
+            return None
+        weight = square.leading_coefficient()
+        base = ring.gen(index) + ring.from_dict(parts[1]) / (2 * weight)
+        found.append((weight, base))
+        rest = rest - weight * base * base
+    if rest:
+        if not rest.leading_coefficient() > 0:
+            return None
+        found.append((rest.leading_coefficient(), ring.constant(1)))
+    return found

@@ -1,0 +1,93 @@
+"""Reductions at exceptional values of parameters, which must not contradict the general ones."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+import sympy as sp
+
+from chaplygin.errors import InputError
+from chaplygin.laws.prove import prove
+from chaplygin.mechanics.reduction import chaplygin_form
+from chaplygin.mechanics.reduction_multiplier import poles
+from chaplygin.mechanics.settled import settled
+from chaplygin.vectors import scalar
+from mechanics.reducible import I, a, ball, on_sphere, ratio, sleigh, veselova
+
+
+def with_default(mechanism, symbol, value):
+    parameters = tuple(
+        replace(p, default=value) if p.symbol == symbol else p for p in mechanism.parameters
+    )
+    return replace(mechanism, parameters=parameters)
+
+
+def test_a_parameter_whose_number_is_exceptional():
+    """The sleigh has a multiplier where a = 0, whether that is put in or its default."""
+    found = chaplygin_form(with_default(sleigh(), a, 0.0))
+    put_in = chaplygin_form(sleigh(sp.S.Zero))
+    assert found.on == (a,)
+    assert found.obstruction is None
+    assert found.multiplier.value == put_in.multiplier.value
+    assert "where         a = 0, a case of its own" in str(found)
+    for system, law in found.claims():
+        assert prove(system, law)
+
+
+def test_a_general_parameter_has_an_obstruction_and_says_where_not():
+    found = chaplygin_form(sleigh())
+    assert found.on == ()
+    assert found.multiplier is None
+    assert found.obstruction.vanishing == (a,)
+
+
+def test_settled_is_what_was_built_with_the_number():
+    one, other = settled(sleigh(), {a: sp.S.Zero}), sleigh(sp.S.Zero)
+    assert one.parameters == other.parameters
+    assert sp.expand(one.L - other.L) == 0
+    assert one.f == other.f
+
+
+def test_poles_of_exponents_are_told():
+    found = chaplygin_form(on_sphere(ratio, rubber=True))
+    assert poles(found.multiplier) == (ratio,)
+    assert "not where κ = 0, which is a case of its own" in str(found)
+
+
+@pytest.mark.parametrize("rubber", [True, False])
+def test_a_normal_that_does_not_move_is_refused(rubber):
+    with pytest.raises(InputError, match="gamma does not move freely under the constraints"):
+        chaplygin_form(on_sphere(sp.S.Zero, rubber))
+
+
+def test_the_normal_does_not_move_for_the_number_of_a_parameter():
+    with pytest.raises(InputError, match="gamma does not move freely under the constraints"):
+        chaplygin_form(with_default(on_sphere(ratio, rubber=True), ratio, 0.0))
+
+
+def test_special_values_are_to_be_put_in():
+    with pytest.raises(InputError, match="general values of its parameters"):
+        chaplygin_form(on_sphere(ratio, rubber=False))
+
+
+def test_the_integral_for_equal_moments_is_that_of_the_general_ball():
+    first, second, third = I.symbols
+    equal = settled(ball(), {second: first, third: first})
+    special, general = chaplygin_form(equal), chaplygin_form(ball())
+    # N is known up to a constant factor, and with it S̄ and its integral
+    m, R, gamma = scalar("m"), scalar("R"), general.base.normal
+    same = {second: first, third: first}
+    pole = dict(zip(gamma.symbols, (0, 0, 1), strict=True))
+    factor = general.multiplier.value.xreplace(same).subs(pole) / special.multiplier.value
+    assert special.flux.value is not None
+    ratio_ = sp.simplify(general.flux.value.xreplace(same) / special.flux.value / factor)
+    numbers = {first: 2, m: 3, R: 5}
+    assert abs(sp.N(ratio_.subs(numbers))) == pytest.approx(1)
+    assert ratio_.subs(numbers) > 0
+
+
+def test_equal_moments_of_veselova():
+    first, second, third = I.symbols
+    form = chaplygin_form(settled(veselova(), {second: first, third: first}))
+    assert form.multiplier.value == 1

@@ -1,0 +1,65 @@
+"""Cases by the thousand, the same ones from the same seed."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+from functools import partial
+
+from chaplygin.errors import InputError
+from chaplygin.statements import Law
+from chaplygin.system import System
+
+from .branches import BRANCHES
+from .case import Case, Family, Truth
+from .dress import dressed
+from .kinds import KINDS
+from .levels import LEVELS
+from .malformed import MALFORMED
+from .mechanical import MECHANICAL
+from .setting import SettingFamily
+from .unspecified import UNSPECIFIED
+
+__all__ = ["FAMILIES", "SETTINGS", "planted", "planted_case"]
+
+SETTINGS: dict[str, SettingFamily] = {**LEVELS, **BRANCHES, **UNSPECIFIED}
+
+
+def _dressed(name: str, rng: random.Random) -> Case:
+    return dressed(name, rng, SETTINGS[name](rng))
+
+
+FAMILIES: dict[str, Family] = {
+    **{name: partial(_dressed, name) for name in SETTINGS},
+    **KINDS,
+    **MECHANICAL,
+    **MALFORMED,
+}
+
+#: How often a family is drawn; 1 for those that are not named.
+_OFTEN = {"product of factors": 4, "conditions with functions": 3, "levels that move": 2}
+_ROUND = tuple(name for name in FAMILIES for _ in range(_OFTEN.get(name, 1)))
+
+
+def planted_case(seed: int, number: int) -> Case:
+    """The case of a number; each family has its turn."""
+    name = _ROUND[number % len(_ROUND)]
+    try:
+        return FAMILIES[name](random.Random(f"{seed} {name} {number}"))
+    except InputError as problem:
+        return _refused(name, problem)
+
+
+def _refused(name: str, problem: InputError) -> Case:
+    """A case whose system is refused already: rightly so where two names are alike."""
+
+    def make() -> tuple[System, Law]:
+        raise problem
+
+    truth: Truth = "malformed" if "stands for two things" in str(problem) else "true"
+    return Case(name, make, truth, "it could not be put together")
+
+
+def planted(seed: int, count: int) -> Iterator[Case]:
+    """The first cases of a seed."""
+    return (planted_case(seed, number) for number in range(count))

@@ -1,0 +1,103 @@
+"""Whatever is called, the precision of mpmath and of FLINT is afterwards what it was before."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from pathlib import Path
+
+import flint
+import mpmath
+import pytest
+
+import chaplygin
+from chaplygin import measure_exists, nonholonomy, prove
+from chaplygin.laws.search import ask, integrals
+from chaplygin.mechanics.body import Body
+from chaplygin.mechanics.quasivelocity import Mechanism, coordinates
+from chaplygin.mechanics.reduction import chaplygin_form
+from chaplygin.mechanics.rolling import Rolling
+from chaplygin.mechanics.shapes import Ball
+from chaplygin.mechanics.suslov import equations
+from chaplygin.paper.limit_cycle import displacement
+from chaplygin.systems import from_catalogue
+from chaplygin.vectors import scalar
+
+SOURCE = Path(chaplygin.__file__).parent
+x, y, phi = (scalar(name) for name in ("x", "y", "phi"))
+
+
+def settings() -> tuple[int, ...]:
+    return (mpmath.mp.prec, mpmath.mp.dps, mpmath.iv.prec, flint.ctx.prec, flint.ctx.dps)
+
+
+def rolling() -> Rolling:
+    return Rolling(Body(1.0, (1.0, 1.5, 2.1), Ball(1.0)), contact="rubber")
+
+
+def knife() -> Mechanism:
+    frame = coordinates(x, y, phi)
+    xdot, ydot, phidot = frame.w
+    energy = (xdot**2 + ydot**2 + phidot**2) / 2
+    return Mechanism("knife", frame, energy, (ydot - x * phidot,))
+
+
+CALLS: dict[str, Callable[[], object]] = {
+    "limit cycle": lambda: displacement(Fraction(13, 5), upwards=True, steps=20),
+    "equations": lambda: equations(knife()),
+    "measure of a mechanism": lambda: measure_exists(knife()),
+    "measure of a body": lambda: measure_exists(rolling()),
+    "nonholonomy": lambda: nonholonomy(knife()),
+    "reduction": lambda: chaplygin_form(knife()),
+    "proof": lambda: prove(from_catalogue("chaplygin-sleigh-reduced"))[:1],
+    "search": lambda: next(integrals(ask(from_catalogue("chaplygin-sleigh-reduced"), degree=2))),
+    "closed form": lambda: (
+        from_catalogue("lagrange-top").solve((1, 2, 3, 0, 0.6, 0.8)).states([1.0])
+    ),
+}
+
+
+@pytest.mark.parametrize("call", CALLS.values(), ids=CALLS)
+@pytest.mark.parametrize("bits", [53, 77])
+def test_precision_is_kept(call: Callable[[], object], bits: int) -> None:
+    with mpmath.workprec(bits), flint.ctx.workprec(bits):
+        before = settings()
+        call()
+        assert settings() == before
+
+
+def test_precision_is_kept_where_something_is_refused() -> None:
+    before = settings()
+    with pytest.raises(ArithmeticError, match="exceeds its assumed bound"):
+        displacement(Fraction(13, 5), upwards=True, steps=2)
+    assert settings() == before
+
+
+def _assigned(tree: ast.AST) -> Iterator[tuple[str, int]]:
+    """Assignments to the precision of a context that the module did not make itself."""
+    own = {
+        target.id
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Assign)
+        and isinstance(node.value, ast.Call)
+        and ast.unparse(node.value.func).endswith("MPContext")
+        for target in node.targets
+        if isinstance(target, ast.Name)
+    }
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Assign | ast.AugAssign):
+            for target in node.targets if isinstance(node, ast.Assign) else [node.target]:
+                if isinstance(target, ast.Attribute) and target.attr in ("prec", "dps"):
+                    base = ast.unparse(target.value)
+                    if base not in own:
+                        yield base, node.lineno
+
+
+def test_no_module_sets_the_precision_of_others() -> None:
+    found = {
+        f"{path.relative_to(SOURCE)}:{line}: {base}"
+        for path in SOURCE.rglob("*.py")
+        for base, line in _assigned(ast.parse(path.read_text()))
+    }
+    assert not found
