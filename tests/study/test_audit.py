@@ -94,7 +94,7 @@ def test_conditions_of_all_parts_are_kept(monkeypatch):
             Verdict("c", "proven where", conditions=("y > 0", "x > 0")),
         )
     )
-    monkeypatch.setattr(module, "prove", lambda *_: next(verdicts))
+    monkeypatch.setattr(module, "prove", lambda *_, **__: next(verdicts))
     joined = module._joined(((None, None),) * 3)
     assert joined.decision == "proven where"
     assert joined.conditions == ("x > 0", "y > 0")

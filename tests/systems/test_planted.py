@@ -43,12 +43,7 @@ HARMLESS = {
 }
 
 #: Slips that make the number below a root negative: no point is left to decide them at.
-IMAGINARY = {
-    "rubber-body-of-revolution spin": {"value sign"},
-    "rubber-body-of-revolution quadratures": {"quantities sign"},
-    "rubber-routh-sphere spin": {"value sign"},
-    "rubber-routh-sphere quadratures": {"quantities sign"},
-}
+IMAGINARY = {"straight-line-ball-momenta measure": {"density sign"}}
 
 
 @pytest.fixture

@@ -55,6 +55,7 @@ class Functions:
         for known, value in table:
             if all(a.overlaps(b) for a, b in zip(known, places, strict=True)):
                 return value
-        made = arb(self._generator.randint(-(2**24), 2**24)) / 2**20
+        size = 2 ** self._generator.randint(16, 28)
+        made = arb(self._generator.randint(-(2**24), 2**24)) / size
         table.append((places, made))
         return made

@@ -8,6 +8,7 @@ narrower than 1e-50.
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
@@ -120,7 +121,8 @@ class _Point:
     def __init__(self, claim: Claim, data: Any) -> None:
         self.claim = claim
         self.system = claim.system
-        self.functions = Functions("witness")
+        # another point, other values: they may be small where a root asks for it
+        self.functions = Functions(json.dumps(data, sort_keys=True))
         self.balls: dict[str, Any] = {}
         self.rationals: dict[str, Fraction] = {}
         self.chain: list[tuple[str, Poly]] = []

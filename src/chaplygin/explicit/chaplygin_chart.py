@@ -107,7 +107,7 @@ def chart() -> System:
 
 
 def frozen() -> System:
-    """The same with h′ and f′ as numbers, whatever they are."""
+    """The same with h′ and f′ as numbers, positive like those of every motion."""
     made = chart()
     gone = (hprime, fprime)
     return replace(
@@ -115,8 +115,10 @@ def frozen() -> System:
         name=f"{made.name}-at-a-level",
         parameters=(
             *made.parameters,
-            Parameter(hprime, "energy of the ball at zero area constant", 0.9, "J"),
-            Parameter(fprime, "square of its momentum", 4.0, "kg^2 m^4/s^2"),
+            Parameter(
+                hprime, "energy of the ball at zero area constant", 0.9, "J", (hprime > 0,)
+            ),
+            Parameter(fprime, "square of its momentum", 4.0, "kg^2 m^4/s^2", (fprime > 0,)),
         ),
         definitions=tuple(pair for pair in made.definitions if pair[0] not in gone),
         guards=(

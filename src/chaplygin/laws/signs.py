@@ -137,20 +137,22 @@ class Signs:
         return sign, base
 
     def _by_facts(self, poly: Poly) -> Sign:
-        """A polynomial that is a multiple of a fact, up to terms of the same sign."""
+        """A fact times a term of known sign, and further terms of the same sign."""
         for fact, sign in self.facts:
+            long = len(fact) * len(poly) > MANY
             for exponents, number in fact.to_dict().items():
-                own = poly[exponents] if exponents in poly else fmpq(0)
-                if own == 0:
-                    continue
-                ratio = own / number
-                rest = poly - ratio * fact
-                part = sign.times(_number(ratio))
-                if not rest:
-                    return part
-                found = _sum([part, self._by_terms(rest)])
-                if found:
-                    return found
+                for own, coefficient in poly.to_dict().items():
+                    powers = tuple(o - e for o, e in zip(own, exponents, strict=True))
+                    if min(powers, default=0) < 0 or (any(powers) and long):
+                        continue
+                    share = self.ring.from_dict({powers: coefficient / number})
+                    part = sign.times(self._by_terms(share))
+                    if not part:
+                        continue
+                    rest = poly - share * fact
+                    found = _sum([part, self._by_terms(rest)]) if rest else part
+                    if found:
+                        return found
         return Sign.UNKNOWN
 
     def _by_conditions(self, poly: Poly) -> Sign:

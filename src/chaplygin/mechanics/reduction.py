@@ -205,7 +205,7 @@ def _assembled(
     original = _original(mechanism, here, up)
     made = chaplygin_system(mechanism, here, up.constants, parts, potential, found)
     extended = lifted(made, here, parts, original)
-    way_back = motion_law(here, parts, original)
+    way_back = motion_law(here, parts, original, up.levelled)
     if extended is None:
         made = made.with_laws(way_back)
     else:

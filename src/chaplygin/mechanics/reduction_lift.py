@@ -126,6 +126,12 @@ class Lift:
         return tuple(c for c in self.levels if isinstance(c, sp.Symbol))
 
     @property
+    def levelled(self) -> tuple[sp.Expr, ...]:
+        """What vanishes on the level, in the coordinates of the mechanism."""
+        pairs = zip(self.integrals, self.levels, strict=True)
+        return tuple(integral.value - level for integral, level in pairs)
+
+    @property
     def tied(self) -> sp.Matrix:
         """The rows of ℓ and C."""
         return self.matrix[2:, :]

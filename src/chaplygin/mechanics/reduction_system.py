@@ -213,7 +213,9 @@ def lifted(form: System, base: Base, closed: Closed, original: System) -> System
     return replace(form, name=f"{form.name}-lifted", field=(*form.field, *further), laws=())
 
 
-def motion_law(base: Base, closed: Closed, original: System) -> Isomorphism:
+def motion_law(
+    base: Base, closed: Closed, original: System, level: tuple[sp.Expr, ...]
+) -> Isomorphism:
     """The motion of the original system, on a level of its linear integrals.
 
     Parameters
@@ -222,6 +224,8 @@ def motion_law(base: Base, closed: Closed, original: System) -> Isomorphism:
     closed : Closed
     original : System
         In coordinates of the mechanism and velocities u.
+    level : tuple of Expr
+        What vanishes on the level, in the same coordinates and velocities.
     """
     known = _known(base, closed)
     return Isomorphism(
@@ -229,5 +233,6 @@ def motion_law(base: Base, closed: Closed, original: System) -> Isomorphism:
         original,
         {s: known.get(s, s) for s in original.symbols},
         meaning="the motion of the original system",
+        onto=level,
         source="(4.4)",
     )
