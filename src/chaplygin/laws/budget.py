@@ -16,7 +16,7 @@ __all__ = ["EFFORT", "STEP", "Budget", "allowed", "spent"]
 
 Poly = Any
 
-EFFORT = 1_000_000_000
+EFFORT = 2_000_000_000
 """Term operations that one proof may take, unless told otherwise: some minutes of one core."""
 STEP = 200
 """What a step costs besides its terms, in term operations."""

@@ -18,6 +18,7 @@ import sympy as sp
 
 from ..statements import (
     ConformallyHamiltonian,
+    Identity,
     Isomorphism,
     Law,
     PoissonStructure,
@@ -25,6 +26,7 @@ from ..statements import (
     Separation,
 )
 from ..vectors import explicit
+from .alternatives import alternatives
 from .closed import closing, up_to_time
 from .errors import OutOfReachError
 from .ground import Ground
@@ -196,16 +198,19 @@ def _too_large(
 
 
 def _around(law: Isomorphism, field: Any, there: Evaluator) -> tuple[sp.Expr, ...]:
-    """The equations of the component of the target's phase space on which the image lies."""
-    whole = Ground(law.target, law.onto)
-    try:
-        parts = [part for part in whole.components if not part.parent]
-    except OutOfReachError:
-        parts = []
-    for part in parts:
-        if all(field.vanishes(there.value(c)) for c in part.conditions):
-            return part.conditions
-    return whole.conditions
+    """The equations of the component of the target's phase space on which the image lies.
+
+    Raises
+    ------
+    OutOfReachError
+        If it is not found.
+    """
+    whole = Identity("phase space", sp.S.Zero, on=law.onto)
+    for alternative in alternatives(law.target, whole):
+        for part in Ground(alternative.system, alternative.law.on).components:
+            if not part.parent and all(field.vanishes(there.value(c)) for c in part.conditions):
+                return part.conditions
+    raise OutOfReachError("the component of the target to which the map leads is not known")
 
 
 # --- reductions ----------------------------------------------------------------------------
