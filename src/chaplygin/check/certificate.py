@@ -21,6 +21,7 @@ from .proof import (
     with_precision,
 )
 from .reading import field, integer, listed, mapping, only, text
+from .separation import check_separation
 from .signs import covers
 from .substitution import CONSISTENCY, LAW, expressed, substituted
 from .tree import Node, check_tree
@@ -70,6 +71,8 @@ def _check(data: Mapping[str, Any]) -> None:
         if not conditions:
             raise CheckError("the verdict is proven where, but no condition says where")
     only(data, what, *allowed)
+    if claim.law.kind == "Separation":
+        check_separation(claim)
     check_sample(claim, field(data, "sample", what), conditions)
     _Proofs(data, claim, conditions).check()
 

@@ -5,7 +5,8 @@ conditions cut out; a symmetry field commutes with v and keeps the conditions; a
 has the conditions and its Casimir functions for Casimirs, satisfies the Jacobi identity and has no
 larger rank than it says; a conformally Hamiltonian field is N J dH; an isomorphism carries field
 and relations to those of its target; reductions, separations and identities are formulas that
-vanish.  For every law the rates of the conditions come first.
+vanish; whether a separation separates is checked in :mod:`.separation`.  For every law the rates of
+the conditions come first.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from .errors import CheckError, UndefinedError
 from .evaluate import Place
 from .formulas import Formula, call, name, number
 from .jets import Number, add, inverse, multiply
+from .separation import parts
 
 __all__ = [
     "each_residual",
@@ -287,7 +289,7 @@ _KINDS = {
 
 def ranked(claim: Claim) -> bool:
     """Whether a law says of something that its rank is not smaller."""
-    return claim.law.kind == "Isomorphism" or claim.law.rank is not None
+    return claim.law.kind in ("Isomorphism", "Separation") or claim.law.rank is not None
 
 
 def rank_at_least(claim: Claim, place: Place) -> bool:
@@ -295,12 +297,19 @@ def rank_at_least(claim: Claim, place: Place) -> bool:
     law, system = claim.law, claim.system
     if law.rank is not None:
         return _rank([[place(entry) for entry in row] for row in law.matrix]) >= law.rank
-    partial = place.partial(system.state)
-    formulas: list[Formula] = [*claim.moving]
-    formulas += [f for _, f in (*law.pairs["map"], *law.pairs["constants"])]
     size = len(system.state)
+    formulas: list[Formula] = [*claim.moving]
+    if law.kind == "Separation":
+        # the quantities are independent on a level of the constants
+        stated = parts(claim)
+        formulas += [name(word) for word in (*stated.constants, *stated.quantities)]
+        wanted = len(formulas)
+    else:
+        formulas += [f for _, f in (*law.pairs["map"], *law.pairs["constants"])]
+        wanted = size
+    partial = place.with_definitions(law.quantities).partial(system.state)
     rows = [[partial.slopes(f).get(i, arb(0)) for i in range(size)] for f in formulas]
-    return _rank(rows) >= size
+    return _rank(rows) >= wanted
 
 
 def _rank(rows: list[list[Any]]) -> int:

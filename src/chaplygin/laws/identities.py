@@ -11,7 +11,7 @@ import sympy as sp
 
 from ..check.claims import Claim as CheckedClaim
 from ..check.formulas import Formula
-from ..statements import Law
+from ..statements import Law, Reduction, Separation
 from .algebra import Element
 from .budget import Budget
 from .cases import Cases
@@ -84,7 +84,7 @@ class Made:
                 self.conditions.append((str(condition), value))
         polys = [numerator(made, value) for _, value in self.conditions]
         made.signs = ground.signs_with(made, polys)
-        self.residuals: list[tuple[str, Element]] = list(everything(law, ground, made))
+        self.residuals: list[tuple[str, Element]] = list(everything(_formulas(law), ground, made))
         self.divisors = list(divisors(claim, law, ground, made))
 
     @property
@@ -120,6 +120,13 @@ class Made:
         for number, power in parts:
             total[number] = total.get(number, 0) + power
         return content, [(self.field.factors[n], p) for n, p in total.items() if p]
+
+
+def _formulas(law: Law) -> Law:
+    """What of a law is a matter of formulas: the check sees by itself whether others separate."""
+    if not isinstance(law, Separation):
+        return law
+    return Reduction(law.name, law.quantities, law.equations, on=law.on)
 
 
 @dataclass(frozen=True)
