@@ -11,6 +11,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import combinations
 
+from flint import fmpq
+
 from .claims import Claim
 from .errors import CheckError, UndefinedError
 from .formulas import Formula, name, power, product, total, walk
@@ -113,7 +115,7 @@ def _with(symbol: Formula, rate: Formula, formula: Formula) -> Formula:
 def _square(ring: Ring, above: Poly, speed: str, word: str) -> Quotient:
     """The square of the rate, from A r + C = 0 or A r² + C = 0."""
     position = ring.index[speed]
-    terms: dict[int, dict[tuple[int, ...], object]] = {}
+    terms: dict[int, dict[tuple[int, ...], fmpq]] = {}
     for exponents, coefficient in above.to_dict().items():
         powers = list(map(int, exponents))
         degree, powers[position] = powers[position], 0
