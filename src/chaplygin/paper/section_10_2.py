@@ -36,7 +36,7 @@ from .unbalanced import (
     r,
 )
 
-J, q = Diagonal("J"), Vector("q")
+J, Agamma = Diagonal("J"), Vector("Agamma")
 
 #: Right-hand side of (10.4) without λ₀.
 FREE = cross(about_contact(omega), omega) - m * cross(r, cross(omega, R_RATE))
@@ -58,11 +58,11 @@ def rubber_equations() -> Case:
 
 
 def spin_torque() -> Case:
-    """λ₀ of (10.4), with q = Ĩ⁻¹γ."""
+    """λ₀ of (10.4), with Agamma = Ĩ⁻¹γ."""
     made = rubber()
-    excess = dot(gamma, about_contact(OMEGA_RATE) - FREE) + dot(q, FREE) / dot(q, gamma)
+    excess = dot(gamma, about_contact(OMEGA_RATE) - FREE) + dot(Agamma, FREE) / dot(Agamma, gamma)
     return (
-        (made, Identity("inverse", about_contact(q) - gamma, "q is Ĩ⁻¹γ")),
+        (made, Identity("inverse", about_contact(Agamma) - gamma, "Agamma is Ĩ⁻¹γ")),
         (made, Identity("torque", excess, "torque λ₀")),
     )
 
