@@ -197,10 +197,13 @@ def formulas_of(value: Any) -> list[Any]:
         return [f for part in value for f in formulas_of(part)]
     if isinstance(value, Law):
         skip = {"target", "as_printed", "onto"}
+        pushed: list[Any] = []
         if isinstance(value, Symmetry):
+            # an angle that is moved does not stand there by itself
             skip |= {"field"}
+            pushed = [rate for _, rate in _flat(value.field)]
         parts = [getattr(value, f.name) for f in fields(value) if f.name not in skip]
-        return [f for part in parts for f in formulas_of(part)]
+        return [*pushed, *(f for part in parts for f in formulas_of(part))]
     return []
 
 

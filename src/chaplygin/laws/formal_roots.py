@@ -15,7 +15,7 @@ import sympy as sp
 from flint import fmpq
 
 from .algebra import Element
-from .functions import FINENESS, Fractions
+from .functions import FINENESS, Fractions, power_of_zero
 
 __all__ = ["FormalRoots"]
 
@@ -33,7 +33,7 @@ class FormalRoots(Fractions):
         """As of :class:`Fractions`, without splitting what is raised."""
         exponents = tuple(exponents)
         if self.vanishes(element):
-            raise ZeroDivisionError
+            raise power_of_zero(exponents)
         result = self.one
         for theta, number in exponents:
             exponent = sp.Rational(number) * (1 if theta == 1 else FINENESS)

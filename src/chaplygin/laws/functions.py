@@ -20,7 +20,7 @@ from .budget import Budget
 from .errors import NoRealValueError, OutOfReachError, SpareNeededError
 from .signs import Sign, Signs
 
-__all__ = ["Fractions"]
+__all__ = ["Fractions", "power_of_zero"]
 
 Poly = Any
 
@@ -33,6 +33,16 @@ MULTIPLES = tuple(
     for above, below in ((1, 1), (2, 1), (3, 1), (4, 1), (1, 2), (3, 2), (1, 3), (1, 4))
     for sign in (1, -1)
 )
+
+
+def power_of_zero(exponents: Iterable[tuple[Any, Any]]) -> Exception:
+    """Why a power of zero with fractional or symbolic exponents is not to be had.
+
+    A root of zero is real, so that the level has such points, but it has no derivative there.
+    """
+    if any(theta == 1 and number < 0 for theta, number in exponents):
+        return ZeroDivisionError()
+    return OutOfReachError("a root is taken of what vanishes here, where it has no derivative")
 
 
 class Fractions(Quotients):
@@ -206,9 +216,9 @@ class Fractions(Quotients):
         self, element: Element, exponents: Iterable[tuple[Any, Any]], value: Element | None
     ) -> Element:
         """The product of element^(number · θ) over pairs (θ, number); θ = 1 or symbolic."""
-        if self.vanishes(element):
-            raise ZeroDivisionError
         exponents = tuple(exponents)
+        if self.vanishes(element):
+            raise power_of_zero(exponents)
         content, parts = self._positive_parts(element, exponents)
         bases: list[tuple[Poly, int]] = [*parts]
         for prime, power in sp.factorrat(sp.Rational(int(content.p), int(content.q))).items():
