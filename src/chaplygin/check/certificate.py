@@ -6,20 +6,13 @@ import json
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from .accuracy import with_precision
+from .basis import Basis, read_basis
 from .claims import Claim, read_claim
 from .errors import BadInputError, CheckError, UndefinedError
 from .formulas import names_in, parse, parse_condition
 from .ground import FIELDS, read_ground
-from .proof import (
-    Basis,
-    Condition,
-    check_left,
-    check_proof,
-    read_basis,
-    read_region,
-    same,
-    with_precision,
-)
+from .proof import Condition, check_left, check_proof, read_region, same
 from .reading import field, integer, listed, mapping, only, text
 from .separation import check_separation
 from .signs import covers

@@ -6,10 +6,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
 from typing import Any
 
+from .accuracy import with_precision
+from .basis import Basis
 from .errors import CheckError
 from .ground import Ground
 from .polynomials import Poly
-from .proof import Basis, Condition, same, with_precision
+from .proof import Condition, same
 
 __all__ = ["covers"]
 

@@ -14,13 +14,14 @@ from typing import Any
 
 from flint import arb, arb_mat
 
+from .accuracy import agree, with_precision
 from .claims import Claim, Law
 from .domain import Domain, domain
 from .errors import CheckError, UndefinedError
 from .evaluate import Place
 from .formulas import Formula, call, name, parse, product, total
 from .jets import Number, add, multiply
-from .proof import Condition, agree, with_precision
+from .proof import Condition
 from .reading import items, listed, text
 from .unspecified import Functions
 
