@@ -48,6 +48,10 @@ class RunError(RuntimeError):
         return f"{self.reason} (the last good time is {self.time:.9g})"
 
 
+class InterruptionError(RunError):
+    """A computation that the user interrupted; what had been computed by then is `partial`."""
+
+
 class EarlyEndError(RunError):
     """A motion that ended before its time.
 

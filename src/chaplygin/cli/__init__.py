@@ -7,6 +7,7 @@ import sys
 
 import typer
 
+from ..interruption import watched
 from . import audit, chart, ensemble, find, list_, lyapunov, prove, run, section, show, solve, study
 from .common import complain
 
@@ -46,23 +47,37 @@ def _options(
 
 
 def main() -> None:
-    """Run the command line; exit 0 when done, 1 when the answer is no, 2 on bad input."""
+    """Run the command line.
+
+    It exits with 0 when done, 1 when the answer is no, 2 on bad input and 130 when interrupted.
+    """
     from ..errors import InputError, RunError
 
-    try:
-        app()
-    except InputError as error:
-        complain(str(error))
-        sys.exit(2)
-    except RunError as error:
-        complain(str(error))
-        sys.exit(1)
-    except BrokenPipeError:
-        # the reader of a pipe has gone; keep the interpreter from complaining at exit
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        sys.exit(0)
-    except OSError as error:
-        place = error.filename or "the output"
-        complain(f"{place} cannot be written: {error.strerror or error}")
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        sys.exit(2)
+    with watched():
+        try:
+            try:
+                app()
+            finally:
+                sys.stdout.flush()
+        except SystemExit as end:
+            if isinstance(end.__context__, BrokenPipeError):
+                _leave(0)
+            raise
+        except InputError as error:
+            complain(str(error))
+            sys.exit(2)
+        except RunError as error:
+            complain(str(error))
+            sys.exit(1)
+        except BrokenPipeError:
+            _leave(0)
+        except OSError as error:
+            place = error.filename or "the output"
+            complain(f"{place} cannot be written: {error.strerror or error}")
+            _leave(2)
+
+
+def _leave(code: int) -> None:
+    """End where standard output takes nothing more, without a complaint of the interpreter."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    sys.exit(code)

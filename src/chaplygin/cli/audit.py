@@ -7,7 +7,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from .common import Force, Json, inform, print_json, progress
+from ..interruption import CODE, concluding, say
+from .common import Force, Json, console, inform, print_json
+from .output import STANDARD_OUTPUT, beside, check_output, written
+from .progress import progress, waiting
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -16,7 +19,10 @@ if TYPE_CHECKING:
 
     from ..study.audit import Judgement
 
-__all__ = ["command"]
+__all__ = ["SECTIONS", "command"]
+
+#: Of the paper.
+SECTIONS = range(1, 13)
 
 
 def command(
@@ -34,30 +40,34 @@ def command(
 ) -> None:
     """Judge every claim of the paper; exit 1 when a corrected statement is refuted."""
     from ..errors import InputError
-    from ..study.audit import TITLES, audit, page
-    from ..study.files import check_target, completed
 
-    if section is not None and section not in TITLES:
-        raise InputError(
-            f"--section {section}: the audit covers sections {min(TITLES)} to {max(TITLES)}"
-        )
     if workers is not None and workers < 1:
         raise InputError(f"--workers {workers}: at least one process is needed")
     if output is not None:
-        check_target(output, force)
-    with progress("Auditing") as report:
-        judgements, left = audit(section, workers, report)
-    if json:
-        print_json([judgement.record() for judgement in judgements])
-    else:
-        _print(judgements)
-    if output is not None:
-        with completed(output) as place:
-            place.write_text(page(judgements, section))
-        inform(f"page: {output}")
+        check_output("--output", output, force, json, binary=False)
+    if section is not None and section not in SECTIONS:
+        raise InputError(
+            f"--section {section}: the audit covers sections {SECTIONS[0]} to {SECTIONS[-1]}"
+        )
+    with waiting("reading the claims of the paper"):
+        from ..study.audit import audit, page
+
+    with concluding("the claims judged until now are about to be printed"):
+        with progress("judging the claims of the paper") as report:
+            judgements, left = audit(section, workers, report)
+        with beside(output):
+            if json:
+                print_json([judgement.record() for judgement in judgements])
+            else:
+                _print(judgements)
+        if output is not None:
+            with written(output) as place:
+                place.write_text(page(judgements, section), encoding="utf-8")
+            if output != STANDARD_OUTPUT:
+                inform(f"page: {output}")
     if left:
-        inform(f"interrupted: {left} claims were not judged; what is done is kept")
-        raise typer.Exit(1)
+        say(f"{left} claims were not judged; the same command goes on, since verdicts are kept")
+        raise typer.Exit(CODE)
     if any(j.corrected is not None and j.corrected.decision == "refuted" for j in judgements):
         raise typer.Exit(1)
 
@@ -65,24 +75,25 @@ def command(
 def _print(judgements: Sequence[Judgement]) -> None:
     from itertools import groupby
 
-    from rich.console import Console
-
     from ..study.audit import TITLES, counts
 
-    console = Console(highlight=False)
+    shown = console()
     for section, found in groupby(judgements, key=lambda j: j.section):
-        console.print(f"\n[bold]§{section} {TITLES[section]}[/]\n")
+        shown.print(f"\n[bold]§{section} {TITLES[section]}[/]\n")
         for judgement in found:
-            console.print(_claim(judgement))
+            shown.print(_claim(judgement, shown.is_terminal))
     numbers = counts(judgements)
-    console.print(f"\n{len(judgements)} claims")
+    shown.print(f"\n{len(judgements)} claims")
     for form, label in (("printed", "as printed"), ("corrected", "corrected")):
         listed = ", ".join(f"{n} {decision}" for decision, n in numbers[form].items())
-        console.print(f"{label}: {listed}")
+        shown.print(f"{label}: {listed}")
 
 
-def _claim(judgement: Judgement) -> RenderableType:
-    """Where a claim stands, what came of it, and below that what there is to say."""
+def _claim(judgement: Judgement, wide: bool) -> RenderableType:
+    """Where a claim stands, what came of it, and below that what there is to say.
+
+    With `wide`, verdicts stand at the right edge of the terminal.
+    """
     from rich.console import Group
     from rich.markup import escape
     from rich.table import Table
@@ -90,8 +101,8 @@ def _claim(judgement: Judgement) -> RenderableType:
     from ..plain import plain_words
     from .prove import styled
 
-    head = Table.grid(padding=(0, 2), expand=True)
-    head.add_column(ratio=1)
+    head = Table.grid(padding=(0, 2), expand=wide)
+    head.add_column(ratio=1 if wide else None)
     head.add_column(justify="right", no_wrap=True)
     head.add_column(justify="right", no_wrap=True, min_width=8)
     verdicts = [v for v in (judgement.printed, judgement.corrected) if v is not None]

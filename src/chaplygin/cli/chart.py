@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from .common import Force, Json, Override, What, inform, print_json, progress, study_of
-from .stores import Workers, clear, cluster, outcomes, resumable
+from .common import Force, Json, Override, What, console, inform, print_json, study_of
+from .output import check_figure
+from .progress import progress
+from .stores import Workers, check_picture, check_store, check_workers, outcomes, resumable, vacate
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -54,30 +56,30 @@ def command(
     What varies is a parameter, a variable of the start, a quantity such as energy on whose level
     the start is to lie, or a name of its own for the formulas of --let.
     """
-    from ..errors import InputError
+    picture = output.with_suffix(".png") if figure is None else figure
+    check_store(output)
+    check_figure("--figure", picture)
+    check_picture(output, picture, force, named=figure is not None)
+    client = check_workers(workers)
+    formulas = dict(_parted(item) for item in let or ())
+    study = study_of(what, overrides)
     from ..explore.charts import chart
     from ..explore.planes import axis
     from ..flow.blocks import compute
     from ..study.chart import chart_of
     from ..study.figures.chart import chart as drawn
-    from ..study.figures.files import FORMATS, save
+    from ..study.figures.files import save
 
-    picture = output.with_suffix(".png") if figure is None else figure
-    if picture.suffix not in FORMATS:
-        raise InputError(f"--figure {picture}: its name must end in {', '.join(FORMATS)}")
-    if output.suffix != ".zarr":
-        raise InputError(f"--output {output}: its name must end in .zarr")
     horizontal, vertical = axis(x, "--x"), axis(y, "--y")
-    formulas = dict(_parted(item) for item in let or ())
-    study = study_of(what, overrides)
     made = chart_of(
         study, of, horizontal, vertical, until=until, formulas=formulas, held=hold or ()
     )
-    clear(output, picture, force)
+    vacate(output, force)
     task = chart(made, {"experiment": study.complete_toml()})
-    with cluster(workers) as client, progress(made.title) as update, resumable(output):
+    with progress(made.title) as report, resumable(output, report, force) as update:
         found = compute(task, output, client=client, progress=update)
-    save(drawn(found), picture)
+        report.say("drawing")
+        save(drawn(found), picture)
     result = {"file": str(output), "figure": str(picture), **_summary(found)}
     if json:
         print_json(result)
@@ -123,7 +125,6 @@ def _summary(found: xr.Dataset) -> dict[str, Any]:
 
 def _print(title: str, result: dict[str, Any]) -> None:
     from rich import box
-    from rich.console import Console
     from rich.markup import escape
     from rich.table import Table
 
@@ -139,5 +140,5 @@ def _print(title: str, result: dict[str, Any]) -> None:
     table.add_row("cells", f"{result['with_number']:,} of {result['cells']:,} have a number")
     for reason, count in result["outcomes"].items():
         table.add_row(f"{count:,} of {result['cells']:,}", escape(reason))
-    Console().print(table)
+    console().print(table)
     inform(f"written to {result['file']}, picture: {result['figure']}")

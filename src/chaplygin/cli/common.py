@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import json
+import os
 import sys
-import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from .progress import waiting
+
 if TYPE_CHECKING:
+    from rich.console import Console
+
     from ..study.prepare import Study
 
 __all__ = [
@@ -23,10 +25,10 @@ __all__ = [
     "Precision",
     "What",
     "complain",
+    "console",
     "inform",
     "operations",
     "print_json",
-    "progress",
     "study_of",
 ]
 
@@ -59,6 +61,10 @@ Precision = Annotated[
 ]
 
 
+#: Columns of a table that nothing cuts.
+UNLIMITED = 10_000
+
+
 def complain(text: str) -> None:
     """Say what went wrong, on standard error."""
     typer.secho("error: ", fg="red", bold=True, err=True, nl=False)
@@ -68,6 +74,14 @@ def complain(text: str) -> None:
 def inform(text: str) -> None:
     """Say something besides the result, on standard error."""
     typer.echo(text, err=True)
+
+
+def console() -> Console:
+    """Where tables are printed: as wide as the terminal, unlimited in a file or a pipe."""
+    from rich.console import Console
+
+    limited = sys.stdout.isatty() or "COLUMNS" in os.environ
+    return Console(width=None if limited else UNLIMITED, highlight=False)
 
 
 def print_json(value: Any) -> None:
@@ -99,57 +113,27 @@ def study_of(what: str, overrides: list[str] | None, precision: str | None = Non
     InputError
         If there is no such file or system, or something in it is wrong.
     """
-    from ..study.experiment import load, loads
-    from ..study.prepare import prepare
-    from ..study.python_file import load_python
-    from ..systems import entry
+    path = Path(what)
+    named = path.suffix not in (".py", ".toml") and len(path.parts) == 1 and not path.is_file()
+    if not named and not path.exists():
+        from ..errors import InputError
 
+        raise InputError(f"{what}: there is no such file")
     options = list(overrides or [])
     if precision is not None:
         options.append(f"run.precision={precision}")
-    path = Path(what)
-    if path.suffix == ".py":
-        return _told(load_python(path, options))
-    if path.suffix == ".toml" or path.is_file() or len(path.parts) > 1:
-        experiment = load(path, options)
-    else:
-        experiment = loads(f'[system]\nname = "{entry(what).name}"\n', what, options)
-    return _told(prepare(experiment))
+    with waiting(f"making {what} ready"):
+        from ..study.experiment import load, loads
+        from ..study.prepare import prepare
+        from ..study.python_file import load_python
+        from ..systems import entry
 
-
-def _told(made: Study) -> Study:
-    """The same study, its remarks said."""
-    for remark in made.remarks:
+        if path.suffix == ".py":
+            study = load_python(path, options)
+        elif named:
+            study = prepare(loads(f'[system]\nname = "{entry(what).name}"\n', what, options))
+        else:
+            study = prepare(load(path, options))
+    for remark in study.remarks:
         inform(f"note: {remark}")
-    return made
-
-
-@contextmanager
-def progress(task: str) -> Iterator[Callable[[float], None]]:
-    """A progress bar on a terminal, shown only for what takes longer than a second."""
-    if not sys.stderr.isatty():
-        yield lambda _: None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
-
-    bar = Progress(
-        TextColumn("{task.description}"),
-        BarColumn(),
-        TextColumn("{task.percentage:3.0f} %"),
-        TimeRemainingColumn(),
-        console=Console(stderr=True),
-        transient=True,
-    )
-    number = bar.add_task(task, total=1.0)
-    began = time.monotonic()
-
-    def update(done: float) -> None:
-        if not bar.live.is_started and time.monotonic() - began > 1.0:
-            bar.start()
-        bar.update(number, completed=done)
-
-    try:
-        yield update
-    finally:
-        bar.stop()
+    return study

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from .common import Force, Json, Override, What, inform, print_json, progress, study_of
-from .stores import Workers, cluster, level_of, outcomes, resumable, vacate
+from .common import Force, Json, Override, What, inform, print_json, study_of
+from .progress import progress
+from .stores import Workers, check_store, check_workers, level_of, outcomes, resumable, vacate
 
 if TYPE_CHECKING:
     from ..flow.members import Members
@@ -47,16 +48,15 @@ def command(
     Every start with every parameter: the start of the experiment, or starts drawn by chance on a
     level of the integrals, at the times of the experiment.
     """
+    check_store(output)
+    client = check_workers(workers)
+    study = study_of(what, overrides)
     from dataclasses import replace
 
-    from ..errors import InputError
     from ..flow.blocks import compute
     from ..flow.ensemble import SHARES, ensemble_task
     from ..study.followed import followed
 
-    if output.suffix != ".zarr":
-        raise InputError(f"--output {output}: its name must end in .zarr")
-    study = study_of(what, overrides)
     task = ensemble_task(
         followed(study),
         _members(study, starts, level, seed, over or []),
@@ -67,7 +67,8 @@ def command(
     )
     task = replace(task, attributes={**task.attributes, "experiment": study.complete_toml()})
     vacate(output, force)
-    with cluster(workers) as client, progress(study.system.title) as update, resumable(output):
+    title = study.system.title
+    with progress(title) as report, resumable(output, report, force) as update:
         found = compute(task, output, client=client, progress=update)
     result = {
         "file": str(output),

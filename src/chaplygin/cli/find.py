@@ -7,17 +7,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from .common import (
-    Effort,
-    Json,
-    Override,
-    What,
-    inform,
-    operations,
-    print_json,
-    progress,
-    study_of,
-)
+from ..interruption import CODE, concluding, say
+from .common import Effort, Json, Override, What, operations, print_json, study_of
+from .progress import progress
 
 if TYPE_CHECKING:
     from ..laws.search import Finding, Question
@@ -84,9 +76,10 @@ def command(
 
     if kind not in _TITLES:
         raise InputError(f"KIND {kind}: it must be one of {', '.join(_TITLES)}")
+    allowed = operations(effort)
+    system = study_of(what, overrides).system
     from ..laws.search import ask
 
-    system = study_of(what, overrides).system
     began = time.monotonic()
     question = ask(
         system,
@@ -100,14 +93,17 @@ def command(
         bases=bases,
         powers=power,
         parameter_degree=parameter_degree,
-        effort=operations(effort),
+        effort=allowed,
     )
-    found, complete = _collected(kind, question)
-    elapsed = time.monotonic() - began
-    if json:
-        print_json(_as_json(kind, question, found, complete, elapsed))
-    else:
-        typer.echo(_as_text(kind, question, found, complete))
+    with concluding("what was found until now is about to be printed"):
+        found, complete = _collected(kind, question)
+        elapsed = time.monotonic() - began
+        if json:
+            print_json(_as_json(kind, question, found, complete, elapsed))
+        else:
+            typer.echo(_as_text(kind, question, found, complete))
+    if not complete:
+        raise typer.Exit(CODE)
     raise typer.Exit(0 if found else 1)
 
 
@@ -118,11 +114,15 @@ def _collected(kind: str, question: Question) -> tuple[list[Finding], bool]:
     search = {"integrals": integrals, "measure": measures, "symmetries": symmetries}[kind]
     found: list[Finding] = []
     try:
-        with progress(f"searching for {kind}") as update:
-            for finding in search(question, lambda fraction, _: update(fraction)):
-                found.append(finding)
+        with progress(f"searching for {kind}") as report:
+
+            def update(fraction: float, words: str) -> None:
+                report.say(f"searching for {kind}: {words}" if words else f"searching for {kind}")
+                report(fraction)
+
+            found.extend(search(question, update))
     except KeyboardInterrupt:
-        inform("interrupted: what follows was found until then")
+        say("what follows was found until then")
         return found, False
     return found, True
 

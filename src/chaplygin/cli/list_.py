@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .common import Json, print_json
+from .common import Json, console, print_json
 
 __all__ = ["command"]
 
@@ -26,7 +26,6 @@ def command(json: Json = False) -> None:
         )
         return
     from rich import box
-    from rich.console import Console
     from rich.table import Table
 
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
@@ -35,6 +34,6 @@ def command(json: Json = False) -> None:
     table.add_column("Source", style="dim")
     for item in CATALOGUE.values():
         table.add_row(item.name, item.title, item.source)
-    console = Console()
-    console.print(table)
-    console.print("\nchaplygin show NAME prints the equations; chaplygin study NAME follows them.")
+    shown = console()
+    shown.print(table)
+    shown.print("\nchaplygin show NAME prints the equations; chaplygin study NAME follows them.")

@@ -7,7 +7,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from .common import Force, Json, Override, What, inform, print_json, progress, study_of
+from ..interruption import CODE, ending, say
+from .common import Force, Json, Override, What, console, print_json, study_of
+from .output import STANDARD_OUTPUT, beside, check_output, deliver
+from .progress import progress
 from .stores import level_of
 
 if TYPE_CHECKING:
@@ -43,42 +46,53 @@ def command(
     json: Json = False,
 ) -> None:
     """Lyapunov exponents of a motion with errors, and those that are zero because they must be."""
-    from ..errors import InputError
-    from ..explore.lyapunov import spectrum
+    from ..errors import InputError, InterruptionError
+
+    if output is not None:
+        if output.suffix != ".nc" and output != STANDARD_OUTPUT:
+            raise InputError(f"--output {output}: its name must end in .nc")
+        check_output("--output", output, force, json, what)
+    if until is not None and not 0 < until < float("inf"):
+        raise InputError(f"--until {until:g}: it must be positive and finite")
+    numbers = None if level is None else level_of(level)
+    study = study_of(what, overrides)
+    from ..explore.lyapunov import Spectrum, spectrum
     from ..explore.reversors import reversors
     from ..explore.spectra import record
     from ..flow.sampling import draw
-    from ..study.dataset import write
-    from ..study.files import check_target
     from ..study.followed import followed
 
-    if output is not None:
-        if output.suffix != ".nc":
-            raise InputError(f"--output {output}: its name must end in .nc")
-        check_target(output, force)
-    study = study_of(what, overrides)
     system = followed(study)
-    if level is None:
+    if numbers is None:
         start = [float(x) for x in study.start[: len(system.symbols)]]
     else:
-        start = draw(system, 1, level_of(level), seed=seed)[0].tolist()
+        start = draw(system, 1, numbers, seed=seed)[0].tolist()
     length = TIMES_LONGER * study.until if until is None else until
-    with progress(study.system.title) as update:
-        found = spectrum(system, start, until=length, tolerance=tolerance, progress=update)
-    turned = reversors(system)
-    if output is not None:
-        write(found.dataset(), output, force)
-    if json:
-        print_json(record(found, turned))
-    else:
-        _print(found, turned)
-    if output is not None:
-        inform(f"written to {output}")
+    interrupted = ""
+    with ending("nothing was written", "the spectrum of the motion until now is evaluated"):
+        try:
+            with progress(study.system.title) as report:
+                found = spectrum(system, start, until=length, tolerance=tolerance, progress=report)
+        except InterruptionError as stop:
+            if not isinstance(stop.partial, Spectrum):
+                raise KeyboardInterrupt from stop
+            found = stop.partial
+            interrupted = f"at t = {found.until:g} of {length:g}; this is the spectrum until then"
+        turned = reversors(system)
+        if output is not None:
+            deliver(found.dataset(), output, force)
+        with beside(output):
+            if json:
+                print_json(record(found, turned))
+            else:
+                _print(found, turned)
+    if interrupted:
+        say(interrupted)
+        raise typer.Exit(CODE)
 
 
 def _print(found: Spectrum, turned: Any) -> None:
     from rich import box
-    from rich.console import Console
     from rich.markup import escape
     from rich.table import Table
 
@@ -109,12 +123,12 @@ def _print(found: Spectrum, turned: Any) -> None:
         shown = ("", "") if rate is None else ("0", f"{rate:.1e}" if rate else "0")
         kind = "" if forced.name == forced.kind else f"{forced.kind}: "
         zeros.add_row(escape(forced.name), *shown, f"{kind}{forced.reason}")
-    console = Console()
+    shown = console()
     typer.echo()
-    console.print(table)
+    shown.print(table)
     if found.removed:
         typer.echo()
-        console.print(zeros)
+        shown.print(zeros)
     typer.echo()
     if found.dependent:
         typer.echo(f"Nothing more is forced by {', '.join(found.dependent)} at this start.")

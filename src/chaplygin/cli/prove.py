@@ -3,22 +3,25 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 import typer
 
+from ..interruption import CODE, concluding, say
 from .common import (
     Effort,
     Force,
     Json,
     Override,
     What,
+    console,
     inform,
     operations,
     print_json,
-    progress,
     study_of,
 )
+from .output import STANDARD_OUTPUT, beside, check_output, written
+from .progress import progress
 
 if TYPE_CHECKING:
     from ..laws.verdict import Verdict
@@ -48,31 +51,58 @@ def command(
 
     A law that is proven where some condition holds, undecided or refuted makes the exit status 1.
     """
-    from ..study.files import check_target
-
     allowed = operations(effort)
     if certificate is not None:
-        check_target(certificate, force)
+        check_output("--certificate", certificate, force, json, what, binary=False)
     claims = _chosen(_claims(what, overrides), only or [], what)
-    done: list[tuple[System, Law, Verdict]] = []
-    interrupted = False
-    try:
-        with progress("Proving") as report:
-            for count, (system, law) in enumerate(claims):
-                report(count / len(claims))
-                done.append((system, law, _verdict(system, law, allowed, certificate)))
-    except KeyboardInterrupt:
-        interrupted = True
-    if json:
-        print_json([_record(*row, allowed) for row in done])
-    else:
-        _print(done, allowed)
-    if certificate is not None:
-        _write(certificate, [verdict for _, _, verdict in done])
-    if interrupted:
-        inform(f"interrupted: {len(claims) - len(done)} of {len(claims)} laws were not tried")
-    if interrupted or not all(verdict for _, _, verdict in done):
+    with concluding("the verdicts until now are about to be printed"):
+        done = _tried(claims, allowed, certificate is not None)
+        with beside(certificate):
+            if json:
+                print_json([_record(tried, allowed) for tried in done])
+            else:
+                _print(done)
+        if certificate is not None:
+            _write(certificate, [tried.verdict for tried in done])
+    if len(done) < len(claims):
+        say(
+            f"{len(claims) - len(done)} of {len(claims)} laws have no verdict; the same command "
+            "goes on, since verdicts are kept"
+        )
+        raise typer.Exit(CODE)
+    if not all(tried.verdict for tried in done):
         raise typer.Exit(1)
+
+
+class _Tried(NamedTuple):
+    """A law with its verdict, and that on its printed form where the paper has another one."""
+
+    system: System
+    law: Law
+    verdict: Verdict
+    printed: Verdict | None
+
+
+def _tried(claims: list[tuple[System, Law]], effort: int, certificates: bool) -> list[_Tried]:
+    """The verdicts, or those until an interruption."""
+    from ..laws.certificate import certified
+    from ..laws.prove import prove
+
+    done: list[_Tried] = []
+    try:
+        with progress("proving") as report:
+            for count, (system, law) in enumerate(claims):
+                report.say(f"proving {law.name}, {count + 1} of {len(claims)}")
+                if certificates:
+                    verdict = certified(system, law, effort)
+                else:
+                    verdict = prove(system, law, effort=effort)
+                wrong = law.as_printed
+                printed = None if wrong is None else prove(system, wrong, effort=effort)
+                done.append(_Tried(system, law, verdict, printed))
+    except KeyboardInterrupt:
+        pass
+    return done
 
 
 def _claims(what: str, overrides: list[str] | None) -> list[tuple[System, Law]]:
@@ -101,27 +131,15 @@ def _chosen(
     return [pair for pair in claims if not only or pair[1].name in only]
 
 
-def _verdict(system: System, law: Law, effort: int, certificate: Path | None) -> Verdict:
-    from ..laws.certificate import certified
-    from ..laws.prove import prove
-
-    if certificate is None:
-        return prove(system, law, effort=effort)
-    return certified(system, law, effort)
-
-
-def _record(system: System, law: Law, verdict: Verdict, effort: int) -> dict[str, Any]:
+def _record(tried: _Tried, effort: int) -> dict[str, Any]:
     from ..claims import level
-    from ..laws.prove import prove
     from ..typeset import latex, law_latex
 
-    printed = law.as_printed
+    system, law, verdict, printed = tried
     record = {
         "source": law.source,
         "statement": _words(law),
-        "printed": verdict.decision
-        if printed is None
-        else prove(system, printed, effort=effort).decision,
+        "printed": (printed or verdict).decision,
         "corrected": law_latex(law, system),
         "verdict": verdict.decision,
         "conditions": list(verdict.conditions),
@@ -155,17 +173,15 @@ def styled(decision: str) -> str:
     return f"[{COLOURS[decision]}]{decision}[/]"
 
 
-def _print(done: list[tuple[System, Law, Verdict]], effort: int) -> None:
+def _print(done: list[_Tried]) -> None:
     from rich import box
-    from rich.console import Console
     from rich.markup import escape
     from rich.table import Table
 
     from ..claims import level
-    from ..laws.prove import prove
     from ..typeset import text
 
-    console = Console()
+    shown = console()
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
     table.add_column("Law", style="bold", no_wrap=True)
     table.add_column("What it states")
@@ -174,7 +190,7 @@ def _print(done: list[tuple[System, Law, Verdict]], effort: int) -> None:
     table.add_column("Terms", justify="right")
     table.add_column("Time", justify="right", no_wrap=True)
     previous = None
-    for system, law, verdict in done:
+    for system, law, verdict, printed in done:
         if previous is not None and system.title != previous:
             table.add_section()
             table.add_row("", f"[italic]{escape(system.title)}[/]")
@@ -188,24 +204,23 @@ def _print(done: list[tuple[System, Law, Verdict]], effort: int) -> None:
             f"{verdict.terms:,}" if verdict.terms else "",
             f"{verdict.seconds:.2f} s",
         )
-        if law.as_printed is not None:
-            wrong = prove(system, law.as_printed, effort=effort)
-            table.add_row("", escape(f"as printed: {law.misprint}"), "", styled(wrong.decision))
-    console.print(table)
+        if printed is not None:
+            table.add_row("", escape(f"as printed: {law.misprint}"), "", styled(printed.decision))
+    shown.print(table)
     if len(done) > 1:
-        console.print(f"\n{_counted([verdict for _, _, verdict in done])}")
-    for _, law, verdict in done:
+        shown.print(f"\n{_counted([tried.verdict for tried in done])}")
+    for _, law, verdict, _ in done:
         if verdict.witness is not None:
             point = ", ".join(f"{n} = {v}" for n, v in verdict.witness["point"].items())
-            console.print(
+            shown.print(
                 f"\n{law.name}: {verdict.witness['what']} = {verdict.witness['residual']} at "
                 f"{point}",
                 markup=False,
             )
         elif verdict.conditions:
-            console.print(f"\n{law.name}: {verdict.stated}", markup=False)
+            shown.print(f"\n{law.name}: {verdict.stated}", markup=False)
         elif verdict.reason:
-            console.print(f"\n{law.name}: {verdict.reason}", markup=False)
+            shown.print(f"\n{law.name}: {verdict.reason}", markup=False)
 
 
 def _counted(verdicts: list[Verdict]) -> str:
@@ -218,12 +233,11 @@ def _counted(verdicts: list[Verdict]) -> str:
 def _write(path: Path, verdicts: list[Verdict]) -> None:
     import json
 
-    from ..study.files import completed
-
     made = [verdict.certificate for verdict in verdicts if verdict.certificate is not None]
-    with completed(path) as place:
-        place.write_text(json.dumps(made, ensure_ascii=False))
-    inform(f"certificates of {len(made)} of {len(verdicts)} laws: {path}")
+    with written(path) as place:
+        place.write_text(json.dumps(made, ensure_ascii=False), encoding="utf-8")
+    where = "standard output" if path == STANDARD_OUTPUT else path
+    inform(f"certificates of {len(made)} of {len(verdicts)} laws: {where}")
     for verdict in verdicts:
         if verdict.certificate is None:
             why = verdict.uncertified or "it is undecided"

@@ -7,42 +7,53 @@ from typing import Annotated
 
 import typer
 
-from .common import Force, Json, Override, Precision, What, inform, print_json, progress, study_of
+from ..interruption import CODE, ending, say
+from .common import Force, Json, Override, Precision, What, inform, print_json, study_of
+from .output import beside, check_output, deliver
+from .progress import progress
 
 __all__ = ["command"]
 
 
 def command(
     what: What,
-    output: Annotated[Path, typer.Option("-o", "--output", help="NetCDF file to write.")],
+    output: Annotated[
+        Path, typer.Option("-o", "--output", help="NetCDF file to write; - for standard output.")
+    ],
     overrides: Override = None,
     precision: Precision = None,
     force: Force = False,
     json: Json = False,
 ) -> None:
     """Integrate a motion and write it to a NetCDF file."""
-    from ..errors import InputError, RunError
-    from ..study.dataset import write
-    from ..study.files import check_target
+    check_output("--output", output, force, json, what)
+    study = study_of(what, overrides, precision)
+    from ..errors import InterruptionError, RunError
     from ..study.prepare import dataset_of
     from ..study.summary import summary, summary_text
 
-    check_target(output, force)
-    if output.exists() and Path(what).exists() and output.samefile(what):
-        raise InputError(f"{output} is the experiment file itself: choose another name")
-    study = study_of(what, overrides, precision)
-    try:
-        with progress(study.system.title) as update:
-            trajectory = study.trajectory(update)
-    except RunError as error:
-        if error.partial is not None:
-            write(dataset_of(study, error.partial, complete=False), output, force)
-            inform(f"what was computed until then is in {output}")
-        raise
-    write(dataset_of(study, trajectory), output, force)
+    failure: RunError | None = None
+    with ending("nothing was written", f"the motion until now is being written to {output}"):
+        with progress(study.system.title) as report:
+            try:
+                trajectory = study.trajectory(report)
+            except RunError as error:
+                if error.partial is None:
+                    raise
+                trajectory, failure = error.partial, error
+        deliver(dataset_of(study, trajectory, complete=failure is None), output, force)
+    if isinstance(failure, InterruptionError):
+        say(
+            f"the motion until t = {failure.time:.9g} is in {output}; the same command with "
+            "--force begins again"
+        )
+        raise typer.Exit(CODE)
+    if failure is not None:
+        inform(f"what was computed until then is in {output}")
+        raise failure
     result = summary(trajectory)
     if json:
         print_json({"file": str(output), **result})
     else:
-        typer.echo(summary_text(study.system, trajectory, result))
-        typer.echo(f"written to {output}")
+        with beside(output):
+            typer.echo(summary_text(study.system, trajectory, result))

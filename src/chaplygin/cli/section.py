@@ -7,8 +7,19 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from .common import Force, Json, Override, What, inform, print_json, progress, study_of
-from .stores import Workers, clear, cluster, level_of, outcomes, resumable
+from .common import Force, Json, Override, What, console, inform, print_json, study_of
+from .output import STANDARD_OUTPUT
+from .progress import progress
+from .stores import (
+    Workers,
+    check_picture,
+    check_store,
+    check_workers,
+    level_of,
+    outcomes,
+    resumable,
+    vacate,
+)
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -72,6 +83,12 @@ def command(
     A section exists where some quantity passes a value; every motion is followed until it has
     passed so many times.
     """
+    store = _store(output)
+    client = check_workers(workers)
+    picture = store.with_suffix(".png")
+    if output.is_dir() or output == store:
+        check_picture(store, picture, force)
+    study = study_of(what, overrides)
     from shutil import rmtree
 
     from ..errors import RunError
@@ -80,9 +97,6 @@ def command(
     from ..study.figures.section import draw
     from ..study.section import Place, Starts, section_of
 
-    store = _store(output)
-    picture = store.with_suffix(".png")
-    study = study_of(what, overrides)
     place = Place(on, value, direction, angle, tuple(_slab(text) for text in within or ()))
     chosen = Starts(starts, None if level is None else level_of(level), seed)
     limit = abs(study.until) * max(points, 1) if until is None else until
@@ -91,9 +105,9 @@ def command(
     )
     if output != store:
         output.mkdir(exist_ok=True)
-    clear(store, picture, force)
+    vacate(store, force)
     title = f"{study.system.title}, {place}"
-    with cluster(workers) as client, progress(title) as update, resumable(store):
+    with progress(title) as report, resumable(store, report, force) as update:
         found = compute(task, store, client=client, progress=update)
     result = {"file": str(store), "figure": str(picture), **_summary(found)}
     if not result["points"]:
@@ -114,7 +128,10 @@ def _store(output: Path) -> Path:
     from ..errors import InputError
 
     if output.suffix == ".zarr":
+        check_store(output)
         return output
+    if output == STANDARD_OUTPUT:
+        raise InputError("--output -: a store is a folder; it cannot go to standard output")
     if output.suffix and not output.is_dir():
         raise InputError(f"--output {output}: its name must end in .zarr, or be that of a folder")
     if output.is_file():
@@ -173,7 +190,6 @@ def _drift(values: xr.DataArray) -> float:
 
 def _print(title: str, result: dict[str, Any]) -> None:
     from rich import box
-    from rich.console import Console
     from rich.markup import escape
     from rich.table import Table
 
@@ -190,5 +206,5 @@ def _print(title: str, result: dict[str, Any]) -> None:
         table.add_row(f"drift of {escape(name)}", f"{drift:.1e}")
     for reason, count in result["outcomes"].items():
         table.add_row(f"{count:,} of {result['runs']:,}", escape(reason))
-    Console().print(table)
+    console().print(table)
     inform(f"written to {result['file']}, picture: {result['figure']}")

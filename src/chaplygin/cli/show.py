@@ -24,14 +24,15 @@ def command(
 ) -> None:
     """Print equations, parameters, laws and source of a system, and its place among all."""
     from ..errors import InputError
+
+    if form not in FORMS:
+        raise InputError(f"--as {form}: it must be one of {', '.join(FORMS)}")
+    study = study_of(what, overrides)
     from ..explore.hierarchy import standing_of
     from ..study.derivation import is_described, told
     from ..study.summary import legend
     from ..typeset import motion_text
 
-    if form not in FORMS:
-        raise InputError(f"--as {form}: it must be one of {', '.join(FORMS)}")
-    study = study_of(what, overrides)
     system = study.system
     if json:
         from ..claims import heading, level

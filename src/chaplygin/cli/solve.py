@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from .common import Force, Json, Override, What, complain, inform, print_json, study_of
+from .common import Force, Json, Override, What, complain, console, inform, print_json, study_of
+from .output import beside, check_figure, check_output, deliver
+from .progress import waiting
 
 if TYPE_CHECKING:
     from ..explicit.solution import Solution
@@ -21,9 +23,6 @@ __all__ = ["command"]
 MANY, FEW = 12, 5
 #: Digits that `--digits` may ask for.
 MOST_DIGITS = 1000
-
-#: Endings of figures.
-FORMATS = (".png", ".svg", ".pdf")
 
 #: Name, unit, label of a component, and its values at the times.
 Row = tuple[str, str, list[str]]
@@ -51,32 +50,32 @@ def command(
 ) -> None:
     """The state at any time, in closed form; exit 1 where none is known."""
     from ..errors import InputError
-    from ..explicit.refusals import NoClosedFormError
-    from ..study.closed_form import solved
-    from ..study.files import check_target
 
     moments = None if at is None else _times(at)
     if digits is not None and not 1 <= digits <= MOST_DIGITS:
         raise InputError(f"--digits {digits}: it must be from 1 to {MOST_DIGITS}")
-    for target in (output, figure):
-        if target is not None:
-            check_target(target, force)
-            if target.exists() and Path(what).exists() and target.samefile(what):
-                raise InputError(f"{target} is the experiment file itself: choose another name")
-    if figure is not None and figure.suffix not in FORMATS:
-        raise InputError(f"--figure {figure}: its name must end in {', '.join(FORMATS)}")
+    if output is not None:
+        check_output("--output", output, force, json, what)
+    if figure is not None:
+        check_figure("--figure", figure)
+        check_output("--figure", figure, force, json, what)
     study = study_of(what, overrides)
+    from ..explicit.refusals import NoClosedFormError
+    from ..study.closed_form import solved
+
     if moments is None:
         moments = [Fraction(float(t)) for t in study.times]
     try:
-        solution = solved(study)
+        with waiting("solving"):
+            solution = solved(study)
     except NoClosedFormError as refused:
         complain(str(refused))
         raise typer.Exit(1) from None
-    if json:
-        print_json(_record(study, solution, moments, digits))
-    else:
-        _print(study, solution, moments, digits)
+    with beside(output):
+        if json:
+            print_json(_record(study, solution, moments, digits))
+        else:
+            _print(study, solution, moments, digits)
     if output is not None:
         _write(study, solution, moments, output, force)
     if figure is not None:
@@ -109,7 +108,6 @@ def _times(text: str) -> list[Fraction]:
 
 def _print(study: Study, solution: Solution, moments: list[Fraction], digits: int | None) -> None:
     from rich import box
-    from rich.console import Console
     from rich.markup import escape
     from rich.table import Table
 
@@ -119,17 +117,17 @@ def _print(study: Study, solution: Solution, moments: list[Fraction], digits: in
     titles = dict.fromkeys((study.system.title, form.title))
     typer.echo(f"{': '.join(titles)}, {form.source}".rstrip(", "))
     typer.echo(f"{form.motion[:1].upper()}{form.motion[1:]}")
-    console = Console()
+    shown_on = console()
     facts = Table(box=None, pad_edge=False, show_header=False)
     facts.add_column(style="bold", no_wrap=True)
     facts.add_column(no_wrap=True)
     facts.add_column(style="dim")
     for item in form.figures:
         facts.add_row(escape(letters(item.symbol)), number(item), escape(letters(item.meaning)))
-    console.print(facts)
+    shown_on.print(facts)
     shown = _chosen(moments)
     rows = list(_rows(study, solution, shown, digits))
-    for some in _blocks(shown, rows, console.width):
+    for some in _blocks(shown, rows, shown_on.width):
         table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
         table.add_column("", style="bold", no_wrap=True)
         table.add_column("", style="dim", no_wrap=True)
@@ -138,7 +136,7 @@ def _print(study: Study, solution: Solution, moments: list[Fraction], digits: in
         for name, unit, values in rows:
             table.add_row(escape(name), escape(unit), *(values[index] for index in some))
         typer.echo()
-        console.print(table)
+        shown_on.print(table)
     if study.system.motion is not None and not in_space(study, solution):
         inform("the attitude and the place in space are not part of this closed form")
     if digits is not None and solution.left_open:
@@ -285,11 +283,9 @@ def _write(
     study: Study, solution: Solution, moments: list[Fraction], output: Path, force: bool
 ) -> None:
     from ..study.closed_form import dataset, evaluated
-    from ..study.dataset import write
 
     trajectory = evaluated(study, solution, _doubles(moments))
-    write(dataset(study, trajectory, solution), output, force)
-    inform(f"written to {output}")
+    deliver(dataset(study, trajectory, solution), output, force)
 
 
 def _draw(study: Study, solution: Solution, path: Path) -> None:

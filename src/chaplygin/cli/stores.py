@@ -5,13 +5,25 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from .common import inform
+from ..interruption import ending
 
-__all__ = ["Workers", "clear", "cluster", "level_of", "outcomes", "resumable", "vacate"]
+if TYPE_CHECKING:
+    from ..flow.blocks import Progress
+
+__all__ = [
+    "Workers",
+    "check_picture",
+    "check_store",
+    "check_workers",
+    "level_of",
+    "outcomes",
+    "resumable",
+    "vacate",
+]
 
 Workers = Annotated[
     str | None,
@@ -43,6 +55,18 @@ def level_of(text: str) -> dict[str, float]:
     return found
 
 
+def check_store(output: Path) -> None:
+    """Raise InputError where a store can in no case be written, before anything is computed."""
+    from ..errors import InputError
+
+    if output.suffix != ".zarr":
+        raise InputError(f"--output {output}: its name must end in .zarr")
+    if not output.parent.is_dir():
+        raise InputError(f"{output} cannot be written: there is no folder {output.parent}")
+    if output.exists() and not output.is_dir():
+        raise InputError(f"{output} is no store of a computation in blocks: choose another name")
+
+
 def vacate(output: Path, force: bool) -> None:
     """Make room for a store where that is wished.
 
@@ -53,30 +77,29 @@ def vacate(output: Path, force: bool) -> None:
     """
     import shutil
 
+    from ..errors import InputError
     from ..flow.store import read
 
     if output.exists() and force:
+        if output.is_symlink():
+            raise InputError(f"{output} is a link: give the name of the store itself")
         read(output).close()
         shutil.rmtree(output)
 
 
-def clear(output: Path, picture: Path, force: bool) -> None:
-    """Make room for a store and its picture where that is wished.
+def check_picture(output: Path, picture: Path, force: bool, named: bool = False) -> None:
+    """See that the picture of a store may be written.
 
-    Raises
-    ------
-    InputError
-        If that would destroy something that is not ours, or was not to be replaced.
+    That which belongs to a store is drawn again with it, but one that the user has `named` is only
+    replaced with `force`.
     """
     from ..study.files import check_target
 
-    vacate(output, force)
-    check_target(picture, force or output.exists())
+    check_target(picture, force or (output.exists() and not named))
 
 
-@contextmanager
-def cluster(workers: str | None) -> Iterator[Any]:
-    """Who computes: this process, so many processes, or those of a scheduler.
+def check_workers(workers: str | None) -> str | int | None:
+    """Who computes: None for this process, so many processes, or the address of a scheduler.
 
     Raises
     ------
@@ -85,28 +108,43 @@ def cluster(workers: str | None) -> Iterator[Any]:
     """
     from ..errors import InputError
 
-    if workers is None:
-        yield None
-        return
-    if "://" in workers:
-        yield workers
-        return
+    if workers is None or "://" in workers:
+        return workers
     if not workers.isdecimal() or int(workers) < 1:
         raise InputError(
             f"--workers {workers}: it must be a whole number from 1 on, or an address such as "
             "tcp://host:8786"
         )
-    yield int(workers)
+    return int(workers)
 
 
 @contextmanager
-def resumable(store: Path) -> Iterator[None]:
-    """Say how an interrupted command goes on, and end it with exit code 130."""
-    try:
-        yield
-    except KeyboardInterrupt:
-        inform(f"interrupted; the same command goes on with what is in {store}")
-        raise typer.Exit(130) from None
+def resumable(store: Path, report: Progress, force: bool) -> Iterator[Progress]:
+    """Say of an interrupted command how much is in its store, and how it goes on.
+
+    Parameters
+    ----------
+    store : Path
+    report : callable
+        To be told how much is done.
+    force : bool
+        Whether the command was to replace a store, which the next one is not to do.
+    """
+    share = 0.0
+
+    def update(done: float) -> None:
+        nonlocal share
+        share = done
+        report(done)
+
+    def words() -> str:
+        if not share:
+            return "nothing was computed yet"
+        command = "the same command without --force" if force else "the same command"
+        return f"{share:.0%} is computed; {command} goes on with what is in {store}"
+
+    with ending(words):
+        yield update
 
 
 def outcomes(variable: Any) -> dict[str, int]:

@@ -7,7 +7,10 @@ from typing import Annotated
 
 import typer
 
-from .common import Force, Json, Override, Precision, What, print_json, progress, study_of
+from ..interruption import ending
+from .common import Force, Json, Override, Precision, What, operations, print_json, study_of
+from .output import STANDARD_OUTPUT
+from .progress import progress
 
 __all__ = ["command"]
 
@@ -19,18 +22,51 @@ def command(
     ] = None,
     overrides: Override = None,
     precision: Precision = None,
+    quick: Annotated[
+        bool, typer.Option("--quick", help="Leave proofs out; laws are observed only.")
+    ] = False,
+    effort: Annotated[
+        float | None,
+        typer.Option(
+            metavar="FACTOR",
+            help="How much work the proof of one law may take, as for prove, where it is 1; "
+            "0.05 if left out. All proofs together may take four times as much.",
+        ),
+    ] = None,
     force: Force = False,
     json: Json = False,
 ) -> None:
-    """Equations, trajectory, figures and a report of one motion."""
-    from ..study.folder import check_folder, write_study
+    """Equations, trajectory, figures and a report of one motion; resumed if interrupted."""
+    from ..errors import InputError, InterruptionError
+    from ..study.folder_check import check_folder, is_begun
+
+    if output == STANDARD_OUTPUT:
+        raise InputError("--output -: a study is a folder; it cannot go to standard output")
+    if quick and effort is not None:
+        raise InputError("--quick leaves out the proofs that --effort is for: choose one of them")
+    folder = output or Path(Path(what).stem)
+    check_folder(folder, force, what)
+    allowed = None if effort is None else operations(effort)
+    study = study_of(what, overrides, precision)
+    from ..explore.proofs import Patience
+    from ..study.folder import write_study
+    from ..study.report import PATIENCE, TIMES
     from ..study.summary import summary, summary_text
 
-    study = study_of(what, overrides, precision)
-    folder = output or Path(Path(what).stem)
-    check_folder(folder, force)
-    with progress(study.system.title) as update:
-        trajectory, failure = write_study(study, folder, force, update)
+    each = allowed or PATIENCE
+    altogether = 0 if quick else TIMES * each
+
+    def words() -> str:
+        if not is_begun(folder):
+            return "nothing was written"
+        return f"what is done is in {folder}; the same command goes on there"
+
+    with ending(words), progress(f"integrating: {study.system.title}") as report:
+        patience = Patience(each, altogether, lambda what: report.say(f"proving: {what}"))
+        try:
+            trajectory, failure = write_study(study, folder, force, patience, report)
+        except InterruptionError as stop:
+            raise KeyboardInterrupt from stop
     result = summary(trajectory)
     if json:
         print_json({"folder": str(folder), **result})

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, is_dataclass, replace
 from typing import Any
 
+import sympy as sp
+
 from ..errors import InputError
+from ..expressions.exact import exact_number
 from ..laws.errors import OutOfReachError
 from ..laws.unimodular import Existence, measure_exists
 from ..mechanics.quasivelocity import Mechanism
@@ -46,15 +50,18 @@ def decided(given: Rolling | Mechanism | None, patience: Patience) -> Decided:
     Parameters
     ----------
     given : Rolling or Mechanism, optional
-        What moves, with its numbers; nothing can be said without it.
+        What moves, with its numbers; nothing can be said without it.  The parameters of a
+        mechanism have their present values, as exact decimals.
     patience : Patience
     """
     if given is None:
         return Decided()
     if patience.over:
         return Decided(open=f"{_OPEN} was not tried")
+    patience.report("a measure whose density depends on the configuration alone")
     try:
-        found = measure_exists(given, effort=patience.effort)
+        asked = _at_present(given) if isinstance(given, Mechanism) else given
+        found = measure_exists(asked, effort=patience.effort)
     except (InputError, OutOfReachError, ZeroDivisionError):
         return Decided(open=f"{_OPEN} is undecided")
     patience.spent += sum(verdict.effort for verdict in found.verdicts)
@@ -66,6 +73,26 @@ def decided(given: Rolling | Mechanism | None, patience: Patience) -> Decided:
     if found and isinstance(given, Rolling):
         return Decided((Density(_fact(found), "kept"),))
     return Decided()
+
+
+def _at_present(mechanism: Mechanism) -> Mechanism:
+    """A mechanism with numbers for its parameters: other values of them are not asked for."""
+    values = {p.symbol: exact_number(p.default) for p in mechanism.parameters}
+    bare = replace(mechanism, parameters=(), observables=(), guards=(), laws=())
+    made: Mechanism = _with_numbers(bare, values)
+    return made
+
+
+def _with_numbers(part: Any, values: Mapping[sp.Symbol, Any]) -> Any:
+    """Formulas, and what is made of formulas, with numbers for symbols."""
+    if isinstance(part, sp.Basic | sp.MatrixBase):
+        return part.xreplace(values)
+    if isinstance(part, tuple):
+        return tuple(_with_numbers(item, values) for item in part)
+    if is_dataclass(part) and not isinstance(part, type):
+        items = {f.name: getattr(part, f.name) for f in fields(part) if f.init}
+        return replace(part, **{n: _with_numbers(item, values) for n, item in items.items()})
+    return part
 
 
 def _fact(found: Existence) -> Fact:

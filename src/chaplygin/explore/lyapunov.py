@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from ..errors import EarlyEndError, InputError, RunError
+from ..errors import EarlyEndError, InputError, InterruptionError, RunError
 from ..flow.given import require_on_phase_space
 from ..flow.lanes import Lanes, lanes
 from ..flow.sizes import sizes_along
@@ -38,8 +38,8 @@ Values: TypeAlias = Mapping[Any, Any] | None
 UNSETTLED = 0.2
 #: Intervals of a motion, unless deviations part too fast.
 INTERVALS = 400
-#: Intervals at most.
-MOST = 2_000_000
+#: Intervals at least, and at most.
+LEAST, MOST = 100, 2_000_000
 #: Logarithm of the ratio of lengths that deviations may reach in an interval: at first, and later.
 APART = (12.0, 28.0)
 FIRST = 8
@@ -220,21 +220,42 @@ def spectrum(
         If the start is not on the phase space, or `until` or `intervals` cannot be used.
     RunError
         If the motion ends early, or deviations grow too fast to be followed.
+    InterruptionError
+        If it is interrupted; it carries the spectrum of the motion until then, if that has at
+        least `LEAST` intervals.
     """
     if not 0 < until < np.inf:
         raise InputError(f"until = {until:g}: it must be positive and finite")
-    if not 100 <= intervals <= MOST:
-        raise InputError(f"intervals = {intervals}: there must be from 100 to {MOST}")
+    if not LEAST <= intervals <= MOST:
+        raise InputError(f"intervals = {intervals}: there must be from {LEAST} to {MOST}")
     _check(system, start, parameters)
     told = progress or (lambda done: None)
     sizes = sizes_along(system, [start], until, parameters, tolerance)[0]
     found = forced(system, start, parameters, sizes=sizes)
-    run = _followed(found, start, (until, intervals), parameters, tolerance, told)
-    kept = _not_forced(found, run)
-    if kept:
-        found = forced(system, start, parameters, kept, sizes)
+    kept: tuple[str, ...] = ()
+    try:
         run = _followed(found, start, (until, intervals), parameters, tolerance, told)
+        kept = _not_forced(found, run)
+        if kept:
+            found = forced(system, start, parameters, kept, sizes)
+            run = _followed(found, start, (until, intervals), parameters, tolerance, told)
+    except _StoppedError as stop:
+        run = stop.run
+        length = run.interval * len(run.lengths)
+        # where more would have to be left out, the motion would have to be followed again
+        if len(run.lengths) < LEAST or set(_not_forced(found, run)) - set(kept):
+            raise InterruptionError("interrupted", length) from None
+        partial = _evaluated(system, found, run, length, tolerance, parameters, kept)
+        raise InterruptionError("interrupted", length, partial) from None
     return _evaluated(system, found, run, until, tolerance, parameters, kept)
+
+
+class _StoppedError(Exception):
+    """Interrupted after some intervals of the motion."""
+
+    def __init__(self, run: Followed) -> None:
+        super().__init__()
+        self.run = run
 
 
 def _followed(
@@ -304,20 +325,28 @@ def _run(
     stretches = propagate(
         machine, space, first, interval, parameters, sizes=found.sizes, nodes=inner, threads=1
     )
-    for k in range(count):
-        stretch = next(stretches)
-        code = int(stretch.outcome[0])
-        if code:
-            ended = k * interval + float(stretch.ended[0])
-            raise EarlyEndError(machine.system.name, machine.reason(code), ended)
-        spread = float(np.ptp(stretch.lengths[0])) if space.dimension else 0.0
-        if not max(spread, np.abs(stretch.lengths[0]).max(initial=0.0)) <= APART[k >= FIRST]:
-            return None
-        progress((k + 1) / count)
-        states.append(stretch.ends[0])
-        nodes.append(stretch.states[0])
-        lengths.append(stretch.lengths[0])
-        sizes.append(stretch.sizes[0])
+    try:
+        for k in range(count):
+            stretch = next(stretches)
+            code = int(stretch.outcome[0])
+            if code:
+                ended = k * interval + float(stretch.ended[0])
+                raise EarlyEndError(machine.system.name, machine.reason(code), ended)
+            spread = float(np.ptp(stretch.lengths[0])) if space.dimension else 0.0
+            if not max(spread, np.abs(stretch.lengths[0]).max(initial=0.0)) <= APART[k >= FIRST]:
+                return None
+            progress((k + 1) / count)
+            states.append(stretch.ends[0])
+            nodes.append(stretch.states[0])
+            lengths.append(stretch.lengths[0])
+            sizes.append(stretch.sizes[0])
+    except KeyboardInterrupt:
+        # what is appended last is there of complete intervals alone
+        n = len(sizes) - 1
+        if n == 0:
+            raise
+        parts = nodes[:n], states[: n + 1], lengths[:n], sizes
+        raise _StoppedError(Followed(interval, *map(np.array, parts))) from None
     return Followed(interval, *map(np.array, (nodes, states, lengths, sizes)))
 
 

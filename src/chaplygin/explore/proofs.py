@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from ..claims import heading
@@ -15,6 +16,8 @@ __all__ = ["HERE", "Fact", "Patience", "fact_of"]
 
 NOT_TRIED = "not tried, as the effort for all laws together was spent"
 """Why a law is left undecided that no work was left for."""
+LEFT_OUT = "not tried, as proofs were left out"
+"""Why a law is left undecided where none was to be tried."""
 HERE = "found here"
 """Source of a law that is not claimed of a system but was tried and proven."""
 
@@ -72,11 +75,14 @@ class Patience:
     effort : int
         Term operations for one law.
     altogether : int, optional
-        Term operations after which no further law is tried.
+        Term operations after which no further law is tried; with 0 none is.
+    report : callable
+        Told what is tried next, in words.
     """
 
     effort: int
     altogether: int | None = None
+    report: Callable[[str], object] = field(default=lambda _: None, compare=False)
     spent: int = field(default=0, init=False)
 
     @property
@@ -87,7 +93,9 @@ class Patience:
     def verdict(self, system: System, law: Law) -> Verdict:
         """What can be proven of a law with the effort allowed."""
         if self.over:
-            return Verdict(law.name, "undecided", reason=NOT_TRIED)
+            reason = NOT_TRIED if self.altogether else LEFT_OUT
+            return Verdict(law.name, "undecided", reason=reason)
+        self.report(f"{law.name} of {system.title}")
         try:
             found = prove(system, law, effort=self.effort)
         except InputError as problem:

@@ -16,7 +16,7 @@ import numpy as np
 import sympy as sp
 
 from ..admissible import conditions, satisfied
-from ..errors import InputError, RunError
+from ..errors import InputError, InterruptionError, RunError
 from ..system import System
 from ..vectors import explicit
 from .collocation import collocate
@@ -106,7 +106,8 @@ def integrate(
     InputError
         If times, parameters or start cannot be used.
     RunError
-        If the integration fails; it carries the last good time and the trajectory so far.
+        If the integration fails; it carries the last good time and the trajectory so far.  An
+        InterruptionError if it is interrupted.
     """
     if method == "gauss":
         for name, asked in (
@@ -139,6 +140,7 @@ def integrate(
     began = clock.perf_counter()
     log = _Log()
     failure = None
+    ended: type[RunError] = RunError
     try:
         for done in run.walk(moments, log, on_liftoff, dense, began, time_limit):
             if progress is not None:
@@ -146,7 +148,7 @@ def integrate(
     except _StoppedError as stop:
         failure = str(stop)
     except KeyboardInterrupt:
-        failure = "interrupted"
+        failure, ended = "interrupted", InterruptionError
     if failure is not None:
         run.keep_last(log)
     seconds = clock.perf_counter() - began
@@ -164,7 +166,7 @@ def integrate(
     )
     if failure is not None:
         last = float(log.times[-1])
-        raise RunError(f"{system.name}: {failure}", last, trajectory)
+        raise ended(f"{system.name}: {failure}", last, trajectory)
     return trajectory
 
 

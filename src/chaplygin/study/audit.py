@@ -9,15 +9,18 @@ from __future__ import annotations
 import html
 import os
 import re
+import signal
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from multiprocessing import get_context
 from typing import Any
 
 from .._version import __version__
+from ..flow.store import UnfinishedError
 from ..laws.budget import EFFORT
 from ..laws.memory import digest, recall, remember
 from ..laws.prove import prove
@@ -177,18 +180,34 @@ def _judged_by_processes(
     """Fill `found`; how many were left when interrupted."""
     pool = ProcessPoolExecutor(workers or os.cpu_count(), mp_context=get_context("spawn"))
     try:
-        tasks: dict[Future[Any], int] = {pool.submit(judge, n, section): n for n in waiting}
+        with _deaf():
+            tasks: dict[Future[Any], int] = {pool.submit(judge, n, section): n for n in waiting}
         open_tasks = set(tasks)
         while open_tasks:
             ended, open_tasks = wait(open_tasks, timeout=0.5, return_when=FIRST_COMPLETED)
             found.update((tasks[task], task.result()) for task in ended)
             report(len(found) / total)
-    except (KeyboardInterrupt, BrokenProcessPool):
-        # a process that dies (out of memory) leaves what is done, as an interruption does
+    except KeyboardInterrupt:
         pool.shutdown(wait=False, cancel_futures=True)
         return total - len(found)
+    except BrokenProcessPool:
+        raise UnfinishedError(
+            f"a process ended before it had an answer, as it does when memory runs out; "
+            f"{total - len(found)} claims are not judged. Verdicts are kept: run the same again, "
+            "with fewer --workers"
+        ) from None
     pool.shutdown()
     return 0
+
+
+@contextmanager
+def _deaf() -> Iterator[None]:
+    """Processes that are begun in this block leave Ctrl-C to this one."""
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _judgement(

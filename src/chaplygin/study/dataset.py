@@ -15,7 +15,7 @@ from ..flow.meanings import FRAMES, LABELS, told_of
 from ..flow.trajectory import Trajectory
 from .files import check_target, completed
 
-__all__ = ["read", "to_dataset", "write"]
+__all__ = ["content", "read", "to_dataset", "write"]
 
 #: Horizontal place of a centre of mass in the lift to space, which is recorded whole.
 _PLACE = "place"
@@ -149,11 +149,17 @@ def write(dataset: xr.Dataset, path: str | Path, force: bool = False) -> Path:
     """
     target = Path(path)
     check_target(target, force)
-    # by way of memory, since HDF5 may bring the process down when a disk is full
-    content = dataset.to_netcdf(engine="h5netcdf")
     with completed(target) as temporary:
-        temporary.write_bytes(content)
+        temporary.write_bytes(content(dataset))
     return target
+
+
+def content(dataset: xr.Dataset) -> bytes:
+    """What a NetCDF file of a dataset holds.
+
+    By way of memory, since HDF5 may bring the process down when a disk is full.
+    """
+    return bytes(dataset.to_netcdf(engine="h5netcdf"))
 
 
 def read(path: str | Path) -> xr.Dataset:

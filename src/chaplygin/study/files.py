@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import stat
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -12,43 +13,77 @@ from ..errors import InputError
 
 __all__ = ["check_target", "completed"]
 
+#: What a name may stand for besides a regular file, by the test that tells.
+_OTHERS = (
+    (stat.S_ISDIR, "a folder"),
+    (stat.S_ISCHR, "a device"),
+    (stat.S_ISBLK, "a device"),
+    (stat.S_ISFIFO, "a pipe"),
+    (stat.S_ISSOCK, "a socket"),
+)
+
 
 def check_target(target: Path, force: bool = False) -> None:
-    """Raise InputError unless a file may be written to `target`."""
+    """Raise InputError unless a file may be written to `target`, itself or through a link."""
     try:
-        target.exists()
+        found: os.stat_result | None = target.stat()
+    except FileNotFoundError:
+        found = None
     except OSError as problem:
         raise InputError(f"{target} cannot be written: {problem.strerror}") from problem
-    if target.is_dir():
-        raise InputError(f"{target} is a folder: the name of a file is needed")
-    if target.exists() and not force:
+    if found is not None:
+        _check_replaced(target, found, force)
+    elif target.is_symlink():
+        raise InputError(f"{target} is a link to a file that is not there: choose another name")
+    folder = target.resolve().parent
+    if not folder.is_dir():
+        raise InputError(f"{target} cannot be written: there is no folder {target.parent}")
+    if not os.access(folder, os.W_OK):
+        raise InputError(f"{target} cannot be written: the folder {folder} is protected")
+
+
+def _check_replaced(target: Path, found: os.stat_result, force: bool) -> None:
+    """Raise InputError unless what is there may be replaced: a regular file, and that is wished."""
+    for holds, what in _OTHERS:
+        if holds(found.st_mode):
+            raise InputError(f"{target} is {what}: the name of a regular file is needed")
+    if not force:
         raise InputError(
             f"{target} exists already: choose another name, or have it "
             "replaced (--force, in Python force=True)"
         )
-    if not target.parent.is_dir():
-        raise InputError(f"{target} cannot be written: there is no folder {target.parent}")
-    if not os.access(target.parent, os.W_OK):
-        raise InputError(f"{target} cannot be written: the folder {target.parent} is protected")
+    # the superuser may write to a file that is marked as read-only too
+    if not (found.st_mode & 0o222 and os.access(target, os.W_OK)):
+        raise InputError(
+            f"{target} is read-only and is not replaced: choose another name, or make it writable"
+        )
 
 
 @contextmanager
 def completed(target: Path) -> Iterator[Path]:
     """A temporary file that becomes `target` when the block ends well, and else disappears.
 
+    Where `target` is a link, the file to which it points is replaced; a file that is replaced
+    hands on its permissions.
+
     Raises
     ------
     InputError
-        If it cannot be written (a protected folder, a full disk).
+        If it cannot be written (a protected folder, a full disk, no regular file).
     """
     temporary = None
     try:
-        handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+        place = target.resolve()
+        handle, name = tempfile.mkstemp(dir=place.parent, prefix=".", suffix=".partial")
         os.close(handle)
         temporary = Path(name)
         yield temporary
-        temporary.chmod(0o666 & ~_umask())
-        temporary.replace(target)
+        if place.exists():
+            _check_replaced(target, place.stat(), force=True)
+            temporary.chmod(stat.S_IMODE(place.stat().st_mode))
+        else:
+            temporary.chmod(0o666 & ~_umask())
+        temporary.replace(place)
     except OSError as problem:
         raise InputError(f"{target} cannot be written: {problem.strerror or problem}") from problem
     finally:

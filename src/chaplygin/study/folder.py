@@ -2,47 +2,57 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
+from typing import Protocol
 
-from ..errors import InputError, RunError
+import xarray as xr
+from matplotlib.figure import Figure
+
+from ..errors import InterruptionError, RunError
+from ..explicit.solution import Solution
+from ..explore.proofs import Patience
 from ..flow.trajectory import Trajectory
-from . import figures, report
+from . import figures
+from . import report as page
 from .closed_form import diagram_if_known, solved_if_known
 from .dataset import write
 from .derivation import recorded_of, variables_of
 from .files import completed
+from .folder_check import begin, end
 from .prepare import Study, dataset_of
 from .scene import ball_scene_of, scene_of, weight_of
 
-__all__ = ["check_folder", "write_study"]
+__all__ = ["write_study"]
 
 #: Points through which curves are drawn, at least.
 SMOOTH = 3000
 
-FILES = ("report.html", "trajectory.nc", "experiment.toml", "figures")
 
+class Report(Protocol):
+    """To be told what is being done, and how much of it is."""
 
-def check_folder(folder: Path, force: bool = False) -> None:
-    """Raise InputError unless a study may be written to `folder`."""
-    if folder.exists() and not folder.is_dir():
-        raise InputError(f"{folder} is a file: a study is written to a folder")
-    present = [name for name in FILES if (folder / name).exists()]
-    if present and not force:
-        raise InputError(
-            f"{folder} holds {', '.join(present)} already: choose another folder, or --force to "
-            "replace them"
-        )
-    try:
-        (folder / "figures").mkdir(parents=True, exist_ok=True)
-    except OSError as problem:
-        raise InputError(f"{folder} cannot be written: {problem.strerror}") from problem
+    def __call__(self, done: float, /) -> None:
+        """Say how much is done, from 0 to 1."""
+
+    def say(self, what: str) -> None:
+        """Say what is being done."""
 
 
 def write_study(
-    study: Study, folder: Path, force: bool, progress: Callable[[float], None]
+    study: Study, folder: Path, force: bool, patience: Patience, report: Report
 ) -> tuple[Trajectory, RunError | None]:
     """Integrate and write everything; a failed run is written as far as it went.
+
+    Parameters
+    ----------
+    study : Study
+    folder : Path
+        New, or that of the same study, which was interrupted.
+    force : bool
+        Whether files of another study may be replaced.
+    patience : Patience
+        For the proofs.
+    report : Report
 
     Returns
     -------
@@ -52,23 +62,43 @@ def write_study(
     Raises
     ------
     InputError
-        If the folder cannot be written.
+        If the folder cannot be written, or holds another study.
+    InterruptionError
+        If the integration is interrupted.
     """
     failure: RunError | None = None
+    begin(folder, study.complete_toml(), force)
     # curves are drawn through more points than the file is to have
     pieces = -(-SMOOTH // (study.experiment.run.samples - 1))
     try:
-        trajectory = study.trajectory(progress, pieces)
+        trajectory = study.trajectory(report, pieces)
     except RunError as error:
-        if not isinstance(error.partial, Trajectory):
+        if isinstance(error, InterruptionError) or not isinstance(error.partial, Trajectory):
             raise
         trajectory, failure = error.partial, error
     smooth = dataset_of(study, trajectory, complete=failure is None)
     trajectory = trajectory.thinned(pieces)
     dataset = dataset_of(study, trajectory, complete=failure is None)
-    write(dataset, folder / "trajectory.nc", force)
+    # what is there is of this study, or may be replaced
+    write(dataset, folder / "trajectory.nc", force=True)
     with completed(folder / "experiment.toml") as temporary:
         temporary.write_text(study.complete_toml(), encoding="utf-8")
+    report.say("looking for a closed form")
+    solution = solved_if_known(study)
+    report.say("drawing")
+    pictures = _drawn(study, smooth, solution)
+    for name, figure in pictures.items():
+        for suffix in ("svg", "png"):
+            figures.save(figure, folder / "figures" / f"{name}.{suffix}")
+    text = page.render(study, trajectory, dataset, pictures, patience, failure, solution)
+    with completed(folder / "report.html") as temporary:
+        temporary.write_text(text, encoding="utf-8")
+    end(folder)
+    return trajectory, failure
+
+
+def _drawn(study: Study, smooth: xr.Dataset, solution: Solution | None) -> dict[str, Figure]:
+    """The figures of a study, by name."""
     names = variables_of(study)
     if study.ball is not None:
         scene = ball_scene_of(study.ball)
@@ -77,16 +107,9 @@ def write_study(
         pictures = figures.state_figures(smooth, names, recorded_of(study))
     else:
         pictures = figures.all_figures(smooth, scene_of(study), weight_of(study))
-    solution = solved_if_known(study)
     if solution is not None and solution.form.ovals:
         pictures["closed_form"] = figures.closed_form(study.system.title, solution.form)
         placed = diagram_if_known(study)
         if placed is not None:
             pictures["bifurcation"] = figures.bifurcation_diagram(*placed)
-    for name, figure in pictures.items():
-        for suffix in ("svg", "png"):
-            figures.save(figure, folder / "figures" / f"{name}.{suffix}")
-    text = report.render(study, trajectory, dataset, pictures, failure, solution)
-    with completed(folder / "report.html") as temporary:
-        temporary.write_text(text, encoding="utf-8")
-    return trajectory, failure
+    return pictures

@@ -182,14 +182,14 @@ class Study:
         Raises
         ------
         InputError
-            If the start is not admissible.
+            If the start is not admissible, or the body would leave the surface there.
         RunError
             If the integration fails; it carries the trajectory so far.
         """
         run = self.experiment.run
         start = self.start
         with _at(self.experiment, "start"):
-            return integrate(
+            found = integrate(
                 self.watched,
                 start,
                 _divided(self.times, pieces),
@@ -203,6 +203,13 @@ class Study:
                 progress=progress,
                 method=run.method,
             )
+        if len(found.times) == 1 and found.happenings:
+            raise InputError(
+                f"there is no motion from here: {found.happenings[-1].guard.happening}; "
+                'on_liftoff = "warn" in [run] follows it as if the surface held the body',
+                self.experiment.where("start"),
+            )
+        return found
 
 
 def _divided(times: Any, pieces: int) -> Any:

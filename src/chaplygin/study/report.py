@@ -32,9 +32,10 @@ from .summary import drift, legend
 
 __all__ = ["render"]
 
-#: Term operations that the proof of one law may take, and those of all together.
-PATIENCE = EFFORT // 10
-ALTOGETHER = EFFORT
+#: Term operations that the proof of one law may take, and those of all together: the first unless
+#: more is asked for, the second so many times the first.
+PATIENCE = EFFORT // 20
+TIMES = 4
 
 #: Figures in the order in which the page shows them, with heading and caption.
 PLATES = {
@@ -65,6 +66,7 @@ def render(
     trajectory: Trajectory,
     dataset: xr.Dataset,
     pictures: Mapping[str, Figure],
+    patience: Patience,
     failure: RunError | None = None,
     solution: Solution | None = None,
 ) -> str:
@@ -79,6 +81,8 @@ def render(
         The same, as it is stored.
     pictures : mapping of str to Figure
         By name, as :func:`chaplygin.study.figures.all_figures` returns them.
+    patience : Patience
+        For the proofs of its laws and of its place among all systems.
     failure : RunError, optional
         Why the run ended early, if it failed.
     solution : Solution, optional
@@ -97,7 +101,6 @@ def render(
         undefined=jinja2.StrictUndefined,
     )
     system = trajectory.system
-    patience = Patience(PATIENCE, ALTOGETHER)
     verdicts = patience.verdicts(study.system)
     stands = place(study.system, verdicts, patience, study.mechanism or study.rolling)
     drawn = {name: Markup(figures.svg_text(figure)) for name, figure in pictures.items()}

@@ -12,6 +12,7 @@ import matplotlib as mpl
 from matplotlib.figure import Figure
 
 from ...errors import InputError
+from ..files import completed
 from .style import STYLE
 
 FORMATS: dict[str, dict[str, None]] = {
@@ -49,14 +50,12 @@ def save(figure: Figure, path: str | FilePath) -> FilePath:
         raise InputError(
             f"{target}: a figure is written as {', '.join(FORMATS)}; the file name must end so"
         )
-    try:
+    with completed(target) as place:
         if suffix == ".svg":
-            target.write_text(f"{_PROLOG}{svg_text(figure)}\n", encoding="utf-8")
+            place.write_text(f"{_PROLOG}{svg_text(figure)}\n", encoding="utf-8")
         else:
             with mpl.rc_context(STYLE):
-                figure.savefig(target, format=suffix[1:], dpi=220, metadata=FORMATS[suffix])
-    except OSError as problem:
-        raise InputError(f"{target} cannot be written: {problem.strerror or problem}") from problem
+                figure.savefig(place, format=suffix[1:], dpi=220, metadata=FORMATS[suffix])
     return target
 
 

@@ -1,0 +1,117 @@
+"""What commands write: to a file that may be written, or to standard output."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import AbstractContextManager, contextmanager, nullcontext, redirect_stdout
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from .common import inform
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = [
+    "FIGURES",
+    "STANDARD_OUTPUT",
+    "beside",
+    "check_figure",
+    "check_output",
+    "deliver",
+    "written",
+]
+
+#: Endings of figures.
+FIGURES = (".png", ".svg", ".pdf")
+
+#: The name that stands for standard output.
+STANDARD_OUTPUT = Path("-")
+
+
+def check_output(
+    option: str, output: Path, force: bool, json: bool, what: str = "", binary: bool = True
+) -> None:
+    """See that a file may be written, before anything is computed.
+
+    Parameters
+    ----------
+    option : str
+        That which names the file, for the reader.
+    output : Path
+        A dash for standard output.
+    force : bool
+        Whether a file may be replaced.
+    json : bool
+        Whether the result is printed as JSON.
+    what : str
+        The experiment, which is not replaced in any case.
+    binary : bool
+        Whether it is of no use on a terminal.
+
+    Raises
+    ------
+    InputError
+        If it may not.
+    """
+    from ..errors import InputError
+    from ..study.files import check_target
+
+    if output == STANDARD_OUTPUT:
+        if json:
+            raise InputError(
+                f"{option} - and --json both write to standard output: choose one of them"
+            )
+        if binary and sys.stdout.isatty():
+            raise InputError(
+                f"{option} -: a file of numbers is not for a terminal; send it to a file or a "
+                "program, as in > FILE or | PROGRAM"
+            )
+        return
+    if what and output.exists() and Path(what).exists() and output.samefile(what):
+        raise InputError(f"{output} is the experiment file itself: choose another name")
+    check_target(output, force)
+
+
+def check_figure(option: str, figure: Path) -> None:
+    """Raise InputError unless a figure can have this name."""
+    from ..errors import InputError
+
+    if figure.suffix not in FIGURES:
+        raise InputError(f"{option} {figure}: its name must end in {', '.join(FIGURES)}")
+
+
+def deliver(dataset: xr.Dataset, output: Path, force: bool) -> None:
+    """Write a dataset as NetCDF, and say where it is."""
+    from ..study.dataset import content, write
+
+    if output == STANDARD_OUTPUT:
+        sys.stdout.buffer.write(content(dataset))
+        sys.stdout.buffer.flush()
+    else:
+        write(dataset, output, force)
+        inform(f"written to {output}")
+
+
+def beside(output: Path | None) -> AbstractContextManager[object]:
+    """Print on standard error, while it lasts, where the output is standard output."""
+    return redirect_stdout(sys.stderr) if output == STANDARD_OUTPUT else nullcontext()
+
+
+@contextmanager
+def written(output: Path) -> Iterator[Path]:
+    """A file to be filled, which becomes the output when the block ends well."""
+    from tempfile import TemporaryDirectory
+
+    from ..study.files import completed
+
+    if output != STANDARD_OUTPUT:
+        with completed(output) as place:
+            yield place
+        return
+    with TemporaryDirectory() as folder:
+        place = Path(folder) / "output"
+        yield place
+        sys.stdout.buffer.write(place.read_bytes())
+        sys.stdout.buffer.flush()

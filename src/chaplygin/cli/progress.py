@@ -1,0 +1,141 @@
+"""What a command is doing: a bar on a terminal, and lines where it writes to a file or a pipe."""
+
+from __future__ import annotations
+
+import sys
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rich.progress import Progress, TaskID
+
+    from ..study.folder import Report
+
+__all__ = ["progress", "waiting"]
+
+#: Seconds after which a command begins to say what it is doing, and between two lines of a log.
+PATIENCE, BETWEEN = 0.8, 10.0
+
+
+@contextmanager
+def progress(task: str) -> Iterator[Report]:
+    """Say what is being done and how much of it, as soon as it takes about a second.
+
+    Parameters
+    ----------
+    task : str
+        What is done, to begin with.
+    """
+    report = _Bar(task) if sys.stderr.isatty() else _Log(task)
+    try:
+        yield report
+    finally:
+        report.stop()
+
+
+@contextmanager
+def waiting(task: str) -> Iterator[None]:
+    """Say on a terminal what is waited for, as soon as it takes about a second."""
+    if not sys.stderr.isatty():
+        yield
+        return
+    with progress(task):
+        yield
+
+
+class _Bar:
+    """A bar that shows itself in time, whether or not it is told anything until then."""
+
+    def __init__(self, task: str) -> None:
+        self._task = task
+        self._done: float | None = None
+        self._bar: Progress | None = None
+        self._number: TaskID | None = None
+        self._lock = threading.Lock()
+        self._timer = threading.Timer(PATIENCE, self._show)
+        self._timer.daemon = True
+        self._timer.start()
+
+    def _show(self) -> None:
+        from rich.console import Console
+        from rich.progress import (
+            BarColumn,
+            Progress,
+            TaskProgressColumn,
+            TextColumn,
+            TimeElapsedColumn,
+            TimeRemainingColumn,
+        )
+
+        bar = Progress(
+            TextColumn("{task.description}", markup=False),
+            BarColumn(),
+            TaskProgressColumn(),
+            TimeElapsedColumn(),
+            TimeRemainingColumn(),
+            console=Console(stderr=True),
+            transient=True,
+        )
+        with self._lock:
+            if self._timer.finished.is_set():
+                return
+            self._bar = bar
+            self._number = bar.add_task(self._task, total=None)
+            self._tell()
+            bar.start()
+
+    def _tell(self) -> None:
+        if self._bar is not None and self._number is not None:
+            total = None if self._done is None else 1.0
+            self._bar.update(
+                self._number, description=self._task, completed=self._done or 0.0, total=total
+            )
+
+    def __call__(self, done: float, /) -> None:
+        with self._lock:
+            self._done = done
+            self._tell()
+
+    def say(self, what: str) -> None:
+        with self._lock:
+            self._task, self._done = what, None
+            self._tell()
+
+    def stop(self) -> None:
+        self._timer.cancel()
+        with self._lock:
+            if self._bar is not None:
+                self._bar.stop()
+
+
+class _Log:
+    """A line now and then."""
+
+    def __init__(self, task: str) -> None:
+        self._task = task
+        self._over = threading.Event()
+        self._done: float | None = None
+        self._told = ""
+        threading.Thread(target=self._write, daemon=True).start()
+
+    def _write(self) -> None:
+        """A line after a moment, and whenever there is something new to say."""
+        pause = PATIENCE
+        while not self._over.wait(pause):
+            pause = BETWEEN
+            line = self._task if self._done is None else f"{self._task}: {self._done:.0%}"
+            if line != self._told:
+                self._told = line
+                sys.stderr.write(f"{line} …\n")
+                sys.stderr.flush()
+
+    def __call__(self, done: float, /) -> None:
+        self._done = done
+
+    def say(self, what: str) -> None:
+        self._task, self._done = what, None
+
+    def stop(self) -> None:
+        self._over.set()

@@ -1,0 +1,186 @@
+"""Ctrl-C: within a second a command says what was kept and how to go on, and ends with code 130.
+
+Machine code that runs for long lets Python act on Ctrl-C only when it is done.  So a thread listens
+besides, which does what is to be done where the command itself has not come to it.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import socket
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from types import FrameType
+
+__all__ = ["CODE", "concluding", "ending", "say", "watched"]
+
+#: Exit code of what was interrupted.
+CODE = 130
+
+#: Seconds in which a command may end by itself.
+GRACE = 0.6
+
+
+@dataclass(frozen=True)
+class _Ending:
+    """What to say when interrupted at once, and while the command saves what it has.
+
+    It saves where Python can act (`saving`), or when machine code is done as well (`patient`).
+    """
+
+    words: Callable[[], str]
+    saving: str = ""
+    patient: bool = False
+
+
+@dataclass
+class _State:
+    """What is to be said at the moment, whether it was, and whether Python has come to act."""
+
+    endings: list[_Ending]
+    said: bool = False
+    reached: bool = False
+
+    @property
+    def ending(self) -> _Ending:
+        return self.endings[-1] if self.endings else _NOTHING
+
+    @property
+    def saves(self) -> bool:
+        return self.ending.patient or bool(self.reached and self.ending.saving)
+
+
+_NOTHING = _Ending(lambda: "nothing was written")
+_STATE = _State([])
+
+
+def say(words: str = "") -> None:
+    """Say that the program was interrupted, and these words, or those of the block it is in.
+
+    The latter are said once.
+    """
+    if words or not _STATE.said:
+        _STATE.said = True
+        # a progress bar leaves its line, and hides the cursor
+        bar = "\r\x1b[K\x1b[?25h" if sys.stderr.isatty() else ""
+        sys.stderr.write(f"{bar}interrupted: {words or _STATE.ending.words()}\n")
+        sys.stderr.flush()
+
+
+@contextmanager
+def ending(words: str | Callable[[], str], saving: str = "") -> Iterator[None]:
+    """While the block runs, an interruption ends the program at once with these words.
+
+    Parameters
+    ----------
+    words : str or callable
+        What was kept and how to go on, without a full stop.
+    saving : str, optional
+        What is under way where the block, interrupted, saves what it has; that is waited for.
+    """
+    told = words if callable(words) else (lambda: words)
+    with _during(_Ending(told, saving)):
+        try:
+            yield
+        except KeyboardInterrupt:
+            say()
+            raise
+
+
+@contextmanager
+def concluding(saving: str) -> Iterator[None]:
+    """While the block runs, an interruption is left to it, since it has results to print.
+
+    Parameters
+    ----------
+    saving : str
+        What is waited for, without a full stop; said where it takes longer than a moment.
+    """
+    with _during(_Ending(lambda: "the results were not printed", saving, patient=True)):
+        yield
+
+
+@contextmanager
+def _during(chosen: _Ending) -> Iterator[None]:
+    _STATE.endings.append(chosen)
+    try:
+        yield
+    finally:
+        _STATE.endings.pop()
+
+
+@contextmanager
+def watched() -> Iterator[None]:
+    """End the program as said above if it is interrupted in this block, whatever it is doing.
+
+    Nothing is changed in a thread that is not the main one, and where Ctrl-C is dealt with already.
+    """
+    main = threading.current_thread() is threading.main_thread()
+    if not main or signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
+        yield
+        return
+    _STATE.said = _STATE.reached = False
+    ear, mouth = socket.socketpair()
+    mouth.setblocking(False)
+    before = signal.set_wakeup_fd(mouth.fileno(), warn_on_full_buffer=False)
+    signal.signal(signal.SIGINT, _act)
+    over = threading.Event()
+    threading.Thread(target=_listen, args=(ear, over), daemon=True).start()
+    try:
+        yield
+    except KeyboardInterrupt:
+        _conclude()
+    except SystemExit as end:
+        if end.code == CODE:
+            _conclude()
+        raise
+    finally:
+        over.set()
+        signal.set_wakeup_fd(before)
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        mouth.close()
+
+
+def _act(number: int, frame: FrameType | None) -> None:
+    _STATE.reached = True
+    raise KeyboardInterrupt
+
+
+def _conclude() -> None:
+    """Leave no process behind, and end."""
+    say()
+    _end_children()
+    raise SystemExit(CODE)
+
+
+def _listen(ear: socket.socket, over: threading.Event) -> None:
+    """Wait for Ctrl-C; see that its sentence is said and the program ends."""
+    times = 0
+    with ear:
+        while heard := ear.recv(1):
+            if heard[0] != signal.SIGINT:
+                continue
+            times += 1
+            if over.wait(0 if times > 1 else GRACE):
+                return
+            with contextlib.suppress(OSError, ValueError):
+                if times == 1 and _STATE.saves:
+                    say(f"{_STATE.ending.saving}; Ctrl-C again ends at once")
+                    continue
+                say()
+            _end_children()
+            os._exit(CODE)
+
+
+def _end_children() -> None:
+    """Kill the processes that compute for this one."""
+    if "multiprocessing" in sys.modules:
+        from multiprocessing import active_children
+
+        for child in active_children():
+            child.kill()
