@@ -3,8 +3,8 @@
 Each system starts as the catalogue suggests, with its default parameters, and is integrated as
 `chaplygin run` does it (Taylor series, tolerance 1e-15, integrals left free), through lift-off
 where that comes.  The folder named keeps one file per system, written anew after every piece of
-time; the same command goes on from there.  A system whose share of processor seconds is spent is left where
-it is, and a later call with a larger share takes it further.
+time; the same command goes on from there.  A system whose share of processor seconds is spent is
+left where it is, and a later call with a larger share takes it further.
 
     nice python benchmarks/drift_catalogue.py build/drift --share 60
     python benchmarks/drift_catalogue.py build/drift --table
