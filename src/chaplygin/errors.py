@@ -4,6 +4,37 @@ from __future__ import annotations
 
 from typing import Any
 
+__all__ = ["LONGEST", "EarlyEndError", "InputError", "RunError", "readable"]
+
+#: Characters that a message has at most, and one line of it.
+LONGEST, LONGEST_LINE = 2000, 600
+
+
+def readable(text: str) -> str:
+    """A text fit for a terminal: nothing invisible in it, no line and not the whole too long.
+
+    Control characters and all others that do not print are escaped, but for line breaks.  Of a
+    line that is too long the middle is left out, so that what it begins and ends with stays.
+    """
+    escaped = "".join(c if c.isprintable() or c == "\n" else _escape(c) for c in text)
+    lines = [_cut(line) for line in escaped.split("\n")]
+    left_out = 0
+    while len(lines) > 1 and sum(map(len, lines)) + len(lines) > LONGEST - 50:
+        lines.pop()
+        left_out += 1
+    if left_out:
+        lines.append(f"... and {left_out} more lines")
+    return "\n".join(lines)
+
+
+def _escape(character: str) -> str:
+    return character.encode("unicode_escape").decode("ascii")
+
+
+def _cut(line: str) -> str:
+    half = LONGEST_LINE // 2 - 5
+    return line if len(line) <= LONGEST_LINE else f"{line[:half]} [...] {line[-half:]}"
+
 
 class InputError(ValueError):
     """A mistake of the user: what is wrong, where it stands and what is allowed.
@@ -18,11 +49,11 @@ class InputError(ValueError):
 
     def __init__(self, message: str, where: str = "") -> None:
         super().__init__(message, where)
-        self.message = message
-        self.where = where
+        self.message = readable(message)
+        self.where = readable(where)
 
     def __str__(self) -> str:
-        return f"{self.where}: {self.message}" if self.where else self.message
+        return readable(f"{self.where}: {self.message}" if self.where else self.message)
 
 
 class RunError(RuntimeError):
@@ -40,7 +71,7 @@ class RunError(RuntimeError):
 
     def __init__(self, reason: str, time: float, partial: Any = None) -> None:
         super().__init__(reason, time)
-        self.reason = reason
+        self.reason = readable(reason)
         self.time = time
         self.partial = partial
 

@@ -23,6 +23,8 @@ def module_digests(home: Path) -> dict[str, str]:
     return {
         path.relative_to(home).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
         for path in sorted(home.rglob("*.py"))
+        # editors leave links to nowhere beside a file that is being changed
+        if path.is_file()
     }
 
 

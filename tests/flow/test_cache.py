@@ -17,6 +17,7 @@ import platformdirs
 import pytest
 import sympy as sp
 
+from chaplygin import private_files
 from chaplygin.flow import cache
 from chaplygin.flow.taylor import compile_system
 from chaplygin.flow.trajectory import integrate
@@ -182,8 +183,8 @@ def test_an_entry_that_others_can_write_is_not_used(place, mode):
 
 def test_a_folder_of_somebody_else_is_not_used(place, monkeypatch):
     remember()
-    owner = os.getuid()
-    monkeypatch.setattr(os, "getuid", lambda: owner + 1)
+    owner = os.geteuid()
+    monkeypatch.setattr(os, "geteuid", lambda: owner + 1)
     assert remember(value="made anew") == ("made anew", False)
     assert remember("another") == ((1, 2), False)
     assert entries(place) == [place / "name.code"]
@@ -298,7 +299,7 @@ def test_parameters_share_the_code(place):
 def test_an_entry_at_hand_is_not_read_again(folder, monkeypatch):
     made, found = remember()
     assert not found
-    monkeypatch.setattr(cache, "_read", lambda path: pytest.fail("the file was read"))
+    monkeypatch.setattr(private_files, "read", lambda path: pytest.fail("the file was read"))
     again, found = remember(value=(3, 4))
     assert found
     assert again is made

@@ -6,6 +6,7 @@ import ctypes
 import os
 import subprocess
 import sys
+import tempfile
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -113,7 +114,7 @@ def test_without_a_cache_code_is_compiled(
     if place == "read-only":
         blocked.mkdir(mode=0o500)
         # also for those to whom permissions mean nothing
-        monkeypatch.setattr(cache.tempfile, "NamedTemporaryFile", _refuse)
+        monkeypatch.setattr(tempfile, "NamedTemporaryFile", _refuse)
     else:
         blocked.write_text("")
     monkeypatch.setenv("CHAPLYGIN_CACHE", str(blocked / "code"))

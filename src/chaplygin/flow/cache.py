@@ -1,9 +1,8 @@
 """Compiled code kept on disk between processes.
 
-An entry is native code, so it is only ever read from a folder that belongs to this user and that
-nobody else can write to; its name is a digest of everything that shaped it (formulas, tolerance,
-versions, processor), and its first bytes are a digest of the rest, so that damaged code is never
-run.  A cache that cannot be used is no error: the code is compiled again.
+An entry is native code, so it is only ever read as :mod:`chaplygin.private_files` reads; its name
+is a digest of everything that shaped it (formulas, tolerance, versions, processor).  A cache that
+cannot be used is no error: the code is compiled again.
 """
 
 from __future__ import annotations
@@ -13,28 +12,24 @@ import hashlib
 import os
 import pickle
 import platform
-import stat
-import tempfile
 from collections.abc import Callable
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-import platformdirs
-
+from .. import private_files
 from ..provenance import core
 
 __all__ = ["digest", "folder", "remember"]
 
 _KEEP = 200
 _AT_HAND = 32
-_SEAL = hashlib.sha256().digest_size
 
 
 def folder() -> Path:
     """Where compiled code is kept; the variable CHAPLYGIN_CACHE overrides the user's own place."""
-    chosen = os.environ.get("CHAPLYGIN_CACHE")
-    return Path(chosen) if chosen else Path(platformdirs.user_cache_dir("chaplygin")) / "compiled"
+    place = private_files.home()
+    return place if os.environ.get("CHAPLYGIN_CACHE") else place / "compiled"
 
 
 def _processor() -> str:
@@ -61,51 +56,26 @@ def digest(*parts: str) -> str:
     return hashlib.sha256(text.encode()).hexdigest()
 
 
-def _trusted(path: Path) -> bool:
-    """Whether only this user can have written to `path`."""
-    if not hasattr(os, "getuid"):
-        return True
-    status = path.stat()
-    return status.st_uid == os.getuid() and not status.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
-
-
-def _sealed(content: bytes) -> bytes:
-    return hashlib.sha256(content).digest()
-
-
 def _read(path: Path) -> Any:
+    content = private_files.read(path)
+    if content is None:
+        return None
+    with contextlib.suppress(OSError):
+        path.touch()
     try:
-        if _trusted(path.parent) and _trusted(path):
-            stored = path.read_bytes()
-            seal, content = stored[:_SEAL], stored[_SEAL:]
-            if seal == _sealed(content):
-                entry = pickle.loads(content)
-                path.touch()
-                return entry
-    except (OSError, pickle.UnpicklingError, EOFError, ValueError, AttributeError, RuntimeError):
-        pass
-    return None
+        return pickle.loads(content)
+    except Exception:
+        # whatever it may be that libraries built otherwise cannot take apart
+        return None
 
 
 def _write(path: Path, entry: Any) -> None:
-    temporary = None
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
-        if not _trusted(path.parent):
-            return
-        with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as stream:
-            temporary = Path(stream.name)
-            content = pickle.dumps(entry)
-            stream.write(_sealed(content))
-            stream.write(content)
-        temporary.replace(path)
+    if not private_files.write(path, pickle.dumps(entry)):
+        return
+    with contextlib.suppress(OSError):
         entries = sorted(path.parent.glob("*.code"), key=lambda p: p.stat().st_mtime)
         for old in entries[:-_KEEP]:
             old.unlink(missing_ok=True)
-    except OSError:
-        if temporary is not None:
-            with contextlib.suppress(OSError):
-                temporary.unlink(missing_ok=True)
 
 
 def _version(path: Path) -> tuple[int, int] | None:

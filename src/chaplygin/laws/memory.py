@@ -1,24 +1,22 @@
 """Verdicts kept on disk between processes, each under a digest of everything it depends on.
 
 A verdict depends on the system, the law, the program text and the versions of the exact
-arithmetic; whatever changes one of them makes another digest, so that nothing stale is read.
+arithmetic; whatever changes one of them makes another digest, so that nothing stale is read.  A
+verdict counts as a proof, so it is only ever read as :mod:`chaplygin.private_files` reads.
 """
 
 from __future__ import annotations
 
-import contextlib
 import hashlib
 import json
-import os
 import platform
-import tempfile
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-import platformdirs
 import sympy as sp
 
+from .. import private_files
 from ..provenance import core
 from ..statements import Law
 from ..system import Guard, Parameter, System
@@ -33,9 +31,7 @@ FOR_THE_READER = frozenset({"as_printed", "meaning", "misprint", "source", "unit
 
 def folder() -> Path:
     """Where verdicts are kept; the variable CHAPLYGIN_CACHE overrides the user's own place."""
-    chosen = os.environ.get("CHAPLYGIN_CACHE")
-    home = Path(chosen) if chosen else Path(platformdirs.user_cache_dir("chaplygin"))
-    return home / "verdicts"
+    return private_files.home() / "verdicts"
 
 
 def digest(*parts: str) -> str:
@@ -102,12 +98,7 @@ def remember(name: str, verdict: Verdict, effort: int | None = None) -> None:
     if effort is not None and verdict.effort >= effort:
         name = _limited(name, effort)
     content = {n: v for n, v in vars(verdict).items() if n not in ("certificate", "uncertified")}
-    with contextlib.suppress(OSError):
-        folder().mkdir(parents=True, exist_ok=True)
-        handle, path = tempfile.mkstemp(dir=folder())
-        with os.fdopen(handle, "w") as stream:
-            json.dump(content, stream)
-        Path(path).replace(folder() / f"{name}.json")
+    private_files.write(_file(name), json.dumps(content).encode())
 
 
 def _limited(name: str, effort: int) -> str:
@@ -115,11 +106,18 @@ def _limited(name: str, effort: int) -> str:
     return f"{name}-{effort}"
 
 
+def _file(name: str) -> Path:
+    return folder() / f"{name}.json"
+
+
 def _read(name: str) -> Verdict | None:
+    stored = private_files.read(_file(name))
+    if stored is None:
+        return None
     try:
-        content: dict[str, Any] = json.loads((folder() / f"{name}.json").read_text())
+        content: dict[str, Any] = json.loads(stored)
         for listed in ("conditions", "formulas"):
             content[listed] = tuple(content.get(listed, ()))
         return Verdict(**content)
-    except (OSError, ValueError, TypeError):
+    except (ValueError, TypeError, AttributeError, RecursionError):
         return None

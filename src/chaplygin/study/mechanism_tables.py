@@ -45,7 +45,7 @@ Texts = tuple[Text, ...]
 
 
 def _formula(value: object) -> str:
-    if not isinstance(value, str):
+    if not isinstance(value, str) or not value.strip():
         raise ValueError(f"must be {FORMULA}, not {shown(value)}")
     return value
 

@@ -41,6 +41,8 @@ def mistakes(error: ValidationError, model: type[BaseModel], data: object) -> di
     told: dict[Key, str] = {}
     for details in error.errors(include_url=False):
         place = _locate(model, details["loc"])
+        if _as_written(data, place.key) in told:
+            continue  # of a long array each element may be wrong
         key, sentence = _sentence(details, place, _value(data, place.key))
         told.setdefault(_as_written(data, key), sentence)
     return told
@@ -49,7 +51,7 @@ def mistakes(error: ValidationError, model: type[BaseModel], data: object) -> di
 def shown(value: object) -> str:
     """A value of the file in a few words, as TOML writes it."""
     if isinstance(value, str):
-        return f"the text {_short(json.dumps(value, ensure_ascii=False))}"
+        return f"the text {_short(_plain(value, 0))}"
     return _short(_plain(value, 0))
 
 
@@ -60,11 +62,11 @@ def _plain(value: object, depth: int) -> str:
         case bool():
             return str(value).lower()
         case list() | tuple() if depth < _DEEPEST:
-            return f"[{', '.join(_plain(item, depth + 1) for item in value)}]"
+            return f"[{', '.join(_plain(item, depth + 1) for item in value[:_LONGEST])}]"
         case list() | tuple():
             return "[...]"
         case str():
-            return json.dumps(value, ensure_ascii=False)
+            return json.dumps(value[:_LONGEST], ensure_ascii=False)
         case int() if value.bit_length() > _MOST_BITS:
             return "a number too large"
         case _:
@@ -136,10 +138,9 @@ def _sentence(details: ErrorDetails, place: _Place, value: object) -> tuple[Key,
             return place.key, f"unknown key{nearest(place.key[-1], place.owner.model_fields)}"
         case "union_tag_invalid":
             kinds = context["expected_tags"].replace("'", "").split(", ")
-            return (
-                *place.key,
-                "kind",
-            ), f'unknown kind "{context["tag"]}"{nearest(context["tag"], kinds)}'
+            tag = context["tag"][:_LONGEST]
+            sentence = f"unknown kind {_short(_plain(tag, 0))}{nearest(tag, kinds)}"
+            return (*place.key, "kind"), sentence
         case "union_tag_not_found" if place.field:
             kinds = [t.model_fields["kind"].default for t in get_args(place.field.annotation)]
             return (*place.key, "kind"), f"missing; allowed: {', '.join(kinds)}"

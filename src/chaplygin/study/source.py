@@ -16,6 +16,9 @@ __all__ = ["Source"]
 
 _POSITION = re.compile(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)", re.DOTALL)
 
+#: Control characters but for tabs and line breaks.
+_CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f]")
+
 
 @dataclass(frozen=True)
 class Source:
@@ -52,7 +55,27 @@ class Source:
             raise self._syntax_error(str(error)) from None
         for option in self.overrides:
             _put(tables, option)
+        self._require_print((), tables)
         return tables
+
+    def _require_print(self, key: Key, value: Any) -> None:
+        """Refuse keys and texts with characters that would command a terminal or end a text."""
+        match value:
+            case dict():
+                for part, inner in value.items():
+                    self._require_print((*key, part), part)
+                    self._require_print((*key, part), inner)
+            case list():
+                for inner in value:
+                    self._require_print(key, inner)
+            case str():
+                found = _CONTROL.search(value)
+                if found:
+                    raise InputError(
+                        f"the control character U+{ord(found[0]):04X} stands in it; of these only "
+                        "line breaks and tabs are allowed",
+                        self.where(key),
+                    )
 
     def where(self, key: Key) -> str:
         """Name the place of a key for an error message.

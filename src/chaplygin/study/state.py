@@ -249,7 +249,7 @@ def _on_relations(lifted: System, state: list[Any]) -> list[Any]:
     worst = max(range(len(defects)), key=lambda i: abs(defects[i]))
     message = (
         f"start: the relation {text(lifted.relations[worst])} = 0 is missed by "
-        f"{float(defects[worst]):.6g}"
+        f"{mpmath.nstr(defects[worst], 6, min_fixed=-5, max_fixed=6)}"
     )
     if near is not None:
         message += f"; the nearest admissible state is {_listed(lifted, near)}"
@@ -271,6 +271,8 @@ def _newton(
             moved[index] += _DIFFERENCE
             pairs = zip(residual(moved), defects, strict=True)
             columns.append([float((x - y) / _DIFFERENCE) for x, y in pairs])
+        if not np.isfinite(columns).all():
+            return None  # a state so large that doubles do not hold its slopes
         # redundant relations (an attitude tied to a unit vector) make the rows dependent
         inverse = np.linalg.pinv(np.array(columns).T, rcond=1e-9)
         for index, row in enumerate(inverse):

@@ -1,0 +1,135 @@
+"""Drift of the integrals of every catalogue system over 100 000 units of time.
+
+Each system starts as the catalogue suggests, with its default parameters, and is integrated as
+`chaplygin run` does it (Taylor series, tolerance 1e-15, integrals left free), through lift-off
+where that comes.  The folder named keeps one file per system, written anew after every piece of
+time; the same command goes on from there.  A system whose share of processor seconds is spent is
+left where it is, and a later call with a larger share takes it further.
+
+    nice python benchmarks/drift_catalogue.py build/drift --share 60
+    python benchmarks/drift_catalogue.py build/drift --table
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from chaplygin.errors import RunError
+from chaplygin.flow.trajectory import Trajectory, integrate
+from chaplygin.study.prepare import Study, catalogue_experiment, prepare
+from chaplygin.systems import CATALOGUE
+
+UNTIL = 1e5
+PIECE = 500.0
+SAMPLES = 51
+
+
+def begun(study: Study) -> dict[str, Any]:
+    """What is known of a system before the first step."""
+    return {
+        "system": study.system.name,
+        "time": 0.0,
+        "state": [float(x) for x in study.start],
+        "first": {},
+        "drift": {},
+        "steps": 0,
+        "seconds": 0.0,
+        "end": "",
+    }
+
+
+def taken_further(found: dict[str, Any], motion: Trajectory, seconds: float) -> dict[str, Any]:
+    """The same record after another piece of the motion."""
+    first, drift = dict(found["first"]), dict(found["drift"])
+    for law in motion.system.integrals:
+        values = np.asarray(motion.recorded[f"law_{law.name}"], dtype=float)
+        first.setdefault(law.name, float(values[0]))
+        change = float(np.max(np.abs(values - first[law.name])))
+        drift[law.name] = max(drift.get(law.name, 0.0), change)
+    stopped = [h for h in motion.happenings if h.stopped]
+    return found | {
+        "time": float(motion.times[-1]),
+        "state": [float(x) for x in motion.states[-1]],
+        "first": first,
+        "drift": drift,
+        "steps": found["steps"] + motion.statistics.steps,
+        "seconds": found["seconds"] + seconds,
+        "end": stopped[0].guard.happening if stopped else "",
+    }
+
+
+def carried_on(study: Study, path: Path, share: float) -> None:
+    """Integrate a system until its share of seconds is spent or the time is over."""
+    found = json.loads(path.read_text()) if path.exists() else begun(study)
+    while found["time"] < UNTIL and not found["end"] and found["seconds"] < share:
+        last = min(found["time"] + PIECE, UNTIL)
+        began = time.process_time()
+        try:
+            motion = integrate(
+                study.watched,
+                found["state"],
+                np.linspace(found["time"], last, SAMPLES),
+                on_liftoff="warn",
+                time_limit=share - found["seconds"],
+            )
+            failure = ""
+        except RunError as error:
+            motion, failure = error.partial, error.reason
+        found = taken_further(found, motion, time.process_time() - began)
+        if failure and "time limit" not in failure:
+            found["end"] = failure
+        new = path.with_suffix(".new")
+        new.write_text(json.dumps(found, indent=1))
+        new.replace(path)
+
+
+def relative(found: dict[str, Any]) -> tuple[float, str]:
+    """The largest drift, relative to the first value where that exceeds one, and its law."""
+    sizes = {n: d / max(1.0, abs(found["first"][n])) for n, d in found["drift"].items()}
+    worst = max(sizes, key=lambda name: sizes[name], default="")
+    return sizes.get(worst, 0.0), worst
+
+
+def table(folder: Path) -> str:
+    """The records of a folder as a table of Markdown."""
+    lines = ["| system | until | integrals | drift | of | steps | s |", "|---" * 7 + "|"]
+    for name in CATALOGUE:
+        path = folder / f"{name}.json"
+        if path.exists():
+            found = json.loads(path.read_text())
+            size, worst = relative(found)
+            told = (f"{size:.1e}", worst.replace("_", " ")) if worst else ("—", "")
+            lines.append(
+                f"| {name} | {found['time']:.6g} | {len(found['drift'])} | {told[0]} | {told[1]} | "
+                f"{found['steps']} | {found['seconds']:.3g} |"
+            )
+    return "\n".join(lines)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--share", type=float, default=60.0, help="processor seconds for a system")
+    parser.add_argument("--only", nargs="*", default=list(CATALOGUE), help="systems")
+    parser.add_argument("--table", action="store_true", help="print the table of what is there")
+    options = parser.parse_args()
+    if options.table:
+        print(table(options.folder))
+        return
+    options.folder.mkdir(parents=True, exist_ok=True)
+    for number, name in enumerate(options.only, 1):
+        path = options.folder / f"{name}.json"
+        print(f"{number}/{len(options.only)} {name}", end=" ", flush=True)
+        carried_on(prepare(catalogue_experiment(name)), path, options.share)
+        found = json.loads(path.read_text())
+        print(f"t = {found['time']:g}, drift {relative(found)[0]:.1e} {found['end']}", flush=True)
+
+
+if __name__ == "__main__":
+    main()
