@@ -30,6 +30,8 @@ __all__ = [
     "study_of",
 ]
 
+PRECISIONS = ("double", "quad")
+
 What = Annotated[
     str,
     typer.Argument(
@@ -39,7 +41,10 @@ What = Annotated[
 Override = Annotated[
     list[str] | None,
     typer.Option(
-        "--set", metavar="KEY=VALUE", help="Override a key of the experiment, e.g. body.mass=2."
+        "--set",
+        metavar="KEY=VALUE",
+        help="Override a key of the experiment, e.g. body.mass=2 or run.until=5; a parameter may be "
+        "written by its name alone, e.g. I_1=2.",
     ),
 ]
 Effort = Annotated[
@@ -99,13 +104,15 @@ def study_of(what: str, overrides: list[str] | None, precision: str | None = Non
     InputError
         If there is no such file or system, or something in it is wrong.
     """
-    from ..study.experiment import load, loads
+    from ..errors import InputError
+    from ..study.experiment import catalogue_experiment, load
     from ..study.prepare import prepare
     from ..study.python_file import load_python
-    from ..systems import entry
 
     options = list(overrides or [])
     if precision is not None:
+        if precision not in PRECISIONS:
+            raise InputError(f"--precision {precision}: it must be {' or '.join(PRECISIONS)}")
         options.append(f"run.precision={precision}")
     path = Path(what)
     if path.suffix == ".py":
@@ -113,7 +120,7 @@ def study_of(what: str, overrides: list[str] | None, precision: str | None = Non
     if path.suffix == ".toml" or path.is_file() or len(path.parts) > 1:
         experiment = load(path, options)
     else:
-        experiment = loads(f'[system]\nname = "{entry(what).name}"\n', what, options)
+        experiment = catalogue_experiment(what, options)
     return _told(prepare(experiment))
 
 

@@ -14,20 +14,25 @@ __all__ = ["command"]
 
 def command(
     what: What,
-    output: Annotated[Path, typer.Option("-o", "--output", help="NetCDF file to write.")],
+    output: Annotated[
+        Path,
+        typer.Option(
+            "-o", "--output", metavar="FILE", help="Written by its ending: .nc, .zarr or .csv."
+        ),
+    ],
     overrides: Override = None,
     precision: Precision = None,
     force: Force = False,
     json: Json = False,
 ) -> None:
-    """Integrate a motion and write it to a NetCDF file."""
+    """Integrate a motion and write it to a file: NetCDF, Zarr, or a table for a spreadsheet."""
     from ..errors import InputError, RunError
     from ..study.dataset import write
-    from ..study.files import check_target
+    from ..study.formats import check_output
     from ..study.prepare import dataset_of
     from ..study.summary import summary, summary_text
 
-    check_target(output, force)
+    check_output(output, force)
     if output.exists() and Path(what).exists() and output.samefile(what):
         raise InputError(f"{output} is the experiment file itself: choose another name")
     study = study_of(what, overrides, precision)

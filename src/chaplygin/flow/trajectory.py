@@ -20,6 +20,7 @@ from ..errors import InputError, RunError
 from ..system import System
 from ..vectors import explicit
 from .collocation import collocate
+from .extremes import too_extreme
 from .projection import Projector, call
 from .record import Dense, Happening, Statistics, Trajectory
 from .taylor import Compiled, Direction, Precision, compile_system, number_type
@@ -284,9 +285,26 @@ class _Run:
                 value = float(next(values))
                 if not math.isfinite(value):
                     raise InputError(
-                        f"start: {name} is {value} there; all that is recorded must be a finite "
-                        "number"
+                        f"start: {name} is {value} there; "
+                        f"{self._blamed(state) or 'all that is recorded must be a finite number'}"
                     )
+
+    def _blamed(self, state: Any) -> str:
+        """The numbers that are too large or too small for the formulas, in words."""
+        names = [*map(str, self.system.symbols), *map(str, self.values)]
+        numbers = [float(x) for x in (*state, *self.parameters)]
+
+        def finite(changed: Sequence[float]) -> bool:
+            array = np.array([self.kind(x) for x in changed], dtype=self.kind)
+            values = call(self.code.outputs, array[: len(state)], array[len(state) :])
+            return all(math.isfinite(float(value)) for value in values)
+
+        with np.errstate(all="ignore"):
+            blamed = too_extreme(numbers, finite)
+        if not blamed:
+            return ""
+        listed = ", ".join(f"{names[i]} = {numbers[i]:g}" for i in blamed)
+        return f"{listed} is too far from 1 to compute with: choose other units, or other numbers"
 
     def _require_on_phase_space(self, state: Any) -> None:
         for projector in self.projectors:

@@ -17,6 +17,7 @@ from ..expressions import parse
 from ..flow.trajectory import Trajectory, integrate
 from ..mechanics.ball_start import ball_state
 from ..mechanics.body import Body
+from ..mechanics.points import centre_outside
 from ..mechanics.quasivelocity import TIME, Mechanism
 from ..mechanics.rolling import Field, Rolling
 from ..mechanics.rolling_ball import RollingBall
@@ -56,7 +57,7 @@ from .tables import (
     TorusTable,
 )
 
-__all__ = ["Study", "catalogue_experiment", "dataset_of", "prepare", "shape_name", "started"]
+__all__ = ["Study", "dataset_of", "prepare", "shape_name", "started"]
 
 
 @dataclass(frozen=True)
@@ -107,11 +108,14 @@ class Study:
         unit = unit_vectors(self.system) if self.by_state else {"gamma"}
         start = self.experiment.start
         told = start if isinstance(start, dict) else start.model_dump(exclude_none=True)
-        return tuple(
+        lengths = tuple(
             f"start.{name} has length {length:.9g}; it was normalised to "
             f"[{', '.join(f'{x:.17g}' for x in direction)}]"
             for name, (length, direction) in normalised(told, unit).items()
         )
+        if self.own and self.rolling is not None and centre_outside(self.rolling.body.shape):
+            return (*lengths, "body.shape.centre puts the centre of mass outside the body")
+        return lengths
 
     @cached_property
     def start(self) -> tuple[Any, ...]:
@@ -232,9 +236,10 @@ def _at(experiment: Experiment, *key: str) -> Iterator[None]:
         if error.where:
             raise
         subject, colon, rest = error.message.partition(": ")
-        if colon and subject.isidentifier():
-            place = key if subject == key[-1] else (*key, subject)
-            raise InputError(rest, experiment.where(*place)) from None
+        if colon and subject == key[-1]:
+            raise InputError(rest, experiment.where(*key)) from None
+        if colon and experiment.has(*key, subject):
+            raise InputError(rest, experiment.where(*key, subject)) from None
         raise InputError(error.message, experiment.where(*key)) from None
 
 
@@ -259,13 +264,6 @@ def prepare(experiment: Experiment) -> Study:
     system = system.with_laws(*known_laws_of(rolling, system))
     given = {"omega": experiment.start.omega, "gamma": experiment.start.gamma}
     return Study(experiment, system, rolling, given, experiment.run.until)
-
-
-def catalogue_experiment(name: str) -> SystemExperiment | StateExperiment:
-    """The experiment that a catalogue entry suggests."""
-    item = entry(name)
-    model = SystemExperiment if item.start.state is None else StateExperiment
-    return model.model_validate({"system": {"name": item.name}})
 
 
 def _from_catalogue(experiment: SystemExperiment | StateExperiment) -> Study:
