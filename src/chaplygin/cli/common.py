@@ -43,8 +43,8 @@ Override = Annotated[
     typer.Option(
         "--set",
         metavar="KEY=VALUE",
-        help="Override a key of the experiment, e.g. body.mass=2 or run.until=5; a parameter may be "
-        "written by its name alone, e.g. I_1=2.",
+        help="Override a key of the experiment, e.g. body.mass=2 or run.until=5; a parameter "
+        "alone by its name, e.g. I_1=2.",
     ),
 ]
 Effort = Annotated[

@@ -227,6 +227,7 @@ def spectrum(
         raise InputError(f"intervals = {intervals}: there must be from 100 to {MOST}")
     _check(system, start, parameters)
     told = progress or (lambda done: None)
+    lanes(system, tolerance=tolerance).require_reach(start, until, parameters)
     sizes = sizes_along(system, [start], until, parameters, tolerance)[0]
     found = forced(system, start, parameters, sizes=sizes)
     run = _followed(found, start, (until, intervals), parameters, tolerance, told)

@@ -20,6 +20,7 @@ from ..errors import InputError, RunError
 from ..system import System
 from ..vectors import explicit
 from .collocation import collocate
+from .demands import Pace
 from .extremes import too_extreme
 from .projection import Projector, call
 from .record import Dense, Happening, Statistics, Trajectory
@@ -291,7 +292,7 @@ class _Run:
 
     def _blamed(self, state: Any) -> str:
         """The numbers that are too large or too small for the formulas, in words."""
-        names = [*map(str, self.system.symbols), *map(str, self.values)]
+        names = [str(s) for s in (*self.system.symbols, *self.values)]
         numbers = [float(x) for x in (*state, *self.parameters)]
 
         def finite(changed: Sequence[float]) -> bool:
@@ -304,7 +305,8 @@ class _Run:
         if not blamed:
             return ""
         listed = ", ".join(f"{names[i]} = {numbers[i]:g}" for i in blamed)
-        return f"{listed} is too far from 1 to compute with: choose other units, or other numbers"
+        verb = "is" if len(blamed) == 1 else "are"
+        return f"{listed} {verb} too far from 1 to compute with: choose other units or numbers"
 
     def _require_on_phase_space(self, state: Any) -> None:
         for projector in self.projectors:
@@ -349,7 +351,7 @@ class _Run:
         length = float(last - moments[0])
         self._record(log, moments[0], stepper.state)
         watched = self._pressed(moments[0], log, on_liftoff)
-        index, cramped = 1, 0
+        index, cramped, pace = 1, 0, Pace()
         while index < len(moments) and watched:
             before = stepper.time
             outcome, step = stepper.step(max_delta_t=last - before, write_tc=True)
@@ -380,7 +382,10 @@ class _Run:
                 self._break_down(log, reason)
                 return
             if log.steps % 64 == 0:
-                if time_limit is not None and clock.perf_counter() - began > time_limit:
+                if time_limit is None:
+                    done = abs(float(now - moments[0]) / length)
+                    pace.check(done, f"to follow a motion for {abs(length):g} s")
+                elif clock.perf_counter() - began > time_limit:
                     raise _StoppedError(f"the time limit of {time_limit:g} s was reached")
                 yield float(now - moments[0]) / length
 

@@ -14,6 +14,7 @@ import xarray as xr
 
 from ..errors import InputError
 from ..expressions import parse
+from ..flow.demands import TooMuchError
 from ..flow.trajectory import Trajectory, integrate
 from ..mechanics.ball_start import ball_state
 from ..mechanics.body import Body
@@ -193,20 +194,24 @@ class Study:
         run = self.experiment.run
         start = self.start
         with _at(self.experiment, "start"):
-            return integrate(
-                self.watched,
-                start,
-                _divided(self.times, pieces),
-                # collocation always computes with all digits
-                tolerance=run.tolerance if run.method == "taylor" else None,
-                precision=run.precision,
-                on_liftoff=run.on_liftoff,
-                keep_integrals=run.keep_integrals,
-                time_limit=run.time_limit,
-                dense=dense,
-                progress=progress,
-                method=run.method,
-            )
+            try:
+                return integrate(
+                    self.watched,
+                    start,
+                    _divided(self.times, pieces),
+                    # collocation always computes with all digits
+                    tolerance=run.tolerance if run.method == "taylor" else None,
+                    precision=run.precision,
+                    on_liftoff=run.on_liftoff,
+                    keep_integrals=run.keep_integrals,
+                    time_limit=run.time_limit,
+                    dense=dense,
+                    progress=progress,
+                    method=run.method,
+                )
+            except TooMuchError as error:
+                where = self.experiment.where("run", "until")
+                raise InputError(error.message, where) from None
 
 
 def _divided(times: Any, pieces: int) -> Any:
