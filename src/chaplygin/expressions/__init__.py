@@ -3,7 +3,8 @@
 The language is small: decimal numbers, the names that the caller knows, ``pi``, the operators
 ``+ - * / **``, parentheses and the functions of `FUNCTIONS`; ``γ₃²`` is read as ``gamma_3**2``.
 Decimal numbers become exact rationals (``0.3`` is 3/10), so that what is proved of a formula later
-is proved exactly.  Where vectors are known, ``dot(u, v)``, ``cross(u, v)`` and ``[a, b, c]`` may be used besides.
+is proved exactly.  Where vectors are known, ``dot(u, v)``, ``cross(u, v)`` and ``[a, b, c]`` may be
+used besides.
 """
 
 from __future__ import annotations

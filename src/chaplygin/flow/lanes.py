@@ -31,6 +31,7 @@ from .given import require_on_phase_space, require_rows
 from .graph import Term
 from .march import ENDS, STEPS, march
 from .pairs import paired, parameter_pairs
+from .starts import reduced_rows
 from .tables import explicit, explicit_fine
 from .values import doubles, relation_terms
 
@@ -255,7 +256,7 @@ class Lanes:
     def _rows(
         self, starts: Any, parameters: Mapping[Any, Any] | None, deviations: Any
     ) -> tuple[Any, Any]:
-        given = self._words("starts", starts)
+        given = reduced_rows(self.system, self._words("starts", starts))
         points = given[..., 0]
         require_rows(self.system, points)
         constants = parameter_pairs(self.system, parameters, len(points))[..., : self.words]
@@ -350,8 +351,10 @@ def require_steps(until: float, outcome: int, ended: float, steps: int) -> None:
     TooMuchError
         With the estimate.
     """
-    needed = steps * abs(until) / abs(ended) if ended else math.inf
-    if outcome == STEPS and needed > MOST_STEPS:
+    if outcome != STEPS:
+        return
+    needed = steps * abs(until) / abs(float(ended)) if ended else math.inf
+    if needed > MOST_STEPS:
         raise TooMuchError(
             f"to follow a motion for {until:g} s would take about {needed:.1g} steps, and it is "
             f"given up after {MOST_STEPS:.0e}: follow it for a shorter time"

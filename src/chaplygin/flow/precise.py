@@ -25,6 +25,7 @@ from .graph import Term
 from .keeping import correction
 from .lanes import FEW_STEPS, MOST_STEPS, reason, require_steps, spread, threads_here
 from .pairs import paired, parameter_pairs
+from .starts import reduced_rows
 from .tables import gauss
 from .values import doubles, numbers, parameter_rows, read_system, relation_terms
 
@@ -138,7 +139,7 @@ class Precise:
         threads: int | None,
         most: int,
     ) -> PreciseMotions:
-        rows = paired("starts", starts)
+        rows = reduced_rows(self.system, paired("starts", starts))
         size = len(self.system.symbols)
         require_rows(self.system, rows[..., 0])
         constants = parameter_pairs(self.system, parameters, len(rows))
@@ -193,7 +194,7 @@ def precise(
     """
     if digits not in _METHODS:
         raise InputError(f"digits = {digits}: single motions are computed to 16 or to 30 digits")
-    point = doubles("start", start)
+    point = reduced_rows(system, doubles("start", start)[np.newaxis])[0]
     if point.shape != (len(system.symbols),):
         order = ", ".join(map(str, system.symbols))
         raise InputError(

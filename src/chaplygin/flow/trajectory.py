@@ -24,6 +24,7 @@ from .demands import Pace
 from .extremes import too_extreme
 from .projection import Projector, call
 from .record import Dense, Happening, Statistics, Trajectory
+from .starts import whole_start
 from .taylor import Compiled, Direction, Precision, compile_system, number_type
 
 __all__ = ["Dense", "Happening", "Statistics", "Trajectory", "integrate"]
@@ -52,7 +53,7 @@ class _Log:
 
 def integrate(
     system: System,
-    start: Sequence[Any],
+    start: Mapping[str, Any] | Sequence[Any],
     times: Sequence[Any],
     *,
     parameters: Mapping[Any, Any] | None = None,
@@ -71,9 +72,11 @@ def integrate(
     ----------
     system : System
         If it has a motion in space, that is integrated with it.
-    start : sequence of numbers
-        State at ``times[0]``, reduced and (where there is one) lifted, in flat order; see
-        :func:`chaplygin.mechanics.start.starting_state`.
+    start : sequence of numbers, or mapping of str to number or numbers
+        State at ``times[0]`` in flat order, with the motion in space, as
+        :func:`chaplygin.mechanics.start.starting_state` gives it, or without; or by name (ω and γ,
+        or the variables of the state).  The motion in space begins at zero where it is left out,
+        with γ pointing upward.
     times : sequence of numbers
         At least two, all increasing or all decreasing (backward integration).
     parameters : mapping of Symbol or name to number, optional
@@ -110,6 +113,7 @@ def integrate(
     RunError
         If the integration fails; it carries the last good time and the trajectory so far.
     """
+    start = whole_start(system, start, parameters)
     if method == "gauss":
         for name, asked in (
             ("tolerance", tolerance),
@@ -252,10 +256,6 @@ class _Run:
         self.good: tuple[Any, Any] = (kind(0), ())
 
     def begin(self, start: Sequence[Any], moment: Any, keep_integrals: bool) -> None:
-        size = len(self.system.symbols)
-        if len(start) != size:
-            names = ", ".join(map(str, self.system.symbols))
-            raise InputError(f"start has {len(start)} numbers: {size} are needed ({names})")
         state = np.array([self.kind(_text(x)) for x in start], dtype=self.kind)
         if not all(math.isfinite(float(x)) for x in state):
             raise InputError("start: all of its numbers must be finite")

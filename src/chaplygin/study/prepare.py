@@ -82,6 +82,8 @@ class Study:
         The Lagrangian, frame and constraints from which the system was derived.
     ball : RollingBall, optional
         The homogeneous ball that rolls, and its surface.
+    letters : mapping of str to str
+        Meanings of letters that this system alone has.
     """
 
     experiment: Experiment
@@ -92,6 +94,7 @@ class Study:
     variables: Mapping[str, tuple[str, str]] = field(default_factory=dict)
     mechanism: Mechanism | None = None
     ball: RollingBall | None = None
+    letters: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def own(self) -> bool:
@@ -284,7 +287,9 @@ def _from_catalogue(experiment: SystemExperiment | StateExperiment) -> Study:
     told = start if isinstance(start, dict) else {"omega": start.omega, "gamma": start.gamma}
     given = suggested.values | {name: value for name, value in told.items() if value is not None}
     until = experiment.run.until or suggested.until
-    return Study(experiment, system, rolling, given, until, item.variables, ball=ball)
+    return Study(
+        experiment, system, rolling, given, until, item.variables, ball=ball, letters=item.letters
+    )
 
 
 def _with_ball(experiment: BallExperiment) -> Study:
