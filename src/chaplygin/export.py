@@ -96,7 +96,7 @@ def _library(name: str, target: str) -> Any:
         return importlib.import_module(name)
     except ImportError:
         raise InputError(
-            f"the target {target!r} needs the package {name}: pip install 'chaplygin[export]'"
+            f"the target {target!r} needs the package {name}: pip install {name}"
         ) from None
 
 

@@ -334,14 +334,17 @@ class System:
 
     # --- motion in closed form ---------------------------------------------------------------
 
-    def solve(self, start: Sequence[Any], parameters: Mapping[Any, Any] | None = None) -> Solution:
+    def solve(
+        self,
+        start: Mapping[str, Any] | Sequence[Any],
+        parameters: Mapping[Any, Any] | None = None,
+    ) -> Solution:
         """The motion from a start in closed form, at any time; see :mod:`chaplygin.explicit`.
 
         Parameters
         ----------
-        start : sequence of numbers
-            State at time 0 in flat order, lifted to space where the system has a motion, as
-            :func:`chaplygin.mechanics.start.starting_state` gives it.
+        start : sequence of numbers, or mapping of str to number or numbers
+            State at time 0, as of :func:`chaplygin.flow.trajectory.integrate`.
         parameters : mapping of Symbol or name to number, optional
             Values that replace the defaults.
 

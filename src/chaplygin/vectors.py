@@ -7,7 +7,7 @@ A vector is a SymPy matrix expression of shape (3, 1).  Formulas built from
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any, TypeAlias
 
 import sympy as sp
@@ -32,6 +32,7 @@ __all__ = [
     "Gradient",
     "Symmetric",
     "Vector",
+    "by_name",
     "constant",
     "cross",
     "dot",
@@ -54,6 +55,17 @@ _LABELS = {2: ("x", "y"), 3: ("1", "2", "3"), 4: ("w", "x", "y", "z")}
 
 zero: MatrixExpr = ZeroMatrix(3, 1)
 identity: MatrixExpr = Identity(3)
+
+
+def by_name(formula: Any, known: Iterable[sp.Symbol]) -> sp.Expr:
+    """The formula with the known symbols in place of others of the same name.
+
+    ``Symbol("gamma_3")`` and ``Symbol("gamma_3", real=True)`` are two symbols for SymPy, and one
+    for whoever writes a formula.
+    """
+    named = {symbol.name: symbol for symbol in known}
+    written = sp.sympify(formula)
+    return written.xreplace({s: named[s.name] for s in written.free_symbols if s.name in named})
 
 
 def scalar(name: str) -> sp.Symbol:

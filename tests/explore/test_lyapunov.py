@@ -16,7 +16,8 @@ from chaplygin.explore.lyapunov import Spectrum, kaplan_yorke, spectrum
 from chaplygin.explore.spectra import record, remarks
 from chaplygin.flow.linearise import linearise
 from chaplygin.statements import Integral, Symmetry
-from chaplygin.study.prepare import catalogue_experiment, prepare
+from chaplygin.study.experiment import catalogue_experiment
+from chaplygin.study.prepare import prepare
 from chaplygin.system import System
 from chaplygin.systems import CATALOGUE
 from chaplygin.vectors import scalar

@@ -16,8 +16,8 @@ import xarray as xr
 
 from chaplygin.errors import InputError
 from chaplygin.study.dataset import read, to_dataset, write
-from chaplygin.study.experiment import loads
-from chaplygin.study.prepare import catalogue_experiment, dataset_of, prepare
+from chaplygin.study.experiment import catalogue_experiment, loads
+from chaplygin.study.prepare import dataset_of, prepare
 from chaplygin.systems import CATALOGUE
 from spread import spread
 from systems import built

@@ -137,7 +137,8 @@ def test_a_system_and_neighbours(tmp_path: Path) -> None:
 def test_a_study_is_taken_as_it_is(tmp_path: Path) -> None:
     path = tmp_path / "mine.py"
     path.write_text(
-        "from chaplygin.study.prepare import catalogue_experiment, prepare\n"
+        "from chaplygin.study.experiment import catalogue_experiment\n"
+        "from chaplygin.study.prepare import prepare\n"
         "study = prepare(catalogue_experiment('chaplygin-ball'))\n"
     )
     assert load_python(path).system.name == "chaplygin-ball"

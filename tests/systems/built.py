@@ -5,7 +5,8 @@ from __future__ import annotations
 from functools import cache
 
 from chaplygin.mechanics.rolling import Rolling
-from chaplygin.study.prepare import Study, catalogue_experiment, prepare
+from chaplygin.study.experiment import catalogue_experiment
+from chaplygin.study.prepare import Study, prepare
 from chaplygin.system import System
 from chaplygin.systems import CATALOGUE
 

@@ -11,7 +11,8 @@ from chaplygin.flow.trajectory import integrate
 from chaplygin.laws.prove import prove
 from chaplygin.laws.search import ask, integrals
 from chaplygin.mechanics.ball_start import ball_state
-from chaplygin.study.prepare import catalogue_experiment, prepare
+from chaplygin.study.experiment import catalogue_experiment
+from chaplygin.study.prepare import prepare
 from chaplygin.systems import CATALOGUE
 from chaplygin.systems.ball_laws import known_ball_laws
 from mechanics.balls import SURFACES, on

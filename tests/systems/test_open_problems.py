@@ -9,7 +9,8 @@ import pytest
 import sympy as sp
 
 from chaplygin.flow.trajectory import integrate
-from chaplygin.study.prepare import catalogue_experiment, prepare
+from chaplygin.study.experiment import catalogue_experiment
+from chaplygin.study.prepare import prepare
 from chaplygin.system import System
 from chaplygin.systems import entry
 

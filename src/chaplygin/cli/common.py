@@ -32,6 +32,8 @@ __all__ = [
     "study_of",
 ]
 
+PRECISIONS = ("double", "quad")
+
 What = Annotated[
     str,
     typer.Argument(
@@ -41,7 +43,10 @@ What = Annotated[
 Override = Annotated[
     list[str] | None,
     typer.Option(
-        "--set", metavar="KEY=VALUE", help="Override a key of the experiment, e.g. body.mass=2."
+        "--set",
+        metavar="KEY=VALUE",
+        help="Override a key of the experiment, e.g. body.mass=2 or run.until=5; a parameter "
+        "alone by its name, e.g. I_1=2.",
     ),
 ]
 Effort = Annotated[
@@ -113,25 +118,26 @@ def study_of(what: str, overrides: list[str] | None, precision: str | None = Non
     InputError
         If there is no such file or system, or something in it is wrong.
     """
+    from ..errors import InputError
+
     path = Path(what)
     named = path.suffix not in (".py", ".toml") and len(path.parts) == 1 and not path.is_file()
     if not named and not path.exists():
-        from ..errors import InputError
-
         raise InputError(f"{what}: there is no such file")
     options = list(overrides or [])
     if precision is not None:
+        if precision not in PRECISIONS:
+            raise InputError(f"--precision {precision}: it must be {' or '.join(PRECISIONS)}")
         options.append(f"run.precision={precision}")
     with waiting(f"making {what} ready"):
-        from ..study.experiment import load, loads
+        from ..study.experiment import catalogue_experiment, load
         from ..study.prepare import prepare
         from ..study.python_file import load_python
-        from ..systems import entry
 
         if path.suffix == ".py":
             study = load_python(path, options)
         elif named:
-            study = prepare(loads(f'[system]\nname = "{entry(what).name}"\n', what, options))
+            study = prepare(catalogue_experiment(what, options))
         else:
             study = prepare(load(path, options))
     for remark in study.remarks:

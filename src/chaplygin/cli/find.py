@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from ..interruption import CODE, concluding, say
-from .common import Effort, Json, Override, What, operations, print_json, study_of
+from .common import Effort, Json, Override, What, inform, operations, print_json, study_of
 from .progress import progress
 
 if TYPE_CHECKING:
     from ..laws.search import Finding, Question
+    from ..system import Parameter, System
 
 __all__ = ["command"]
 
@@ -41,7 +42,11 @@ def command(
     ] = "",
     at: Annotated[
         list[str] | None,
-        typer.Option(metavar="CONDITION", help="A condition on the parameters, e.g. k=-1."),
+        typer.Option(
+            metavar="CONDITION",
+            help="A condition on the parameters, e.g. k=-1; by default what is special in those "
+            "given (equal moments or semi-axes, zeros); none for none.",
+        ),
     ] = None,
     on: Annotated[
         list[str] | None,
@@ -81,13 +86,14 @@ def command(
     from ..laws.search import ask
 
     began = time.monotonic()
+    conditions = special(system) if at is None else tuple(c for c in at if c.strip() != "none")
     question = ask(
         system,
         degree=degree,
         gamma_degree=gamma_degree,
         momenta=momenta,
         coordinates=coordinates,
-        at=at or (),
+        at=conditions,
         on=on or (),
         divisors=None if divisors is None else [d for d in divisors if d.strip() != "1"],
         bases=bases,
@@ -99,12 +105,32 @@ def command(
         found, complete = _collected(kind, question)
         elapsed = time.monotonic() - began
         if json:
-            print_json(_as_json(kind, question, found, complete, elapsed))
+            print_json(
+                _as_json(kind, question, found, complete, elapsed) | {"at": list(conditions)}
+            )
         else:
+            if at is None and conditions:
+                inform(
+                    f"searched where {', '.join(conditions)}, as the parameters are; --at none "
+                    "searches at any parameters"
+                )
             typer.echo(_as_text(kind, question, found, complete))
     if not complete:
         raise typer.Exit(CODE)
     raise typer.Exit(0 if found else 1)
+
+
+def special(system: System) -> tuple[str, ...]:
+    """What is special in the parameters: equal moments of inertia or semi-axes, and zeros."""
+    values = {p: p.default for p in system.parameters}
+    found = []
+    for words in ("moment of inertia", "semi-axis"):
+        first: dict[float, Parameter] = {}
+        for parameter in (p for p in values if p.meaning.startswith(words) and values[p]):
+            earlier = first.setdefault(values[parameter], parameter)
+            if earlier is not parameter:
+                found.append(f"{earlier.symbol} = {parameter.symbol}")
+    return (*found, *(f"{p.symbol} = 0" for p in values if values[p] == 0))
 
 
 def _collected(kind: str, question: Question) -> tuple[list[Finding], bool]:

@@ -123,12 +123,12 @@ def _print(found: Spectrum, turned: Any) -> None:
         shown = ("", "") if rate is None else ("0", f"{rate:.1e}" if rate else "0")
         kind = "" if forced.name == forced.kind else f"{forced.kind}: "
         zeros.add_row(escape(forced.name), *shown, f"{kind}{forced.reason}")
-    shown = console()
+    terminal = console()
     typer.echo()
-    shown.print(table)
+    terminal.print(table)
     if found.removed:
         typer.echo()
-        shown.print(zeros)
+        terminal.print(zeros)
     typer.echo()
     if found.dependent:
         typer.echo(f"Nothing more is forced by {', '.join(found.dependent)} at this start.")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager, nullcontext, redirect_stdout
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -31,7 +31,13 @@ STANDARD_OUTPUT = Path("-")
 
 
 def check_output(
-    option: str, output: Path, force: bool, json: bool, what: str = "", binary: bool = True
+    option: str,
+    output: Path,
+    force: bool,
+    json: bool,
+    what: str = "",
+    binary: bool = True,
+    place: Callable[[Path, bool], None] | None = None,
 ) -> None:
     """See that a file may be written, before anything is computed.
 
@@ -49,6 +55,8 @@ def check_output(
         The experiment, which is not replaced in any case.
     binary : bool
         Whether it is of no use on a terminal.
+    place : callable, optional
+        What raises an InputError where nothing may be written; for a plain file if not given.
 
     Raises
     ------
@@ -71,7 +79,7 @@ def check_output(
         return
     if what and output.exists() and Path(what).exists() and output.samefile(what):
         raise InputError(f"{output} is the experiment file itself: choose another name")
-    check_target(output, force)
+    (place or check_target)(output, force)
 
 
 def check_figure(option: str, figure: Path) -> None:
@@ -83,11 +91,12 @@ def check_figure(option: str, figure: Path) -> None:
 
 
 def deliver(dataset: xr.Dataset, output: Path, force: bool) -> None:
-    """Write a dataset as NetCDF, and say where it is."""
-    from ..study.dataset import content, write
+    """Write a dataset as its name says, or NetCDF to standard output, and say where it is."""
+    from ..study.dataset import write
+    from ..study.formats import netcdf
 
     if output == STANDARD_OUTPUT:
-        sys.stdout.buffer.write(content(dataset))
+        sys.stdout.buffer.write(netcdf(dataset))
         sys.stdout.buffer.flush()
     else:
         write(dataset, output, force)

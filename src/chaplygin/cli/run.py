@@ -18,15 +18,23 @@ __all__ = ["command"]
 def command(
     what: What,
     output: Annotated[
-        Path, typer.Option("-o", "--output", help="NetCDF file to write; - for standard output.")
+        Path,
+        typer.Option(
+            "-o",
+            "--output",
+            metavar="FILE",
+            help="Written by its ending: .nc, .zarr or .csv; - for NetCDF on standard output.",
+        ),
     ],
     overrides: Override = None,
     precision: Precision = None,
     force: Force = False,
     json: Json = False,
 ) -> None:
-    """Integrate a motion and write it to a NetCDF file."""
-    check_output("--output", output, force, json, what)
+    """Integrate a motion and write it to a file: NetCDF, Zarr, or a table for a spreadsheet."""
+    from ..study.formats import check_output as check_trajectory
+
+    check_output("--output", output, force, json, what, place=check_trajectory)
     study = study_of(what, overrides, precision)
     from ..errors import InterruptionError, RunError
     from ..study.prepare import dataset_of

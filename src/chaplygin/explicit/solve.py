@@ -8,6 +8,7 @@ from typing import Any
 import sympy as sp
 
 from ..errors import InputError
+from ..flow.starts import whole_start
 from ..system import System
 from .problem import Problem
 from .recognise import solution_of
@@ -17,7 +18,9 @@ __all__ = ["solve"]
 
 
 def solve(
-    system: System, start: Sequence[Any], parameters: Mapping[Any, Any] | None = None
+    system: System,
+    start: Mapping[str, Any] | Sequence[Any],
+    parameters: Mapping[Any, Any] | None = None,
 ) -> Solution:
     """Solve an integrable system from a start.
 
@@ -25,9 +28,8 @@ def solve(
     ----------
     system : System
         One of those that have a closed form, under whatever name and in whatever symbols.
-    start : sequence of numbers
-        The state at t = 0 in flat order, lifted to space where the system has a motion; see
-        :func:`chaplygin.mechanics.start.starting_state`.
+    start : sequence of numbers, or mapping of str to number or numbers
+        The state at t = 0, as of :func:`chaplygin.flow.trajectory.integrate`.
     parameters : mapping of Symbol or name to number, optional
         Values that replace the system's defaults.
 
@@ -53,4 +55,4 @@ def solve(
                 f"{system.name} has no parameter {key}; it has {', '.join(names) or 'none'}"
             )
         values[symbol] = number
-    return solution_of(Problem(system, values, tuple(start)))
+    return solution_of(Problem(system, values, whole_start(system, start, values)))

@@ -19,6 +19,7 @@ from ..errors import EarlyEndError, InputError, InterruptionError, RunError
 from ..flow.given import require_on_phase_space
 from ..flow.lanes import Lanes, lanes
 from ..flow.sizes import sizes_along
+from ..flow.starts import reduced_start
 from ..flow.tangent import propagate
 from ..flow.values import parameter_rows, relation_terms
 from ..system import System
@@ -183,7 +184,7 @@ def kaplan_yorke(exponents: Sequence[float] | Array) -> float:
 
 def spectrum(
     system: System,
-    start: Sequence[float],
+    start: Mapping[str, Any] | Sequence[float],
     parameters: Values = None,
     *,
     until: float,
@@ -196,8 +197,9 @@ def spectrum(
     Parameters
     ----------
     system : System
-    start : sequence of float
-        State in flat order, on the phase space.
+    start : sequence of float, or mapping of str to number or numbers
+        State on the phase space, as of :func:`chaplygin.flow.trajectory.integrate`; what belongs
+        to the motion in space is left out.
     parameters : mapping of Symbol or name to number, optional
         Values that replace the defaults.
     until : float
@@ -228,8 +230,10 @@ def spectrum(
         raise InputError(f"until = {until:g}: it must be positive and finite")
     if not LEAST <= intervals <= MOST:
         raise InputError(f"intervals = {intervals}: there must be from {LEAST} to {MOST}")
+    start = [float(x) for x in reduced_start(system, start, parameters)]
     _check(system, start, parameters)
     told = progress or (lambda done: None)
+    lanes(system, tolerance=tolerance).require_reach(start, until, parameters)
     sizes = sizes_along(system, [start], until, parameters, tolerance)[0]
     found = forced(system, start, parameters, sizes=sizes)
     kept: tuple[str, ...] = ()
@@ -295,11 +299,6 @@ def _not_forced(found: Forced, run: Followed) -> tuple[str, ...]:
 
 
 def _check(system: System, start: Sequence[float], parameters: Values) -> None:
-    if len(start) != len(system.symbols):
-        raise InputError(
-            f"{system.name}: the start has {len(start)} numbers; {len(system.symbols)} are needed "
-            f"({', '.join(map(str, system.symbols))})"
-        )
     points = np.array([start], dtype=np.float64)
     constants = parameter_rows(system, parameters, 1)
     require_on_phase_space(system, relation_terms(system), points, constants)

@@ -1,9 +1,10 @@
 """Formulas typed by the user, read into SymPy without running any code of theirs.
 
 The language is small: decimal numbers, the names that the caller knows, ``pi``, the operators
-``+ - * / **``, parentheses and the functions of `FUNCTIONS`. Decimal numbers become exact
-rationals (``0.3`` is 3/10), so that what is proved of a formula later is proved exactly.  Where
-vectors are known, ``dot(u, v)``, ``cross(u, v)`` and ``[a, b, c]`` may be used besides.
+``+ - * / **``, parentheses and the functions of `FUNCTIONS`; ``γ₃²`` is read as ``gamma_3**2``.
+Decimal numbers become exact rationals (``0.3`` is 3/10), so that what is proved of a formula later
+is proved exactly.  Where vectors are known, ``dot(u, v)``, ``cross(u, v)`` and ``[a, b, c]`` may be
+used besides.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ import sympy
 
 from .language import CONSTANTS, FUNCTIONS, MAX_LENGTH, PRODUCTS, RESERVED
 from .scalars import Scalars
+from .spelling import spelt
 from .syntax import Source, nearest, syntax_tree
 from .vectors import Formula, Named, Vectors
 
@@ -55,7 +57,7 @@ def parse(text: str, names: Mapping[str, sympy.Symbol], where: str = "") -> symp
         (``1/0``, ``sqrt(-1)``) or is absurdly large. The message is one sentence, followed by
         the formula and a caret under the offending character.
     """
-    source = Source(text, where, _in_order(names, RESERVED))
+    source = Source(spelt(text), where, _in_order(names, RESERVED))
     return Scalars(source, {**CONSTANTS, **names}).read(syntax_tree(source), 0)
 
 
@@ -89,7 +91,7 @@ def parse_formula(text: str, names: Mapping[str, Named], where: str = "") -> For
     """
     scalars = {str(s): s for name in names.values() for s in _components(name)}
     words = _in_order([*names, *scalars], RESERVED | PRODUCTS)
-    source = Source(text, where, words, brackets=True)
+    source = Source(spelt(text), where, words, brackets=True)
     return Vectors(source, {**CONSTANTS, **scalars}, names).read(syntax_tree(source), 0)
 
 

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeAlias, runtime_checkable
 import numpy as np
 
 from ..errors import InputError
+from .demands import Pace, require_room
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -194,7 +195,20 @@ def compute(
         If the disk is full, or a block brings down the workers; what was written stays.
     """
     told = progress if progress is not None else _silent
+    _require_room(task, where)
     return _in_memory(task, client, told) if where is None else _stored(task, where, client, told)
+
+
+def _require_room(task: Task, where: str | Path | None) -> None:
+    """Refuse a task whose result finds no room where it is to be; what is there takes none."""
+    sizes = [
+        (task.size * math.prod(variable.shape), np.dtype(variable.dtype).itemsize)
+        for variable in task.variables.values()
+    ]
+    folder = None if where is None else Path(where)
+    if folder is None or not folder.exists():
+        what = f"the {sum(count for count, _ in sizes):,} numbers of the result"
+        require_room(sum(count * size for count, size in sizes), folder, what)
 
 
 def _silent(done: float) -> None:
@@ -206,6 +220,7 @@ def _results(
 ) -> Iterator[tuple[int, Arrays]]:
     """The blocks asked for as they come, each with its number."""
     progress(1 - len(blocks) / task.blocks)
+    pace = Pace()
     if client is None:
         pairs: Iterator[tuple[int, Arrays]] = (
             (block, task.work(*task.members(block))) for block in blocks
@@ -216,6 +231,7 @@ def _results(
         pairs = results(client, task.work, {block: task.members(block) for block in blocks})
     for count, (block, arrays) in enumerate(pairs, 1):
         yield block, task.checked(arrays, *task.members(block))
+        pace.check(count / len(blocks), f"{task.size:,} {task.member}s")
         progress(1 - (len(blocks) - count) / task.blocks)
 
 

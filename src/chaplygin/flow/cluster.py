@@ -61,7 +61,7 @@ def results(
         import distributed
     except ImportError:
         raise InputError(
-            "a computation on a cluster needs Dask: pip install 'chaplygin[cluster]'"
+            "a computation on a cluster needs Dask: pip install cloudpickle dask distributed"
         ) from None
     from .store import UnfinishedError
 

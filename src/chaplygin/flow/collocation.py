@@ -72,6 +72,7 @@ def collocate(
         constants = {symbol: _decimal(value) for symbol, value in constants.items()}
         point = [_decimal(x) for x in start]
     flow = precise(watched, point, constants, digits, backward=backward)
+    flow.require_reach(point, float(moments[-1] - moments[0]), constants)
     found = flow.until([point], moments - moments[0], constants)
     outcome, reached = int(found.outcome[0]), float(found.ended[0] + moments[0])
     happenings: tuple[Happening, ...] = ()

@@ -128,7 +128,8 @@ def ensemble_task(
     if twice:
         raise InputError(f"{system.name}: {', '.join(twice)} is given twice")
     # a mistake shows at the first member, before any store is begun
-    _, parameters, points = work.starts(0, 1)
+    first, parameters, points = work.starts(0, 1)
+    work.lanes.require_reach(first[0], work.times[-1], parameters)
     variables = _variables(work, points is not None)
     share = max(16, math.ceil(everyone.size / shares))
     numbers = sum(math.prod(variable.shape) for variable in variables.values())

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ctypes
 import itertools
+import math
 import os
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
@@ -23,12 +24,14 @@ from ..errors import InputError
 from ..system import System
 from . import native
 from .arithmetic import Double, Pair
+from .demands import TooMuchError
 from .equations import Equations, Section, equations_of, section, serial
 from .given import moments as read_moments
 from .given import require_on_phase_space, require_rows
 from .graph import Term
-from .march import ENDS, march
+from .march import ENDS, STEPS, march
 from .pairs import paired, parameter_pairs
+from .starts import reduced_rows
 from .tables import explicit, explicit_fine
 from .values import doubles, relation_terms
 
@@ -49,6 +52,9 @@ MOST_NUMBERS = 1 << 32
 
 #: Attempted steps after which a motion is given up.
 MOST_STEPS = 100_000_000
+
+#: Steps by which the length of others is estimated.
+FEW_STEPS = 2_000
 
 
 @dataclass(frozen=True)
@@ -221,6 +227,27 @@ class Lanes:
         states, tangents, rest = self._parted(found)
         return Crossed(states, self._signed(moments), tangents, counts, *ends, rest)
 
+    def require_reach(
+        self, start: Any, until: float, parameters: Mapping[Any, Any] | None = None
+    ) -> None:
+        """Refuse a time that a motion does not reach before it is given up.
+
+        Parameters
+        ----------
+        start : array (size,)
+        until : float
+        parameters : mapping of Symbol or name to number, optional
+
+        Raises
+        ------
+        TooMuchError
+            With an estimate of the steps, from the first of them.
+        """
+        rows, constants = self._rows([start], parameters, None)
+        end = np.array([abs(until)])
+        _, _, _, (outcome, ended, steps) = self._call(rows, constants, end, 1, 1, FEW_STEPS)
+        require_steps(until, outcome[0], ended[0], steps[0])
+
     # --- what goes in and comes out ------------------------------------------------------------
 
     def _signed(self, moments: Any) -> Any:
@@ -229,7 +256,7 @@ class Lanes:
     def _rows(
         self, starts: Any, parameters: Mapping[Any, Any] | None, deviations: Any
     ) -> tuple[Any, Any]:
-        given = self._words("starts", starts)
+        given = reduced_rows(self.system, self._words("starts", starts))
         points = given[..., 0]
         require_rows(self.system, points)
         constants = parameter_pairs(self.system, parameters, len(points))[..., : self.words]
@@ -272,7 +299,13 @@ class Lanes:
         return states, found[:, :, self.size :, 0].reshape(shape), rest
 
     def _call(
-        self, rows: Any, constants: Any, moments: Any, wanted: int, threads: int | None
+        self,
+        rows: Any,
+        constants: Any,
+        moments: Any,
+        wanted: int,
+        threads: int | None,
+        most: int = MOST_STEPS,
     ) -> tuple[Any, Any, Any, tuple[Any, Any, Any]]:
         number, width, words = rows.shape
         if number * wanted * width * words > MOST_NUMBERS:
@@ -293,7 +326,7 @@ class Lanes:
             work = native.aligned(self.code.room)
             self.code.functions["march"](
                 *(first, last, arrays[0].ctypes.data, arrays[1].ctypes.data, stride),
-                *(arrays[2].ctypes.data, wanted, self.tolerance, MOST_STEPS),
+                *(arrays[2].ctypes.data, wanted, self.tolerance, most),
                 *(result.ctypes.data for result in results),
                 work.ctypes.data,
             )
@@ -301,6 +334,31 @@ class Lanes:
         workers = threads_here() if threads is None else threads
         spread(part, number, workers)
         return states, times, counts, (outcome, self._signed(ended), steps)
+
+
+def require_steps(until: float, outcome: int, ended: float, steps: int) -> None:
+    """Refuse a time that needs more steps than are allowed, to go by the first few of them.
+
+    Parameters
+    ----------
+    until : float
+        The time.
+    outcome, ended, steps
+        Of a motion that was given few steps.
+
+    Raises
+    ------
+    TooMuchError
+        With the estimate.
+    """
+    if outcome != STEPS:
+        return
+    needed = steps * abs(until) / abs(float(ended)) if ended else math.inf
+    if needed > MOST_STEPS:
+        raise TooMuchError(
+            f"to follow a motion for {until:g} s would take about {needed:.1g} steps, and it is "
+            f"given up after {MOST_STEPS:.0e}: follow it for a shorter time"
+        )
 
 
 #: Threads that a part of a program may use at most; set by what runs several such parts at once.

@@ -28,6 +28,7 @@ from ..system import System
 from ..vectors import explicit
 from .slopes import number, slopes
 from .spaces import complement, shortest, without
+from .starts import reduced_start
 
 __all__ = ["Linearisation", "components", "linearise", "steady", "taking_part"]
 
@@ -344,13 +345,7 @@ def _state(
     system: System, state: Mapping[Any, Any] | Sequence[Any], variables: Sequence[sp.Symbol]
 ) -> dict[sp.Symbol, Any]:
     if not isinstance(state, Mapping):
-        if len(state) != len(system.symbols):
-            names = ", ".join(map(str, system.symbols))
-            raise InputError(
-                f"{system.name}: the state has {len(state)} numbers; {len(system.symbols)} are "
-                f"needed ({names})"
-            )
-        state = dict(zip(system.symbols, state, strict=True))
+        state = dict(zip(system.symbols, reduced_start(system, state), strict=True))
     named = {_symbol(system, key, "state"): number(x, f"{key}") for key, x in state.items()}
     missing = [str(s) for s in variables if s not in named]
     if missing:

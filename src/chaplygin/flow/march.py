@@ -22,7 +22,7 @@ from .simd import functions
 from .tables import Explicit
 from .writer import Writer, literal
 
-__all__ = ["ENDS", "Workspace", "march"]
+__all__ = ["ENDS", "STEPS", "Workspace", "march"]
 
 #: Why a lane ended, by number; guards follow.
 ENDS = (

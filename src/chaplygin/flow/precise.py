@@ -23,8 +23,9 @@ from .given import moments as read_moments
 from .given import require_on_phase_space, require_rows
 from .graph import Term
 from .keeping import correction
-from .lanes import MOST_STEPS, reason, spread, threads_here
+from .lanes import FEW_STEPS, MOST_STEPS, reason, require_steps, spread, threads_here
 from .pairs import paired, parameter_pairs
+from .starts import reduced_rows
 from .tables import gauss
 from .values import doubles, numbers, parameter_rows, read_system, relation_terms
 
@@ -115,7 +116,30 @@ class Precise:
             If starts, times or parameters cannot be used.
         """
         moments = read_moments(times, self.backward)
-        rows = paired("starts", starts)
+        return self._call(starts, moments, parameters, threads, MOST_STEPS)
+
+    def require_reach(
+        self, start: Any, until: float, parameters: Mapping[Any, Any] | None = None
+    ) -> None:
+        """Refuse a time that a motion does not reach before it is given up.
+
+        Raises
+        ------
+        TooMuchError
+            With an estimate of the steps, from the first of them.
+        """
+        found = self._call([start], np.array([abs(until)]), parameters, 1, FEW_STEPS)
+        require_steps(until, found.outcome[0], found.ended[0], found.steps[0])
+
+    def _call(
+        self,
+        starts: Any,
+        moments: Any,
+        parameters: Mapping[Any, Any] | None,
+        threads: int | None,
+        most: int,
+    ) -> PreciseMotions:
+        rows = reduced_rows(self.system, paired("starts", starts))
         size = len(self.system.symbols)
         require_rows(self.system, rows[..., 0])
         constants = parameter_pairs(self.system, parameters, len(rows))
@@ -131,7 +155,7 @@ class Precise:
             work = native.aligned(self.code.room)
             self.code.functions["gauss"](
                 *(first, last, rows.ctypes.data, constants.ctypes.data, stride),
-                *(moments.ctypes.data, wanted, bound, MOST_STEPS),
+                *(moments.ctypes.data, wanted, bound, most),
                 *(a.ctypes.data for a in (states, outcome, ended, steps, work)),
             )
 
@@ -170,7 +194,7 @@ def precise(
     """
     if digits not in _METHODS:
         raise InputError(f"digits = {digits}: single motions are computed to 16 or to 30 digits")
-    point = doubles("start", start)
+    point = reduced_rows(system, doubles("start", start)[np.newaxis])[0]
     if point.shape != (len(system.symbols),):
         order = ", ".join(map(str, system.symbols))
         raise InputError(

@@ -1,4 +1,4 @@
-"""Many starts at once, from what is said of them by name."""
+"""Starts: many at once by name, and one in whichever of the ways in which it may be given."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
+import mpmath
 import numpy as np
 import sympy as sp
 
@@ -14,9 +15,108 @@ from ..system import System, flat
 from ..vectors import Vector
 from .values import values
 
-__all__ = ["flat_starts"]
+__all__ = ["flat_starts", "reduced_rows", "reduced_start", "upright", "whole_start"]
+
+#: Digits of the attitude that goes with a start, and what is left of a half turn.
+_DIGITS, _TURNED = 50, 1e-12
 
 omega, gamma = Vector("omega"), Vector("gamma")
+
+
+def reduced_start(
+    system: System,
+    start: Mapping[str, Any] | Sequence[Any],
+    parameters: Mapping[Any, Any] | None = None,
+) -> tuple[Any, ...]:
+    """The state of a system without what belongs to its motion in space, in flat order.
+
+    Parameters
+    ----------
+    system : System
+    start : mapping of str to number or numbers, or sequence of numbers
+        By name (ω and γ, or the variables of the state), or in flat order, with the motion in
+        space, as :func:`chaplygin.starting_state` gives it, or without.
+    parameters : mapping of Symbol or name to number, optional
+        Values that replace the defaults where the state follows from ω and γ.
+
+    Raises
+    ------
+    InputError
+        If a name or the number of numbers is wrong.
+    """
+    if isinstance(start, Mapping):
+        given = {name: np.array([value], dtype=float) for name, value in start.items()}
+        numbers = {str(key): value for key, value in (parameters or {}).items()}
+        return tuple(flat_starts(system, given, numbers)[0].tolist())
+    _require_size(system, len(start))
+    return tuple(start[: len(system.symbols)])
+
+
+def whole_start(
+    system: System,
+    start: Mapping[str, Any] | Sequence[Any],
+    parameters: Mapping[Any, Any] | None = None,
+) -> tuple[Any, ...]:
+    """The state of a system with its motion in space, where it has one, in flat order.
+
+    What a start leaves out begins at zero, and the attitude so that ζ, or else γ, points upward.
+
+    Parameters
+    ----------
+    system, start, parameters
+        See `reduced_start`.
+
+    Raises
+    ------
+    InputError
+        If a name or the number of numbers is wrong.
+    """
+    if isinstance(start, Mapping):
+        start = reduced_start(system, start, parameters)
+    _require_size(system, len(start))
+    if system.motion is None or len(start) > len(system.symbols):
+        return tuple(start)
+    known = dict(zip(map(str, system.symbols), start, strict=True))
+    up = next((n for n in (Vector("zeta"), gamma) if n in system.state), None)
+    found: list[Any] = list(start)
+    for name, _ in system.motion.field:
+        if str(name) == "attitude":
+            found += upright([known[str(s)] for s in up.symbols]) if up else [1.0, 0.0, 0.0, 0.0]
+        else:
+            found += [0.0] * len(flat([name]))
+    return tuple(found)
+
+
+def upright(vertical: Sequence[Any]) -> list[Any]:
+    """The quaternion that takes a unit vector (body) to the vertical along the shortest way."""
+    with mpmath.workdps(_DIGITS):
+        x, y, z = (mpmath.mpf(repr(v)) if isinstance(v, float) else mpmath.mpf(v) for v in vertical)
+        turn = [1 + z, y, -x, mpmath.mpf(0)]
+        if not 1 + z > _TURNED:
+            turn = [mpmath.mpf(0), mpmath.mpf(1), mpmath.mpf(0), mpmath.mpf(0)]
+        length = mpmath.norm(turn)
+        return [part / length for part in turn]
+
+
+def reduced_rows(system: System, rows: Any) -> Any:
+    """Starts (motions, size, …) without the columns that belong to the motion in space."""
+    whole = system.motion is not None and rows.ndim > 1
+    if whole and rows.shape[1] == len(system.lifted().symbols):
+        return rows[:, : len(system.symbols)]
+    return rows
+
+
+def _require_size(system: System, given: int) -> None:
+    """Refuse a start of another size than the state, or the state with the motion in space."""
+    size = len(system.symbols)
+    whole = system.lifted() if system.motion else system
+    if given in (size, len(whole.symbols)):
+        return
+    names = list(map(str, whole.symbols))
+    more = f"; or {len(names)}, with {', '.join(names[size:])}" if len(names) > size else ""
+    raise InputError(
+        f"start has {given} numbers: {size} are needed ({', '.join(names[:size])}{more})"
+    )
 
 
 def flat_starts(
@@ -44,7 +144,8 @@ def flat_starts(
         If a name is unknown, a shape is wrong, or something of the state is not given.
     """
     if set(given) == {"state"}:
-        return _shaped(system, "state", given["state"], len(system.symbols))
+        states = reduced_rows(system, np.asarray(given["state"], dtype=float))
+        return _shaped(system, "state", states, len(system.symbols))
     if "omega" in given and ("gamma" in given or omega not in system.state):
         return _placed(system, _of_spin(system, given, parameters))
     return _placed(system, given)

@@ -20,8 +20,11 @@ from ..errors import InputError, InterruptionError, RunError
 from ..system import System
 from ..vectors import explicit
 from .collocation import collocate
+from .demands import Pace
+from .extremes import too_extreme
 from .projection import Projector, call
 from .record import Dense, Happening, Statistics, Trajectory
+from .starts import whole_start
 from .taylor import Compiled, Direction, Precision, compile_system, number_type
 
 __all__ = ["Dense", "Happening", "Statistics", "Trajectory", "integrate"]
@@ -50,7 +53,7 @@ class _Log:
 
 def integrate(
     system: System,
-    start: Sequence[Any],
+    start: Mapping[str, Any] | Sequence[Any],
     times: Sequence[Any],
     *,
     parameters: Mapping[Any, Any] | None = None,
@@ -69,9 +72,11 @@ def integrate(
     ----------
     system : System
         If it has a motion in space, that is integrated with it.
-    start : sequence of numbers
-        State at ``times[0]``, reduced and (where there is one) lifted, in flat order; see
-        :func:`chaplygin.mechanics.start.starting_state`.
+    start : sequence of numbers, or mapping of str to number or numbers
+        State at ``times[0]`` in flat order, with the motion in space, as
+        :func:`chaplygin.mechanics.start.starting_state` gives it, or without; or by name (ω and γ,
+        or the variables of the state).  The motion in space begins at zero where it is left out,
+        with γ pointing upward.
     times : sequence of numbers
         At least two, all increasing or all decreasing (backward integration).
     parameters : mapping of Symbol or name to number, optional
@@ -109,6 +114,7 @@ def integrate(
         If the integration fails; it carries the last good time and the trajectory so far.  An
         InterruptionError if it is interrupted.
     """
+    start = whole_start(system, start, parameters)
     if method == "gauss":
         for name, asked in (
             ("tolerance", tolerance),
@@ -252,10 +258,6 @@ class _Run:
         self.good: tuple[Any, Any] = (kind(0), ())
 
     def begin(self, start: Sequence[Any], moment: Any, keep_integrals: bool) -> None:
-        size = len(self.system.symbols)
-        if len(start) != size:
-            names = ", ".join(map(str, self.system.symbols))
-            raise InputError(f"start has {len(start)} numbers: {size} are needed ({names})")
         state = np.array([self.kind(_text(x)) for x in start], dtype=self.kind)
         if not all(math.isfinite(float(x)) for x in state):
             raise InputError("start: all of its numbers must be finite")
@@ -286,9 +288,27 @@ class _Run:
                 value = float(next(values))
                 if not math.isfinite(value):
                     raise InputError(
-                        f"start: {name} is {value} there; all that is recorded must be a finite "
-                        "number"
+                        f"start: {name} is {value} there; "
+                        f"{self._blamed(state) or 'all that is recorded must be a finite number'}"
                     )
+
+    def _blamed(self, state: Any) -> str:
+        """The numbers that are too large or too small for the formulas, in words."""
+        names = [str(s) for s in (*self.system.symbols, *self.values)]
+        numbers = [float(x) for x in (*state, *self.parameters)]
+
+        def finite(changed: Sequence[float]) -> bool:
+            array = np.array([self.kind(x) for x in changed], dtype=self.kind)
+            values = call(self.code.outputs, array[: len(state)], array[len(state) :])
+            return all(math.isfinite(float(value)) for value in values)
+
+        with np.errstate(all="ignore"):
+            blamed = too_extreme(numbers, finite)
+        if not blamed:
+            return ""
+        listed = ", ".join(f"{names[i]} = {numbers[i]:g}" for i in blamed)
+        verb = "is" if len(blamed) == 1 else "are"
+        return f"{listed} {verb} too far from 1 to compute with: choose other units or numbers"
 
     def _require_on_phase_space(self, state: Any) -> None:
         for projector in self.projectors:
@@ -333,7 +353,7 @@ class _Run:
         length = float(last - moments[0])
         self._record(log, moments[0], stepper.state)
         watched = self._pressed(moments[0], log, on_liftoff)
-        index, cramped = 1, 0
+        index, cramped, pace = 1, 0, Pace()
         while index < len(moments) and watched:
             before = stepper.time
             outcome, step = stepper.step(max_delta_t=last - before, write_tc=True)
@@ -364,7 +384,10 @@ class _Run:
                 self._break_down(log, reason)
                 return
             if log.steps % 64 == 0:
-                if time_limit is not None and clock.perf_counter() - began > time_limit:
+                if time_limit is None:
+                    done = abs(float(now - moments[0]) / length)
+                    pace.check(done, f"to follow a motion for {abs(length):g} s")
+                elif clock.perf_counter() - began > time_limit:
                     raise _StoppedError(f"the time limit of {time_limit:g} s was reached")
                 yield float(now - moments[0]) / length
 

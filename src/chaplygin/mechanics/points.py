@@ -9,13 +9,16 @@ import sympy as sp
 
 from ..errors import InputError
 from ..vectors import Vector, explicit
-from .shapes import Implicit, Shape
+from .shapes import Ball, Implicit, Shape, directions
 
-__all__ = ["contact_points", "touching"]
+__all__ = ["centre_outside", "contact_points", "touching"]
 
 Array = np.ndarray[tuple[int, ...], np.dtype[np.float64]]
 
 _ITERATIONS = 200
+
+#: Tangent planes that are looked at.
+PLANES = 2000
 
 
 def contact_points(shape: Shape) -> Callable[[Array], Array]:
@@ -50,6 +53,26 @@ def contact_points(shape: Shape) -> Callable[[Array], Array]:
         return found
 
     return points
+
+
+def centre_outside(shape: Shape) -> bool:
+    """Whether the centre of mass lies outside a shape, as far as many tangent planes show.
+
+    A hollow ball has nothing inside; there it is whether the centre lies outside its sphere.
+    """
+    centre = np.array(shape.centre)
+    if not centre.any():
+        return False
+    match shape:
+        case Ball():
+            return bool(np.linalg.norm(centre) > shape.radius)
+        case Implicit():
+            at = dict(zip(shape.coordinates, -centre, strict=True))
+            return bool(shape.surface.subs({**dict(shape.values), **at}) > 0)
+        case _:
+            normals = directions(PLANES)
+            heights = -np.einsum("ni,ni->n", contact_points(shape)(normals), normals)
+            return bool((heights < 0).any())
 
 
 def touching(f: sp.Expr, coordinates: Sequence[sp.Symbol], gamma: Array) -> Array:

@@ -30,6 +30,7 @@ from ..vectors import (
     Diagonal,
     Symmetric,
     Vector,
+    by_name,
     constant,
     cross,
     dot,
@@ -51,7 +52,7 @@ from .attitude import (
 from .body import Body, rigid
 from .contact import Contact
 from .contact import contact as contact_of
-from .shapes import check_values
+from .shapes import check_values, real_values
 from .surfaces import Plane, Surface
 
 __all__ = ["Field", "Model", "Rolling", "roll"]
@@ -85,7 +86,7 @@ class Field:
     values: tuple[tuple[sp.Symbol, float], ...] = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "values", tuple(dict(self.values).items()))
+        object.__setattr__(self, "values", real_values(self.values))
         check_values(self.values)
         if not (np.isfinite(self.gravity) and self.gravity >= 0):
             raise InputError(f"gravity {self.gravity}: it must be finite and not negative")
@@ -214,10 +215,11 @@ def _balance(body: Body, surface: Surface, field: Field) -> _Balance:
         parameters += tuple(
             Parameter(s, "parameter of the potential", value, "SI") for s, value in field.values
         )
-        _check_potential(field.potential, parameters)
-        definitions += ((U, field.potential),)
+        potential = by_name(field.potential, (*gamma.symbols, *(p.symbol for p in parameters)))
+        _check_potential(potential, parameters)
+        definitions += ((U, potential),)
         energy = energy + U
-        torque = cross(gamma, touch.pull(gradient(field.potential, gamma)))
+        torque = cross(gamma, touch.pull(gradient(potential, gamma)))
     return _Balance(
         touch=touch,
         definitions=definitions,

@@ -13,7 +13,7 @@ from sympy.matrices.expressions import MatrixExpr
 from ..errors import InputError
 from ..statements import Integral, Law, Measure
 from ..system import Parameter, System
-from ..vectors import constant, explicit, gradient, normed, scalar, vectors
+from ..vectors import by_name, constant, explicit, gradient, normed, scalar, vectors
 from .ball_on_surface import (
     Carrier,
     Contact,
@@ -83,6 +83,8 @@ class RollingBall:
             raise InputError(
                 f"direction {self.direction}: it must be three finite numbers, not all zero"
             )
+        known = (*R.symbols, m, *(number.symbol for number in self.numbers))
+        object.__setattr__(self, "potential", by_name(self.potential, known))
         limit = self.surface.widest
         if self.carrier == "support" and limit is not None and self.radius >= limit:
             raise InputError(

@@ -14,6 +14,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+import numpy as np
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
@@ -23,6 +24,7 @@ from ..vectors import (
     Diagonal,
     Symmetric,
     Vector,
+    by_name,
     constant,
     dot,
     explicit,
@@ -34,12 +36,27 @@ from ..vectors import (
     zero,
 )
 
-__all__ = ["Ball", "Disk", "Ellipsoid", "GaussMap", "Implicit", "Revolution", "Shape", "Torus"]
+__all__ = [
+    "Ball",
+    "Disk",
+    "Ellipsoid",
+    "GaussMap",
+    "Implicit",
+    "Revolution",
+    "Shape",
+    "Torus",
+    "directions",
+]
 
 Pairs = tuple[tuple[Any, Any], ...]
 
 #: A flat face is reached when the symmetry axis leans from the normal by less than this (radians).
 FLAT = 1e-6
+
+#: Rays along which a surface is looked at, and powers of two up to which.
+RAYS, FARTHEST = 1000, 80
+
+Array = np.ndarray[tuple[int, ...], np.dtype[np.float64]]
 
 R = scalar("R")
 rho = scalar("rho")
@@ -87,6 +104,14 @@ def convexity(product: sp.Expr, total: sp.Expr) -> tuple[Guard, Guard]:
     return Guard("convex", product, happening), Guard("convex", total, happening)
 
 
+def directions(count: int) -> Array:
+    """Unit vectors spread evenly over the sphere, (count, 3): along a spiral of golden angles."""
+    heights = 1 - (2 * np.arange(count) + 1) / count
+    turns = np.pi * (3 - math.sqrt(5)) * np.arange(count)
+    widths = np.sqrt(1 - heights**2)
+    return np.stack([widths * np.cos(turns), widths * np.sin(turns), heights], axis=1)
+
+
 def _length(symbol: sp.Symbol, meaning: str, value: float) -> Parameter:
     return Parameter(symbol, meaning, value, "m", (symbol > 0,))
 
@@ -95,6 +120,11 @@ def _positive(shape: str, **lengths: float) -> None:
     for name, value in lengths.items():
         if not (math.isfinite(value) and value > 0):
             raise InputError(f"{name} {value} of the {shape}: it must be a positive finite number")
+
+
+def real_values(values: Any) -> tuple[tuple[sp.Symbol, float], ...]:
+    """Values by real symbols, whatever else was assumed of these."""
+    return tuple((scalar(str(symbol)), value) for symbol, value in dict(values).items())
 
 
 def check_values(values: tuple[tuple[sp.Symbol, float], ...]) -> None:
@@ -348,13 +378,15 @@ class Revolution(_Centred):
     values: tuple[tuple[sp.Symbol, float], ...] = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "values", tuple(dict(self.values).items()))
+        object.__setattr__(self, "values", real_values(self.values))
+        known = (gamma.symbols[2], *dict(self.values))
+        object.__setattr__(self, "support", by_name(self.support, known))
         check_values(self.values)
         _check_centre(self.centre)
         _require_known(
             f"support function {self.support}",
             self.support.free_symbols,
-            {gamma.symbols[2], *dict(self.values)},
+            set(known),
             "gamma_3",
         )
         for cosine in (-1.0, -0.5, 0.0, 0.5, 1.0):
@@ -382,7 +414,8 @@ class Revolution(_Centred):
             −γ, that is, if −γ₃χ₁ + (1 − γ₃²)χ₁′ + γ₃χ₂′ is not zero.
         """
         u = gamma.symbols[2]
-        table = dict(values or {})
+        table = dict(real_values(values or {}))
+        chi_1, chi_2 = (by_name(chi, (u, *table)) for chi in (chi_1, chi_2))
         _require_known(
             f"profile chi_1 = {chi_1}, chi_2 = {chi_2}",
             chi_1.free_symbols | chi_2.free_symbols,
@@ -454,13 +487,15 @@ class Implicit(_Centred):
     coordinates = (scalar("x"), scalar("y"), scalar("z"))
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "values", tuple(dict(self.values).items()))
+        object.__setattr__(self, "values", real_values(self.values))
+        known = (*self.coordinates, *dict(self.values))
+        object.__setattr__(self, "surface", by_name(self.surface, known))
         check_values(self.values)
         _check_centre(self.centre)
         _require_known(
             f"surface {self.surface} = 0",
             self.surface.free_symbols,
-            {*self.coordinates, *dict(self.values)},
+            set(known),
             "x, y, z",
         )
         inside = sp.N(
@@ -470,6 +505,22 @@ class Implicit(_Centred):
             raise InputError(
                 f"surface {self.surface} = 0: the left side is {inside} at the geometric centre "
                 "x = y = z = 0, and must be negative there (negative inside, zero on the surface)"
+            )
+        self._require_closed()
+
+    def _require_closed(self) -> None:
+        """Refuse a surface that some ray from the geometric centre never meets."""
+        level = sp.lambdify(self.coordinates, self.surface.subs(dict(self.values)), "numpy")
+        rays = directions(RAYS)
+        with np.errstate(all="ignore"):
+            far = np.ldexp(1.0, np.arange(FARTHEST))[:, None, None] * rays
+            values = np.broadcast_to(level(*np.moveaxis(far, 2, 0)), far.shape[:2])
+            never = np.flatnonzero(~np.any(~(values <= 0), axis=0))
+        if len(never):
+            way = ", ".join(f"{x:.2g}" for x in rays[never[0]])
+            raise InputError(
+                f"surface {self.surface} = 0: it is not closed; in the direction ({way}) the left "
+                "side stays negative, however far from the geometric centre"
             )
 
     @property

@@ -17,7 +17,7 @@ import sympy as sp
 
 from ..errors import InputError
 from ..system import Guard, Parameter
-from ..vectors import scalar
+from ..vectors import by_name, scalar
 
 __all__ = [
     "Axis",
@@ -318,5 +318,6 @@ class ImplicitSurface(SmoothSurface):
 
     def level(self, point: Point, offset: sp.Expr) -> sp.Expr | None:
         """The formula; no simple equation elsewhere."""
+        known = (*self.coordinates, *(number.symbol for number in self.numbers))
         replaced = dict(zip(self.coordinates, point, strict=True))
-        return self.formula.xreplace(replaced) if offset == 0 else None
+        return by_name(self.formula, known).xreplace(replaced) if offset == 0 else None

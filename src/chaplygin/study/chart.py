@@ -10,6 +10,7 @@ from ..explore.charts import Chart
 from ..explore.planes import Axis, Plane, plane
 from ..explore.quantities import meaning
 from ..explore.rules import asked
+from ..flow.lanes import lanes
 from ..system import System, flat
 from .followed import followed
 from .prepare import Study
@@ -54,6 +55,8 @@ def chart_of(
     """
     made = plane_of(study, x, y, formulas=formulas, held=held)
     span = study.until if until is None else until
+    point = [float(value) for value in study.start[: len(made.system.symbols)]]
+    lanes(made.system, backward=span < 0).require_reach(point, span)
     number = asked(made.system, of, span, variables={**VECTORS, **study.variables})
     return Chart(made, number.rule, number.name, number.title, number.unit)
 

@@ -1,4 +1,4 @@
-"""Trajectories as xarray datasets, and to and from NetCDF files."""
+"""Trajectories as xarray datasets, and to and from files."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ import xarray as xr
 from ..errors import InputError
 from ..flow.meanings import FRAMES, LABELS, told_of
 from ..flow.trajectory import Trajectory
-from .files import check_target, completed
+from .formats import save
 
-__all__ = ["content", "read", "to_dataset", "write"]
+__all__ = ["read", "to_dataset", "write"]
 
 #: Horizontal place of a centre of mass in the lift to space, which is recorded whole.
 _PLACE = "place"
@@ -140,40 +140,43 @@ def _split(values: Any) -> tuple[Any, Any]:
 
 
 def write(dataset: xr.Dataset, path: str | Path, force: bool = False) -> Path:
-    """Write a dataset to a NetCDF file; the file appears complete or not at all.
+    """Write a dataset to a file or store; it appears complete or not at all.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+    path : str or Path
+        Name ending in ``.nc`` (NetCDF), ``.zarr`` (a Zarr store) or ``.csv`` (a table).
+    force : bool
+        Whether to replace what is there.
 
     Raises
     ------
     InputError
-        If the file exists and `force` is false, or its place cannot be written.
+        If the ending is another one, the file exists and `force` is false, or its place cannot
+        be written.
     """
     target = Path(path)
-    check_target(target, force)
-    with completed(target) as temporary:
-        temporary.write_bytes(content(dataset))
+    save(dataset, target, force)
     return target
 
 
-def content(dataset: xr.Dataset) -> bytes:
-    """What a NetCDF file of a dataset holds.
-
-    By way of memory, since HDF5 may bring the process down when a disk is full.
-    """
-    return bytes(dataset.to_netcdf(engine="h5netcdf"))
-
-
 def read(path: str | Path) -> xr.Dataset:
-    """Read a dataset written by :func:`write`, into memory.
+    """Read a dataset written by :func:`write` to NetCDF or Zarr, into memory.
 
     Raises
     ------
     InputError
-        If the file is missing or not a NetCDF file.
+        If the file is missing, or neither a NetCDF file nor a Zarr store.
     """
+    zarr = Path(path).is_dir()
     try:
-        with xr.open_dataset(path, engine="h5netcdf") as stored:
+        with xr.open_dataset(
+            path, engine="zarr" if zarr else "h5netcdf", decode_times=False
+        ) as stored:
             return stored.load()
     except FileNotFoundError as problem:
         raise InputError(f"{path}: there is no such file") from problem
     except OSError as problem:
-        raise InputError(f"{path}: not a readable NetCDF file") from problem
+        kind = "Zarr store" if zarr else "NetCDF file"
+        raise InputError(f"{path}: not a readable {kind}") from problem

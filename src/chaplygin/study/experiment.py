@@ -14,13 +14,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from pydantic import Field, ValidationError, ValidationInfo, field_validator
 
 from ..errors import InputError
-from ..systems import CATALOGUE
+from ..expressions import nearest
+from ..systems import CATALOGUE, Entry, entry
 from .ball_experiment import BallExperiment, means_ball
 from .experiment_base import ExperimentBase
 from .mechanism_tables import (
@@ -54,6 +56,7 @@ from .tables import (
     SystemRunTable,
     SystemStartTable,
     SystemTable,
+    Table,
     TorusTable,
 )
 from .toml_text import Key, dumps
@@ -67,6 +70,7 @@ __all__ = [
     "RollingExperiment",
     "StateExperiment",
     "SystemExperiment",
+    "catalogue_experiment",
     "load",
     "loads",
 ]
@@ -284,11 +288,36 @@ def loads(text: str, name: str = "<text>", overrides: Iterable[str] = ()) -> Exp
     InputError
         For all that is wrong in it, as `load` does.
     """
-    source = Source(name, text, tuple(overrides))
+    return _read(Source(name, text, tuple(overrides)))
+
+
+def catalogue_experiment(name: str, overrides: Iterable[str] = ()) -> Experiment:
+    """The experiment that a system of the catalogue suggests.
+
+    Parameters
+    ----------
+    name
+        Of the system.
+    overrides
+        As for `load`.
+
+    Raises
+    ------
+    InputError
+        If there is no such system, or for all that is wrong in the overrides.
+    """
+    given = {"system": {"name": entry(name).name}}
+    return _read(Source(name, "", tuple(overrides), given))
+
+
+def _read(source: Source) -> Experiment:
+    """The experiment of a source, or an InputError for all that is wrong in it."""
+    source = replace(source, short=_short(source))
     tables = source.tables()
     _check_one_description(tables, source)
     model = _model(tables)
     wrong = _decided_by_system(tables) if "system" in tables else {}
+    wrong |= _no_keys(tables, model, source)
     rest = {key: table for key, table in tables.items() if (key,) not in wrong}
     try:
         experiment = model.model_validate(rest)
@@ -301,13 +330,65 @@ def loads(text: str, name: str = "<text>", overrides: Iterable[str] = ()) -> Exp
     return experiment
 
 
+#: Where the parameters of a system stand, besides those of the catalogue.
+_PARAMETERS: tuple[Key, ...] = (
+    ("parameters",),
+    ("body", "shape", "parameters"),
+    ("surface", "parameters"),
+    ("field", "parameters"),
+)
+
+
+def _short(source: Source) -> dict[str, Key]:
+    """The paths of the parameters by their names, which an option may write alone."""
+    with_tables = tuple(option for option in source.overrides if "." in option.partition("=")[0])
+    tables = replace(source, overrides=with_tables).tables()
+    found: dict[str, Key] = {}
+    for place in _PARAMETERS:
+        table: Any = tables
+        for part in place:
+            table = table.get(part) if isinstance(table, dict) else None
+        if isinstance(table, dict):
+            found |= {name: (*place, name) for name in table}
+    if (item := _item(tables)) is not None:
+        found |= {name: ("system", "parameters", name) for name in item.defaults}
+    return found
+
+
+def _no_keys(tables: dict[str, Any], model: type[Experiment], source: Source) -> dict[Key, str]:
+    """What options without a table name that is neither a key nor a parameter."""
+    wrong: dict[Key, str] = {}
+    for option in source.overrides:
+        (name, *rest), value = source.path(option), option.partition("=")[2].strip()
+        if rest or name in model.model_fields or name not in tables:
+            continue
+        tables_with = [
+            table
+            for table, field in model.model_fields.items()
+            if isinstance(field.annotation, type)
+            and issubclass(field.annotation, Table)
+            and name in field.annotation.model_fields
+        ]
+        wrong[(name,)] = (
+            f"unknown key; a key is written with its table: --set {tables_with[0]}.{name}={value}"
+            if tables_with
+            else f"unknown key{nearest(name, (*model.model_fields, *source.short))}"
+        )
+    return wrong
+
+
+def _item(tables: dict[str, Any]) -> Entry | None:
+    """The entry of the catalogue that tables name, if there is one of that name."""
+    table = tables.get("system")
+    name = table.get("name") if isinstance(table, dict) else None
+    return CATALOGUE.get(name) if isinstance(name, str) else None
+
+
 def _model(tables: dict[str, Any]) -> type[Experiment]:
     """The kind of experiment that these tables mean to be."""
     if "system" not in tables:
         return _own_model(tables)
-    table = tables["system"]
-    name = table.get("name") if isinstance(table, dict) else None
-    item = CATALOGUE.get(name) if isinstance(name, str) else None
+    item = _item(tables)
     return StateExperiment if item and item.start.state is not None else SystemExperiment
 
 

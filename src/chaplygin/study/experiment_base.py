@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from pydantic import Field, PrivateAttr
 
 from .source import Source
 from .tables import Table
-from .toml_text import dumps
+from .toml_text import Key, dumps
 
 __all__ = ["ExperimentBase"]
 
@@ -35,6 +37,19 @@ class ExperimentBase(Table):
     def overrides(self) -> tuple[str, ...]:
         """The options ``KEY=VALUE`` that were applied to the text."""
         return self._source.overrides
+
+    def has(self, *key: str) -> bool:
+        """Whether there is such a key, such as ``has("body", "mass")``, given or by default."""
+        table: object = self.model_dump()
+        for part in key:
+            if not isinstance(table, Mapping) or part not in table:
+                return False
+            table = table[part]
+        return True
+
+    def path(self, option: str) -> Key:
+        """The key that an option sets."""
+        return self._source.path(option)
 
     def where(self, *key: str) -> str:
         """The place of a key, such as ``where("body", "mass")``, for the message of an error."""

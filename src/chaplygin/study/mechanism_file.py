@@ -73,14 +73,14 @@ def _check_overrides(experiment: MechanismExperiment, made: Mechanism) -> None:
     formulas += [explicit(law.value) for law in made.laws if isinstance(law, Integral)]
     used = {str(s) for formula in formulas for s in formula.free_symbols}
     for option in experiment.overrides:
-        path = option.partition("=")[0].strip().split(".")
+        path = experiment.path(option)
         if path[0] == "parameters" and len(path) > 1:
             name = path[1]
             if not any(s == name or s.startswith(f"{name}_") for s in used):
                 known = sorted({str(p.symbol) for p in made.parameters} & used)
                 raise InputError(
                     f"no formula uses the parameter {name}; the file's are {', '.join(known)}",
-                    f"--set parameters.{name}",
+                    experiment.where(*path),
                 )
 
 

@@ -14,9 +14,11 @@ import xarray as xr
 
 from ..errors import InputError
 from ..expressions import parse
+from ..flow.demands import TooMuchError
 from ..flow.trajectory import Trajectory, integrate
 from ..mechanics.ball_start import ball_state
 from ..mechanics.body import Body
+from ..mechanics.points import centre_outside
 from ..mechanics.quasivelocity import TIME, Mechanism
 from ..mechanics.rolling import Field, Rolling
 from ..mechanics.rolling_ball import RollingBall
@@ -56,7 +58,7 @@ from .tables import (
     TorusTable,
 )
 
-__all__ = ["Study", "catalogue_experiment", "dataset_of", "prepare", "shape_name", "started"]
+__all__ = ["Study", "dataset_of", "prepare", "shape_name", "started"]
 
 
 @dataclass(frozen=True)
@@ -80,6 +82,8 @@ class Study:
         The Lagrangian, frame and constraints from which the system was derived.
     ball : RollingBall, optional
         The homogeneous ball that rolls, and its surface.
+    letters : mapping of str to str
+        Meanings of letters that this system alone has.
     """
 
     experiment: Experiment
@@ -90,6 +94,7 @@ class Study:
     variables: Mapping[str, tuple[str, str]] = field(default_factory=dict)
     mechanism: Mechanism | None = None
     ball: RollingBall | None = None
+    letters: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def own(self) -> bool:
@@ -107,11 +112,14 @@ class Study:
         unit = unit_vectors(self.system) if self.by_state else {"gamma"}
         start = self.experiment.start
         told = start if isinstance(start, dict) else start.model_dump(exclude_none=True)
-        return tuple(
+        lengths = tuple(
             f"start.{name} has length {length:.9g}; it was normalised to "
             f"[{', '.join(f'{x:.17g}' for x in direction)}]"
             for name, (length, direction) in normalised(told, unit).items()
         )
+        if self.own and self.rolling is not None and centre_outside(self.rolling.body.shape):
+            return (*lengths, "body.shape.centre puts the centre of mass outside the body")
+        return lengths
 
     @cached_property
     def start(self) -> tuple[Any, ...]:
@@ -189,20 +197,24 @@ class Study:
         run = self.experiment.run
         start = self.start
         with _at(self.experiment, "start"):
-            found = integrate(
-                self.watched,
-                start,
-                _divided(self.times, pieces),
-                # collocation always computes with all digits
-                tolerance=run.tolerance if run.method == "taylor" else None,
-                precision=run.precision,
-                on_liftoff=run.on_liftoff,
-                keep_integrals=run.keep_integrals,
-                time_limit=run.time_limit,
-                dense=dense,
-                progress=progress,
-                method=run.method,
-            )
+            try:
+                found = integrate(
+                    self.watched,
+                    start,
+                    _divided(self.times, pieces),
+                    # collocation always computes with all digits
+                    tolerance=run.tolerance if run.method == "taylor" else None,
+                    precision=run.precision,
+                    on_liftoff=run.on_liftoff,
+                    keep_integrals=run.keep_integrals,
+                    time_limit=run.time_limit,
+                    dense=dense,
+                    progress=progress,
+                    method=run.method,
+                )
+            except TooMuchError as error:
+                where = self.experiment.where("run", "until")
+                raise InputError(error.message, where) from None
         if len(found.times) == 1 and found.happenings:
             raise InputError(
                 f"there is no motion from here: {found.happenings[-1].guard.happening}; "
@@ -239,9 +251,10 @@ def _at(experiment: Experiment, *key: str) -> Iterator[None]:
         if error.where:
             raise
         subject, colon, rest = error.message.partition(": ")
-        if colon and subject.isidentifier():
-            place = key if subject == key[-1] else (*key, subject)
-            raise InputError(rest, experiment.where(*place)) from None
+        if colon and subject == key[-1]:
+            raise InputError(rest, experiment.where(*key)) from None
+        if colon and experiment.has(*key, subject):
+            raise InputError(rest, experiment.where(*key, subject)) from None
         raise InputError(error.message, experiment.where(*key)) from None
 
 
@@ -268,13 +281,6 @@ def prepare(experiment: Experiment) -> Study:
     return Study(experiment, system, rolling, given, experiment.run.until)
 
 
-def catalogue_experiment(name: str) -> SystemExperiment | StateExperiment:
-    """The experiment that a catalogue entry suggests."""
-    item = entry(name)
-    model = SystemExperiment if item.start.state is None else StateExperiment
-    return model.model_validate({"system": {"name": item.name}})
-
-
 def _from_catalogue(experiment: SystemExperiment | StateExperiment) -> Study:
     table = experiment.system
     with _at(experiment, "system", "name"):
@@ -288,7 +294,9 @@ def _from_catalogue(experiment: SystemExperiment | StateExperiment) -> Study:
     told = start if isinstance(start, dict) else {"omega": start.omega, "gamma": start.gamma}
     given = suggested.values | {name: value for name, value in told.items() if value is not None}
     until = experiment.run.until or suggested.until
-    return Study(experiment, system, rolling, given, until, item.variables, ball=ball)
+    return Study(
+        experiment, system, rolling, given, until, item.variables, ball=ball, letters=item.letters
+    )
 
 
 def _with_ball(experiment: BallExperiment) -> Study:

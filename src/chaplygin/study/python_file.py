@@ -53,21 +53,25 @@ def load_python(path: Path, overrides: Iterable[str] = ()) -> Study:
         If the file is missing, fails (with its line), or does not define a system.
     """
     found = _defined(path)
-    source = Source(str(path), "", tuple(overrides))
+    options = tuple(overrides)
     if "study" in found:
-        if source.overrides:
-            raise InputError("a study made in Python cannot be changed by --set", str(path))
+        if options:
+            raise InputError(
+                "a study made in Python cannot be changed by --set or --precision", str(path)
+            )
         made: Study = found["study"]
         return made
-    told = source.tables()
-    for name in told:
-        if name not in _CHANGEABLE:
-            allowed = nearest(name, _CHANGEABLE)
-            raise InputError(f"a Python file decides this itself{allowed}", source.where((name,)))
     mechanism: Mechanism | None = found.get("mechanism")
     with _Placed(path):
         system: System = found.get("system") or equations(found["mechanism"])
         tables = tables_of(system)
+    short = {name: ("parameters", name) for name in tables["parameters"]}
+    source = Source(str(path), "", options, short=short)
+    told = source.tables()
+    for name in told:
+        if name not in _CHANGEABLE:
+            allowed = nearest(name, (*_CHANGEABLE, *short))
+            raise InputError(f"a Python file decides this itself{allowed}", source.where((name,)))
     for name in ("start", "run"):
         tables[name] = _plain(found.get(name, {}), name, path) | told.get(name, {})
     tables["start"] = lift_of(system, tables["start"]) | tables["start"]

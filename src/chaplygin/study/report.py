@@ -46,7 +46,7 @@ PLATES = {
     "state": ("The state", "The variables of the state against time."),
     "recorded": ("Recorded besides", "Multipliers of the constraints and other quantities."),
     "normal_on_sphere": (
-        "The normal γ on its sphere",
+        "The unit vector γ on its sphere",
         "In body axes: the direction from which the body sees the surface it rolls on.",
     ),
     "angular_velocity": ("Angular velocity ω", "Components along the body axes."),
@@ -113,7 +113,7 @@ def render(
             {
                 "name": name,
                 "heading": heading,
-                "caption": f"{caption} {_remark(study, name)}",
+                "caption": f"{_caption(study, name, caption)} {_remark(study, name)}",
                 "svg": drawn[name],
             }
             for name, (heading, caption) in PLATES.items()
@@ -172,6 +172,13 @@ def _unobserved(study: Study) -> tuple[Law, ...]:
     return tuple(law for law in study.system.laws if law not in study.watched.laws)
 
 
+def _caption(study: Study, name: str, caption: str) -> str:
+    """What a figure shows; without a surface γ is another vector."""
+    if name == "normal_on_sphere" and study.rolling is None and not study.letters:
+        return "In body axes: the unit vector fixed in space, as the body sees it."
+    return caption
+
+
 def _remark(study: Study, name: str) -> str:
     """What a figure needs to be said besides, for this study."""
     if name == "drift" and study.experiment.run.precision == "double":
@@ -196,7 +203,7 @@ def _setting(study: Study) -> str:
     if study.by_state:
         return ""
     if rolling is None:
-        return "A body about a fixed point."
+        return ""
     shape = shape_name(rolling)
     surface = rolling.surface
     ground = "a horizontal plane"

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from copy import deepcopy
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -32,11 +33,17 @@ class Source:
         The TOML text as it stands in the file.
     overrides
         Options ``KEY=VALUE`` that replace or add keys, later ones winning.
+    given
+        Tables that stand in no text: those of a name of the catalogue.
+    short
+        Names that an option may write for a longer path, such as ``I_1``.
     """
 
     name: str
     text: str
     overrides: tuple[str, ...] = ()
+    given: Mapping[str, Any] = field(default_factory=dict)
+    short: Mapping[str, Key] = field(default_factory=dict)
 
     def tables(self) -> dict[str, Any]:
         """The tables of the file with the overrides put in.
@@ -48,13 +55,13 @@ class Source:
             leads through something that is no table.
         """
         try:
-            tables = tomllib.loads(self.text)
+            tables = deepcopy(dict(self.given)) | tomllib.loads(self.text)
         except RecursionError:
             raise InputError("not valid TOML: too deeply nested", self.name) from None
         except ValueError as error:
             raise self._syntax_error(str(error)) from None
         for option in self.overrides:
-            _put(tables, option)
+            _put(tables, option, self.short)
         self._require_print((), tables)
         return tables
 
@@ -77,6 +84,10 @@ class Source:
                         self.where(key),
                     )
 
+    def path(self, option: str) -> Key:
+        """The key that an option sets."""
+        return _path(option.partition("=")[0].strip(), self.short)
+
     def where(self, key: Key) -> str:
         """Name the place of a key for an error message.
 
@@ -89,16 +100,21 @@ class Source:
         -------
         str
             ``"rattleback.toml, line 12, body.inertia"``; the line of the table where the key
-            itself is not in the file; the option where an override has set or made it.
+            itself is not in the file; the option where an override has set or made it, and all
+            of them where several have made a table.
         """
+        made = []
         for option in reversed(self.overrides):
             setting = option.partition("=")[0].strip()
-            path = tuple(setting.split("."))
-            made = key and path[: len(key)] == key and key not in self._lines
-            if key == path or made:
+            path = self.path(option)
+            if key == path:
                 return f"--set {setting}"
             if key[: len(path)] == path:
                 return f"--set {setting}, {dotted(key)}"
+            if key and path[: len(key)] == key and key not in self._lines:
+                made.append(f"--set {setting}")
+        if made:
+            return " ".join(dict.fromkeys(reversed(made)))
         number = self.line(key)
         parts = [self.name, f"line {number}" if number else "", dotted(key)]
         return ", ".join(part for part in parts if part)
@@ -123,11 +139,16 @@ class Source:
         return InputError(sentence, f"{self.name}, line {line}")
 
 
-def _put(tables: dict[str, Any], option: str) -> None:
+def _path(setting: str, short: Mapping[str, Key]) -> Key:
+    """The path that an option writes, in full."""
+    return short.get(setting) or tuple(setting.split("."))
+
+
+def _put(tables: dict[str, Any], option: str, short: Mapping[str, Key]) -> None:
     """Put one option ``KEY=VALUE`` into the tables."""
     key, equals, text = option.partition("=")
     key = key.strip()
-    path = key.split(".")
+    path = _path(key, short)
     if not equals or not all(re.fullmatch(r"[A-Za-z0-9_-]+", part) for part in path):
         message = "an override has the form KEY=VALUE, such as body.mass=2"
         raise InputError(message, f"--set {option}")

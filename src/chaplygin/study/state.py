@@ -15,6 +15,7 @@ import sympy as sp
 
 from ..errors import InputError
 from ..expressions import nearest
+from ..flow.starts import upright
 from ..mechanics.attitude import attitude
 from ..mechanics.start import DIGITS, SLACK
 from ..notation import text
@@ -205,16 +206,7 @@ def _complete(lifted: System, known: dict[str, list[Any]]) -> None:
             known.setdefault(str(name), [one, *rest] if _size(name) == QUATERNION else [*rest, one])
         known.setdefault(str(name), [zero] * max(_size(name), 1))
     if attitude in lifted.state and not any(known[str(attitude)]):
-        known[str(attitude)] = _upright(known.get("gamma", [zero, zero, mpmath.mpf(1)]))
-
-
-def _upright(gamma: list[Any]) -> list[Any]:
-    """The quaternion that takes the unit vector γ (body) to the vertical along the shortest way."""
-    zero = mpmath.mpf(0)
-    x, y, z = gamma
-    turn = [1 + z, y, -x, zero] if 1 + z > SLACK else [zero, mpmath.mpf(1), zero, zero]
-    length = mpmath.norm(turn)
-    return [part / length for part in turn]
+        known[str(attitude)] = upright(known.get("gamma", [zero, zero, mpmath.mpf(1)]))
 
 
 def _function(system: System, formulas: Sequence[sp.Expr]) -> Callable[[Sequence[Any]], list[Any]]:

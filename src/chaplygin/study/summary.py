@@ -9,16 +9,10 @@ import numpy as np
 from ..flow.trajectory import Trajectory
 from ..notation import text
 from ..system import System
+from .glossary import glossary
 from .prepare import Study
 
 __all__ = ["drift", "legend", "summary", "summary_text"]
-
-_BODY_AXES = (
-    "In body axes: ω angular velocity, M momentum about the contact point, γ outward normal of the "
-    "surface at the contact, r from the centre of mass to the contact point, c to the geometric "
-    "centre, ζ the vertical; E is the unit tensor."
-)
-
 
 _BALL = (
     "In space axes: R centre of the ball, ω angular velocity, v velocity, n normal of the surface "
@@ -33,7 +27,7 @@ def legend(study: Study) -> str:
         on_centre = study.ball.kinematics.fit is None
         return _BALL.format(on="of the centre" if on_centre else "that carries the ball at x")
     if not study.by_state:
-        return _BODY_AXES
+        return glossary(study.system, study.rolling is not None, study.letters)
     meanings = [
         f"{text(name)} {study.variables[str(name)][0]}"
         for name in study.system.state

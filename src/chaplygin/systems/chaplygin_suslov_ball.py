@@ -185,5 +185,15 @@ ENTRIES = (
         build=build,
         start=Start(omega=(0.9, -0.5, -0.20625), gamma=(0.2, -0.3, 0.93), until=60.0),
         general=general,
+        letters={
+            "gamma": "outward normal of the plane at the contact",
+            "I": "inertia tensor about the centre",
+            "J": "I with m R² added to each moment",
+            "e": "axis about which the ball must not turn",
+            "p": "angular acceleration by a unit torque about e",
+            "q": "the same by one about γ",
+            "s": "spin, the component of ω along γ",
+            "sigma": "rate of the spin",
+        },
     ),
 )

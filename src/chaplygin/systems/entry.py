@@ -86,6 +86,8 @@ class Entry:
         Meaning and SI unit of state variables by name, where the start is given by a state.
     ball : callable, optional
         Numbers by symbol name ↦ the homogeneous ball on a surface whose System `build` gives.
+    letters : mapping of str to str
+        Meanings of letters in the equations that this system alone has.
     """
 
     name: str
@@ -99,6 +101,7 @@ class Entry:
     general: Callable[[], System] | None = None
     variables: Mapping[str, tuple[str, str]] = field(default_factory=dict)
     ball: Callable[[Numbers], RollingBall] | None = None
+    letters: Mapping[str, str] = field(default_factory=dict)
 
     def numbers(self, parameters: Numbers | None = None) -> dict[str, float]:
         """All parameters, the given ones replacing the defaults.

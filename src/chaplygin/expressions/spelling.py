@@ -1,0 +1,32 @@
+"""Formulas as on paper, ``γ₃²``, spelt as in code, ``gamma_3**2``."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+
+__all__ = ["spelt"]
+
+_PLAIN = str.maketrans(
+    {
+        **{chr(0x2080 + i): f"_{i}" for i in range(10)},
+        **dict(zip("²³⁴⁵⁶⁷⁸⁹", (f"**{i}" for i in range(2, 10)), strict=True)),
+        "−": "-",
+        "·": "*",
+        "⋅": "*",
+    }
+)
+_GREEK = re.compile(r"GREEK (SMALL|CAPITAL) LETTER (\w+)")
+
+
+def spelt(text: str) -> str:
+    """The same text with Greek letters, indices, powers and signs as they are spelt in code."""
+    return text if text.isascii() else "".join(map(_word, text.translate(_PLAIN)))
+
+
+def _word(character: str) -> str:
+    match = _GREEK.fullmatch(unicodedata.name(character, ""))
+    if match is None:
+        return character
+    word = match[2].lower().replace("lamda", "lambda")
+    return word if match[1] == "SMALL" else word.capitalize()

@@ -1,0 +1,91 @@
+"""What a computation would take, refused where that is years, or more room than there is."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from ..errors import InputError
+
+__all__ = ["Pace", "TooMuchError", "in_words", "require_room"]
+
+#: A computation that would take longer is refused: seconds in a year.
+YEAR = 365.25 * 86400.0
+#: After so many seconds the pace is known.
+_KNOWN = 0.5
+_UNITS = ("bytes", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB", "ZiB", "YiB")
+_KIBI = 1024.0
+
+
+class TooMuchError(InputError):
+    """A computation that asks for more time or room than there is."""
+
+
+@dataclass(frozen=True)
+class Pace:
+    """How fast a computation goes on, from the moment this is made."""
+
+    began: float = field(default_factory=time.perf_counter)
+
+    def check(self, fraction: float, what: str) -> None:
+        """Refuse a computation that would take more than a year.
+
+        Parameters
+        ----------
+        fraction : float
+            What is done by now, of 1.
+        what : str
+            What is computed, with what should be smaller: the beginning of the sentence.
+
+        Raises
+        ------
+        TooMuchError
+            With the estimate.
+        """
+        elapsed = time.perf_counter() - self.began
+        if elapsed < _KNOWN or elapsed <= YEAR * fraction:
+            return
+        years = f"{elapsed / fraction / YEAR:.1g}" if fraction else "endless"
+        raise TooMuchError(
+            f"{what} would take about {years} years: in {elapsed:.2g} s it has come "
+            f"{fraction:.1g} of the way"
+        )
+
+
+def require_room(size: float, folder: Path | None, what: str) -> None:
+    """Refuse a result that finds no room.
+
+    Parameters
+    ----------
+    size : float
+        In bytes.
+    folder : Path or None
+        Where it is to be written; in memory if None.
+    what : str
+        What is computed: the beginning of the sentence.
+
+    Raises
+    ------
+    InputError
+        With both sizes.
+    """
+    if folder is None:
+        room, place = float(os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")), "memory"
+    else:
+        there = next((p for p in (folder, *folder.absolute().parents) if p.is_dir()), Path("/"))
+        room, place = float(shutil.disk_usage(there).free), "disk"
+    if size > room:
+        raise TooMuchError(
+            f"{what} would take {in_words(size)} of {place}, and there are {in_words(room)}"
+        )
+
+
+def in_words(size: float) -> str:
+    """A number of bytes with two or three digits."""
+    steps = 0
+    while size >= _KIBI and steps < len(_UNITS) - 1:
+        size, steps = size / _KIBI, steps + 1
+    return f"{size:.3g} {_UNITS[steps]}"

@@ -1,0 +1,135 @@
+"""The kinds of file in which a trajectory is kept: NetCDF, Zarr, and CSV for tables."""
+
+from __future__ import annotations
+
+import csv
+import io
+import os
+import shutil
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ..errors import InputError
+from .files import check_target, completed
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["FORMATS", "check_format", "check_output", "csv_text", "netcdf", "save"]
+
+#: Endings of names, and what they mean.
+FORMATS = {".nc": "NetCDF", ".zarr": "a Zarr store", ".csv": "a table"}
+
+
+def check_format(path: Path) -> None:
+    """Raise InputError unless the ending of a name means a kind of file."""
+    if path.suffix.lower() not in FORMATS:
+        kinds = ", ".join(f"{ending} ({kind})" for ending, kind in FORMATS.items())
+        raise InputError(f"{path}: the name of a trajectory must end in {kinds}")
+
+
+def check_output(path: Path, force: bool = False) -> None:
+    """Raise InputError unless a trajectory may be written to `path`."""
+    check_format(path)
+    if path.suffix.lower() != ".zarr" or not path.is_dir():
+        check_target(path, force)
+    elif any(path.iterdir()) and not _is_trajectory(path):
+        raise InputError(f"{path} is a folder with something else in it: choose another name")
+    elif any(path.iterdir()) and not force:
+        raise InputError(
+            f"{path} exists already: choose another name, or have it replaced (--force, in Python "
+            "force=True)"
+        )
+
+
+def save(dataset: xr.Dataset, path: Path, force: bool = False) -> None:
+    """Write a trajectory as the ending of the name says; it appears complete or not at all.
+
+    Raises
+    ------
+    InputError
+        If the ending means nothing, the place is taken and `force` is false, or it cannot be
+        written.
+    """
+    check_output(path, force)
+    ending = path.suffix.lower()
+    if ending == ".zarr":
+        _save_zarr(dataset, path)
+        return
+    content = csv_text(dataset).encode("utf-8") if ending == ".csv" else netcdf(dataset)
+    with completed(path) as temporary:
+        temporary.write_bytes(content)
+
+
+def netcdf(dataset: xr.Dataset) -> bytes:
+    """What a NetCDF file of a dataset holds.
+
+    By way of memory, since HDF5 may bring the process down when a disk is full.
+    """
+    return bytes(dataset.to_netcdf(engine="h5netcdf"))
+
+
+def csv_text(dataset: xr.Dataset) -> str:
+    """A trajectory as a table: one row for each instant, all digits of every number.
+
+    The columns are ``time`` and the quantities, vectors by components (``M_1``, ``attitude_w``).
+    Lines that begin with ``#`` tell meaning and unit of each quantity, and how it was computed.
+    """
+    import numpy as np
+
+    columns = {"time": dataset["time"].values}
+    lines = [f"{name}: {value}" for name, value in dataset.attrs.items()]
+    for name, item in {"time": dataset["time"], **dataset.data_vars}.items():
+        lines.append(f"{name}: {item.attrs['long_name']} [{item.attrs['units']}]")
+    for name, item in dataset.data_vars.items():
+        rows = item.transpose("time", ...)
+        if rows.ndim == 1:
+            columns[str(name)] = rows.values
+            continue
+        (axis,) = rows.dims[1:]
+        labels = dataset[axis].values if axis in dataset.coords else range(1, rows.shape[1] + 1)
+        columns |= {
+            f"{name}_{label}": part for label, part in zip(labels, rows.values.T, strict=True)
+        }
+    stream = io.StringIO()
+    for text in lines:
+        stream.writelines(f"# {line}\n" for line in text.splitlines() or [""])
+    writer = csv.writer(stream, lineterminator="\n")
+    writer.writerow(columns)
+    writer.writerows(np.stack(list(columns.values()), axis=1).tolist())
+    return stream.getvalue()
+
+
+def _save_zarr(dataset: xr.Dataset, path: Path) -> None:
+    """The store is filled under another name first."""
+    try:
+        provisional = Path(tempfile.mkdtemp(dir=path.parent, prefix=f".{path.name}."))
+        try:
+            dataset.to_zarr(provisional, mode="w", zarr_format=2, consolidated=True)
+            provisional.chmod(0o777 & ~_umask())
+            if path.exists():
+                shutil.rmtree(path)
+            provisional.replace(path)
+        finally:
+            shutil.rmtree(provisional, ignore_errors=True)
+    except OSError as problem:
+        raise InputError(f"{path} cannot be written: {problem.strerror or problem}") from problem
+
+
+def _is_trajectory(folder: Path) -> bool:
+    """Whether a folder is a store that holds a trajectory."""
+    import xarray as xr
+
+    try:
+        with xr.open_dataset(folder, engine="zarr", chunks=None, decode_times=False) as stored:
+            return "happenings" in stored.attrs
+    except (OSError, ValueError, KeyError):
+        return False
+
+
+def _umask() -> int:
+    """The permissions that new folders are to lack."""
+    current = os.umask(0)
+    os.umask(current)
+    return current
