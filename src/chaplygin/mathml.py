@@ -93,7 +93,9 @@ def _width(node: ElementTree.Element) -> float:
             return sum(parts) + 0.8
         case "mtable":
             rows = [[_width(cell) for cell in row] for row in node]
-            columns = [max(row[i] for row in rows if i < len(row)) for i in range(max(map(len, rows)))]
+            columns = [
+                max(row[i] for row in rows if i < len(row)) for i in range(max(map(len, rows)))
+            ]
             return sum(columns) + 0.8 * (len(columns) - 1)
         case _:
             return sum(parts)

@@ -32,7 +32,5 @@ def signed(text: str) -> str:
 
 def unit(written: str) -> str:
     """A unit with raised exponents: ``kg² m⁴/s²`` for ``kg^2 m^4/s^2`` or ``kg**2*m**4/s**2``."""
-    raised = re.sub(
-        r"(?:\^|\*\*)\{?(-?\d+)\}?", lambda found: found[1].translate(RAISED), written
-    )
+    raised = re.sub(r"(?:\^|\*\*)\{?(-?\d+)\}?", lambda found: found[1].translate(RAISED), written)
     return raised.replace("*", " ")

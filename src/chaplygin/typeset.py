@@ -67,8 +67,7 @@ def system_text(system: System) -> str:
         blocks[-1] += ["on the phase space", *_equations(sides)]
     if system.parameters:
         rows = [
-            (text(p.symbol), number(p.default), unit(p.unit), p.meaning)
-            for p in system.parameters
+            (text(p.symbol), number(p.default), unit(p.unit), p.meaning) for p in system.parameters
         ]
         blocks.append(["Parameters", *_table(rows)])
     if system.integrals:

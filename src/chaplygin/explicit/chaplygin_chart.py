@@ -115,9 +115,7 @@ def frozen() -> System:
         name=f"{made.name}-at-a-level",
         parameters=(
             *made.parameters,
-            Parameter(
-                hprime, "energy of the ball at zero area constant", 0.9, "J", (hprime > 0,)
-            ),
+            Parameter(hprime, "energy of the ball at zero area constant", 0.9, "J", (hprime > 0,)),
             Parameter(fprime, "square of its momentum", 4.0, "kg^2 m^4/s^2", (fprime > 0,)),
         ),
         definitions=tuple(pair for pair in made.definitions if pair[0] not in gone),

@@ -12,6 +12,7 @@ from .closed_form import diagram_if_known, solved_if_known
 from .dataset import write
 from .derivation import recorded_of, variables_of
 from .files import completed
+from .plan import plan_motion
 from .prepare import Study, dataset_of
 from .scene import ball_scene_of, scene_of, weight_of
 
@@ -64,6 +65,7 @@ def write_study(
             raise
         trajectory, failure = error.partial, error
     smooth = dataset_of(study, trajectory, complete=failure is None)
+    plan = None if study.plan is None else plan_motion(study.plan, trajectory)
     trajectory = trajectory.thinned(pieces)
     dataset = dataset_of(study, trajectory, complete=failure is None)
     write(dataset, folder / "trajectory.nc", force)
@@ -74,7 +76,8 @@ def write_study(
         scene = ball_scene_of(study.ball)
         pictures = figures.ball_figures(smooth, *scene, names, weight_of(study))
     elif study.by_state:
-        pictures = figures.state_figures(smooth, names, recorded_of(study))
+        drawn = {} if plan is None else {"plan_view": figures.plan_view(smooth, plan)}
+        pictures = drawn | figures.state_figures(smooth, names, recorded_of(study))
     else:
         pictures = figures.all_figures(smooth, scene_of(study), weight_of(study))
     solution = solved_if_known(study)

@@ -17,6 +17,7 @@ from ..expressions import parse
 from ..flow.trajectory import Trajectory, integrate
 from ..mechanics.ball_start import ball_state
 from ..mechanics.body import Body
+from ..mechanics.plan import Plan
 from ..mechanics.quasivelocity import TIME, Mechanism
 from ..mechanics.rolling import Field, Rolling
 from ..mechanics.rolling_ball import RollingBall
@@ -41,6 +42,7 @@ from .experiment import (
     SystemExperiment,
 )
 from .own import described
+from .plan import described_plan
 from .state import given_state, normalised, on_level, unit_vectors
 from .tables import (
     BallTable,
@@ -80,6 +82,8 @@ class Study:
         The Lagrangian, frame and constraints from which the system was derived.
     ball : RollingBall, optional
         The homogeneous ball that rolls, and its surface.
+    plan : Plan, optional
+        What is drawn of a mechanism in the plane.
     """
 
     experiment: Experiment
@@ -90,6 +94,7 @@ class Study:
     variables: Mapping[str, tuple[str, str]] = field(default_factory=dict)
     mechanism: Mechanism | None = None
     ball: RollingBall | None = None
+    plan: Plan | None = None
 
     @property
     def own(self) -> bool:
@@ -281,7 +286,9 @@ def _from_catalogue(experiment: SystemExperiment | StateExperiment) -> Study:
     told = start if isinstance(start, dict) else {"omega": start.omega, "gamma": start.gamma}
     given = suggested.values | {name: value for name, value in told.items() if value is not None}
     until = experiment.run.until or suggested.until
-    return Study(experiment, system, rolling, given, until, item.variables, ball=ball)
+    return Study(
+        experiment, system, rolling, given, until, item.variables, ball=ball, plan=item.plan
+    )
 
 
 def _with_ball(experiment: BallExperiment) -> Study:
@@ -309,7 +316,8 @@ def started(
     given = ({str(TIME): 0.0} if TIME in system.symbols else {}) | experiment.start
     variables = {name: (told.meaning, told.unit) for name, told in experiment.variables.items()}
     until = experiment.run.until
-    return Study(experiment, system, None, given, until, variables, mechanism)
+    plan = described_plan(experiment, system, mechanism)
+    return Study(experiment, system, None, given, until, variables, mechanism, plan=plan)
 
 
 def _rolling(experiment: RollingExperiment) -> Rolling:

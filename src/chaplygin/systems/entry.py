@@ -10,6 +10,7 @@ from typing import Any, TypeAlias
 import sympy as sp
 
 from ..errors import InputError
+from ..mechanics.plan import Plan
 from ..mechanics.rolling import Rolling
 from ..mechanics.rolling_ball import RollingBall
 from ..statements import Law
@@ -86,6 +87,8 @@ class Entry:
         Meaning and SI unit of state variables by name, where the start is given by a state.
     ball : callable, optional
         Numbers by symbol name ↦ the homogeneous ball on a surface whose System `build` gives.
+    plan : Plan, optional
+        What is drawn of a mechanism in the plane.
     """
 
     name: str
@@ -99,6 +102,7 @@ class Entry:
     general: Callable[[], System] | None = None
     variables: Mapping[str, tuple[str, str]] = field(default_factory=dict)
     ball: Callable[[Numbers], RollingBall] | None = None
+    plan: Plan | None = None
 
     def numbers(self, parameters: Numbers | None = None) -> dict[str, float]:
         """All parameters, the given ones replacing the defaults.
