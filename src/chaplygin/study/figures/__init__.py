@@ -20,8 +20,8 @@ from .bifurcation import draw as bifurcation_diagram
 from .charts import (
     angular_velocity,
     attitude,
-    conserved,
     drift,
+    drifts,
     friction_ratio,
     needed_friction,
     normal_force,
@@ -30,7 +30,7 @@ from .charts import (
 )
 from .closed_form import closed_form
 from .curves import contact_path, normal_on_sphere
-from .files import FORMATS, save, svg_text
+from .files import FORMATS, page_svg, save, svg_text
 from .plan import plan_view
 from .scenes import scene
 from .states import state
@@ -52,6 +52,7 @@ __all__ = [
     "friction_ratio",
     "normal_force",
     "normal_on_sphere",
+    "page_svg",
     "plan_view",
     "relative_drift",
     "save",
@@ -99,7 +100,7 @@ def all_figures(
     if "angular_velocity" in possible:
         figures["angular_velocity"] = angular_velocity(dataset)
     figures |= _forces(dataset, weight)
-    if conserved(dataset):
+    if drifts(dataset):
         figures["drift"] = drift(dataset)
     return figures
 
@@ -137,7 +138,7 @@ def state_figures(
     if recorded:
         figures["recorded"] = state(dataset, recorded)
         figures["recorded"].set_label(f"Recorded against time: {title_of(dataset)}")
-    if conserved(dataset):
+    if drifts(dataset):
         figures["drift"] = drift(dataset)
     return figures
 

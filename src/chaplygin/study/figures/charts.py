@@ -362,6 +362,11 @@ def conserved(dataset: xr.Dataset) -> list[str]:
     return sorted(laws, key=lambda name: name != "law_energy")
 
 
+def drifts(dataset: xr.Dataset) -> bool:
+    """Whether anything that ought to stay constant changes by a bit or more."""
+    return any(np.nanmax(relative_drift(dataset, name)) > 0.0 for name in conserved(dataset))
+
+
 def _law_label(dataset: xr.Dataset, name: str) -> str:
     meaning = str(dataset[name].attrs.get("long_name", "")) or name.removeprefix("law_")
     absolute = _starts_at_zero(values_of(dataset, name))

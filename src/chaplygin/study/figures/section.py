@@ -41,8 +41,8 @@ _NAME = re.compile(r"[A-Za-z]+(_\w+)?")
 def draw(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
     """The points of a section by two or three of its coordinates.
 
-    The points of several motions have a colour for each start, a dozen by turns; those of a single motion go from
-    dark to light with the number of the return.
+    The points of several motions have a colour for each start, a dozen by turns; those of a
+    single motion go from dark to light with the number of the return.
 
     Parameters
     ----------
@@ -179,6 +179,9 @@ def _space(
             axis.line.set_color(QUIET)
             axis._axinfo["grid"].update(color=FAINT, linewidth=0.4)
             axis.labelpad = -4
+        if i:
+            # both views have this axis between them, one label is enough
+            view.zaxis.set_label_text("")
         view.zaxis.set_rotate_label(False)
         view.zaxis.label.set_rotation(90)
         view.tick_params(pad=-1, labelsize=7)
