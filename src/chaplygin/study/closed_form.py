@@ -240,6 +240,13 @@ def section(solution: Solution, trajectory: Trajectory) -> Section:
     )
 
 
+#: A differential before another factor.
+_AFTER = re.compile(
+    r"(\\text\{d[a-z]+\}(?:_\{\w+\})?) "
+    r"((?:\w|\\(?!text)[a-z]+)(?:_\{\w+\})?(?:\^\{\w+\})?)(?=[}\s])"
+)
+
+
 def equation(left: Any, right: Any) -> str:
     """An equation in LaTeX, symbols such as dz and dtau as differentials, varphi as a letter."""
 
@@ -248,11 +255,7 @@ def equation(left: Any, right: Any) -> str:
 
     written = f"{latex(left)} = {latex(right)}".replace(r"\text{varphi}", r"\varphi")
     # a differential stands after the factors before it: z₁ dz₁, not dz₁ z₁
-    written = re.sub(
-        r"(\\text\{d[a-z]+\}(?:_\{\w+\})?) ((?:\w|\\(?!text)[a-z]+)(?:_\{\w+\})?(?:\^\{\w+\})?)(?=[}\s])",
-        r"\2 \, \1",
-        written,
-    )
+    written = _AFTER.sub(r"\2 \, \1", written)
     return re.sub(r"\\text\{d([a-z]+)\}", differential, written)
 
 

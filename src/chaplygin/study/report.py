@@ -45,7 +45,7 @@ PICTURES = ("scene", "plan_view", "contact_path", "normal_on_sphere", "bifurcati
 PLATES = {
     "plan_view": (
         "Path in the plane",
-        "To scale, coloured by time from the ring; the mechanism at some instants, dark at the end.",
+        "To scale, coloured by time from the ring; the mechanism at times, dark at the end.",
     ),
     "contact_path": (
         "Path of the contact point",

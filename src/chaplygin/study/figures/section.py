@@ -25,7 +25,7 @@ __all__ = ["draw"]
 
 #: Points drawn at most, unless there are more motions than that.
 MOST = 120_000
-#: Colours of starts, which have no order, told apart by every kind of colour vision as far as may be.
+#: Colours of starts, which have no order.
 KINDS = (*SERIES, "#882255", "#e07b39", "#4477aa", "#5c5c5c")
 #: Colours of the number of the return: yellow is left out, as too pale on white.
 COLOURS = mpl.colormaps["viridis"].with_extremes(bad=FAINT)
