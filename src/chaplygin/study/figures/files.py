@@ -147,8 +147,8 @@ def _make_narrow(figure: Figure) -> None:
         ):
             axes.locator_params(axis="x", nbins=4)
         legend = axes.get_legend()
-        if legend is not None and legend._ncols > 1:
-            legend.set_ncols(max(1, int(legend._ncols * _share(figure, axes, legend))))
+        if legend is not None and _share(figure, axes, legend) < 1.0:
+            legend.set_ncols(1 if len(legend.get_texts()) < 3 else 2)
 
 
 def _share(figure: Figure, axes: Axes, legend: Legend) -> float:

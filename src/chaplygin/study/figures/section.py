@@ -32,8 +32,8 @@ COLOURS = mpl.colormaps["viridis"].with_extremes(bad=FAINT)
 PALEST = 0.92
 #: Into so many layers one above the other a single motion is drawn.
 LAYERS = 40
-#: From where space is seen: height and turn in degrees.
-VIEWS = ((22.0, -58.0), (22.0, 32.0))
+#: From where space is seen, height and turn in degrees: the upright axes stand on the outside.
+VIEWS = ((22.0, 32.0), (22.0, -58.0))
 #: A word in a formula.
 _NAME = re.compile(r"[A-Za-z]+(_\w+)?")
 
@@ -163,7 +163,7 @@ def _space(
 ) -> None:
     """Two views above three projections; within a layer, near points hide far ones."""
     for i, (height, turn) in enumerate(VIEWS):
-        view: Any = figure.add_axes((-0.02 + 0.48 * i, 0.4, 0.42, 0.56), projection="3d")
+        view: Any = figure.add_axes((0.05 + 0.41 * i, 0.4, 0.42, 0.56), projection="3d")
         view.patch.set_visible(False)
         view.computed_zorder = False
         for layer, part in enumerate(layers):
@@ -179,9 +179,6 @@ def _space(
             axis.line.set_color(QUIET)
             axis._axinfo["grid"].update(color=FAINT, linewidth=0.4)
             axis.labelpad = -4
-        if i:
-            # both views have this axis between them, one label is enough
-            view.zaxis.set_label_text("")
         view.zaxis.set_rotate_label(False)
         view.zaxis.label.set_rotation(90)
         view.tick_params(pad=-1, labelsize=7)
