@@ -138,8 +138,9 @@ def _running(axes: Axes, found: Spectrum) -> None:
             va="center",
             color=colour,
         )
-    spread = np.ptp(found.values)
-    axes.set_ylim(found.values.min() - 0.35 * spread, found.values.max() + 0.35 * spread)
+    # the values of the first instants are part of the picture
+    low, high = np.nanmin(shown), np.nanmax(shown)
+    axes.set_ylim(low - 0.06 * (high - low), high + 0.06 * (high - low))
     axes.set_xlim(0, found.until)
     axes.set_xlabel("time (s)")
     axes.set_ylabel("exponent (1/s)")
@@ -172,6 +173,8 @@ def draw_all(found: list[Attractor]) -> Figure:
             height_ratios=(1.5, 1.0),
             layout="constrained",
         )
+        # letters keep their distance from the edge
+        figure.get_layout_engine().set(w_pad=0.12, h_pad=0.08)
         for (above, below), each in zip(axes.T, found, strict=True):
             _section(figure, above, each)
             _running(below, each.spectrum)

@@ -35,11 +35,12 @@ from whipple_figures import eigenvalue_figure, run_figure
 
 from chaplygin.flow.linearise import Linearisation, linearise
 from chaplygin.flow.trajectory import Trajectory, integrate
+from chaplygin.mechanics.plan import Plan
 from chaplygin.mechanics.quasivelocity import Frame, Mechanism, euclidean
 from chaplygin.mechanics.suslov import equations
 from chaplygin.study.figures.style import STYLE
 from chaplygin.system import Guard, Observable, Parameter, System
-from chaplygin.vectors import constant, cross, dot, normed, scalar, unit, vectors
+from chaplygin.vectors import constant, cross, dot, explicit, normed, scalar, unit, vectors
 
 DIGITS = 20
 
@@ -215,6 +216,28 @@ def bicycle() -> Mechanism:
     )
 
 
+def below(u: Any) -> tuple[sp.Expr, sp.Expr]:
+    """Horizontal components, along x and y, of a vector given in the axes of the frame."""
+    return explicit(dot(alpha, u)), explicit(dot(cross(gamma, alpha), u))
+
+
+def drawn() -> Plan:
+    """The wheels where they touch the ground, and the line between them."""
+    g_1, _, g_3 = gamma.symbols
+    f_1, _, f_3 = gamma_f.symbols
+    hub, low = (explicit(u) for u in (d_f, r_f))
+    reach = [a + b for a, b in zip(hub, low, strict=True)]
+    ahead = constant([ell + cd * reach[0] - sd * reach[1], sd * reach[0] + cd * reach[1], reach[2]])
+    rear, front = below(r_r), below(ahead)
+    rear, front = ((x + u, y + v) for u, v in (rear, front))
+    along = below(constant([-g_3, 0, g_1]))
+    steered = below(constant([-cd * f_3, -sd * f_3, f_1]))
+    headings = [sp.atan2(v, u) for u, v in (along, steered)]
+    return Plan(
+        rear, links=((*rear, *front),), wheels=((*rear, headings[0]), (*front, headings[1]))
+    )
+
+
 @cache
 def model() -> System:
     """The closed equations of motion."""
@@ -271,6 +294,7 @@ def critical_speeds() -> tuple[float, float]:
 
 #: What the command line takes: running straight at 4.6 m/s, hit from the side.
 mechanism = bicycle()
+plan = drawn()
 FORWARD = np.array([np.cos(np.pi / 10), 0.0, np.sin(np.pi / 10)])
 start = {
     "gamma": [float(FORWARD[2]), 0.0, -float(FORWARD[0])],

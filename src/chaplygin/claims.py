@@ -203,7 +203,10 @@ def _field(law: Symmetry, system: System, notation: Notation) -> list[Side]:
         else:
             loose = isinstance(component, sp.Add)
             term = f"{notation.brackets(write(component)) if loose else write(component)} {along}"
-        lines.append((write(scalar("u")) if not lines else "", f"+ {term}" if lines else term))
+        if lines:
+            minus = term.startswith(notation.minus)
+            term = f"{notation.minus} {term[1:]}" if minus else f"+ {term}"
+        lines.append(("" if lines else write(scalar("u")), term))
     return lines
 
 

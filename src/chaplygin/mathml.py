@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
+import xml.etree.ElementTree as ElementTree
 from typing import Literal
 
-__all__ = ["mathml"]
+__all__ = ["mathml", "width_of"]
 
 #: Fonts with tall brackets and roots, one of which most systems have.
 _FONTS = ("Latin Modern Math", "STIX Two Math", "Cambria Math", "DejaVu Math TeX Gyre")
@@ -53,3 +54,48 @@ def _bold_greek(match: re.Match[str]) -> str:
     elif ord("Α") <= code <= ord("Ω"):
         code += ord("𝜜") - ord("Α")
     return f"<mi>&#x{code:05X};</mi>"
+
+
+#: Width in em of what takes no letters, and of a letter, figure or sign with what is about it.
+_LETTER = 0.55
+_SIGN = 1.2
+#: Size of indices and exponents, and of what stands in a fraction within a line.
+_SCRIPT = 0.7
+
+
+def width_of(written: str) -> float:
+    """About how wide a ``<math>`` element is, in em of its own font.
+
+    Counted by letters: fractions are as wide as their wider half, scripts stand beside their base.
+    """
+    return _width(ElementTree.fromstring(written))
+
+
+def _width(node: ElementTree.Element) -> float:
+    name = node.tag.rpartition("}")[2]
+    parts = [_width(child) for child in node]
+    match name:
+        case "mi" | "mn" | "mtext" | "mo":
+            text = node.text or ""
+            sign = name == "mo" and text not in "()[]{}|,"
+            return _SIGN if sign else _LETTER * len(text)
+        case "mspace":
+            return float((node.get("width") or "0").removesuffix("em") or 0.0)
+        case "mfrac":
+            return max(parts, default=0.0) + 0.2
+        case "msub" | "msup":
+            return parts[0] + _SCRIPT * sum(parts[1:])
+        case "msubsup":
+            return parts[0] + _SCRIPT * max(parts[1:])
+        case "mover" | "munder" | "munderover":
+            return max(parts)
+        case "msqrt" | "mroot":
+            return sum(parts) + 0.8
+        case "mtable":
+            rows = [[_width(cell) for cell in row] for row in node]
+            columns = [
+                max(row[i] for row in rows if i < len(row)) for i in range(max(map(len, rows)))
+            ]
+            return sum(columns) + 0.8 * (len(columns) - 1)
+        case _:
+            return sum(parts)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -41,7 +41,25 @@ class Page:
 
 
 def page_of(system: System) -> Page:
-    """The formulas of a system, each once, in the order in which a reader needs them."""
+    """The formulas of a system, each once, in the order in which a reader needs them.
+
+    What is defined to vanish is left out of the formulas of the motion.
+    """
+    found = _page_of(system)
+    zeros = {name: sp.S.Zero for name, value in found.where if value == 0}
+    if not zeros:
+        return found
+
+    def short(pairs: Pairs) -> Pairs:
+        return tuple(
+            (name, value.xreplace(zeros) if isinstance(value, sp.Expr) else value)
+            for name, value in pairs
+        )
+
+    return replace(found, field=short(found.field), where=short(found.where))
+
+
+def _page_of(system: System) -> Page:
     field, spelt_out = _spelt_out(system, system.field)
     needed = _needed(system, [formula for _, formula in system.field])
     where = tuple(pair for pair in needed if pair[0] not in spelt_out)

@@ -125,6 +125,8 @@ _ACCENTS = {
     "hat": "\N{COMBINING CIRCUMFLEX ACCENT}",
     "bar": "\N{COMBINING MACRON}",
 }
+#: Greek letters that LaTeX draws by another name in the shape that plain text has: φ, not ϕ.
+_GREEK = {"omicron": "o", "phi": r"\varphi", "epsilon": r"\varepsilon"}
 _FRACTIONS = {(1, 2): "½", (1, 3): "⅓", (2, 3): "⅔", (1, 4): "¼", (3, 4): "¾", (1, 8): "⅛"}
 
 
@@ -282,7 +284,7 @@ class _Latex(Notation):
     @staticmethod
     def _symbol(name: str) -> str:
         if name in GREEK:
-            return "o" if name == "omicron" else rf"\{name}"
+            return _GREEK.get(name, rf"\{name}")
         return name if len(name) == 1 or name.isdigit() else rf"\text{{{name}}}"
 
     def number(self, value: sp.Float) -> Piece:

@@ -13,8 +13,9 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from .claims import caption, equation, heading, sides
-from .mathml import mathml
+from .mathml import mathml, width_of
 from .notation import LATEX, UNICODE, Notation, latex, rate, signed_terms, text, width
+from .numerals import number, unit
 from .page import Page, Pairs, motion_of, page_of
 
 if TYPE_CHECKING:
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "claims_html",
+    "displayed",
     "field_text",
     "latex",
     "law_html",
@@ -41,15 +43,6 @@ WIDTH = 100
 LINE = 84
 
 _INDENT = "    "
-
-
-def _number(value: float) -> str:
-    return f"{value:.10g}".replace("-", "−")
-
-
-def _unit(unit: str) -> str:
-    raised = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
-    return re.sub(r"\^(-?\d+)", lambda match: match[1].translate(raised), unit)
 
 
 # --- plain text ----------------------------------------------------------------------------
@@ -74,8 +67,7 @@ def system_text(system: System) -> str:
         blocks[-1] += ["on the phase space", *_equations(sides)]
     if system.parameters:
         rows = [
-            (text(p.symbol), _number(p.default), _unit(p.unit), p.meaning)
-            for p in system.parameters
+            (text(p.symbol), number(p.default), unit(p.unit), p.meaning) for p in system.parameters
         ]
         blocks.append(["Parameters", *_table(rows)])
     if system.integrals:
@@ -247,6 +239,7 @@ _STYLE = """\
   { padding: 0.15em 0.8em 0.15em 0; text-align: left; vertical-align: baseline; }
 .chaplygin-system th { font-weight: normal; opacity: 0.65; }
 .chaplygin-system .formula { overflow: auto hidden; margin: 0.4em 0 0.4em 1.5em; }
+.chaplygin-system .formula math { font-size: clamp(0.7em, calc(44em / var(--width)), 1.04em); }
 </style>"""
 
 
@@ -342,7 +335,16 @@ def _defining_rows(pairs: Pairs) -> list[str]:
 
 
 def _display(rows: Sequence[str]) -> str:
-    return f'<div class="formula">{mathml(_aligned(rows))}</div>'
+    return displayed(_aligned(rows))
+
+
+def displayed(formula: str) -> str:
+    """LaTeX on a line of its own as HTML; what is wider than the line is made to fit by it.
+
+    The width in em is there as ``--width``, for style sheets that shrink what would be cut.
+    """
+    written = mathml(formula)
+    return f'<div class="formula" style="--width: {width_of(written):.0f}">{written}</div>'
 
 
 def _html_table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
@@ -357,8 +359,8 @@ def _parameter_table(system: System) -> str:
         (
             (
                 mathml(latex(p.symbol)),
-                _number(p.default),
-                html.escape(_unit(p.unit)),
+                number(p.default),
+                html.escape(unit(p.unit)),
                 html.escape(p.meaning),
             )
             for p in system.parameters

@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import xarray as xr
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import to_rgba
 from matplotlib.figure import Figure
 
 from chaplygin.errors import InputError
@@ -99,22 +101,44 @@ def test_the_figure_shows_every_point(many: xr.Dataset, names: tuple[str, ...], 
     assert any("γ" in word or r"\gamma_{3}" in word for word in words)
 
 
-def test_few_starts_have_a_field_of_their_own_each(many: xr.Dataset) -> None:
+def test_few_starts_have_a_colour_of_their_own_each(many: xr.Dataset) -> None:
     figure = draw(many, ("M_1", "M_2"))
-    (fields,) = (c for c in figure.axes[1].collections if c.get_array() is not None)
-    assert fields.get_array().size == many.sizes["run"]
+    (key,) = figure.legends
+    assert key.get_title().get_text() == "start"
+    named = dict(
+        zip(
+            (text.get_text() for text in key.get_texts()),
+            (to_rgba(dot.get_color()) for dot in key.legend_handles),
+            strict=True,
+        )
+    )
+    assert list(named) == [str(n) for n in range(1, many.sizes["run"] + 1)]
+    assert len(set(named.values())) == len(named)
     shown = {tuple(colour) for colour in figure.axes[0].collections[0].get_facecolors()}
     # a start that never passes has no point
     starts = np.flatnonzero(many["points"].values) + 1
-    assert shown == {tuple(colour) for colour in fields.cmap(fields.norm(starts))}
+    assert shown == {named[str(start)] for start in starts}
+
+
+def test_many_starts_take_the_colours_by_turns(many: xr.Dataset) -> None:
+    crowd = xr.concat([many] * 4, "run")
+    assert crowd.sizes["run"] > len(section_figure.KINDS)
+    figure = draw(crowd, ("M_1", "M_2"))
+    assert not figure.legends
+    assert any("12 colours" in text.get_text() for text in figure.texts)
 
 
 def test_both_views_of_space_have_a_labelled_upright_axis(many: xr.Dataset) -> None:
     figure = draw(many, ("M_1", "M_2", "phi"))
-    figure.draw_without_rendering()
+    renderer = FigureCanvasAgg(figure).get_renderer()
+    figure.draw(renderer)
     for view in figure.axes[:2]:
-        assert view.get_zlabel() == r"$\phi$  (rad)"
+        assert view.get_zlabel() == r"$\varphi$  (rad)"
         assert all(tick.get_text() for tick in view.get_zticklabels())
+    one, two = (view.zaxis.label.get_window_extent(renderer) for view in figure.axes[:2])
+    assert not one.overlaps(two)
+    for box in (one, two):
+        assert figure.bbox.x0 <= box.x0 and box.x1 <= figure.bbox.x1
 
 
 def test_of_very_many_points_some_are_drawn(

@@ -19,6 +19,7 @@ from ..mechanics.smooth import (
     SmoothSurface,
     SphericalSurface,
 )
+from ..numerals import number
 from ..system import Parameter
 from ..vectors import Vector
 from .ball_experiment import BallExperiment, moment
@@ -150,7 +151,7 @@ def setting(experiment: BallExperiment, ball: RollingBall) -> str:
     manner = "without slipping"
     if ball.contact == "rubber":
         manner = "with neither slipping nor spinning"
-    force = f"gravity {ball.gravity:g}" if ball.gravity else "no gravity"
+    force = f"gravity {number(ball.gravity, 6)} m/s²" if ball.gravity else "no gravity"
     if ball.potential != 0:
         force += ", a potential U(x, y, z)"
     return f"Homogeneous ball {_where(experiment, ball)}, {manner}; {force}"

@@ -13,6 +13,7 @@ import sympy as sp
 import xarray as xr
 from markupsafe import Markup
 
+from .. import numerals
 from ..errors import InputError, RunError
 from ..explicit.bifurcation import Diagram
 from ..explicit.bifurcation.given import diagram_of
@@ -21,8 +22,9 @@ from ..explicit.recognise import solution_of
 from ..explicit.solution import Figure, Solution, checked
 from ..flow.record import Statistics, Trajectory
 from ..notation import text
+from ..numerals import signed, unit
 from ..system import System
-from ..typeset import latex, mathml
+from ..typeset import displayed, latex, mathml
 from ..vectors import explicit, scalar
 from .prepare import Study, dataset_of
 
@@ -227,17 +229,22 @@ def section(solution: Solution, trajectory: Trajectory) -> Section:
         title=form.title,
         motion=form.motion,
         source=form.source,
-        equations=tuple(
-            Markup(mathml(equation(left, right), "block")) for left, right in form.equations
-        ),
+        equations=tuple(Markup(displayed(equation(left, right))) for left, right in form.equations),
         rows=tuple(
-            (_symbol(figure.symbol), number(figure), letters(figure.meaning))
+            (_symbol(figure.symbol), printed(number(figure)), letters(figure.meaning))
             for figure in form.figures
         ),
-        ovals=tuple(f"[{low:.12g}, {high:.12g}]" for low, high in form.ovals),
+        ovals=tuple(signed(f"[{low:.12g}, {high:.12g}]") for low, high in form.ovals),
         caption=_CAPTION if len(form.ovals) > 1 else _CAPTION_OF_ONE,
-        difference=f"{distance:.1e}",
+        difference=numerals.number(float(distance), 2),
     )
+
+
+#: A differential before another factor.
+_AFTER = re.compile(
+    r"(\\text\{d[a-z]+\}(?:_\{\w+\})?) "
+    r"((?:\w|\\(?!text)[a-z]+)(?:_\{\w+\})?(?:\^\{\w+\})?)(?=[}\s])"
+)
 
 
 def equation(left: Any, right: Any) -> str:
@@ -247,7 +254,14 @@ def equation(left: Any, right: Any) -> str:
         return rf"\mathrm{{d}}{latex(sp.Symbol(found[1]))}"
 
     written = f"{latex(left)} = {latex(right)}".replace(r"\text{varphi}", r"\varphi")
+    # a differential stands after the factors before it: z₁ dz₁, not dz₁ z₁
+    written = _AFTER.sub(r"\2 \, \1", written)
     return re.sub(r"\\text\{d([a-z]+)\}", differential, written)
+
+
+def printed(value: str) -> str:
+    """A value with its error and unit, signs, powers of ten and units as in print."""
+    return unit(signed(value))
 
 
 def _symbol(written: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import fields
 from typing import Any
 
 import sympy as sp
@@ -10,11 +11,12 @@ import sympy as sp
 from ..errors import InputError
 from ..expressions import FUNCTIONS
 from ..expressions.exact import exactly
+from ..mechanics.plan import Plan
 from ..statements import Integral, Measure, Symmetry
 from ..system import System
 from ..vectors import Vector, explicit
 
-__all__ = ["tables_of"]
+__all__ = ["plan_table_of", "tables_of"]
 
 _WRITABLE = (
     *(sp.Symbol, sp.Add, sp.Mul, sp.Pow, sp.Rational, sp.Float),
@@ -56,6 +58,16 @@ def tables_of(system: System) -> dict[str, Any]:
         for guard in whole.guards
     }
     return tables
+
+
+def plan_table_of(plan: Plan) -> dict[str, Any]:
+    """The table [plan] of a file that draws the same."""
+    tables = {
+        field.name: [_all(part) for part in getattr(plan, field.name)]
+        for field in fields(plan)
+        if field.name != "path"
+    }
+    return {"path": _all(plan.path), **tables}
 
 
 def _laws(system: System) -> dict[str, Any]:

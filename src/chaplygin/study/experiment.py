@@ -36,6 +36,7 @@ from .mechanism_tables import (
     MeaningTable,
     NumberTable,
     ObservableTable,
+    PlanTable,
 )
 from .mistakes import mistakes
 from .source import Source
@@ -175,14 +176,17 @@ class OwnExperiment(ExperimentBase):
     guards: dict[str, GuardTable] = Field(default={}, description="a table of tables")
     variables: dict[str, MeaningTable] = Field(default={}, description="a table of tables")
     """Meaning and unit of coordinates and velocities."""
+    plan: PlanTable | None = Field(default=None, description="a table of what is drawn")
     start: StateTable = Field(default={}, description="a table of named values")
     run: RunTable = Field(default=RunTable(), description="a table")
 
     def toml(self) -> str:
         """A complete TOML text, defaults included, that reads back to an equal experiment."""
         tables = self.model_dump(exclude_none=True)
-        for name in ("definitions", "laws", "observables", "guards", "variables", "start", "run"):
-            tables[name] = tables.pop(name)
+        last = ("definitions", "laws", "observables", "guards", "variables", "plan", "start", "run")
+        for name in last:
+            if name in tables:
+                tables[name] = tables.pop(name)
         return dumps(tables)
 
 

@@ -19,6 +19,7 @@ from .dataset import write
 from .derivation import recorded_of, variables_of
 from .files import completed
 from .folder_check import begin, end
+from .plan import PlanMotion, plan_motion
 from .prepare import Study, dataset_of
 from .scene import ball_scene_of, scene_of, weight_of
 
@@ -77,6 +78,7 @@ def write_study(
             raise
         trajectory, failure = error.partial, error
     smooth = dataset_of(study, trajectory, complete=failure is None)
+    plan = None if study.plan is None else plan_motion(study.plan, trajectory)
     trajectory = trajectory.thinned(pieces)
     dataset = dataset_of(study, trajectory, complete=failure is None)
     # what is there is of this study, or may be replaced
@@ -86,7 +88,7 @@ def write_study(
     report.say("looking for a closed form")
     solution = solved_if_known(study)
     report.say("drawing")
-    pictures = _drawn(study, smooth, solution)
+    pictures = _drawn(study, smooth, plan, solution)
     for name, figure in pictures.items():
         for suffix in ("svg", "png"):
             figures.save(figure, folder / "figures" / f"{name}.{suffix}")
@@ -97,14 +99,17 @@ def write_study(
     return trajectory, failure
 
 
-def _drawn(study: Study, smooth: xr.Dataset, solution: Solution | None) -> dict[str, Figure]:
+def _drawn(
+    study: Study, smooth: xr.Dataset, plan: PlanMotion | None, solution: Solution | None
+) -> dict[str, Figure]:
     """The figures of a study, by name."""
     names = variables_of(study)
     if study.ball is not None:
         scene = ball_scene_of(study.ball)
         pictures = figures.ball_figures(smooth, *scene, names, weight_of(study))
     elif study.by_state:
-        pictures = figures.state_figures(smooth, names, recorded_of(study))
+        drawn = {} if plan is None else {"plan_view": figures.plan_view(smooth, plan)}
+        pictures = drawn | figures.state_figures(smooth, names, recorded_of(study))
     else:
         pictures = figures.all_figures(smooth, scene_of(study), weight_of(study))
     if solution is not None and solution.form.ovals:

@@ -34,6 +34,7 @@ __all__ = [
     "MeaningTable",
     "NumberTable",
     "ObservableTable",
+    "PlanTable",
 ]
 
 FORMULAS = "formulas in quotes, in brackets"
@@ -134,6 +135,33 @@ class GuardTable(Table):
 
     value: FormulaValue = Field(description=FORMULA)
     happening: Text = Field(description='a text in quotes, such as "the disk lies flat"')
+
+
+PLACE = 'two formulas for a place, such as ["x", "y"]'
+PLACES = 'a list of places, each of two formulas, such as [["x", "y"]]'
+POSES = 'a list of places with headings, each of three formulas, such as [["x", "y", "phi"]]'
+RODS = (
+    "a list of rods, each of four formulas, such as "
+    '[["x", "y", "x + a*cos(phi)", "y + a*sin(phi)"]]'
+)
+_Place = tuple[Text, Text]
+_Pose = tuple[Text, Text, Text]
+
+
+class PlanTable(Table):
+    """What is drawn of the mechanism in the plane; lengths in the unit of x and y."""
+
+    path: _Place = Field(default=("x", "y"), description=PLACE)
+    """The place whose path is drawn."""
+    links: tuple[tuple[Text, Text, Text, Text], ...] = Field(default=(), description=RODS)
+    """Rods from a place to another."""
+    wheels: tuple[_Pose, ...] = Field(default=(), description=POSES)
+    """Wheels by place and heading."""
+    axles: tuple[_Pose, ...] = Field(default=(), description=POSES)
+    """Two wheels side by side, by the place between them and their heading."""
+    blades: tuple[_Pose, ...] = Field(default=(), description=POSES)
+    points: tuple[_Place, ...] = Field(default=(), description=PLACES)
+    """Marked by a ring, such as a centre of mass."""
 
 
 class FrameTable(Table):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
+from types import NoneType
 from typing import Any, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
@@ -95,12 +96,19 @@ def _locate(model: type[BaseModel], steps: tuple[int | str, ...]) -> _Place:
             table = next(t for t in get_args(table) if t.model_fields["kind"].default == step)
         elif _is_table(table):
             place = _Place((*place.key, step), table, table.model_fields.get(step))
-            table = place.field.annotation if place.field else None
+            table = _present(place.field.annotation) if place.field else None
         elif get_origin(table) is dict:
             place, table = _Place((*place.key, step)), get_args(table)[1]
         else:
             break
     return place
+
+
+def _present(annotation: Any) -> Any:
+    """The kind of a table that may be left out."""
+    choices = [choice for choice in get_args(annotation) if choice is not NoneType]
+    left_out = NoneType in get_args(annotation)
+    return choices[0] if left_out and len(choices) == 1 else annotation
 
 
 def _is_table(annotation: object) -> bool:

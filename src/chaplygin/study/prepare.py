@@ -18,6 +18,7 @@ from ..flow.demands import TooMuchError
 from ..flow.trajectory import Trajectory, integrate
 from ..mechanics.ball_start import ball_state
 from ..mechanics.body import Body
+from ..mechanics.plan import Plan
 from ..mechanics.points import centre_outside
 from ..mechanics.quasivelocity import TIME, Mechanism
 from ..mechanics.rolling import Field, Rolling
@@ -43,6 +44,7 @@ from .experiment import (
     SystemExperiment,
 )
 from .own import described
+from .plan import described_plan
 from .state import given_state, normalised, on_level, unit_vectors
 from .tables import (
     BallTable,
@@ -84,6 +86,8 @@ class Study:
         The homogeneous ball that rolls, and its surface.
     letters : mapping of str to str
         Meanings of letters that this system alone has.
+    plan : Plan, optional
+        What is drawn of a mechanism in the plane.
     """
 
     experiment: Experiment
@@ -95,6 +99,7 @@ class Study:
     mechanism: Mechanism | None = None
     ball: RollingBall | None = None
     letters: Mapping[str, str] = field(default_factory=dict)
+    plan: Plan | None = None
 
     @property
     def own(self) -> bool:
@@ -295,7 +300,15 @@ def _from_catalogue(experiment: SystemExperiment | StateExperiment) -> Study:
     given = suggested.values | {name: value for name, value in told.items() if value is not None}
     until = experiment.run.until or suggested.until
     return Study(
-        experiment, system, rolling, given, until, item.variables, ball=ball, letters=item.letters
+        experiment,
+        system,
+        rolling,
+        given,
+        until,
+        item.variables,
+        ball=ball,
+        letters=item.letters,
+        plan=item.plan,
     )
 
 
@@ -324,7 +337,8 @@ def started(
     given = ({str(TIME): 0.0} if TIME in system.symbols else {}) | experiment.start
     variables = {name: (told.meaning, told.unit) for name, told in experiment.variables.items()}
     until = experiment.run.until
-    return Study(experiment, system, None, given, until, variables, mechanism)
+    plan = described_plan(experiment, system, mechanism)
+    return Study(experiment, system, None, given, until, variables, mechanism, plan=plan)
 
 
 def _rolling(experiment: RollingExperiment) -> Rolling:

@@ -2,8 +2,8 @@
 
 The file is run: it is theirs, and they have named it.  It defines ``mechanism`` (a Mechanism),
 ``system`` (a System) or ``study`` (a Study); besides, if it likes, ``start`` and ``run``, mappings
-with the keys of the tables of the same names.  What it guards by ``__name__ == "__main__"`` is
-not run.
+with the keys of the tables of the same names, and ``plan`` (a Plan), what is drawn in the plane.
+What it guards by ``__name__ == "__main__"`` is not run.
 """
 
 from __future__ import annotations
@@ -21,10 +21,11 @@ from pydantic import ValidationError
 
 from ..errors import InputError
 from ..expressions import nearest
+from ..mechanics.plan import Plan, plan_of
 from ..mechanics.quasivelocity import Mechanism
 from ..mechanics.suslov import equations
 from ..system import Parameter, System
-from .equations_text import tables_of
+from .equations_text import plan_table_of, tables_of
 from .experiment import EquationsExperiment
 from .mistakes import mistakes, shown
 from .prepare import Study, started
@@ -34,7 +35,8 @@ from .toml_text import Key
 
 __all__ = ["load_python"]
 
-_KINDS: Mapping[str, type] = {"mechanism": Mechanism, "system": System, "study": Study}
+_SYSTEMS: Mapping[str, type] = {"mechanism": Mechanism, "system": System, "study": Study}
+_KINDS: Mapping[str, type] = {**_SYSTEMS, "plan": Plan}
 _CHANGEABLE = ("parameters", "run", "start", "title")
 
 
@@ -65,6 +67,9 @@ def load_python(path: Path, overrides: Iterable[str] = ()) -> Study:
     with _Placed(path):
         system: System = found.get("system") or equations(found["mechanism"])
         tables = tables_of(system)
+        plan = found.get("plan") or (plan_of(mechanism) if mechanism else None)
+        if plan is not None:
+            tables["plan"] = plan_table_of(plan)
     short = {name: ("parameters", name) for name in tables["parameters"]}
     source = Source(str(path), "", options, short=short)
     told = source.tables()
@@ -140,7 +145,7 @@ def _defined(path: Path) -> dict[str, Any]:
             raise InputError(
                 f"{name} must be a {kind.__name__}, not {type(found[name]).__name__}", str(path)
             )
-    if not found.keys() & _KINDS.keys():
+    if not found.keys() & _SYSTEMS.keys():
         raise InputError("it must define mechanism, system or study", str(path))
     return found
 

@@ -20,8 +20,10 @@ from ..explore.telling import rows
 from ..flow.trajectory import Trajectory
 from ..laws.budget import EFFORT
 from ..mechanics.surfaces import Plane
+from ..numerals import number, signed, unit
 from ..statements import Law
-from ..typeset import claims_html, latex, mathml, motion_html, system_html
+from ..typeset import claims_html, displayed, latex, mathml, motion_html, system_html, text
+from ..vectors import Vector, scalar
 from . import figures
 from .ball import setting as ball_setting
 from .closed_form import section
@@ -37,8 +39,15 @@ __all__ = ["render"]
 PATIENCE = EFFORT // 20
 TIMES = 4
 
+#: Pictures whose colours stay as they are: shades, and the colours of time.
+PICTURES = ("scene", "plan_view", "contact_path", "normal_on_sphere", "bifurcation")
+
 #: Figures in the order in which the page shows them, with heading and caption.
 PLATES = {
+    "plan_view": (
+        "Path in the plane",
+        "To scale, coloured by time from the ring; the mechanism at times, dark at the end.",
+    ),
     "contact_path": (
         "Path of the contact point",
         "On the surface, coloured by time; the ring marks the start, the dot the end.",
@@ -49,10 +58,19 @@ PLATES = {
         "The unit vector γ on its sphere",
         "In body axes: the direction from which the body sees the surface it rolls on.",
     ),
+    "attitude": (
+        "Attitude",
+        "Three angles of the body's axes against space, whole turns counted on.",
+    ),
     "angular_velocity": ("Angular velocity ω", "Components along the body axes."),
     "normal_force": (
         "Normal force",
         "Where it falls below zero, a body held by nothing but the surface would lift off.",
+    ),
+    "friction_ratio": (
+        "Friction over normal force",
+        "The coefficient of friction that rolling needs: where it is larger than that of the "
+        "materials, a real body would slip.",
     ),
     "drift": (
         "Drift of the known integrals",
@@ -103,11 +121,13 @@ def render(
     system = trajectory.system
     verdicts = patience.verdicts(study.system)
     stands = place(study.system, verdicts, patience, study.mechanism or study.rolling)
-    drawn = {name: Markup(figures.svg_text(figure)) for name, figure in pictures.items()}
+    drawn = {name: _drawn(name, figure) for name, figure in pictures.items()}
     return environment.get_template("report.html").render(
+        signed=signed,
         title=study.system.title,
         lead=_setting(study) if study.own else study.system.summary,
         setting="" if study.own else _setting(study),
+        start=_start(study, dataset),
         scene=drawn.get("scene"),
         plates=[
             {
@@ -119,6 +139,8 @@ def render(
             for name, (heading, caption) in PLATES.items()
             if name in drawn
         ],
+        still=bool(system.integrals) and "drift" not in drawn,
+        energy_changes="energy" in dataset and not system.integrals,
         equations=Markup(system_html(replace(study.system, laws=()))),
         legend=legend(study),
         reconstruction=Markup(motion_html(study.system) if is_described(study) else ""),
@@ -127,11 +149,12 @@ def render(
             {
                 "name": law.name,
                 "meaning": law.meaning,
-                "formula": Markup(mathml(latex(law.value))),
+                "formula": Markup(displayed(latex(law.value))),
                 "source": law.source,
                 "verdict": verdicts[law.name],
-                "value": f"{float(trajectory.recorded[f'law_{law.name}'][0]):.12g}",
-                "drift": f"{drift(trajectory.recorded[f'law_{law.name}']):.1e}",
+                "value": number(float(trajectory.recorded[f"law_{law.name}"][0]), 12),
+                "unit": unit(law.unit),
+                "drift": number(drift(trajectory.recorded[f"law_{law.name}"]), 2),
             }
             for law in system.integrals
         ],
@@ -145,15 +168,48 @@ def render(
         places=[_section(part) for part in (stands, *stands.levels)],
         uncounted=stands.uncounted,
         linked={law.name for law in study.system.laws},
-        undecided=[(name, verdict.reason) for name, verdict in verdicts.items() if verdict.reason],
-        happenings=[str(happening) for happening in trajectory.happenings],
-        remarks=study.remarks,
-        failure=str(failure) if failure else None,
+        undecided=[
+            (name, signed(verdict.reason)) for name, verdict in verdicts.items() if verdict.reason
+        ],
+        happenings=[signed(str(happening)) for happening in trajectory.happenings],
+        remarks=[signed(remark) for remark in study.remarks],
+        failure=signed(str(failure)) if failure else None,
         facts=_facts(study, trajectory),
         experiment=dataset.attrs["experiment"],
         versions=dataset.attrs["versions"],
         version=__version__,
     )
+
+
+def _drawn(name: str, figure: Figure) -> Markup:
+    """A figure for wide and for narrow screens."""
+    kind = "picture" if name in PICTURES else "chart"
+    wide, narrow = figures.page_svg(figure), figures.page_svg(figure, narrow=True)
+    return Markup(
+        f'<div class="{kind} on-wide">{wide}</div><div class="{kind} on-narrow">{narrow}</div>'
+    )
+
+
+def _start(study: Study, dataset: xr.Dataset) -> list[dict[str, object]]:
+    """The start as given, by name: letter, value, unit and meaning."""
+    rows: list[dict[str, object]] = []
+    for name, value in study.given.items():
+        numbers = value if isinstance(value, (tuple, list)) else (value,)
+        letter = Vector(name) if len(numbers) == 3 else scalar(name)
+        known = dataset[name].attrs if name in dataset else {}
+        meaning, units = study.variables.get(name, ("", ""))
+        units = units or str(known.get("units", ""))
+        words = meaning or str(known.get("long_name", ""))
+        shown = ", ".join(number(float(x), 9) for x in numbers)
+        rows.append(
+            {
+                "symbol": Markup(mathml(latex(letter))),
+                "value": f"({shown})" if len(numbers) > 1 else shown,
+                "unit": "" if units in ("1", "unknown") else unit(units),
+                "meaning": "" if words in (name, text(letter)) else words,
+            }
+        )
+    return rows
 
 
 def _section(part: Place) -> dict[str, object]:
@@ -214,7 +270,7 @@ def _setting(study: Study) -> str:
     if rolling.contact == "rubber":
         manner = "with neither slipping nor spinning"
     gravity = rolling.field.gravity
-    field = f"gravity {gravity:g}" if gravity else "no gravity"
+    field = f"gravity {number(gravity, 6)} m/s²" if gravity else "no gravity"
     if rolling.field.potential != 0:
         field += ", a potential U(γ)"
     if any(rolling.body.gyrostat):
@@ -232,7 +288,7 @@ def _facts(study: Study, trajectory: Trajectory) -> list[tuple[str, str]]:
     return [
         ("time", f"{first:g} … {last:.10g}, {len(trajectory.times)} samples"),
         ("method", f"{METHODS[run.method]} of order {statistics.order}, {statistics.steps} steps"),
-        ("tolerance", f"{statistics.tolerance:g}, {run.precision} precision"),
+        ("tolerance", f"{number(statistics.tolerance, 3)}, {run.precision} precision"),
         ("corrections", f"{statistics.corrections} returns to the phase space at rounding level"),
         ("integrals", "kept by projection" if run.keep_integrals else "left free, as a check"),
     ]

@@ -22,6 +22,7 @@ from ..system import System
 from .chart import VECTORS
 from .followed import followed
 from .prepare import Study
+from .section_coordinates import is_angle, usual, within_a_turn
 
 __all__ = ["DIRECTIONS", "Place", "Reduced", "Starts", "coordinates_of", "section_of"]
 
@@ -121,7 +122,9 @@ def section_of(
     where = section(system, place.quantity, place.value, DIRECTIONS[place.direction], place.angle)
     for quantity, width in place.within:
         where = slab(where, formula(system, quantity), width)
-    names, quantities, columns = coordinates_of(system, coordinates, study.variables)
+    names, quantities, columns = coordinates_of(
+        system, coordinates, study.variables, place.quantity
+    )
     given, told = _starts(study, system, starts)
     returns = SectionMap(system, where, {}, tolerance, until=until)
     task = section_task(
@@ -219,7 +222,10 @@ class Reduced:
 
 
 def coordinates_of(
-    system: System, text: str, variables: Mapping[str, tuple[str, str]] | None = None
+    system: System,
+    text: str,
+    variables: Mapping[str, tuple[str, str]] | None = None,
+    passed: str = "",
 ) -> tuple[tuple[str, ...], tuple[Quantity, ...], Reduced | None]:
     """The coordinates by which a section is drawn, and those of them that are to be recorded.
 
@@ -230,29 +236,37 @@ def coordinates_of(
         Two or three, separated by commas: variables of the state (``M_1``), integrals and
         observables by name (``energy``), formulas with a name (``phi = atan2(gamma_2, gamma_1)``);
         or reduced coordinates, the name of their chart first (``andoyer: l, L, H``).
-        Where it is empty the first three variables of the state are taken.
+        Where it is empty they are :func:`chaplygin.study.section_coordinates.usual`.  Variables
+        that are angles are taken up to whole turns.
     variables : mapping of str to (str, str), optional
         Meaning and unit of variables of the state.
+    passed : str
+        The quantity whose value the section holds.
 
     Raises
     ------
     InputError
         If there are not two or three, or one of them cannot be read.
     """
+    text = text.strip() or usual(system, passed)
     name, colon, rest = text.partition(":")
     if colon:
         reduced = Reduced(system, name.strip(), tuple(part.strip() for part in rest.split(",")))
         return tuple(item.name for item in reduced.quantities), (), reduced
-    parts = _parted(text) if text.strip() else [str(s) for s in system.symbols[:3]]
+    parts = _parted(text)
     if len(parts) not in (2, 3):
         raise InputError(f"--coordinates {text}: two or three are needed, separated by commas")
     names, quantities = [], []
     for part in parts:
         name, equals, right = (piece.strip() for piece in part.partition("="))
         value = formula(system, right if equals else name)
-        names.append(name)
         if not equals and value in system.symbols:
+            if is_angle(system, value):
+                quantities.append(within_a_turn(value, (variables or {}).get(name)))
+                name = quantities[-1].name
+            names.append(name)
             continue
+        names.append(name)
         if not name.isidentifier():
             raise InputError(
                 f"--coordinates {text}: the formula {part.strip()} needs a name, as in "

@@ -13,6 +13,7 @@ import sympy as sp
 
 from ..errors import InputError
 from ..mechanics.body import check_mass
+from ..mechanics.plan import Plan
 from ..statements import (
     ConformallyHamiltonian,
     Identity,
@@ -223,6 +224,15 @@ def chaplygin_form() -> System:
     )
 
 
+#: From the contact to the centre of mass, (a, b) in axes along and across the blade.
+_AHEAD = (a * sp.cos(phi) - b * sp.sin(phi), a * sp.sin(phi) + b * sp.cos(phi))
+PLAN = Plan(
+    (x, y),
+    links=((x, y, x + _AHEAD[0], y + _AHEAD[1]),),
+    blades=((x, y, phi),),
+    points=((x + _AHEAD[0], y + _AHEAD[1]),),
+)
+
 DEFAULTS = {"m": 1.0, "I": 0.7, "a": 0.3, "b": 0.1}
 
 ENTRIES = (
@@ -233,8 +243,16 @@ ENTRIES = (
         source=SOURCE,
         defaults=DEFAULTS,
         build=sleigh,
+        plan=PLAN,
         start=Start(state={"x": 0.0, "y": 0.0, "phi": 0.4, "v": -1.0, "Omega": 0.05}, until=30.0),
         general=chaplygin_form,
+        variables={
+            "x": ("contact of the blade", "m"),
+            "y": ("contact of the blade", "m"),
+            "phi": ("direction of the blade", "rad"),
+            "v": ("velocity of the contact along the blade", "m/s"),
+            "Omega": ("angular velocity", "1/s"),
+        },
     ),
     Entry(
         name="chaplygin-sleigh-reduced",

@@ -10,6 +10,7 @@ from typing import Any, TypeAlias
 import sympy as sp
 
 from ..errors import InputError
+from ..mechanics.plan import Plan
 from ..mechanics.rolling import Rolling
 from ..mechanics.rolling_ball import RollingBall
 from ..statements import Law
@@ -88,6 +89,8 @@ class Entry:
         Numbers by symbol name ↦ the homogeneous ball on a surface whose System `build` gives.
     letters : mapping of str to str
         Meanings of letters in the equations that this system alone has.
+    plan : Plan, optional
+        What is drawn of a mechanism in the plane.
     """
 
     name: str
@@ -102,6 +105,7 @@ class Entry:
     variables: Mapping[str, tuple[str, str]] = field(default_factory=dict)
     ball: Callable[[Numbers], RollingBall] | None = None
     letters: Mapping[str, str] = field(default_factory=dict)
+    plan: Plan | None = None
 
     def numbers(self, parameters: Numbers | None = None) -> dict[str, float]:
         """All parameters, the given ones replacing the defaults.

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from ..mechanics.plan import Plan
 from ..mechanics.quasivelocity import Frame, Mechanism
 from ..mechanics.suslov import equations
 from ..system import Guard, Parameter, System
@@ -83,6 +84,16 @@ def roller_racer(p: Numbers) -> System:
     return equations(racer(p))
 
 
+#: The pivot and the middle of the second axle.
+_PIVOT = (x + d_1 * sp.cos(theta), y + d_1 * sp.sin(theta))
+_SECOND = (_PIVOT[0] + d_2 * sp.cos(theta + phi), _PIVOT[1] + d_2 * sp.sin(theta + phi))
+PLAN = Plan(
+    (x, y),
+    links=((x, y, *_PIVOT), (*_PIVOT, *_SECOND)),
+    axles=((x, y, theta), (*_SECOND, theta + phi)),
+    points=(_PIVOT,),
+)
+
 DEFAULTS = {"m": 1.0, "I_1": 0.3, "I_2": 0.1, "d_1": 0.4, "d_2": 0.6}
 
 ENTRIES = (
@@ -93,11 +104,15 @@ ENTRIES = (
         source=SOURCE,
         defaults=DEFAULTS,
         build=roller_racer,
+        plan=PLAN,
         start=Start(state={"phi": 0.5, "u": 0.3, "phidot": 0.4}, until=10.0),
         variables={
             "phi": ("angle of the second body against the first", "rad"),
             "u": ("velocity of the first body along itself", "m/s"),
             "phidot": ("rate of the angle at the pivot", "1/s"),
+            "x": ("middle of the first axle", "m"),
+            "y": ("middle of the first axle", "m"),
+            "theta": ("heading of the first body", "rad"),
         },
     ),
 )

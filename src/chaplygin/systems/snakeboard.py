@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from ..mechanics.plan import Plan
 from ..mechanics.quasivelocity import Frame, Mechanism
 from ..mechanics.suslov import equations
 from ..statements import Integral, Measure
@@ -106,6 +107,20 @@ def snakeboard(p: Numbers) -> System:
     return equations(board(p))
 
 
+_HALF_BOARD = (ell * sp.cos(theta), ell * sp.sin(theta))
+_FRONT = (x + _HALF_BOARD[0], y + _HALF_BOARD[1])
+_REAR = (x - _HALF_BOARD[0], y - _HALF_BOARD[1])
+#: The rotor is a short rod across the middle of the board.
+_ROTOR = (ell * sp.cos(theta + psi) / 3, ell * sp.sin(theta + psi) / 3)
+PLAN = Plan(
+    (x, y),
+    links=(
+        (*_REAR, *_FRONT),
+        (x - _ROTOR[0], y - _ROTOR[1], x + _ROTOR[0], y + _ROTOR[1]),
+    ),
+    axles=((*_FRONT, theta + phi), (*_REAR, theta - phi)),
+)
+
 DEFAULTS = {"m": 4.0, "J": 0.06, "J_0": 0.05, "J_1": 0.01, "l": 0.3}
 
 ENTRIES = (
@@ -116,12 +131,17 @@ ENTRIES = (
         source=SOURCE,
         defaults=DEFAULTS,
         build=snakeboard,
+        plan=PLAN,
         start=Start(state={"phi": 0.2, "s": 0.5, "w": 3.0, "phidot": 0.4}, until=15.0),
         variables={
             "phi": ("angle of the front wheels", "rad"),
             "s": ("s of u = l s cos φ, Ω = s sin φ", "1/s"),
             "w": ("angular velocity of the rotor against the board", "1/s"),
             "phidot": ("angular velocity of steering", "1/s"),
+            "x": ("middle of the board", "m"),
+            "y": ("middle of the board", "m"),
+            "theta": ("heading of the board", "rad"),
+            "psi": ("angle of the rotor against the board", "rad"),
         },
     ),
 )

@@ -15,6 +15,7 @@ from collections.abc import Mapping
 
 import sympy as sp
 
+from ..mechanics.plan import Plan
 from ..mechanics.quasivelocity import Frame, Mechanism
 from ..mechanics.suslov import equations
 from ..statements import Integral
@@ -23,7 +24,7 @@ from ..vectors import scalar
 from .entry import Entry, Numbers, Start
 from .positive import positive
 
-__all__ = ["train"]
+__all__ = ["drawn", "train"]
 
 x, y, theta, u, v, m, J = (scalar(name) for name in ("x", "y", "theta", "u", "v", "m", "J"))
 HALF = sp.Rational(1, 2)
@@ -33,6 +34,24 @@ SUMMARY = (
     "A car pulls two trailers, each hitched at the axle before it; it turns uniformly, and its "
     "speed alone responds to the trailers."
 )
+
+
+def drawn(count: int) -> Plan:
+    """The axles of a car with a number of trailers, and the drawbars between them."""
+    place, heading = (x, y), theta
+    axles, links = [(x, y, theta)], []
+    for phi, length in zip(_numbered("phi", count), _numbered("l", count), strict=True):
+        heading = heading - phi
+        hitch, place = (
+            place,
+            (
+                place[0] - length * sp.cos(heading),
+                place[1] - length * sp.sin(heading),
+            ),
+        )
+        axles.append((*place, heading))
+        links.append((*hitch, *place))
+    return Plan((x, y), tuple(links), axles=tuple(axles))
 
 
 def _numbered(name: str, count: int) -> tuple[sp.Symbol, ...]:
@@ -123,6 +142,7 @@ ENTRIES = (
         source=SOURCE,
         defaults=_defaults(2),
         build=trailers,
+        plan=drawn(2),
         start=Start(
             state={"phi_1": 0.3, "phi_2": -0.2, "u": 1.0, "Omega": 0.6},
             until=20.0,
@@ -132,6 +152,9 @@ ENTRIES = (
             "phi_2": ("angle at the hitch of trailer 2", "rad"),
             "u": ("velocity of the car along itself", "m/s"),
             "Omega": ("angular velocity of the car", "1/s"),
+            "x": ("place of the car's axle", "m"),
+            "y": ("place of the car's axle", "m"),
+            "theta": ("heading of the car", "rad"),
         },
     ),
 )

@@ -12,6 +12,7 @@ import math
 import sympy as sp
 
 from ..errors import InputError
+from ..mechanics.plan import Plan
 from ..mechanics.quasivelocity import Frame, Mechanism
 from ..mechanics.suslov import equations
 from ..statements import Integral, Measure
@@ -119,6 +120,7 @@ ENTRIES = (
         source=SOURCE,
         defaults=DEFAULTS,
         build=vertical_disk,
+        plan=Plan((x, y), wheels=((x, y, theta),)),
         start=Start(
             state={"x": 0.0, "y": 3.0, "theta": 0.0, "psidot": 2.0, "w": 0.8},
             until=8.0,

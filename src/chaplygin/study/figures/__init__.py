@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
@@ -16,10 +17,21 @@ from ..drawing import Ground, Outline
 from ..surface_ground import SurfaceGround
 from .ball_scene import ball_scene
 from .bifurcation import draw as bifurcation_diagram
-from .charts import angular_velocity, conserved, drift, normal_force, relative_drift
+from .charts import (
+    angular_velocity,
+    attitude,
+    drift,
+    drifts,
+    friction_ratio,
+    needed_friction,
+    normal_force,
+    presses,
+    relative_drift,
+)
 from .closed_form import closed_form
 from .curves import contact_path, normal_on_sphere
-from .files import FORMATS, save, svg_text
+from .files import FORMATS, page_svg, save, svg_text
+from .plan import plan_view
 from .scenes import scene
 from .states import state
 from .style import STYLE
@@ -30,14 +42,18 @@ __all__ = [
     "STYLE",
     "all_figures",
     "angular_velocity",
+    "attitude",
     "ball_figures",
     "ball_scene",
     "bifurcation_diagram",
     "closed_form",
     "contact_path",
     "drift",
+    "friction_ratio",
     "normal_force",
     "normal_on_sphere",
+    "page_svg",
+    "plan_view",
     "relative_drift",
     "save",
     "scene",
@@ -67,7 +83,9 @@ def all_figures(
     -------
     dict
         Figures by the names of the functions that make them: `scene`, `contact_path`,
-        `normal_on_sphere`, `angular_velocity`, `normal_force`, `drift`, in this order.
+        `normal_on_sphere`, `attitude`, `angular_velocity`, `normal_force`, `friction_ratio`,
+        `drift`, in this order.  There is no normal force where the surface never presses or pulls,
+        and no friction ratio without a weight.
     """
     possible = {name for name, needed in NEEDED.items() if all(item in dataset for item in needed)}
     figures: dict[str, Figure] = {}
@@ -77,12 +95,23 @@ def all_figures(
         figures["contact_path"] = contact_path(dataset, drawn[1])
     if "normal_on_sphere" in possible:
         figures["normal_on_sphere"] = normal_on_sphere(dataset)
+    if "attitude" in possible:
+        figures["attitude"] = attitude(dataset)
     if "angular_velocity" in possible:
         figures["angular_velocity"] = angular_velocity(dataset)
-    if "normal_force" in possible:
-        figures["normal_force"] = normal_force(dataset, weight)
-    if conserved(dataset):
+    figures |= _forces(dataset, weight)
+    if drifts(dataset):
         figures["drift"] = drift(dataset)
+    return figures
+
+
+def _forces(dataset: xr.Dataset, weight: float | None) -> dict[str, Figure]:
+    """What the surface does to the body, where it does anything."""
+    figures: dict[str, Figure] = {}
+    if "normal_force" in dataset and presses(dataset):
+        figures["normal_force"] = normal_force(dataset, weight)
+        if weight and "friction_force" in dataset and np.isfinite(needed_friction(dataset)).any():
+            figures["friction_ratio"] = friction_ratio(dataset)
     return figures
 
 
@@ -109,7 +138,7 @@ def state_figures(
     if recorded:
         figures["recorded"] = state(dataset, recorded)
         figures["recorded"].set_label(f"Recorded against time: {title_of(dataset)}")
-    if conserved(dataset):
+    if drifts(dataset):
         figures["drift"] = drift(dataset)
     return figures
 
@@ -143,6 +172,7 @@ def ball_figures(
     """
     return {
         "scene": ball_scene(dataset, outline, ground),
-        "normal_force": normal_force(dataset, weight),
+        "attitude": attitude(dataset),
+        **_forces(dataset, weight),
         **state_figures(dataset, names),
     }

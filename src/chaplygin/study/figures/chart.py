@@ -10,6 +10,7 @@ import matplotlib as mpl
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
+from matplotlib.colorbar import Colorbar
 from matplotlib.colors import ListedColormap, LogNorm, Normalize
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
@@ -24,6 +25,12 @@ __all__ = ["chart"]
 COLOURS = "viridis"
 #: Part of the values beyond each end of the colours.
 BEYOND = 0.005
+#: The value that parts two kinds of motion, and what it means, by the name of the number.
+MARKS = {
+    "megno": (2.0, "regular"),
+    "lyapunov": (0.0, "regular"),
+    "sum": (0.0, "volume kept"),
+}
 #: Values spread over more decades than this are told apart by their logarithms.
 DECADES = 3.0
 #: Colours of cells without a number, one for each reason; none of them occurs among the others.
@@ -83,7 +90,8 @@ def _edges(places: Any) -> tuple[float, float]:
 
 
 def _draw_numbers(figure: Figure, axes: Axes, number: Any, values: Any, extent: Any) -> None:
-    norm, beyond = _norm(values)
+    mark = MARKS.get(str(number.name))
+    norm, beyond = _norm(values, None if mark is None else mark[0])
     image = axes.imshow(
         np.ma.masked_invalid(values),
         origin="lower",
@@ -95,7 +103,22 @@ def _draw_numbers(figure: Figure, axes: Axes, number: Any, values: Any, extent: 
     )
     bar = figure.colorbar(image, ax=axes, extend=beyond, pad=0.02)
     bar.outline.set_linewidth(0.6)
+    if mark is not None:
+        _mark(bar, *mark)
     bar.set_label(with_unit(_title(number), unit_of(number.to_dataset(name="value"), "value")))
+
+
+def _mark(bar: Colorbar, value: float, meaning: str) -> None:
+    """A line across the bar at a value, and what it means beside it."""
+    bar.ax.axhline(value, color="white", linewidth=2.4)
+    bar.ax.axhline(value, color=INK, linewidth=1.2)
+    low, high = bar.ax.get_ylim()
+    kept = [tick for tick in bar.get_ticks() if low <= tick <= high]
+    # ticks so near that their numbers would print over this one give way
+    near = 0.05 * (high - low)
+    kept = [tick for tick in kept if abs(tick - value) > near]
+    shown = [f"{tick:g}".replace("-", "\N{MINUS SIGN}") for tick in kept]
+    bar.set_ticks([*kept, value], labels=[*shown, f"{value:g} {meaning}"])
 
 
 def _title(number: Any) -> str:
@@ -103,12 +126,14 @@ def _title(number: Any) -> str:
     return wrapped(str(number.attrs.get("long_name", number.name)))
 
 
-def _norm(values: Any) -> tuple[Normalize, str]:
-    """From numbers to colours, and at which ends there are numbers beyond."""
+def _norm(values: Any, mark: float | None) -> tuple[Normalize, str]:
+    """From numbers to colours, a mark among them, and at which ends there are numbers beyond."""
     finite = values[np.isfinite(values)]
     low, high = np.quantile(finite, [BEYOND, 1 - BEYOND])
     if low == high:
         low, high = float(finite.min()), float(finite.max())
+    if mark is not None:
+        low, high = min(low, mark), max(high, mark)
     if low == high:
         return Normalize(low - 0.5, high + 0.5), "neither"
     ends = (bool(finite.min() < low), bool(finite.max() > high))

@@ -9,9 +9,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ...errors import InputError
-from ..drawing import FloatArray
+from ..drawing import FloatArray, rotation_matrices
 from .style import ALARM, COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 from .variables import NOTHING, readable, require, times_of, title_of, unit_of, values_of, with_unit
+
+_MOST = 0.995
+"""Share of the instants whose ratio of friction to normal force is within the picture."""
 
 _DOTS = 400
 """Dots with which a drift is drawn, about."""
@@ -132,8 +135,116 @@ def normal_force(dataset: xr.Dataset, weight: float | None = None) -> Figure:
     return figure
 
 
+def friction_ratio(dataset: xr.Dataset) -> Figure:
+    """How large a coefficient of friction rolling needs: friction over normal force.
+
+    Instants at which the surface does not press have no ratio and are left out.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        Needs `normal_force` and `friction_force`.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Raises
+    ------
+    InputError
+        If the dataset lacks one of them, or the surface presses at no instant.
+    """
+    require(dataset, "friction_ratio")
+    times, ratio = times_of(dataset), needed_friction(dataset)
+    if not np.isfinite(ratio).any():
+        raise InputError(
+            f"the figure friction_ratio needs a normal force that presses, and that of "
+            f"{title_of(dataset)} never does"
+        )
+    with mpl.rc_context(STYLE):
+        figure, axes = _chart(dataset, 2.2, "Friction over normal force")
+        axes.plot(times, ratio, color=COMPONENTS[0], marker=marker(times), zorder=3)
+        # where the surface hardly presses the ratio has no bound
+        top = 1.1 * float(np.nanquantile(ratio, _MOST))
+        axes.set_ylim(0.0, top if top > NOTHING else 1.0)
+        axes.set_ylabel("friction over normal force")
+    return figure
+
+
+def presses(dataset: xr.Dataset) -> bool:
+    """Whether there is any normal force: none acts on a balanced ball without weight."""
+    force = values_of(dataset, "normal_force")
+    return bool(np.max(np.abs(force), initial=0.0, where=np.isfinite(force)) > NOTHING)
+
+
+def needed_friction(dataset: xr.Dataset) -> FloatArray:
+    """|friction force| / normal force, (n,); not-a-number where the surface does not press."""
+    normal = values_of(dataset, "normal_force")
+    friction = np.linalg.norm(values_of(dataset, "friction_force"), axis=1)
+    pressing = normal > NOTHING
+    return np.where(pressing, friction / np.where(pressing, normal, 1.0), np.nan)
+
+
+def attitude(dataset: xr.Dataset) -> Figure:
+    """Three angles of the body's axes against space.
+
+    Euler's angles ψ, θ, φ, or yaw, pitch and roll: those that are farther from where they are not
+    defined.  Whole turns are counted on.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        Needs `attitude`.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Raises
+    ------
+    InputError
+        If the dataset lacks the attitude.
+    """
+    require(dataset, "attitude")
+    times = times_of(dataset)
+    names, angles = turning_angles(values_of(dataset, "attitude"))
+    with mpl.rc_context(STYLE):
+        figure, axes = _chart(dataset, 2.6, "Angles of the body in space")
+        for label, values, colour in zip(names, angles, COMPONENTS, strict=True):
+            axes.plot(times, values, color=colour, marker=marker(times), label=label)
+        axes.axhline(0.0, color=QUIET, linewidth=0.6, zorder=1)
+        axes.set_ylabel(with_unit("angle", "rad"))
+        widen(axes, np.concatenate(angles))
+        _legend_above(axes, 3)
+    return figure
+
+
+def turning_angles(quaternions: FloatArray) -> tuple[tuple[str, str, str], list[FloatArray]]:
+    """Labels and values of three angles that belong to quaternions (n, 4), body to space."""
+    R = rotation_matrices(quaternions)
+    tilt = np.arccos(np.clip(R[:, 2, 2], -1.0, 1.0))
+    pitch = np.arcsin(np.clip(-R[:, 2, 0], -1.0, 1.0))
+    if np.nanmin(np.sin(tilt)) >= np.nanmin(np.cos(pitch)):
+        names = (r"precession $\psi$", r"nutation $\theta$", r"spin $\varphi$")
+        first, last = np.arctan2(R[:, 0, 2], -R[:, 1, 2]), np.arctan2(R[:, 2, 0], R[:, 2, 1])
+        middle = tilt
+    else:
+        names = ("yaw", "pitch", "roll")
+        first, last = np.arctan2(R[:, 1, 0], R[:, 0, 0]), np.arctan2(R[:, 2, 1], R[:, 2, 2])
+        middle = pitch
+    return names, [_unwound(first), middle, _unwound(last)]
+
+
+def _unwound(angle: FloatArray) -> FloatArray:
+    """An angle that does not jump by whole turns, not-a-number where it was."""
+    good = np.isfinite(angle)
+    found = angle.copy()
+    found[good] = np.unwrap(angle[good])
+    return found
+
+
 def drift(dataset: xr.Dataset) -> Figure:
-    """Relative drift of the energy and of each integral against time, on a logarithmic scale.
+    """Relative drift of each integral against time, on a logarithmic scale.
 
     Dots are samples (some hundreds of them), lines the largest drift so far. Samples that agree
     with the first one to the last bit lie on the line marked 0 at the foot.
@@ -141,7 +252,7 @@ def drift(dataset: xr.Dataset) -> Figure:
     Parameters
     ----------
     dataset : xarray.Dataset
-        Needs `energy` or at least one variable `law_<name>`.
+        Needs at least one variable `law_<name>`.
 
     Returns
     -------
@@ -155,8 +266,8 @@ def drift(dataset: xr.Dataset) -> Figure:
     names = conserved(dataset)
     if not names:
         raise InputError(
-            f"the figure drift needs energy or an integral, and the trajectory of "
-            f"{title_of(dataset)} has neither"
+            f"the figure drift needs an integral, and the trajectory of {title_of(dataset)} has "
+            "none"
         )
     times = times_of(dataset)
     drifts = {name: relative_drift(dataset, name) for name in names}
@@ -239,16 +350,21 @@ def _starts_at_zero(values: FloatArray) -> bool:
 
 
 def conserved(dataset: xr.Dataset) -> list[str]:
-    """Variables that ought to stay constant, energy first."""
+    """Variables that ought to stay constant, that of the energy first.
+
+    An energy that is recorded and is no integral is not among them.
+    """
     laws = sorted(
         str(name)
         for name in dataset.data_vars
         if str(name).startswith("law_") and not str(name).endswith("_low")
     )
-    if "law_energy" in laws:
-        laws.remove("law_energy")
-        return ["law_energy", *laws]
-    return ["energy", *laws] if "energy" in dataset else laws
+    return sorted(laws, key=lambda name: name != "law_energy")
+
+
+def drifts(dataset: xr.Dataset) -> bool:
+    """Whether anything that ought to stay constant changes by a bit or more."""
+    return any(np.nanmax(relative_drift(dataset, name)) > 0.0 for name in conserved(dataset))
 
 
 def _law_label(dataset: xr.Dataset, name: str) -> str:

@@ -4,16 +4,21 @@ from __future__ import annotations
 
 import hashlib
 import io
+import pickle
 import re
 from pathlib import Path as FilePath
 from xml.sax.saxutils import quoteattr
 
 import matplotlib as mpl
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.legend import Legend
+from matplotlib.text import Text
+from matplotlib.ticker import AutoLocator
 
 from ...errors import InputError
 from ..files import completed
-from .style import STYLE
+from .style import ALARM, COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE
 
 FORMATS: dict[str, dict[str, None]] = {
     ".png": {"Software": None},
@@ -21,6 +26,19 @@ FORMATS: dict[str, dict[str, None]] = {
     ".pdf": {"CreationDate": None, "Creator": None, "Producer": None},
 }
 """Kinds of file `save` writes, each with the notes on time and program it leaves out."""
+
+PAGE_COLOURS = {
+    "ink": INK,
+    "quiet": QUIET,
+    "faint": FAINT,
+    "alarm": ALARM,
+    "paper": "#ffffff",
+    **{f"curve-{colour[1:]}": colour for colour in (*COMPONENTS, *SERIES) if colour != ALARM},
+}
+"""Colours of figures that a page may change, by the names of its style sheet."""
+
+NARROW = 3.65
+"""Width in inches of a figure on a telephone."""
 
 _PROLOG = '<?xml version="1.0" encoding="utf-8"?>\n'
 
@@ -85,6 +103,58 @@ def svg_text(figure: Figure) -> str:
     )
     text = re.sub(r' d="[^"]*"', _rounded, text)
     return _own_ids(re.sub(r"\n\s*", "\n", text.strip()))
+
+
+def page_svg(figure: Figure, narrow: bool = False) -> str:
+    """A figure as SVG for a page with light and dark colours; see :func:`svg_text`.
+
+    The colours of paper, ink and curves are left to the style sheet, which may set them by name:
+    ``--ink``, ``--paper`` and so on, those of :data:`PAGE_COLOURS`; each has itself as default.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        It is left as it is.
+    narrow : bool
+        For the screen of a telephone: charts are drawn anew at its width, in pictures the letters
+        are larger.
+    """
+    shown: Figure = pickle.loads(pickle.dumps(figure)) if narrow else figure
+    if narrow:
+        _make_narrow(shown)
+    text = svg_text(shown)
+    for name, colour in PAGE_COLOURS.items():
+        text = re.sub(rf"(?<=[ :]){colour}(?=[;\"])", f"var(--{name}, {colour})", text)
+    return text
+
+
+def _make_narrow(figure: Figure) -> None:
+    """Fit a figure to the width of a telephone."""
+    wide, high = figure.get_size_inches()
+    if figure.get_layout_engine() is None:
+        for text in figure.findobj(Text):
+            text.set_fontsize(text.get_fontsize() * min(wide / NARROW, 1.5))
+        for axes in figure.axes:
+            if axes.axison and axes.name == "rectilinear":
+                axes.locator_params(nbins=4)
+        return
+    panels = [axes for axes in figure.axes if axes.axison]
+    figure.set_size_inches(NARROW, high if len(panels) < 6 else 1.3 * high)
+    for axes in panels:
+        if axes.get_xscale() == "linear" and isinstance(
+            axes.xaxis.get_major_locator(), AutoLocator
+        ):
+            axes.locator_params(axis="x", nbins=4)
+        legend = axes.get_legend()
+        if legend is not None and _share(figure, axes, legend) < 1.0:
+            legend.set_ncols(1 if len(legend.get_texts()) < 3 else 2)
+
+
+def _share(figure: Figure, axes: Axes, legend: Legend) -> float:
+    """How much of a legend's width its axes have, 1 at most."""
+    figure.draw_without_rendering()
+    room = axes.get_window_extent().width
+    return min(1.0, float(room / legend.get_window_extent().width))
 
 
 def _rounded(path: re.Match[str]) -> str:

@@ -12,27 +12,28 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Normalize
+from matplotlib.colors import Normalize, to_rgba_array
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from ...errors import InputError
 from ..drawing import FloatArray
-from .style import FAINT, QUIET, STYLE, WIDTH
+from .style import FAINT, QUIET, SERIES, STYLE, WIDTH
 from .variables import readable, title_of, typeset, unit_of, with_unit
 
 __all__ = ["draw"]
 
 #: Points drawn at most, unless there are more motions than that.
 MOST = 120_000
-#: Colours of starts, or of the number of the return: yellow is left out, as too pale on white.
+#: Colours of starts, which have no order.
+KINDS = (*SERIES, "#882255", "#e07b39", "#4477aa", "#5c5c5c")
+#: Colours of the number of the return: yellow is left out, as too pale on white.
 COLOURS = mpl.colormaps["viridis"].with_extremes(bad=FAINT)
 PALEST = 0.92
-#: So many starts have a field of their own each in the key.
-FEW = 12
 #: Into so many layers one above the other a single motion is drawn.
 LAYERS = 40
-#: From where space is seen: height and turn in degrees.
-VIEWS = ((22.0, -58.0), (22.0, 32.0))
+#: From where space is seen, height and turn in degrees: the upright axes stand on the outside.
+VIEWS = ((22.0, 32.0), (22.0, -58.0))
 #: A word in a formula.
 _NAME = re.compile(r"[A-Za-z]+(_\w+)?")
 
@@ -40,8 +41,8 @@ _NAME = re.compile(r"[A-Za-z]+(_\w+)?")
 def draw(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
     """The points of a section by two or three of its coordinates.
 
-    The points of several motions have a colour for each start; those of a single motion go from
-    dark to light with the number of the return.
+    The points of several motions have a colour for each start, a dozen by turns; those of a
+    single motion go from dark to light with the number of the return.
 
     Parameters
     ----------
@@ -70,12 +71,15 @@ def draw(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
         raise InputError(f"the section of {title_of(dataset)} has no point to draw")
     points = [column[run, place] for column in columns]
     number = numbers[place]
-    shares = number / max(count - 1, 1) if runs == 1 else run / max(runs - 1, 1)
+    if runs == 1:
+        colours = COLOURS(number / max(count - 1, 1) * PALEST)
+    else:
+        colours = to_rgba_array(KINDS)[run % len(KINDS)]
     # starts in turn, so that none lies wholly over another
     order = np.argsort(number, kind="stable")
-    points, shares = [p[order] for p in points], shares[order]
+    points, colours = [p[order] for p in points], colours[order]
     labels = [_label(dataset, name) for name in names]
-    look = {"c": COLOURS(shares * PALEST), "s": _size(len(run)), "linewidths": 0.0}
+    look = {"c": colours, "s": _size(len(run)), "linewidths": 0.0}
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(WIDTH, 4.6 if len(names) == 2 else 6.1))
         figure.set_label(f"Section: {title_of(dataset)}")
@@ -159,7 +163,7 @@ def _space(
 ) -> None:
     """Two views above three projections; within a layer, near points hide far ones."""
     for i, (height, turn) in enumerate(VIEWS):
-        view: Any = figure.add_axes((-0.02 + 0.48 * i, 0.4, 0.42, 0.56), projection="3d")
+        view: Any = figure.add_axes((0.05 + 0.41 * i, 0.4, 0.42, 0.56), projection="3d")
         view.patch.set_visible(False)
         view.computed_zorder = False
         for layer, part in enumerate(layers):
@@ -187,16 +191,29 @@ def _space(
 
 
 def _key(figure: Figure, runs: int, count: int) -> None:
-    """What the colours mean."""
-    last = count if runs == 1 else runs
-    if last < 2:
-        return
-    few = 1 < runs <= FEW
-    colours = mpl.colors.ListedColormap(COLOURS(np.linspace(0.0, PALEST, runs if few else 256)))
-    ends = Normalize(0.5, last + 0.5) if few else Normalize(1, last)
-    place = figure.add_axes((0.905, 0.44, 0.014, 0.44))
-    bar = figure.colorbar(ScalarMappable(ends, colours), cax=place)
-    bar.set_label("number of the return" if runs == 1 else "start", fontsize=9)
-    bar.ax.tick_params(labelsize=7)
-    bar.locator = mpl.ticker.MaxNLocator(FEW if few else 5, integer=True)
-    bar.update_ticks()
+    """What the colours mean: a dot for each start, or a bar of the number of the return."""
+    if 1 < runs <= len(KINDS):
+        dots = [
+            Line2D([], [], linestyle="", marker="o", markersize=4, color=c) for c in KINDS[:runs]
+        ]
+        figure.legend(
+            dots,
+            [str(number) for number in range(1, runs + 1)],
+            title="start",
+            title_fontsize=9,
+            loc="upper left",
+            bbox_to_anchor=(0.885, 0.9),
+            handlelength=0.8,
+            fontsize=8,
+        )
+    elif runs > 1:
+        told = f"{runs} starts,\n{len(KINDS)} colours\nby turns"
+        figure.text(0.885, 0.89, told, va="top", fontsize=8, color=QUIET)
+    elif count > 1:
+        colours = mpl.colors.ListedColormap(COLOURS(np.linspace(0.0, PALEST, 256)))
+        place = figure.add_axes((0.905, 0.44, 0.014, 0.44))
+        bar = figure.colorbar(ScalarMappable(Normalize(1, count), colours), cax=place)
+        bar.set_label("number of the return", fontsize=9)
+        bar.ax.tick_params(labelsize=7)
+        bar.locator = mpl.ticker.MaxNLocator(5, integer=True)
+        bar.update_ticks()

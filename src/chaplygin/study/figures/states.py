@@ -19,9 +19,15 @@ from .charts import marker, time_label, widen
 from .style import COMPONENTS, FAINT, SERIES, STYLE, WIDTH
 from .variables import require_all, times_of, title_of, unit_of, values_of, with_unit
 
+_TALL = 5
+"""So many panels stand in one column; more in two."""
+
+_PAGE = 8.6
+"""Inches that panels take together at most: they fit on a page."""
+
 
 def state(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
-    """Variables of the state against time, one panel for each.
+    """Variables of the state against time, one panel for each, on a page at most.
 
     Vectors are drawn by their components; scalars that follow each other and have one letter and
     one unit, as k₁₂ and k₁₃, share a panel.
@@ -47,14 +53,23 @@ def state(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
     groups = [list(same) for _, same in groupby(names, lambda name: _kind(dataset, name))]
     times = times_of(dataset)
     with mpl.rc_context(STYLE):
-        figure = Figure(figsize=(WIDTH, 0.5 + 1.35 * len(groups)), layout="constrained")
+        columns = 1 if len(groups) <= _TALL else 2
+        rows = -(-len(groups) // columns)
+        height = min(1.35, _PAGE / rows)
+        figure = Figure(figsize=(WIDTH, 0.5 + height * rows), layout="constrained")
         figure.set_label(f"The state against time: {title_of(dataset)}")
-        panels = figure.subplots(len(groups), sharex=True, squeeze=False)[:, 0]
-        for axes, group in zip(panels, groups, strict=True):
+        # down the first column, then down the second
+        panels = figure.subplots(rows, columns, squeeze=False).T.ravel()
+        for axes, group in zip(panels, groups, strict=False):
             _panel(axes, dataset, group)
-        panels[-1].set_xlabel(time_label(dataset))
-        if times[-1] > times[0]:
-            panels[-1].set_xlim(times[0], times[-1])
+            if times[-1] > times[0]:
+                axes.set_xlim(times[0], times[-1])
+            axes.tick_params(labelbottom=False)
+        for axes in panels[len(groups) :]:
+            axes.set_axis_off()
+        for last in (*panels[rows - 1 : len(groups) : rows], panels[len(groups) - 1]):
+            last.set_xlabel(time_label(dataset))
+            last.tick_params(labelbottom=True)
         figure.align_ylabels(list(panels))
     return figure
 

@@ -12,6 +12,8 @@ from matplotlib.mathtext import MathTextParser
 
 from ...errors import InputError
 from ...lettering import GREEK
+from ...notation import latex
+from ...vectors import scalar
 from ..drawing import FloatArray
 
 NEEDED = {
@@ -19,7 +21,9 @@ NEEDED = {
     "contact_path": ("contact",),
     "normal_on_sphere": ("gamma",),
     "angular_velocity": ("omega",),
+    "attitude": ("attitude",),
     "normal_force": ("normal_force",),
+    "friction_ratio": ("normal_force", "friction_force"),
 }
 """Variables without which there is no such figure."""
 
@@ -98,11 +102,10 @@ def typeset(name: str) -> str:
     """A name as it is set in formulas: M_1 as M₁, gamma_3 as γ₃; words stay words."""
     if "/" in name:
         return "/".join(map(typeset, name.split("/")))
-    letter, _, index = name.partition("_")
+    letter = name.partition("_")[0]
     if len(letter) > 1 and letter not in GREEK:
         return readable(name.replace("_", " "))
-    shown = f"\\{letter}" if letter in GREEK else letter
-    return f"${shown}_{{{index}}}$" if index else f"${shown}$"
+    return f"${latex(scalar(name))}$"
 
 
 #: The first of the characters that mean nothing by themselves.

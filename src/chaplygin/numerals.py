@@ -1,0 +1,36 @@
+"""Numbers and units as they are printed: raised exponents, a minus sign as long as a plus."""
+
+from __future__ import annotations
+
+import re
+
+__all__ = ["MINUS", "RAISED", "number", "signed", "unit"]
+
+MINUS = "\N{MINUS SIGN}"
+RAISED = str.maketrans("0123456789-" + MINUS, "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁻")
+
+#: A hyphen that stands for a sign: before a number, or between spaces.
+_SIGN = re.compile(r"(?<![\w)\]-])-(?=[\d.(]|[∞π√])|(?<= )-(?= )")
+#: A number with a power of ten as programs write it.
+_POWER = re.compile(r"(?<![\w.])(-?\d+(?:\.\d+)?)e([+-]?\d+)\b")
+
+
+def number(value: float, digits: int = 10) -> str:
+    """A number with so many digits: ``0``, ``−2.5``, ``1.8 × 10⁻¹⁵``."""
+    return signed(f"{value + 0.0:.{digits}g}")
+
+
+def signed(text: str) -> str:
+    """Words with numbers in them, their signs and powers of ten as in print."""
+
+    def power(found: re.Match[str]) -> str:
+        exponent = str(int(found[2])).translate(RAISED)
+        return f"{found[1]} × 10{exponent}"
+
+    return _SIGN.sub(MINUS, _POWER.sub(power, text))
+
+
+def unit(written: str) -> str:
+    """A unit with raised exponents: ``kg² m⁴/s²`` for ``kg^2 m^4/s^2`` or ``kg**2*m**4/s**2``."""
+    raised = re.sub(r"(?:\^|\*\*)\{?(-?\d+)\}?", lambda found: found[1].translate(RAISED), written)
+    return raised.replace("*", " ")
