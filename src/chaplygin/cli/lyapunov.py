@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from ..interruption import CODE, ending, say
+from ..interruption import CODE, NOTHING, ending, say
 from .common import Force, Json, Override, What, console, print_json, study_of
 from .output import STANDARD_OUTPUT, beside, check_output, deliver
 from .progress import progress
@@ -69,7 +69,7 @@ def command(
         start = draw(system, 1, numbers, seed=seed)[0].tolist()
     length = TIMES_LONGER * study.until if until is None else until
     interrupted = ""
-    with ending("nothing was written", "the spectrum of the motion until now is evaluated"):
+    with ending(NOTHING, "the spectrum of the motion until now is evaluated"):
         try:
             with progress(study.system.title) as report:
                 found = spectrum(system, start, until=length, tolerance=tolerance, progress=report)
@@ -123,12 +123,12 @@ def _print(found: Spectrum, turned: Any) -> None:
         shown = ("", "") if rate is None else ("0", f"{rate:.1e}" if rate else "0")
         kind = "" if forced.name == forced.kind else f"{forced.kind}: "
         zeros.add_row(escape(forced.name), *shown, f"{kind}{forced.reason}")
-    shown = console()
+    terminal = console()
     typer.echo()
-    shown.print(table)
+    terminal.print(table)
     if found.removed:
         typer.echo()
-        shown.print(zeros)
+        terminal.print(zeros)
     typer.echo()
     if found.dependent:
         typer.echo(f"Nothing more is forced by {', '.join(found.dependent)} at this start.")

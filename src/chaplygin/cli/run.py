@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from ..interruption import CODE, ending, say
+from ..interruption import CODE, NOTHING, ending, say
 from .common import Force, Json, Override, Precision, What, inform, print_json, study_of
 from .output import beside, check_output, deliver
 from .progress import progress
@@ -33,7 +33,7 @@ def command(
     from ..study.summary import summary, summary_text
 
     failure: RunError | None = None
-    with ending("nothing was written", f"the motion until now is being written to {output}"):
+    with ending(NOTHING, f"the motion until now is being written to {output}"):
         with progress(study.system.title) as report:
             try:
                 trajectory = study.trajectory(report)
