@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from ..interruption import CODE, NOTHING, ending, say
-from .common import Force, Json, Override, What, console, print_json, study_of
-from .output import STANDARD_OUTPUT, beside, check_output, deliver
+from .common import Force, Json, Override, What, console, inform, print_json, study_of
+from .output import STANDARD_OUTPUT, beside, check_output, deliver, name_of
 from .progress import progress
 from .stores import level_of
 
@@ -86,6 +86,8 @@ def command(
                 print_json(record(found, turned))
             else:
                 _print(found, turned)
+        if output is not None:
+            inform(f"written to {name_of(output)}")
     if interrupted:
         say(interrupted)
         raise typer.Exit(CODE)
