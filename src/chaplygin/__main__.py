@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
-import sys
+import threading
 
-from .interruption import CODE, watched
+from .interruption import CODE, GRACE, watched
 
 __all__ = ["main"]
 
@@ -20,10 +19,10 @@ def main() -> None:
             command()
     except SystemExit as end:
         if end.code == CODE:
-            # without waiting for threads that compute what nobody wants any more
-            with contextlib.suppress(OSError):
-                sys.stdout.flush()
-            os._exit(CODE)
+            # do not wait for threads that compute what nobody wants any more
+            timer = threading.Timer(GRACE, os._exit, (CODE,))
+            timer.daemon = True
+            timer.start()
         raise
 
 

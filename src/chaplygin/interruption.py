@@ -17,10 +17,13 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from types import FrameType
 
-__all__ = ["CODE", "concluding", "ending", "say", "watched"]
+__all__ = ["CODE", "GRACE", "NOTHING", "concluding", "ending", "say", "watched"]
 
 #: Exit code of what was interrupted.
 CODE = 130
+
+#: What is said where nothing else is.
+NOTHING = "nothing was saved; the same command begins again"
 
 #: Seconds in which a command may end by itself.
 GRACE = 0.6
@@ -55,7 +58,7 @@ class _State:
         return self.ending.patient or bool(self.reached and self.ending.saving)
 
 
-_NOTHING = _Ending(lambda: "nothing was written")
+_NOTHING = _Ending(lambda: NOTHING)
 _STATE = _State([])
 
 

@@ -130,13 +130,17 @@ def test_a_file_is_no_folder(ask: Ask) -> None:
 
 
 def test_interrupted(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
-    def interrupted(*_: object, **__: object) -> None:
+    def interrupted(*_: object, progress: Callable[[float], None], **__: object) -> None:
+        progress(0.25)
         raise KeyboardInterrupt
 
     monkeypatch.setattr("chaplygin.flow.blocks.compute", interrupted)
     code, out, err = ask(*BALL, "-o", "ball.zarr")
     assert (code, out) == (130, "")
-    assert "interrupted; the same command goes on with what is in ball.zarr" in err
+    sentence = "interrupted: 25% is computed; the same command goes on with what is in ball.zarr\n"
+    assert err.endswith(sentence)
+    code, _, err = ask(*BALL, "-o", "ball.zarr", "--force")
+    assert "the same command without --force goes on" in err
 
 
 @pytest.mark.parametrize(

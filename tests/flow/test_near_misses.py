@@ -45,7 +45,9 @@ def test_what_comes_to_rest_is_given_up() -> None:
     falling = System("falling", "Falling", {x: -x, y: 0})
     flow = lanes(falling, section=Section(x + 1, 0))
     found = flow.returns([[0.0, 0.0], [1.0, 0.0]], 3)
-    assert [flow.reason(code) for code in found.outcome] == ["the time was over"] * 2
+    assert [flow.reason(code) for code in found.outcome] == [
+        "a million steps passed without a crossing"
+    ] * 2
     assert (found.steps <= 1e6).all()
 
 

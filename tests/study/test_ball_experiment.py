@@ -9,6 +9,7 @@ import pytest
 from pydantic import ValidationError
 
 from chaplygin.errors import InputError
+from chaplygin.explore.proofs import Patience
 from chaplygin.laws.prove import prove
 from chaplygin.study.ball import setting, smooth_surface
 from chaplygin.study.ball_experiment import BallExperiment, moment
@@ -195,12 +196,21 @@ def test_what_is_made_in_python_is_checked_too():
         CylinderTable()
 
 
+class Unheard:
+    """Progress of which nobody wants to hear."""
+
+    def __call__(self, done: float, /) -> None:
+        pass
+
+    def say(self, what: str) -> None:
+        pass
+
+
 @pytest.mark.parametrize("made", spread(["file", "catalogue"], 2))
 def test_a_study_draws_the_ball(made, tmp_path):
     experiment = loads(BALL) if made == "file" else catalogue_experiment("marble-ball-on-cone")
     study = prepare(experiment)
-    (tmp_path / "figures").mkdir()
-    _, failure = write_study(study, tmp_path, True, lambda done: None)
+    _, failure = write_study(study, tmp_path, False, Patience(1, 0), Unheard())
     assert failure is None
     drawn = {path.name for path in (tmp_path / "figures").iterdir()}
     assert {"scene.png", "scene.svg", "state.png", "normal_force.png", "drift.png"} <= drawn

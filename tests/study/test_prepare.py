@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -114,7 +116,7 @@ def test_every_shape_is_made_and_rolls(kind):
     else:
         assert found == shape
     assert made.system.title == title
-    assert made.system.name == "experiment"
+    assert made.system.name == "-".join(re.findall(r"\w+", title.lower()))
     motion = made.trajectory()
     assert motion.times.tolist() == [0.0, 0.5, 1.0, 1.5, 2.0]
     assert drift(motion["law_energy"]) < 1e-14

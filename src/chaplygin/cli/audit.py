@@ -9,7 +9,7 @@ import typer
 
 from ..interruption import CODE, concluding, say
 from .common import Force, Json, console, inform, print_json
-from .output import STANDARD_OUTPUT, beside, check_output, written
+from .output import beside, check_output, name_of, written
 from .progress import progress, waiting
 
 if TYPE_CHECKING:
@@ -63,8 +63,7 @@ def command(
         if output is not None:
             with written(output) as place:
                 place.write_text(page(judgements, section), encoding="utf-8")
-            if output != STANDARD_OUTPUT:
-                inform(f"page: {output}")
+            inform(f"page: {name_of(output)}")
     if left:
         say(f"{left} claims were not judged; the same command goes on, since verdicts are kept")
         raise typer.Exit(CODE)

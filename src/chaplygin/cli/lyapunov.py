@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from ..interruption import CODE, ending, say
-from .common import Force, Json, Override, What, console, print_json, study_of
-from .output import STANDARD_OUTPUT, beside, check_output, deliver
+from ..interruption import CODE, NOTHING, ending, say
+from .common import Force, Json, Override, What, console, inform, print_json, study_of
+from .output import STANDARD_OUTPUT, beside, check_output, deliver, name_of
 from .progress import progress
 from .stores import level_of
 
@@ -69,7 +69,7 @@ def command(
         start = draw(system, 1, numbers, seed=seed)[0].tolist()
     length = TIMES_LONGER * study.until if until is None else until
     interrupted = ""
-    with ending("nothing was written", "the spectrum of the motion until now is evaluated"):
+    with ending(NOTHING, "the spectrum of the motion until now is evaluated"):
         try:
             with progress(study.system.title) as report:
                 found = spectrum(system, start, until=length, tolerance=tolerance, progress=report)
@@ -86,6 +86,8 @@ def command(
                 print_json(record(found, turned))
             else:
                 _print(found, turned)
+        if output is not None:
+            inform(f"written to {name_of(output)}")
     if interrupted:
         say(interrupted)
         raise typer.Exit(CODE)

@@ -8,8 +8,6 @@ from contextlib import AbstractContextManager, contextmanager, nullcontext, redi
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .common import inform
-
 if TYPE_CHECKING:
     import xarray as xr
 
@@ -20,6 +18,7 @@ __all__ = [
     "check_figure",
     "check_output",
     "deliver",
+    "name_of",
     "written",
 ]
 
@@ -91,7 +90,7 @@ def check_figure(option: str, figure: Path) -> None:
 
 
 def deliver(dataset: xr.Dataset, output: Path, force: bool) -> None:
-    """Write a dataset as its name says, or NetCDF to standard output, and say where it is."""
+    """Write a dataset as its name says, or NetCDF to standard output."""
     from ..study.dataset import write
     from ..study.formats import netcdf
 
@@ -100,7 +99,11 @@ def deliver(dataset: xr.Dataset, output: Path, force: bool) -> None:
         sys.stdout.buffer.flush()
     else:
         write(dataset, output, force)
-        inform(f"written to {output}")
+
+
+def name_of(output: Path) -> str:
+    """An output for the reader."""
+    return "standard output" if output == STANDARD_OUTPUT else str(output)
 
 
 def beside(output: Path | None) -> AbstractContextManager[object]:

@@ -20,7 +20,7 @@ from .common import (
     print_json,
     study_of,
 )
-from .output import STANDARD_OUTPUT, beside, check_output, written
+from .output import beside, check_output, name_of, written
 from .progress import progress
 
 if TYPE_CHECKING:
@@ -236,8 +236,7 @@ def _write(path: Path, verdicts: list[Verdict]) -> None:
     made = [verdict.certificate for verdict in verdicts if verdict.certificate is not None]
     with written(path) as place:
         place.write_text(json.dumps(made, ensure_ascii=False), encoding="utf-8")
-    where = "standard output" if path == STANDARD_OUTPUT else path
-    inform(f"certificates of {len(made)} of {len(verdicts)} laws: {where}")
+    inform(f"certificates of {len(made)} of {len(verdicts)} laws: {name_of(path)}")
     for verdict in verdicts:
         if verdict.certificate is None:
             why = verdict.uncertified or "it is undecided"

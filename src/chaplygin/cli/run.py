@@ -7,9 +7,9 @@ from typing import Annotated
 
 import typer
 
-from ..interruption import CODE, ending, say
+from ..interruption import CODE, NOTHING, ending, say
 from .common import Force, Json, Override, Precision, What, inform, print_json, study_of
-from .output import beside, check_output, deliver
+from .output import beside, check_output, deliver, name_of
 from .progress import progress
 
 __all__ = ["command"]
@@ -41,7 +41,7 @@ def command(
     from ..study.summary import summary, summary_text
 
     failure: RunError | None = None
-    with ending("nothing was written", f"the motion until now is being written to {output}"):
+    with ending(NOTHING, f"the motion until now is being written to {name_of(output)}"):
         with progress(study.system.title) as report:
             try:
                 trajectory = study.trajectory(report)
@@ -52,12 +52,12 @@ def command(
         deliver(dataset_of(study, trajectory, complete=failure is None), output, force)
     if isinstance(failure, InterruptionError):
         say(
-            f"the motion until t = {failure.time:.9g} is in {output}; the same command with "
+            f"the motion until t = {failure.time:.9g} is in {name_of(output)}; the same command with "
             "--force begins again"
         )
         raise typer.Exit(CODE)
     if failure is not None:
-        inform(f"what was computed until then is in {output}")
+        inform(f"what was computed until then is in {name_of(output)}")
         raise failure
     result = summary(trajectory)
     if json:
@@ -65,3 +65,4 @@ def command(
     else:
         with beside(output):
             typer.echo(summary_text(study.system, trajectory, result))
+            typer.echo(f"written to {name_of(output)}")

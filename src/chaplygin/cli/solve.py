@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from .common import Force, Json, Override, What, complain, console, inform, print_json, study_of
-from .output import beside, check_figure, check_output, deliver
+from .output import beside, check_figure, check_output, deliver, name_of
 from .progress import waiting
 
 if TYPE_CHECKING:
@@ -286,6 +286,7 @@ def _write(
 
     trajectory = evaluated(study, solution, _doubles(moments))
     deliver(dataset(study, trajectory, solution), output, force)
+    inform(f"written to {name_of(output)}")
 
 
 def _draw(study: Study, solution: Solution, path: Path) -> None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from ..interruption import ending
+from ..interruption import NOTHING, ending
 
 if TYPE_CHECKING:
     from ..flow.blocks import Progress
@@ -139,7 +139,7 @@ def resumable(store: Path, report: Progress, force: bool) -> Iterator[Progress]:
 
     def words() -> str:
         if not share:
-            return "nothing was computed yet"
+            return NOTHING
         command = "the same command without --force" if force else "the same command"
         return f"{share:.0%} is computed; {command} goes on with what is in {store}"
 

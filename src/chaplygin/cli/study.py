@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from ..interruption import ending
+from ..interruption import NOTHING, ending
 from .common import Force, Json, Override, Precision, What, operations, print_json, study_of
 from .output import STANDARD_OUTPUT
 from .progress import progress
@@ -58,7 +58,7 @@ def command(
 
     def words() -> str:
         if not is_begun(folder):
-            return "nothing was written"
+            return NOTHING
         return f"what is done is in {folder}; the same command goes on there"
 
     with ending(words), progress(f"integrating: {study.system.title}") as report:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 import random
 from collections.abc import Iterator, Mapping, Sequence
@@ -23,10 +24,12 @@ from ..vectors import explicit
 from .numbers import exact
 from .sizes import RESOLUTION, Sized, measured, sized
 
-__all__ = ["Problem", "exact", "same_field"]
+__all__ = ["Problem", "exact", "rational", "same_field"]
 
 #: Points at which two fields are compared.
 POINTS = 3
+#: Components of each of the two vectors of a state.
+SIZE = 3
 
 Numbers = Mapping[sp.Symbol, Fraction]
 
@@ -133,15 +136,33 @@ def same_field(
     """
     if len(first.symbols) != len(second.symbols):
         return False
+    found = False
     try:
-        points = list(_points(second, second_numbers))
-        return bool(points) and all(
-            _rates(first, point, first_numbers) == _rates(second, point, second_numbers)
-            for point in points
-        )
+        for point in _points(second, second_numbers):
+            found = True
+            if _rates(first, point, first_numbers) != _rates(second, point, second_numbers):
+                return False
     except (NotExactError, OutOfReachError, UnknownSymbolError, ZeroDivisionError):
         # a field with roots or functions, or singular elsewhere, is none of those that are known
         return False
+    return found
+
+
+def rational(system: System, numbers: Numbers) -> bool:
+    """Whether a field may have exact values at rational states (u, n) with n² = 1.
+
+    Without them `same_field` holds with no system.
+    """
+    if len(system.symbols) != 2 * SIZE:
+        return False
+    generator = random.Random(system.name)
+    for point in (point for _ in range(POINTS) for point in _candidates(generator)):
+        with contextlib.suppress(
+            NotExactError, OutOfReachError, UnknownSymbolError, ZeroDivisionError
+        ):
+            _rates(system, point, numbers)
+            return True
+    return False
 
 
 def _evaluator(system: System, point: Sequence[fmpq], numbers: Numbers) -> Evaluator:
@@ -158,20 +179,13 @@ def _rates(system: System, point: Sequence[fmpq], numbers: Numbers) -> list[Any]
 
 def _points(system: System, numbers: Numbers) -> Iterator[list[fmpq]]:
     """Rational points of a phase space of two vectors u and n, n² = 1, and perhaps (u, n) = 0."""
-    generator = random.Random(system.name)
+    if len(system.symbols) != 2 * SIZE:
+        return
     relations = [explicit(relation) for relation in system.relations]
     found = 0
+    generator = random.Random(system.name)
     for _ in range(20 * POINTS):
-        p, q = (fmpq(generator.randint(-9, 9), generator.randint(7, 13)) for _ in range(2))
-        square = 1 + p * p + q * q
-        n = [2 * p / square, 2 * q / square, (square - 2) / square]
-        u = [fmpq(generator.randint(-20, 20), generator.randint(7, 13)) for _ in range(3)]
-        along = sum((a * b for a, b in zip(u, n, strict=True)), fmpq(0))
-        level = [a - along * b for a, b in zip(u, n, strict=True)]
-        for first in (u, level):
-            point = [*first, *n]
-            if len(point) != len(system.symbols):
-                return
+        for point in _candidates(generator):
             values = _evaluator(system, point, numbers)
             try:
                 on_it = all(values.value(relation) == 0 for relation in relations)
@@ -183,3 +197,14 @@ def _points(system: System, numbers: Numbers) -> Iterator[list[fmpq]]:
                 continue
         if found == POINTS:
             return
+
+
+def _candidates(generator: random.Random) -> tuple[list[fmpq], list[fmpq]]:
+    """Rational (u, n) with n² = 1, and such ones with (u, n) = 0 too."""
+    p, q = (fmpq(generator.randint(-9, 9), generator.randint(7, 13)) for _ in range(2))
+    square = 1 + p * p + q * q
+    n = [2 * p / square, 2 * q / square, (square - 2) / square]
+    u = [fmpq(generator.randint(-20, 20), generator.randint(7, 13)) for _ in range(SIZE)]
+    along = sum((a * b for a, b in zip(u, n, strict=True)), fmpq(0))
+    level = [a - along * b for a, b in zip(u, n, strict=True)]
+    return [*u, *n], [*level, *n]

@@ -29,7 +29,7 @@ from .bodies import rolling_of
 from .expressed import expressed, translation
 from .numbers import ball, evaluated
 from .principal import in_principal_axes, told_back
-from .problem import Problem, exact, same_field
+from .problem import Problem, exact, rational, same_field
 from .refusals import Condition, degenerate, refusal
 from .separable import Separable
 from .sizes import RESOLUTION, ROUNDED
@@ -162,6 +162,8 @@ def likeness(problem: Problem) -> Likeness | None:
     has the motion so exactly, but for the rounding of doubles.
     """
     numbers = {symbol: exact(value) for symbol, value in problem.parameters.items()}
+    if not rational(problem.system, numbers):
+        return None
     rounded: Likeness | None = None
     missed: Likeness | None = None
     places = [place for place in SEPARABLE if place.may_be(problem)]

@@ -31,9 +31,10 @@ ENDS = (
     "the state stopped being a number",
     "the largest number of steps was reached",
     "the time was over",
+    "a million steps passed without a crossing",
 )
 
-COLLAPSED, NOT_A_NUMBER, STEPS, OVER = range(1, len(ENDS))
+COLLAPSED, NOT_A_NUMBER, STEPS, OVER, IN_VAIN = range(1, len(ENDS))
 
 #: Steps without a crossing after which a motion is given up: what comes to rest crosses nothing.
 VAIN = 1e6
@@ -406,7 +407,7 @@ class _March:
             vain = w.op("fsub", steps, self.get("marked"))
             vain = w.both(w.compare("oeq", event, zero), w.compare("oge", vain, w.constant(VAIN)))
             vain = w.both(live, vain)
-            self.put("fault", w.choose(vain, w.constant(float(OVER)), self.get("fault")))
+            self.put("fault", w.choose(vain, w.constant(float(IN_VAIN)), self.get("fault")))
             late = w.either(late, vain)
         event = w.choose(w.either(lost, late), w.constant(_END), event)
         self.put("step", w.choose(live, following, zero))

@@ -47,7 +47,7 @@ def mechanism_of(experiment: MechanismExperiment) -> Mechanism:
         lagrangian -= names.scalar(table.potential or "0", "lagrangian", "potential")
     constraints = experiment.constraints
     made = Mechanism(
-        name=identifier(experiment),
+        name=identifier(experiment.title),
         frame=frame,
         lagrangian=lagrangian,
         constraints=names.formulas(constraints.velocity, "constraints", "velocity"),
@@ -108,7 +108,7 @@ def system_of(experiment: EquationsExperiment) -> System:
         *(item.value for item in laws),
     )
     made = System(
-        name=identifier(experiment),
+        name=identifier(experiment.title),
         title=experiment.title or UNTITLED,
         field=field + (((TIME, sp.S.One),) if timed else ()),
         parameters=parameters,
@@ -149,9 +149,9 @@ def claimed(experiment: OwnExperiment, system: System) -> System:
     return system.with_laws(*laws)
 
 
-def identifier(experiment: OwnExperiment) -> str:
-    """The title as the name of a system, ``chaplygin-sleigh``."""
-    words: list[str] = re.findall(r"\w+", (experiment.title or UNTITLED).lower())
+def identifier(title: str | None) -> str:
+    """A title as the name of a system, ``chaplygin-sleigh``."""
+    words: list[str] = re.findall(r"\w+", (title or UNTITLED).lower())
     return "-".join(words) or "untitled-system"
 
 

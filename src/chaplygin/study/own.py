@@ -62,7 +62,7 @@ def _placed(experiment: OwnExperiment) -> Iterator[None]:
     except InputError as error:
         if error.where:
             raise
-        sentence = error.message.removeprefix(f"{identifier(experiment)}: ")
+        sentence = error.message.removeprefix(f"{identifier(experiment.title)}: ")
         key = next((key for words, key in _PLACES if re.match(words, sentence)), ())
         raise InputError(sentence, experiment.where(*key)) from None
     except (ArithmeticError, ValueError) as error:

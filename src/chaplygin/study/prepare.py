@@ -43,6 +43,7 @@ from .experiment import (
     StateExperiment,
     SystemExperiment,
 )
+from .mechanism_file import identifier
 from .own import described
 from .plan import described_plan
 from .state import given_state, normalised, on_level, unit_vectors
@@ -280,7 +281,8 @@ def prepare(experiment: Experiment) -> Study:
         return _from_catalogue(experiment)
     rolling = _rolling(experiment)
     with _at(experiment, "body"):
-        system = rolling.system("experiment", experiment.title or _title(rolling))
+        title = experiment.title or _title(rolling)
+        system = rolling.system(identifier(title), title)
     system = system.with_laws(*known_laws_of(rolling, system))
     given = {"omega": experiment.start.omega, "gamma": experiment.start.gamma}
     return Study(experiment, system, rolling, given, experiment.run.until)
@@ -321,7 +323,7 @@ def _with_ball(experiment: BallExperiment) -> Study:
         ball = rolling_ball(experiment, surface, potential)
     with _at(experiment, "surface"):
         title = experiment.title or ball_title(experiment, ball)
-        system = ball.system("ball-on-surface", title)
+        system = ball.system(identifier(title), title)
     system = system.with_laws(*known_ball_laws(ball))
     given = experiment.start.model_dump(exclude_none=True)
     until = experiment.run.until

@@ -1,0 +1,204 @@
+"""What commands write and where, and mistakes that are told before anything is computed."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+import xarray as xr
+
+from chaplygin.cli import audit, main
+from chaplygin.study.audit import TITLES
+from chaplygin.study.dataset import read
+
+Ask = Callable[..., tuple[int, str, str]]
+
+PROGRAM = "from chaplygin.__main__ import main; main()"
+
+
+@pytest.fixture
+def ask(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path) -> Ask:
+    """Run a command in an empty folder; exit code, standard output, standard error."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(*arguments: object) -> tuple[int, str, str]:
+        monkeypatch.setattr(sys, "argv", ["chaplygin", *map(str, arguments)])
+        with pytest.raises(SystemExit) as end:
+            main()
+        output = capsys.readouterr()
+        return int(end.value.code or 0), output.out, output.err
+
+    return run
+
+
+def program(*arguments: str, folder: Path, script: str = PROGRAM) -> subprocess.Popen[bytes]:
+    return subprocess.Popen(
+        [sys.executable, "-c", script, *arguments],
+        cwd=folder,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        env={name: value for name, value in os.environ.items() if name != "COLUMNS"},
+    )
+
+
+def test_a_dash_is_standard_output(tmp_path: Path) -> None:
+    run = program("run", "chaplygin-sleigh", "-o", "-", folder=tmp_path)
+    out, err = run.communicate()
+    assert run.returncode == 0
+    assert "energy" in xr.open_dataset(io.BytesIO(out), engine="h5netcdf")
+    assert b"drift" in err
+    proof = program(
+        *("prove", "chaplygin-sleigh", "--law", "energy", "--certificate", "-"), folder=tmp_path
+    )
+    out, err = proof.communicate()
+    assert json.loads(out)
+    assert b"proven" in err
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (
+            ("run", "veselova", "-o", "-", "--json"),
+            "--output - and --json both write",
+        ),
+        (("study", "veselova", "-o", "-"), "a study is a folder; it cannot go to standard output"),
+        (("section", "veselova", "--on", "gamma_3", "-o", "-"), "a store is a folder"),
+        (("solve", "veselova", "--figure", "-"), "--figure -: its name must end in .png"),
+        (("run", "veselova", "-o", "/dev/null", "--force"), "/dev/null is a device"),
+        (("audit", "-o", "/dev/full", "--force"), "/dev/full is a device"),
+        (("prove", "veselova", "--certificate", "/dev/null", "--force"), "is a device"),
+        (("solve", "veselova", "--figure", "pipe.png", "--force"), "pipe.png is a pipe"),
+        (
+            (
+                "chart",
+                "veselova",
+                *("--of", "energy", "--x", "a=0:1:2", "--y", "b=0:1:2"),
+                *("-o", "pipe.zarr"),
+            ),
+            "pipe.zarr is no store of a computation in blocks",
+        ),
+        (("ensemble", "veselova", "-o", "pipe.zarr", "--force"), "pipe.zarr is no store"),
+    ],
+)
+def test_what_cannot_be_written_is_refused(
+    ask: Ask, tmp_path: Path, arguments: tuple[str, ...], sentence: str
+) -> None:
+    for name in ("pipe.png", "pipe.zarr"):
+        os.mkfifo(tmp_path / name)
+    code, out, err = ask(*arguments)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert sentence in err
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["pipe.png", "pipe.zarr"]
+
+
+def test_a_store_behind_a_link_is_not_removed(ask: Ask, tmp_path: Path) -> None:
+    asked = ("ensemble", "veselova", "--set", "run.until=0.1", "-o")
+    assert ask(*asked, "own.zarr")[0] == 0
+    (tmp_path / "link.zarr").symlink_to(tmp_path / "own.zarr")
+    code, _, err = ask(*asked, "link.zarr", "--force")
+    assert code == 2
+    assert "link.zarr is a link: give the name of the store itself" in err
+    assert (tmp_path / "own.zarr" / "zarr.json").exists()
+
+
+def test_a_picture_that_was_named_is_not_replaced_unasked(ask: Ask, tmp_path: Path) -> None:
+    asked = (
+        *("chart", "chaplygin-sleigh", "--of", "mean:energy", "--until", "0.1"),
+        *("--x", "k=0.5:1:2", "--y", "u=1:2:2", "-o", "c.zarr"),
+    )
+    code, _, err = ask(*asked)
+    assert code == 0, err
+    assert ask(*asked)[0] == 0
+    (tmp_path / "mine.png").write_text("mine")
+    code, _, err = ask(*asked, "--figure", "mine.png")
+    assert code == 2
+    assert "mine.png exists already" in err
+    assert (tmp_path / "mine.png").read_text() == "mine"
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("run", "veselova", "-o", "there.nc"),
+        ("run", "nowhere.toml", "-o", "new.nc"),
+        ("study", "veselova", "-o", "there.nc"),
+        ("lyapunov", "veselova", "-o", "there.nc"),
+        ("lyapunov", "veselova", "--until", "-1"),
+        ("solve", "veselova", "-o", "there.nc"),
+        ("solve", "veselova", "--figure", "x.gif"),
+        ("show", "veselova", "--as", "fortran"),
+        ("prove", "veselova", "--certificate", "there.nc"),
+        ("audit", "--section", "77"),
+        ("audit", "-o", "there.nc"),
+        ("section", "veselova", "--on", "gamma_3", "-o", "there.nc"),
+        ("ensemble", "veselova", "-o", "there.nc"),
+        ("ensemble", "veselova", "-o", "x.zarr", "--workers", "0"),
+        ("chart", "veselova", "--of", "n", "--x", "x", "--y", "y", "-o", "there.nc"),
+        ("find", "something", "veselova"),
+    ],
+)
+def test_mistakes_that_cost_nothing_are_told_before_anything_heavy_is_imported(
+    tmp_path: Path, arguments: tuple[str, ...]
+) -> None:
+    (tmp_path / "there.nc").write_text("mine")
+    heavy = "{'sympy', 'numpy', 'xarray', 'heyoka', 'matplotlib', 'pydantic', 'scipy', 'zarr'}"
+    script = (
+        "import sys\nfrom chaplygin.__main__ import main\n"
+        f"try: main()\nfinally: print(sorted({heavy} & set(sys.modules)))"
+    )
+    run = program(*arguments, folder=tmp_path, script=script)
+    out, err = run.communicate()
+    assert run.returncode == 2
+    assert err.startswith(b"error: ")
+    assert out.decode().strip() == "[]"
+    assert (tmp_path / "there.nc").read_text() == "mine"
+
+
+def test_the_sections_of_the_audit_are_those_of_the_paper() -> None:
+    assert list(audit.SECTIONS) == list(TITLES)
+
+
+def test_a_reader_that_leaves_is_no_failure(tmp_path: Path) -> None:
+    for arguments in (("list",), ("list", "--json"), ("show", "chaplygin-sleigh")):
+        run = program(*arguments, folder=tmp_path)
+        assert run.stdout is not None
+        run.stdout.close()
+        assert run.stderr is not None
+        err = run.stderr.read()
+        assert (run.wait(), err) == (0, b"")
+
+
+def test_tables_are_not_cut_in_a_pipe(tmp_path: Path) -> None:
+    out, _ = program("list", folder=tmp_path).communicate()
+    (line,) = (line for line in out.decode().splitlines() if "rubber-ball-on-surface " in line)
+    assert max(map(len, out.decode().splitlines())) > 80
+    assert "§" in line or "(" in line
+
+
+def test_a_start_that_the_surface_cannot_hold_is_refused(ask: Ask, tmp_path: Path) -> None:
+    fast = "start.omega=[30,0,0]"
+    code, out, err = ask("run", "rattleback", "-o", "r.nc", "--set", fast)
+    assert (code, out) == (2, "")
+    assert "--set start.omega: " in err or "start: " in err
+    assert "the normal force is negative at the start" in err
+    assert 'on_liftoff = "warn" in [run]' in err
+    assert not (tmp_path / "r.nc").exists()
+    free = "run.on_liftoff=warn"
+    code, _, err = ask("run", "rattleback", "-o", "r.nc", "--set", fast, "--set", free)
+    assert code == 0, err
+    assert len(read("r.nc").time) > 1
+
+
+def test_a_file_gives_its_system_a_name(ask: Ask, tmp_path: Path) -> None:
+    egg = Path(__file__).parents[2] / "examples" / "egg.toml"
+    code, out, _ = ask("run", egg, "-o", "egg.nc", "--set", "run.until=0.1", "--json")
+    assert code == 0
+    assert json.loads(out)["system"] == "rubber-egg"

@@ -1,0 +1,128 @@
+"""A study as a user meets it: what it says while it works, and how it goes on when interrupted."""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Callable
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from chaplygin.cli import main
+from chaplygin.cli import study as command
+from chaplygin.study import folder as folders
+
+Ask = Callable[..., tuple[int, str, str]]
+SHORT = ("study", "veselova", "--set", "run.until=0.2")
+
+
+@pytest.fixture
+def ask(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path) -> Ask:
+    """Run a command in an empty folder; exit code, standard output, standard error."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(*arguments: object) -> tuple[int, str, str]:
+        monkeypatch.setattr(sys, "argv", ["chaplygin", *map(str, arguments)])
+        with pytest.raises(SystemExit) as end:
+            main()
+        output = capsys.readouterr()
+        return int(end.value.code or 0), output.out, output.err
+
+    return run
+
+
+def forbid(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refused(*_: object, **__: object) -> None:
+        raise AssertionError("a proof was tried")
+
+    monkeypatch.setattr("chaplygin.explore.proofs.prove", refused)
+    monkeypatch.setattr("chaplygin.explore.absence.measure_exists", refused)
+
+
+def test_quick_leaves_proofs_out(ask: Ask, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    forbid(monkeypatch)
+    code, _, err = ask(*SHORT, "--quick")
+    assert code == 0, err
+    page = (tmp_path / "veselova" / "report.html").read_text()
+    assert "not tried, as proofs were left out" in page
+    code, _, err = ask(*SHORT, "--quick", "--effort", "1", "-o", "other")
+    assert code == 2
+    assert "--quick leaves out the proofs that --effort is for" in err
+
+
+def test_what_is_tried_is_said_by_name(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
+    said: list[str] = []
+
+    class Heard:
+        def __init__(self, task: str) -> None:
+            said.append(task)
+
+        def __enter__(self) -> Heard:
+            return self
+
+        def __exit__(self, *_: object) -> None:
+            pass
+
+        def __call__(self, done: float, /) -> None:
+            assert 0 <= done <= 1
+
+        def say(self, what: str) -> None:
+            said.append(what)
+
+    monkeypatch.setattr(command, "progress", Heard)
+    code, _, err = ask(*SHORT)
+    assert code == 0, err
+    assert said[:3] == ["integrating: Veselova system", "looking for a closed form", "drawing"]
+    assert "proving: energy of Veselova system" in said
+
+
+def test_an_interrupted_study_goes_on(
+    ask: Ask, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    def interrupted(*_: Any, **__: Any) -> str:
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patched:
+        patched.setattr(folders.page, "render", interrupted)
+        code, out, err = ask(*SHORT, "--quick")
+    assert (code, out) == (130, "")
+    assert err.endswith(
+        "interrupted: what is done is in veselova; the same command goes on there\n"
+    )
+    assert not (tmp_path / "veselova" / "report.html").exists()
+    code, _, err = ask("study", "veselova", "--set", "run.until=0.3", "--quick")
+    assert code == 2
+    assert "veselova holds an unfinished study of another experiment" in err
+    code, _, err = ask(*SHORT, "--quick")
+    assert code == 0, err
+    assert sorted(path.name for path in (tmp_path / "veselova").iterdir()) == [
+        "experiment.toml",
+        "figures",
+        "report.html",
+        "trajectory.nc",
+    ]
+    code, _, err = ask(*SHORT, "--quick")
+    assert code == 2
+    assert "veselova holds report.html" in err
+
+
+def test_an_interrupted_integration_is_no_finished_study(
+    ask: Ask, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    flow = import_module("chaplygin.flow.trajectory")
+
+    def interrupted(*_: Any, **__: Any) -> None:
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patched:
+        patched.setattr(flow._Run, "walk", interrupted)
+        code, out, err = ask(*SHORT, "--quick")
+        assert (code, out) == (130, "")
+        assert err.count("interrupted: ") == 1
+        code, out, err = ask("run", "veselova", "-o", "v.nc")
+        assert code == 130
+        assert re.search(r"interrupted: the motion until t = 0 is in v\.nc; the same", err)
+    assert ask(*SHORT, "--quick")[0] == 0

@@ -1,0 +1,185 @@
+"""Ctrl-C, whatever the program is doing."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+#: Ctrl-C may be ignored where tests are run in the background, and would be in the program too.
+HEARING = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+BEGIN = f"""{HEARING}
+import hashlib, sys, time
+from chaplygin.interruption import concluding, ending, say, watched
+
+def ready():
+    print("ready", flush=True)
+
+def machine_code(count):
+    # machine code that lets Python act on nothing until it is done
+    hashlib.pbkdf2_hmac("sha256", b"", b"", count)
+
+with watched():
+"""
+LONG = 2 * 10**9
+
+
+def interrupted(script: str, times: int = 1) -> tuple[int, str, str, float]:
+    """Exit code, outputs and seconds after Ctrl-C, given when the script says it is ready."""
+    program = subprocess.Popen(
+        [sys.executable, "-c", script],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert program.stdout is not None
+    first = program.stdout.readline()
+    assert first == "ready\n"
+    time.sleep(0.1)
+    began = time.monotonic()
+    for number in range(times):
+        if number:
+            time.sleep(1.5)
+        program.send_signal(signal.SIGINT)
+    out, err = program.communicate(timeout=60)
+    return program.returncode, out, err, time.monotonic() - began
+
+
+def block(text: str) -> str:
+    return BEGIN + "".join(f"    {line}\n" for line in text.strip().splitlines())
+
+
+def test_machine_code_does_not_hold_up_the_end() -> None:
+    script = block(f"""
+with ending(lambda: "half of it is kept"):
+    ready()
+    machine_code({LONG})
+""")
+    code, _, err, seconds = interrupted(script)
+    assert (code, err) == (130, "interrupted: half of it is kept\n")
+    # alone it would take minutes
+    assert seconds < 10
+
+
+def test_what_says_nothing_has_saved_nothing() -> None:
+    code, _, err, _ = interrupted(block("ready()\ntime.sleep(60)"))
+    assert (code, err) == (130, "interrupted: nothing was saved; the same command begins again\n")
+
+
+def test_what_is_saved_is_waited_for() -> None:
+    script = block("""
+with ending("nothing was written", "the rest is being saved"):
+    try:
+        ready()
+        time.sleep(60)
+    except KeyboardInterrupt:
+        time.sleep(2)
+        print("saved")
+say("all of it was saved")
+sys.exit(130)
+""")
+    code, out, err, _ = interrupted(script)
+    assert code == 130
+    assert out == "saved\n"
+    assert err == (
+        "interrupted: the rest is being saved; Ctrl-C again ends at once\n"
+        "interrupted: all of it was saved\n"
+    )
+
+
+def test_results_that_machine_code_holds_up_are_printed() -> None:
+    script = block("""
+with concluding("the results are about to be printed"):
+    ready()
+    try:
+        machine_code(4_000_000)
+        time.sleep(60)
+    except KeyboardInterrupt:
+        print("results")
+sys.exit(130)
+""")
+    code, out, _, _ = interrupted(script)
+    assert (code, out) == (130, "results\n")
+
+
+def test_a_second_interruption_ends_at_once() -> None:
+    script = block(f"""
+with concluding("the results are about to be printed"):
+    ready()
+    machine_code({LONG})
+""")
+    code, _, err, seconds = interrupted(script, times=2)
+    assert code == 130
+    assert err.startswith("interrupted: the results are about to be printed; Ctrl-C again")
+    assert seconds < 10
+
+
+def test_processes_that_compute_end_too() -> None:
+    script = block("""
+import multiprocessing
+child = multiprocessing.get_context("spawn").Process(target=time.sleep, args=(60,))
+child.start()
+print(child.pid, file=sys.stderr, flush=True)
+ready()
+time.sleep(60)
+""")
+    code, _, err, _ = interrupted(script)
+    assert code == 130
+    with pytest.raises(ProcessLookupError):
+        os.kill(int(err.splitlines()[0]), 0)
+
+
+#: Each command with what it is to be at work at for minutes.
+COMMANDS = {
+    "list": "list",
+    "show": "show rattleback",
+    "run": "run rattleback -o motion.nc --set run.until=1e6 --set run.samples=10",
+    "study": "study rattleback",
+    "solve": "solve veselova --digits 900",
+    "find": "find integrals chaplygin-ball --degree 4 --gamma-degree 4",
+    "prove": "prove marble-ball-on-sphere --effort 3",
+    "ensemble": "ensemble veselova -o e.zarr --starts 2000 --level energy=1 --set run.until=1e4",
+    "section": "section veselova --on gamma_3 -o s.zarr --starts 200 --points 4000",
+    "lyapunov": "lyapunov rattleback --until 1e5",
+    "chart": "chart rattleback --of lyapunov --x omega_1=0.1:1:40 --y omega_3=0:1:40 -o c.zarr",
+    "audit": "audit",
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("moment", [0.3, 1.0, 3.0, 7.0, 15.0])
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_command_ends_with_a_sentence(name: str, moment: float, tmp_path: Path) -> None:
+    environment = {**os.environ, "CHAPLYGIN_CACHE": str(tmp_path / "cache")}
+    program = subprocess.Popen(
+        [
+            sys.executable,
+            "-c",
+            f"{HEARING}from chaplygin.__main__ import main; main()",
+            *COMMANDS[name].split(),
+        ],
+        cwd=tmp_path,
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+    try:
+        program.wait(moment)
+    except subprocess.TimeoutExpired:
+        os.killpg(program.pid, signal.SIGINT)
+        began = time.monotonic()
+        _, err = program.communicate(timeout=60)
+        assert program.returncode == 130, err
+        assert "interrupted: " in err
+        assert "Traceback" not in err
+        assert time.monotonic() - began < 20
+    else:
+        out, err = program.communicate()
+        assert program.returncode in (0, 1), out + err
