@@ -150,10 +150,19 @@ def write(dataset: xr.Dataset, path: str | Path, force: bool = False) -> Path:
     target = Path(path)
     check_target(target, force)
     # by way of memory, since HDF5 may bring the process down when a disk is full
-    content = dataset.to_netcdf(engine="h5netcdf")
+    content = dataset.to_netcdf(engine="h5netcdf", encoding=_checked(dataset))
     with completed(target) as temporary:
         temporary.write_bytes(content)
     return target
+
+
+def _checked(dataset: xr.Dataset) -> dict[str, dict[str, bool]]:
+    """The encoding by which HDF5 keeps a checksum of all numbers, so that damage is seen."""
+    return {
+        str(name): {"fletcher32": True}
+        for name, variable in dataset.variables.items()
+        if variable.size and variable.ndim and variable.dtype.kind in "fiu"
+    }
 
 
 def read(path: str | Path) -> xr.Dataset:
@@ -162,12 +171,18 @@ def read(path: str | Path) -> xr.Dataset:
     Raises
     ------
     InputError
-        If the file is missing or not a NetCDF file.
+        If the file is missing, damaged, or not a NetCDF file.
     """
+    import h5py
+
     try:
+        # opened by HDF5 alone first: the layer above complains past Python of what is none
+        with h5py.File(path, "r"):
+            pass
         with xr.open_dataset(path, engine="h5netcdf") as stored:
             return stored.load()
     except FileNotFoundError as problem:
         raise InputError(f"{path}: there is no such file") from problem
-    except OSError as problem:
+    except Exception as problem:
+        # what a damaged file makes the libraries raise may be anything
         raise InputError(f"{path}: not a readable NetCDF file") from problem
