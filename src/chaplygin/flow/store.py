@@ -168,7 +168,14 @@ def read(folder: str | Path) -> xr.Dataset:
             f"{place} is damaged: of its finished blocks {len(lost)} have lost a part, the first "
             f"is {lost[0]}; run the same into it again, and they are computed again"
         )
-    dataset = xr.open_dataset(folder, engine="zarr", chunks=None, decode_times=False)
+    try:
+        dataset = xr.open_dataset(folder, engine="zarr", chunks=None, decode_times=False)
+    except Exception as problem:
+        # what damage makes the libraries raise may be anything
+        raise InputError(
+            f"{place} is damaged: its coordinates cannot be read; delete it or choose another name "
+            "for the store, and run the same again"
+        ) from problem
     return dataset.drop_vars(DONE)
 
 
@@ -194,6 +201,8 @@ def _nothing_in(folder: Path) -> bool:
 def _lay_out(task: Task, folder: Path) -> None:
     import zarr
 
+    # so that damage is seen and not read as numbers
+    checked = zarr.codecs.ZstdCodec(checksum=True)
     with warnings.catch_warnings():
         # texts and consolidated metadata are read everywhere, but not in the standard yet
         warnings.simplefilter("ignore")
@@ -207,6 +216,7 @@ def _lay_out(task: Task, folder: Path) -> None:
                 name,
                 data=values,
                 chunks=values.shape,
+                compressors=checked,
                 config={"write_empty_chunks": True},
                 dimension_names=item.dimensions,
                 attributes=dict(item.attributes),
@@ -218,6 +228,7 @@ def _lay_out(task: Task, folder: Path) -> None:
                 shape=(task.size, *variable.shape),
                 chunks=(min(task.block, task.size), *variable.shape),
                 dtype=variable.dtype,
+                compressors=checked,
                 fill_value=_absent(np.dtype(variable.dtype)),
                 dimension_names=(task.member, *variable.dimensions),
                 attributes={**variable.attributes, **({} if variable.coordinate else here)},
@@ -227,6 +238,7 @@ def _lay_out(task: Task, folder: Path) -> None:
             shape=(task.blocks,),
             chunks=(task.blocks,),
             dtype="bool",
+            compressors=checked,
             dimension_names=("block",),
             attributes={
                 "long_name": f"whether a block of {task.block} is complete",
@@ -267,7 +279,12 @@ def _ours(folder: Path) -> zarr.Group:
     try:
         group = zarr.open_group(zarr.storage.LocalStore(folder), mode="r+")
         known = group[DONE].attrs.get("format") == FORMAT
-    except (FileExistsError, FileNotFoundError, NotADirectoryError, KeyError, ValueError):
+    except OSError as problem:
+        if not isinstance(problem, FileExistsError | FileNotFoundError | NotADirectoryError):
+            raise
+        known = False
+    except Exception:
+        # what a foreign or damaged folder makes the library raise may be anything
         known = False
     if not known:
         raise InputError(f"{folder} is no store of a computation in blocks: choose another name")
@@ -278,7 +295,7 @@ def _marks(folder: Path, group: Any) -> Any:
     """Which blocks are marked as complete."""
     try:
         return np.asarray(group[DONE][:])
-    except (RuntimeError, ValueError) as problem:
+    except Exception as problem:
         raise InputError(
             f"{folder} is damaged: which of its blocks are finished cannot be read; delete it or "
             "choose another name for the store, and run the same again"
@@ -286,18 +303,28 @@ def _marks(folder: Path, group: Any) -> Any:
 
 
 def _lost(folder: Path, group: Any, done: Any) -> list[int]:
-    """Blocks that are marked, but of which a chunk is missing or empty."""
+    """Blocks that are marked, but of which a chunk is missing, empty or damaged."""
     told = (name.partition("variable ") for name in group[DONE].attrs["task"])
-    sizes = {name: group[name].ndim for before, found, name in told if found and not before}
+    arrays = [group[name] for before, found, name in told if found and not before]
     return [
         block
         for block in np.flatnonzero(done).tolist()
-        if not all(_there(_chunk(folder, name, block, size)) for name, size in sizes.items())
+        if not all(_whole(folder, array, block) for array in arrays)
     ]
 
 
-def _there(chunk: Path) -> bool:
-    return chunk.is_file() and chunk.stat().st_size > 0
+def _whole(folder: Path, array: zarr.Array[Any], block: int) -> bool:
+    """Whether an array's share of a block is there and can be read, its checksum included."""
+    chunk = _chunk(folder, array.basename, block, array.ndim)
+    if not chunk.is_file() or chunk.stat().st_size == 0:
+        return False
+    first = block * array.chunks[0]
+    try:
+        array[first : first + array.chunks[0]]
+    except Exception:
+        # what damage makes the library raise may be anything
+        return False
+    return True
 
 
 @contextmanager

@@ -22,6 +22,9 @@ __all__ = ["Compiled", "Direction", "Precision", "compile_system", "number_type"
 Precision = Literal["double", "quad"]
 Direction = Literal["forward", "backward"]
 
+# its warnings reach the terminal past Python; what they are about is said in errors of ours
+hy.set_logger_level_error()
+
 #: Tolerances finer than this are beyond the working precision.
 FINEST = {"double": np.finfo(float).eps, "quad": 2e-34}
 

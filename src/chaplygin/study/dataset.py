@@ -167,16 +167,23 @@ def read(path: str | Path) -> xr.Dataset:
     Raises
     ------
     InputError
-        If the file is missing, or neither a NetCDF file nor a Zarr store.
+        If the file is missing or damaged, or neither a NetCDF file nor a Zarr store.
     """
+    import h5py
+
     zarr = Path(path).is_dir()
     try:
+        if not zarr:
+            # opened by HDF5 alone first: the layer above complains past Python of what is none
+            with h5py.File(path, "r"):
+                pass
         with xr.open_dataset(
             path, engine="zarr" if zarr else "h5netcdf", decode_times=False
         ) as stored:
             return stored.load()
     except FileNotFoundError as problem:
         raise InputError(f"{path}: there is no such file") from problem
-    except OSError as problem:
+    except Exception as problem:
+        # what a damaged file makes the libraries raise may be anything
         kind = "Zarr store" if zarr else "NetCDF file"
         raise InputError(f"{path}: not a readable {kind}") from problem
