@@ -13,9 +13,8 @@ from chaplygin.laws.prove import prove
 from chaplygin.study.ball import setting, smooth_surface
 from chaplygin.study.ball_experiment import BallExperiment, moment
 from chaplygin.study.ball_tables import CylinderTable, RoundTable
-from chaplygin.study.experiment import RollingExperiment, loads
+from chaplygin.study.experiment import RollingExperiment, catalogue_experiment, loads
 from chaplygin.study.folder import write_study
-from chaplygin.study.experiment import catalogue_experiment
 from chaplygin.study.prepare import dataset_of, prepare
 from chaplygin.study.summary import legend
 from chaplygin.study.tables import BallTable, BodyTable

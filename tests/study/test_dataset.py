@@ -16,8 +16,7 @@ import xarray as xr
 
 from chaplygin.errors import InputError
 from chaplygin.study.dataset import read, to_dataset, write
-from chaplygin.study.experiment import loads
-from chaplygin.study.experiment import catalogue_experiment
+from chaplygin.study.experiment import catalogue_experiment, loads
 from chaplygin.study.prepare import dataset_of, prepare
 from chaplygin.systems import CATALOGUE
 from spread import spread
@@ -354,5 +353,5 @@ def test_half_a_file_is_refused(tmp_path, dataset):
 
 
 def test_a_folder_is_no_file(tmp_path):
-    with pytest.raises(InputError, match="not a readable NetCDF file"):
+    with pytest.raises(InputError, match="not a readable Zarr store"):
         read(tmp_path)

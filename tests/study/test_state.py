@@ -11,10 +11,9 @@ import pytest
 
 from chaplygin.errors import InputError
 from chaplygin.mechanics.attitude import attitude, quaternion_rate, tie, unit_length
-from chaplygin.study.experiment import StateExperiment, loads
+from chaplygin.study.experiment import StateExperiment, catalogue_experiment, loads
 from chaplygin.study.figures.variables import unit_of
 from chaplygin.study.folder import write_study
-from chaplygin.study.experiment import catalogue_experiment
 from chaplygin.study.prepare import Study, dataset_of, prepare
 from chaplygin.study.state import given_state
 from chaplygin.system import Motion, System

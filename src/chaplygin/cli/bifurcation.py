@@ -20,7 +20,7 @@ def command(
         str,
         typer.Argument(
             metavar="NAME|FILE",
-            help="A catalogue name, an experiment file, or a plane that docs/bifurcations.md names.",
+            help="A catalogue name, an experiment file, or a plane of docs/bifurcations.md.",
         ),
     ],
     figure: Annotated[

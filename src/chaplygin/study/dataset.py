@@ -169,14 +169,11 @@ def read(path: str | Path) -> xr.Dataset:
     InputError
         If the file is missing, or neither a NetCDF file nor a Zarr store.
     """
-    zarr = Path(path).is_dir()
+    kind, engine = ("Zarr store", "zarr") if Path(path).is_dir() else ("NetCDF file", "h5netcdf")
+    if not Path(path).exists():
+        raise InputError(f"{path}: there is no such file")
     try:
-        with xr.open_dataset(
-            path, engine="zarr" if zarr else "h5netcdf", decode_times=False
-        ) as stored:
+        with xr.open_dataset(path, engine=engine, decode_times=False) as stored:
             return stored.load()
-    except FileNotFoundError as problem:
-        raise InputError(f"{path}: there is no such file") from problem
-    except OSError as problem:
-        kind = "Zarr store" if zarr else "NetCDF file"
+    except (OSError, ValueError, KeyError) as problem:
         raise InputError(f"{path}: not a readable {kind}") from problem
