@@ -187,7 +187,7 @@ def _one_period(study: Study, orbit: Orbit) -> Any:
     from ..study.prepare import dataset_of
 
     size = len(study.system.symbols)
-    times = np.linspace(0.0, orbit.duration, study.experiment.run.samples)
+    times = np.linspace(0.0, orbit.duration, study.experiment.run.samples).tolist()
     return dataset_of(study, integrate(study.watched, orbit.points[0, :size].tolist(), times))
 
 

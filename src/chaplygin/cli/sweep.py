@@ -89,7 +89,7 @@ def command(
         found = compute(task, output, client=client, progress=update)
     names = [name for name, _ in values]
     save(drawn(found, names, label), picture)
-    result = {
+    result: dict[str, Any] = {
         "file": str(output),
         "figure": str(picture),
         "parameters": dict(values),
