@@ -63,7 +63,7 @@ def test_every_function_of_one_argument(name: str) -> None:
         ("[x]", "the character '[' has no meaning here", 0),
         ("x @ y", "the character '@' has no meaning here", 2),
         ("'x'", "has no meaning here", 0),
-        ("\u03b3", "the character '\u03b3' has no meaning here", 0),
+        ("\u0416", "the character '\u0416' has no meaning here", 0),
         ("x; y", "has no meaning here", 1),
         ("2x", "an operator is missing here; multiplication is written *", 1),
         ("2 (x)", "an operator is missing", 2),
