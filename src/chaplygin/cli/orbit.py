@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -81,10 +82,9 @@ def command(
     if figure is not None:
         check_target(figure, force)
     study = study_of(what, overrides)
-    with progress(study.system.title):
-        orbit, branch = _searched(
-            study, (on, value, direction, angle), (after, period, tolerance), hold or [], varied
-        )
+    where, how = (on, value, direction, angle), (after, period, tolerance)
+    with progress(study.system.title) as update:
+        orbit, branch = _searched(study, where, how, hold or [], varied, update)
     if output is not None:
         from ..study.dataset import write
 
@@ -129,6 +129,7 @@ def _searched(
     how: tuple[int, int, float],
     hold: list[str],
     varied: tuple[str, float] | None,
+    progress: Callable[[float], None],
 ) -> tuple[Orbit, Branch | None]:
     """The orbit near the start of a study, and its branch if it is to be followed."""
     import numpy as np
@@ -161,6 +162,7 @@ def _searched(
     for name in hold:
         if name not in laws:
             raise InputError(f"--hold {name}: it must be one of {', '.join(laws) or 'none'}")
+    progress(0.0)
     limit = study.until * max(after, 1)
     made = section(system, on, value, DIRECTIONS[direction], angle)
     returns = Returns(SectionMap(system, made, tolerance=tolerance, until=limit))
@@ -172,7 +174,9 @@ def _searched(
             float(crossed.ended[0]),
         )
     returns = Returns(SectionMap(system, made, tolerance=tolerance))
+    progress(0.25)
     orbit = find(returns, crossed.states[0, -1], period, keeps)
+    progress(1.0 if varied is None else 0.5)
     if varied is None:
         return orbit, None
     rest = [name for name in keeps if name != varied[0]]
