@@ -169,7 +169,7 @@ def test_missing_package_is_named(target: str, monkeypatch: pytest.MonkeyPatch) 
     with pytest.raises(InputError) as error:
         function(decay(), target)
     assert str(error.value) == (
-        f"the target {target!r} needs the package {target}: pip install 'chaplygin[export]'"
+        f"the target {target!r} needs the package {target}: pip install {target}"
     )
 
 

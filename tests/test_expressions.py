@@ -63,7 +63,7 @@ def test_every_function_of_one_argument(name: str) -> None:
         ("[x]", "the character '[' has no meaning here", 0),
         ("x @ y", "the character '@' has no meaning here", 2),
         ("'x'", "has no meaning here", 0),
-        ("\u03b3", "the character '\u03b3' has no meaning here", 0),
+        ("\u0416", "the character '\u0416' has no meaning here", 0),
         ("x; y", "has no meaning here", 1),
         ("2x", "an operator is missing here; multiplication is written *", 1),
         ("2 (x)", "an operator is missing", 2),
@@ -214,3 +214,22 @@ def test_errors_say_where_and_when() -> None:
     failure = RunError("the step size fell to zero", 1.5)
     assert (failure.reason, failure.time) == ("the step size fell to zero", 1.5)
     assert str(failure) == "the step size fell to zero (the last good time is 1.5)"
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("γ₃", "gamma_3"),
+        ("2*γ₁² − π·γ₃", "2*gamma_1**2 - pi*gamma_3"),
+        ("Ω_0", "Omega_0"),
+        ("λ₀⁴", "lambda_0**4"),
+    ],
+)
+def test_letters_as_on_paper(text: str, code: str) -> None:
+    names = {n: sympy.Symbol(n) for n in ("gamma_1", "gamma_3", "Omega_0", "lambda_0")}
+    assert parse(text, names) == parse(code, names)
+
+
+def test_an_unknown_letter_is_told_as_it_is_written_in_code() -> None:
+    with pytest.raises(InputError, match="unknown name 'gamma_4', did you mean 'gamma_3'"):
+        parse("γ₄", {"gamma_3": sympy.Symbol("gamma_3")})

@@ -344,7 +344,7 @@ class System:
         Parameters
         ----------
         start : sequence of numbers, or mapping of str to number or numbers
-            State at time 0, as of :func:`chaplygin.flow.trajectory.integrate`.
+            State at time 0; see :func:`chaplygin.explicit.solve.solve`.
         parameters : mapping of Symbol or name to number, optional
             Values that replace the defaults.
 

@@ -29,6 +29,7 @@ __all__ = [
     "latex",
     "law_html",
     "law_latex",
+    "laws_text",
     "mathml",
     "motion_html",
     "motion_text",
@@ -70,15 +71,27 @@ def system_text(system: System) -> str:
             (text(p.symbol), number(p.default), unit(p.unit), p.meaning) for p in system.parameters
         ]
         blocks.append(["Parameters", *_table(rows)])
+    blocks += _law_blocks(system)
+    if system.source:
+        blocks.append([f"Source: {system.source}"])
+    return "\n\n".join("\n".join(block) for block in blocks)
+
+
+def laws_text(system: System) -> str:
+    """The laws of a system alone, as `system_text` has them; empty without any."""
+    return "\n\n".join("\n".join(block) for block in _law_blocks(system))
+
+
+def _law_blocks(system: System) -> list[list[str]]:
+    """The laws, and what their letters stand for."""
+    blocks = []
     if system.integrals:
         laws = [row for law in system.integrals for row in _law_rows(law, system)]
         blocks.append(["Constant along the motion", *_table(laws)])
     blocks += [_law_lines(law, system) for law in _others(system)]
-    if page.further:
-        blocks.append(["In the laws", *_equations(_written(page.further))])
-    if system.source:
-        blocks.append([f"Source: {system.source}"])
-    return "\n\n".join("\n".join(block) for block in blocks)
+    if further := page_of(system).further:
+        blocks.append(["In the laws", *_equations(_written(further))])
+    return blocks
 
 
 def field_text(system: System) -> list[str]:

@@ -12,8 +12,10 @@ from typing import Any
 import pytest
 
 from chaplygin.cli import main
+from chaplygin.cli.find import special
 from chaplygin.laws import search
 from chaplygin.laws.search import Finding, Question
+from chaplygin.systems import from_catalogue
 
 Answer = tuple[int, str, str]
 Ask = Callable[..., Answer]
@@ -156,3 +158,22 @@ def test_conditions_of_a_proof_are_told(find: Ask, monkeypatch: pytest.MonkeyPat
     found = json.loads(out)["found"]
     assert {f["verdict"] for f in found} == {"proven where"}
     assert all(f["conditions"] == ["k > 0"] for f in found)
+
+
+def test_special_parameters_are_searched_as_they_are(find: Ask) -> None:
+    """A body of revolution has a symmetry; for any body there is none."""
+    asked = ("symmetries", "chaplygin-ball", "--set", "I_1=1.5", "--degree", "1")
+    code, out, err = find(*asked)
+    assert code == 0
+    assert "where I₁ = I₂" in out
+    assert "searched where I_1 = I_2, as the parameters are; --at none searches at any" in err
+    code, out, err = find(*asked, "--at", "none")
+    assert code == 1
+    assert "where" not in out + err
+
+
+def test_what_is_special() -> None:
+    ball = from_catalogue("chaplygin-ball", I_1=2.0, I_2=2.0, I_3=2.0)
+    assert special(ball) == ("I_1 = I_2", "I_1 = I_3")
+    assert special(from_catalogue("rattleback")) == ("c_1 = 0", "c_2 = 0")
+    assert special(from_catalogue("chaplygin-ball")) == ()

@@ -185,7 +185,7 @@ def test_where_nothing_depends_on_the_state_there_is_nothing_to_linearise():
         ({"s": 0, "c": 1, "w": "much"}, "much"),
         ({"s": 0, "c": 1, "w": float("nan")}, "finite"),
         ({"s": 0, "c": 1, "w": 1j}, "real number"),
-        ([0, 1], "has 2 numbers; 3 are needed"),
+        ([0, 1], "has 2 numbers: 3 are needed"),
     ],
 )
 def test_mistakes_are_told_in_a_sentence(state: object, message: str):

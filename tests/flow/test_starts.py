@@ -9,7 +9,12 @@ import numpy as np
 import pytest
 
 from chaplygin.errors import InputError
-from chaplygin.flow.starts import flat_starts
+from chaplygin.explicit.solve import solve
+from chaplygin.explore.lyapunov import spectrum
+from chaplygin.flow.lanes import lanes
+from chaplygin.flow.precise import precise
+from chaplygin.flow.starts import flat_starts, reduced_start, upright, whole_start
+from chaplygin.flow.trajectory import integrate
 from chaplygin.mechanics.start import starting_state
 from chaplygin.systems import from_catalogue
 
@@ -72,3 +77,55 @@ def test_mistakes_are_told(given: dict[str, Any], told: str) -> None:
 def test_a_state_that_does_not_follow_from_omega() -> None:
     with pytest.raises(InputError, match="its state does not follow from omega; give the state"):
         flat_starts(replace(BALL, start=()), {"omega": OMEGA, "gamma": GAMMA})
+
+
+NAMES = {"omega": (0.7, 0.4, 1.1), "gamma": (0.2, -0.3, 0.93)}
+
+
+def _ways() -> list[Any]:
+    """One start with its motion in space, without it, by names, and by variables."""
+    whole = starting_state(BALL, NAMES["omega"], NAMES["gamma"])
+    state = [float(x) for x in whole[:6]]
+    return [whole, state, NAMES, {"M": state[:3], "gamma": state[3:]}]
+
+
+def test_a_start_is_the_same_in_every_way() -> None:
+    found = [np.array(reduced_start(BALL, way), dtype=float) for way in _ways()]
+    for other in found[1:]:
+        assert np.abs(other - found[0]).max() < 1e-15
+    lifted = [np.array(whole_start(BALL, way), dtype=float) for way in _ways()]
+    for other in lifted[1:]:
+        assert np.abs(other[:-2] - lifted[0][:-2]).max() < 1e-15
+
+
+def test_every_door_takes_every_start() -> None:
+    ends, exponents, solved = [], [], []
+    for way in _ways():
+        ends.append(integrate(BALL, way, [0.0, 1.0])["M"][-1])
+        exponents.append(spectrum(BALL, way, until=20.0).values)
+        solved.append(solve(BALL, way)(1.0)["M"][0])
+    for found in (ends, exponents, solved):
+        for other in found[1:]:
+            assert np.abs(other - found[0]).max() < 1e-12
+    whole = [[float(x) for x in _ways()[0]]]
+    machine = lanes(BALL)
+    assert np.array_equal(
+        machine.until(whole, [1.0]).states, machine.until([whole[0][:6]], [1.0]).states
+    )
+    assert (
+        np.abs(precise(BALL, whole[0]).until(whole, [1.0]).states[0, 0, :3] - ends[0]).max() < 1e-12
+    )
+
+
+def test_a_start_of_another_size() -> None:
+    with pytest.raises(
+        InputError, match=r"^start has 7 numbers: 6 are needed \(M_1, .*; or 12, wi"
+    ):
+        integrate(BALL, [1.0] * 7, [0.0, 1.0])
+    with pytest.raises(InputError, match="there is no spin; it has M, gamma"):
+        integrate(BALL, {"spin": 1.0}, [0.0, 1.0])
+
+
+def test_upright() -> None:
+    assert [float(x) for x in upright([0.0, 0.0, 1.0])] == [1.0, 0.0, 0.0, 0.0]
+    assert [float(x) for x in upright([0.0, 0.0, -1.0])] == [0.0, 1.0, 0.0, 0.0]

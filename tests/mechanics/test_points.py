@@ -8,8 +8,9 @@ import sympy as sp
 
 import reference
 from chaplygin.errors import InputError
-from chaplygin.mechanics.points import contact_points, touching
-from chaplygin.mechanics.shapes import Implicit
+from chaplygin.mechanics.points import centre_outside, contact_points, touching
+from chaplygin.mechanics.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Shape, Torus
+from chaplygin.vectors import Vector
 from mechanics.bodies import CENTRE, SHAPES
 from mechanics.compare import XYZ, draw, shape_of
 
@@ -55,3 +56,27 @@ def test_points_near_a_flat_spot():
 def test_open_surface_is_refused():
     with pytest.raises(InputError, match="surface f = 0: it is not closed, f stays negative"):
         touching(X**2 + Y**2 - 1, XYZ, np.array([[0.0, 0.0, 1.0]]))
+
+
+CUSHION = XYZ[0] ** 4 + XYZ[1] ** 4 + XYZ[2] ** 4 - 1
+
+
+@pytest.mark.parametrize(
+    ("shape", "outside"),
+    [
+        (Ball(1.0), False),
+        (Ball(1.0, centre=(0.6, 0.0, 0.79)), False),
+        (Ball(1.0, centre=(0.6, 0.0, 0.81)), True),
+        (Ellipsoid((2.0, 1.0, 0.5), centre=(1.9, 0.0, 0.0)), False),
+        (Ellipsoid((2.0, 1.0, 0.5), centre=(0.0, 0.0, 0.6)), True),
+        (Torus(1.0, 0.2, centre=(0.0, 0.0, 0.19)), False),
+        (Torus(1.0, 0.2, centre=(0.0, 0.0, 0.25)), True),
+        (Revolution(sp.S(1) + Vector("gamma").symbols[2] / 10, centre=(0.0, 0.0, 0.5)), False),
+        (Implicit(CUSHION, centre=(0.8, 0.8, 0.5)), False),
+        (Implicit(CUSHION, centre=(0.9, 0.9, 0.9)), True),
+        (Disk(1.0, centre=(0.5, 0.0, 0.0)), False),
+        (Disk(1.0, centre=(1.5, 0.0, 0.0)), True),
+    ],
+)
+def test_whether_the_centre_of_mass_is_outside(shape: Shape, outside: bool) -> None:
+    assert centre_outside(shape) == outside

@@ -11,9 +11,10 @@ from hypothesis import assume, given, settings
 
 from chaplygin.errors import InputError
 from chaplygin.mechanics.body import Body
-from chaplygin.mechanics.rolling import roll
+from chaplygin.mechanics.rolling import Field, roll
 from chaplygin.mechanics.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
 from chaplygin.mechanics.start import starting_state
+from chaplygin.mechanics.surfaces import Plane
 from chaplygin.vectors import Vector, explicit, scalar
 from mechanics.bodies import CENTRE, FIELD, FULL, QUARTIC, ROTORS, SHAPES, SURFACES
 from mechanics.compare import GAMMA, XYZ
@@ -427,3 +428,28 @@ def test_quartic_body_is_convex():
     hessian = sp.lambdify(XYZ, sp.hessian(QUARTIC, XYZ))
     points = np.random.default_rng(0).uniform(-1.1, 1.1, (200, 3))
     assert min(np.linalg.eigvalsh(np.array(hessian(*s), float))[0] for s in points) > 0
+
+
+def test_symbols_are_known_by_their_names() -> None:
+    """A symbol without real=True is meant as the one of this name."""
+    loose, a = sp.Symbol("gamma_3"), sp.Symbol("a")
+    shape = Revolution(1 + a * loose / 10, ((a, 0.5),))
+    assert shape == Revolution(1 + scalar("a") * scalar("gamma_3") / 10, ((scalar("a"), 0.5),))
+    assert Revolution.from_profile(sp.S(-1), -loose).support == 1
+    x, y, z = sp.symbols("x y z")
+    assert Implicit(x**2 + y**2 + a * z**2 - 1, ((a, 2.0),)).surface.free_symbols == {
+        *Implicit.coordinates,
+        scalar("a"),
+    }
+    body = Body(1.0, (1.0, 1.5, 2.1), Ball(1.0))
+    loaded = [
+        roll(body, Plane(), "marble", Field(0.0, potential, ((b, 2.0),)))
+        for potential, b in ((a * loose**2, a), (scalar("a") * scalar("gamma_3") ** 2, scalar("a")))
+    ]
+    assert loaded[0] == loaded[1]
+
+
+@pytest.mark.parametrize("formula", ["x**2 + y**2 - z**2 - 1", "x**2 + y**2 - 1", "z + x**2 - 1"])
+def test_an_open_surface_is_no_body(formula: str) -> None:
+    with pytest.raises(InputError, match="it is not closed; in the direction "):
+        Implicit(sp.sympify(formula))

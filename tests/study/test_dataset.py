@@ -353,5 +353,5 @@ def test_half_a_file_is_refused(tmp_path, dataset):
 
 
 def test_a_folder_is_no_file(tmp_path):
-    with pytest.raises(InputError, match="not a readable NetCDF file"):
+    with pytest.raises(InputError, match="not a readable Zarr store"):
         read(tmp_path)

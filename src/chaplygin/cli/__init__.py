@@ -8,7 +8,23 @@ import sys
 import typer
 
 from ..interruption import watched
-from . import audit, chart, ensemble, find, list_, lyapunov, prove, run, section, show, solve, study
+from . import (
+    audit,
+    bifurcation,
+    chart,
+    ensemble,
+    find,
+    list_,
+    lyapunov,
+    orbit,
+    prove,
+    run,
+    section,
+    show,
+    solve,
+    study,
+    sweep,
+)
 from .common import complain
 
 __all__ = ["app", "main"]
@@ -29,7 +45,10 @@ app.command("solve")(solve.command)
 app.command("find")(find.command)
 app.command("prove")(prove.command)
 app.command("ensemble")(ensemble.command)
+app.command("sweep")(sweep.command)
 app.command("section")(section.command)
+app.command("orbit")(orbit.command)
+app.command("bifurcation")(bifurcation.command)
 app.command("lyapunov")(lyapunov.command)
 app.command("chart")(chart.command)
 app.command("audit")(audit.command)

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from ..flow.members import Members
     from ..study.prepare import Study
 
-__all__ = ["command"]
+__all__ = ["command", "given_start"]
 
 
 def command(
@@ -100,7 +100,7 @@ def _members(study: Study, starts: int, level: str | None, seed: int, over: list
     if level is not None:
         everyone = drawn(starts, level_of(level), seed)
     elif starts == 1:
-        everyone = one(**_given(study))
+        everyone = one(**given_start(study))
     else:
         raise InputError(f"--starts {starts}: they are drawn on a level; --level is needed")
     for text in over:
@@ -110,7 +110,7 @@ def _members(study: Study, starts: int, level: str | None, seed: int, over: list
     return everyone
 
 
-def _given(study: Study) -> dict[str, Any]:
+def given_start(study: Study) -> dict[str, Any]:
     """The start of the experiment: ω and γ, from which the state follows, or the state."""
     if set(study.given) == {"omega", "gamma"}:
         return dict(study.given)

@@ -2,38 +2,88 @@
 
 from __future__ import annotations
 
+from typing import Annotated
+
+import typer
+
 from .common import Json, console, print_json
 
 __all__ = ["command"]
 
+CONTACTS = ("marble", "rubber", "none")
 
-def command(json: Json = False) -> None:
-    """List the systems of the catalogue."""
+
+def command(
+    contact: Annotated[
+        str | None,
+        typer.Option(help="Only what rolls so: marble (no slip), rubber (no spin either), none."),
+    ] = None,
+    section: Annotated[
+        str | None, typer.Option(metavar="N", help="Only what stands in a section of the paper.")
+    ] = None,
+    integrable: Annotated[
+        bool,
+        typer.Option("--integrable", help="Only what is proven integrable as it is suggested."),
+    ] = False,
+    json: Json = False,
+) -> None:
+    """List the systems of the catalogue in groups, all or some of them."""
+    from ..errors import InputError
     from ..systems import CATALOGUE
+    from ..systems.groups import GROUPS, INTEGRABLE, in_section, sections
 
+    if contact is not None and contact not in CONTACTS:
+        raise InputError(f"--contact {contact}: it must be one of {', '.join(CONTACTS)}")
+    if section is not None and not any(in_section(i, section) for i in CATALOGUE.values()):
+        known = ", ".join(sections(CATALOGUE))
+        raise InputError(f"--section {section}: nothing is from there; there are {known}, 6.1, …")
+    groups = {
+        group: [
+            CATALOGUE[name]
+            for name in group.names
+            if (section is None or in_section(CATALOGUE[name], section))
+            and (name in INTEGRABLE or not integrable)
+        ]
+        for group in GROUPS
+        if contact in (None, group.contact)
+    }
     if json:
+        chosen = {item.name: group for group, items in groups.items() for item in items}
         print_json(
             [
                 {
-                    "name": item.name,
+                    "name": name,
                     "title": item.title,
                     "summary": item.summary,
                     "source": item.source,
                     "parameters": dict(item.defaults),
+                    "group": chosen[name].title,
+                    "contact": chosen[name].contact,
+                    "integrable": name in INTEGRABLE,
                 }
-                for item in CATALOGUE.values()
+                for name, item in CATALOGUE.items()
+                if name in chosen
             ]
         )
         return
+    if not any(groups.values()):
+        raise InputError("no system of the catalogue is of all these kinds: leave out a filter")
     from rich import box
     from rich.table import Table
 
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
-    table.add_column("Name", style="bold", no_wrap=True)
-    table.add_column("What it is")
-    table.add_column("Source", style="dim")
-    for item in CATALOGUE.values():
-        table.add_row(item.name, item.title, item.source)
     shown = console()
-    shown.print(table)
+    width = max(len(item.name) for items in groups.values() for item in items) + 2
+    for group, items in groups.items():
+        table = Table(
+            box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False, show_header=False, padding=(0, 1)
+        )
+        table.add_column(no_wrap=True, min_width=width)
+        table.add_column(ratio=3)
+        table.add_column(style="dim", ratio=2)
+        for item in items:
+            mark = " [dim](integrable)[/]" if item.name in INTEGRABLE else ""
+            table.add_row(f"  {item.name}", f"{item.title}{mark}", item.source)
+        if items:
+            shown.print(f"\n[bold]{group.title}[/]")
+            shown.print(table)
     shown.print("\nchaplygin show NAME prints the equations; chaplygin study NAME follows them.")

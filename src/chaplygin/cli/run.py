@@ -52,8 +52,8 @@ def command(
         deliver(dataset_of(study, trajectory, complete=failure is None), output, force)
     if isinstance(failure, InterruptionError):
         say(
-            f"the motion until t = {failure.time:.9g} is in {name_of(output)}; the same command with "
-            "--force begins again"
+            f"the motion until t = {failure.time:.9g} is in {name_of(output)}; the same command "
+            "with --force begins again"
         )
         raise typer.Exit(CODE)
     if failure is not None:

@@ -20,6 +20,9 @@ def command(
     form: Annotated[
         str, typer.Option("--as", help="text, latex, julia, c or toml (the experiment file).")
     ] = "text",
+    laws: Annotated[
+        bool, typer.Option("--laws", help="Only what is known of the motion: the laws.")
+    ] = False,
     json: Json = False,
 ) -> None:
     """Print equations, parameters, laws and source of a system, and its place among all."""
@@ -27,6 +30,8 @@ def command(
 
     if form not in FORMS:
         raise InputError(f"--as {form}: it must be one of {', '.join(FORMS)}")
+    if laws and (form != "text" or json):
+        raise InputError("--laws prints a text: leave out --as and --json, which has all laws")
     study = study_of(what, overrides)
     from ..explore.hierarchy import standing_of
     from ..study.derivation import is_described, told
@@ -34,6 +39,12 @@ def command(
     from ..typeset import motion_text
 
     system = study.system
+    if laws:
+        from ..typeset import laws_text
+
+        typer.echo(f"{system.title}\n\n{laws_text(system) or 'No law of it is known.'}")
+        typer.echo(f"\nchaplygin prove {what} proves them.")
+        return
     if json:
         from ..claims import heading, level
         from ..typeset import latex, law_latex

@@ -29,7 +29,9 @@ def solve(
     system : System
         One of those that have a closed form, under whatever name and in whatever symbols.
     start : sequence of numbers, or mapping of str to number or numbers
-        The state at t = 0, as of :func:`chaplygin.flow.trajectory.integrate`.
+        The state at t = 0 in flat order, with the motion in space, as
+        :func:`chaplygin.mechanics.start.starting_state` gives it, or without, which gives the
+        motion of the state alone; or by name (ω and γ, or the variables of the state).
     parameters : mapping of Symbol or name to number, optional
         Values that replace the system's defaults.
 
@@ -55,4 +57,6 @@ def solve(
                 f"{system.name} has no parameter {key}; it has {', '.join(names) or 'none'}"
             )
         values[symbol] = number
-    return solution_of(Problem(system, values, whole_start(system, start, values)))
+    if isinstance(start, Mapping):
+        start = whole_start(system, start, values)
+    return solution_of(Problem(system, values, tuple(start)))

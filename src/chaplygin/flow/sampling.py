@@ -24,6 +24,7 @@ from ..vectors import explicit
 from .arrays import Compiled, Sheet
 from .bundles import bundle
 from .crossings import Slice
+from .demands import require_room
 from .dice import normals
 from .fibres import Bundle
 from .held import check, measures, shown, told
@@ -114,7 +115,10 @@ class Level:
 
     def draw(self, count: int, *, seed: int = 0, first: int = 0) -> Any:
         """Points `first` to `first` + `count`; array (count, size).  See :func:`draw`."""
-        found = np.empty((count, len(self.system.symbols)))
+        size = len(self.system.symbols)
+        # beside the points, as many numbers again while they are drawn
+        require_room(16.0 * count * size, None, f"{count:,} starts at once")
+        found = np.empty((count, size))
         pending, attempt, tries = np.arange(count), 0, self._tries
         while pending.size:
             left = []

@@ -77,11 +77,14 @@ def glossary(system: System, touching: bool, besides: Mapping[str, str] | None =
 def _letters(system: System) -> tuple[Any, ...]:
     """The names in the equations of motion, and in the definitions that these need."""
     written = dict(system.definitions)
+    # a component stands for its vector
+    whole = {s: v for v in (*system.state, *written) if isinstance(v, Vector) for s in v.symbols}
     found: dict[Any, None] = {}
     waiting = [part for pair in reversed(system.field) for part in reversed(pair)]
     while waiting:
         formula = waiting.pop()
-        for letter in sorted(formula.atoms(Vector, Diagonal, Symmetric, sp.Symbol), key=str):
+        for name in sorted(formula.atoms(Vector, Diagonal, Symmetric, sp.Symbol), key=str):
+            letter = whole.get(name, name)
             if letter not in found:
                 found[letter] = None
                 waiting += [written[letter]] if letter in written else []

@@ -1,0 +1,259 @@
+"""``chaplygin orbit``: a periodic orbit near a motion, and its branch."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from ..interruption import NOTHING, ending
+from .common import Force, Json, Override, What, inform, print_json, study_of
+from .output import check_figure, check_output, deliver
+from .progress import progress
+
+if TYPE_CHECKING:
+    from ..explore.continuation import Branch
+    from ..explore.orbits import Orbit
+    from ..study.prepare import Study
+
+__all__ = ["command"]
+
+
+def command(
+    what: What,
+    on: Annotated[
+        str,
+        typer.Option("--on", metavar="QUANTITY", help="The section: gamma_3, a formula."),
+    ],
+    value: Annotated[float, typer.Option(help="The value that it passes.")] = 0.0,
+    direction: Annotated[str, typer.Option(help="rising, falling or both.")] = "rising",
+    angle: Annotated[
+        bool, typer.Option("--angle", help="It is an angle: its value counts up to whole turns.")
+    ] = False,
+    after: Annotated[
+        int, typer.Option(help="Returns of the experiment's motion before the search begins.")
+    ] = 1,
+    period: Annotated[int, typer.Option(help="Returns after which the orbit closes.")] = 1,
+    hold: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME", help="An integral that is to keep its value."),
+    ] = None,
+    follow: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME=VALUE",
+            help="Follow the orbit while an integral or a parameter goes to this value.",
+        ),
+    ] = None,
+    tolerance: Annotated[float, typer.Option(help="Error allowed in a step.")] = 1e-15,
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "-o", "--output", metavar="FILE", help="One period, written to .nc, .zarr or .csv."
+        ),
+    ] = None,
+    figure: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE.png", help="Picture of one period, or of the branch; .svg, .pdf."
+        ),
+    ] = None,
+    overrides: Override = None,
+    force: Force = False,
+    json: Json = False,
+) -> None:
+    """A periodic orbit near the motion: period, multipliers, stability; and where it leads.
+
+    The motion is followed to the section; from there Newton's method looks for a motion that
+    closes. All of it is observed, not proven.
+    """
+    from ..errors import InputError
+    from ..study.formats import check_output as check_trajectory
+
+    for least, name, number in ((0, "after", after), (1, "period", period)):
+        if number < least:
+            raise InputError(f"--{name} {number}: it must be at least {least}")
+    varied = None if follow is None else _varied(follow)
+    if output is not None:
+        check_output("--output", output, force, json, what, place=check_trajectory)
+    if figure is not None:
+        check_figure("--figure", figure)
+        check_output("--figure", figure, force, json)
+    study = study_of(what, overrides)
+    where, how = (on, value, direction, angle), (after, period, tolerance)
+    from ..study.figures.files import save
+
+    with progress(study.system.title) as update, ending(NOTHING):
+        orbit, branch = _searched(study, where, how, hold or [], varied, update)
+    if output is not None:
+        deliver(_one_period(study, orbit), output, force)
+    if figure is not None:
+        if branch is None:
+            from ..study.figures.states import state
+
+            dataset = _one_period(study, orbit)
+            save(state(dataset, [str(name) for name in study.system.state]), figure)
+        else:
+            from ..study.figures.branch import branch as drawn
+
+            save(drawn(branch, study.system.title), figure)
+    if json:
+        print_json(_record(study, orbit, branch))
+        return
+    _print(study, orbit, branch)
+    for place, words in ((output, "one period is in"), (figure, "picture:")):
+        if place is not None:
+            inform(f"{words} {place}")
+
+
+def _varied(text: str) -> tuple[str, float]:
+    """What changes along a branch, and to which value."""
+    from ..errors import InputError
+
+    name, equals, number = (part.strip() for part in text.partition("="))
+    try:
+        if not (name and equals):
+            raise ValueError
+        return name, float(number)
+    except ValueError:
+        raise InputError(
+            f"--follow {text}: it is written NAME=VALUE, such as energy=2 or I_1=1.2"
+        ) from None
+
+
+def _searched(
+    study: Study,
+    where: tuple[str, float, str, bool],
+    how: tuple[int, int, float],
+    hold: list[str],
+    varied: tuple[str, float] | None,
+    progress: Callable[[float], None],
+) -> tuple[Orbit, Branch | None]:
+    """The orbit near the start of a study, and its branch if it is to be followed."""
+    import numpy as np
+
+    from ..errors import InputError, RunError
+    from ..explore.continuation import follow
+    from ..explore.orbits import find
+    from ..explore.returns import Returns, promoted
+    from ..flow.equations import section
+    from ..flow.section import SectionMap
+    from ..study.followed import followed
+    from ..study.section import DIRECTIONS
+
+    (on, value, direction, angle), (after, period, tolerance) = where, how
+    if direction not in DIRECTIONS:
+        raise InputError(f"--direction {direction}: it must be one of {', '.join(DIRECTIONS)}")
+    system = followed(study)
+    start = [float(x) for x in study.start[: len(system.symbols)]]
+    laws = [law.name for law in system.integrals]
+    keeps = list(hold)
+    if varied is not None and varied[0] not in laws:
+        known = [str(parameter.symbol) for parameter in system.parameters]
+        if varied[0] not in known:
+            raise InputError(
+                f"--follow {varied[0]}: it must be one of {', '.join((*laws, *known))}"
+            )
+        start.append(dict(system.constants)[varied[0]])
+        system = promoted(system, varied[0])
+        keeps.append(varied[0])
+    for name in hold:
+        if name not in laws:
+            raise InputError(f"--hold {name}: it must be one of {', '.join(laws) or 'none'}")
+    progress(0.0)
+    limit = study.until * max(after, 1)
+    made = section(system, on, value, DIRECTIONS[direction], angle)
+    returns = Returns(SectionMap(system, made, tolerance=tolerance, until=limit))
+    crossed = returns.section.returns(np.array([start]), max(after, 1))
+    if crossed.outcome[0]:
+        raise RunError(
+            f"the motion does not come to {on} = {value:g} so often: "
+            f"{returns.section.reason(int(crossed.outcome[0]))}",
+            float(crossed.ended[0]),
+        )
+    returns = Returns(SectionMap(system, made, tolerance=tolerance))
+    progress(0.25)
+    orbit = find(returns, crossed.states[0, -1], period, keeps)
+    progress(1.0 if varied is None else 0.5)
+    if varied is None:
+        return orbit, None
+    rest = [name for name in keeps if name != varied[0]]
+    return orbit, follow(returns, orbit, *varied, hold=rest)
+
+
+def _one_period(study: Study, orbit: Orbit) -> Any:
+    """The orbit as a trajectory, from its first point on the section."""
+    import numpy as np
+
+    from ..flow.trajectory import integrate
+    from ..study.prepare import dataset_of
+
+    size = len(study.system.symbols)
+    times = np.linspace(0.0, orbit.duration, study.experiment.run.samples).tolist()
+    return dataset_of(study, integrate(study.watched, orbit.points[0, :size].tolist(), times))
+
+
+def _record(study: Study, orbit: Orbit, branch: Branch | None) -> dict[str, Any]:
+    return {
+        "system": study.system.name,
+        **_facts(orbit),
+        "branch": None
+        if branch is None
+        else {
+            "varied": branch.varied,
+            "reason": branch.reason,
+            "orbits": [_facts(item) for item in branch.orbits],
+            "events": [
+                {"kind": event.kind, "value": event.place, **_facts(event.orbit)}
+                for event in branch.events
+            ],
+        },
+    }
+
+
+def _facts(orbit: Orbit) -> dict[str, Any]:
+    found = orbit.multipliers
+    return {
+        "period": orbit.duration,
+        "returns": orbit.period,
+        "kind": orbit.kind,
+        "points": [
+            dict(zip(orbit.names, map(float, point), strict=True)) for point in orbit.points
+        ],
+        "values": dict(orbit.values),
+        "multipliers": [
+            {"real": float(x.real), "imaginary": float(x.imag), "error": float(error)}
+            for x, error in zip(found.values, found.errors, strict=True)
+        ],
+        "one_by_force": list(found.forced),
+        "gap": orbit.gap,
+        "error": orbit.error,
+    }
+
+
+def _print(study: Study, orbit: Orbit, branch: Branch | None) -> None:
+    returns = "1 return" if orbit.period == 1 else f"{orbit.period} returns"
+    typer.echo(f"{study.system.title}: a periodic orbit of {returns}, {orbit.kind} (observed)")
+    typer.echo(f"  period  {orbit.duration:.15g} s, closed to {orbit.gap:.1e}")
+    for name, number in orbit.values.items():
+        typer.echo(f"  {name}  {number:.15g}")
+    for name, number in zip(orbit.names, orbit.points[0], strict=True):
+        typer.echo(f"  {name}  {number:.15g}")
+    found = orbit.multipliers
+    for value, error in zip(found.values, found.errors, strict=True):
+        imaginary = (
+            f" {'+' if value.imag > 0 else '−'} {abs(value.imag):.9g} i" if value.imag else ""
+        )
+        typer.echo(f"  multiplier  {value.real:.9g}{imaginary} ± {error:.0e}")
+    typer.echo(f"  one by force: {', '.join(found.forced)}")
+    if branch is None:
+        return
+    places = branch.places
+    typer.echo(
+        f"\nfollowed through {len(branch.orbits)} orbits, {branch.varied} from {places[0]:.9g} to "
+        f"{places[-1]:.9g}: {branch.reason}"
+    )
+    for event in branch.events:
+        typer.echo(f"  {event.kind} at {branch.varied} = {event.place:.12g}")

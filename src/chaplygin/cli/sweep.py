@@ -1,0 +1,155 @@
+"""``chaplygin sweep``: one start, a list of parameter values."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from .common import Force, Json, Override, What, inform, print_json, study_of
+from .ensemble import given_start
+from .output import check_figure
+from .progress import progress
+from .stores import (
+    Workers,
+    check_picture,
+    check_store,
+    check_workers,
+    outcomes,
+    resumable,
+    vacate,
+)
+
+__all__ = ["command", "values_of"]
+
+
+def command(
+    what: What,
+    over: Annotated[
+        list[str],
+        typer.Option(
+            metavar="NAME=VALUES",
+            help="A parameter and its values: m=1,1.5,2, or m=1:2:5 for five from 1 to 2. Several "
+            "of these mean every combination.",
+        ),
+    ],
+    output: Annotated[
+        Path,
+        typer.Option("-o", "--output", metavar="FILE.zarr", help="Zarr store to write."),
+    ],
+    record: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME", help="An observable or integral to be recorded too."),
+    ] = None,
+    draw: Annotated[
+        str | None,
+        typer.Option(metavar="NAME", help="What the picture shows: M_3, theta; else the first."),
+    ] = None,
+    figure: Annotated[
+        Path | None, typer.Option(help="Picture to write; FILE.png if left out.")
+    ] = None,
+    tolerance: Annotated[float, typer.Option(help="Error allowed in a step.")] = 1e-13,
+    workers: Workers = None,
+    overrides: Override = None,
+    force: Force = False,
+    json: Json = False,
+) -> None:
+    """One motion for each value of a parameter; what was begun is gone on with.
+
+    Every motion begins as the experiment does, at its times, and is streamed to a store as those
+    of an ensemble are.
+    """
+    check_store(output)
+    client = check_workers(workers)
+    picture = output.with_suffix(".png") if figure is None else figure
+    check_figure("--figure", picture)
+    check_picture(output, picture, force, named=figure is not None)
+    values = [values_of(text) for text in over]
+    study = study_of(what, overrides)
+    from dataclasses import replace
+
+    from ..errors import InputError
+    from ..flow.blocks import compute
+    from ..flow.ensemble import SHARES, ensemble_task, grid, one
+    from ..study.figures.files import save
+    from ..study.figures.sweep import sweep as drawn
+    from ..study.followed import followed
+
+    system = followed(study)
+    known = [str(parameter.symbol) for parameter in system.parameters]
+    everyone = one(**given_start(study))
+    for name, numbers in values:
+        if name not in known:
+            raise InputError(f"--over {name}: no parameter of {system.name}: {', '.join(known)}")
+        everyone = everyone * grid(**{name: numbers})
+    label = str(system.symbols[0]) if draw is None else draw
+    task = ensemble_task(
+        system,
+        everyone,
+        study.times,
+        record=record or (),
+        tolerance=tolerance,
+        shares=1 if workers is None else SHARES,
+    )
+    _require_drawable(label, [str(s) for s in system.symbols], record or [])
+    task = replace(task, attributes={**task.attributes, "experiment": study.complete_toml()})
+    vacate(output, force)
+    title = study.system.title
+    with progress(title) as report, resumable(output, report, force) as update:
+        found = compute(task, output, client=client, progress=update)
+    names = [name for name, _ in values]
+    save(drawn(found, names, label), picture)
+    result: dict[str, Any] = {
+        "file": str(output),
+        "figure": str(picture),
+        "parameters": dict(values),
+        "motions": found.sizes["run"],
+        "times": found.sizes["time"],
+        "outcomes": outcomes(found["outcome"]),
+    }
+    if json:
+        print_json(result)
+        return
+    told = ", ".join(f"{len(numbers)} of {name}" for name, numbers in values)
+    typer.echo(f"{study.system.title}: {result['motions']:,} motions, {told}")
+    for reason, count in result["outcomes"].items():
+        typer.echo(f"{count:,} of {result['motions']:,} motions: {reason}")
+    inform(f"written to {output}, picture: {picture}")
+
+
+def values_of(text: str) -> tuple[str, list[float]]:
+    """A parameter and its values, ``m=1,1.5,2`` or ``m=1:2:5``.
+
+    Raises
+    ------
+    InputError
+        If it is not written so.
+    """
+    from ..errors import InputError
+    from ..explore.planes import axis
+
+    name, _, span = (part.strip() for part in text.partition("="))
+    if ":" in span:
+        chosen = axis(text, "--over")
+        return chosen.name, [float(value) for value in chosen.values]
+    try:
+        if not name.isidentifier():
+            raise ValueError
+        return name, [float(part) for part in span.split(",")]
+    except ValueError:
+        raise InputError(
+            f"--over {text}: it is written NAME=VALUE,VALUE,… or NAME=FIRST:LAST:COUNT, such as "
+            "m=1,1.5,2 or m=1:2:5"
+        ) from None
+
+
+def _require_drawable(label: str, symbols: list[str], recorded: list[Any]) -> None:
+    """Refuse a picture of what is not recorded."""
+    from ..errors import InputError
+
+    names = [*symbols, *recorded]
+    if label not in names and label.rpartition("_")[0] not in recorded:
+        raise InputError(
+            f"--draw {label}: it must be one of {', '.join(names)}, or be recorded (--record)"
+        )
