@@ -10,7 +10,7 @@ from chaplygin.system import Parameter
 from chaplygin.vectors import scalar
 
 x, y, z, phi, psi, l = (scalar(name) for name in ("x", "y", "z", "phi", "psi", "l"))
-xdot, ydot, zdot, phidot, psidot = (scalar(f"{name}dot") for name in ["x", "y", "z", "phi", "psi"])
+xdot, ydot, zdot, phidot, psidot = (scalar(f"{q}dot") for q in (x, y, z, phi, psi))
 
 
 def with_trailer(drawbar=0.8, sign=1):

@@ -66,8 +66,30 @@ def test_cells_without_a_number_are_explained() -> None:
 
 
 def test_numbers_of_many_decades_are_told_apart() -> None:
-    figure = chart(made(10.0 ** np.arange(12.0).reshape(3, 4)))
+    figure = chart(named("fli", 10.0 ** np.arange(12.0).reshape(3, 4)))
     assert isinstance(figure.axes[0].images[0].norm, LogNorm)
+
+
+def named(name: str, values: np.ndarray) -> xr.Dataset:
+    """The same chart of another number."""
+    return made(values).rename(lyapunov=name).assign_attrs(number=name)
+
+
+@pytest.mark.parametrize(
+    ("name", "low", "mark"), [("megno", 1.9, 2.0), ("megno", 2.6, 2.0), ("lyapunov", 0.01, 0.0)]
+)
+def test_the_value_that_parts_regular_from_chaotic_is_marked(name, low, mark) -> None:
+    figure = chart(named(name, low + np.arange(12.0).reshape(3, 4)))
+    bar = figure.axes[1]
+    assert f"{mark:g} regular" in [tick.get_text() for tick in bar.get_yticklabels()]
+    first, last = bar.get_ylim()
+    assert first <= mark <= last
+    assert any(np.allclose(line.get_ydata(), mark) for line in bar.get_lines())
+
+
+def test_what_has_no_such_value_has_no_mark() -> None:
+    bar = chart(named("fli", np.arange(12.0).reshape(3, 4))).axes[1]
+    assert not any("regular" in tick.get_text() for tick in bar.get_yticklabels())
 
 
 def test_few_extreme_numbers_do_not_take_all_colours() -> None:

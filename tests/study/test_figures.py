@@ -22,6 +22,7 @@ from chaplygin.study.drawing import (
     outline_from_contact,
     rotation_matrices,
 )
+from chaplygin.study.figures.charts import turning_angles
 from chaplygin.study.figures.variables import readable
 from spread import spread
 
@@ -176,6 +177,7 @@ def test_every_figure_is_drawn_and_no_text_is_cut_or_covered(place, monkeypatch)
         "scene",
         "contact_path",
         "normal_on_sphere",
+        "attitude",
         "angular_velocity",
         "normal_force",
         "drift",
@@ -205,7 +207,7 @@ def test_every_figure_is_drawn_and_no_text_is_cut_or_covered(place, monkeypatch)
 def test_figures_that_lack_variables_are_left_out(data, outline):
     fixed_point = data.drop_vars(["contact", "centre", "normal_force"])
     made = figures.all_figures(fixed_point, (outline, PlaneGround()))
-    assert list(made) == ["normal_on_sphere", "angular_velocity", "drift"]
+    assert list(made) == ["normal_on_sphere", "attitude", "angular_velocity", "drift"]
     assert list(figures.all_figures(data[["omega"]])) == ["angular_velocity"]
 
 
@@ -228,7 +230,7 @@ def test_a_lacking_variable_is_named(data, outline, draw, missing):
 
 
 def test_nothing_conserved_is_said_so(data):
-    with pytest.raises(InputError, match="needs energy or an integral"):
+    with pytest.raises(InputError, match="needs an integral"):
         figures.drift(data[["omega"]])
 
 
@@ -268,6 +270,108 @@ def test_global_settings_stay_as_they_were(data, outline):
 def test_pyplot_is_not_imported():
     code = "import sys, chaplygin.study.figures; sys.exit('matplotlib.pyplot' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_a_recorded_energy_that_is_no_integral_does_not_drift(data):
+    open_system = data.drop_vars([n for n in data.data_vars if str(n).startswith("law_")])
+    assert "energy" in open_system
+    assert "drift" not in figures.all_figures(open_system)
+
+
+def test_what_stays_to_the_last_bit_has_no_empty_plot(data):
+    still = data.copy()
+    for name in [n for n in data.data_vars if str(n).startswith("law_")]:
+        still[name] = data[name] * 0 + data[name][0]
+    assert "drift" not in figures.all_figures(still)
+
+
+def test_friction_over_normal_force(data):
+    times = data.time.values
+    normal = np.where(times < 1.0, -1.0, 2.0)
+    friction = np.stack([0.6 * normal, 0.8 * normal, 0 * normal], axis=1)
+    pressed = data.assign(
+        normal_force=("time", normal), friction_force=(("time", "axis"), friction)
+    )
+    made = figures.all_figures(pressed, None, 9.81)
+    assert list(made).index("friction_ratio") == list(made).index("normal_force") + 1
+    (curve,) = made["friction_ratio"].axes[0].get_lines()
+    assert np.isnan(curve.get_ydata()[times < 1.0]).all()
+    assert np.allclose(curve.get_ydata()[times >= 1.0], 1.0)
+    # a contact that holds both ways needs no friction
+    assert "friction_ratio" not in figures.all_figures(pressed)
+    lifted = pressed.assign(normal_force=-abs(pressed["normal_force"]))
+    assert "friction_ratio" not in figures.all_figures(lifted, None, 9.81)
+
+
+def test_a_contact_without_any_force_has_no_figure(data):
+    idle = data.assign(normal_force=0.0 * data["normal_force"] - 1e-17)
+    assert "normal_force" not in figures.all_figures(idle)
+
+
+@pytest.mark.parametrize("upright", [True, False])
+def test_angles_of_the_attitude(upright):
+    """The rotation is that of the angles, and whole turns are counted on."""
+    a = np.linspace(0.0, 15.0, 400)
+    b = 0.2 * np.sin(a) + (0.0 if upright else 1.4)
+    c = 3.0 * a if not upright else 0.3 * np.cos(a)
+
+    def about(axis, angle):
+        q = np.zeros((len(angle), 4))
+        q[:, 0], q[:, 1 + axis] = np.cos(angle / 2), np.sin(angle / 2)
+        return q
+
+    def after(p, q):
+        w, x, y, z = p.T
+        s, t, u, v = q.T
+        return np.stack(
+            [
+                w * s - x * t - y * u - z * v,
+                w * t + x * s + y * v - z * u,
+                w * u - x * v + y * s + z * t,
+                w * v + x * u - y * t + z * s,
+            ],
+            axis=1,
+        )
+
+    axes = (2, 1, 0) if upright else (2, 0, 2)
+    turned = after(after(about(axes[0], a), about(axes[1], b)), about(axes[2], c))
+    names, angles = turning_angles(turned)
+    assert ("yaw" in names) == upright
+    for found, given in zip(angles, (a, b, c), strict=True):
+        shift = (found - given)[0]
+        assert np.isclose(np.cos(shift), 1.0)
+        assert np.allclose(found - given, shift, atol=1e-9)
+
+
+@pytest.mark.parametrize("count", [4, 9, 20])
+def test_the_state_fits_on_a_page(data, count):
+    names = [f"{letter}_{n}x" for n, letter in enumerate("abcdefghijklmnopqrst"[:count])]
+    many = data.assign({name: ("time", np.sin(data.time.values)) for name in names})
+    figure = figures.state(many, names)
+    assert figure.get_figheight() <= 9.5
+    assert sum(axes.axison for axes in figure.axes) == count
+    labelled = [axes for axes in figure.axes if axes.get_xlabel()]
+    assert len(labelled) == (1 if count <= 5 else 2)
+
+
+def test_a_page_may_choose_the_colours(data):
+    text = figures.page_svg(figures.drift(data))
+    assert "var(--ink, #1f2730)" in text
+    assert "var(--paper, #ffffff)" in text
+    assert not re.search(r"(?<!, )#1f2730", text)
+
+
+@pytest.mark.parametrize("name", ["angular_velocity", "normal_force", "drift", "scene"])
+def test_on_a_telephone_letters_can_be_read(data, outline, name):
+    """Figures as wide as the screen, or with larger letters; the figure itself stays."""
+    figure = figures.all_figures(data, (outline, PlaneGround()), 9.81)[name]
+    size = tuple(figure.get_size_inches())
+    wide, narrow = figures.page_svg(figure), figures.page_svg(figure, narrow=True)
+    assert tuple(figure.get_size_inches()) == size
+    assert narrow != wide
+    points = float(re.search(r'width="([\d.]+)pt"', narrow)[1])
+    if name != "scene":
+        assert points <= 3.7 * 72
 
 
 # Scene
@@ -402,8 +506,8 @@ def test_drift_lines_are_the_largest_drifts_so_far(data):
 
 
 def test_drift_at_zero_lies_on_a_line_marked_zero():
-    constant = trajectory()[["energy"]]
-    constant["energy"] = xr.full_like(constant.energy, 5.0)
+    moving = trajectory()
+    constant = xr.Dataset({"law_energy": xr.full_like(moving.energy, 5.0)})
     axes = figures.drift(constant).axes[0]
     np.testing.assert_array_equal(lines(axes)["energy"].get_ydata(), 1e-17)
     ticks = {
@@ -429,11 +533,10 @@ def test_drift_of_a_small_quantity_is_relative():
 
 
 def test_drift_counts_the_low_parts_of_long_numbers(data):
-    precise = data[["energy"]].copy()
-    precise["energy"] = xr.full_like(data.energy, 4.0)
-    precise["energy_low"] = ("time", 1e-30 * np.arange(len(data.time)))
+    precise = xr.Dataset({"law_energy": xr.full_like(data.energy, 4.0)})
+    precise["law_energy_low"] = ("time", 1e-30 * np.arange(len(data.time)))
     np.testing.assert_allclose(
-        figures.relative_drift(precise, "energy"), 0.25e-30 * np.arange(len(data.time))
+        figures.relative_drift(precise, "law_energy"), 0.25e-30 * np.arange(len(data.time))
     )
     axes = figures.drift(precise).axes[0]
     assert axes.get_ylim()[0] < 1e-31

@@ -26,7 +26,8 @@ def study(name: str = "unbalanced-ball", *options: str) -> Study:
 
 
 def test_coordinates() -> None:
-    assert coordinates_of(BALL, "") == (("M_1", "M_2", "M_3"), (), None)
+    assert coordinates_of(BALL, "M_1, M_2, M_3") == (("M_1", "M_2", "M_3"), (), None)
+    assert coordinates_of(BALL, "")[0] == ("l", "L_over_G")
     names, quantities, _ = coordinates_of(BALL, "phi = atan2(gamma_2, gamma_1), energy")
     assert names == ("phi", "energy")
     assert [item.unit for item in quantities] == ["rad", "J"]
@@ -47,7 +48,7 @@ def test_coordinates() -> None:
 
 def test_a_single_motion_starts_where_the_experiment_does() -> None:
     task, names = section_of(study(), Place("M_1"), Starts(), 3, until=1e3)
-    assert names == ("M_1", "M_2", "M_3")
+    assert names == ("l", "L_over_G")
     own = [float(value) for value in study().start[:6]]
     assert np.array_equal(task.work.starts, [own])
     assert task.attributes["starts"] == "the start of the experiment"

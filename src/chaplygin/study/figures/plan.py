@@ -126,7 +126,7 @@ class _Pose:
         ends = self.links.reshape(-1, 2)
         placed = [part[:, :2] for part in (self.wheels, self.axles, self.blades, self.points)]
         found = np.concatenate([self.place[None], ends, *placed])
-        return found[np.isfinite(found).all(axis=1)]
+        return np.asarray(found[np.isfinite(found).all(axis=1)], dtype=np.float64)
 
     @property
     def size(self) -> float:
@@ -143,7 +143,7 @@ class _Pose:
             side = 0.55 * mark * np.array([-np.sin(angle), np.cos(angle)])
             ends = [np.array([x, y]) + side, np.array([x, y]) - side]
             across.append(np.array(ends))
-            wheels += [_box(*end, angle, 0.75 * mark, 0.26 * mark) for end in ends]
+            wheels += [_box(a, b, angle, 0.75 * mark, 0.26 * mark) for a, b in ends]
         axes.add_collection(LineCollection(across, colors=colour, linewidths=1.1, zorder=layer + 1))
         wheels += [_box(x, y, angle, 1.3 * mark, 0.1 * mark) for x, y, angle in self.blades]
         axes.add_collection(
@@ -166,7 +166,8 @@ def _box(x: float, y: float, angle: float, length: float, width: float) -> Float
     """A rectangle about a place, its longer side along an angle."""
     along = np.array([np.cos(angle), np.sin(angle)]) * length / 2
     side = np.array([-np.sin(angle), np.cos(angle)]) * width / 2
-    return np.array([x, y]) + np.array([along + side, side - along, -along - side, along - side])
+    corners = np.array([along + side, side - along, -along - side, along - side])
+    return np.asarray(corners + np.array([x, y]), dtype=np.float64)
 
 
 def _spread(path: FloatArray, numbers: Iterable[int]) -> list[int]:

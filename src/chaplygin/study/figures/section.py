@@ -163,7 +163,7 @@ def _space(
 ) -> None:
     """Two views above three projections; within a layer, near points hide far ones."""
     for i, (height, turn) in enumerate(VIEWS):
-        view: Any = figure.add_axes((0.05 + 0.41 * i, 0.4, 0.42, 0.56), projection="3d")
+        view: Any = figure.add_axes((0.045 + 0.395 * i, 0.4, 0.4, 0.56), projection="3d")
         view.patch.set_visible(False)
         view.computed_zorder = False
         for layer, part in enumerate(layers):
@@ -202,13 +202,13 @@ def _key(figure: Figure, runs: int, count: int) -> None:
             title="start",
             title_fontsize=9,
             loc="upper left",
-            bbox_to_anchor=(0.885, 0.9),
+            bbox_to_anchor=(0.895, 0.9),
             handlelength=0.8,
             fontsize=8,
         )
     elif runs > 1:
         told = f"{runs} starts,\n{len(KINDS)} colours\nby turns"
-        figure.text(0.885, 0.89, told, va="top", fontsize=8, color=QUIET)
+        figure.text(0.9, 0.89, told, va="top", fontsize=8, color=QUIET)
     elif count > 1:
         colours = mpl.colors.ListedColormap(COLOURS(np.linspace(0.0, PALEST, 256)))
         place = figure.add_axes((0.905, 0.44, 0.014, 0.44))
