@@ -33,7 +33,9 @@ def ask(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp
 
 def test_the_table(ask: Ask) -> None:
     code, out, err = ask("unbalanced-ball", "--until", 200)
-    assert (code, err) == (0, "")
+    # a slow machine is told what it is waiting for
+    assert code == 0
+    assert all(line.endswith("…") for line in err.splitlines())
     for part in ("λ1", "λ2", "sum", "divergence", "γ² = 1", "energy", "quadratic", "flow"):
         assert any(line.startswith(part) for line in out.splitlines())
     assert "exponents in 1/s" in out
