@@ -207,7 +207,7 @@ def test_a_start_that_the_surface_cannot_hold_is_refused(ask: Ask, tmp_path: Pat
     (tmp_path / "top.toml").write_text(TOP_HEAVY)
     code, out, err = ask("run", "top.toml", "-o", "top.nc")
     assert (code, out) == (2, "")
-    assert "top.toml, line 13, start: there is no motion from here: the normal force is" in err
+    assert "top.toml, line 12, start: there is no motion from here: the normal force is" in err
     assert 'on_liftoff = "warn" in [run]' in err
     assert not (tmp_path / "top.nc").exists()
     code, _, err = ask("run", "top.toml", "-o", "top.nc", "--set", "run.on_liftoff=warn")
