@@ -93,7 +93,8 @@ def test_show_json(ask: Ask) -> None:
 
 def test_run_writes_a_trajectory(ask: Ask) -> None:
     code, out, err = ask("run", "chaplygin-ball", "-o", "ball.nc", "--set", "run.until=5")
-    assert (code, err) == (0, "")
+    # a slow machine is told what it is waiting for
+    assert (code, err.removeprefix("Chaplygin ball …\n")) == (0, "")
     assert "drift" in out
     dataset = read("ball.nc")
     assert dataset.sizes["time"] == 101

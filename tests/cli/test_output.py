@@ -112,7 +112,7 @@ def test_a_store_behind_a_link_is_not_removed(ask: Ask, tmp_path: Path) -> None:
 def test_a_picture_that_was_named_is_not_replaced_unasked(ask: Ask, tmp_path: Path) -> None:
     asked = (
         *("chart", "chaplygin-sleigh", "--of", "mean:energy", "--until", "0.1"),
-        *("--x", "k=0.5:1:2", "--y", "u=1:2:2", "-o", "c.zarr"),
+        *("--x", "I=0.5:1:2", "--y", "u=1:2:2", "-o", "c.zarr"),
     )
     code, _, err = ask(*asked)
     assert code == 0, err
@@ -149,7 +149,7 @@ def test_mistakes_that_cost_nothing_are_told_before_anything_heavy_is_imported(
     tmp_path: Path, arguments: tuple[str, ...]
 ) -> None:
     (tmp_path / "there.nc").write_text("mine")
-    heavy = "{'sympy', 'numpy', 'xarray', 'heyoka', 'matplotlib', 'pydantic', 'scipy', 'zarr'}"
+    heavy = "{'sympy', 'numpy', 'xarray', 'heyoka', 'matplotlib', 'scipy', 'zarr'}"
     script = (
         "import sys\nfrom chaplygin.__main__ import main\n"
         f"try: main()\nfinally: print(sorted({heavy} & set(sys.modules)))"
@@ -168,12 +168,12 @@ def test_the_sections_of_the_audit_are_those_of_the_paper() -> None:
 
 def test_a_reader_that_leaves_is_no_failure(tmp_path: Path) -> None:
     for arguments in (("list",), ("list", "--json"), ("show", "chaplygin-sleigh")):
-        run = program(*arguments, folder=tmp_path)
-        assert run.stdout is not None
-        run.stdout.close()
-        assert run.stderr is not None
-        err = run.stderr.read()
-        assert (run.wait(), err) == (0, b"")
+        with program(*arguments, folder=tmp_path) as run:
+            assert run.stdout is not None
+            assert run.stderr is not None
+            run.stdout.close()
+            err = run.stderr.read()
+        assert (run.returncode, err) == (0, b"")
 
 
 def test_tables_are_not_cut_in_a_pipe(tmp_path: Path) -> None:
@@ -183,18 +183,36 @@ def test_tables_are_not_cut_in_a_pipe(tmp_path: Path) -> None:
     assert "§" in line or "(" in line
 
 
+#: A ball with its centre of mass above its centre, spun so fast that it would leap.
+TOP_HEAVY = """
+[body]
+mass = 1.0
+inertia = [0.4, 0.45, 0.5]
+shape = { kind = "ball", radius = 1.0, centre = [0.0, 0.0, -0.3] }
+[surface]
+kind = "plane"
+[contact]
+model = "marble"
+[field]
+gravity = 9.81
+[start]
+omega = [20.0, 0.0, 0.0]
+gamma = [0.0, 0.0, 1.0]
+[run]
+until = 0.2
+"""
+
+
 def test_a_start_that_the_surface_cannot_hold_is_refused(ask: Ask, tmp_path: Path) -> None:
-    fast = "start.omega=[30,0,0]"
-    code, out, err = ask("run", "rattleback", "-o", "r.nc", "--set", fast)
+    (tmp_path / "top.toml").write_text(TOP_HEAVY)
+    code, out, err = ask("run", "top.toml", "-o", "top.nc")
     assert (code, out) == (2, "")
-    assert "--set start.omega: " in err or "start: " in err
-    assert "the normal force is negative at the start" in err
+    assert "top.toml, line 12, start: there is no motion from here: the normal force is" in err
     assert 'on_liftoff = "warn" in [run]' in err
-    assert not (tmp_path / "r.nc").exists()
-    free = "run.on_liftoff=warn"
-    code, _, err = ask("run", "rattleback", "-o", "r.nc", "--set", fast, "--set", free)
+    assert not (tmp_path / "top.nc").exists()
+    code, _, err = ask("run", "top.toml", "-o", "top.nc", "--set", "run.on_liftoff=warn")
     assert code == 0, err
-    assert len(read("r.nc").time) > 1
+    assert len(read("top.nc").time) > 1
 
 
 def test_a_file_gives_its_system_a_name(ask: Ask, tmp_path: Path) -> None:

@@ -112,13 +112,15 @@ def test_an_interrupted_study_goes_on(
 def test_an_interrupted_integration_is_no_finished_study(
     ask: Ask, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    flow = import_module("chaplygin.flow.trajectory")
+    run = import_module("chaplygin.flow.trajectory")._Run
+    pressed = run._pressed
 
-    def interrupted(*_: Any, **__: Any) -> None:
+    def interrupted(self: Any, now: Any, log: Any, wish: str) -> None:
+        pressed(self, now, log, wish)
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patched:
-        patched.setattr(flow._Run, "walk", interrupted)
+        patched.setattr(run, "_pressed", interrupted)
         code, out, err = ask(*SHORT, "--quick")
         assert (code, out) == (130, "")
         assert err.count("interrupted: ") == 1

@@ -53,7 +53,7 @@ Effort = Annotated[
     float,
     typer.Option(
         metavar="FACTOR",
-        help="How much work the proof of one law may take before it is left undecided: 1 is a "
+        help="How much work the proof of one law may take before it is left undecided: 1 is two "
         "thousand million operations, some minutes on one core; 0.1 a tenth of that. Operations "
         "are counted, so that every machine comes to the same answer.",
     ),

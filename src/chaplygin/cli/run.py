@@ -40,8 +40,9 @@ def command(
     from ..study.prepare import dataset_of
     from ..study.summary import summary, summary_text
 
+    place = name_of(output)
     failure: RunError | None = None
-    with ending(NOTHING, f"the motion until now is being written to {name_of(output)}"):
+    with ending(NOTHING, f"the motion until now is being written to {place}"):
         with progress(study.system.title) as report:
             try:
                 trajectory = study.trajectory(report)
@@ -52,12 +53,12 @@ def command(
         deliver(dataset_of(study, trajectory, complete=failure is None), output, force)
     if isinstance(failure, InterruptionError):
         say(
-            f"the motion until t = {failure.time:.9g} is in {name_of(output)}; the same command "
-            "with --force begins again"
+            f"the motion until t = {failure.time:.9g} is in {place}; the same command with "
+            "--force begins again"
         )
         raise typer.Exit(CODE)
     if failure is not None:
-        inform(f"what was computed until then is in {name_of(output)}")
+        inform(f"what was computed until then is in {place}")
         raise failure
     result = summary(trajectory)
     if json:
@@ -65,4 +66,4 @@ def command(
     else:
         with beside(output):
             typer.echo(summary_text(study.system, trajectory, result))
-            typer.echo(f"written to {name_of(output)}")
+            typer.echo(f"written to {place}")

@@ -154,6 +154,8 @@ def integrate(
     except _StoppedError as stop:
         failure = str(stop)
     except KeyboardInterrupt:
+        if not log.times:
+            raise
         failure, ended = "interrupted", InterruptionError
     if failure is not None:
         run.keep_last(log)
