@@ -176,9 +176,10 @@ def read(path: str | Path) -> xr.Dataset:
     import h5py
 
     try:
-        # opened by HDF5 alone first: the layer above complains past Python of what is none
-        with h5py.File(path, "r"):
-            pass
+        # looked through by HDF5 alone first: the layer above complains past Python of what is none
+        with h5py.File(path, "r") as stored:
+            dict(stored.attrs)
+            stored.visititems(lambda _, item: dict(item.attrs) and None)
         with xr.open_dataset(path, engine="h5netcdf") as stored:
             return stored.load()
     except FileNotFoundError as problem:
