@@ -200,9 +200,10 @@ def _nothing_in(folder: Path) -> bool:
 
 def _lay_out(task: Task, folder: Path) -> None:
     import zarr
+    from zarr.codecs import ZstdCodec
 
     # so that damage is seen and not read as numbers
-    checked = zarr.codecs.ZstdCodec(checksum=True)
+    checked = ZstdCodec(checksum=True)
     with warnings.catch_warnings():
         # texts and consolidated metadata are read everywhere, but not in the standard yet
         warnings.simplefilter("ignore")
