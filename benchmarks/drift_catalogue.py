@@ -44,15 +44,23 @@ def begun(study: Study) -> dict[str, Any]:
     }
 
 
-def taken_further(found: dict[str, Any], motion: Trajectory, seconds: float) -> dict[str, Any]:
-    """The same record after another piece of the motion."""
+def taken_further(
+    found: dict[str, Any], motion: Trajectory, seconds: float, failure: str
+) -> dict[str, Any]:
+    """The same record after another piece of the motion.
+
+    Of one that ended at a singularity the last sample does not count: there the terms of an
+    integral are so large that rounding is all that is left of their sum.
+    """
+    stopped = [h.guard.happening for h in motion.happenings if h.stopped]
+    end = stopped[0] if stopped else failure
     first, drift = dict(found["first"]), dict(found["drift"])
     for law in motion.system.integrals:
         values = np.asarray(motion.recorded[f"law_{law.name}"], dtype=float)
         first.setdefault(law.name, float(values[0]))
-        change = float(np.max(np.abs(values - first[law.name])))
+        good = values[:-1] if end and len(values) > 1 else values
+        change = float(np.max(np.abs(good - first[law.name])))
         drift[law.name] = max(drift.get(law.name, 0.0), change)
-    stopped = [h for h in motion.happenings if h.stopped]
     return found | {
         "time": float(motion.times[-1]),
         "state": [float(x) for x in motion.states[-1]],
@@ -60,7 +68,7 @@ def taken_further(found: dict[str, Any], motion: Trajectory, seconds: float) -> 
         "drift": drift,
         "steps": found["steps"] + motion.statistics.steps,
         "seconds": found["seconds"] + seconds,
-        "end": stopped[0].guard.happening if stopped else "",
+        "end": end,
     }
 
 
@@ -81,9 +89,9 @@ def carried_on(study: Study, path: Path, share: float) -> None:
             failure = ""
         except RunError as error:
             motion, failure = error.partial, error.reason
-        found = taken_further(found, motion, time.process_time() - began)
-        if failure and "time limit" not in failure:
-            found["end"] = failure
+            if "time limit" in failure:
+                failure = ""
+        found = taken_further(found, motion, time.process_time() - began, failure)
         new = path.with_suffix(".new")
         new.write_text(json.dumps(found, indent=1))
         new.replace(path)

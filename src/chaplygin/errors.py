@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import bisect
+import itertools
 from typing import Any
 
 __all__ = ["LONGEST", "EarlyEndError", "InputError", "RunError", "readable"]
@@ -18,13 +20,11 @@ def readable(text: str) -> str:
     """
     escaped = "".join(c if c.isprintable() or c == "\n" else _escape(c) for c in text)
     lines = [_cut(line) for line in escaped.split("\n")]
-    left_out = 0
-    while len(lines) > 1 and sum(map(len, lines)) + len(lines) > LONGEST - 50:
-        lines.pop()
-        left_out += 1
-    if left_out:
-        lines.append(f"... and {left_out} more lines")
-    return "\n".join(lines)
+    ends = list(itertools.accumulate(len(line) + 1 for line in lines))
+    if ends[-1] <= LONGEST:
+        return "\n".join(lines)
+    kept = bisect.bisect(ends, LONGEST - 50)
+    return "\n".join([*lines[:kept], f"... and {len(lines) - kept} more lines"])
 
 
 def _escape(character: str) -> str:

@@ -174,9 +174,11 @@ def read(path: str | Path) -> xr.Dataset:
     zarr = Path(path).is_dir()
     try:
         if not zarr:
-            # opened by HDF5 alone first: the layer above complains past Python of what is none
-            with h5py.File(path, "r"):
-                pass
+            # looked through by HDF5 alone first: the layer above complains past Python of what is
+            # none
+            with h5py.File(path, "r") as file:
+                dict(file.attrs)
+                file.visititems(lambda _, item: dict(item.attrs) and None)
         with xr.open_dataset(
             path, engine="zarr" if zarr else "h5netcdf", decode_times=False
         ) as stored:

@@ -8,6 +8,7 @@ What it guards by ``__name__ == "__main__"`` is not run.
 
 from __future__ import annotations
 
+import itertools
 import runpy
 import sys
 import traceback
@@ -38,6 +39,9 @@ __all__ = ["load_python"]
 _SYSTEMS: Mapping[str, type] = {"mechanism": Mechanism, "system": System, "study": Study}
 _KINDS: Mapping[str, type] = {**_SYSTEMS, "plan": Plan}
 _CHANGEABLE = ("parameters", "run", "start", "title")
+
+#: Numbers that a value has at most, and lists in lists.
+_MOST, _DEEPEST = 1000, 3
 
 
 def load_python(path: Path, overrides: Iterable[str] = ()) -> Study:
@@ -78,7 +82,9 @@ def load_python(path: Path, overrides: Iterable[str] = ()) -> Study:
             allowed = nearest(name, (*_CHANGEABLE, *short))
             raise InputError(f"a Python file decides this itself{allowed}", source.where((name,)))
     for name in ("start", "run"):
-        tables[name] = _plain(found.get(name, {}), name, path) | told.get(name, {})
+        with _Placed(path):
+            given = _plain(found.get(name, {}), name)
+        tables[name] = given | told.get(name, {})
     tables["start"] = lift_of(system, tables["start"]) | tables["start"]
     _change_parameters(tables, told.get("parameters", {}), source)
     tables |= {key: value for key, value in told.items() if key == "title"}
@@ -123,9 +129,17 @@ class _Placed:
         elif isinstance(error, SystemExit):
             words = "the file ends the program before it has defined a system"
         else:
-            words = f"{type(error).__name__}: {' '.join(str(error).split())}".removesuffix(": ")
+            words = f"{type(error).__name__}: {' '.join(_said(error).split())}".removesuffix(": ")
         place = f"{self.path}, line {lines[-1]}" if lines else str(self.path)
         raise InputError(words, place) from None
+
+
+def _said(error: BaseException) -> str:
+    """The message of an error of foreign code, empty where that fails too."""
+    try:
+        return str(error)
+    except Exception:
+        return ""
 
 
 def _defined(path: Path) -> dict[str, Any]:
@@ -150,20 +164,23 @@ def _defined(path: Path) -> dict[str, Any]:
     return found
 
 
-def _plain(table: Any, name: str, path: Path) -> dict[str, Any]:
+def _plain(table: Any, name: str) -> dict[str, Any]:
     """A mapping of the file's with names for keys and plain numbers for values."""
     if not isinstance(table, Mapping):
-        raise InputError(f"{name} must be a mapping, not {type(table).__name__}", str(path))
-    return {str(key): _number(value) for key, value in table.items()}
+        raise InputError(f"{name} must be a mapping, not {type(table).__name__}")
+    return {str(key): _number(value, f"{name}: {key}") for key, value in table.items()}
 
 
-def _number(value: Any) -> Any:
+def _number(value: Any, name: str, depth: int = 0) -> Any:
     """Numbers of any library as those of TOML; texts and truth values as they are."""
     if isinstance(value, str | bool | int | float):
         return value
-    if hasattr(value, "__iter__"):
-        return [_number(part) for part in value]
-    return float(value) if hasattr(value, "__float__") else value
+    if not hasattr(value, "__iter__"):
+        return float(value) if hasattr(value, "__float__") else value
+    parts = list(itertools.islice(value, _MOST + 1))
+    if len(parts) > _MOST or depth > _DEEPEST:
+        raise InputError(f"{name} must be a finite number, or a few of them in a list")
+    return [_number(part, name, depth + 1) for part in parts]
 
 
 def _change_parameters(tables: dict[str, Any], told: Any, source: Source) -> None:
