@@ -9,6 +9,7 @@ contact point r itself is the state, and the shape operator W⁻¹ follows from 
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -511,7 +512,9 @@ class Implicit(_Centred):
     def _require_closed(self) -> None:
         """Refuse a surface that some ray from the geometric centre never meets."""
         level = sp.lambdify(self.coordinates, self.surface.subs(dict(self.values)), "numpy")
-        rays = directions(RAYS)
+        # cylinders are open along their axis alone, which is mostly an axis of coordinates
+        corners = np.array([x for x in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(x)])
+        rays = np.concatenate([corners, directions(RAYS)])
         with np.errstate(all="ignore"):
             far = np.ldexp(1.0, np.arange(FARTHEST))[:, None, None] * rays
             values = np.broadcast_to(level(*np.moveaxis(far, 2, 0)), far.shape[:2])

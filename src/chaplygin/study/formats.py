@@ -31,8 +31,10 @@ def check_format(path: Path) -> None:
 
 def check_output(path: Path, force: bool = False) -> None:
     """Raise InputError unless a trajectory may be written to `path`."""
-    check_format(path)
-    if path.suffix.lower() != ".zarr" or not path.is_dir():
+    store = path.suffix.lower() == ".zarr" and path.is_dir()
+    if not path.is_dir():
+        check_format(path)
+    if not store:
         check_target(path, force)
     elif any(path.iterdir()) and not _is_trajectory(path):
         raise InputError(f"{path} is a folder with something else in it: choose another name")
