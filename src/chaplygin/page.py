@@ -46,17 +46,20 @@ def page_of(system: System) -> Page:
     What is defined to vanish is left out of the formulas of the motion.
     """
     found = _page_of(system)
-    zeros = {name: sp.S.Zero for name, value in found.where if value == 0}
-    if not zeros:
-        return found
+    zeros = {
+        name: sp.S.Zero for name, value in found.where if isinstance(name, sp.Symbol) and value == 0
+    }
 
     def short(pairs: Pairs) -> Pairs:
-        return tuple(
-            (name, value.xreplace(zeros) if isinstance(value, sp.Expr) else value)
-            for name, value in pairs
-        )
+        return tuple((name, _without(zeros, value)) for name, value in pairs)
 
     return replace(found, field=short(found.field), where=short(found.where))
+
+
+def _without(zeros: dict[sp.Symbol, Any], value: Any) -> Any:
+    """A scalar formula of scalars without what vanishes; others stay as they are written."""
+    plain = isinstance(value, sp.Expr) and not value.atoms(Vector, Diagonal, Symmetric)
+    return value.xreplace(zeros) if plain and value.free_symbols & zeros.keys() else value
 
 
 def _page_of(system: System) -> Page:

@@ -128,12 +128,16 @@ def test_letters_and_equations() -> None:
     angle = sp.Function("varphi")(sp.Symbol("t"))
     assert equation(angle, dtau).startswith(r"\varphi\left(t\right) = ")
     assert equation(dz, dtau) == r"\mathrm{d}z_{1} = \mathrm{d}\tau"
+    # a differential stands last: z₁ dz₁ / y₁
+    z, y = sp.symbols("z_1 y_1")
+    assert equation(z * dz / y, 0).startswith(r"\frac{z_{1} \, \mathrm{d}z_{1}}{y_{1}}")
 
 
 def test_the_section() -> None:
     study, solution = spinning()
     made = section(solution, study.trajectory())
-    assert float(made.difference) < 1e-12
+    plain = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
+    assert float(made.difference.replace(" × 10", "e").translate(plain)) < 1e-12
     assert made.ovals == ("[1, 2]",)
     assert [meaning for _, _, meaning in made.rows][2] == "frequency of z₁"
     assert made.rows[3][0] == "V₁/V₂"
