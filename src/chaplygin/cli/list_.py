@@ -10,6 +10,9 @@ from .common import Json, console, print_json
 
 __all__ = ["command"]
 
+#: Columns of a terminal that has room for names, titles and sources.
+WIDE = 110
+
 CONTACTS = ("marble", "rubber", "none")
 
 
@@ -72,6 +75,8 @@ def command(
     from rich.table import Table
 
     shown = console()
+    # beside the names there is no room for the sources on a narrow terminal
+    wide = shown.width >= WIDE
     width = max(len(item.name) for items in groups.values() for item in items) + 2
     for group, items in groups.items():
         table = Table(
@@ -79,10 +84,12 @@ def command(
         )
         table.add_column(no_wrap=True, min_width=width)
         table.add_column(ratio=3)
-        table.add_column(style="dim", ratio=2)
+        if wide:
+            table.add_column(style="dim", ratio=2)
         for item in items:
             mark = " [dim](integrable)[/]" if item.name in INTEGRABLE else ""
-            table.add_row(f"  {item.name}", f"{item.title}{mark}", item.source)
+            row = (f"  {item.name}", f"{item.title}{mark}", item.source)
+            table.add_row(*row[: 3 if wide else 2])
         if items:
             shown.print(f"\n[bold]{group.title}[/]")
             shown.print(table)
