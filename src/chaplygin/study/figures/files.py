@@ -140,6 +140,9 @@ def _make_narrow(figure: Figure) -> None:
                 axes.locator_params(nbins=4)
         return
     panels = [axes for axes in figure.axes if axes.axison]
+    if len({axes.get_subplotspec().colspan.start for axes in panels if axes.get_subplotspec()}) > 1:
+        # what stands side by side would be crowded out: it stays as it is
+        return
     figure.set_size_inches(NARROW, high if len(panels) < 6 else 1.3 * high)
     for axes in panels:
         if axes.get_xscale() == "linear" and isinstance(
