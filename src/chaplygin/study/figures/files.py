@@ -40,6 +40,9 @@ PAGE_COLOURS = {
 NARROW = 3.65
 """Width in inches of a figure on a telephone."""
 
+_LONG = 40
+"""Characters of a line of a key that is too long for a telephone."""
+
 _PROLOG = '<?xml version="1.0" encoding="utf-8"?>\n'
 
 
@@ -139,6 +142,10 @@ def _make_narrow(figure: Figure) -> None:
                 axes.locator_params(nbins=4)
         return
     panels = [axes for axes in figure.axes if axes.axison]
+    columns = {spec.colspan.start for axes in panels if (spec := axes.get_subplotspec())}
+    if len(columns) > 1 or (len(panels) == 1 and _is_long(figure, panels[0])):
+        # what stands side by side, or has a long key, would be crowded out: it stays as it is
+        return
     figure.set_size_inches(NARROW, high if len(panels) < 6 else 1.3 * high)
     for axes in panels:
         if axes.get_xscale() == "linear" and isinstance(
@@ -148,6 +155,13 @@ def _make_narrow(figure: Figure) -> None:
         legend = axes.get_legend()
         if legend is not None and _share(figure, axes, legend) < 1.0:
             legend.set_ncols(1 if len(legend.get_texts()) < 3 else 2)
+
+
+def _is_long(figure: Figure, axes: Axes) -> bool:
+    """Whether axes have a key of so many or so long lines that it needs the width of a page."""
+    legend = axes.get_legend() or next(iter(figure.legends), None)
+    lines = [] if legend is None else [text.get_text() for text in legend.get_texts()]
+    return max(map(len, lines), default=0) > _LONG
 
 
 def _share(figure: Figure, axes: Axes, legend: Legend) -> float:
