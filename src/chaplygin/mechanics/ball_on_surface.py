@@ -39,7 +39,7 @@ __all__ = [
 ]
 
 R, x, omega, v, n, ndot, xdot = vectors("R x omega v n ndot xdot")
-r, N, F, df, turned = vectors("r N F df Sv")
+r, N, F, df, turned = vectors("r N F df vtilde")
 m, mu, b = (scalar(name) for name in ("m", "mu", "b"))
 ell, mtilde, spin, N_0 = (scalar(name) for name in ("ell", "mtilde", "sigma", "N_0"))
 H, K, Delta = (scalar(name) for name in ("H", "K", "Delta"))

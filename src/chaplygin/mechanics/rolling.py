@@ -294,7 +294,7 @@ def _marble(balance: _Balance, surface: Surface, name: str, title: str) -> Syste
 
 def _rubber(balance: _Balance, surface: Surface, name: str, title: str) -> System:
     touch = balance.touch
-    B, acceleration = Vector("Agamma"), balance.solve(X)
+    B, acceleration = Vector("gammatilde"), balance.solve(X)
     spin_rate = dot(omega, touch.gammadot) if not isinstance(surface, Plane) else sp.S.Zero
     definitions = (
         *balance.definitions,

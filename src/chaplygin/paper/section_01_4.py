@@ -32,7 +32,7 @@ from .any_motion import any_motion, driven, newton_euler, reduced
 from .claim import Case, Claim, Remark
 from .free_body import POTENTIAL
 
-M, omega, gamma, r, Agamma, X = vectors("M omega gamma r Agamma X")
+M, omega, gamma, r, gammatilde, X = vectors("M omega gamma r gammatilde X")
 rdot, gammadot, omegadot, torque = vectors("rdot gammadot omegadot torque")
 I, A = Diagonal("I"), Diagonal("A")
 m, R, a, kappa, nu, lambda_0 = (scalar(name) for name in ("m", "R", "a", "kappa", "nu", "lambda_0"))
@@ -202,7 +202,7 @@ def balance() -> Case:
 def spin_torque_printed() -> Case:
     """(1.19) as it stands, on a sphere."""
     made = ellipsoid_on_sphere()
-    return made, Identity("spin_torque", lambda_0 + dot(Agamma, X) / dot(Agamma, gamma))
+    return made, Identity("spin_torque", lambda_0 + dot(gammatilde, X) / dot(gammatilde, gamma))
 
 
 def spin_torque() -> Case:

@@ -36,7 +36,7 @@ from .unbalanced import (
     r,
 )
 
-J, Agamma = Diagonal("J"), Vector("Agamma")
+J, gammatilde = Diagonal("J"), Vector("gammatilde")
 
 #: Right-hand side of (10.4) without λ₀.
 FREE = cross(about_contact(omega), omega) - m * cross(r, cross(omega, R_RATE))
@@ -58,11 +58,13 @@ def rubber_equations() -> Case:
 
 
 def spin_torque() -> Case:
-    """λ₀ of (10.4), with Agamma = Ĩ⁻¹γ."""
+    """λ₀ of (10.4), with gammatilde = Ĩ⁻¹γ."""
     made = rubber()
-    excess = dot(gamma, about_contact(OMEGA_RATE) - FREE) + dot(Agamma, FREE) / dot(Agamma, gamma)
+    excess = dot(gamma, about_contact(OMEGA_RATE) - FREE) + dot(gammatilde, FREE) / dot(
+        gammatilde, gamma
+    )
     return (
-        (made, Identity("inverse", about_contact(Agamma) - gamma, "Agamma is Ĩ⁻¹γ")),
+        (made, Identity("inverse", about_contact(gammatilde) - gamma, "gammatilde is Ĩ⁻¹γ")),
         (made, Identity("torque", excess, "torque λ₀")),
     )
 

@@ -41,7 +41,7 @@ _TOUCHING = {
     "p": "height of the geometric centre above the tangent plane",
     "pprime": "its derivative by γ₃",
     "pprime2": "its second derivative",
-    "Agamma": "angular acceleration by a unit torque about the normal",
+    "gammatilde": "angular acceleration by a unit torque about the normal",
     "A_a": "(a + ρ₁)(a + ρ₂) with the principal radii of curvature ρ of the body",
     "tau": "ρ₁ + ρ₂",
     "x": "from the geometric centre to the contact point",

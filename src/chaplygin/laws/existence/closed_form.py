@@ -27,7 +27,7 @@ from .form import OneForm, Powers
 
 __all__ = ["closed_form", "density"]
 
-gamma, r, Agamma = Vector("gamma"), Vector("r"), Vector("Agamma")
+gamma, r, gammatilde = Vector("gamma"), Vector("r"), Vector("gammatilde")
 I = Diagonal("I")
 m, a = scalar("m"), scalar("a")
 b = tuple(scalar(f"b_{i}") for i in (1, 2, 3))
@@ -59,7 +59,7 @@ def _across(rolling: Rolling) -> tuple[sp.Expr, ...]:
     if isinstance(shape, Ball) and not any(shape.centre):
         tensor = Diagonal("A") if rolling.body.principal else Symmetric("A")
         return (dot(gamma, tensor * gamma),)
-    return _share(rolling), dot(gamma, Agamma)
+    return _share(rolling), dot(gamma, gammatilde)
 
 
 def _bases(rolling: Rolling) -> tuple[sp.Expr, ...]:
