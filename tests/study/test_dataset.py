@@ -259,7 +259,7 @@ def test_another_file_is_not_replaced_unasked(tmp_path, dataset):
 def test_a_folder_is_not_replaced(tmp_path, dataset, force):
     (tmp_path / "motion.nc").mkdir()
     message = refusal(dataset, tmp_path / "motion.nc", force=force)
-    assert message == f"{tmp_path / 'motion.nc'} is a folder: the name of a file is needed"
+    assert message == f"{tmp_path / 'motion.nc'} is a folder: the name of a regular file is needed"
 
 
 def test_a_missing_folder_is_named(tmp_path, dataset):
