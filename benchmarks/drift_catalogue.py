@@ -76,7 +76,8 @@ def carried_on(study: Study, path: Path, share: float) -> None:
     """Integrate a system until its share of seconds is spent or the time is over."""
     found = json.loads(path.read_text()) if path.exists() else begun(study)
     while found["time"] < UNTIL and not found["end"] and found["seconds"] < share:
-        last = min(found["time"] + PIECE, UNTIL)
+        # first as far as the catalogue suggests, since some motions end soon after
+        last = min(found["time"] + PIECE, UNTIL) if found["time"] else study.until
         began = time.process_time()
         try:
             motion = integrate(
