@@ -15,6 +15,7 @@ import sympy as sp
 from ..errors import InputError
 from ..system import System
 from .blocks import Coordinate, Progress, Task, Variable, compute
+from .demands import TooMuchError
 from .given import moments
 from .identity import settled
 from .march import ENDS
@@ -129,7 +130,12 @@ def ensemble_task(
         raise InputError(f"{system.name}: {', '.join(twice)} is given twice")
     # a mistake shows at the first member, before any store is begun
     first, parameters, points = work.starts(0, 1)
-    work.lanes.require_reach(first[0], work.times[-1], parameters)
+    try:
+        work.lanes.require_reach(first[0], work.times[-1], parameters)
+    except TooMuchError:
+        raise
+    except InputError as error:
+        raise InputError(error.message, "runs 0 to 0") from error
     variables = _variables(work, points is not None)
     share = max(16, math.ceil(everyone.size / shares))
     numbers = sum(math.prod(variable.shape) for variable in variables.values())
