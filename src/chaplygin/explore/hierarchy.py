@@ -170,6 +170,14 @@ class Place:
         return self.dimension - self.count
 
     @property
+    def uncounted_by_reason(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
+        """Why laws do not count, each reason with the names of the laws."""
+        found: dict[str, tuple[str, ...]] = {}
+        for entry in self.uncounted:
+            found[entry.why] = (*found.get(entry.why, ()), entry.law)
+        return tuple(found.items())
+
+    @property
     def record(self) -> dict[str, Any]:
         """Everything, ready for JSON."""
         from .telling import record

@@ -8,15 +8,15 @@ from dataclasses import dataclass, field
 from ..claims import heading
 from ..errors import InputError
 from ..laws.prove import prove
-from ..laws.verdict import Verdict
+from ..laws.verdict import UNTRIED, Verdict
 from ..statements import Law
 from ..system import System
 
 __all__ = ["HERE", "Fact", "Patience", "fact_of"]
 
-NOT_TRIED = "not tried, as the effort for all laws together was spent"
+NOT_TRIED = f"{UNTRIED}, as the effort for all laws together was spent"
 """Why a law is left undecided that no work was left for."""
-LEFT_OUT = "not tried, as proofs were left out"
+LEFT_OUT = f"{UNTRIED}, as proofs were left out"
 """Why a law is left undecided where none was to be tried."""
 HERE = "found here"
 """Source of a law that is not claimed of a system but was tried and proven."""

@@ -114,7 +114,7 @@ def told(place: Place) -> str:
         lines += ["", f"  {part.level}".rstrip(), *_lines(part)]
     if place.uncounted:
         lines += [""]
-        entries = [f"{u.law}: {u.why}" for u in place.uncounted]
+        entries = [f"{', '.join(laws)}: {why}" for why, laws in place.uncounted_by_reason]
         lines += _entry("not counted", entries)
     return "\n".join(lines)
 

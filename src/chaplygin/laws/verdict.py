@@ -10,6 +10,10 @@ __all__ = ["Decision", "Verdict"]
 Decision = Literal["proven", "proven where", "refuted", "undecided"]
 
 
+UNTRIED = "not tried"
+"""How the reason of a verdict begins for which no work was allowed."""
+
+
 @dataclass(frozen=True)
 class Verdict:
     """The outcome of an attempt to prove a law.
@@ -62,13 +66,22 @@ class Verdict:
     uncertified: str = ""
 
     @property
+    def untried(self) -> bool:
+        """Whether it is undecided because nothing was tried."""
+        return self.reason.startswith(UNTRIED)
+
+    @property
     def stated(self) -> str:
         """The decision, with the conditions under which it holds."""
+        if self.untried:
+            return UNTRIED
         return " ".join((self.decision, ", ".join(self.conditions))).rstrip()
 
     @property
     def words(self) -> str:
         """The decision, with its conditions and with the reason for leaving it open."""
+        if self.untried:
+            return self.reason
         return f"{self.stated}: {self.reason}" if self.reason else self.stated
 
     def __bool__(self) -> bool:

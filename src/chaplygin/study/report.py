@@ -166,10 +166,12 @@ def render(
             (law.name, _named(law), law.source, verdicts[law.name]) for law in _unobserved(study)
         ],
         places=[_section(part) for part in (stands, *stands.levels)],
-        uncounted=stands.uncounted,
+        uncounted=stands.uncounted_by_reason,
         linked={law.name for law in study.system.laws},
         undecided=[
-            (name, signed(verdict.reason)) for name, verdict in verdicts.items() if verdict.reason
+            (name, signed(verdict.reason))
+            for name, verdict in verdicts.items()
+            if verdict.reason and not verdict.untried
         ],
         happenings=[signed(str(happening)) for happening in trajectory.happenings],
         remarks=[signed(remark) for remark in study.remarks],
