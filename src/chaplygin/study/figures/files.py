@@ -135,8 +135,11 @@ def _make_narrow(figure: Figure) -> None:
     """Fit a figure to the width of a telephone."""
     wide, high = figure.get_size_inches()
     if figure.get_layout_engine() is None:
+        larger = min(wide / NARROW, 1.5)
         for text in figure.findobj(Text):
-            text.set_fontsize(text.get_fontsize() * min(wide / NARROW, 1.5))
+            text.set_fontsize(text.get_fontsize() * larger)
+        if figure.legends:
+            _widen_margins(figure, larger)
         for axes in figure.axes:
             if axes.axison and axes.name == "rectilinear":
                 axes.locator_params(nbins=4)
@@ -155,6 +158,17 @@ def _make_narrow(figure: Figure) -> None:
         legend = axes.get_legend()
         if legend is not None and _share(figure, axes, legend) < 1.0:
             legend.set_ncols(1 if len(legend.get_texts()) < 3 else 2)
+
+
+def _widen_margins(figure: Figure, larger: float) -> None:
+    """Give labels, and a key below the axes, room for larger letters."""
+    wide, high = figure.get_size_inches()
+    (axes,) = figure.axes
+    box = axes.get_position()
+    left, foot = larger * box.x0 * wide, larger * box.y0 * high
+    tall = high + foot - box.y0 * high
+    figure.set_size_inches(wide, tall)
+    axes.set_position((left / wide, foot / tall, box.x1 - left / wide, box.height * high / tall))
 
 
 def _is_long(figure: Figure, axes: Axes) -> bool:
