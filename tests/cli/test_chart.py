@@ -53,6 +53,7 @@ def ask(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp
     return run
 
 
+@pytest.mark.slow
 def test_store_picture_and_table(ask: Ask, tmp_path: Path) -> None:
     code, out, err = ask(*SMALL, "-o", "chart.zarr")
     assert code == 0
@@ -81,6 +82,7 @@ def test_the_record(ask: Ask) -> None:
     assert (record["x"], record["y"], record["figure"]) == ("k", "gamma_1", "other.svg")
 
 
+@pytest.mark.slow
 def test_what_is_there_is_gone_on_with_and_nothing_else_touched(ask: Ask, tmp_path: Path) -> None:
     _, first, _ = ask(*SMALL, "-o", "chart.zarr")
     code, again, _ = ask(*SMALL, "-o", "chart.zarr")

@@ -57,6 +57,7 @@ def test_equations_fit_a_terminal(name: str) -> None:
 
 
 # the place in the hierarchy takes seconds of proofs: a part of the catalogue stands for all
+@pytest.mark.slow
 @pytest.mark.parametrize("name", list(CATALOGUE)[::7])
 def test_show_prints_equations_that_fit_a_terminal(ask: Ask, name: str) -> None:
     code, out, _ = ask("show", name)
@@ -82,6 +83,7 @@ def test_show_as_toml_is_a_complete_experiment(ask: Ask, tmp_path: Path) -> None
     assert load(tmp_path / "egg.toml") == original
 
 
+@pytest.mark.slow
 def test_show_json(ask: Ask) -> None:
     _, out, _ = ask("show", "chaplygin-ball", "--json")
     facts = json.loads(out)
@@ -114,6 +116,7 @@ def test_run_json_in_quad_has_thirty_digits(ask: Ask) -> None:
     assert np.abs(dataset.omega_low).max() < 1e-15
 
 
+@pytest.mark.slow
 def test_the_stored_experiment_makes_the_same_bits(ask: Ask, tmp_path: Path) -> None:
     ask("run", EXAMPLES / "egg.toml", "-o", "first.nc", "--set", "run.until=1")
     (tmp_path / "again.toml").write_text(read("first.nc").attrs["experiment"])
@@ -127,13 +130,14 @@ def test_normalising_gamma_is_said(ask: Ask) -> None:
     assert "normalised" in err
 
 
+@pytest.mark.slow
 def test_study_writes_its_folder(ask: Ask, tmp_path: Path) -> None:
     code, out, _ = ask("study", "heavy-disk", "--set", "run.until=2")
     assert code == 0
     folder = tmp_path / "heavy-disk"
     assert str(Path("heavy-disk") / "report.html") in out
     page = (folder / "report.html").read_text()
-    assert page.count("<svg") == 6
+    assert page.count("<svg") == 16
     assert "<math" in page
     assert "http-equiv" not in page
     assert 'src="' not in page and "@import" not in page
@@ -146,6 +150,7 @@ def test_study_writes_its_folder(ask: Ask, tmp_path: Path) -> None:
     assert "--force" in err
 
 
+@pytest.mark.slow
 def test_reports_are_reproducible(ask: Ask, tmp_path: Path) -> None:
     for name in ("one", "two"):
         ask("study", EXAMPLES / "coin.toml", "-o", name, "--set", "run.until=0.2")
@@ -164,6 +169,7 @@ def test_lift_off_is_reported(ask: Ask) -> None:
     assert "the run goes on" in out
 
 
+@pytest.mark.slow
 def test_a_time_limit_keeps_what_was_computed(ask: Ask) -> None:
     long = ["--set", "run.until=1e7", "--set", "run.time_limit=0.2", "--set", "run.samples=1000001"]
     code, _, err = ask("run", "chaplygin-ball", "-o", "long.nc", *long)
@@ -217,6 +223,7 @@ def test_the_nearest_admissible_start_is_admissible(ask: Ask) -> None:
     assert code == 0
 
 
+@pytest.mark.slow
 def test_quiet_and_whole_when_piped(tmp_path: Path) -> None:
     script = "from chaplygin.cli import main; main()"
     result = subprocess.run(
@@ -251,6 +258,7 @@ def test_importing_the_command_line_imports_nothing_heavy() -> None:
     assert result.stdout.strip() == "[]"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", spread(["trial-sleigh", "trial-top"]))
 def test_systems_started_by_their_state(ask: Ask, named_states: None, name: str) -> None:
     code, out, _ = ask("show", name)

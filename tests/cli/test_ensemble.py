@@ -31,6 +31,7 @@ def ask(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp
     return run
 
 
+@pytest.mark.slow
 def test_drawn_starts_with_several_masses(ask: Ask) -> None:
     arguments = (
         *("chaplygin-ball", "--starts", 4, "--level", "energy=1", "--seed", 3),

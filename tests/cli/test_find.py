@@ -160,6 +160,7 @@ def test_conditions_of_a_proof_are_told(find: Ask, monkeypatch: pytest.MonkeyPat
     assert all(f["conditions"] == ["k > 0"] for f in found)
 
 
+@pytest.mark.slow
 def test_special_parameters_are_searched_as_they_are(find: Ask) -> None:
     """A body of revolution has a symmetry; for any body there is none."""
     asked = ("symmetries", "chaplygin-ball", "--set", "I_1=1.5", "--degree", "1")

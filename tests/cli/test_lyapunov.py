@@ -33,6 +33,7 @@ def ask(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp
     return run
 
 
+@pytest.mark.slow
 def test_the_table(ask: Ask) -> None:
     code, out, err = ask("unbalanced-ball", "--until", 200)
     # a slow machine is told what it is waiting for
@@ -62,6 +63,7 @@ def test_motions_that_come_to_rest(ask: Ask) -> None:
     assert "No zero is forced by flow on this motion" in out
 
 
+@pytest.mark.slow
 def test_plain_values(ask: Ask) -> None:
     code, out, _ = ask("rattleback", "--until", 2, "--json", "--set", "system.parameters.g=9.5")
     assert code == 0
@@ -87,6 +89,7 @@ def test_a_file_with_the_way_it_settled(ask: Ask, tmp_path: Path) -> None:
     assert ask("suslov", "--until", 50, "-o", "found.nc")[0] == 2
 
 
+@pytest.mark.slow
 def test_starts_on_a_level(ask: Ask) -> None:
     def start(seed: int) -> list[float]:
         level = ("--level", "energy=0.3", "--seed", seed)
@@ -104,6 +107,7 @@ def test_a_motion_that_ends_early(ask: Ask) -> None:
     assert err.endswith(" s: the normal force changes sign\n")
 
 
+@pytest.mark.slow
 def test_errors_as_large_as_the_rates_decide_nothing(ask: Ask) -> None:
     code, out, _ = ask("rattleback")
     assert code == 0
@@ -137,6 +141,7 @@ def test_mistakes(ask: Ask, arguments: tuple[str, ...], message: str) -> None:
     assert err.count("\n") == 1
 
 
+@pytest.mark.slow
 def test_ctrl_c_gives_the_spectrum_until_then(
     ask: Ask, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:

@@ -27,6 +27,7 @@ def test_a_limit_cycle_and_its_branch(ask: Ask) -> None:
     assert Path("branch.png").stat().st_size > 10_000
 
 
+@pytest.mark.slow
 def test_the_same_for_a_program_with_a_parameter(ask: Ask) -> None:
     more = ("--hold", "quadratic", "--after", "60", "--json", "--follow", "J_3=2.801")
     code, out, err = ask(*CYCLE, *more)

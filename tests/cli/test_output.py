@@ -47,6 +47,7 @@ def program(*arguments: str, folder: Path, script: str = PROGRAM) -> subprocess.
     )
 
 
+@pytest.mark.slow
 def test_a_dash_is_standard_output(tmp_path: Path) -> None:
     run = program("run", "chaplygin-sleigh", "-o", "-", folder=tmp_path)
     out, err = run.communicate()
@@ -166,6 +167,7 @@ def test_the_sections_of_the_audit_are_those_of_the_paper() -> None:
     assert list(audit.SECTIONS) == list(TITLES)
 
 
+@pytest.mark.slow
 def test_a_reader_that_leaves_is_no_failure(tmp_path: Path) -> None:
     for arguments in (("list",), ("list", "--json"), ("show", "chaplygin-sleigh")):
         with program(*arguments, folder=tmp_path) as run:

@@ -84,6 +84,7 @@ def test_certificates_can_be_checked(ask, tmp_path):
     assert "exists already" in err
 
 
+@pytest.mark.slow
 def test_audit_of_one_section(ask, tmp_path):
     code, out, err = ask("audit", "--section", "6", "-o", "audit.html", "--workers", "1")
     assert code == 0
@@ -205,6 +206,7 @@ def test_show_names_the_conditions_and_counts_without_the_law(ask, conditional):
     assert "momentum" not in {fact["law"] for fact in place["integrals"]}
 
 
+@pytest.mark.slow
 def test_the_report_names_the_conditions(ask, conditional, tmp_path):
     assert ask("study", "veselova", "-o", "report", "--set", "run.until=0.5")[0] == 0
     page = (tmp_path / "report" / "report.html").read_text()

@@ -33,6 +33,7 @@ def say(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp
     return run
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SAMPLE)
 def test_show_says_the_same_cold_warm_and_after_proofs(
     say: Say, name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
@@ -46,18 +47,20 @@ def test_show_says_the_same_cold_warm_and_after_proofs(
     assert say("show", name, "--json") == say("show", name, "--json")
 
 
+@pytest.mark.slow
 def test_show_says_what_it_has_no_effort_for(
     say: Say, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path / "cache"))
     assert prove(entry("rubber-disk").system(), "measure")
     told = " ".join(say("show", "rubber-disk").split())
-    assert "measure: undecided: not decided with an effort of 20,000,000 term operations" in told
+    assert "measure: undecided: not decided with an effort of " in told
     assert "No invariant measure is proven (measure is undecided" in told
     assert "chaplygin prove rubber-disk" in told
     assert "chaplygin prove" not in say("show", "veselova")
 
 
+@pytest.mark.slow
 def test_a_report_says_the_same_cold_warm_and_after_proofs(
     say: Say, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:

@@ -55,6 +55,7 @@ def test_the_points_of_one_motion(ask: Ask) -> None:
     assert 'name = "unbalanced-ball"' in found.attrs["experiment"]
 
 
+@pytest.mark.slow
 def test_many_motions_on_a_level(ask: Ask) -> None:
     """The record, a folder, coordinates of one's own, and that what is done stays done."""
     arguments = (

@@ -48,6 +48,7 @@ def test_json_holds_it(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFi
     assert standing["kinds"][0]["name"] == "euler-jacobi"
 
 
+@pytest.mark.slow
 def test_relations_with_angles(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -77,6 +77,7 @@ def test_the_record_agrees_with_the_integration(ask: Ask) -> None:
         assert np.abs(np.array(record["states"][1][name]) - last[name][-1]).max() < 1e-12
 
 
+@pytest.mark.slow
 def test_files(ask: Ask, tmp_path: Path) -> None:
     (tmp_path / "ball.toml").write_text(FULL)
     code, _, err = ask("ball.toml", "--at", "0,1e3,1e6", "-o", "ball.nc", "--figure", "ball.svg")
@@ -99,6 +100,7 @@ def test_files(ask: Ask, tmp_path: Path) -> None:
     assert ask("ball.toml", "--at", "0", "-o", "ball.nc", "--force")[0] == 0
 
 
+@pytest.mark.slow
 def test_digits_come_with_error_bars(ask: Ask) -> None:
     code, out, _ = ask("rubber-disk", "--at", "0.1", "--digits", "25", "--json")
     assert code == 0

@@ -42,6 +42,7 @@ def forbid(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("chaplygin.explore.absence.measure_exists", refused)
 
 
+@pytest.mark.slow
 def test_quick_leaves_proofs_out(ask: Ask, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     forbid(monkeypatch)
     code, _, err = ask(*SHORT, "--quick")
@@ -53,6 +54,7 @@ def test_quick_leaves_proofs_out(ask: Ask, monkeypatch: pytest.MonkeyPatch, tmp_
     assert "--quick leaves out the proofs that --effort is for" in err
 
 
+@pytest.mark.slow
 def test_what_is_tried_is_said_by_name(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
     said: list[str] = []
 
@@ -79,6 +81,7 @@ def test_what_is_tried_is_said_by_name(ask: Ask, monkeypatch: pytest.MonkeyPatch
     assert "proving: energy of Veselova system" in said
 
 
+@pytest.mark.slow
 def test_an_interrupted_study_goes_on(
     ask: Ask, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:

@@ -21,6 +21,7 @@ __all__ = ["ask"]
 SWEEP = ("sweep", "chaplygin-ball", "-o", "s.zarr", "--set", "run.until=5")
 
 
+@pytest.mark.slow
 def test_a_list_of_values(ask: Ask) -> None:
     options = ("--over", "I_1=1,1.2,1.45", "--record", "omega", "--draw", "omega_3")
     code, out, err = ask(*SWEEP, *options)

@@ -35,6 +35,7 @@ def test_starts_lie_on_the_level(example) -> None:
         assert np.abs(example.ON_LEVEL(states) - example.LEVEL).max() < 1e-14
 
 
+@pytest.mark.slow
 def test_regular_where_it_must_be_and_chaotic_elsewhere(example) -> None:
     size = example.Size(starts=40, followed=300.0)
     rows = {row.ratio: row for row in example.shares(size, (-1, 0, 0.25, 1))}

@@ -23,6 +23,7 @@ def example():
         sys.path.remove(str(EXAMPLES))
 
 
+@pytest.mark.slow
 def test_pictures_and_tables(example, tmp_path, capsys):
     example.main(tmp_path)
     assert {path.stem for path in tmp_path.iterdir()} == set(example.SHOWN)

@@ -21,6 +21,7 @@ def example():
         sys.path.remove(str(EXAMPLES))
 
 
+@pytest.mark.slow
 def test_story(example, tmp_path, capsys):
     example.main(["-o", str(tmp_path)])
     told = capsys.readouterr().out

@@ -43,6 +43,7 @@ def test_the_body_could_be_built(example):
     assert sum(moments) / 2 <= body["m"] * (body["R"] ** 2 - away)
 
 
+@pytest.mark.slow
 def test_a_cycle_attracts_and_its_reverse_repels(example, cycle):
     assert 0.2 < cycle.share < 1.0
     assert cycle.multiplier < 0.75

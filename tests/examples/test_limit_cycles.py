@@ -39,6 +39,7 @@ def test_the_ball_is_the_ball_of_the_torus(example):
     assert values == pytest.approx({"energy": 0.5, "quadratic": 0.95})
 
 
+@pytest.mark.slow
 def test_limit_cycle_of_the_ball_and_its_end(example):
     orbit, branch = example.cycles(example.Ball.of(example.J, example.KAPPA))
     assert orbit.kind == "attracting"
@@ -47,6 +48,7 @@ def test_limit_cycle_of_the_ball_and_its_end(example):
     assert folds == pytest.approx([0.870556044, 1.013611791], abs=2e-9)
 
 
+@pytest.mark.slow
 def test_controls_have_multiplier_one(example):
     line = np.array([0.19, 0.0, 0.0])
     for moments, kappa in ((example.J, 0 * line), (np.array([0.5, 2.75, 2.75]), line)):

@@ -26,6 +26,7 @@ def example() -> Iterator[ModuleType]:
         sys.path.remove(str(EXAMPLES))
 
 
+@pytest.mark.slow
 def test_back(example: ModuleType):
     for case in example.CASES:
         times = np.linspace(0.0, 20.0, 5)
@@ -40,6 +41,7 @@ def test_forth(example: ModuleType):
     assert example.apart(pushed.states(example.LONG), target.states(example.LONG)) < 1e-12
 
 
+@pytest.mark.slow
 def test_report(example: ModuleType, capsys: pytest.CaptureFixture[str]):
     example.report(example.CASES[0])
     told = capsys.readouterr().out

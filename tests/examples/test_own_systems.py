@@ -97,6 +97,7 @@ def test_the_energy_of_the_turntable_is_seen_to_change() -> None:
     assert np.allclose(slope, dataset["power"], atol=0.05)
 
 
+@pytest.mark.slow
 def test_the_shaken_pendulum_stands_on_its_head() -> None:
     dataset = dataset_of(made := named("driven_pendulum", "run.samples=101"), made.trajectory())
     height = dataset["y"].values - 0.05 * np.sin(100.0 * dataset["time"].values)
@@ -153,6 +154,7 @@ def test_the_loaded_ball_moves_as_the_body_of_the_package() -> None:
         assert np.allclose(one[name], other[name], rtol=0, atol=1e-11)
 
 
+@pytest.mark.slow
 def test_constraints_are_told_apart() -> None:
     assert "completely nonholonomic" in told(named("sleigh"))[-1]
     assert "completely nonholonomic" in told(named("trailer"))[-1]
@@ -182,6 +184,7 @@ def ask(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp
     return run
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", spread([EXAMPLES / "sleigh.toml", BALL]), ids=["toml", "python"])
 def test_every_command_takes_a_system_of_ones_own(ask: Ask, path: Path, tmp_path: Path) -> None:
     code, out, err = ask("show", path)
@@ -208,7 +211,7 @@ def test_every_command_takes_a_system_of_ones_own(ask: Ask, path: Path, tmp_path
     assert "First integrals of" in out
     assert ask("study", path, "-o", "whole", *options)[0] == 0
     page = (tmp_path / "whole" / "report.html").read_text(encoding="utf-8")
-    assert page.count("<svg") == 3
+    assert page.count("<svg") == 8
     assert "Recorded besides" in page
     assert "nonholonomic" in page
 

@@ -95,6 +95,7 @@ def their_third(time: float, state: Any, sigma: float) -> float:
     return float(state[4])
 
 
+@pytest.mark.slow
 def test_json(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "argv", ["rattleback_kane_levinson.py", "--json"])
     example.main()
@@ -106,6 +107,7 @@ def test_json(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatc
     assert told["damped"]["omega3_zeros"] == [round(t, 11) for t in DAMPED_ZEROS]
 
 
+@pytest.mark.slow
 def test_both_derivations_agree_without_dissipation() -> None:
     made = example.run(example.damped_stone(0.0), 20.0, "double")
     np.testing.assert_allclose(made.reversals, REVERSALS, rtol=0, atol=2e-13)
@@ -137,11 +139,13 @@ def test_the_equations_of_the_paper(
     np.testing.assert_allclose(made.t_events[1], third, rtol=0, atol=2e-9)
 
 
+@pytest.mark.slow
 def test_34_digits() -> None:
     made = example.run(example.damped_stone(example.SIGMA), 2.8, "quad")
     np.testing.assert_allclose(made.reversals, DAMPED_REVERSALS, rtol=0, atol=4e-15)
 
 
+@pytest.mark.slow
 def test_the_couple_takes_energy() -> None:
     system = example.damped_stone(example.SIGMA)
     assert system.integrals == ()
@@ -158,6 +162,7 @@ def test_zeros_side_by_side_are_found() -> None:
     assert example.sign_changes(lambda t: (np.atleast_1d(t) - 1.03) ** 2 + 1e-9, knots) == []
 
 
+@pytest.mark.slow
 def test_table_and_figure(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -29,6 +29,7 @@ def story(example):
     return example.told(4)
 
 
+@pytest.mark.slow
 def test_resonance(example, story):
     with ctx.workdps(example.DIGITS):
         assert abs(story.rotation + arb(1) / 2) < 1e-30

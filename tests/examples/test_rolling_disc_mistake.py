@@ -70,6 +70,7 @@ def test_the_disc_falls_where_the_tutorial_lets_it_stand(disc: ModuleType, itsel
     assert lean[1] < 5
 
 
+@pytest.mark.slow
 def test_the_report_is_written(disc: ModuleType, capsys: pytest.CaptureFixture[str], tmp_path):
     disc.report(tmp_path)
     text = capsys.readouterr().out

@@ -33,6 +33,7 @@ def test_starts_have_their_angles_and_energy(example):
         assert energy == pytest.approx([0.5, 0.5])
 
 
+@pytest.mark.slow
 def test_resonant_curves_are_neutral_where_there_is_an_integral(example):
     orbits = example.closed(1.0, (3,), 4)
     assert orbits

@@ -29,6 +29,7 @@ def found(example):
     return [example.told(case, 60.0, 400) for case in example.CASES]
 
 
+@pytest.mark.slow
 def test_a_rattleback_is_attracted(found):
     stone = found[0].spectrum
     assert stone.chaotic

@@ -28,6 +28,7 @@ def bicycle() -> Iterator[ModuleType]:
         sys.path.remove(str(EXAMPLES))
 
 
+@pytest.mark.slow
 def test_eigenvalues_of_the_benchmark_at_five_metres_a_second(bicycle: ModuleType):
     published = [
         -0.322866429004090,
@@ -44,6 +45,7 @@ def test_eigenvalues_agree_with_the_equations_by_hand(bicycle: ModuleType, speed
     assert bicycle.difference(speed) < 1e-18
 
 
+@pytest.mark.slow
 def test_critical_speeds_of_the_benchmark(bicycle: ModuleType):
     weave, capsize = bicycle.critical_speeds()
     assert weave == pytest.approx(4.29238253634111, abs=1e-13)

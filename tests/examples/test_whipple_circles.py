@@ -30,6 +30,7 @@ def example() -> Iterator[ModuleType]:
         sys.path.remove(str(EXAMPLES))
 
 
+@pytest.mark.slow
 def test_circles_begin_at_the_critical_speed(example: ModuleType):
     first, second = example.circles((1, 2))
     slower = [6.02426201538837 - circle.speed for circle in (first, second)]
@@ -38,6 +39,7 @@ def test_circles_begin_at_the_critical_speed(example: ModuleType):
     assert 0 < first.growth < second.growth
 
 
+@pytest.mark.slow
 def test_a_circle_stays_one_in_the_nonlinear_equations(example: ModuleType):
     bicycle = replace(example.model(), motion=None)
     guess = example.beginning(0.02)

@@ -24,6 +24,7 @@ MOMENTS = tuple(permutations(("1", "1.5", "2.1")))[::2]
 NORMAL = ("0.48", "-0.64", "0.6")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", LAWS)
 def test_proven(name):
     system, law = LAWS[name]

@@ -84,6 +84,7 @@ def test_chaplygin_ball_with_any_area():
     assert {region.tori for region in diagram.regions} == {0, 2}
 
 
+@pytest.mark.slow
 def test_neumann(diagrams):
     """Jacobi's diagram: three lines and the parabola that touches two of them."""
     diagram = diagrams["neumann"]

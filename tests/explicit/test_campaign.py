@@ -146,12 +146,14 @@ def case(separable: Separable, seed: str, until: float, bounds: bool) -> Outcome
         return Outcome(fast, max(0.0, *beyond), max(float(ball.rad()) for ball in balls))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("place", PLACES, ids="-".join)
 def test_fast_evaluation_agrees_with_integration(place: tuple[str, str]) -> None:
     outcome = case(told(*place), "quick", 5.0, bounds=False)
     assert outcome.fast < 1e-13
 
 
+@pytest.mark.slow
 def test_balls_contain_the_integrated_state() -> None:
     outcome = case(told("veselova", "veselova"), "quick", 5.0, bounds=True)
     assert outcome.missed < SLACK

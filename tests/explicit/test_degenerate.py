@@ -85,6 +85,7 @@ def test_what_dies_out_keeps_its_relative_accuracy() -> None:
     assert np.log(size[0] / size[2]) == pytest.approx(10 * fading, rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("omega", "gamma"),
     [((0.3, 0, 0), (0, 0.6, 0.8)), ((0, 0, 0.5), (0.6, 0.8, 0)), ((0, 0.5, 0), (0, 0, 1))],

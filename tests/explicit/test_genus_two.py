@@ -45,6 +45,7 @@ def test_components_that_vanish_at_the_start(gamma: tuple[float, ...]) -> None:
     assert np.max(miss(made, [5.0])) < 1e-14
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("distance", [1e-2, 1e-4, 1e-6])
 def test_near_a_separatrix(distance: float) -> None:
     gamma = unit([0.6, distance, 0.8])

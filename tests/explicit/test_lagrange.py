@@ -99,6 +99,7 @@ def test_sleeping_top_is_stable_when_it_is_fast() -> None:
     assert "unstable" not in solved((0, 0, 0.1, 0, 0, -1)).form.motion
 
 
+@pytest.mark.slow
 def test_slow_sleeping_top_is_left_and_approached_for_ever() -> None:
     values = {str(p.symbol): p.default for p in TOP.parameters}
     with mpmath.workdps(60):

@@ -1,4 +1,5 @@
 import numpy as np
+import pytest
 import sympy as sp
 
 from chaplygin.explicit import ball_sphere, bruns, bruns_ball, rubber_sphere
@@ -12,6 +13,7 @@ def test_one_fixed_direction() -> None:
     assert np.max(miss(made, [1.0, 40.0])) < 2e-14
 
 
+@pytest.mark.slow
 def test_a_path_with_a_third_frequency() -> None:
     moments = np.array([1.0, 1.5, 2.1])
     made = solution(
@@ -20,11 +22,13 @@ def test_a_path_with_a_third_frequency() -> None:
     assert np.max(miss(made, [1.0, 40.0])) < 1e-13
 
 
+@pytest.mark.slow
 def test_no_fixed_direction() -> None:
     made = solution(rubber_sphere.hollow_ball(), without(OMEGA, GAMMA), GAMMA)
     assert np.max(miss(made, [1.0, 40.0])) < 1e-13
 
 
+@pytest.mark.slow
 def test_a_ball_around_a_sphere_turns_about_its_momentum() -> None:
     of = ball_sphere.hollow_ball()
 

@@ -87,6 +87,7 @@ def test_drift_and_periodic_part() -> None:
     assert abs(whole - exact) < 1e-38
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("gap", ["1e-3", "1e-12", "1e-25"])
 def test_long_periods_near_a_separatrix(gap: str) -> None:
     # x′² = (1 − x²)(1 − k²x²) between −1 and 1: the period is 4K(k)
@@ -97,6 +98,7 @@ def test_long_periods_near_a_separatrix(gap: str) -> None:
     assert abs(found.advances(DIGITS)[0] / (4 * quarter) - 1) < 1e-35
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("height", ["1e-2", "1e-8"])
 def test_slow_passage_over_a_barrier(height: str) -> None:
     # x′² = ε² + x² − x⁴, slow at x = 0: with x² = y the period is elliptic too

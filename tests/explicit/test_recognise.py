@@ -210,6 +210,7 @@ def veselova_start() -> tuple[System, tuple[Any, ...]]:
     return system, starting_state(system, omega=NO_SPIN, gamma=GAMMA)
 
 
+@pytest.mark.slow
 def test_a_reduced_start_gives_the_reduced_motion() -> None:
     system, start = veselova_start()
     whole, reduced = system.solve(start), system.solve(start[:6])

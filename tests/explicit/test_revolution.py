@@ -98,6 +98,7 @@ CASES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_kinds_satisfy_the_equations_in_both_evaluators(name: str) -> None:
     rolling, omega, gamma = CASES[name]
@@ -127,6 +128,7 @@ def test_words_of_kinds() -> None:
     ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("direction", [1, -1])
 def test_separatrix_is_followed_for_ever(direction: int) -> None:
     solution = solved(DISK, separatrix(direction))
@@ -136,11 +138,13 @@ def test_separatrix_is_followed_for_ever(direction: int) -> None:
     assert widest(solution, 1e6, 20) < 1e-20
 
 
+@pytest.mark.slow
 def test_disk_against_integration() -> None:
     state = starting_state(DISK.system(), (0.5, 1.0, 2.0), (1.0, -0.5, 0.0))
     assert error(solved(DISK, state), DISK, state, [0.0, 1.0, 20.0]) < 1e-13
 
 
+@pytest.mark.slow
 def test_far_times_are_as_exact_as_near_ones() -> None:
     solution = begun(*CASES["nods and precesses"])
     assert widest(solution, 10**6) < 1e-30

@@ -200,11 +200,13 @@ def test_strip_bound_holds_inside(motion: Prepared) -> None:
             assert np.abs(values.middle).max() < strip.bounds[0]
 
 
+@pytest.mark.slow
 def test_least_is_below_all_values(motion: Prepared, quadrature: RigorousQuadrature) -> None:
     bound = least(motion.torus, quadrature.branch, (1, 1))
     assert 0 < bound < min(float(quadrature.rate(arb(t)).mid()) for t in range(200))
 
 
+@pytest.mark.slow
 def test_next_to_a_separatrix_there_are_no_bounds() -> None:
     near = tuple(map(Fraction, ("1/10000000", "1", "0", "1", "-1/10000000", "0")))
     with ctx.workprec(BITS):
@@ -251,6 +253,7 @@ def test_odd_functions_are_integrated_on_the_same_grid(motion: Prepared) -> None
     assert abs(found.at(3) - summed(found, 3)) < 1e-21
 
 
+@pytest.mark.slow
 def test_resonant_motion(motion: Prepared) -> None:
     with ctx.workprec(BITS):
         torus = replace(motion.torus, V=(arb(2) / 7, arb(1) / 7))
@@ -261,6 +264,7 @@ def test_resonant_motion(motion: Prepared) -> None:
 # --- states --------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_states_keep_the_integrals_and_agree_with_doubles() -> None:
     system = replace(VESELOVA.system, motion=None, observables=())
     solution = solved(replace(VESELOVA, system=system), BODY, START)
@@ -280,6 +284,7 @@ def test_states_keep_the_integrals_and_agree_with_doubles() -> None:
     assert max(abs(float(x.mid()) - y) for x, y in zip(state, rough, strict=True)) < 1e-11
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("make", [chaplygin_ball, veselova_in_bruns_field])
 def test_motion_in_space_agrees_with_doubles(make: Callable[[], Separable]) -> None:
     """Two fixed directions and a path, and one fixed direction."""
@@ -294,6 +299,7 @@ def test_motion_in_space_agrees_with_doubles(make: Callable[[], Separable]) -> N
     assert max(abs(float((x - float(y)).mid())) for x, y in zip(balls, rough, strict=True)) < 1e-12
 
 
+@pytest.mark.slow
 def test_without_fixed_directions_there_are_bounds_of_the_reduced_state_alone() -> None:
     separable = hollow_ball()
     values = {p.symbol: p.default for p in separable.system.parameters}

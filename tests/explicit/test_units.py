@@ -25,6 +25,7 @@ def drawn(kind: str, number: int) -> Motion:
     return motion(kind, random.Random(f"{kind} {number}"))
 
 
+@pytest.mark.slow
 def test_a_ball_of_a_millimetre_has_an_area_constant() -> None:
     # (M, γ) is 2·10⁻¹³ kg m²/s: no less a part of |M| than in other units
     moments = {"I_1": 3e-13, "I_2": 4.5e-13, "I_3": 6.3e-13}
@@ -39,6 +40,7 @@ def test_a_ball_of_a_millimetre_has_an_area_constant() -> None:
         assert np.linalg.norm(found[part] - other[part]) < 1e-13 * size
 
 
+@pytest.mark.slow
 def test_balls_are_as_narrow_in_other_units() -> None:
     whole = drawn("veselova", 0)
     system, size = whole.system, len(whole.system.symbols)
@@ -76,6 +78,7 @@ def same(kind: str, number: int, units: tuple[Units, ...], until: float) -> Moti
     return case
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["chaplygin-ball", "veselova equal moments", "lagrange-top"])
 def test_the_same_states_in_other_units(kind: str) -> None:
     case = same(kind, 1, (SI, SMALL, LARGE, FAST, SLOW), 10.0)
@@ -128,6 +131,7 @@ def test_bodies_of_revolution_are_known_by_their_equations(name: str) -> None:
     assert solution.form.title == "Rubber body of revolution on a plane"
 
 
+@pytest.mark.slow
 def test_starts_may_be_fractions_of_any_size() -> None:
     system = from_catalogue("clebsch")
     for size in (Fraction(1, 10**9), Fraction(1), Fraction(10**9)):

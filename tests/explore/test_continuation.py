@@ -60,6 +60,7 @@ def test_families_of_more_dimensions_are_refused():
         follow(TWICE, find(TWICE, np.array([0.3, 1.1, 1.0]), 3), "p", 3.0)
 
 
+@pytest.mark.slow
 def test_a_limit_cycle_is_followed_in_a_parameter():
     """To the same cycle that is found for the last value directly."""
     ball = from_catalogue("unbalanced-rubber-ball-centred")

@@ -14,6 +14,7 @@ from chaplygin.flow.section import SectionMap
 from chaplygin.systems import from_catalogue, rubber_ball_ratio
 
 
+@pytest.mark.slow
 def test_a_period_in_closed_form():
     """A ball that turns about its third axis along a great circle: k ω T = 2π."""
     system = rubber_ball_ratio.rolling().with_laws(rubber_ball_ratio.ENERGY)
@@ -29,6 +30,7 @@ def test_a_period_in_closed_form():
         assert abs(found.point[2] - omega) < 1e-29
 
 
+@pytest.mark.slow
 def test_limit_cycle_against_the_orbit_in_doubles():
     ball = from_catalogue("unbalanced-rubber-ball-centred")
     made = Returns(SectionMap(ball, section(ball, "gamma_1"), tolerance=1e-15))

@@ -54,6 +54,7 @@ def motions(standing: Place) -> str:
     return " ".join(statement.text for statement in standing.dynamics)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "dimension", "count", "classes"),
     [
@@ -157,6 +158,7 @@ def test_conditions_on_parameters_must_hold_exactly(a: float, names: list[str]) 
     assert [m.law.law for m in of("chaplygin-sleigh", a=a).measures] == names
 
 
+@pytest.mark.slow
 def test_the_case_of_one_ratio_counts_at_this_ratio_alone() -> None:
     special = entry("rubber-ball-of-ratio").system()
     assert "euler-jacobi" in kinds(found(special))
@@ -198,6 +200,7 @@ def test_leaves_of_many_valued_functions_are_no_tori() -> None:
     assert "liouville" not in kinds(standing)
 
 
+@pytest.mark.slow
 def test_isomorphisms_carry_laws_over() -> None:
     standing = of("rubber-chaplygin-ball")
     assert [b.law.law for b in standing.brackets] == ["veselova"]
@@ -366,6 +369,7 @@ def test_the_absence_of_a_measure_is_told_with_its_witness() -> None:
     assert of("rattleback").absence == ""
 
 
+@pytest.mark.slow
 def test_a_measure_that_exists_counts() -> None:
     standing = with_what_moves("rubber-body-of-revolution")
     assert [m.sign for m in standing.measures] == ["kept"]

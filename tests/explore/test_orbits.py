@@ -78,6 +78,7 @@ def test_kinds(values, kind):
     assert stability(np.array(values, dtype=complex), np.full(len(values), 1e-9)) == kind
 
 
+@pytest.mark.slow
 def test_closed_orbit_of_a_ball_on_a_sphere():
     """It turns about its third axis, along a great circle."""
     system = promoted(from_catalogue("rubber-ball-of-ratio"), "k")

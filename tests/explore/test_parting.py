@@ -83,6 +83,7 @@ def test_intervals_are_parted_where_neighbours_part_fast() -> None:
     assert found["value"] == pytest.approx([0.5 - 100.0], rel=1e-6)
 
 
+@pytest.mark.slow
 def test_no_number_is_told_where_they_part_too_fast() -> None:
     found = Total(SADDLE, 32.0, intervals=32)(ORIGIN[:2], {s: 0.5, r: np.array([3000.0, 0.5])})
     assert np.isnan(found["value"][0])

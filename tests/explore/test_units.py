@@ -53,6 +53,7 @@ def test_spectra_are_the_same(name: str, scale: float) -> None:
     assert abs(scaled.volume.balance) < 1e-10
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scale", SCALES)
 @pytest.mark.parametrize("rule", RULES)
 def test_numbers_of_charts_are_the_same(rule: Any, scale: float) -> None:

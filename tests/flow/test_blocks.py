@@ -147,6 +147,7 @@ def final(store: Path, log: Path, size: int, block: int) -> xr.Dataset:
     return compute(task(size, block, log=str(log)), store)
 
 
+@pytest.mark.slow
 def test_killed_and_resumed_without_loss_or_repetition(tmp_path: Path) -> None:
     survives_kills(3, 240, 0.3, 1, tmp_path)
 
@@ -383,6 +384,7 @@ def test_one_writer_at_a_time(tmp_path: Path) -> None:
     same(compute(task()), compute(task(), place, progress=meddle))
 
 
+@pytest.mark.slow
 def test_two_begin_at_once(tmp_path: Path) -> None:
     store, log = tmp_path / "a.zarr", tmp_path / "log"
     both = [beginning(store, log, 200, 10) for _ in range(2)]

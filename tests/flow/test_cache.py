@@ -87,6 +87,7 @@ def test_only_the_user_may_look_into_the_folder(place):
     assert (place / "name.code").stat().st_mode & 0o077 == 0
 
 
+@pytest.mark.slow
 def test_a_second_process_finds_the_code(place):
     program = (
         "from chaplygin.systems import from_catalogue\n"

@@ -101,6 +101,7 @@ def survives_kills(
     assert blocks <= len(log.read_text().split()) <= blocks + 3 * kills
 
 
+@pytest.mark.slow
 def test_workers_killed(cluster: distributed.LocalCluster, tmp_path: Path) -> None:
     survives_kills(2, 40, 1, cluster, tmp_path)
 
@@ -110,6 +111,7 @@ def test_workers_killed_twenty_times(cluster: distributed.LocalCluster, tmp_path
     survives_kills(20, 300, 2, cluster, tmp_path)
 
 
+@pytest.mark.slow
 def test_a_block_that_brings_down_its_workers(
     cluster: distributed.LocalCluster, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -154,6 +156,7 @@ def test_no_cluster(client: Any) -> None:
     )
 
 
+@pytest.mark.slow
 def test_dask_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "distributed", None)
     with pytest.raises(InputError, match=r"needs Dask: pip install cloudpickle dask distributed$"):

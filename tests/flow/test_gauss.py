@@ -51,6 +51,7 @@ def test_a_guard_ends_the_motion_at_its_moment(end: float) -> None:
     assert np.isnan(found.states[:, 1]).all()
 
 
+@pytest.mark.slow
 def test_a_body_that_leaves_the_plane() -> None:
     """Against the moment at which the reference sees the normal force change its sign."""
     system = replace(from_catalogue("rattleback"), motion=None, observables=())

@@ -129,6 +129,7 @@ def _refuse(**_: Any) -> Any:
     raise PermissionError("read-only")
 
 
+@pytest.mark.slow
 def test_another_process_finds_the_code(tmp_path: Path) -> None:
     """And computes the same bits with it."""
     script = (

@@ -75,6 +75,7 @@ def test_a_planet() -> None:
         assert max(abs(c - r) for c, r in zip(state[:2], right, strict=True)) < 2e-14
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BODIES)
 def test_bodies_keep_fifteen_digits(name: str) -> None:
     """Against thirty digits of the same method, which the reference confirms below."""

@@ -99,6 +99,7 @@ def test_invariant_volume_on_an_ellipsoid() -> None:
         assert uniform(0.5 + column / np.sqrt(8 / rate)) > LEAST
 
 
+@pytest.mark.slow
 def test_time_is_uniform_on_a_level_of_the_euler_top() -> None:
     # M₂ = p sin φ, M₃ = q cos φ, and the elliptic integral F(φ, k) grows like time
     first, middle, last = RATES
@@ -140,6 +141,7 @@ def mixed(system: System, states: Any, others: Any) -> float:
     return float(min(tests)) * len(system.symbols)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", spread(LEVELS, every=3))
 def test_the_motion_keeps_the_distribution(name: str) -> None:
     chosen, count = known(name), LEVELS[name][2]
@@ -184,6 +186,7 @@ def test_a_density_of_both_signs_is_no_measure() -> None:
     assert straight.measure.startswith("invariant measure")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["ball", "ball, a torus"])
 def test_a_point_depends_on_its_number_alone(name: str) -> None:
     chosen = known(name)

@@ -67,6 +67,7 @@ def test_a_pendulum_returns_after_its_period() -> None:
     assert np.allclose(turned, [np.sin(0.5), np.cos(0.5)], atol=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BODIES)
 def test_points_are_those_of_taylor_integration(name: str) -> None:
     back = map_of(name, tolerance=1e-15)
@@ -112,6 +113,7 @@ def crossings(name: str, start: Any, count: int) -> tuple[Any, Any]:
     return np.array(states), np.array(times)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BODIES)
 def test_the_inverse_leads_back(name: str) -> None:
     back = map_of(name)

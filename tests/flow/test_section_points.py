@@ -89,6 +89,7 @@ points.compute(points.task(60, 200), {store!r})
 """
 
 
+@pytest.mark.slow
 def test_a_killed_section_goes_on(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """Killed at a moment when some blocks are there, twice; then finished, to the bit."""
     monkeypatch.setattr(section_points, "BLOCK", 60_000)

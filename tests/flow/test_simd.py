@@ -67,6 +67,7 @@ def _evaluated(arithmetic: Any, terms: Sequence[Term], point: Sequence[float]) -
     return run(arithmetic, 8, lambda k, v: evaluate(k, terms, _leaf(v)), given_values)[0]
 
 
+@pytest.mark.slow
 @ARITHMETICS
 @settings(max_examples=25, deadline=None, derandomize=True)
 @given(formulas=FORMULAS, point=POINTS)

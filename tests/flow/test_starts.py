@@ -98,6 +98,7 @@ def test_a_start_is_the_same_in_every_way() -> None:
         assert np.abs(other[:-2] - lifted[0][:-2]).max() < 1e-15
 
 
+@pytest.mark.slow
 def test_every_door_takes_every_start() -> None:
     ends, exponents, solved = [], [], []
     for way in _ways():

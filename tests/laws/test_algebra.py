@@ -61,6 +61,7 @@ def formulas(draw, depth=4):
     }[kind]
 
 
+@pytest.mark.slow
 @given(formulas(), numbers, numbers, numbers)
 @settings(max_examples=200, deadline=None)
 def test_arithmetic_agrees_with_numbers(formula, x, y, z):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from flint import Ordering, fmpq_mpoly_ctx
 
 from chaplygin.laws.bases import Basis
@@ -31,6 +32,7 @@ def test_orthonormal_rows_make_orthonormal_columns():
         assert total == wanted
 
 
+@pytest.mark.slow
 def test_what_is_no_combination_is_none():
     basis = Basis(RING, products(ROWS), Budget())
     assert basis.quotients(RING.gens()[0]) is None

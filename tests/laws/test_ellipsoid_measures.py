@@ -5,6 +5,7 @@ B_i are the squared semi-axes; γ = (x, y, 1) near a vertex, since all formulas 
 
 from __future__ import annotations
 
+import pytest
 import sympy as sp
 
 from chaplygin.vectors import hat
@@ -86,6 +87,7 @@ def spin():
     return (turn * spread * lever).dot(inverse * gamma) + s * twist
 
 
+@pytest.mark.slow
 def test_marble_ellipsoid_at_the_vertices():
     value = sp.diff(spin(), x, y).subs({x: 0, y: 0})
     third = sp.factor(value)
@@ -144,6 +146,7 @@ def test_the_local_curl_is_that_of_the_vertex():
     assert sp.diff(curl(sp.Matrix([1, e, 0]), r, spread), e).subs(e, 0) == 0
 
 
+@pytest.mark.slow
 def test_rubber_ellipsoid_off_its_centre_at_a_vertex():
     """The curl at γ = e₁ is c₂c₃(I₂ − I₃)(a − c₁) times a positive factor and det Ĩ."""
     r = sp.Matrix([c[0] - a, c[1], c[2]])
@@ -158,6 +161,7 @@ def test_rubber_ellipsoid_off_its_centre_at_a_vertex():
     assert rest != 0
 
 
+@pytest.mark.slow
 def test_rubber_ellipsoid_with_its_centre_on_an_axis():
     """The slope of the curl at γ = e₁ for c along e₃."""
     r = sp.Matrix([-a, -k * e, c[2]])

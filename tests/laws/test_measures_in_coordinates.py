@@ -53,6 +53,7 @@ def test_centre_of_mass_at_the_blade(blade, signed):
     assert prove(found.system, found.density)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("signed", [True, False])
 @pytest.mark.parametrize("ahead", [0.3, 0.0])
 @pytest.mark.parametrize(

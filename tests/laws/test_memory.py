@@ -97,6 +97,7 @@ def efforts() -> tuple[int, ...]:
     return (1, needed // 2, needed - 1, needed, needed + 1, 10 * needed)
 
 
+@pytest.mark.slow
 def test_what_is_kept_changes_no_verdict(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     allowed = efforts()
     alone = []

@@ -239,6 +239,7 @@ def test_one_term_more_is_refuted(formula, powers, factor):
     assert prove(TOP, Integral("law", wrong)).decision == "refuted"
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None, derandomize=True)
 @given(COMBINATIONS, MONOMIALS)
 def test_what_vanishes_with_a_level_holds_on_it_alone(formula, powers):

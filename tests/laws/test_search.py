@@ -139,6 +139,7 @@ def test_no_linear_integral_for_other_ratios(name: str) -> None:
     assert found_in(bare(name), degree=1, at=["k = -2"] if "around" in name else ["k = 2/3"]) == []
 
 
+@pytest.mark.slow
 def test_no_further_integral_of_the_chaplygin_ball() -> None:
     found = found_in(bare("chaplygin-ball"), degree=4, gamma_degree=3, divisors=[])
     assert len(found) == 3
@@ -344,6 +345,7 @@ def test_divisors_depend_on_coordinates_alone() -> None:
     assert {1 + p**2, x, p} <= set(question.bases)
 
 
+@pytest.mark.slow
 def test_the_energy_of_a_rattleback() -> None:
     """Its shape is a tensor with entries that are zero, its contact point no polynomial."""
     system = bare("rattleback")

@@ -114,6 +114,7 @@ def test_the_ball_with_limit_cycles_keeps_none():
     assert found.decision == "none"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("contact", "surface", "centre"),
     [

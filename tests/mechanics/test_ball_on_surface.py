@@ -64,6 +64,7 @@ def test_it_moves_as_a_rolling_body_does(contact, radius):
         np.testing.assert_allclose(ours[name], theirs[name], atol=1e-10, rtol=1e-10)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("contact", CONTACTS)
 @pytest.mark.parametrize("side", ["outside", "inside"])
 @pytest.mark.parametrize("name", ["sphere", "cylinder", "torus"])

@@ -197,6 +197,7 @@ def test_a_position_that_another_constraint_needs():
     assert "no formula was found" in str(found)
 
 
+@pytest.mark.slow
 def test_frobenius_proves_what_no_formula_is_found_for():
     """The integral holds ∫dz/(1 + z⁴), which is not among the functions tried."""
     odd = sp.exp(x * y) + sp.sin(x + y)
@@ -246,6 +247,7 @@ def rolling(shape, surface, contact) -> Mechanism:
     return rolling_mechanism(Rolling(body, surface, contact, Field(gravity=9.81)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("contact", ["marble", "rubber"])
 @pytest.mark.parametrize("name", SHAPES)
 def test_on_a_plane_the_height_is_the_only_holonomic_constraint(name, contact):
@@ -303,6 +305,7 @@ def test_a_rubber_ball_on_a_sphere_is_completely_nonholonomic(radius):
     assert (found.verdict, found.proven, found.elsewhere) == ("completely nonholonomic", True, ())
 
 
+@pytest.mark.slow
 def test_a_rubber_ball_on_an_equal_one_is_its_mirror_image():
     """The attitude followed by the reflection in the common tangent plane never changes."""
     made = rolling(Ball(0.8), Sphere(0.8), "rubber")

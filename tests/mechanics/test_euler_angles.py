@@ -120,6 +120,7 @@ def admissible(function: Any, count: int, seed: int) -> list[Any]:
     return [*places, *(x - d for x, d in zip(speeds, move, strict=True))]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", ["marble", "rubber"])
 @pytest.mark.parametrize("name", SHAPES)
 def test_agrees_with_euler_angles(name: str, model: Any) -> None:

@@ -198,6 +198,7 @@ def test_a_system_whose_speeds_are_rates_goes_by_lagranges_method():
     assert model.eom_method is None
 
 
+@pytest.mark.slow
 def test_a_constraint_on_places_is_not_counted_twice():
     """Two rods whose end keeps to a line: SymPy differentiates the constraint for its speeds."""
     a, b, u_a, u_b = dynamicsymbols("a b u_a u_b")

@@ -52,6 +52,7 @@ def test_the_same_eigenvalues(bicycle: ModuleType, kane: System):
     assert all(abs(a - b) < 1e-17 for a, b in zip(found, ours, strict=True))
 
 
+@pytest.mark.slow
 def test_equations_stay_small(kane: System):
     steps = kane.needed(kane.rates)
     count = sum(sp.count_ops(e) for e in (*kane.rates, *(value for _, value in steps)))

@@ -333,6 +333,7 @@ def unnoticed(table: dict[str, Change], witnesses: list[Witness]) -> set[str]:
     return missed
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("part", spread(range(PARTS), PARTS))
 @pytest.mark.parametrize("module", CHANGED)
 def test_every_planted_error_is_noticed(module, part, witnesses):
@@ -345,6 +346,7 @@ def test_what_is_harmless_is_a_change():
     assert HARMLESS.keys() <= {name for module in CHANGED for name in named(changes(module))}
 
 
+@pytest.mark.slow
 def test_the_unchanged_package_agrees(witnesses):
     clean = package(None, set())
     assert not any(witness.notices(clean) for witness in witnesses)

@@ -125,6 +125,7 @@ def test_veselova(potential: sp.Expr) -> None:
     assert "hamiltonian" in proven(form)
 
 
+@pytest.mark.slow
 def test_chaplygin_ball_with_its_monopole() -> None:
     form = of_ball()
     assert form.multiplier is not None
@@ -148,6 +149,7 @@ def test_chaplygin_ball_with_its_monopole() -> None:
     assert {"linear_1", "measure", "form", "motion", "gyroscopic_form"} <= set(proven(form))
 
 
+@pytest.mark.slow
 def test_the_monopole_agrees_with_quadrature() -> None:
     form = chaplygin_form(ball(gyrostat=True))
     value, error = integral_of_gyroscopic(form)
@@ -158,6 +160,7 @@ def test_the_monopole_agrees_with_quadrature() -> None:
     assert abs(exact + 4 * math.pi * 0.8 / math.sqrt(1.0 * 1.5 * 2.1)) < 1e-14
 
 
+@pytest.mark.slow
 def test_ball_with_rotors_in_any_potential() -> None:
     form = chaplygin_form(ball(gyrostat=True, potential=U))
     assert form.multiplier is not None
@@ -165,6 +168,7 @@ def test_ball_with_rotors_in_any_potential() -> None:
     assert {"measure", "form", "motion"} <= set(proven(form))
 
 
+@pytest.mark.slow
 def test_veselova_with_rotors() -> None:
     plain = veselova()
     turning = Mechanism(
@@ -187,6 +191,7 @@ def test_veselova_with_rotors() -> None:
     assert {"measure", "form", "motion"} <= set(proven(form))
 
 
+@pytest.mark.slow
 def test_ball_in_coordinates_has_the_same_multiplier() -> None:
     form = chaplygin_form(ball_in_coordinates())
     assert form.multiplier is not None
@@ -197,6 +202,7 @@ def test_ball_in_coordinates_has_the_same_multiplier() -> None:
     assert "motion" in proven(form)
 
 
+@pytest.mark.slow
 def test_rubber_ball_on_a_sphere_for_every_ratio() -> None:
     form = chaplygin_form(on_sphere(ratio, rubber=True))
     assert form.multiplier is not None
@@ -206,6 +212,7 @@ def test_rubber_ball_on_a_sphere_for_every_ratio() -> None:
     assert {"measure", "form", "motion", "canonical", "hamiltonian"} <= set(proven(form))
 
 
+@pytest.mark.slow
 def test_rubber_ball_on_a_sphere_as_it_rolls() -> None:
     """The same from body, surface and contact: 1/(2k) − 1 for k = a/(a + R)."""
     body = Body(1.0, (1.0, 1.5, 2.1), Ball(1.0))
@@ -230,6 +237,7 @@ def drawn(moments: tuple[sp.Expr, ...]) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
 MOMENTS = (sp.S(1), sp.Rational(3, 2), sp.S(2))
 
 
+@pytest.mark.slow
 def test_hollow_ball_on_the_zero_level() -> None:
     form = chaplygin_form(hollow_ball(MOMENTS), [0])
     above, below, det = drawn(MOMENTS)
@@ -240,6 +248,7 @@ def test_hollow_ball_on_the_zero_level() -> None:
     assert {"motion", "canonical", "hamiltonian"} <= set(proven(form, where=("dτ/dt > 0",)))
 
 
+@pytest.mark.slow
 def test_hollow_ball_on_any_level() -> None:
     """Remark 22: (4.4) with a gyroscopic force, though not with the energy as E₂ + E₀."""
     form = chaplygin_form(hollow_ball(MOMENTS))
@@ -257,6 +266,7 @@ def test_hollow_ball_on_any_level() -> None:
     assert {"measure", "bracket", "form", "motion", "gyroscopic_form"} <= set(proven(form))
 
 
+@pytest.mark.slow
 def test_hollow_ball_near_a_thin_shell_has_a_smooth_multiplier() -> None:
     shell = chaplygin_form(hollow_ball((sp.Rational(2, 3), sp.Rational(7, 10), sp.Rational(3, 4))))
     assert shell.multiplier is not None

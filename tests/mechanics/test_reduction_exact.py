@@ -35,6 +35,7 @@ def formula(a: Fraction, b: Fraction, c: Fraction) -> sp.Expr:
     return (first * x**2 - second * y) / (x * y + third + 20)
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=25)
 @given(NUMBERS, NUMBERS, NUMBERS, NUMBERS, NUMBERS, NUMBERS)
 def test_fractions_are_those_of_sympy(

@@ -23,6 +23,7 @@ def with_default(mechanism, symbol, value):
     return replace(mechanism, parameters=parameters)
 
 
+@pytest.mark.slow
 def test_a_parameter_whose_number_is_exceptional():
     """The sleigh has a multiplier where a = 0, whether that is put in or its default."""
     found = chaplygin_form(with_default(sleigh(), a, 0.0))
@@ -51,6 +52,7 @@ def test_settled_is_what_was_built_with_the_number():
     assert one.f == other.f
 
 
+@pytest.mark.slow
 def test_poles_of_exponents_are_told():
     found = chaplygin_form(on_sphere(ratio, rubber=True))
     assert poles(found.multiplier) == (ratio,)
@@ -73,6 +75,7 @@ def test_special_values_are_to_be_put_in():
         chaplygin_form(on_sphere(ratio, rubber=False))
 
 
+@pytest.mark.slow
 def test_the_integral_for_equal_moments_is_that_of_the_general_ball():
     first, second, third = I.symbols
     equal = settled(ball(), {second: first, third: first})

@@ -77,6 +77,7 @@ def prepared(request):
     return prepare(*request.param, seed=1)
 
 
+@pytest.mark.slow
 def test_instant_agrees_with_reference(prepared):
     case, system, state = prepared
     found = instant_of_package(system, state)
@@ -84,6 +85,7 @@ def test_instant_agrees_with_reference(prepared):
     assert worst(deviation) < 1e-11, deviation
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("prepared", spread(COMBINATIONS, 5), ids="-".join, indirect=True)
 def test_motion_agrees_with_reference(prepared):
     deviation = compare_motions(*prepared)
@@ -98,6 +100,7 @@ def test_more_motions_agree_with_reference(names, seed):
     assert worst(deviation) < 1e-10, deviation
 
 
+@pytest.mark.slow
 def test_torus_that_comes_to_lie_on_a_dome_ends_there():
     """On its flat side the contact is no longer one point; the reference gets as far as that."""
     drawn = reference.random_case(np.random.default_rng(1), "torus", "outside", "marble")

@@ -146,6 +146,7 @@ def rolling(shape: str, surface: str, model: Any) -> Rolling:
     return Rolling(body, SURFACES[surface], model, Field(gravity=9.81))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("shape", "surface"), CASES)
 def test_contact_vector_moves_as_the_contact_says(shape: str, surface: str) -> None:
     """With the two proofs above and below, the equations of motion follow for this contact."""
@@ -185,6 +186,7 @@ def test_acceleration_solves_the_equations(shape: str, surface: str, model: str)
     assert prove(system, law).decision == "proven"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", ["marble", "rubber"])
 @pytest.mark.parametrize(("shape", "surface"), CASES)
 def test_accelerations_and_reactions_to_forty_digits(shape: str, surface: str, model: str) -> None:
@@ -216,6 +218,7 @@ def test_accelerations_and_reactions_to_forty_digits(shape: str, surface: str, m
             assert abs(found.value(ours) - expected.value(theirs)) < mpmath.mpf(10) ** -40
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", ["marble", "rubber"])
 @pytest.mark.parametrize("surface", SURFACES)
 def test_balls_are_carried_onto_each_other(surface: str, model: str) -> None:

@@ -194,6 +194,7 @@ def test_marble_may_spin():
 # Contact points of implicit bodies
 
 
+@pytest.mark.slow
 @given(gamma=directions)
 @settings(max_examples=15, deadline=None)
 def test_contact_point_of_an_implicit_body(gamma):

@@ -20,6 +20,7 @@ from chaplygin.study.prepare import dataset_of, prepare
 from chaplygin.study.summary import legend
 from chaplygin.study.tables import BallTable, BodyTable
 from spread import spread
+from unheard import Unheard
 
 BALL = """\
 [body]
@@ -128,7 +129,7 @@ def test_the_setting_in_words():
     experiment = loads(BALL)
     study = prepare(experiment)
     assert setting(experiment, study.ball) == (
-        "Homogeneous ball inside a cylinder, without slipping; gravity 9.81"
+        "Homogeneous ball inside a cylinder, without slipping; gravity 9.81 m/s²"
     )
     free = loads(BALL + '[contact]\nmodel = "rubber"\n[field]\ngravity = 0.0\n', "f.toml")
     assert prepare(free).system.title == "Homogeneous ball inside a cylinder, rubber contact"
@@ -194,16 +195,6 @@ def test_bad_equations_are_refused(surface, message):
 def test_what_is_made_in_python_is_checked_too():
     with pytest.raises(ValidationError, match="give either radius"):
         CylinderTable()
-
-
-class Unheard:
-    """Progress of which nobody wants to hear."""
-
-    def __call__(self, done: float, /) -> None:
-        pass
-
-    def say(self, what: str) -> None:
-        pass
 
 
 @pytest.mark.parametrize("made", spread(["file", "catalogue"], 2))

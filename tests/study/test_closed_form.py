@@ -15,6 +15,7 @@ from flint import arb
 from chaplygin.errors import InputError
 from chaplygin.explicit.problem import Problem
 from chaplygin.explicit.solution import ClosedForm, Figure, Solution
+from chaplygin.explore.proofs import Patience
 from chaplygin.study.closed_form import (
     ball,
     dataset,
@@ -33,6 +34,7 @@ from chaplygin.study.figures import closed_form, svg_text
 from chaplygin.study.folder import write_study
 from chaplygin.study.prepare import Study, prepare
 from chaplygin.system import System
+from unheard import Unheard
 
 FORM = ClosedForm(
     title="A turning ball",
@@ -166,7 +168,7 @@ def test_a_motion_without_ovals_has_no_figure() -> None:
 def test_the_report_has_the_section(tmp_path: Path) -> None:
     study = prepare(loads('[system]\nname = "neumann"\n[run]\nuntil = 5.0\nsamples = 11\n'))
     (tmp_path / "figures").mkdir()
-    write_study(study, tmp_path, force=False, progress=lambda _: None)
+    write_study(study, tmp_path, False, Patience(1, 0), Unheard())
     page = (tmp_path / "report.html").read_text()
     assert '<h2 id="closed-form">Closed form</h2>' in page
     assert "two-frequency motion on a torus" in page

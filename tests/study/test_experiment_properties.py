@@ -35,6 +35,7 @@ name = "chaplygin-ball"
 m = 2
 """
 
+printed = st.characters(codec="utf-8", exclude_categories=("Cc", "Cs"))
 finite = st.floats(allow_nan=False, allow_infinity=False)
 positive = st.floats(min_value=0, exclude_min=True, allow_infinity=False)
 finite_small = st.floats(-1, 1)
@@ -111,7 +112,12 @@ rolling_tables = st.fixed_dictionaries(
 system_tables = st.fixed_dictionaries(
     {
         "system": st.fixed_dictionaries(
-            {"name": st.text(alphabet=st.characters(codec="utf-8"), min_size=1)},
+            {
+                "name": st.text(
+                    alphabet=st.characters(codec="utf-8", exclude_categories=("Cc", "Cs")),
+                    min_size=1,
+                )
+            },
             optional={"parameters": st.dictionaries(names, finite)},
         )
     },

@@ -251,8 +251,8 @@ MISTAKES = [
      "another law has the name 'energy'; choose another"),
     (SLEIGH, "[start]\n", '[laws.symmetries.s]\nv = "1"\n[start]\n', "laws.symmetries.s.v: unknown "
      "name 'v'; allowed: u, omega"),
-    (SLEIGH, "u = -1.0", "uu = -1.0", "line 35, start.uu: unknown variable, did you mean 'u'?"),
-    (SLEIGH, "u = -1.0\n", "", "line 33, start: u missing; the state of chaplygin-sleigh-from-its-"
+    (SLEIGH, "u = -1.0", "uu = -1.0", "line 40, start.uu: unknown variable, did you mean 'u'?"),
+    (SLEIGH, "u = -1.0\n", "", "line 38, start: u missing; the state of chaplygin-sleigh-from-its-"
      "lagrangian is u, omega"),
     (SLEIGH, "[start]\n", "[body]\nmass = 1\n[start]\n", "body: must be absent, as [lagrangian] "),
     (SLEIGH, "[start]\n", '[system]\nname = "euler"\n[start]\n', "system: must be absent, as [lag"),

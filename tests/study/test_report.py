@@ -9,10 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from chaplygin.study import report as module
+from chaplygin.explore.proofs import Patience
 from chaplygin.study.experiment import load, loads
 from chaplygin.study.folder import write_study
 from chaplygin.study.prepare import prepare
+from unheard import Unheard
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -34,10 +35,7 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], str]:
             experiment = load(EXAMPLES / name, short)
         else:
             experiment = loads(f'[system]\nname = "{name}"\n', "x", short)
-        with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(module, "PATIENCE", 20)
-            patch.setattr(module, "ALTOGETHER", 400)
-            write_study(prepare(experiment), folder, force=True, progress=lambda done: None)
+        write_study(prepare(experiment), folder, True, Patience(1, 0), Unheard())
         return (folder / "report.html").read_text(encoding="utf-8")
 
     return made

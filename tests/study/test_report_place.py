@@ -8,10 +8,13 @@ from functools import cache
 
 import pytest
 
+from chaplygin.explore.proofs import Patience
+from chaplygin.laws.budget import EFFORT
 from chaplygin.study.experiment import loads
 from chaplygin.study.folder import write_study
 from chaplygin.study.prepare import prepare
 from spread import spread
+from unheard import Unheard
 
 
 @pytest.fixture(scope="module")
@@ -23,7 +26,7 @@ def report(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], str]:
         folder = tmp_path_factory.mktemp(name)
         made = prepare(loads(f'[system]\nname = "{name}"\n[run]\nuntil = 0.2\nsamples = 5\n'))
         (folder / "figures").mkdir()
-        write_study(made, folder, force=True, progress=lambda done: None)
+        write_study(made, folder, True, Patience(EFFORT // 20, EFFORT // 5), Unheard())
         return (folder / "report.html").read_text(encoding="utf-8")
 
     return page

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from chaplygin.errors import InputError
+from chaplygin.explore.proofs import Patience
 from chaplygin.mechanics.attitude import attitude, quaternion_rate, tie, unit_length
 from chaplygin.study.experiment import StateExperiment, catalogue_experiment, loads
 from chaplygin.study.figures.variables import unit_of
@@ -21,6 +22,7 @@ from chaplygin.systems import Start
 from chaplygin.vectors import Diagonal, dot
 from named_states import ENTRIES, M, gamma, named_states
 from spread import spread
+from unheard import Unheard
 
 __all__ = ["named_states"]
 
@@ -176,7 +178,7 @@ def test_datasets_tell_what_is_known_of_each_variable() -> None:
 def test_the_report_shows_the_state_in_time_and_no_rolling_body(name: str, tmp_path: Path) -> None:
     made = study(name)
     (tmp_path / "figures").mkdir()
-    write_study(made, tmp_path, force=True, progress=lambda done: None)
+    write_study(made, tmp_path, True, Patience(1, 0), Unheard())
     assert {path.stem for path in (tmp_path / "figures").iterdir()} == {"state", "drift"}
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert 'id="state"' in page

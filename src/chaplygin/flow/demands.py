@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import shutil
 import time
@@ -76,7 +77,9 @@ def require_room(size: float, folder: Path | None, what: str) -> None:
         room, place = float(os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")), "memory"
     else:
         there = next((p for p in (folder, *folder.absolute().parents) if p.is_dir()), Path("/"))
-        room, place = float(shutil.disk_usage(there).free), "disk"
+        usage = shutil.disk_usage(there)
+        # a file system without room of its own says nothing about it
+        room, place = float(usage.free) if usage.total else math.inf, "disk"
     if size > room:
         raise TooMuchError(
             f"{what} would take {in_words(size)} of {place}, and there are {in_words(room)}"

@@ -45,6 +45,7 @@ def test_a_permanent_rotation_lies_on_a_boundary():
     assert stable.curve.subs(dict(zip(symbols, mark, strict=True))) == pytest.approx(0, abs=1e-15)
 
 
+@pytest.mark.slow
 def test_nothing_is_known():
     start = ("0.9", "-0.3", "-1.04", "0.48", "-0.64", "0.6")
     assert diagram_of(problem("ball-on-sphere", start)) is None

@@ -45,6 +45,7 @@ def test_more_tori_followed(name):
     _agrees(separable, bifurcation_diagram(separable))
 
 
+@pytest.mark.slow
 def test_tori_of_the_ball_with_any_area():
     _agrees(chaplygin_area(), bifurcation_diagram("chaplygin-ball-area"))
 

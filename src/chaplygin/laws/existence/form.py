@@ -36,7 +36,9 @@ Pairs = tuple[tuple[Any, Any], ...]
 #: Bases with exponents.
 Powers = tuple[tuple[sp.Expr, sp.Expr], ...]
 
-gamma, r, q, theta, turn = (Vector(name) for name in ("gamma", "r", "q", "Theta", "u"))
+gamma, r, gammatilde, theta, turn = (
+    Vector(name) for name in ("gamma", "r", "gammatilde", "Theta", "u")
+)
 m, a = scalar("m"), scalar("a")
 
 
@@ -123,8 +125,8 @@ def one_form(rolling: Rolling) -> OneForm:
 
     spin = None
     if rolling.contact == "rubber":
-        definitions += ((q, inverse(gamma)),)
-        form = (1 - here.trace) / dot(gamma, q) * here.stretch(q)
+        definitions += ((gammatilde, inverse(gamma)),)
+        form = (1 - here.trace) / dot(gamma, gammatilde) * here.stretch(gammatilde)
     else:
         trace = sp.Add(*(A.entries[i, i] for i in range(3))) + share * normed(lever)
         tau, wander = scalar("tau_A"), Vector("V_r")
