@@ -359,7 +359,7 @@ SYSTEM = '[system]\nname = "{name}"\n[system.parameters]\n{parameters}\n'
         (
             text(shape='kind = "implicit"\nsurface = "x**2 + y**2 + z - 1"'),
             "body.toml, line 5, body.shape",
-            "open",
+            "it is not closed",
         ),
     ],
     ids=[
