@@ -171,6 +171,8 @@ def read(path: str | Path) -> xr.Dataset:
     """
     import h5py
 
+    if not Path(path).exists():
+        raise InputError(f"{path}: there is no such file")
     zarr = Path(path).is_dir()
     try:
         if not zarr:
@@ -183,8 +185,6 @@ def read(path: str | Path) -> xr.Dataset:
             path, engine="zarr" if zarr else "h5netcdf", decode_times=False
         ) as stored:
             return stored.load()
-    except FileNotFoundError as problem:
-        raise InputError(f"{path}: there is no such file") from problem
     except Exception as problem:
         # what a damaged file makes the libraries raise may be anything
         kind = "Zarr store" if zarr else "NetCDF file"
