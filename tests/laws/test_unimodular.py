@@ -241,6 +241,7 @@ def test_density_by_following_the_contact():
         sigma((1.0, 1.0, 0.0))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("surface", [PLANE, SPHERE])
 @pytest.mark.parametrize("contact", ["marble", "rubber"])
 @pytest.mark.parametrize(

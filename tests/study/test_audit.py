@@ -25,6 +25,7 @@ def judged():
     return audit(SECTION)[0]
 
 
+@pytest.mark.slow
 def test_every_claim_is_judged_in_reading_order(judged):
     assert [j.claim.source for j in judged] == [c.source for _, c in claims(SECTION)]
     assert all(j.section == SECTION for j in judged)

@@ -197,6 +197,7 @@ def test_what_is_made_in_python_is_checked_too():
         CylinderTable()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("made", spread(["file", "catalogue"], 2))
 def test_a_study_draws_the_ball(made, tmp_path):
     experiment = loads(BALL) if made == "file" else catalogue_experiment("marble-ball-on-cone")

@@ -165,6 +165,7 @@ def test_a_motion_without_ovals_has_no_figure() -> None:
         closed_form("x", ClosedForm("t", "uniform rotation", (), ()))
 
 
+@pytest.mark.slow
 def test_the_report_has_the_section(tmp_path: Path) -> None:
     study = prepare(loads('[system]\nname = "neumann"\n[run]\nuntil = 5.0\nsamples = 11\n'))
     (tmp_path / "figures").mkdir()

@@ -222,6 +222,7 @@ def read_trajectories(whole: Path, seed: int, count: int) -> None:
     assert refused > count / 3
 
 
+@pytest.mark.slow
 def test_damaged_trajectories(trajectory: Path) -> None:
     read_trajectories(trajectory, 0, 60)
 

@@ -82,6 +82,7 @@ def test_a_body_about_a_fixed_point_has_no_place():
     assert not {"centre", "contact", "normal_force"} & set(made)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", spread(CATALOGUE))
 def test_every_variable_says_what_it_is(name):
     made = short(name)
@@ -312,6 +313,7 @@ except InputError as error:
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("limit", [10, 5000, 20000])
 def test_a_file_that_may_not_grow_leaves_nothing_behind(tmp_path, dataset, limit):
     """A real failure in the midst of writing, as on a full disk."""

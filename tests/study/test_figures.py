@@ -167,6 +167,7 @@ def beyond_the_axes(figure):
 # All figures together
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("place", PLACES)
 def test_every_figure_is_drawn_and_no_text_is_cut_or_covered(place, monkeypatch):
     contact, ground = PLACES[place]
@@ -245,6 +246,7 @@ def test_a_trajectory_without_a_finite_sample_is_refused(data, outline, name):
         }[name]()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ground", spread([PlaneGround(), SphereGround(2.0), SphereGround(-2.0)]))
 def test_one_sample_and_a_body_at_rest_are_drawn(outline, ground):
     moving = trajectory(ball, ground)
@@ -267,6 +269,7 @@ def test_global_settings_stay_as_they_were(data, outline):
     assert dict(mpl.rcParams) == before
 
 
+@pytest.mark.slow
 def test_pyplot_is_not_imported():
     code = "import sys, chaplygin.study.figures; sys.exit('matplotlib.pyplot' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
@@ -361,6 +364,7 @@ def test_a_page_may_choose_the_colours(data):
     assert not re.search(r"(?<!, )#1f2730", text)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["angular_velocity", "normal_force", "drift", "scene"])
 def test_on_a_telephone_letters_can_be_read(data, outline, name):
     """Figures as wide as the screen, or with larger letters; the figure itself stays."""
@@ -413,6 +417,7 @@ def test_scene_is_scaled_alike_in_both_directions(data, outline):
     assert axes.get_aspect() == 1.0
 
 
+@pytest.mark.slow
 def test_pictures_stay_small(data, outline):
     made = figures.all_figures(data, (outline, PlaneGround()))
     assert all(len(figures.svg_text(figure)) < 600_000 for figure in made.values())
@@ -578,6 +583,7 @@ def test_svg_says_what_it_shows(data):
     assert root.get("role") == "img"
 
 
+@pytest.mark.slow
 def test_svg_is_the_same_every_time(data, outline):
     figure = figures.scene(data, outline, PlaneGround())
     once, again = figures.svg_text(figure), figures.svg_text(figure)

@@ -298,6 +298,7 @@ WORDS = ["", "x", "omega", "(", "]", '"', "3", "**", "sqrt", "[3]", "= {}", "\n"
 PIECES = re.compile(r"[\w.]+|[^\s\w]")
 
 
+@pytest.mark.slow
 @settings(max_examples=120, deadline=None, derandomize=True)
 @given(
     st.sampled_from([SLEIGH, SUSLOV, VOLTERRA, TURNTABLE, PENDULUM]),

@@ -41,6 +41,7 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], str]:
     return made
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BOTH)
 def test_contents_lead_to_headings(name: str, page: Callable[[str], str]) -> None:
     text = page(name)

@@ -32,6 +32,7 @@ def report(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], str]:
     return page
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", spread(["chaplygin-ball", "rattleback"]))
 def test_links_lead_to_verdicts(name: str, report: Callable[[str], str]) -> None:
     page = report(name)

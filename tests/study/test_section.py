@@ -54,6 +54,7 @@ def test_a_single_motion_starts_where_the_experiment_does() -> None:
     assert task.attributes["starts"] == "the start of the experiment"
 
 
+@pytest.mark.slow
 def test_many_start_on_the_level_of_the_experiment() -> None:
     task, _ = section_of(study(), Place("gamma_3"), Starts(7, seed=2), 3, until=100.0)
     assert task.size == 7

@@ -85,6 +85,7 @@ def test_every_integral_is_flat_for_random_bodies(name, seed):
     assert [law.name for law in made.watched.integrals] == named
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", spread(range(2), 2))
 @pytest.mark.parametrize("name", [name for name in NAMES if name not in ROLLING])
 def test_every_integral_is_flat_from_random_starts(name, seed):

@@ -52,6 +52,7 @@ def forgotten(tmp_path, monkeypatch):
     monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("claimed", CLAIMED, ids=str)
 def test_every_slip_is_refuted(claimed, forgotten):
     found: dict[str, set[str]] = {}
