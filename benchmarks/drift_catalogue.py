@@ -22,7 +22,8 @@ import numpy as np
 
 from chaplygin.errors import RunError
 from chaplygin.flow.trajectory import Trajectory, integrate
-from chaplygin.study.prepare import Study, catalogue_experiment, prepare
+from chaplygin.study.experiment import catalogue_experiment
+from chaplygin.study.prepare import Study, prepare
 from chaplygin.systems import CATALOGUE
 
 UNTIL = 1e5

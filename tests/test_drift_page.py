@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from chaplygin.flow.trajectory import integrate
-from chaplygin.study.prepare import catalogue_experiment, prepare
+from chaplygin.study.experiment import catalogue_experiment
+from chaplygin.study.prepare import prepare
 from chaplygin.study.summary import drift
 from chaplygin.systems import CATALOGUE
 

@@ -14,8 +14,8 @@ from pathlib import Path
 
 __all__ = ["APART", "core", "module_digests", "text_digest", "whole"]
 
-APART = ("cli", "paper", "study")
-"""Rooms that the others never import: what commands say, claims of the paper, reports."""
+APART = ("__main__.py", "cli", "paper", "study")
+"""What the rest never imports: what commands say, claims of the paper, reports."""
 
 
 def module_digests(home: Path) -> dict[str, str]:

@@ -211,4 +211,4 @@ def test_the_report_names_the_conditions(ask, conditional, tmp_path):
     assert ask("study", "veselova", "-o", "report", "--set", "run.until=0.5")[0] == 0
     page = (tmp_path / "report" / "report.html").read_text()
     assert '<td class="proven-where">proven where gamma_3 &gt; 0, not k = 0</td>' in page
-    assert "momentum</a>, proven where gamma_3 &gt; 0, not k = 0." in page
+    assert "momentum</a>; proven where gamma_3 &gt; 0, not k = 0." in page

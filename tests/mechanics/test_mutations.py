@@ -43,7 +43,17 @@ from spread import spread
 
 FOLDER = Path(chaplygin.__file__).parent / "mechanics"
 CHANGED = ("attitude", "shapes", "contact", "rolling")
-LOADED = ("surfaces", "shapes", "body", "contact", "attitude", "points", "rolling", "start")
+LOADED = (
+    "surfaces",
+    "rays",
+    "shapes",
+    "body",
+    "contact",
+    "attitude",
+    "points",
+    "rolling",
+    "start",
+)
 SHARED = ("errors", "statements", "system", "vectors")
 
 #: Changes are tried in so many parts, of which one is no slow test.
@@ -275,6 +285,13 @@ def package(change: Change | None, used: set[tuple[str, str]]) -> Package:
 # Comparisons
 
 
+#: What a changed formula may raise; warnings of NumPy are errors here.
+FAILURES = (
+    *(ArithmeticError, TypeError, ValueError, AttributeError, KeyError, IndexError),
+    RuntimeWarning,
+)
+
+
 class Witness:
     """A body that may notice a change in one of the functions that it uses."""
 
@@ -303,7 +320,7 @@ class Witness:
             told = self._told(changed)
             same = told.keys() == self.told.keys()
             return not (same and worst(deviations(told, self.expected)) < 1e-6)
-        except (ArithmeticError, TypeError, ValueError, AttributeError, KeyError, IndexError):
+        except FAILURES:
             return True
 
 

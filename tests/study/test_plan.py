@@ -9,9 +9,9 @@ from matplotlib.collections import LineCollection, PolyCollection
 
 from chaplygin.errors import InputError
 from chaplygin.study import figures
-from chaplygin.study.experiment import loads
+from chaplygin.study.experiment import catalogue_experiment, loads
 from chaplygin.study.plan import plan_motion
-from chaplygin.study.prepare import catalogue_experiment, dataset_of, prepare
+from chaplygin.study.prepare import dataset_of, prepare
 from chaplygin.study.python_file import load_python
 from spread import spread
 

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from chaplygin.flow.values import values
-from chaplygin.study.experiment import loads
+from chaplygin.study.experiment import catalogue_experiment, loads
 from chaplygin.study.followed import followed
-from chaplygin.study.prepare import catalogue_experiment, prepare
+from chaplygin.study.prepare import prepare
 from chaplygin.study.section import coordinates_of
 from chaplygin.study.section_coordinates import is_angle, usual, within_a_turn
 from chaplygin.systems import entry

@@ -305,7 +305,7 @@ class Lanes:
         moments: Any,
         wanted: int,
         threads: int | None,
-        most: int = MOST_STEPS,
+        most: int | None = None,
     ) -> tuple[Any, Any, Any, tuple[Any, Any, Any]]:
         number, width, words = rows.shape
         if number * wanted * width * words > MOST_NUMBERS:
@@ -326,7 +326,12 @@ class Lanes:
             work = native.aligned(self.code.room)
             self.code.functions["march"](
                 *(first, last, arrays[0].ctypes.data, arrays[1].ctypes.data, stride),
-                *(arrays[2].ctypes.data, wanted, self.tolerance, most),
+                *(
+                    arrays[2].ctypes.data,
+                    wanted,
+                    self.tolerance,
+                    MOST_STEPS if most is None else most,
+                ),
                 *(result.ctypes.data for result in results),
                 work.ctypes.data,
             )

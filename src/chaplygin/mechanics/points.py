@@ -9,11 +9,11 @@ import sympy as sp
 
 from ..errors import InputError
 from ..vectors import Vector, explicit
-from .shapes import Ball, Implicit, Shape, directions
+from .rays import Array, directions
+from .shapes import Ball, Implicit, Shape
 
 __all__ = ["centre_outside", "contact_points", "touching"]
 
-Array = np.ndarray[tuple[int, ...], np.dtype[np.float64]]
 
 _ITERATIONS = 200
 

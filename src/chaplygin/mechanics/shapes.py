@@ -9,13 +9,11 @@ contact point r itself is the state, and the shape operator W⁻¹ follows from 
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-import numpy as np
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
@@ -36,6 +34,7 @@ from ..vectors import (
     unit,
     zero,
 )
+from .rays import require_closed
 
 __all__ = [
     "Ball",
@@ -46,18 +45,12 @@ __all__ = [
     "Revolution",
     "Shape",
     "Torus",
-    "directions",
 ]
 
 Pairs = tuple[tuple[Any, Any], ...]
 
 #: A flat face is reached when the symmetry axis leans from the normal by less than this (radians).
 FLAT = 1e-6
-
-#: Rays along which a surface is looked at, and powers of two up to which.
-RAYS, FARTHEST = 1000, 80
-
-Array = np.ndarray[tuple[int, ...], np.dtype[np.float64]]
 
 R = scalar("R")
 rho = scalar("rho")
@@ -103,14 +96,6 @@ def convexity(product: sp.Expr, total: sp.Expr) -> tuple[Guard, Guard]:
     """Product and sum of the principal curvatures, up to positive factors: both are positive."""
     happening = "the contact leaves the convex part of the body"
     return Guard("convex", product, happening), Guard("convex", total, happening)
-
-
-def directions(count: int) -> Array:
-    """Unit vectors spread evenly over the sphere, (count, 3): along a spiral of golden angles."""
-    heights = 1 - (2 * np.arange(count) + 1) / count
-    turns = np.pi * (3 - math.sqrt(5)) * np.arange(count)
-    widths = np.sqrt(1 - heights**2)
-    return np.stack([widths * np.cos(turns), widths * np.sin(turns), heights], axis=1)
 
 
 def _length(symbol: sp.Symbol, meaning: str, value: float) -> Parameter:
@@ -507,24 +492,8 @@ class Implicit(_Centred):
                 f"surface {self.surface} = 0: the left side is {inside} at the geometric centre "
                 "x = y = z = 0, and must be negative there (negative inside, zero on the surface)"
             )
-        self._require_closed()
-
-    def _require_closed(self) -> None:
-        """Refuse a surface that some ray from the geometric centre never meets."""
         level = sp.lambdify(self.coordinates, self.surface.subs(dict(self.values)), "numpy")
-        # cylinders are open along their axis alone, which is mostly an axis of coordinates
-        corners = np.array([x for x in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(x)])
-        rays = np.concatenate([corners, directions(RAYS)])
-        with np.errstate(all="ignore"):
-            far = np.ldexp(1.0, np.arange(FARTHEST))[:, None, None] * rays
-            values = np.broadcast_to(level(*np.moveaxis(far, 2, 0)), far.shape[:2])
-            never = np.flatnonzero(~np.any(~(values <= 0), axis=0))
-        if len(never):
-            way = ", ".join(f"{x:.2g}" for x in rays[never[0]])
-            raise InputError(
-                f"surface {self.surface} = 0: it is not closed; in the direction ({way}) the left "
-                "side stays negative, however far from the geometric centre"
-            )
+        require_closed(f"surface {self.surface} = 0", level)
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:

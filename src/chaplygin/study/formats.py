@@ -32,7 +32,7 @@ def check_format(path: Path) -> None:
 def check_output(path: Path, force: bool = False) -> None:
     """Raise InputError unless a trajectory may be written to `path`."""
     store = path.suffix.lower() == ".zarr" and path.is_dir()
-    if not path.is_dir():
+    if not (path.exists() and not path.is_file()):
         check_format(path)
     if not store:
         check_target(path, force)
