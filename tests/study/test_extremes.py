@@ -88,8 +88,6 @@ def test_a_motion_is_the_same_in_all_units(shape: str, contact: str, bowl: bool)
 def test_every_motion_is_the_same_in_all_units(shape: str, contact: str, bowl: bool) -> None:
     if shape == "implicit" and bowl:
         pytest.skip("the largest curvature of such a body is not known beforehand")
-    if (shape, contact) == ("revolution", "rubber"):
-        pytest.xfail("steps are as long as guards allow, which are large where lengths are")
     same_at_every_scale(shape, contact, bowl)
 
 

@@ -38,7 +38,8 @@ class Compiled:
     Attributes
     ----------
     integrator : heyoka.taylor_adaptive
-        State of the core, then of the motion; a terminal event for each of `watched`.
+        State of the core, then of the motion; a terminal event for each of `watched`.  After the
+        parameters of the system come positive factors of these events.
     outputs : heyoka.cfunc
         Observables, laws and guards at a state.
     core, lift, laws : tuple of Block
@@ -118,7 +119,13 @@ class _Plan:
         }[self.direction]
         guards = translate.all([guard.value for guard in system.guards])
         watched = tuple(i for i, guard in enumerate(guards) if hy.get_variables(guard))
-        events = [hy_event(kind)(guards[i], direction=falling) for i in watched]
+        # heyoka chooses its steps by events as well as by the state: a guard that is large beside
+        # the state would lengthen them, and is therefore divided by its size at the start
+        first = len(system.parameters)
+        events = [
+            hy_event(kind)(guards[i] * hy.par[first + place], direction=falling)
+            for place, i in enumerate(watched)
+        ]
         integrator = hy.taylor_adaptive(
             list(zip(variables, translate.all(system.rates), strict=True)),
             [kind(1)] * len(variables),

@@ -249,7 +249,8 @@ class _Run:
         self.stepper = copy.copy(code.integrator)
         numbers = [kind(_text(v)) for v in values.values()]
         self.parameters = np.array(numbers, dtype=kind)
-        self.stepper.pars[:] = self.parameters[: len(self.stepper.pars)]
+        number = min(len(self.parameters), len(self.stepper.pars))
+        self.stepper.pars[:number] = self.parameters[:number]
         self.core = core
         self.left_alone = LEFT_ALONE[precision]
         self.projectors: tuple[Projector, ...] = ()
@@ -277,10 +278,27 @@ class _Run:
             self.projectors = (self._with_integrals(self.stepper.state), *self.projectors[1:])
         self._require_numbers(self._whole(self.stepper.state))
         self.first_guards = self._guards(self.stepper.state)
+        self._scale_events(self.stepper.state)
         for guard, value in zip(self.system.guards, self.first_guards, strict=True):
             if not float(value) > 0 and not guard.lift_off:
                 raise InputError(f"start: {guard.happening} ({guard.name} = {float(value):.6g})")
         self.good = (moment, self._whole(self.stepper.state))
+
+    def _scale_events(self, state: Any) -> None:
+        """Give the events their factors: powers of two, which bring large guards down to one."""
+        if not self.code.watched:
+            return
+        first = np.array([float(x) for x in self.first_guards])
+        sizes = np.abs(first)
+        # a guard may be small just where the motion starts: one eighth more of each variable tells
+        for i, value in enumerate(state):
+            varied = np.array(state)
+            varied[i] = value * 9 / 8
+            change = 8 * np.abs([float(x) for x in self._guards(varied)] - first)
+            sizes = np.fmax(sizes, np.where(np.isfinite(change), change, 0.0))
+        exponents = np.maximum(np.frexp(sizes[list(self.code.watched)])[1], 0)
+        factors = np.ldexp(1.0, -exponents)
+        self.stepper.pars[len(self.parameters) :] = [self.kind(x) for x in factors]
 
     def _require_numbers(self, state: Any) -> None:
         """Refuse a start where something that is recorded is not a finite number."""
