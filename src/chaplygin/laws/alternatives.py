@@ -12,7 +12,7 @@ from itertools import product
 
 import sympy as sp
 
-from ..statements import Law
+from ..statements import Law, Measure
 from ..system import System
 from ..vectors import explicit
 from .errors import OutOfReachError
@@ -43,22 +43,34 @@ class Alternative:
 
 def alternatives(system: System, law: Law) -> tuple[Alternative, ...]:
     """The parts of the level of a law that its conditions with functions distinguish."""
-    relations = [_factors(explicit(c)) for c in system.relations]
-    level = [_factors(explicit(c)) for c in law.on]
-    if all(len(made) == 1 for made in (*relations, *level)):
+    conditions = [explicit(c) for c in (*system.relations, *law.on)]
+    factors = [_factors(condition) for condition in conditions]
+    if all(len(made) == 1 for made in factors):
         return (Alternative(system, law),)
-    several = [len(made) > 1 for made in (*relations, *level)]
+    split = len(system.relations)
     found = []
-    for choice in _first(product(*relations, *level)):
-        split = len(relations)
+    for choice in _first(product(*factors)):
+        there = replace(law, on=choice[split:], as_printed=None)
+        if isinstance(there, Measure):
+            there = _among(there, conditions, choice)
         found.append(
             Alternative(
                 replace(system, relations=choice[:split], laws=()),
-                replace(law, on=choice[split:], as_printed=None),
-                tuple(c for c, one in zip(choice, several, strict=True) if one),
+                there,
+                tuple(c for c, made in zip(choice, factors, strict=True) if len(made) > 1),
             )
         )
     return tuple(found)
+
+
+def _among(law: Measure, conditions: list[sp.Expr], choice: tuple[sp.Expr, ...]) -> Measure:
+    """A measure for the volume that factors cut out in place of the conditions.
+
+    Where f = 0 is a part of f g = 0, the volume that f g cuts out is 1/|g| times that of f.
+    """
+    ratios = [sp.cancel(c / factor) for c, factor in zip(conditions, choice, strict=True)]
+    more = tuple((g**2, -sp.Rational(1, 2)) for g in ratios if g.free_symbols)
+    return replace(law, density=(*law.density, *more))
 
 
 def _first(choices: Iterator[tuple[sp.Expr, ...]]) -> Iterator[tuple[sp.Expr, ...]]:

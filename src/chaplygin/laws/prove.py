@@ -372,6 +372,8 @@ def _of_density(law: Measure, ground: Ground) -> str:
         f"{text(formula)} > 0"
         for _, formula in positives(law, ground)
         if ground.sign(formula) is not Sign.POSITIVE
+        # an even power is positive where the density is defined at all
+        and not (formula.is_Pow and formula.exp.is_even)
     ]
     signed = [
         f"({text(formula)})"
