@@ -17,8 +17,8 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 import chaplygin
-from chaplygin.mechanics.start import starting_state
-from chaplygin.system import System
+from chaplygin.core.system import System
+from chaplygin.mechanics.rolling.initial_state import starting_state
 
 CASES = {"chaplygin-ball": 50.0, "unbalanced-ball": 50.0, "rattleback": 2.0}
 TARGETS = (1e-6, 1e-9, 1e-12)

@@ -22,10 +22,10 @@ import numpy as np
 import sympy as sp
 from kane_bicycle import kane_bicycle
 
-from chaplygin.flow.linearise import linearise
-from chaplygin.mechanics.imported import from_sympy
-from chaplygin.mechanics.suslov import equations
-from chaplygin.system import System
+from chaplygin.core.system import System
+from chaplygin.flow.linear_stability import linearise
+from chaplygin.mechanics.lagrangian.poincare_suslov import equations
+from chaplygin.mechanics.lagrangian.sympy_import import from_sympy
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "examples"))
 import whipple_bicycle

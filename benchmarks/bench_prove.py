@@ -31,9 +31,9 @@ LAWS = (
 
 def by_sympy(name: str, law_name: str) -> bool:
     """dF/dt over a common denominator, its numerator reduced modulo the relations."""
-    from chaplygin.laws.ground import Ground
-    from chaplygin.systems import from_catalogue
-    from chaplygin.vectors import explicit
+    from chaplygin.catalogue import from_catalogue
+    from chaplygin.core.vectors import explicit
+    from chaplygin.proof.level.level_set import Ground
 
     system = from_catalogue(name)
     law = next(law for law in system.integrals if law.name == law_name)
@@ -54,8 +54,8 @@ def by_sympy(name: str, law_name: str) -> bool:
 
 def by_prover(name: str, law_name: str) -> bool:
     """The prover of this package, without verdicts of earlier runs."""
-    from chaplygin.laws.prove import prove
-    from chaplygin.systems import from_catalogue
+    from chaplygin.catalogue import from_catalogue
+    from chaplygin.proof.prover import prove
 
     system = from_catalogue(name)
     law = next(law for law in system.integrals if law.name == law_name)
@@ -85,8 +85,8 @@ def timed(road: str, name: str, law: str, limit: float) -> float | None:
 
 def one(road: str, name: str, law: str) -> None:
     """One run, printed for the parent process; building the system is not counted."""
-    import chaplygin.laws.prove  # noqa: F401  (imports are not counted)
-    from chaplygin.systems import from_catalogue
+    import chaplygin.proof.prover  # noqa: F401  (imports are not counted)
+    from chaplygin.catalogue import from_catalogue
 
     from_catalogue(name)
     began = time.perf_counter()

@@ -10,9 +10,9 @@ import time
 
 import numpy as np
 
-from chaplygin.flow.sampling import prepared
-from chaplygin.flow.values import values
-from chaplygin.systems import from_catalogue
+from chaplygin.catalogue import from_catalogue
+from chaplygin.flow.sampling.draw import prepared
+from chaplygin.formulas.evaluate import values
 
 LEVELS = (
     ("chaplygin-ball", {"energy": 1.0}),

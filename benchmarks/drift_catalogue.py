@@ -20,11 +20,11 @@ from typing import Any
 
 import numpy as np
 
+from chaplygin.catalogue import CATALOGUE
 from chaplygin.errors import RunError
-from chaplygin.flow.trajectory import Trajectory, integrate
-from chaplygin.study.experiment import catalogue_experiment
-from chaplygin.study.prepare import Study, prepare
-from chaplygin.systems import CATALOGUE
+from chaplygin.experiment.file.models import catalogue_experiment
+from chaplygin.experiment.study import Study, prepare
+from chaplygin.flow.integrator import Trajectory, integrate
 
 UNTIL = 1e5
 PIECE = 500.0

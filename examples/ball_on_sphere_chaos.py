@@ -23,22 +23,22 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from chaplygin.explore.charts import Chart, chart
-from chaplygin.explore.lyapunov import Spectrum, spectrum
-from chaplygin.explore.parting import Exponent, Megno
-from chaplygin.explore.planes import axis, plane
-from chaplygin.flow.blocks import compute
-from chaplygin.flow.formulas import Formulas
-from chaplygin.flow.lanes import Section, lanes
-from chaplygin.flow.levels import projected
-from chaplygin.laws.search import ask, integrals
-from chaplygin.statements import Integral
-from chaplygin.study.figures import save
-from chaplygin.study.figures.chart import chart as drawn
-from chaplygin.study.figures.style import COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE, WIDTH
-from chaplygin.system import System
-from chaplygin.systems.ball_on_sphere_equations import M, equations, k, n
-from chaplygin.vectors import dot, explicit
+from chaplygin.analysis.lyapunov.compute import Spectrum, spectrum
+from chaplygin.analysis.lyapunov.indicators import Exponent, Megno
+from chaplygin.analysis.scans.grid import axis, plane
+from chaplygin.analysis.scans.scan_task import Chart, chart
+from chaplygin.catalogue.ball_on_sphere.ball_on_sphere_equations import M, equations, k, n
+from chaplygin.core.laws import Integral
+from chaplygin.core.system import System
+from chaplygin.core.vectors import dot, explicit
+from chaplygin.flow.batch import Section, lanes
+from chaplygin.flow.ensemble.task import compute
+from chaplygin.flow.level_projection import projected
+from chaplygin.formulas.batch import Formulas
+from chaplygin.report.drawing.style import COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE, WIDTH
+from chaplygin.report.figures import save
+from chaplygin.report.figures.scan import chart as drawn
+from chaplygin.search import ask, integrals
 
 #: The integrals of the cases k = 1 and k = 0; that of k = −1 is among the laws of the equations.
 AREA = Integral("area", dot(M, n), "area integral", on=(k - 1,))

@@ -13,8 +13,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from chaplygin.explicit.bifurcation import Diagram, bifurcation_diagram, located
-from chaplygin.study.figures import save
-from chaplygin.study.figures.bifurcation import draw
+from chaplygin.report.figures import save
+from chaplygin.report.figures.bifurcation import draw
 
 #: Systems and a state of a motion to be marked, by the names of the pictures.
 SHOWN: Mapping[str, tuple[str, tuple[str, ...]]] = {

@@ -18,15 +18,15 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
+from chaplygin.explicit.base.solution import Solution
 from chaplygin.explicit.revolution import solve_rolling
 from chaplygin.explicit.revolution.diagram import revolution_diagram
-from chaplygin.explicit.solution import Solution
-from chaplygin.mechanics.body import Body
-from chaplygin.mechanics.rolling import Field, Rolling
-from chaplygin.mechanics.shapes import Disk
-from chaplygin.mechanics.start import starting_state
-from chaplygin.study.figures.closed_form_diagram_revolution import diagram_of_revolution
-from chaplygin.study.figures.style import COMPONENTS, INK, STYLE, WIDTH
+from chaplygin.mechanics.rolling.body import Body
+from chaplygin.mechanics.rolling.equations import Field, Rolling
+from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.shapes import Disk
+from chaplygin.report.drawing.style import COMPONENTS, INK, STYLE, WIDTH
+from chaplygin.report.figures.bifurcation_revolution import diagram_of_revolution
 
 #: A homogeneous disk: kg, m.
 DISK = Rolling(Body(1.0, (0.25, 0.25, 0.5), Disk(1.0)), contact="rubber", field=Field(9.81))

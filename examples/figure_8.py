@@ -21,18 +21,18 @@ from typing import Any
 import numpy as np
 from scipy.spatial import KDTree
 
-from chaplygin.flow.blocks import compute
-from chaplygin.flow.formulas import Formulas
-from chaplygin.flow.lanes import section
-from chaplygin.flow.levels import projected
-from chaplygin.flow.sampling import draw as drawn
-from chaplygin.flow.section import SectionMap
-from chaplygin.flow.section_points import section_task
-from chaplygin.study.figures import save
-from chaplygin.study.figures.section import draw
-from chaplygin.study.section import coordinates_of
-from chaplygin.systems import entry
-from chaplygin.vectors import explicit
+from chaplygin.catalogue import entry
+from chaplygin.core.vectors import explicit
+from chaplygin.experiment.poincare import coordinates_of
+from chaplygin.flow.batch import section
+from chaplygin.flow.ensemble.task import compute
+from chaplygin.flow.level_projection import projected
+from chaplygin.flow.sampling.draw import draw as drawn
+from chaplygin.flow.sections.poincare_dataset import section_task
+from chaplygin.flow.sections.poincare_map import SectionMap
+from chaplygin.formulas.batch import Formulas
+from chaplygin.report.figures import save
+from chaplygin.report.figures.poincare import draw
 
 #: kg, kg m² and m, principal axes at the centre of mass.
 BODY: Mapping[str, float] = {

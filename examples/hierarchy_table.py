@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import argparse
 
-from chaplygin.explore.hierarchy import Place, place
-from chaplygin.explore.proofs import Patience
-from chaplygin.laws.budget import EFFORT
-from chaplygin.systems import CATALOGUE, entry
+from chaplygin.analysis.classification.facts import Patience
+from chaplygin.analysis.classification.place import Place, place
+from chaplygin.catalogue import CATALOGUE, entry
+from chaplygin.proof.fields.budget import EFFORT
 
 HEAD = ("system", "dim", "integrals", "left", "measure", "Poisson", "symmetry", "class")
 

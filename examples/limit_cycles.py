@@ -21,17 +21,20 @@ import numpy as np
 import sympy as sp
 from matplotlib.figure import Figure
 
-from chaplygin.explore.continuation import Branch, follow
-from chaplygin.explore.orbits import Orbit, find
-from chaplygin.explore.returns import Circle, Returns
-from chaplygin.explore.rotation import Rotation, rotation_number
-from chaplygin.explore.tongues import Plateau, Staircase, plateau, plateaus, staircase
-from chaplygin.explore.trapping import Cycle, trapped
-from chaplygin.flow.lanes import section
-from chaplygin.flow.section import SectionMap
-from chaplygin.study.figures.style import INK, QUIET, SERIES, STYLE, WIDTH
-from chaplygin.systems import from_catalogue
-from chaplygin.systems.unbalanced_rubber_ball_centred import (
+from chaplygin.analysis.orbits.arnold_tongues import (
+    Plateau,
+    Staircase,
+    plateau,
+    plateaus,
+    staircase,
+)
+from chaplygin.analysis.orbits.continuation import Branch, follow
+from chaplygin.analysis.orbits.limit_cycles import Cycle, trapped
+from chaplygin.analysis.orbits.periodic import Orbit, find
+from chaplygin.analysis.orbits.return_map import Circle, Returns
+from chaplygin.analysis.orbits.rotation import Rotation, rotation_number
+from chaplygin.catalogue import from_catalogue
+from chaplygin.catalogue.bodies.unbalanced_rubber_ball_centred import (
     J_1,
     J_2,
     J_3,
@@ -42,6 +45,9 @@ from chaplygin.systems.unbalanced_rubber_ball_centred import (
     torus,
     xi,
 )
+from chaplygin.flow.batch import section
+from chaplygin.flow.sections.poincare_map import SectionMap
+from chaplygin.report.drawing.style import INK, QUIET, SERIES, STYLE, WIDTH
 
 #: Moments about the geometric centre plus mR² (kg m²), and κ = 2mR c, c its place from the centre
 #: of mass: a ball of 1 kg with R = 0.5 m, as in the proof that there are limit cycles.

@@ -7,10 +7,10 @@ The frame is that of the rigid motions in body axes; place and heading are of no
 only the vertical γ is left of the configuration.
 """
 
-from chaplygin.mechanics.quasivelocity import Frame, Mechanism, euclidean
-from chaplygin.statements import Integral
-from chaplygin.system import Parameter
-from chaplygin.vectors import Diagonal, Vector, cross, dot, normed, scalar, unit
+from chaplygin.core.laws import Integral
+from chaplygin.core.system import Parameter
+from chaplygin.core.vectors import Diagonal, Vector, cross, dot, normed, scalar, unit
+from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism, euclidean
 
 gamma, omega, v, r = (Vector(name) for name in ("gamma", "omega", "v", "r"))
 I = Diagonal("I")

@@ -19,19 +19,19 @@ from typing import Any
 import numpy as np
 from flint import ctx
 
-from chaplygin.explicit.chaplygin_ball import chaplygin_ball
-from chaplygin.explicit.clebsch import clebsch_case
-from chaplygin.explicit.genus_two import BITS, GenusTwo, solved
-from chaplygin.explicit.neumann import neumann_system
-from chaplygin.explicit.numbers import ball, evaluated, number
-from chaplygin.explicit.separable import Separable
-from chaplygin.explicit.transport import pulled_back, pushed_forward
-from chaplygin.explicit.veselova import veselova
-from chaplygin.flow.trajectory import integrate
-from chaplygin.statements import Isomorphism
-from chaplygin.system import System, flat_pairs
-from chaplygin.systems import from_catalogue
-from chaplygin.vectors import explicit
+from chaplygin.catalogue import from_catalogue
+from chaplygin.core.laws import Isomorphism
+from chaplygin.core.system import System, flat_pairs
+from chaplygin.core.vectors import explicit
+from chaplygin.explicit.genus_two.separation import Separable
+from chaplygin.explicit.genus_two_solution import BITS, GenusTwo, solved
+from chaplygin.explicit.isomorphism import pulled_back, pushed_forward
+from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
+from chaplygin.explicit.separations.clebsch import clebsch_case
+from chaplygin.explicit.separations.neumann import neumann_system
+from chaplygin.explicit.separations.veselova import veselova
+from chaplygin.flow.integrator import integrate
+from chaplygin.formulas.balls import ball, evaluated, number
 
 #: Times at which motions are compared, s.
 SHORT, LONG = np.linspace(0.0, 100.0, 11), np.array([1e3, 1e4, 1e5])

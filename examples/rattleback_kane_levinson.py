@@ -41,11 +41,11 @@ import sympy as sp
 from scipy.optimize import brentq, minimize_scalar
 
 import chaplygin
-from chaplygin.mechanics.rolling import Field, Rolling
-from chaplygin.mechanics.rolling_mechanism import rolling_mechanism
-from chaplygin.mechanics.suslov import equations
-from chaplygin.system import Parameter, System
-from chaplygin.vectors import dot, explicit, scalar, vectors
+from chaplygin.core.system import Parameter, System
+from chaplygin.core.vectors import dot, explicit, scalar, vectors
+from chaplygin.mechanics.lagrangian.poincare_suslov import equations
+from chaplygin.mechanics.rolling.equations import Field, Rolling
+from chaplygin.mechanics.rolling.mechanism import rolling_mechanism
 
 omega, gamma = vectors("omega gamma")
 sigma = scalar("sigma")
@@ -218,7 +218,7 @@ def draw(free: Run, damped: Run, path: Path) -> None:
     from matplotlib import rc_context
     from matplotlib.figure import Figure
 
-    from chaplygin.study.figures.style import COMPONENTS, FAINT, STYLE, WIDTH
+    from chaplygin.report.drawing.style import COMPONENTS, FAINT, STYLE, WIDTH
 
     with rc_context(STYLE):
         figure = Figure(figsize=(WIDTH, 4.6), layout="constrained")

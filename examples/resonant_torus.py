@@ -22,15 +22,15 @@ import mpmath
 from flint import arb, ctx
 from matplotlib.figure import Figure
 
-from chaplygin.explicit.chaplygin_ball import chaplygin_ball
-from chaplygin.explicit.curve import Curve
-from chaplygin.explicit.genus_two import GenusTwo, solved
-from chaplygin.explicit.numbers import ball_function, components
-from chaplygin.explicit.periods import Lattice, lattice
-from chaplygin.explicit.prepared import chain
-from chaplygin.explicit.separable import Separable
-from chaplygin.flow.trajectory import integrate
-from chaplygin.study.figures.style import INK, QUIET, SERIES, STYLE, WIDTH
+from chaplygin.explicit.genus_two.curve import Curve
+from chaplygin.explicit.genus_two.periods import Lattice, lattice
+from chaplygin.explicit.genus_two.separated_motion import chain
+from chaplygin.explicit.genus_two.separation import Separable
+from chaplygin.explicit.genus_two_solution import GenusTwo, solved
+from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
+from chaplygin.flow.integrator import integrate
+from chaplygin.formulas.balls import ball_function, components
+from chaplygin.report.drawing.style import INK, QUIET, SERIES, STYLE, WIDTH
 
 #: A long body inside a ball: kg, m.
 BALL = {"m": "1", "I_1": "0.1", "I_2": "0.8", "I_3": "0.85", "R": "1"}

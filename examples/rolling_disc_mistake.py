@@ -34,18 +34,18 @@ from sympy.physics.mechanics import (
     inertia,
 )
 
-from chaplygin.flow.linearise import linearise
-from chaplygin.flow.trajectory import Trajectory, integrate
-from chaplygin.laws.prove import prove
-from chaplygin.laws.verdict import Verdict
-from chaplygin.mechanics.constraints import nonholonomy
-from chaplygin.mechanics.imported import from_sympy
-from chaplygin.mechanics.quasivelocity import Frame, Mechanism
-from chaplygin.mechanics.suslov import equations
-from chaplygin.statements import Identity, Rate
-from chaplygin.study.figures.style import QUIET, SERIES, STYLE, WIDTH
-from chaplygin.system import Guard, Parameter, System
-from chaplygin.vectors import scalar
+from chaplygin.core.laws import Identity, Rate
+from chaplygin.core.system import Guard, Parameter, System
+from chaplygin.core.vectors import scalar
+from chaplygin.flow.integrator import Trajectory, integrate
+from chaplygin.flow.linear_stability import linearise
+from chaplygin.mechanics.constraints.integrability import nonholonomy
+from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism
+from chaplygin.mechanics.lagrangian.poincare_suslov import equations
+from chaplygin.mechanics.lagrangian.sympy_import import from_sympy
+from chaplygin.proof.prover import prove
+from chaplygin.proof.verdict import Verdict
+from chaplygin.report.drawing.style import QUIET, SERIES, STYLE, WIDTH
 
 DEFAULTS = {"m": 1.0, "r": 0.3, "g": 9.81}
 m, r, g = (scalar(name) for name in DEFAULTS)

@@ -20,17 +20,17 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.figure import Figure
 
-from chaplygin.explore.averages import Average
-from chaplygin.explore.lyapunov import spectrum
-from chaplygin.explore.orbits import NoOrbitError, Orbit, find
-from chaplygin.explore.returns import Returns
-from chaplygin.explore.rotation import average
-from chaplygin.flow.formulas import Formulas
-from chaplygin.flow.lanes import section
-from chaplygin.flow.section import SectionMap
-from chaplygin.study.figures.style import STYLE, WIDTH
-from chaplygin.systems import rubber_ball_ratio as ball
-from chaplygin.vectors import explicit
+from chaplygin.analysis.lyapunov.averages import Average
+from chaplygin.analysis.lyapunov.compute import spectrum
+from chaplygin.analysis.orbits.periodic import NoOrbitError, Orbit, find
+from chaplygin.analysis.orbits.return_map import Returns
+from chaplygin.analysis.orbits.rotation import average
+from chaplygin.catalogue.ball_on_sphere import rubber_ball_ratio as ball
+from chaplygin.core.vectors import explicit
+from chaplygin.flow.batch import section
+from chaplygin.flow.sections.poincare_map import SectionMap
+from chaplygin.formulas.batch import Formulas
+from chaplygin.report.drawing.style import STYLE, WIDTH
 
 #: J = I + mb², kg m².
 J = np.array([1.0, 2.0, 2.8])

@@ -23,19 +23,19 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from chaplygin.analysis.lyapunov.compute import Spectrum, spectrum
+from chaplygin.analysis.lyapunov.report import remarks
+from chaplygin.analysis.orbits.reversing_symmetries import Reversor, reversors
+from chaplygin.core.system import System
 from chaplygin.errors import RunError
-from chaplygin.explore.lyapunov import Spectrum, spectrum
-from chaplygin.explore.reversors import Reversor, reversors
-from chaplygin.explore.spectra import remarks
-from chaplygin.flow.formulas import Formulas
-from chaplygin.flow.lanes import lanes, section
-from chaplygin.flow.levels import projected
-from chaplygin.flow.sampling import draw
-from chaplygin.mechanics.body import Body
-from chaplygin.mechanics.rolling import Field, Rolling
-from chaplygin.mechanics.shapes import Ellipsoid
-from chaplygin.study.figures.style import FAINT, INK, QUIET, SERIES, STYLE, WIDTH
-from chaplygin.system import System
+from chaplygin.flow.batch import lanes, section
+from chaplygin.flow.level_projection import projected
+from chaplygin.flow.sampling.draw import draw
+from chaplygin.formulas.batch import Formulas
+from chaplygin.mechanics.rolling.body import Body
+from chaplygin.mechanics.rolling.equations import Field, Rolling
+from chaplygin.mechanics.rolling.shapes import Ellipsoid
+from chaplygin.report.drawing.style import FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 
 GRAVITY = Field(9.81)
 

@@ -33,14 +33,14 @@ from scipy.optimize import brentq
 from whipple_by_hand import by_hand
 from whipple_figures import eigenvalue_figure, run_figure
 
-from chaplygin.flow.linearise import Linearisation, linearise
-from chaplygin.flow.trajectory import Trajectory, integrate
-from chaplygin.mechanics.plan import Plan
-from chaplygin.mechanics.quasivelocity import Frame, Mechanism, euclidean
-from chaplygin.mechanics.suslov import equations
-from chaplygin.study.figures.style import STYLE
-from chaplygin.system import Guard, Observable, Parameter, System
-from chaplygin.vectors import constant, cross, dot, explicit, normed, scalar, unit, vectors
+from chaplygin.core.system import Guard, Observable, Parameter, System
+from chaplygin.core.vectors import constant, cross, dot, explicit, normed, scalar, unit, vectors
+from chaplygin.flow.integrator import Trajectory, integrate
+from chaplygin.flow.linear_stability import Linearisation, linearise
+from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism, euclidean
+from chaplygin.mechanics.lagrangian.plan import Plan
+from chaplygin.mechanics.lagrangian.poincare_suslov import equations
+from chaplygin.report.drawing.style import STYLE
 
 DIGITS = 20
 

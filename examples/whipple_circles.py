@@ -21,8 +21,8 @@ import sympy as sp
 from matplotlib.figure import Figure
 from whipple_bicycle import VALUES, critical_speeds, model, near, upright
 
-from chaplygin.flow.linearise import linearise, steady
-from chaplygin.study.figures.style import SERIES, STYLE, WIDTH
+from chaplygin.flow.linear_stability import linearise, steady
+from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
 
 DIGITS = 15
 ANGLES = (1, 2, 5, 10, 15, 20, 25, 30, 35, 40, 45, 50, 60)

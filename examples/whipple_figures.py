@@ -9,8 +9,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.figure import Figure
 
-from chaplygin.flow.trajectory import Trajectory
-from chaplygin.study.figures.style import FAINT, QUIET, SERIES, WIDTH
+from chaplygin.flow.integrator import Trajectory
+from chaplygin.report.drawing.style import FAINT, QUIET, SERIES, WIDTH
 
 
 def eigenvalue_figure(

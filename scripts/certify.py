@@ -17,13 +17,13 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, TextIO
 
+from chaplygin.borisov_mamaev import claims
+from chaplygin.catalogue import CATALOGUE, from_catalogue
+from chaplygin.core.laws import Law
+from chaplygin.core.system import System
 from chaplygin.errors import InputError
-from chaplygin.laws.certificate import certified
-from chaplygin.laws.verdict import Verdict
-from chaplygin.paper import claims
-from chaplygin.statements import Law
-from chaplygin.system import System
-from chaplygin.systems import CATALOGUE, from_catalogue
+from chaplygin.proof.certificates.certificate import certified
+from chaplygin.proof.verdict import Verdict
 
 Named = tuple[str, System, Law]
 """Where a law stands, its system, and the law."""

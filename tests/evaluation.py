@@ -11,8 +11,8 @@ import mpmath
 import numpy as np
 import sympy as sp
 
-from chaplygin.system import System
-from chaplygin.vectors import explicit
+from chaplygin.core.system import System
+from chaplygin.core.vectors import explicit
 
 
 def numeric(

@@ -6,11 +6,11 @@ import itertools
 
 import sympy as sp
 
-from chaplygin.mechanics.body import Body
-from chaplygin.mechanics.rolling import Field, roll
-from chaplygin.mechanics.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
-from chaplygin.mechanics.surfaces import Plane, Sphere
-from chaplygin.system import System
+from chaplygin.core.system import System
+from chaplygin.mechanics.rolling.body import Body
+from chaplygin.mechanics.rolling.equations import Field, roll
+from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
+from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
 
 x, y, z = Implicit.coordinates
 gamma_1, gamma_3 = sp.Symbol("gamma_1", real=True), sp.Symbol("gamma_3", real=True)

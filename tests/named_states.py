@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from chaplygin.statements import Integral, Measure
-from chaplygin.system import Parameter, System
-from chaplygin.systems import CATALOGUE, Entry, Start
-from chaplygin.systems.entry import Numbers
-from chaplygin.vectors import Diagonal, cross, dot, normed, scalar, unit, vectors
+from chaplygin.catalogue import CATALOGUE, Entry, Start
+from chaplygin.catalogue.entry import Numbers
+from chaplygin.core.laws import Integral, Measure
+from chaplygin.core.system import Parameter, System
+from chaplygin.core.vectors import Diagonal, cross, dot, normed, scalar, unit, vectors
 
 u, omega, theta, x, y = (scalar(name) for name in ("u", "omega", "theta", "x", "y"))
 m, a, inertia = (scalar(name) for name in ("m", "a", "I"))

@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from chaplygin.statements import (
+from chaplygin.core.laws import (
     ConformallyHamiltonian,
     Identity,
     Integral,
@@ -19,8 +19,8 @@ from chaplygin.statements import (
     Reduction,
     Symmetry,
 )
-from chaplygin.system import System
-from chaplygin.vectors import explicit
+from chaplygin.core.system import System
+from chaplygin.core.vectors import explicit
 
 Slip = Callable[[sp.Expr, System], sp.Expr | None]
 

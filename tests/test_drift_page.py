@@ -8,11 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from chaplygin.flow.trajectory import integrate
-from chaplygin.study.experiment import catalogue_experiment
-from chaplygin.study.prepare import prepare
-from chaplygin.study.summary import drift
-from chaplygin.systems import CATALOGUE
+from chaplygin.catalogue import CATALOGUE
+from chaplygin.experiment.file.models import catalogue_experiment
+from chaplygin.experiment.study import prepare
+from chaplygin.flow.integrator import integrate
+from chaplygin.report.summary import drift
 
 PAGE = (Path(__file__).parents[1] / "docs" / "drift.md").read_text()
 ROWS = {

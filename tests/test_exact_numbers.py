@@ -10,14 +10,14 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from chaplygin.core.vectors import scalar
 from chaplygin.errors import InputError
-from chaplygin.expressions.exact import exact_number, exactly
-from chaplygin.laws.search.modular import Evaluator, prime
-from chaplygin.mechanics.constraints import nonholonomy_at
-from chaplygin.mechanics.germs import Germs
-from chaplygin.mechanics.quasivelocity import Mechanism, coordinates
-from chaplygin.mechanics.series import Rational
-from chaplygin.vectors import scalar
+from chaplygin.formulas.expansion import Germs
+from chaplygin.formulas.taylor import Rational
+from chaplygin.mechanics.constraints.integrability import nonholonomy_at
+from chaplygin.mechanics.lagrangian.mechanism import Mechanism, coordinates
+from chaplygin.parsing.exact_decimals import exact_number, exactly
+from chaplygin.search.modular_jets import Evaluator, prime
 
 x = scalar("x")
 

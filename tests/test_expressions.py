@@ -9,7 +9,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from chaplygin.errors import InputError, RunError
-from chaplygin.expressions import FUNCTIONS, MAX_LENGTH, nearest, parse
+from chaplygin.parsing import FUNCTIONS, MAX_LENGTH, nearest, parse
 
 NAMES = {name: sympy.Symbol(name, real=True) for name in ("x", "y", "z", "gamma_3", "a")}
 X, Y, Z = NAMES["x"], NAMES["y"], NAMES["z"]

@@ -9,16 +9,16 @@ from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq
 from scipy.special import ellipk
 
-from chaplygin.flow.trajectory import Trajectory, integrate
-from chaplygin.mechanics.body import Body
-from chaplygin.mechanics.rolling import Field, roll
-from chaplygin.mechanics.shapes import Ball, Disk, Ellipsoid
-from chaplygin.mechanics.start import starting_state
-from chaplygin.mechanics.surfaces import Plane, Sphere
-from chaplygin.study.summary import drift
-from chaplygin.system import System
-from chaplygin.systems import CATALOGUE, from_catalogue
-from chaplygin.vectors import constant, cross, dot, normed, vectors
+from chaplygin.catalogue import CATALOGUE, from_catalogue
+from chaplygin.core.system import System
+from chaplygin.core.vectors import constant, cross, dot, normed, vectors
+from chaplygin.flow.integrator import Trajectory, integrate
+from chaplygin.mechanics.rolling.body import Body
+from chaplygin.mechanics.rolling.equations import Field, roll
+from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid
+from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
+from chaplygin.report.summary import drift
 from evaluation import jacobian, numeric
 
 M, gamma, omega, r = vectors("M gamma omega r")

@@ -13,16 +13,16 @@ import pytest
 
 import chaplygin
 from chaplygin import measure_exists, nonholonomy, prove
-from chaplygin.laws.search import ask, integrals
-from chaplygin.mechanics.body import Body
-from chaplygin.mechanics.quasivelocity import Mechanism, coordinates
-from chaplygin.mechanics.reduction import chaplygin_form
-from chaplygin.mechanics.rolling import Rolling
-from chaplygin.mechanics.shapes import Ball
-from chaplygin.mechanics.suslov import equations
-from chaplygin.paper.limit_cycle import displacement
-from chaplygin.systems import from_catalogue
-from chaplygin.vectors import scalar
+from chaplygin.borisov_mamaev.methods.limit_cycle import displacement
+from chaplygin.catalogue import from_catalogue
+from chaplygin.core.vectors import scalar
+from chaplygin.mechanics.lagrangian.mechanism import Mechanism, coordinates
+from chaplygin.mechanics.lagrangian.poincare_suslov import equations
+from chaplygin.mechanics.reduction.chaplygin import chaplygin_form
+from chaplygin.mechanics.rolling.body import Body
+from chaplygin.mechanics.rolling.equations import Rolling
+from chaplygin.mechanics.rolling.shapes import Ball
+from chaplygin.search import ask, integrals
 
 SOURCE = Path(chaplygin.__file__).parent
 x, y, phi = (scalar(name) for name in ("x", "y", "phi"))

@@ -3,9 +3,9 @@
 import pytest
 import sympy
 
+from chaplygin.core.vectors import Diagonal, Vector, cross, dot, explicit, scalar
 from chaplygin.errors import InputError
-from chaplygin.expressions import parse_formula
-from chaplygin.vectors import Diagonal, Vector, cross, dot, explicit, scalar
+from chaplygin.parsing import parse_formula
 
 GAMMA, OMEGA, Q = Vector("gamma"), Vector("omega"), Vector("q", 4)
 TENSOR, M = Diagonal("I"), scalar("m")

@@ -14,12 +14,12 @@ import numpy as np
 import sympy as sp
 
 import chaplygin
-from chaplygin.flow import cache
-from chaplygin.flow.starts import flat_starts
-from chaplygin.flow.translate import Translator
-from chaplygin.mechanics.rolling import Field
-from chaplygin.system import System
-from chaplygin.systems import unbalanced_ball
+from chaplygin.catalogue.bodies import unbalanced_ball
+from chaplygin.core.system import System
+from chaplygin.flow.heyoka_expressions import Translator
+from chaplygin.flow.initial_states import flat_starts
+from chaplygin.flow.kernel import code_cache as cache
+from chaplygin.mechanics.rolling.equations import Field
 
 __all__ = ["BODIES", "Body", "deviation", "rows"]
 

@@ -10,8 +10,8 @@ from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from chaplygin.flow.graph import Term, of_system, ordered
-from chaplygin.flow.tables import explicit
+from chaplygin.flow.kernel.tableaux import explicit
+from chaplygin.formulas.graph import Term, of_system, ordered
 
 from .bodies import Body
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import heyoka as hy
 import numpy as np
 
-from chaplygin.flow.lanes import lanes, section
-from chaplygin.flow.precise import precise
+from chaplygin.flow.batch import lanes, section
+from chaplygin.flow.gauss import precise
 
 from .bodies import Body
 from .programs import Program, Run

@@ -8,8 +8,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from chaplygin.flow.lanes import lanes
-from chaplygin.flow.tables import explicit
+from chaplygin.flow.batch import lanes
+from chaplygin.flow.kernel.tableaux import explicit
 
 from .bodies import Body
 from .generated import operations

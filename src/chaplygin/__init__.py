@@ -17,36 +17,13 @@ from typing import TYPE_CHECKING, Any
 from ._version import __version__
 
 if TYPE_CHECKING:
-    from .errors import InputError, RunError
-    from .explicit.solution import Solution
-    from .explicit.solve import solve
-    from .explore.hierarchy import place
-    from .explore.lyapunov import spectrum
-    from .explore.reversors import reversors
-    from .explore.rotation import rotation_number
-    from .flow.ensemble import ensemble
-    from .flow.lanes import lanes, section
-    from .flow.linearise import linearise
-    from .flow.precise import precise
-    from .flow.sampling import draw
-    from .flow.section import SectionMap
-    from .flow.trajectory import Trajectory, integrate
-    from .laws.prove import prove
-    from .laws.unimodular import measure_exists
-    from .laws.verdict import Verdict
-    from .mechanics.body import Body
-    from .mechanics.constraints import nonholonomy
-    from .mechanics.imported import from_sympy, mechanism_from_sympy
-    from .mechanics.quasivelocity import Frame, Mechanism, coordinates
-    from .mechanics.reduction import chaplygin_form
-    from .mechanics.rolling import Field, Rolling, roll
-    from .mechanics.rolling_ball import RollingBall
-    from .mechanics.rolling_mechanism import rolling_mechanism
-    from .mechanics.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
-    from .mechanics.start import starting_state
-    from .mechanics.surfaces import Plane, Sphere
-    from .mechanics.suslov import equations
-    from .statements import (
+    from .analysis.classification.place import place
+    from .analysis.lyapunov.compute import spectrum
+    from .analysis.orbits.reversing_symmetries import reversors
+    from .analysis.orbits.rotation import rotation_number
+    from .borisov_mamaev.audit import audit
+    from .catalogue import CATALOGUE, from_catalogue
+    from .core.laws import (
         ConformallyHamiltonian,
         Identity,
         Integral,
@@ -58,79 +35,102 @@ if TYPE_CHECKING:
         Separation,
         Symmetry,
     )
-    from .study.audit import audit
-    from .study.dataset import read, to_dataset, write
-    from .study.experiment import load, loads
-    from .study.prepare import Study, prepare
-    from .system import Parameter, System
-    from .systems import CATALOGUE, from_catalogue
+    from .core.system import Parameter, System
+    from .errors import InputError, RunError
+    from .experiment.dataset import read, to_dataset, write
+    from .experiment.file.models import load, loads
+    from .experiment.study import Study, prepare
+    from .explicit.base.solution import Solution
+    from .explicit.solver import solve
+    from .flow.batch import lanes, section
+    from .flow.ensemble.run import ensemble
+    from .flow.gauss import precise
+    from .flow.integrator import Trajectory, integrate
+    from .flow.linear_stability import linearise
+    from .flow.sampling.draw import draw
+    from .flow.sections.poincare_map import SectionMap
+    from .measures.existence import measure_exists
+    from .mechanics.ball.ball import RollingBall
+    from .mechanics.constraints.integrability import nonholonomy
+    from .mechanics.lagrangian.mechanism import Frame, Mechanism, coordinates
+    from .mechanics.lagrangian.poincare_suslov import equations
+    from .mechanics.lagrangian.sympy_import import from_sympy, mechanism_from_sympy
+    from .mechanics.reduction.chaplygin import chaplygin_form
+    from .mechanics.rolling.body import Body
+    from .mechanics.rolling.equations import Field, Rolling, roll
+    from .mechanics.rolling.initial_state import starting_state
+    from .mechanics.rolling.mechanism import rolling_mechanism
+    from .mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
+    from .mechanics.rolling.surfaces import Plane, Sphere
+    from .proof.prover import prove
+    from .proof.verdict import Verdict
 
 _HOME = {
-    "Ball": "mechanics.shapes",
-    "Body": "mechanics.body",
-    "CATALOGUE": "systems",
-    "ConformallyHamiltonian": "statements",
-    "Disk": "mechanics.shapes",
-    "Ellipsoid": "mechanics.shapes",
-    "Field": "mechanics.rolling",
-    "Frame": "mechanics.quasivelocity",
-    "Identity": "statements",
-    "Implicit": "mechanics.shapes",
+    "Ball": "mechanics.rolling.shapes",
+    "Body": "mechanics.rolling.body",
+    "CATALOGUE": "catalogue",
+    "ConformallyHamiltonian": "core.laws",
+    "Disk": "mechanics.rolling.shapes",
+    "Ellipsoid": "mechanics.rolling.shapes",
+    "Field": "mechanics.rolling.equations",
+    "Frame": "mechanics.lagrangian.mechanism",
+    "Identity": "core.laws",
+    "Implicit": "mechanics.rolling.shapes",
     "InputError": "errors",
-    "Integral": "statements",
-    "Isomorphism": "statements",
-    "Measure": "statements",
-    "Mechanism": "mechanics.quasivelocity",
-    "Parameter": "system",
-    "Plane": "mechanics.surfaces",
-    "PoissonStructure": "statements",
-    "Rate": "statements",
-    "Reduction": "statements",
-    "Revolution": "mechanics.shapes",
-    "Rolling": "mechanics.rolling",
-    "RollingBall": "mechanics.rolling_ball",
+    "Integral": "core.laws",
+    "Isomorphism": "core.laws",
+    "Measure": "core.laws",
+    "Mechanism": "mechanics.lagrangian.mechanism",
+    "Parameter": "core.system",
+    "Plane": "mechanics.rolling.surfaces",
+    "PoissonStructure": "core.laws",
+    "Rate": "core.laws",
+    "Reduction": "core.laws",
+    "Revolution": "mechanics.rolling.shapes",
+    "Rolling": "mechanics.rolling.equations",
+    "RollingBall": "mechanics.ball.ball",
     "RunError": "errors",
-    "SectionMap": "flow.section",
-    "Separation": "statements",
-    "Solution": "explicit.solution",
-    "Sphere": "mechanics.surfaces",
-    "Study": "study.prepare",
-    "Symmetry": "statements",
-    "System": "system",
-    "Torus": "mechanics.shapes",
-    "Trajectory": "flow.trajectory",
-    "Verdict": "laws.verdict",
-    "audit": "study.audit",
-    "chaplygin_form": "mechanics.reduction",
-    "coordinates": "mechanics.quasivelocity",
-    "draw": "flow.sampling",
-    "ensemble": "flow.ensemble",
-    "equations": "mechanics.suslov",
-    "from_catalogue": "systems",
-    "from_sympy": "mechanics.imported",
-    "integrate": "flow.trajectory",
-    "lanes": "flow.lanes",
-    "linearise": "flow.linearise",
-    "load": "study.experiment",
-    "loads": "study.experiment",
-    "measure_exists": "laws.unimodular",
-    "mechanism_from_sympy": "mechanics.imported",
-    "nonholonomy": "mechanics.constraints",
-    "place": "explore.hierarchy",
-    "precise": "flow.precise",
-    "prepare": "study.prepare",
-    "prove": "laws.prove",
-    "read": "study.dataset",
-    "reversors": "explore.reversors",
-    "roll": "mechanics.rolling",
-    "rolling_mechanism": "mechanics.rolling_mechanism",
-    "rotation_number": "explore.rotation",
-    "section": "flow.lanes",
-    "solve": "explicit.solve",
-    "spectrum": "explore.lyapunov",
-    "starting_state": "mechanics.start",
-    "to_dataset": "study.dataset",
-    "write": "study.dataset",
+    "SectionMap": "flow.sections.poincare_map",
+    "Separation": "core.laws",
+    "Solution": "explicit.base.solution",
+    "Sphere": "mechanics.rolling.surfaces",
+    "Study": "experiment.study",
+    "Symmetry": "core.laws",
+    "System": "core.system",
+    "Torus": "mechanics.rolling.shapes",
+    "Trajectory": "flow.integrator",
+    "Verdict": "proof.verdict",
+    "audit": "borisov_mamaev.audit",
+    "chaplygin_form": "mechanics.reduction.chaplygin",
+    "coordinates": "mechanics.lagrangian.mechanism",
+    "draw": "flow.sampling.draw",
+    "ensemble": "flow.ensemble.run",
+    "equations": "mechanics.lagrangian.poincare_suslov",
+    "from_catalogue": "catalogue",
+    "from_sympy": "mechanics.lagrangian.sympy_import",
+    "integrate": "flow.integrator",
+    "lanes": "flow.batch",
+    "linearise": "flow.linear_stability",
+    "load": "experiment.file.models",
+    "loads": "experiment.file.models",
+    "measure_exists": "measures.existence",
+    "mechanism_from_sympy": "mechanics.lagrangian.sympy_import",
+    "nonholonomy": "mechanics.constraints.integrability",
+    "place": "analysis.classification.place",
+    "precise": "flow.gauss",
+    "prepare": "experiment.study",
+    "prove": "proof.prover",
+    "read": "experiment.dataset",
+    "reversors": "analysis.orbits.reversing_symmetries",
+    "roll": "mechanics.rolling.equations",
+    "rolling_mechanism": "mechanics.rolling.mechanism",
+    "rotation_number": "analysis.orbits.rotation",
+    "section": "flow.batch",
+    "solve": "explicit.solver",
+    "spectrum": "analysis.lyapunov.compute",
+    "starting_state": "mechanics.rolling.initial_state",
+    "to_dataset": "experiment.dataset",
+    "write": "experiment.dataset",
 }
 
 __all__ = [

@@ -8,11 +8,11 @@ import pytest
 import sympy as sp
 from flint import arb, ctx
 
-from chaplygin.check.errors import UndefinedError
-from chaplygin.check.evaluate import Place
-from chaplygin.check.formulas import parse
-from chaplygin.check.jets import ball
-from chaplygin.check.unspecified import Functions
+from chaplygin.check.claim.errors import UndefinedError
+from chaplygin.check.claim.evaluate import Place
+from chaplygin.check.claim.formulas import parse
+from chaplygin.check.claim.jets import ball
+from chaplygin.check.claim.unspecified_functions import Functions
 
 x, y = sp.symbols("x y")
 POINT = {"x": Fraction(3, 7), "y": Fraction(-2, 5)}

@@ -7,9 +7,9 @@ from fractions import Fraction
 import pytest
 import sympy as sp
 
-from chaplygin.check.errors import CheckError
-from chaplygin.check.evaluate import exact_value
-from chaplygin.check.formulas import Formula, function, name, parse, parse_condition
+from chaplygin.check.claim.errors import CheckError
+from chaplygin.check.claim.evaluate import exact_value
+from chaplygin.check.claim.formulas import Formula, function, name, parse, parse_condition
 
 
 @pytest.mark.parametrize(

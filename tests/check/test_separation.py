@@ -8,10 +8,10 @@ import pytest
 import sympy as sp
 
 from chaplygin.check import CheckError, check
-from chaplygin.laws.certificate import certified
-from chaplygin.statements import Rate, Separation
-from chaplygin.system import System
-from chaplygin.vectors import scalar
+from chaplygin.core.laws import Rate, Separation
+from chaplygin.core.system import System
+from chaplygin.core.vectors import scalar
+from chaplygin.proof.certificates.certificate import certified
 
 x, y, c, u, v = (scalar(name) for name in ("x", "y", "c", "u", "v"))
 

@@ -104,7 +104,7 @@ def test_what_is_there_is_gone_on_with_and_nothing_else_touched(ask: Ask, tmp_pa
 
 
 def test_interrupted(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
-    from chaplygin.explore.charts import Chart
+    from chaplygin.analysis.scans.scan_task import Chart
 
     def interrupted(self: Chart, first: int, last: int) -> None:
         raise KeyboardInterrupt

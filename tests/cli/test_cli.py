@@ -12,13 +12,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from catalogue import built
+from chaplygin.catalogue import CATALOGUE
 from chaplygin.cli import main
-from chaplygin.study.dataset import read
-from chaplygin.study.experiment import load
-from chaplygin.systems import CATALOGUE
+from chaplygin.experiment.dataset import read
+from chaplygin.experiment.file.models import load
 from named_states import named_states
 from spread import spread
-from systems import built
 
 __all__ = ["named_states"]
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from chaplygin.cli import main
-from chaplygin.flow.store import read
+from chaplygin.flow.ensemble.zarr_store import read
 
 Ask = Callable[..., tuple[int, str, str]]
 

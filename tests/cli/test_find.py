@@ -11,11 +11,11 @@ from typing import Any
 
 import pytest
 
+from chaplygin import search
+from chaplygin.catalogue import from_catalogue
 from chaplygin.cli import main
 from chaplygin.cli.find import special
-from chaplygin.laws import search
-from chaplygin.laws.search import Finding, Question
-from chaplygin.systems import from_catalogue
+from chaplygin.search import Finding, Question
 
 Answer = tuple[int, str, str]
 Ask = Callable[..., Answer]

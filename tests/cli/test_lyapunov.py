@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from chaplygin.cli import main
-from chaplygin.study.dataset import read
+from chaplygin.experiment.dataset import read
 
 Answer = tuple[int, str, str]
 Ask = Callable[..., Answer]
@@ -145,7 +145,7 @@ def test_mistakes(ask: Ask, arguments: tuple[str, ...], message: str) -> None:
 def test_ctrl_c_gives_the_spectrum_until_then(
     ask: Ask, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    followed = import_module("chaplygin.explore.lyapunov")
+    followed = import_module("chaplygin.analysis.lyapunov.compute")
     original = followed.propagate
 
     def stopped(count: int) -> Callable[..., Iterator[Any]]:

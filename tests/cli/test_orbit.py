@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from asking import Ask, ask
-from chaplygin.study.dataset import read
+from chaplygin.experiment.dataset import read
 
 __all__ = ["ask"]
 

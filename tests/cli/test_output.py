@@ -13,9 +13,9 @@ from pathlib import Path
 import pytest
 import xarray as xr
 
+from chaplygin.borisov_mamaev.audit import TITLES
 from chaplygin.cli import audit, main
-from chaplygin.study.audit import TITLES
-from chaplygin.study.dataset import read
+from chaplygin.experiment.dataset import read
 
 Ask = Callable[..., tuple[int, str, str]]
 

@@ -9,10 +9,10 @@ from importlib import import_module
 
 import pytest
 
+from chaplygin.borisov_mamaev import Claim
 from chaplygin.check.__main__ import main as check_files
-from chaplygin.laws.verdict import Verdict
-from chaplygin.notation import width
-from chaplygin.paper import Claim
+from chaplygin.printing.formula import width
+from chaplygin.proof.verdict import Verdict
 from cli.test_cli import ask
 
 __all__ = ["ask"]
@@ -124,7 +124,7 @@ def test_the_audit_speaks_unicode_on_a_terminal_and_latex_to_programs(ask, monke
 
 
 def test_the_audit_tells_what_is_proven_in_part(ask, monkeypatch):
-    judged = import_module("chaplygin.study.audit")
+    judged = import_module("chaplygin.borisov_mamaev.audit")
     part = Verdict("part", "proven where", shown="a part", conditions=("x > 0", "not y = 0"))
     refuted = Verdict("wrong", "refuted", shown="a point")
     unknown = Verdict("open", "undecided", reason="20 million terms remained")
@@ -147,7 +147,7 @@ def test_the_audit_tells_what_is_proven_in_part(ask, monkeypatch):
 
 
 def test_an_interrupted_proof_prints_what_is_done(ask, monkeypatch):
-    proofs = import_module("chaplygin.laws.prove")
+    proofs = import_module("chaplygin.proof.prover")
     original = proofs.prove
     seen = []
 
@@ -172,7 +172,7 @@ def test_an_interrupted_proof_prints_what_is_done(ask, monkeypatch):
 @pytest.fixture
 def conditional(monkeypatch):
     """The momentum of every system is proven where a condition holds."""
-    proofs = import_module("chaplygin.laws.prove")
+    proofs = import_module("chaplygin.proof.prover")
     original = proofs.prove
 
     def where(system, law, **options):
@@ -182,7 +182,7 @@ def conditional(monkeypatch):
         return replace(found, decision="proven where", conditions=("gamma_3 > 0", "not k = 0"))
 
     monkeypatch.setattr(proofs, "prove", where)
-    monkeypatch.setattr("chaplygin.explore.proofs.prove", where)
+    monkeypatch.setattr("chaplygin.analysis.classification.facts.prove", where)
 
 
 def test_conditions_are_told_and_do_not_count_as_proven(ask, conditional):

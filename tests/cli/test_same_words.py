@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from chaplygin.catalogue import CATALOGUE, entry
 from chaplygin.cli import main
-from chaplygin.laws.prove import prove
-from chaplygin.systems import CATALOGUE, entry
+from chaplygin.proof.prover import prove
 
 Say = Callable[..., str]
 

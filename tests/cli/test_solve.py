@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from chaplygin.cli import main
-from chaplygin.study.dataset import read
+from chaplygin.experiment.dataset import read
 
 Answer = tuple[int, str, str]
 Ask = Callable[..., Answer]
@@ -68,8 +68,8 @@ def test_the_record_agrees_with_the_integration(ask: Ask) -> None:
     assert len(record["equations"]) == 8
     frequencies = [item for item in record["figures"] if item["symbol"].startswith("Omega")]
     assert all(float(item["error"]) < 1e-15 and item["unit"] == "turns/s" for item in frequencies)
-    from chaplygin.study.experiment import loads
-    from chaplygin.study.prepare import prepare
+    from chaplygin.experiment.file.models import loads
+    from chaplygin.experiment.study import prepare
 
     study = prepare(loads('[system]\nname = "veselova"\n', "x", ["run.samples=2"]))
     last = study.trajectory()

@@ -13,7 +13,7 @@ import pytest
 
 from chaplygin.cli import main
 from chaplygin.cli import study as command
-from chaplygin.study import folder as folders
+from chaplygin.report import write as folders
 
 Ask = Callable[..., tuple[int, str, str]]
 SHORT = ("study", "veselova", "--set", "run.until=0.2")
@@ -38,8 +38,8 @@ def forbid(monkeypatch: pytest.MonkeyPatch) -> None:
     def refused(*_: object, **__: object) -> None:
         raise AssertionError("a proof was tried")
 
-    monkeypatch.setattr("chaplygin.explore.proofs.prove", refused)
-    monkeypatch.setattr("chaplygin.explore.absence.measure_exists", refused)
+    monkeypatch.setattr("chaplygin.analysis.classification.facts.prove", refused)
+    monkeypatch.setattr("chaplygin.analysis.classification.measure_absence.measure_exists", refused)
 
 
 @pytest.mark.slow
@@ -115,7 +115,7 @@ def test_an_interrupted_study_goes_on(
 def test_an_interrupted_integration_is_no_finished_study(
     ask: Ask, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    run = import_module("chaplygin.flow.trajectory")._Run
+    run = import_module("chaplygin.flow.integrator")._Run
     pressed = run._pressed
 
     def interrupted(self: Any, now: Any, log: Any, wish: str) -> None:

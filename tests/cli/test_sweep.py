@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from asking import Ask, ask
+from chaplygin.catalogue import from_catalogue
 from chaplygin.cli.sweep import values_of
 from chaplygin.errors import InputError
-from chaplygin.flow.store import read
-from chaplygin.flow.trajectory import integrate
-from chaplygin.mechanics.start import starting_state
-from chaplygin.systems import from_catalogue
+from chaplygin.flow.ensemble.zarr_store import read
+from chaplygin.flow.integrator import integrate
+from chaplygin.mechanics.rolling.initial_state import starting_state
 
 __all__ = ["ask"]
 

@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from chaplygin.study.experiment import load
-from chaplygin.study.prepare import prepare
-from chaplygin.study.summary import drift
+from chaplygin.experiment.file.models import load
+from chaplygin.experiment.study import prepare
+from chaplygin.report.summary import drift
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

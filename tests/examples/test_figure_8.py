@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from chaplygin.flow.sampling import draw
+from chaplygin.flow.sampling.draw import draw
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

@@ -34,7 +34,7 @@ def test_lines_of_fast_systems(table: ModuleType, name: str) -> None:
 
 
 def test_every_system_has_a_line() -> None:
-    from chaplygin.systems import CATALOGUE
+    from chaplygin.catalogue import CATALOGUE
 
     listed = re.findall(r"^\| `([a-z0-9-]+)` \|", PAGE, re.MULTILINE)
     assert listed == list(CATALOGUE)

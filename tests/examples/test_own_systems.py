@@ -12,15 +12,15 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
+from chaplygin.catalogue import from_catalogue
 from chaplygin.cli import main
-from chaplygin.laws.prove import prove
-from chaplygin.study.dataset import read
-from chaplygin.study.derivation import told
-from chaplygin.study.experiment import OwnExperiment, load, loads
-from chaplygin.study.prepare import Study, dataset_of, prepare
-from chaplygin.study.python_file import load_python
-from chaplygin.study.summary import drift
-from chaplygin.systems import from_catalogue
+from chaplygin.experiment.dataset import read
+from chaplygin.experiment.file.models import OwnExperiment, load, loads
+from chaplygin.experiment.python_file import load_python
+from chaplygin.experiment.study import Study, dataset_of, prepare
+from chaplygin.proof.prover import prove
+from chaplygin.report.derivation import told
+from chaplygin.report.summary import drift
 from spread import spread
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

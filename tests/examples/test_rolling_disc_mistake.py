@@ -11,10 +11,10 @@ import matplotlib
 import numpy as np
 import pytest
 
-from chaplygin.laws.prove import prove
-from chaplygin.mechanics.suslov import equations
-from chaplygin.system import System
-from chaplygin.vectors import scalar
+from chaplygin.core.system import System
+from chaplygin.core.vectors import scalar
+from chaplygin.mechanics.lagrangian.poincare_suslov import equations
+from chaplygin.proof.prover import prove
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

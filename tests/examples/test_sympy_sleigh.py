@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from chaplygin.cli import main
-from chaplygin.study.dataset import read
+from chaplygin.experiment.dataset import read
 
 SLEIGH = Path(__file__).parents[2] / "examples" / "sympy_sleigh.py"
 

@@ -12,8 +12,8 @@ import matplotlib
 import numpy as np
 import pytest
 
-from chaplygin.flow.linearise import steady
-from chaplygin.flow.trajectory import integrate
+from chaplygin.flow.integrator import integrate
+from chaplygin.flow.linear_stability import steady
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

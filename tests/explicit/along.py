@@ -10,12 +10,12 @@ from typing import Any
 import mpmath
 import sympy as sp
 
-from chaplygin.explicit.separable import Separable, nu, nuprime
-from chaplygin.explicit.stated import stated
-from chaplygin.flow.trajectory import integrate
-from chaplygin.statements import Law
-from chaplygin.system import System
-from chaplygin.vectors import cross, explicit
+from chaplygin.core.laws import Law
+from chaplygin.core.system import System
+from chaplygin.core.vectors import cross, explicit
+from chaplygin.explicit.genus_two.separation import Separable, nu, nuprime
+from chaplygin.explicit.genus_two.separation_laws import stated
+from chaplygin.flow.integrator import integrate
 
 DIGITS = 34
 

@@ -8,9 +8,9 @@ from typing import Any
 
 import mpmath
 
-from chaplygin.explicit.separable import Separable
-from chaplygin.explicit.stated import stated
-from chaplygin.laws.prove import prove
+from chaplygin.explicit.genus_two.separation import Separable
+from chaplygin.explicit.genus_two.separation_laws import stated
+from chaplygin.proof.prover import prove
 from explicit.along import abel_sums, at, located, restored, states
 
 

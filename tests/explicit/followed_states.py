@@ -8,10 +8,10 @@ from typing import Any
 import mpmath
 import numpy as np
 
-from chaplygin.explicit.genus_two import GenusTwo, solved
-from chaplygin.explicit.separable import Separable
-from chaplygin.flow.trajectory import integrate
-from chaplygin.mechanics.start import starting_state
+from chaplygin.explicit.genus_two.separation import Separable
+from chaplygin.explicit.genus_two_solution import GenusTwo, solved
+from chaplygin.flow.integrator import integrate
+from chaplygin.mechanics.rolling.initial_state import starting_state
 
 #: A body with nothing special about it.
 GAMMA = np.array([0.48, 0.6, 0.64])

@@ -7,10 +7,10 @@ import random
 import numpy as np
 import sympy as sp
 
-from chaplygin.mechanics.body import Body
-from chaplygin.mechanics.rolling import Field, Rolling
-from chaplygin.mechanics.shapes import Ball, Disk, Ellipsoid, Revolution, Shape, Torus
-from chaplygin.mechanics.start import starting_state
+from chaplygin.mechanics.rolling.body import Body
+from chaplygin.mechanics.rolling.equations import Field, Rolling
+from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Revolution, Shape, Torus
 
 KINDS = ("ball", "disk", "torus", "ellipsoid", "revolution")
 

@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from chaplygin.core.vectors import scalar
 from chaplygin.errors import InputError
 from chaplygin.explicit.bifurcation import Diagram, bifurcation_diagram, located
 from chaplygin.explicit.bifurcation.families import PLANES, SEPARATED, plane_named
-from chaplygin.explicit.chaplygin_area import chaplygin_area
-from chaplygin.explicit.veselova import veselova
-from chaplygin.vectors import scalar
+from chaplygin.explicit.separations.chaplygin_area import chaplygin_area
+from chaplygin.explicit.separations.veselova import veselova
 
 NAMES = (*SEPARATED, *PLANES)
 #: Moments in another order than the usual, and a parameter that some systems have.

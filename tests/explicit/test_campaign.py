@@ -21,14 +21,14 @@ import pytest
 import sympy as sp
 from flint import arb, ctx
 
+from chaplygin.core.system import System
+from chaplygin.core.vectors import explicit
 from chaplygin.errors import InputError
-from chaplygin.explicit.genus_two import GenusTwo, solved
+from chaplygin.explicit.genus_two.separation import Separable
+from chaplygin.explicit.genus_two_solution import GenusTwo, solved
 from chaplygin.explicit.recognise import SEPARABLE
 from chaplygin.explicit.rigorous import rigorous_motion
-from chaplygin.explicit.separable import Separable
-from chaplygin.flow.trajectory import integrate
-from chaplygin.system import System
-from chaplygin.vectors import explicit
+from chaplygin.flow.integrator import integrate
 
 #: Digits after the point asked of the error bounds, and what 34-digit integration may be off by.
 DIGITS, SLACK = 20, 1e-25

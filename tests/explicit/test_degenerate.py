@@ -7,16 +7,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from chaplygin.explicit.chaplygin_area import chaplygin_area
-from chaplygin.explicit.chaplygin_ball import chaplygin_ball
 from chaplygin.explicit.degenerate import solved_degenerate
-from chaplygin.explicit.degenerate.motion import Asymptotic, Periodic
 from chaplygin.explicit.degenerate.solution import Degenerate
-from chaplygin.explicit.rubber_sphere import of_ratio
-from chaplygin.explicit.separable import Separable
-from chaplygin.explicit.veselova import veselova
-from chaplygin.flow.trajectory import integrate
-from chaplygin.mechanics.start import starting_state
+from chaplygin.explicit.degenerate.theta_motion import Asymptotic, Periodic
+from chaplygin.explicit.genus_two.separation import Separable
+from chaplygin.explicit.separations.chaplygin_area import chaplygin_area
+from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
+from chaplygin.explicit.separations.rubber_sphere import of_ratio
+from chaplygin.explicit.separations.veselova import veselova
+from chaplygin.flow.integrator import integrate
+from chaplygin.mechanics.rolling.initial_state import starting_state
 
 # I₁(I₂ − I₁)ω₁² = I₃(I₃ − I₂)ω₃² makes F = 2hI₂ when γ is across ω and Iω
 SPIN = np.array([0.75, 0.5, 1.0])

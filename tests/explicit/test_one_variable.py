@@ -9,15 +9,15 @@ import pytest
 from flint import acb, arb, ctx
 
 from chaplygin.errors import InputError
-from chaplygin.explicit.one_variable import Course, Steady, chart_of
-from chaplygin.explicit.one_variable.charts import (
+from chaplygin.explicit.one_degree import Course, Steady, chart_of
+from chaplygin.explicit.one_degree.chebyshev_integrals import working_bits
+from chaplygin.explicit.one_degree.uniformisation import (
     BALLS,
     Asymptotic,
     Connecting,
     Equation,
     Oscillating,
 )
-from chaplygin.explicit.one_variable.panels import working_bits
 
 DIGITS = 40
 
@@ -48,7 +48,7 @@ def course(numerator: Any, x: Any, denominator: Any = one, sign: int = 1, edge: 
 
 def positions(found: Course, times: list[float]) -> list[float]:
     at = found.fast.place(np.array(times))
-    from chaplygin.explicit.one_variable.charts import DOUBLES
+    from chaplygin.explicit.one_degree.uniformisation import DOUBLES
 
     return list(found.chart.place(DOUBLES, at.phase))
 

@@ -14,21 +14,21 @@ import pytest
 import sympy as sp
 from flint import arb
 
+from chaplygin.catalogue import from_catalogue
+from chaplygin.core.system import Parameter, System
+from chaplygin.core.vectors import scalar, vectors
 from chaplygin.errors import InputError
-from chaplygin.explicit.bodies import rolling_of
-from chaplygin.explicit.problem import Problem, exact, same_field
+from chaplygin.experiment.file.models import loads
+from chaplygin.experiment.study import prepare
+from chaplygin.explicit.base.problem import Problem, exact, same_field
 from chaplygin.explicit.recognise import likeness, solution_of
-from chaplygin.flow.trajectory import integrate
-from chaplygin.mechanics.body import Body
-from chaplygin.mechanics.rolling import Field, Rolling
-from chaplygin.mechanics.shapes import Ball
-from chaplygin.mechanics.start import starting_state
-from chaplygin.mechanics.surfaces import Sphere
-from chaplygin.study.experiment import loads
-from chaplygin.study.prepare import prepare
-from chaplygin.system import Parameter, System
-from chaplygin.systems import from_catalogue
-from chaplygin.vectors import scalar, vectors
+from chaplygin.explicit.recover_body import rolling_of
+from chaplygin.flow.integrator import integrate
+from chaplygin.mechanics.rolling.body import Body
+from chaplygin.mechanics.rolling.equations import Field, Rolling
+from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.shapes import Ball
+from chaplygin.mechanics.rolling.surfaces import Sphere
 
 GAMMA = (0.36, -0.48, 0.8)
 NO_SPIN = (0.8, -0.4, -0.6)
@@ -125,7 +125,7 @@ def test_the_ratio_of_radii_is_taken_exactly(radius: float) -> None:
 
 def own_system() -> System:
     """The Veselova system as somebody else would write it: other letters, no lift, no laws."""
-    from chaplygin.vectors import cross, dot
+    from chaplygin.core.vectors import cross, dot
 
     w, n, A, B, C = *vectors("w n"), *(scalar(s) for s in "ABC")
     momentum = [a * x for a, x in zip((A, B, C), w.symbols, strict=True)]

@@ -11,15 +11,15 @@ import numpy as np
 import pytest
 from flint import arb, ctx
 
+from chaplygin.catalogue import CATALOGUE
 from chaplygin.errors import InputError
+from chaplygin.explicit.base.solution import Solution
 from chaplygin.explicit.revolution import recognised, solve_rolling
-from chaplygin.explicit.solution import Solution
-from chaplygin.flow.trajectory import integrate
-from chaplygin.mechanics.body import Body
-from chaplygin.mechanics.rolling import Field, Rolling
-from chaplygin.mechanics.shapes import Disk, Ellipsoid, Revolution
-from chaplygin.mechanics.start import starting_state
-from chaplygin.systems import CATALOGUE
+from chaplygin.flow.integrator import integrate
+from chaplygin.mechanics.rolling.body import Body
+from chaplygin.mechanics.rolling.equations import Field, Rolling
+from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.shapes import Disk, Ellipsoid, Revolution
 
 from .revolution_cases import KINDS, body, start, u
 

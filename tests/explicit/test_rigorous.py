@@ -12,23 +12,23 @@ import pytest
 import sympy as sp
 from flint import acb, acb_mat, arb, ctx
 
+from chaplygin.catalogue import from_catalogue
 from chaplygin.errors import InputError
-from chaplygin.explicit.bruns import veselova_in_bruns_field
-from chaplygin.explicit.chaplygin_ball import chaplygin_ball
-from chaplygin.explicit.genus_two import solved
-from chaplygin.explicit.numbers import components
-from chaplygin.explicit.prepared import Prepared, chain, prepared
+from chaplygin.explicit.genus_two.separated_motion import Prepared, chain, prepared
+from chaplygin.explicit.genus_two.separation import Separable, nu, nuprime
+from chaplygin.explicit.genus_two_solution import solved
 from chaplygin.explicit.rigorous import rigorous_motion
 from chaplygin.explicit.rigorous.affine import Affine
-from chaplygin.explicit.rigorous.formula import Branch, LeavesBranchError, direction
+from chaplygin.explicit.rigorous.branch_formula import Branch, LeavesBranchError, direction
 from chaplygin.explicit.rigorous.quadrature import RigorousQuadrature, quadratures
 from chaplygin.explicit.rigorous.strip import least, lines_of, strip_bound
 from chaplygin.explicit.rigorous.theta import Numerators, numerators_at
-from chaplygin.explicit.rubber_sphere import hollow_ball
-from chaplygin.explicit.separable import Separable, nu, nuprime
-from chaplygin.explicit.veselova import veselova
-from chaplygin.mechanics.start import starting_state
-from chaplygin.systems import from_catalogue
+from chaplygin.explicit.separations.bruns import veselova_in_bruns_field
+from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
+from chaplygin.explicit.separations.rubber_sphere import hollow_ball
+from chaplygin.explicit.separations.veselova import veselova
+from chaplygin.formulas.balls import components
+from chaplygin.mechanics.rolling.initial_state import starting_state
 
 BITS = 300
 VESELOVA = veselova()

@@ -7,12 +7,12 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 
-from chaplygin.explicit.chaplygin_ball import chaplygin_ball
-from chaplygin.explicit.fedorov import fedorov
-from chaplygin.explicit.stated import stated
-from chaplygin.explicit.veselova import veselova
-from chaplygin.laws.prove import prove
-from chaplygin.vectors import Diagonal, scalar, vectors
+from chaplygin.core.vectors import Diagonal, scalar, vectors
+from chaplygin.explicit.genus_two.separation_laws import stated
+from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
+from chaplygin.explicit.separations.fedorov import fedorov
+from chaplygin.explicit.separations.veselova import veselova
+from chaplygin.proof.prover import prove
 
 (gamma,) = vectors("gamma")
 I = Diagonal("I").symbols

@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 from flint import arb, ctx
 
+from chaplygin.catalogue import entry, from_catalogue
 from chaplygin.errors import InputError
-from chaplygin.flow.trajectory import integrate
-from chaplygin.mechanics.start import starting_state
-from chaplygin.systems import entry, from_catalogue
+from chaplygin.flow.integrator import integrate
+from chaplygin.mechanics.rolling.initial_state import starting_state
 from explicit.units import FAST, LARGE, SI, SLOW, SMALL, SYSTEMS, Motion, Units, motion
 
 #: Motions of every system in the campaign.

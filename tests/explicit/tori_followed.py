@@ -14,9 +14,9 @@ import numpy as np
 import sympy as sp
 from scipy.integrate import solve_ivp
 
+from chaplygin.core.vectors import explicit
 from chaplygin.explicit.bifurcation import Diagram, Region
-from chaplygin.explicit.separable import Separable, nu, nuprime
-from chaplygin.vectors import explicit
+from chaplygin.explicit.genus_two.separation import Separable, nu, nuprime
 
 
 class Level:

@@ -16,11 +16,11 @@ from typing import Any
 import mpmath
 import numpy as np
 
-from chaplygin.flow.trajectory import integrate
-from chaplygin.mechanics.start import starting_state
-from chaplygin.system import System
-from chaplygin.systems import from_catalogue
-from chaplygin.vectors import Vector
+from chaplygin.catalogue import from_catalogue
+from chaplygin.core.system import System
+from chaplygin.core.vectors import Vector
+from chaplygin.flow.integrator import integrate
+from chaplygin.mechanics.rolling.initial_state import starting_state
 
 #: Powers of mass, length and time.
 Dimension = tuple[int, int, int]

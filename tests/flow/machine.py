@@ -9,9 +9,9 @@ from typing import Any
 import mpmath
 import numpy as np
 
-from chaplygin.flow.arithmetic import Arithmetic, Value
-from chaplygin.flow.native import aligned, load
-from chaplygin.flow.writer import Writer
+from chaplygin.flow.kernel.arithmetic import Arithmetic, Value
+from chaplygin.flow.kernel.ir_writer import Writer
+from chaplygin.flow.kernel.jit import aligned, load
 
 HEAD = "void @numbers(ptr %given, ptr %found, i64 %count)"
 

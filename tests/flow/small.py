@@ -9,10 +9,10 @@ import mpmath
 import numpy as np
 import sympy as sp
 
-from chaplygin.statements import Integral
-from chaplygin.system import Guard, Parameter, System
-from chaplygin.systems import from_catalogue
-from chaplygin.vectors import Diagonal, cross, dot, vectors
+from chaplygin.catalogue import from_catalogue
+from chaplygin.core.laws import Integral
+from chaplygin.core.system import Guard, Parameter, System
+from chaplygin.core.vectors import Diagonal, cross, dot, vectors
 
 x, y, u, v = sp.symbols("x y u v", real=True)
 p, q = sp.symbols("p q", real=True)

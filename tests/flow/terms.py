@@ -8,7 +8,7 @@ from typing import Any
 import flint
 from flint import arb
 
-from chaplygin.flow.graph import Term, ordered
+from chaplygin.formulas.graph import Term, ordered
 
 
 def _positive(test: arb, yes: arb, no: arb) -> arb:

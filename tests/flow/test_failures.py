@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from chaplygin.catalogue import CATALOGUE
+from chaplygin.core.system import Guard, System
 from chaplygin.errors import RunError
-from chaplygin.flow.trajectory import integrate
-from chaplygin.mechanics.start import starting_state
-from chaplygin.system import Guard, System
-from chaplygin.systems import CATALOGUE
+from chaplygin.flow.integrator import integrate
+from chaplygin.mechanics.rolling.initial_state import starting_state
 
 x = sp.Symbol("x", real=True)
 

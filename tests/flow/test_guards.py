@@ -12,14 +12,14 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import reference
+from chaplygin.core.system import Guard, System
 from chaplygin.errors import InputError
-from chaplygin.flow.trajectory import integrate
-from chaplygin.mechanics.body import Body
-from chaplygin.mechanics.rolling import Field, roll
-from chaplygin.mechanics.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution
-from chaplygin.mechanics.start import starting_state
-from chaplygin.mechanics.surfaces import Plane, Sphere
-from chaplygin.system import Guard, System
+from chaplygin.flow.integrator import integrate
+from chaplygin.mechanics.rolling.body import Body
+from chaplygin.mechanics.rolling.equations import Field, roll
+from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution
+from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
 from evaluation import numeric
 
 X, Y, Z = Implicit.coordinates

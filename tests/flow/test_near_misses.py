@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from chaplygin.catalogue import from_catalogue
+from chaplygin.core.system import Guard, System
 from chaplygin.errors import InputError
-from chaplygin.flow.equations import Section
-from chaplygin.flow.lanes import lanes, section
-from chaplygin.mechanics.start import starting_state
-from chaplygin.system import Guard, System
-from chaplygin.systems import from_catalogue
+from chaplygin.flow.batch import lanes, section
+from chaplygin.flow.kernel.equations import Section
+from chaplygin.mechanics.rolling.initial_state import starting_state
 
 x, y = sp.symbols("x y", real=True)
 OSCILLATOR = System("oscillator", "Oscillator", {x: y, y: -x})

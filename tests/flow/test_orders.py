@@ -15,12 +15,12 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.flow.lanes import lanes
-from chaplygin.flow.polish import explicit_table
-from chaplygin.flow.precise import precise
-from chaplygin.flow.tables import explicit, gauss
-from chaplygin.statements import Integral
-from chaplygin.system import System
+from chaplygin.core.laws import Integral
+from chaplygin.core.system import System
+from chaplygin.flow.batch import lanes
+from chaplygin.flow.gauss import precise
+from chaplygin.flow.kernel.dop853_coefficients import explicit_table
+from chaplygin.flow.kernel.tableaux import explicit, gauss
 
 DIGITS = 90
 MODULUS = 0.5

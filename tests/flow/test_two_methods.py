@@ -7,11 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from chaplygin.flow.lanes import lanes
-from chaplygin.flow.precise import precise
-from chaplygin.flow.starts import flat_starts
-from chaplygin.system import flat
-from chaplygin.systems import CATALOGUE, from_catalogue
+from chaplygin.catalogue import CATALOGUE, from_catalogue
+from chaplygin.core.system import flat
+from chaplygin.flow.batch import lanes
+from chaplygin.flow.gauss import precise
+from chaplygin.flow.initial_states import flat_starts
 
 #: Two systems at all times, the others among the slow tests.
 SYSTEMS = [

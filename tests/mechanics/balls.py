@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import sympy as sp
 
-from chaplygin.mechanics.rolling_ball import RollingBall
-from chaplygin.mechanics.smooth import (
+from chaplygin.mechanics.ball.ball import RollingBall
+from chaplygin.mechanics.ball.surface import (
     CircularCylinder,
     Cone,
     EllipsoidSurface,

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from chaplygin.mechanics.body import Body
-from chaplygin.mechanics.contact import contact as contact_of
-from chaplygin.mechanics.rolling import Field, roll
-from chaplygin.mechanics.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
-from chaplygin.mechanics.surfaces import Plane, Sphere
+from chaplygin.mechanics.rolling.body import Body
+from chaplygin.mechanics.rolling.contact import contact as contact_of
+from chaplygin.mechanics.rolling.equations import Field, roll
+from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
+from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
 from mechanics.compare import GAMMA, XYZ
 from mechanics.portrait import Portrait
 

@@ -17,11 +17,20 @@ import sympy as sp
 from scipy.integrate import DOP853
 
 import reference
-from chaplygin.flow.trajectory import Trajectory
-from chaplygin.mechanics import body as bodies
-from chaplygin.mechanics import rolling, shapes, start, surfaces
-from chaplygin.system import System
-from chaplygin.vectors import explicit
+from chaplygin.core.system import System
+from chaplygin.core.vectors import explicit
+from chaplygin.flow.integrator import Trajectory
+from chaplygin.mechanics.rolling import body as bodies
+from chaplygin.mechanics.rolling import (
+    equations as rolling,
+)
+from chaplygin.mechanics.rolling import (
+    initial_state as start,
+)
+from chaplygin.mechanics.rolling import (
+    shapes,
+    surfaces,
+)
 from reference import Case
 
 GAMMA = sp.symbols("gamma_1:4", real=True)

@@ -9,8 +9,8 @@ import numpy as np
 import sympy as sp
 from hypothesis import strategies as st
 
-from chaplygin.system import System
-from chaplygin.vectors import Vector, explicit
+from chaplygin.core.system import System
+from chaplygin.core.vectors import Vector, explicit
 
 GIVEN = ("omega", "gamma", "zeta", "r")
 

@@ -2,9 +2,15 @@
 
 import sympy as sp
 
-from chaplygin.mechanics.quasivelocity import Frame, Mechanism, coordinates, euclidean, rotations
-from chaplygin.system import Parameter
-from chaplygin.vectors import Diagonal, constant, cross, dot, normed, scalar, vectors
+from chaplygin.core.system import Parameter
+from chaplygin.core.vectors import Diagonal, constant, cross, dot, normed, scalar, vectors
+from chaplygin.mechanics.lagrangian.mechanism import (
+    Frame,
+    Mechanism,
+    coordinates,
+    euclidean,
+    rotations,
+)
 
 HALF = sp.Rational(1, 2)
 omega, v, gamma, rotors = vectors("omega v gamma k")

@@ -15,10 +15,10 @@ import pytest
 import sympy as sp
 
 from chaplygin import Ball, Body, Ellipsoid, Field, Plane, Rolling
-from chaplygin.mechanics.rolling_mechanism import rolling_mechanism
-from chaplygin.mechanics.sampling import Sample
-from chaplygin.mechanics.suslov import equations
-from chaplygin.vectors import Vector, scalar
+from chaplygin.core.vectors import Vector, scalar
+from chaplygin.mechanics.lagrangian.generic_points import Sample
+from chaplygin.mechanics.lagrangian.poincare_suslov import equations
+from chaplygin.mechanics.rolling.mechanism import rolling_mechanism
 
 DIGITS = 60
 q = sp.symbols("theta phi psi x y z", real=True)

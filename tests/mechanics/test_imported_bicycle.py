@@ -12,10 +12,10 @@ import mpmath
 import pytest
 import sympy as sp
 
-from chaplygin.flow.linearise import linearise
-from chaplygin.flow.slopes import number, slopes
-from chaplygin.mechanics.imported import from_sympy
-from chaplygin.system import System
+from chaplygin.core.system import System
+from chaplygin.flow.linear_stability import linearise
+from chaplygin.formulas.multiprecision import number, slopes
+from chaplygin.mechanics.lagrangian.sympy_import import from_sympy
 
 ROOT = Path(__file__).parents[2]
 pytestmark = pytest.mark.slow

@@ -23,11 +23,11 @@ import pytest
 import sympy as sp
 
 import chaplygin
+import chaplygin.core.laws
+import chaplygin.core.system
+import chaplygin.core.vectors
 import chaplygin.errors
-import chaplygin.statements
-import chaplygin.system
-import chaplygin.vectors
-from chaplygin.vectors import explicit
+from chaplygin.core.vectors import explicit
 from mechanics.compare import (
     GAMMA,
     Package,
@@ -324,7 +324,7 @@ class Witness:
             return True
 
 
-def threshold(system: chaplygin.system.System) -> dict[str, np.ndarray]:
+def threshold(system: chaplygin.core.system.System) -> dict[str, np.ndarray]:
     """How much too early or late, relative to it, a body counts as flat; it is at 1e-6."""
     lean = dict(zip(GAMMA, (sp.Rational(3, 5 * 10**6), sp.Rational(4, 5 * 10**6)), strict=False))
     guards = [explicit(guard.value) for guard in system.guards if guard.name == "flat"]

@@ -12,11 +12,11 @@ from dataclasses import dataclass
 import pytest
 import sympy as sp
 
-from chaplygin.mechanics.body import Body
-from chaplygin.mechanics.rolling import Field, roll
-from chaplygin.mechanics.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
-from chaplygin.mechanics.surfaces import Plane, Sphere
-from chaplygin.vectors import Vector, explicit, scalar
+from chaplygin.core.vectors import Vector, explicit, scalar
+from chaplygin.mechanics.rolling.body import Body
+from chaplygin.mechanics.rolling.equations import Field, roll
+from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
+from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
 from mechanics.compare import GAMMA, XYZ
 from spread import spread
 

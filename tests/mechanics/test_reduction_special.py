@@ -7,12 +7,12 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 
+from chaplygin.core.vectors import scalar
 from chaplygin.errors import InputError
-from chaplygin.laws.prove import prove
-from chaplygin.mechanics.reduction import chaplygin_form
-from chaplygin.mechanics.reduction_multiplier import poles
-from chaplygin.mechanics.settled import settled
-from chaplygin.vectors import scalar
+from chaplygin.mechanics.lagrangian.substituted_parameters import settled
+from chaplygin.mechanics.reduction.chaplygin import chaplygin_form
+from chaplygin.mechanics.reduction.multiplier import poles
+from chaplygin.proof.prover import prove
 from mechanics.reducible import I, a, ball, on_sphere, ratio, sleigh, veselova
 
 

@@ -11,7 +11,7 @@ from multiprocessing.connection import Connection, wait
 from typing import Any
 
 from chaplygin.errors import InputError
-from chaplygin.laws.prove import prove
+from chaplygin.proof.prover import prove
 
 from .case import Case
 from .judge import judged

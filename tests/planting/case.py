@@ -9,8 +9,8 @@ from typing import Any, Literal
 
 import sympy as sp
 
-from chaplygin.statements import Law
-from chaplygin.system import Guard, Parameter, System
+from chaplygin.core.laws import Law
+from chaplygin.core.system import Guard, Parameter, System
 
 __all__ = ["Case", "Family", "Point", "Truth", "guards", "parameter", "real", "system"]
 

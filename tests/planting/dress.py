@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy as sp
 
-from chaplygin.statements import (
+from chaplygin.core.laws import (
     ConformallyHamiltonian,
     Identity,
     Integral,
@@ -21,7 +21,7 @@ from chaplygin.statements import (
     Reduction,
     Symmetry,
 )
-from chaplygin.system import Parameter
+from chaplygin.core.system import Parameter
 
 from .case import Case, guards, system
 from .setting import Setting

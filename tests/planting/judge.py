@@ -8,10 +8,10 @@ from typing import Any
 
 import sympy as sp
 
+from chaplygin.core.laws import Law
+from chaplygin.core.system import System
 from chaplygin.errors import InputError
-from chaplygin.laws.verdict import Verdict
-from chaplygin.statements import Law
-from chaplygin.system import System
+from chaplygin.proof.verdict import Verdict
 
 from .case import Case
 

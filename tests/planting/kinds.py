@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from chaplygin.statements import (
+from chaplygin.core.laws import (
     ConformallyHamiltonian,
     Identity,
     Integral,
@@ -21,7 +21,7 @@ from chaplygin.statements import (
     Separation,
     Symmetry,
 )
-from chaplygin.system import System
+from chaplygin.core.system import System
 
 from .case import Case, Family, Truth, parameter, real, system
 from .levels import number

@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from chaplygin.statements import (
+from chaplygin.core.laws import (
     ConformallyHamiltonian,
     Identity,
     Integral,
@@ -20,7 +20,7 @@ from chaplygin.statements import (
     Reduction,
     Symmetry,
 )
-from chaplygin.system import System
+from chaplygin.core.system import System
 
 from .case import Case, Family, guards, parameter, real, system
 from .levels import number

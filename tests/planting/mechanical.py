@@ -14,8 +14,8 @@ from typing import Any
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-from chaplygin.statements import Identity, Integral, Law, Rate
-from chaplygin.system import Parameter
+from chaplygin.core.laws import Identity, Integral, Law, Rate
+from chaplygin.core.system import Parameter
 
 from .case import Case, Family, parameter, real, system
 from .levels import number

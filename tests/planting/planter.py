@@ -6,9 +6,9 @@ import random
 from collections.abc import Iterator
 from functools import partial
 
+from chaplygin.core.laws import Law
+from chaplygin.core.system import System
 from chaplygin.errors import InputError
-from chaplygin.statements import Law
-from chaplygin.system import System
 
 from .branches import BRANCHES
 from .case import Case, Family, Truth

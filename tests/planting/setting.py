@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy as sp
 
-from chaplygin.system import Parameter
+from chaplygin.core.system import Parameter
 
 from .case import Point
 

@@ -7,9 +7,9 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 
+from chaplygin.core.laws import Identity
 from chaplygin.errors import InputError
-from chaplygin.laws.verdict import Verdict
-from chaplygin.statements import Identity
+from chaplygin.proof.verdict import Verdict
 from planting.case import Case, guards, parameter, real, system
 from planting.judge import admits, judged
 

@@ -10,12 +10,12 @@ On the command line::
     python -m chaplygin.check FILE…
 
 What polynomials have to do with formulas is tested at random points (see
-:mod:`chaplygin.check.proof`); everything else is computed exactly.
+:mod:`chaplygin.check.identities.proof`); everything else is computed exactly.
 """
 
 from __future__ import annotations
 
 from .certificate import FORMAT, check
-from .errors import BadInputError, CheckError
+from .claim.errors import BadInputError, CheckError
 
 __all__ = ["FORMAT", "BadInputError", "CheckError", "check"]

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from .certificate import check
-from .errors import BadInputError, CheckError
+from .claim.errors import BadInputError, CheckError
 
 __all__ = ["main"]
 

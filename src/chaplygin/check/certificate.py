@@ -6,18 +6,18 @@ import json
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from .accuracy import with_precision
-from .basis import Basis, read_basis
-from .claims import Claim, read_claim
-from .errors import BadInputError, CheckError, UndefinedError
-from .formulas import names_in, parse, parse_condition
-from .ground import FIELDS, read_ground
-from .proof import Condition, check_left, check_proof, read_region, same
-from .reading import field, integer, listed, mapping, only, text
-from .separation import check_separation
-from .signs import covers
-from .substitution import CONSISTENCY, LAW, expressed, substituted
-from .tree import Node, check_tree
+from .claim.claim import Claim, read_claim
+from .claim.errors import BadInputError, CheckError, UndefinedError
+from .claim.formulas import names_in, parse, parse_condition
+from .claim.json_data import field, integer, listed, mapping, only, text
+from .claim.separation import check_separation
+from .identities.accuracy import with_precision
+from .identities.basis import Basis, read_basis
+from .identities.case_tree import Node, check_tree
+from .identities.generators import FIELDS, read_ground
+from .identities.proof import Condition, check_left, check_proof, read_region, same
+from .identities.signs import covers
+from .identities.substitution import CONSISTENCY, LAW, expressed, substituted
 from .witness import check_sample, check_witness
 
 __all__ = ["FORMAT", "check"]

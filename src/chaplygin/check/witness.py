@@ -16,18 +16,18 @@ from typing import Any
 
 from flint import arb, ctx, fmpq
 
-from .claims import Claim
-from .domain import domain
-from .errors import CheckError, UndefinedError
-from .evaluate import Place
-from .formulas import Formula, names_in, number, parse
-from .jets import ball
-from .laws import each_residual, rank_at_least, ranked, residuals
-from .polynomials import Poly, Ring
-from .proof import Condition
-from .quotients import quotient
-from .reading import field, integer, listed, mapping, only, rational, text
-from .unspecified import Functions
+from .claim.claim import Claim
+from .claim.domain import domain
+from .claim.errors import CheckError, UndefinedError
+from .claim.evaluate import Place
+from .claim.formulas import Formula, names_in, number, parse
+from .claim.jets import ball
+from .claim.json_data import field, integer, listed, mapping, only, rational, text
+from .claim.polynomials import Poly, Ring
+from .claim.quotients import quotient
+from .claim.residuals import each_residual, rank_at_least, ranked, residuals
+from .claim.unspecified_functions import Functions
+from .identities.proof import Condition
 
 __all__ = ["check_sample", "check_witness", "failing", "located"]
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from rich.console import RenderableType
 
-    from ..study.audit import Judgement
+    from ..borisov_mamaev.audit import Judgement
 
 __all__ = ["SECTIONS", "command"]
 
@@ -50,7 +50,7 @@ def command(
             f"--section {section}: the audit covers sections {SECTIONS[0]} to {SECTIONS[-1]}"
         )
     with waiting("reading the claims of the paper"):
-        from ..study.audit import audit, page
+        from ..borisov_mamaev.audit import audit, page
 
     with concluding("the claims judged until now are about to be printed"):
         with progress("judging the claims of the paper") as report:
@@ -74,7 +74,7 @@ def command(
 def _print(judgements: Sequence[Judgement]) -> None:
     from itertools import groupby
 
-    from ..study.audit import TITLES, counts
+    from ..borisov_mamaev.audit import TITLES, counts
 
     shown = console()
     for section, found in groupby(judgements, key=lambda j: j.section):
@@ -97,7 +97,7 @@ def _claim(judgement: Judgement, wide: bool) -> RenderableType:
     from rich.markup import escape
     from rich.table import Table
 
-    from ..plain import plain_words
+    from ..printing.plain_text import plain_words
     from .prove import styled
 
     head = Table.grid(padding=(0, 2), expand=wide)
@@ -121,7 +121,7 @@ def _claim(judgement: Judgement, wide: bool) -> RenderableType:
 
 def _told(judgement: Judgement) -> Iterator[tuple[str, str]]:
     """What is said of a claim, each with its label: both forms where the printed one fails."""
-    from ..plain import plain_words
+    from ..printing.plain_text import plain_words
 
     claim = judgement.claim
     if not judgement.printed:

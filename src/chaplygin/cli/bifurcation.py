@@ -44,8 +44,8 @@ def command(
     with waiting(f"the diagram of {what}"):
         diagram, mark = _diagram(what, overrides)
     if figure is not None:
-        from ..study.figures.bifurcation import draw
-        from ..study.figures.files import save
+        from ..report.drawing.files import save
+        from ..report.figures.bifurcation import draw
 
         save(draw(diagram, mark), figure)
     result = _result(diagram, mark)
@@ -60,10 +60,10 @@ def command(
 def _diagram(what: str, overrides: list[str] | None) -> tuple[Diagram, tuple[float, float] | None]:
     """The diagram of an experiment with the place of its motion, or that of a plane alone."""
     from ..errors import InputError
+    from ..explicit.base.problem import Problem
     from ..explicit.bifurcation import bifurcation_diagram
+    from ..explicit.bifurcation.diagram_of import diagram_of
     from ..explicit.bifurcation.families import PLANES
-    from ..explicit.bifurcation.given import diagram_of
-    from ..explicit.problem import Problem
 
     if what in PLANES:
         return bifurcation_diagram(what, _numbers(overrides or [])), None
@@ -96,7 +96,7 @@ def _numbers(overrides: list[str]) -> dict[str, str]:
 
 
 def _result(diagram: Diagram, mark: tuple[float, float] | None) -> dict[str, Any]:
-    from ..notation import text
+    from ..printing.formula import text
 
     here = None if mark is None else diagram.region(*mark)
     return {

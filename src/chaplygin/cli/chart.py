@@ -63,12 +63,12 @@ def command(
     client = check_workers(workers)
     formulas = dict(_parted(item) for item in let or ())
     study = study_of(what, overrides)
-    from ..explore.charts import chart
-    from ..explore.planes import axis
-    from ..flow.blocks import compute
-    from ..study.chart import chart_of
-    from ..study.figures.chart import chart as drawn
-    from ..study.figures.files import save
+    from ..analysis.scans.grid import axis
+    from ..analysis.scans.scan_task import chart
+    from ..experiment.scan import chart_of
+    from ..flow.ensemble.task import compute
+    from ..report.drawing.files import save
+    from ..report.figures.scan import chart as drawn
 
     horizontal, vertical = axis(x, "--x"), axis(y, "--y")
     made = chart_of(

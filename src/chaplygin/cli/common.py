@@ -15,7 +15,7 @@ from .progress import waiting
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from ..study.prepare import Study
+    from ..experiment.study import Study
 
 __all__ = [
     "Effort",
@@ -103,7 +103,7 @@ def operations(effort: float) -> int:
         If it is not positive and finite.
     """
     from ..errors import InputError
-    from ..laws.budget import EFFORT
+    from ..proof.fields.budget import EFFORT
 
     if not 0 < effort < float("inf"):
         raise InputError(f"--effort {effort:g}: it must be a positive number")
@@ -130,9 +130,9 @@ def study_of(what: str, overrides: list[str] | None, precision: str | None = Non
             raise InputError(f"--precision {precision}: it must be {' or '.join(PRECISIONS)}")
         options.append(f"run.precision={precision}")
     with waiting(f"making {what} ready"):
-        from ..study.experiment import catalogue_experiment, load
-        from ..study.prepare import prepare
-        from ..study.python_file import load_python
+        from ..experiment.file.models import catalogue_experiment, load
+        from ..experiment.python_file import load_python
+        from ..experiment.study import prepare
 
         if path.suffix == ".py":
             study = load_python(path, options)

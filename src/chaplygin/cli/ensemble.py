@@ -12,8 +12,8 @@ from .progress import progress
 from .stores import Workers, check_store, check_workers, level_of, outcomes, resumable, vacate
 
 if TYPE_CHECKING:
-    from ..flow.members import Members
-    from ..study.prepare import Study
+    from ..experiment.study import Study
+    from ..flow.ensemble.members import Members
 
 __all__ = ["command", "given_start"]
 
@@ -53,9 +53,9 @@ def command(
     study = study_of(what, overrides)
     from dataclasses import replace
 
-    from ..flow.blocks import compute
-    from ..flow.ensemble import SHARES, ensemble_task
-    from ..study.followed import followed
+    from ..experiment.without_lift import followed
+    from ..flow.ensemble.run import SHARES, ensemble_task
+    from ..flow.ensemble.task import compute
 
     task = ensemble_task(
         followed(study),
@@ -93,9 +93,9 @@ def _members(study: Study, starts: int, level: str | None, seed: int, over: list
     """Who takes part."""
     import numpy as np
 
+    from ..analysis.scans.grid import axis
     from ..errors import InputError
-    from ..explore.planes import axis
-    from ..flow.ensemble import drawn, grid, one
+    from ..flow.ensemble.run import drawn, grid, one
 
     if level is not None:
         everyone = drawn(starts, level_of(level), seed)

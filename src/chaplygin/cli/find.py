@@ -12,8 +12,8 @@ from .common import Effort, Json, Override, What, inform, operations, print_json
 from .progress import progress
 
 if TYPE_CHECKING:
-    from ..laws.search import Finding, Question
-    from ..system import Parameter, System
+    from ..core.system import Parameter, System
+    from ..search import Finding, Question
 
 __all__ = ["command"]
 
@@ -83,7 +83,7 @@ def command(
         raise InputError(f"KIND {kind}: it must be one of {', '.join(_TITLES)}")
     allowed = operations(effort)
     system = study_of(what, overrides).system
-    from ..laws.search import ask
+    from ..search import ask
 
     began = time.monotonic()
     conditions = special(system) if at is None else tuple(c for c in at if c.strip() != "none")
@@ -135,7 +135,7 @@ def special(system: System) -> tuple[str, ...]:
 
 def _collected(kind: str, question: Question) -> tuple[list[Finding], bool]:
     """What is found, and whether the search came to its end; Ctrl-C keeps what there is."""
-    from ..laws.search import integrals, measures, symmetries
+    from ..search import integrals, measures, symmetries
 
     search = {"integrals": integrals, "measure": measures, "symmetries": symmetries}[kind]
     found: list[Finding] = []
@@ -154,7 +154,7 @@ def _collected(kind: str, question: Question) -> tuple[list[Finding], bool]:
 
 
 def _names(symbols: Any) -> list[str]:
-    from ..notation import text
+    from ..printing.formula import text
 
     return [text(s) for s in symbols]
 
@@ -163,7 +163,7 @@ def _equation(vanishing: Any) -> str:
     """A vanishing formula as an equation without minus signs, its number on the right."""
     from sympy import Add
 
-    from ..notation import text
+    from ..printing.formula import text
 
     number, rest = vanishing.as_coeff_Add()
     terms = rest.as_ordered_terms()
@@ -189,8 +189,8 @@ def _setting(question: Question) -> str:
 
 
 def _shown(finding: Finding) -> list[str]:
-    from ..notation import text
-    from ..vectors import scalar
+    from ..core.vectors import scalar
+    from ..printing.formula import text
 
     law, verdict = finding.law, finding.verdict
     if law is None or verdict is None:
@@ -215,7 +215,7 @@ def _factors(kind: str, question: Question) -> tuple[Any, ...]:
 
 
 def _as_text(kind: str, question: Question, found: list[Finding], complete: bool) -> str:
-    from ..notation import text
+    from ..printing.formula import text
 
     lines = [f"{_TITLES[kind]} of {question.stage.system.title}"]
     if kind != "measure":
@@ -239,7 +239,7 @@ def _as_text(kind: str, question: Question, found: list[Finding], complete: bool
 def _as_json(
     kind: str, question: Question, found: list[Finding], complete: bool, elapsed: float
 ) -> dict[str, Any]:
-    from ..notation import latex, text
+    from ..printing.formula import latex, text
 
     ansatz = question.ansatz
     return {

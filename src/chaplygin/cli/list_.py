@@ -31,9 +31,9 @@ def command(
     json: Json = False,
 ) -> None:
     """List the systems of the catalogue in groups, all or some of them."""
+    from ..catalogue import CATALOGUE
+    from ..catalogue.groups import GROUPS, INTEGRABLE, in_section, sections
     from ..errors import InputError
-    from ..systems import CATALOGUE
-    from ..systems.groups import GROUPS, INTEGRABLE, in_section, sections
 
     if contact is not None and contact not in CONTACTS:
         raise InputError(f"--contact {contact}: it must be one of {', '.join(CONTACTS)}")

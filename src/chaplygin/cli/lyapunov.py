@@ -14,8 +14,8 @@ from .progress import progress
 from .stores import level_of
 
 if TYPE_CHECKING:
-    from ..explore.averages import Average
-    from ..explore.lyapunov import Spectrum
+    from ..analysis.lyapunov.averages import Average
+    from ..analysis.lyapunov.compute import Spectrum
 
 __all__ = ["command"]
 
@@ -56,11 +56,11 @@ def command(
         raise InputError(f"--until {until:g}: it must be positive and finite")
     numbers = None if level is None else level_of(level)
     study = study_of(what, overrides)
-    from ..explore.lyapunov import Spectrum, spectrum
-    from ..explore.reversors import reversors
-    from ..explore.spectra import record
-    from ..flow.sampling import draw
-    from ..study.followed import followed
+    from ..analysis.lyapunov.compute import Spectrum, spectrum
+    from ..analysis.lyapunov.report import record
+    from ..analysis.orbits.reversing_symmetries import reversors
+    from ..experiment.without_lift import followed
+    from ..flow.sampling.draw import draw
 
     system = followed(study)
     if numbers is None:
@@ -98,7 +98,7 @@ def _print(found: Spectrum, turned: Any) -> None:
     from rich.markup import escape
     from rich.table import Table
 
-    from ..explore.spectra import remarks, rounded, word
+    from ..analysis.lyapunov.report import remarks, rounded, word
 
     typer.echo(found.system.title)
     typer.echo(

@@ -14,9 +14,9 @@ from .output import check_figure, check_output, deliver
 from .progress import progress
 
 if TYPE_CHECKING:
-    from ..explore.continuation import Branch
-    from ..explore.orbits import Orbit
-    from ..study.prepare import Study
+    from ..analysis.orbits.continuation import Branch
+    from ..analysis.orbits.periodic import Orbit
+    from ..experiment.study import Study
 
 __all__ = ["command"]
 
@@ -70,7 +70,7 @@ def command(
     closes. All of it is observed, not proven.
     """
     from ..errors import InputError
-    from ..study.formats import check_output as check_trajectory
+    from ..experiment.formats import check_output as check_trajectory
 
     for least, name, number in ((0, "after", after), (1, "period", period)):
         if number < least:
@@ -83,7 +83,7 @@ def command(
         check_output("--figure", figure, force, json)
     study = study_of(what, overrides)
     where, how = (on, value, direction, angle), (after, period, tolerance)
-    from ..study.figures.files import save
+    from ..report.drawing.files import save
 
     with progress(study.system.title) as update, ending(NOTHING):
         orbit, branch = _searched(study, where, how, hold or [], varied, update)
@@ -91,12 +91,12 @@ def command(
         deliver(_one_period(study, orbit), output, force)
     if figure is not None:
         if branch is None:
-            from ..study.figures.states import state
+            from ..report.figures.state import state
 
             dataset = _one_period(study, orbit)
             save(state(dataset, [str(name) for name in study.system.state]), figure)
         else:
-            from ..study.figures.branch import branch as drawn
+            from ..report.figures.orbit_branch import branch as drawn
 
             save(drawn(branch, study.system.title), figure)
     if json:
@@ -134,14 +134,14 @@ def _searched(
     """The orbit near the start of a study, and its branch if it is to be followed."""
     import numpy as np
 
+    from ..analysis.orbits.continuation import follow
+    from ..analysis.orbits.periodic import find
+    from ..analysis.orbits.return_map import Returns, promoted
     from ..errors import InputError, RunError
-    from ..explore.continuation import follow
-    from ..explore.orbits import find
-    from ..explore.returns import Returns, promoted
-    from ..flow.equations import section
-    from ..flow.section import SectionMap
-    from ..study.followed import followed
-    from ..study.section import DIRECTIONS
+    from ..experiment.poincare import DIRECTIONS
+    from ..experiment.without_lift import followed
+    from ..flow.kernel.equations import section
+    from ..flow.sections.poincare_map import SectionMap
 
     (on, value, direction, angle), (after, period, tolerance) = where, how
     if direction not in DIRECTIONS:
@@ -187,8 +187,8 @@ def _one_period(study: Study, orbit: Orbit) -> Any:
     """The orbit as a trajectory, from its first point on the section."""
     import numpy as np
 
-    from ..flow.trajectory import integrate
-    from ..study.prepare import dataset_of
+    from ..experiment.study import dataset_of
+    from ..flow.integrator import integrate
 
     size = len(study.system.symbols)
     times = np.linspace(0.0, orbit.duration, study.experiment.run.samples).tolist()

@@ -63,7 +63,7 @@ def check_output(
         If it may not.
     """
     from ..errors import InputError
-    from ..study.files import check_target
+    from ..experiment.files import check_target
 
     if output == STANDARD_OUTPUT:
         if json:
@@ -91,8 +91,8 @@ def check_figure(option: str, figure: Path) -> None:
 
 def deliver(dataset: xr.Dataset, output: Path, force: bool) -> None:
     """Write a dataset as its name says, or NetCDF to standard output."""
-    from ..study.dataset import write
-    from ..study.formats import netcdf
+    from ..experiment.dataset import write
+    from ..experiment.formats import netcdf
 
     if output == STANDARD_OUTPUT:
         sys.stdout.buffer.write(netcdf(dataset))
@@ -116,7 +116,7 @@ def written(output: Path) -> Iterator[Path]:
     """A file to be filled, which becomes the output when the block ends well."""
     from tempfile import TemporaryDirectory
 
-    from ..study.files import completed
+    from ..experiment.files import completed
 
     if output != STANDARD_OUTPUT:
         with completed(output) as place:

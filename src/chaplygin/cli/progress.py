@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
 
-    from ..study.folder import Report
+    from ..report.write import Report
 
 __all__ = ["progress", "waiting"]
 

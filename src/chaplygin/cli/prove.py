@@ -24,9 +24,9 @@ from .output import beside, check_output, name_of, written
 from .progress import progress
 
 if TYPE_CHECKING:
-    from ..laws.verdict import Verdict
-    from ..statements import Law
-    from ..system import System
+    from ..core.laws import Law
+    from ..core.system import System
+    from ..proof.verdict import Verdict
 
 __all__ = ["command", "styled"]
 
@@ -85,8 +85,8 @@ class _Tried(NamedTuple):
 
 def _tried(claims: list[tuple[System, Law]], effort: int, certificates: bool) -> list[_Tried]:
     """The verdicts, or those until an interruption."""
-    from ..laws.certificate import certified
-    from ..laws.prove import prove
+    from ..proof.certificates.certificate import certified
+    from ..proof.prover import prove
 
     done: list[_Tried] = []
     try:
@@ -107,7 +107,7 @@ def _tried(claims: list[tuple[System, Law]], effort: int, certificates: bool) ->
 
 def _claims(what: str, overrides: list[str] | None) -> list[tuple[System, Law]]:
     """The laws of the system, and those of its general form where the catalogue has one."""
-    from ..systems import CATALOGUE
+    from ..catalogue import CATALOGUE
 
     system = study_of(what, overrides).system
     found = [(system, law) for law in system.laws]
@@ -132,8 +132,8 @@ def _chosen(
 
 
 def _record(tried: _Tried, effort: int) -> dict[str, Any]:
-    from ..claims import level
-    from ..typeset import latex, law_latex
+    from ..printing.laws import level
+    from ..printing.system import latex, law_latex
 
     system, law, verdict, printed = tried
     record = {
@@ -160,7 +160,7 @@ def _record(tried: _Tried, effort: int) -> dict[str, Any]:
 
 def _words(law: Law) -> str:
     """Kind and meaning of a law, without saying the same twice."""
-    from ..claims import heading
+    from ..printing.laws import heading
 
     kind, meaning = heading(law), str(getattr(law, "meaning", ""))
     if kind.lower() in meaning.lower():
@@ -178,8 +178,8 @@ def _print(done: list[_Tried]) -> None:
     from rich.markup import escape
     from rich.table import Table
 
-    from ..claims import level
-    from ..typeset import text
+    from ..printing.laws import level
+    from ..printing.system import text
 
     shown = console()
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)

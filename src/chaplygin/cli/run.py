@@ -32,13 +32,13 @@ def command(
     json: Json = False,
 ) -> None:
     """Integrate a motion and write it to a file: NetCDF, Zarr, or a table for a spreadsheet."""
-    from ..study.formats import check_output as check_trajectory
+    from ..experiment.formats import check_output as check_trajectory
 
     check_output("--output", output, force, json, what, place=check_trajectory)
     study = study_of(what, overrides, precision)
     from ..errors import InterruptionError, RunError
-    from ..study.prepare import dataset_of
-    from ..study.summary import summary, summary_text
+    from ..experiment.study import dataset_of
+    from ..report.summary import summary, summary_text
 
     place = name_of(output)
     failure: RunError | None = None

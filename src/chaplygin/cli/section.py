@@ -92,10 +92,10 @@ def command(
     from shutil import rmtree
 
     from ..errors import RunError
-    from ..flow.blocks import compute
-    from ..study.figures.files import save
-    from ..study.figures.section import draw
-    from ..study.section import Place, Starts, section_of
+    from ..experiment.poincare import Place, Starts, section_of
+    from ..flow.ensemble.task import compute
+    from ..report.drawing.files import save
+    from ..report.figures.poincare import draw
 
     place = Place(on, value, direction, angle, tuple(_slab(text) for text in within or ()))
     chosen = Starts(starts, None if level is None else level_of(level), seed)

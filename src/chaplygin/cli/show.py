@@ -33,21 +33,21 @@ def command(
     if laws and (form != "text" or json):
         raise InputError("--laws prints a text: leave out --as and --json, which has all laws")
     study = study_of(what, overrides)
-    from ..explore.hierarchy import standing_of
-    from ..study.derivation import is_described, told
-    from ..study.summary import legend
-    from ..typeset import motion_text
+    from ..analysis.classification.place import standing_of
+    from ..printing.system import motion_text
+    from ..report.derivation import is_described, told
+    from ..report.summary import legend
 
     system = study.system
     if laws:
-        from ..typeset import laws_text
+        from ..printing.system import laws_text
 
         typer.echo(f"{system.title}\n\n{laws_text(system) or 'No law of it is known.'}")
         typer.echo(f"\nchaplygin prove {what} proves them.")
         return
     if json:
-        from ..claims import heading, level
-        from ..typeset import latex, law_latex
+        from ..printing.laws import heading, level
+        from ..printing.system import latex, law_latex
 
         print_json(
             {

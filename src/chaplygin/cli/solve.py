@@ -14,8 +14,8 @@ from .output import beside, check_figure, check_output, deliver, name_of
 from .progress import waiting
 
 if TYPE_CHECKING:
-    from ..explicit.solution import Solution
-    from ..study.prepare import Study
+    from ..experiment.study import Study
+    from ..explicit.base.solution import Solution
 
 __all__ = ["command"]
 
@@ -60,8 +60,8 @@ def command(
         check_figure("--figure", figure)
         check_output("--figure", figure, force, json, what)
     study = study_of(what, overrides)
-    from ..explicit.refusals import NoClosedFormError
-    from ..study.closed_form import solved
+    from ..experiment.closed_form import solved
+    from ..explicit.base.no_closed_form import NoClosedFormError
 
     if moments is None:
         moments = [Fraction(float(t)) for t in study.times]
@@ -111,7 +111,7 @@ def _print(study: Study, solution: Solution, moments: list[Fraction], digits: in
     from rich.markup import escape
     from rich.table import Table
 
-    from ..study.closed_form import in_space, letters, number
+    from ..experiment.closed_form import in_space, letters, number
 
     form = solution.form
     titles = dict.fromkeys((study.system.title, form.title))
@@ -179,7 +179,7 @@ def _rows(
     if digits is not None:
         yield from _balls(study, solution, moments, digits)
         return
-    from ..study.closed_form import dataset, evaluated
+    from ..experiment.closed_form import dataset, evaluated
 
     made = dataset(study, evaluated(study, solution, _doubles(moments)), solution)
     for name in map(str, made.data_vars):
@@ -209,7 +209,7 @@ def _balls(
     study: Study, solution: Solution, moments: Sequence[Fraction], digits: int
 ) -> Iterator[Row]:
     """The state with error bars."""
-    from ..study.closed_form import ball, units
+    from ..experiment.closed_form import ball, units
 
     states = [solution.rigorous(time, digits) for time in moments]
     unit = units(study, solution)
@@ -228,7 +228,7 @@ def _balls(
 def _record(
     study: Study, solution: Solution, moments: list[Fraction], digits: int | None
 ) -> dict[str, Any]:
-    from ..study.closed_form import ball, equation
+    from ..experiment.closed_form import ball, equation
 
     form = solution.form
     values = []
@@ -260,7 +260,7 @@ def _states(
 ) -> Iterator[dict[str, Any]]:
     """One object for each time: the variables by name."""
     if digits is not None:
-        from ..study.closed_form import ball
+        from ..experiment.closed_form import ball
 
         names = [str(symbol) for symbol in solution.system.symbols]
         for time in moments:
@@ -268,7 +268,7 @@ def _states(
             parts = [{"value": middle, "error": radius} for middle, radius in balls]
             yield {"time": float(time), **dict(zip(names, parts, strict=True))}
         return
-    from ..study.closed_form import dataset, evaluated
+    from ..experiment.closed_form import dataset, evaluated
 
     made = dataset(study, evaluated(study, solution, _doubles(moments)), solution)
     for index, time in enumerate(moments):
@@ -282,7 +282,7 @@ def _states(
 def _write(
     study: Study, solution: Solution, moments: list[Fraction], output: Path, force: bool
 ) -> None:
-    from ..study.closed_form import dataset, evaluated
+    from ..experiment.closed_form import dataset, evaluated
 
     trajectory = evaluated(study, solution, _doubles(moments))
     deliver(dataset(study, trajectory, solution), output, force)
@@ -290,8 +290,8 @@ def _write(
 
 
 def _draw(study: Study, solution: Solution, path: Path) -> None:
-    from ..study.figures import save
-    from ..study.figures.closed_form import closed_form
+    from ..report.figures import save
+    from ..report.figures.closed_form import closed_form
 
     save(closed_form(study.system.title, solution.form), path)
     inform(f"figure: {path}")

@@ -12,7 +12,7 @@ import typer
 from ..interruption import NOTHING, ending
 
 if TYPE_CHECKING:
-    from ..flow.blocks import Progress
+    from ..flow.ensemble.task import Progress
 
 __all__ = [
     "Workers",
@@ -78,7 +78,7 @@ def vacate(output: Path, force: bool) -> None:
     import shutil
 
     from ..errors import InputError
-    from ..flow.store import read
+    from ..flow.ensemble.zarr_store import read
 
     if output.exists() and force:
         if output.is_symlink():
@@ -93,7 +93,7 @@ def check_picture(output: Path, picture: Path, force: bool, named: bool = False)
     That which belongs to a store is drawn again with it, but one that the user has `named` is only
     replaced with `force`.
     """
-    from ..study.files import check_target
+    from ..experiment.files import check_target
 
     check_target(picture, force or (output.exists() and not named))
 

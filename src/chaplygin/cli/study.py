@@ -38,7 +38,7 @@ def command(
 ) -> None:
     """Equations, trajectory, figures and a report of one motion; resumed if interrupted."""
     from ..errors import InputError, InterruptionError
-    from ..study.folder_check import check_folder, is_begun
+    from ..report.folder_check import check_folder, is_begun
 
     if output == STANDARD_OUTPUT:
         raise InputError("--output -: a study is a folder; it cannot go to standard output")
@@ -48,10 +48,10 @@ def command(
     check_folder(folder, force, what)
     allowed = None if effort is None else operations(effort)
     study = study_of(what, overrides, precision)
-    from ..explore.proofs import Patience
-    from ..study.folder import write_study
-    from ..study.report import PATIENCE, TIMES
-    from ..study.summary import summary, summary_text
+    from ..analysis.classification.facts import Patience
+    from ..report.page import PATIENCE, TIMES
+    from ..report.summary import summary, summary_text
+    from ..report.write import write_study
 
     each = allowed or PATIENCE
     altogether = 0 if quick else TIMES * each

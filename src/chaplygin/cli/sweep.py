@@ -11,15 +11,7 @@ from .common import Force, Json, Override, What, inform, print_json, study_of
 from .ensemble import given_start
 from .output import check_figure
 from .progress import progress
-from .stores import (
-    Workers,
-    check_picture,
-    check_store,
-    check_workers,
-    outcomes,
-    resumable,
-    vacate,
-)
+from .stores import Workers, check_picture, check_store, check_workers, outcomes, resumable, vacate
 
 __all__ = ["command", "values_of"]
 
@@ -70,11 +62,11 @@ def command(
     from dataclasses import replace
 
     from ..errors import InputError
-    from ..flow.blocks import compute
-    from ..flow.ensemble import SHARES, ensemble_task, grid, one
-    from ..study.figures.files import save
-    from ..study.figures.sweep import sweep as drawn
-    from ..study.followed import followed
+    from ..experiment.without_lift import followed
+    from ..flow.ensemble.run import SHARES, ensemble_task, grid, one
+    from ..flow.ensemble.task import compute
+    from ..report.drawing.files import save
+    from ..report.figures.sweep import sweep as drawn
 
     system = followed(study)
     known = [str(parameter.symbol) for parameter in system.parameters]
@@ -126,8 +118,8 @@ def values_of(text: str) -> tuple[str, list[float]]:
     InputError
         If it is not written so.
     """
+    from ..analysis.scans.grid import axis
     from ..errors import InputError
-    from ..explore.planes import axis
 
     name, _, span = (part.strip() for part in text.partition("="))
     if ":" in span:

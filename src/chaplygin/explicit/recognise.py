@@ -19,21 +19,21 @@ from typing import Any, TypeAlias
 import sympy as sp
 from flint import arb, ctx, fmpq
 
-from ..mechanics.rolling import Rolling
-from ..statements import Isomorphism
-from ..system import System, flat_pairs
-from ..systems import entry
-from ..systems.entry import bruns_factor
-from ..vectors import explicit, scalar
-from .bodies import rolling_of
-from .expressed import expressed, translation
-from .numbers import ball, evaluated
-from .principal import in_principal_axes, told_back
-from .problem import Problem, exact, rational, same_field
-from .refusals import Condition, degenerate, refusal
-from .separable import Separable
-from .sizes import RESOLUTION, ROUNDED
-from .solution import Solution
+from ..catalogue import entry
+from ..catalogue.entry import bruns_factor
+from ..core.laws import Isomorphism
+from ..core.system import System, flat_pairs
+from ..core.vectors import explicit, scalar
+from ..formulas.balls import ball, evaluated
+from ..formulas.relative_zero import RESOLUTION, ROUNDED
+from ..mechanics.rolling.equations import Rolling
+from .base.no_closed_form import Condition, degenerate, refusal
+from .base.problem import Problem, exact, rational, same_field
+from .base.solution import Solution
+from .change_symbols import expressed, translation
+from .genus_two.separation import Separable
+from .principal_axes import in_principal_axes, told_back
+from .recover_body import rolling_of
 
 __all__ = ["RECOGNISERS", "Likeness", "likeness", "solution_of"]
 
@@ -129,7 +129,7 @@ SEPARABLE = (
 
 @lru_cache(maxsize=len(SEPARABLE))
 def _told(place: Place) -> Separable:
-    module = import_module(f".{place.module}", __package__)
+    module = import_module(f".separations.{place.module}", __package__)
     made: Separable = getattr(module, place.function)()
     return made
 
@@ -260,10 +260,10 @@ def _agree(
 
 
 def _separated(problem: Problem) -> Solution | None:
-    from .curve import DegenerateError
     from .degenerate import solved_degenerate
-    from .degenerate.uniform import resting
-    from .genus_two import solved
+    from .degenerate.uniform_motion import resting
+    from .genus_two.curve import DegenerateError
+    from .genus_two_solution import solved
 
     found = likeness(problem)
     if found is None:
@@ -286,8 +286,8 @@ def _separated(problem: Problem) -> Solution | None:
 
 def _axial(problem: Problem, found: Likeness, values: Mapping[sp.Symbol, Any]) -> Solution | None:
     """Bodies with two equal moments, and those that turn uniformly."""
-    from .degenerate.revolution import chaplygin_of_revolution, veselova_of_revolution
-    from .degenerate.start import PRECISION
+    from .degenerate.exact_start import PRECISION
+    from .degenerate.recognise_axisymmetric import chaplygin_of_revolution, veselova_of_revolution
 
     own, name = found.own, found.known.name
     if problem.system.motion is None or name not in (*TURNING, *ROLLING):
@@ -316,7 +316,7 @@ def _revolution(problem: Problem) -> Solution | None:
 
 
 def _top(problem: Problem) -> Solution | None:
-    from .lagrange import solve_top
+    from .lagrange.solution import solve_top
 
     top = entry("lagrange-top").system()
     if problem.system.field != top.field or problem.system.definitions != top.definitions:

@@ -10,12 +10,12 @@ import heyoka as hy
 import numpy as np
 import sympy as sp
 
+from ..core.system import System
+from ..core.vectors import explicit
 from ..errors import InputError
-from ..system import System
-from ..vectors import explicit
-from . import cache
+from .heyoka_expressions import Translator
+from .kernel import code_cache as cache
 from .projection import Block
-from .translate import Translator
 
 __all__ = ["Compiled", "Direction", "Precision", "compile_system", "number_type"]
 

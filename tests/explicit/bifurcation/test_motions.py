@@ -10,12 +10,12 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
+from chaplygin.catalogue import from_catalogue
+from chaplygin.core.vectors import explicit
 from chaplygin.explicit.bifurcation import bifurcation_diagram
 from chaplygin.explicit.bifurcation.families import SEPARATED
-from chaplygin.explicit.chaplygin_area import chaplygin_area
-from chaplygin.flow.linearise import linearise
-from chaplygin.systems import from_catalogue
-from chaplygin.vectors import explicit
+from chaplygin.explicit.separations.chaplygin_area import chaplygin_area
+from chaplygin.flow.linear_stability import linearise
 from explicit.tori_followed import counted
 
 QUICK = ("veselova", "chaplygin-ball", "neumann", "rubber-ball-of-ratio")

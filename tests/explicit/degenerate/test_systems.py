@@ -10,15 +10,15 @@ import numpy as np
 import pytest
 from flint import arb, ctx
 
+from chaplygin.explicit.base.problem import exact
 from chaplygin.explicit.degenerate import solved_degenerate
-from chaplygin.explicit.degenerate.motion import Asymptotic, Periodic
 from chaplygin.explicit.degenerate.solution import Degenerate
-from chaplygin.explicit.numbers import evaluated
-from chaplygin.explicit.prepared import flat_state
-from chaplygin.explicit.problem import exact
+from chaplygin.explicit.degenerate.theta_motion import Asymptotic, Periodic
+from chaplygin.explicit.genus_two.separated_motion import flat_state
+from chaplygin.explicit.genus_two.separation import Separable, nu, nuprime
 from chaplygin.explicit.recognise import SEPARABLE
-from chaplygin.explicit.separable import Separable, nu, nuprime
-from chaplygin.flow.trajectory import integrate
+from chaplygin.flow.integrator import integrate
+from chaplygin.formulas.balls import evaluated
 
 TIMES = [0.0, 0.5, 4.0]
 

@@ -10,10 +10,10 @@ import sympy as sp
 from flint import acb, arb, ctx, fmpq
 
 from chaplygin.errors import InputError
-from chaplygin.explicit.one_variable.formula import program
-from chaplygin.explicit.one_variable.panels import integrals, working_bits
-from chaplygin.explicit.one_variable.reduction import fraction, pair, reduced
-from chaplygin.explicit.one_variable.slopes import jet, slope, value
+from chaplygin.explicit.one_degree.chebyshev_integrals import integrals, working_bits
+from chaplygin.explicit.one_degree.divided_differences import jet, slope, value
+from chaplygin.explicit.one_degree.formula import program
+from chaplygin.explicit.one_degree.phase_reduction import fraction, pair, reduced
 from chaplygin.explicit.revolution.angles import walk, walks
 
 x = sp.Symbol("x", real=True)

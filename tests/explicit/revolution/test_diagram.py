@@ -11,11 +11,11 @@ import pytest
 from chaplygin.errors import InputError
 from chaplygin.explicit.revolution import solve_rolling
 from chaplygin.explicit.revolution.diagram import Diagram, motions_at, revolution_diagram
-from chaplygin.mechanics.body import Body
-from chaplygin.mechanics.rolling import Field, Rolling
-from chaplygin.mechanics.shapes import Ball, Disk
-from chaplygin.mechanics.start import starting_state
-from chaplygin.study.figures.closed_form_diagram_revolution import diagram_of_revolution
+from chaplygin.mechanics.rolling.body import Body
+from chaplygin.mechanics.rolling.equations import Field, Rolling
+from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.shapes import Ball, Disk
+from chaplygin.report.figures.bifurcation_revolution import diagram_of_revolution
 
 DISK = Rolling(Body(1.0, (0.25, 0.25, 0.5), Disk(1.0)), contact="rubber", field=Field(9.81))
 SPINS = (0.5, 1.0, 2.0, 3.0, 3.2, 4.0)

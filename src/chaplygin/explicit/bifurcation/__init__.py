@@ -16,15 +16,15 @@ from typing import Any
 import sympy as sp
 from flint import fmpq, fmpq_mpoly
 
+from ...core.vectors import explicit
 from ...errors import InputError
-from ...mechanics.body import check_inertia
-from ...notation import text
-from ...vectors import explicit
-from ..problem import exact
-from ..separable import Separable
-from ..sizes import ROUNDED, Sized, measured, sized
+from ...formulas.relative_zero import ROUNDED, Sized, measured, sized
+from ...mechanics.rolling.body import check_inertia
+from ...printing.formula import text
+from ..base.problem import exact
+from ..genus_two.separation import Separable
+from .arrangement import RING, Arrangement, arrangement, rational
 from .families import Axis, Plane, Z, numbers, plane_named, plane_of
-from .plane import RING, Arrangement, arrangement, rational
 from .regions import Boundary, Equilibrium, Kinds, Region
 
 __all__ = ["Boundary", "Diagram", "Equilibrium", "Region", "bifurcation_diagram", "located"]

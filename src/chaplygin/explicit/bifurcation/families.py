@@ -13,23 +13,23 @@ from typing import Any
 
 import sympy as sp
 
+from ...catalogue import from_catalogue
+from ...catalogue.chaplygin_ball.chaplygin_bracket import D, I
+from ...core.system import System
+from ...core.vectors import dot, explicit, normed, scalar, vectors
 from ...errors import InputError
-from ...system import System
-from ...systems import from_catalogue
-from ...systems.chaplygin_bracket import D, I
-from ...vectors import dot, explicit, normed, scalar, vectors
-from .. import ball_sphere, rubber_sphere
-from ..bruns import rubber_ball_in_bruns_field, veselova_in_bruns_field
-from ..bruns_ball import chaplygin_ball_in_bruns_field
-from ..bruns_sphere import hollow_ball_in_bruns_field
-from ..chaplygin_ball import chaplygin_ball
-from ..clebsch import clebsch_case
-from ..fedorov import fedorov
-from ..neumann import neumann_system
-from ..problem import exact
-from ..rubber_ball_plane import rubber_ball_plane
-from ..separable import Separable
-from ..veselova import veselova
+from ..base.problem import exact
+from ..genus_two.separation import Separable
+from ..separations import ball_sphere, rubber_sphere
+from ..separations.bruns import rubber_ball_in_bruns_field, veselova_in_bruns_field
+from ..separations.bruns_ball import chaplygin_ball_in_bruns_field
+from ..separations.bruns_sphere import hollow_ball_in_bruns_field
+from ..separations.chaplygin_ball import chaplygin_ball
+from ..separations.clebsch import clebsch_case
+from ..separations.fedorov import fedorov
+from ..separations.neumann import neumann_system
+from ..separations.rubber_ball_plane import rubber_ball_plane
+from ..separations.veselova import veselova
 
 __all__ = ["PLANES", "SEPARATED", "Axis", "Bound", "Plane", "numbers", "plane_named", "plane_of"]
 

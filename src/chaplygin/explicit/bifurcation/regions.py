@@ -12,10 +12,10 @@ import sympy as sp
 from flint import fmpq, fmpq_mpoly, fmpq_poly
 
 from ...errors import InputError
-from .critical import Arc, Circles, circles_at_a_double_root, circles_at_a_pole
+from .arrangement import Arrangement, Cell, fraction
+from .critical_motions import Arc, Circles, circles_at_a_double_root, circles_at_a_pole
 from .families import Plane
-from .ovals import Family, families
-from .plane import Arrangement, Cell, fraction
+from .tori import Family, families
 
 __all__ = ["Boundary", "Equilibrium", "Kinds", "Region"]
 

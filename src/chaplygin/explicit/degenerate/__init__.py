@@ -22,11 +22,11 @@ from typing import Any
 import sympy as sp
 from flint import ctx
 
-from ..separable import Separable
-from ..solution import Solution
-from .kinds import double_roots, motion
+from ..base.solution import Solution
+from ..genus_two.separation import Separable
+from .collisions import double_roots, motion
+from .exact_start import PRECISION, begin, exact_ball
 from .solution import Degenerate
-from .start import PRECISION, begin, exact_ball
 
 __all__ = ["solved_degenerate"]
 

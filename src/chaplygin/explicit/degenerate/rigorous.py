@@ -16,16 +16,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from flint import acb, arb, ctx
 
-from ...mechanics.attitude import attitude
-from ...system import flat_pairs
-from ..numbers import components
-from ..one_variable.panels import Integrals, integrals, working_bits
-from ..prepared import chain
+from ...core.system import flat_pairs
+from ...formulas.balls import components
+from ...mechanics.rolling.attitude import attitude
+from ..genus_two.separated_motion import chain
+from ..one_degree.chebyshev_integrals import Integrals, integrals, working_bits
 from ..revolution import balls_of, needed
-from .analytic import analytic, root, triad, velocity
-from .motion import Asymptotic
+from .analytic_formula import analytic, root, triad, velocity
+from .exact_start import exact_ball
 from .quaternion import cross, dot, product, quaternion
-from .start import exact_ball
+from .theta_motion import Asymptotic
 
 if TYPE_CHECKING:
     from .solution import Degenerate

@@ -11,18 +11,18 @@ import numpy as np
 import sympy as sp
 from flint import arb, ctx
 
-from ...mechanics.attitude import attitude
-from ...system import System, flat_pairs
-from ..attitude import Triad
-from ..numbers import array_function, ball_function, components, number
-from ..prepared import chain
-from ..separable import Separable
-from ..solution import ClosedForm, Solution
-from .clock import Moment, Quadratures, Window, along
-from .form import form_of
-from .motion import Asymptotic, Periodic, direction, direction_array
-from .sign import Signs, signs
-from .start import Beginning
+from ...core.system import System, flat_pairs
+from ...formulas.balls import array_function, ball_function, components, number
+from ...mechanics.rolling.attitude import attitude
+from ..base.solution import ClosedForm, Solution
+from ..genus_two.attitude import Triad
+from ..genus_two.separated_motion import chain
+from ..genus_two.separation import Separable
+from .closed_form import form_of
+from .exact_start import Beginning
+from .quadratures import Moment, Quadratures, Window, along
+from .quaternion_sign import Signs, signs
+from .theta_motion import Asymptotic, Periodic, direction, direction_array
 
 __all__ = ["Degenerate"]
 

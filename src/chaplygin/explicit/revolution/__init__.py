@@ -14,18 +14,18 @@ import numpy as np
 import sympy as sp
 from flint import acb, arb, ctx, fmpq
 
+from ...core.system import System
 from ...errors import InputError
-from ...mechanics.rolling import Rolling
-from ...system import System
-from ..one_variable import Course, Steady, chart_of
-from ..one_variable.charts import BALLS, DOUBLES, Chart
-from ..one_variable.panels import working_bits
-from ..problem import exact
-from ..solution import ClosedForm, Solution
+from ...mechanics.rolling.equations import Rolling
+from ..base.problem import exact
+from ..base.solution import ClosedForm, Solution
+from ..one_degree import Course, Steady, chart_of
+from ..one_degree.chebyshev_integrals import working_bits
+from ..one_degree.uniformisation import BALLS, DOUBLES, Chart
 from .angles import Turning, glide, glides, turned, walk
 from .body import BITS, Level, body_of
-from .fast import FastRevolution, Frame
-from .form import form_of, steady_form
+from .closed_form import form_of, steady_form
+from .double_precision import FastRevolution, Frame
 from .state import (
     Begin,
     angles_of,
@@ -75,8 +75,9 @@ def solve_rolling(
     system : System
         ``rolling.system()`` or that of a catalogue entry, not lifted.
     start : sequence of 12 numbers
-        ω, γ, attitude and place at time 0; see :func:`~chaplygin.mechanics.start.starting_state`.
-        Numbers are read to fifty digits: what these do not tell from zero is zero.
+        ω, γ, attitude and place at time 0; see
+        :func:`~chaplygin.mechanics.rolling.initial_state.starting_state`. Numbers are read to fifty
+        digits: what these do not tell from zero is zero.
     parameters : mapping of Symbol to number, optional
         Values that replace the system's defaults.
 

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from flint import acb, arb
 
-from ..one_variable.reduction import Pair, fraction, pair
+from ..one_degree.phase_reduction import Pair, fraction, pair
 
 __all__ = ["Turning", "glide", "glides", "turned", "turns", "walk", "walks"]
 

@@ -16,16 +16,16 @@ from typing import Any
 import sympy as sp
 from flint import arb, ctx, fmpq
 
+from ...core.vectors import scalar, vectors
 from ...errors import InputError
-from ...mechanics.rolling import Rolling
-from ...mechanics.shapes import Ball, Disk, Ellipsoid, Revolution, Shape, Torus
-from ...mechanics.surfaces import Plane
-from ...vectors import scalar, vectors
-from ..one_variable.charts import Equation
-from ..one_variable.formula import program
-from ..one_variable.slopes import value
-from ..problem import exact
-from ..sizes import vanishes
+from ...formulas.relative_zero import vanishes
+from ...mechanics.rolling.equations import Rolling
+from ...mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Revolution, Shape, Torus
+from ...mechanics.rolling.surfaces import Plane
+from ..base.problem import exact
+from ..one_degree.divided_differences import value
+from ..one_degree.formula import program
+from ..one_degree.uniformisation import Equation
 
 __all__ = ["BITS", "Body", "Level", "body_of", "level_of"]
 

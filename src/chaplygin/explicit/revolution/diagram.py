@@ -22,9 +22,9 @@ import sympy as sp
 from flint import arb, ctx, fmpq
 
 from ...errors import InputError
-from ...mechanics.rolling import Rolling
-from ..one_variable.slopes import jet
-from ..problem import exact
+from ...mechanics.rolling.equations import Rolling
+from ..base.problem import exact
+from ..one_degree.divided_differences import jet
 from .body import Body, body_of, u
 
 __all__ = ["Column", "Diagram", "Rest", "columns_at", "motions_at", "revolution_diagram"]

@@ -20,8 +20,8 @@ from typing import Any
 from flint import acb, arb
 
 from ...errors import InputError
-from ..one_variable.charts import BALLS, Chart, Connecting, Oscillating
-from ..sizes import GIVEN, vanishes
+from ...formulas.relative_zero import GIVEN, vanishes
+from ..one_degree.uniformisation import BALLS, Chart, Connecting, Oscillating
 from .body import Body, Level, level_of
 
 __all__ = [

@@ -11,15 +11,15 @@ from typing import TYPE_CHECKING, Any
 from flint import arb, ctx
 
 from ...errors import InputError
-from ..numbers import ball, components, number
-from ..prepared import Prepared, chain, prepared
-from .formula import Branch, direction
+from ...formulas.balls import ball, components, number
+from ..genus_two.separated_motion import Prepared, chain, prepared
+from .branch_formula import Branch, direction
 from .quadrature import RigorousQuadrature, bits_for, quadratures, speed_of
+from .reconstruction import Pair, PathRates, Turn, path_rates
 from .theta import numerators_at
-from .turn import Pair, PathRates, Turn, path_rates
 
 if TYPE_CHECKING:
-    from ..genus_two import GenusTwo
+    from ..genus_two_solution import GenusTwo
 
 __all__ = ["RigorousMotion", "rigorous_motion", "rigorous_state"]
 

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from ..numbers import number
+from ...formulas.balls import number
 
 __all__ = ["ROUNDING", "Affine"]
 

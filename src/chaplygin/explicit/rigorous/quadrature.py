@@ -23,9 +23,9 @@ from typing import Any
 from flint import acb, acb_mat, arb, ctx, fmpq
 
 from ...errors import InputError
-from ..numbers import number
-from ..torus import Torus
-from .formula import Branch, direction
+from ...formulas.balls import number
+from ..genus_two.torus import Torus
+from .branch_formula import Branch, direction
 from .strip import least, lines_of, strip_bound
 from .theta import Line, Numerators, numerators_at
 

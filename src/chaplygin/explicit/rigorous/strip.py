@@ -14,9 +14,9 @@ import numpy as np
 from flint import arb, ctx
 
 from ...errors import InputError
-from ..torus import Torus
+from ..genus_two.torus import Torus
 from .affine import Affine
-from .formula import Branch, direction
+from .branch_formula import Branch, direction
 from .theta import Line, Numerators
 
 __all__ = ["Strip", "least", "lines_of", "strip_bound"]

@@ -18,8 +18,8 @@ from typing import Any
 import numpy as np
 from flint import acb, acb_mat, arb, ctx, fmpq
 
-from ..numbers import number
-from ..torus import Torus
+from ...formulas.balls import number
+from ..genus_two.torus import Torus
 from .affine import ROUNDING, Affine
 
 __all__ = ["Line", "Numerators", "numerators_at"]

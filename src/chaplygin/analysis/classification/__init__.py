@@ -1,0 +1,1 @@
+"""The place of a system in the hierarchy of dynamics, from laws that are proven."""

@@ -1,0 +1,73 @@
+"""Which laws of a system count everywhere, which on a level, and which do not."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from ...core.laws import Law
+from ...core.vectors import explicit
+from ...printing.formula import text
+from ...printing.laws import level
+from ...proof.verdict import Verdict
+from .place import Uncounted
+from .ranks import Standing
+
+__all__ = ["Sorted", "sorted_laws"]
+
+
+@dataclass(frozen=True)
+class Sorted:
+    """The laws of a system by where they count.
+
+    Attributes
+    ----------
+    general : tuple of Law
+        Proven, and valid on the whole phase space at the present parameters.
+    levels : dict
+        Conditions on the state ↦ the laws that are proven under them.
+    uncounted : tuple of Uncounted
+    """
+
+    general: tuple[Law, ...]
+    levels: dict[tuple[Any, ...], tuple[Law, ...]]
+    uncounted: tuple[Uncounted, ...]
+
+
+def sorted_laws(whole: Standing, verdicts: Mapping[str, Verdict]) -> Sorted:
+    """The laws of the system by where they count.
+
+    Parameters
+    ----------
+    whole : Standing
+        The system on its whole phase space.
+    verdicts : mapping of str to Verdict
+        On its laws, by name.
+    """
+    system = whole.system
+    state = set(system.symbols)
+    general: list[Law] = []
+    levels: dict[tuple[Any, ...], tuple[Law, ...]] = {}
+    uncounted = []
+    for law in system.laws:
+        verdict = verdicts.get(law.name)
+        if not verdict:
+            uncounted.append(Uncounted(law.name, _why(verdict)))
+            continue
+        moving = tuple(c for c in law.on if whole.expanded(explicit(c)).free_symbols & state)
+        fixed = tuple(c for c in law.on if c not in moving)
+        if not all(map(whole.vanishes, fixed)):
+            where = level(replace(law, on=fixed), system, text)
+            uncounted.append(Uncounted(law.name, f"proven {where}, not at the present parameters"))
+        elif moving:
+            levels[moving] = (*levels.get(moving, ()), law)
+        else:
+            general.append(law)
+    return Sorted(tuple(general), levels, tuple(uncounted))
+
+
+def _why(verdict: Verdict | None) -> str:
+    if verdict is None:
+        return "without a verdict"
+    return verdict.words

@@ -1,0 +1,325 @@
+"""From what is proven to the class of a system and to what its motions can be (§3.3, §4).
+
+The theorems are used as they stand: Lie (Theorem 3), Euler and Jacobi (Theorem 5), Liouville and
+Arnold, Poincaré and Bendixson; nothing is said that does not follow from the facts counted.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .facts import Fact
+from .place import Bracket, Density, Kind, Statement
+
+__all__ = ["Found", "classified"]
+
+
+@dataclass(frozen=True)
+class Found:
+    """What is proven of a phase space.
+
+    Attributes
+    ----------
+    dimension : int
+    count : int
+        Independent first integrals.
+    integrals : tuple of Fact
+        What gives them.
+    measures : tuple of Density
+    absence : str
+        Why no measure has a density on the configuration, if that is shown.
+    brackets : tuple of Bracket
+    symmetries : tuple of Fact
+        Independent of the motion and of one another.
+    lie : tuple of Fact
+        Symmetry fields that fulfil Theorem 3, if they do.
+    liouville : tuple of Fact
+        A Hamiltonian form and integrals in involution, if they are enough.
+    reversal : tuple of str
+        Variables whose change of sign reverses the motion.
+    reductions : tuple of Fact
+        Proven reductions and separations of variables.
+    open : tuple of str
+        What would give a measure but is not proven without conditions, and how it stands.
+    """
+
+    dimension: int
+    count: int
+    integrals: tuple[Fact, ...]
+    measures: tuple[Density, ...]
+    absence: str
+    brackets: tuple[Bracket, ...]
+    symmetries: tuple[Fact, ...]
+    lie: tuple[Fact, ...]
+    liouville: tuple[Fact, ...]
+    reversal: tuple[str, ...]
+    reductions: tuple[Fact, ...]
+    open: tuple[str, ...] = ()
+
+    @property
+    def remaining(self) -> int:
+        """Dimension of a common level of the integrals."""
+        return self.dimension - self.count
+
+    @property
+    def volume(self) -> Density | None:
+        """The best of the measures, or that of a Hamiltonian form (§3.3)."""
+        forms = tuple(Density(b.law, b.sign) for b in self.brackets)
+        known = self.measures or forms
+        return min(known, key=lambda m: _ORDER[m.sign]) if known else None
+
+    @property
+    def lasting(self) -> bool:
+        """Whether a measure with positive, finite density excludes attracting sets."""
+        return self.volume is not None and self.volume.sign == "kept"
+
+    @property
+    def form(self) -> Bracket | None:
+        """The best of the Hamiltonian forms."""
+        known = self.brackets
+        return min(known, key=lambda b: (b.conformal, _ORDER[b.sign])) if known else None
+
+    @property
+    def euler_jacobi(self) -> bool:
+        """Whether Theorem 5 applies."""
+        return self.remaining == 2 and self.volume is not None
+
+    @property
+    def complete(self) -> tuple[Fact, ...]:
+        """A Hamiltonian form with enough integrals in involution for Liouville's theorem.
+
+        Up to rank four, counting is enough: every integral is in involution with H.
+        """
+        best = self.form
+        if best is not None and best.closed and best.rank <= 4 and 2 * self.remaining == best.rank:
+            return (best.law, *self.integrals)
+        return self.liouville
+
+
+_ORDER = {"kept": 0, "unknown": 1, "changes": 2}
+
+
+def classified(found: Found) -> tuple[tuple[Kind, ...], tuple[Statement, ...]]:
+    """The classes of a system, and what its motions can be."""
+    return _kinds(found), (*_motions(found), *_attraction(found), *_pairing(found))
+
+
+def _pairing(found: Found) -> list[Statement]:
+    """What reversibility says where attraction is not excluded."""
+    if not found.reversal:
+        return []
+    changed = ", ".join(f"{name} ↦ −{name}" for name in found.reversal)
+    return [
+        Statement(
+            f"The motion is reversible ({changed}): to every attracting set there belongs a "
+            "repelling one, its mirror image."
+        )
+    ]
+
+
+# --- classes -------------------------------------------------------------------------------
+
+
+def _kinds(found: Found) -> tuple[Kind, ...]:
+    kinds: list[Kind] = []
+    if found.remaining <= 1:
+        kinds.append(
+            Kind(
+                "curves",
+                "integrable by its integrals alone: a common level is a curve, and the motion on "
+                "it a quadrature",
+                found.integrals,
+            )
+        )
+    if found.lie:
+        kinds.append(
+            Kind(
+                "lie",
+                f"integrable by Lie's theorem: {_number(found.count, 'integral')} and "
+                f"{_number(len(found.lie), 'symmetry field')} that leave them alone and span a "
+                "solvable algebra",
+                (*found.integrals, *found.lie),
+            )
+        )
+    if found.euler_jacobi and found.volume is not None:
+        kinds.append(
+            Kind(
+                "euler-jacobi",
+                f"integrable by Euler and Jacobi: {_number(found.count, 'integral')} in "
+                f"{found.dimension} dimensions and an invariant measure, whose density is the last "
+                "multiplier",
+                (*found.integrals, found.volume.law),
+            )
+        )
+    kinds += _hamiltonian(found)
+    return tuple(kinds) or (Kind("none known", _lacking(found), found.reductions),)
+
+
+def _hamiltonian(found: Found) -> list[Kind]:
+    best = found.form
+    if best is None:
+        return []
+    rank = f"the Poisson structure has rank {best.rank}"
+    if not best.closed:
+        rank += ", its leaves are no levels of single-valued functions"
+    kinds = []
+    if best.conformal:
+        where = {
+            "kept": "",
+            "unknown": ", wherever the multiplier does not vanish",
+            "changes": ", except where the multiplier vanishes or is infinite",
+        }[best.sign]
+        kinds.append(
+            Kind(
+                "conformally hamiltonian",
+                f"conformally Hamiltonian: Hamiltonian in a new time{where}; {rank}",
+                (best.law,),
+            )
+        )
+    else:
+        kinds.append(Kind("hamiltonian", f"Hamiltonian; {rank}", (best.law,)))
+    if found.complete:
+        kinds.append(
+            Kind(
+                "liouville",
+                "integrable after Liouville"
+                + (", in the new time" if best.conformal else "")
+                + ": as many integrals in involution as half the rank",
+                found.complete,
+            )
+        )
+    return kinds
+
+
+def _lacking(found: Found) -> str:
+    """What the theorem of Euler and Jacobi lacks."""
+    missing = []
+    if found.remaining > 2:
+        missing.append(f"{_number(found.remaining - 2, 'further integral')}")
+    if found.volume is None:
+        missing.append("an invariant measure")
+    told = (
+        "none known: the laws proven here fulfil no theorem of integrability; that of Euler and "
+        f"Jacobi lacks {' and '.join(missing)}"
+    )
+    if found.reductions:
+        told += "; proven reductions may lead further"
+    return told
+
+
+def _number(count: int, what: str) -> str:
+    words = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight")
+    word = words[count] if count < len(words) else str(count)
+    plural = what[:-1] + "ies" if what.endswith("y") else what + "s"
+    return f"{word} {what if count == 1 else plural}"
+
+
+# --- motions -------------------------------------------------------------------------------
+
+
+def _motions(found: Found) -> list[Statement]:
+    if found.remaining <= 1:
+        return [
+            Statement(
+                "Every motion runs along a curve: periodic where the curve is closed and free of "
+                "rest points, towards a rest point or away where it is not. No chaos.",
+                found.integrals,
+            )
+        ]
+    if found.complete and found.form is not None:
+        form = found.form
+        time = "new time" if form.conformal else "time"
+        half = form.rank // 2
+        told = [
+            f"On compact common levels without rest points: straight, uniform windings of "
+            f"{half}-dimensional tori in the {time}, quasi-periodic or periodic. No chaos."
+        ]
+        if form.conformal and found.euler_jacobi:
+            told.append(
+                "In the time itself the windings are not uniform: on a resonant torus the periods "
+                "may differ from one trajectory to the next."
+            )
+        return [Statement(" ".join(told), found.complete)]
+    if found.euler_jacobi and found.volume is not None:
+        return [
+            Statement(
+                "On compact common levels on which the measure is regular and nothing rests: tori, "
+                "wound by straight lines after a change of time (θ̇ = λ/Φ), not uniformly in the "
+                "time itself; on a resonant torus the periods may differ. No chaos.",
+                (*found.integrals, found.volume.law),
+            )
+        ]
+    if found.lie:
+        return [
+            Statement(
+                "Every motion is given by quadratures. No chaos.", (*found.integrals, *found.lie)
+            )
+        ]
+    if found.remaining == 2:
+        return [
+            Statement(
+                "Motions on surfaces: rest points, closed orbits, limit cycles and windings, but "
+                "no chaos.",
+                found.integrals,
+            )
+        ]
+    levels = f"{found.remaining}-dimensional levels" if found.count else "the whole phase space"
+    if found.volume is not None and found.volume.sign != "changes":
+        best = found.volume
+        manner = "Hamiltonian" if found.brackets else "volume-preserving"
+        return [
+            Statement(
+                f"Chaos is not excluded: {manner} motion on {levels}, where regular and chaotic "
+                "motions can lie side by side.",
+                (*found.integrals, best.law),
+            )
+        ]
+    return [
+        Statement(
+            f"Nothing proven bounds the complexity of the motion on {levels}: chaos is not "
+            "excluded.",
+            found.integrals,
+        )
+    ]
+
+
+def _attraction(found: Found) -> list[Statement]:
+    best = found.volume
+    if best is None:
+        if found.remaining <= 1:
+            return []
+        kinds = "attracting rest points and limit cycles"
+        if found.remaining > 2:
+            kinds = "attracting rest points, limit cycles, attracting tori"
+            kinds += "" if found.lie else " and strange attractors"
+        known = "No invariant measure is proven"
+        if found.absence:
+            known += ", and none has a density that depends on the configuration alone"
+        if found.open:
+            known += f" ({'; '.join(found.open)})"
+        return [Statement(f"{known}: {kinds} are not excluded.")]
+    if best.sign == "kept":
+        return [
+            Statement(
+                "No attracting sets: a measure with positive, finite density is invariant."
+                if found.measures
+                else "No attracting sets: on symplectic leaves of full rank the measure of the "
+                "Hamiltonian form is invariant.",
+                (best.law,),
+            )
+        ]
+    if best.sign == "changes":
+        return [
+            Statement(
+                "The density vanishes or is infinite somewhere: motions may tend to that set, and "
+                "every attracting set meets it.",
+                (best.law,),
+            )
+        ]
+    return [
+        Statement(
+            "No attracting sets, wherever the density of the measure is positive and finite (not "
+            "shown for every point).",
+            (best.law,),
+        )
+    ]

@@ -1,0 +1,199 @@
+"""Counting what is proven: integrals, measures, Hamiltonian forms, symmetry fields, levels."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+from ...core.laws import ConformallyHamiltonian, Integral, Isomorphism, Law, Measure, Reduction
+from ...core.system import System
+from ...core.vectors import scalar
+from ...errors import InputError
+from ...formulas.errors import OutOfReachError
+from ...mechanics.lagrangian.mechanism import Mechanism
+from ...mechanics.rolling.equations import Rolling
+from ...printing.formula import text
+from ...printing.laws import heading, level
+from ...proof.level.trigonometric import circles, without_angles
+from ...proof.verdict import Verdict
+from .applicable_laws import sorted_laws
+from .classes import Found, classified
+from .conserved_covectors import sources
+from .facts import Fact, Patience, fact_of
+from .hamiltonian_forms import Forms, hamiltonian, measures
+from .lie_theorem import fields, lie
+from .measure_absence import Decided, decided
+from .place import Kind, Place
+from .ranks import Standing, at_present, present
+from .sign_reversal import reversal
+from .via_isomorphism import There, followed
+
+__all__ = ["counted"]
+
+
+def counted(
+    system: System,
+    verdicts: Mapping[str, Verdict],
+    patience: Patience,
+    given: Rolling | Mechanism | None,
+) -> Place:
+    """The place of a system; see :func:`chaplygin.analysis.classification.place.place`."""
+    try:
+        whole = _without_angles(system)
+        place = _counted(whole, verdicts, patience, given)
+    except (OutOfReachError, InputError) as reason:
+        return _unknown(system, verdicts, str(reason))
+    return _in_angles(place, len(whole.symbols) - len(system.symbols))
+
+
+def _in_angles(place: Place, more: int) -> Place:
+    """A place with its variables counted as in the system, an angle as one."""
+    return replace(
+        place,
+        variables=place.variables - more,
+        conditions=place.conditions - more,
+        levels=tuple(_in_angles(level, more) for level in place.levels),
+    )
+
+
+def _reversed(system: System) -> tuple[str, ...]:
+    """What changes sign when time runs backwards; that of a sine alone is that of its angle."""
+    names = reversal(system)
+    return tuple(
+        text(scalar(str(n).removeprefix("sin_")))
+        if str(n).startswith("sin_") and scalar(f"cos_{str(n)[4:]}") not in names
+        else text(n)
+        for n in names
+    )
+
+
+def _without_angles(system: System) -> System:
+    """The system with sines and cosines as variables where its relations hold angles."""
+    try:
+        made = circles(system)
+    except OutOfReachError:
+        system = replace(at_present(system, present(system)), laws=system.laws)
+        made = circles(system)
+    if made is None:
+        return system
+    laws = []
+    for law in system.laws:
+        with contextlib.suppress(OutOfReachError):
+            without_angles(system, law)
+            laws.append(made.law(law))
+    return replace(made.system, laws=tuple(laws))
+
+
+def _unknown(system: System, verdicts: Mapping[str, Verdict], reason: str) -> Place:
+    """A place of which nothing can be counted."""
+    proven = tuple(fact_of(law) for law in system.laws if verdicts.get(law.name))
+    kind = Kind("none known", f"not determined: {reason}", proven)
+    return Place(system.title, "", len(system.symbols), 0, kinds=(kind,), reason=reason)
+
+
+def _counted(
+    system: System,
+    verdicts: Mapping[str, Verdict],
+    patience: Patience,
+    given: Rolling | Mechanism | None,
+) -> Place:
+    whole = Standing(system)
+    laws = sorted_laws(whole, verdicts)
+    found = []
+    for on, special in laws.levels.items():
+        kept = [law for law in laws.general if _holds(system, law, on, patience)]
+        words = level(replace(special[0], on=on), system, text)
+        try:
+            made = _placed(Standing(system, on), (*special, *kept), patience)
+        except (OutOfReachError, InputError) as reason:
+            made = _unknown(replace(system, laws=special), verdicts, str(reason))
+        found.append(replace(made, level=words))
+    main = _placed(whole, laws.general, patience, given, _open(system, verdicts))
+    return replace(main, uncounted=laws.uncounted, levels=tuple(found))
+
+
+def _open(system: System, verdicts: Mapping[str, Verdict]) -> tuple[str, ...]:
+    """Laws that would give a measure and are neither proven nor refuted, and how they stand."""
+    giving = [law for law in system.laws if isinstance(law, Measure | ConformallyHamiltonian)]
+    stands = ((law.name, verdicts.get(law.name)) for law in giving)
+    return tuple(
+        f"{name} is {verdict.stated}"
+        for name, verdict in stands
+        if verdict is not None and verdict.decision in ("undecided", "proven where")
+    )
+
+
+def _holds(system: System, law: Law, on: tuple[Any, ...], patience: Patience) -> bool:
+    """Whether a law holds for a level by itself: functions do, the rest is proven."""
+    if isinstance(law, Integral | Reduction | Isomorphism):
+        return True
+    return bool(patience.verdict(system, replace(law, on=(*law.on, *on))))
+
+
+# --- one phase space -----------------------------------------------------------------------
+
+
+def _placed(
+    standing: Standing,
+    laws: Sequence[Law],
+    patience: Patience,
+    given: Rolling | Mechanism | None = None,
+    left: tuple[str, ...] = (),
+) -> Place:
+    system = standing.system
+    variables = len(system.symbols)
+    forms = hamiltonian(standing, laws, patience)
+    there = There()
+    if not forms.brackets:
+        there = followed(standing, laws, patience)
+        forms = Forms(there.brackets, there.liouville)
+    own = sources(laws)
+    every = [*own, *there.sources]
+    kept, count = standing.independent([source.rows for source in every])
+    chosen = [every[i] for i in kept]
+    named = {law.name for law in laws if isinstance(law, Integral)}
+    spare = [s.fact for i, s in enumerate(own) if i not in kept and s.fact.law in named]
+    volumes = measures(standing, laws, patience) or there.measures
+    existence = Decided() if volumes or forms.brackets else decided(given, patience)
+    symmetries = fields(standing, laws, patience)
+    found = Found(
+        dimension=standing.dimension,
+        count=count,
+        integrals=tuple(source.fact for source in chosen),
+        measures=volumes or existence.measures,
+        absence=existence.absence,
+        brackets=forms.brackets,
+        symmetries=tuple(fact_of(law) for law in symmetries),
+        lie=lie(standing, standing.dimension - count - 1, chosen, symmetries, patience),
+        liouville=forms.liouville,
+        reversal=(),
+        reductions=tuple(_told(law) for law in laws if isinstance(law, Reduction)),
+        open=(*left, existence.open) if existence.open else left,
+    )
+    if not found.lasting and not standing.on:
+        found = replace(found, reversal=_reversed(system))
+    kinds, dynamics = classified(found)
+    return Place(
+        system=system.title,
+        level="",
+        variables=variables,
+        conditions=variables - standing.dimension,
+        integrals=found.integrals,
+        count=count,
+        dependent=tuple(spare),
+        measures=found.measures,
+        absence=found.absence,
+        brackets=found.brackets,
+        symmetries=found.symmetries,
+        reversal=found.reversal,
+        reductions=tuple(_told(law) for law in laws if isinstance(law, Reduction | Isomorphism)),
+        kinds=kinds,
+        dynamics=dynamics,
+    )
+
+
+def _told(law: Law) -> Fact:
+    meaning = str(getattr(law, "meaning", ""))
+    return Fact(law.name, f"{heading(law)}: {meaning}" if meaning else heading(law), law.source)

@@ -1,0 +1,152 @@
+"""What is constant along the motion, as covectors that annihilate the field of the system.
+
+Besides first integrals these are Casimir functions, reductions to linear equations (whose solutions
+are integrals, though no elementary functions), and the integrals of a system onto which an
+isomorphism carries this one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import sympy as sp
+
+from ...core.laws import ConformallyHamiltonian, Integral, Isomorphism, Law, Rate, Reduction
+from ...core.vectors import explicit
+from ...proof.level.time_derivatives import without_rates
+from .facts import Fact, fact_of
+from .ranks import View
+
+__all__ = ["Source", "casimirs", "many_valued", "sources"]
+
+#: Angles have many values, so that levels of functions of theirs need not be closed.
+_MANY_VALUED = (sp.atan, sp.atan2)
+
+
+@dataclass(frozen=True)
+class Source:
+    """Covectors that annihilate the field, and where they come from.
+
+    Attributes
+    ----------
+    fact : Fact
+    rows : callable
+        View ↦ the covectors there.
+    functions : tuple of sympy.Expr
+        Functions of this system: a field along which they are constant leaves the integrals alone.
+        Empty where they are functions on another system.
+    """
+
+    fact: Fact
+    rows: Callable[[View], list[list[Any]]]
+    functions: tuple[Any, ...] = ()
+
+
+def many_valued(formula: Any) -> bool:
+    """Whether a function may have many values at one point."""
+    return bool(explicit(sp.sympify(formula)).has(*_MANY_VALUED))
+
+
+def casimirs(law: ConformallyHamiltonian) -> tuple[Any, ...]:
+    """The Casimir functions of its structure that have one value at every point."""
+    return tuple(c for c in law.structure.casimirs if not many_valued(c))
+
+
+def sources(laws: Iterable[Law]) -> list[Source]:
+    """What the proven laws of a system say is constant; single-valued functions alone."""
+    laws = list(laws)
+    found = [_function(fact_of(law), law.value) for law in laws if isinstance(law, Integral)]
+    for law in laws:
+        if isinstance(law, ConformallyHamiltonian):
+            fact = fact_of(law)
+            found.append(_function(fact, law.hamiltonian))
+            named = Fact(law.name, "Casimir function", law.structure.source)
+            found += [_function(named, value) for value in casimirs(law)]
+        elif isinstance(law, Reduction):
+            linear = _linear(law)
+            if linear is not None:
+                found.append(linear)
+    return [s for s in found if not any(map(many_valued, s.functions))]
+
+
+def carried(law: Isomorphism, source: Source) -> Source:
+    """What is constant for the target of an isomorphism, as something constant here."""
+    told = source.fact
+    system = told.system or law.target.title
+    fact = Fact(law.name, told.words, told.source, system, told.functions)
+    return Source(fact, lambda view: source.rows(view.through(law)))
+
+
+def _function(fact: Fact, value: Any) -> Source:
+    return Source(fact, lambda view: [view.differential(value)], (value,))
+
+
+def _linear(law: Reduction) -> Source | None:
+    """A reduction to linear equations q̇ᵢ = u̇ Σ aᵢⱼ(u) qⱼ, as the covectors dqᵢ − Σ aᵢⱼ qⱼ du.
+
+    The constants of integration are integrals wherever the aᵢⱼ(u) are regular.
+    """
+    named = dict(law.quantities)
+    rates = {rate.args[0] for equation in law.equations for rate in equation.atoms(Rate)}
+    if not rates <= set(named) or len(rates) != len(law.equations) + 1:
+        return None
+    for variable in rates:
+        moving = sorted(rates - {variable}, key=str)
+        slopes = _slopes(law.equations, variable, moving)
+        if slopes is not None and _homogeneous(slopes, variable, moving, named):
+            fact = replace(fact_of(law), functions=len(slopes))
+            return Source(fact, _rows(named, variable, slopes), tuple(named[s] for s in rates))
+    return None
+
+
+def _slopes(
+    equations: tuple[Any, ...], variable: sp.Symbol, moving: list[sp.Symbol]
+) -> dict[sp.Symbol, Any] | None:
+    """dqᵢ/du from the equations, if they give it."""
+    found = {}
+    for equation in map(sp.expand, equations):
+        own = [q for q in moving if equation.coeff(Rate(q)) != 0]
+        if len(own) != 1:
+            return None
+        factor, rest = equation.coeff(Rate(own[0])), equation.coeff(Rate(variable))
+        left = equation - factor * Rate(own[0]) - rest * Rate(variable)
+        if sp.expand(left) != 0 or factor.free_symbols & {variable, *moving}:
+            return None
+        found[own[0]] = -rest / factor
+    return found if set(found) == set(moving) else None
+
+
+def _homogeneous(
+    slopes: Mapping[sp.Symbol, Any],
+    variable: sp.Symbol,
+    moving: list[sp.Symbol],
+    named: Mapping[sp.Symbol, Any],
+) -> bool:
+    """Whether the slopes are linear in the moving quantities, with coefficients of u alone."""
+    others = set(named) - {variable, *moving}
+    for slope in slopes.values():
+        factors = [sp.diff(slope, q) for q in moving]
+        linear = sp.Add(*(a * q for a, q in zip(factors, moving, strict=True)))
+        closed = all(not a.free_symbols & {*moving, *others} and not a.has(Rate) for a in factors)
+        if not closed or sp.simplify(slope - linear) != 0:
+            return False
+    return True
+
+
+def _rows(
+    named: Mapping[sp.Symbol, Any], variable: sp.Symbol, slopes: Mapping[sp.Symbol, Any]
+) -> Callable[[View], list[list[Any]]]:
+    def rows(view: View) -> list[list[Any]]:
+        names = {s: without_rates(explicit(f), view.ground, named) for s, f in named.items()}
+        reading = view.evaluate.with_steps(names)
+        along = view.differential(names[variable])
+        found = []
+        for quantity, slope in slopes.items():
+            factor = reading.value(slope)
+            own = view.differential(names[quantity])
+            found.append([a - factor * b for a, b in zip(own, along, strict=True)])
+        return found
+
+    return rows

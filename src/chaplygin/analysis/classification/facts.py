@@ -1,0 +1,108 @@
+"""Verdicts within a given effort, and the proven laws as facts that can be pointed to."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from ...core.laws import Law
+from ...core.system import System
+from ...errors import InputError
+from ...printing.laws import heading
+from ...proof.prover import prove
+from ...proof.verdict import UNTRIED, Verdict
+
+__all__ = ["HERE", "Fact", "Patience", "fact_of"]
+
+NOT_TRIED = f"{UNTRIED}, as the effort for all laws together was spent"
+"""Why a law is left undecided that no work was left for."""
+LEFT_OUT = f"{UNTRIED}, as proofs were left out"
+"""Why a law is left undecided where none was to be tried."""
+HERE = "found here"
+"""Source of a law that is not claimed of a system but was tried and proven."""
+
+
+@dataclass(frozen=True)
+class Fact:
+    """A proven law on which a statement rests.
+
+    Attributes
+    ----------
+    law : str
+        Its name.
+    words : str
+        What it is, in a few words.
+    source : str
+        Where it is stated.
+    system : str
+        Title of the system whose law it is, where that is not the system spoken of.
+    functions : int
+        How many independent functions it gives, where it gives several.
+    """
+
+    law: str
+    words: str
+    source: str = ""
+    system: str = ""
+    functions: int = 1
+
+    @property
+    def linked(self) -> bool:
+        """Whether it is a law that the system itself states."""
+        return not self.system and self.source != HERE
+
+    def __str__(self) -> str:
+        several = f"({self.functions} functions)" if self.functions > 1 else ""
+        elsewhere = f"by the laws of: {self.system}" if self.system else ""
+        return " ".join(filter(None, (self.law, self.source, several, elsewhere)))
+
+
+def fact_of(law: Law, system: str = "") -> Fact:
+    """A law as something to point to."""
+    return Fact(law.name, str(getattr(law, "meaning", "")) or heading(law), law.source, system)
+
+
+@dataclass
+class Patience:
+    """How much work proofs may take, counted so that every machine comes to the same answer.
+
+    What a verdict costs is what its proof took, whether it was made now or kept on disk, and a
+    proof that took more than is allowed here does not count: what is said depends neither on the
+    machine nor on what was proven before.
+
+    Parameters
+    ----------
+    effort : int
+        Term operations for one law.
+    altogether : int, optional
+        Term operations after which no further law is tried; with 0 none is.
+    report : callable
+        Told what is tried next, in words.
+    """
+
+    effort: int
+    altogether: int | None = None
+    report: Callable[[str], object] = field(default=lambda _: None, compare=False)
+    spent: int = field(default=0, init=False)
+
+    @property
+    def over(self) -> bool:
+        """Whether no further law is tried."""
+        return self.altogether is not None and self.spent >= self.altogether
+
+    def verdict(self, system: System, law: Law) -> Verdict:
+        """What can be proven of a law with the effort allowed."""
+        if self.over:
+            reason = NOT_TRIED if self.altogether else LEFT_OUT
+            return Verdict(law.name, "undecided", reason=reason)
+        self.report(f"{law.name} of {system.title}")
+        try:
+            found = prove(system, law, effort=self.effort)
+        except InputError as problem:
+            return Verdict(law.name, "undecided", reason=str(problem))
+        self.spent += found.effort
+        return found
+
+    def verdicts(self, system: System) -> dict[str, Verdict]:
+        """The verdicts on all laws of a system, by name."""
+        return {law.name: self.verdict(system, law) for law in system.laws}

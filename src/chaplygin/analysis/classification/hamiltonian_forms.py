@@ -1,0 +1,157 @@
+"""Hamiltonian forms and invariant measures, with the sign of multipliers and densities."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any
+
+import sympy as sp
+
+from ...core.laws import ConformallyHamiltonian, Integral, Law, Measure
+from ...core.vectors import explicit
+from ...printing.formula import text
+from ...proof.rank import rank
+from .conserved_covectors import casimirs
+from .facts import HERE, Fact, Patience, fact_of
+from .place import Bracket, Density
+from .ranks import Standing, View, settled
+from .sign_test import sign
+
+__all__ = ["Forms", "density", "hamiltonian", "measures"]
+
+
+@dataclass(frozen=True)
+class Forms:
+    """The Hamiltonian forms of a system.
+
+    `liouville` holds the facts that make one of rank above four integrable; up to rank four it is
+    enough to count integrals, as all of them are in involution with H.
+    """
+
+    brackets: tuple[Bracket, ...] = ()
+    liouville: tuple[Fact, ...] = ()
+
+
+def density(standing: Standing, law: Measure) -> Density:
+    """An invariant measure with what is known of the sign of its density."""
+    bases = [base for base, exponent in law.density if exponent != 0 and base != 1]
+    return Density(fact_of(law), sign(standing, bases))
+
+
+def measures(standing: Standing, laws: Sequence[Law], patience: Patience) -> tuple[Density, ...]:
+    """The proven measures; where none is stated, whether the volume is invariant is tried."""
+    found = tuple(density(standing, law) for law in laws if isinstance(law, Measure))
+    if found:
+        return found
+    on = (*settled(standing, laws), *standing.on)
+    volume = Measure("volume", {sp.S.One: 1}, "volume of the state", on=on, source=HERE)
+    proven = patience.verdict(standing.system, volume)
+    return (density(standing, volume),) if proven else ()
+
+
+def hamiltonian(standing: Standing, laws: Sequence[Law], patience: Patience) -> Forms:
+    """The proven Hamiltonian forms; and enough integrals in involution for one, if there are.
+
+    Parameters
+    ----------
+    standing : Standing
+    laws : sequence of Law
+        Proven on it.
+    patience : Patience
+        For the proofs that integrals are in involution.
+    """
+    brackets = []
+    complete: tuple[Fact, ...] = ()
+    integrals = [law for law in laws if isinstance(law, Integral)]
+    for law in laws:
+        if isinstance(law, ConformallyHamiltonian):
+            bracket = _bracket(standing, law)
+            brackets.append(bracket)
+            chosen = None
+            if bracket.closed and bracket.rank > 4:
+                chosen = _involution(standing, law, integrals, bracket.rank // 2, patience)
+            if chosen is not None and not complete:
+                complete = (fact_of(law), *map(fact_of, chosen))
+    return Forms(tuple(brackets), complete)
+
+
+def _bracket(standing: Standing, law: ConformallyHamiltonian) -> Bracket:
+    values = casimirs(law)
+    kept, _ = standing.independent([partial(_differential, c) for c in values])
+    conformal = law.multiplier != 1
+    size = max(standing.at_points(lambda view: rank(view.field, _entries(view, law))))
+    return Bracket(
+        fact_of(law),
+        size,
+        tuple(text(values[i]) for i in kept),
+        len(kept) == standing.dimension - size,
+        conformal,
+        sign(standing, [law.multiplier]) if conformal else "kept",
+    )
+
+
+def _entries(view: View, law: ConformallyHamiltonian) -> list[list[Any]]:
+    """The Poisson structure at a point."""
+    matrix = explicit(law.structure.matrix)
+    places = range(matrix.shape[0])
+    return [[view.jet(matrix[i, j]).value for j in places] for i in places]
+
+
+def _involution(
+    standing: Standing,
+    law: ConformallyHamiltonian,
+    integrals: Sequence[Integral],
+    wanted: int,
+    patience: Patience,
+) -> tuple[Integral, ...] | None:
+    """Integrals in involution whose Hamiltonian fields, with that of H, span `wanted` dimensions.
+
+    An integral is in involution with H, as it is constant along the field of H.
+    """
+    chosen: tuple[Integral, ...] = ()
+    for candidate in integrals:
+        if len(chosen) + 1 == wanted:
+            break
+        values = [law.hamiltonian, *(i.value for i in chosen), candidate.value]
+        spans = standing.full(len(values), partial(_fields, law, values))
+        if spans and all(_commute(standing, law, candidate, i, patience) for i in chosen):
+            chosen = (*chosen, candidate)
+    return chosen if len(chosen) + 1 == wanted else None
+
+
+def _differential(formula: Any, view: View) -> list[list[Any]]:
+    return [view.differential(formula)]
+
+
+def _fields(law: ConformallyHamiltonian, values: Sequence[Any], view: View) -> list[list[Any]]:
+    """The vectors J dF of some functions, at a point."""
+    matrix = _entries(view, law)
+    found = []
+    for value in values:
+        slopes = view.differential(value)
+        row = []
+        for line in matrix:
+            total = view.field.zero
+            for entry, slope in zip(line, slopes, strict=True):
+                total = total + entry * slope
+            row.append(total)
+        found.append(row)
+    return found
+
+
+def _commute(
+    standing: Standing,
+    law: ConformallyHamiltonian,
+    one: Integral,
+    other: Integral,
+    patience: Patience,
+) -> bool:
+    """Whether two integrals are in involution: the field of one leaves the other alone; proven."""
+    system = standing.ground.system
+    formula = standing.expanded(explicit(one.value))
+    gradient = sp.Matrix([sp.diff(formula, s) for s in system.symbols])
+    field = dict(zip(system.symbols, explicit(law.structure.matrix) * gradient, strict=True))
+    named = f"{other.name} along {one.name}"
+    return bool(patience.verdict(replace(system, field=field), Integral(named, other.value)))

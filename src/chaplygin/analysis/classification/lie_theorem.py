@@ -1,0 +1,196 @@
+"""Symmetry fields: their independence, their algebra, and Lie's theorem (Theorem 3)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from ...core.laws import Integral, Law, Symmetry
+from ...core.vectors import Vector, explicit
+from ...proof.level.named_formulas import components
+from ...proof.rank import rank
+from .conserved_covectors import Source
+from .facts import HERE, Fact, Patience, fact_of
+from .ranks import Standing, View, settled
+from .rotation_symmetry import Turning, turning
+
+__all__ = ["fields", "lie"]
+
+Components = dict[sp.Symbol, Any]
+
+
+def fields(standing: Standing, laws: Sequence[Law], patience: Patience) -> list[Symmetry]:
+    """The proven symmetry fields that are independent of the motion and of one another.
+
+    Where none is stated, rotations about the body axes are tried at the present parameters.
+    """
+    stated = [law for law in laws if isinstance(law, Symmetry)]
+    if not stated and not standing.on:
+        tried = enumerate(_rotations(standing, settled(standing, laws)))
+        stated = [
+            law
+            for axis, law in tried
+            if turning(standing, axis) or patience.verdict(standing.system, law)
+        ]
+    return _independent(standing, stated)
+
+
+def lie(
+    standing: Standing,
+    needed: int,
+    chosen: Sequence[Source],
+    symmetries: Sequence[Symmetry],
+    patience: Patience,
+) -> tuple[Fact, ...]:
+    """The symmetry fields of Theorem 3, if there are as many as needed.
+
+    They leave the integrals alone and span a solvable Lie algebra, both proven.
+
+    Parameters
+    ----------
+    standing : Standing
+    needed : int
+        n − k − 1 for dimension n and k integrals.
+    chosen : sequence of Source
+        The integrals.
+    symmetries : sequence of Symmetry
+        Independent of one another and of the motion.
+    patience : Patience
+    """
+    if needed <= 0 or len(symmetries) < needed:
+        return ()
+    fitting = [law for law in symmetries if _tangent(standing, law, chosen, patience)]
+    if len(fitting) < needed or not _solvable(standing, fitting):
+        return ()
+    return tuple(fact_of(law) for law in fitting)
+
+
+def _rotations(standing: Standing, on: tuple[Any, ...]) -> list[Symmetry]:
+    """Rotations about the three body axes, as candidates; none where the state has scalars."""
+    state = standing.system.state
+    names = [name for name in state if isinstance(name, Vector) and len(name.symbols) == 3]
+    if len(names) != len(state):
+        return []
+    found = []
+    for i in range(3):
+        axis = sp.Matrix([int(i == j) for j in range(3)])
+        field = {name: axis.cross(sp.Matrix(explicit(name))) for name in names}
+        words = f"rotation about body axis {i + 1}"
+        made = Symmetry(f"rotation_{i + 1}", field, words, on=on, source=HERE)
+        found.append(made)
+    return found
+
+
+def _full(standing: Standing, law: Symmetry) -> Components:
+    """The components of a symmetry field along all state variables, in the state alone."""
+    given = components(law.field, standing.ground)
+    return {s: standing.expanded(given.get(s, sp.S.Zero)) for s in standing.system.symbols}
+
+
+def _independent(standing: Standing, laws: Sequence[Symmetry]) -> list[Symmetry]:
+    if not laws:
+        return []
+    found = [_full(standing, law) for law in laws]
+
+    def chosen(view: View) -> list[int]:
+        held = [[view.jet(rate).value for rate in standing.ground.system.rates]]
+        kept = []
+        for index, field in enumerate(found):
+            more = [view.jet(component).value for component in field.values()]
+            if rank(view.field, [*held, more]) == len(held) + 1:
+                held.append(more)
+                kept.append(index)
+        return kept
+
+    return [laws[i] for i in max(standing.at_points(chosen), key=len)]
+
+
+def _tangent(
+    standing: Standing, law: Symmetry, chosen: Sequence[Source], patience: Patience
+) -> bool:
+    """Whether a symmetry field leaves every one of some integrals alone; proven."""
+    if not all(source.functions for source in chosen):
+        return False
+    field = _full(standing, law)
+    moved = replace(standing.ground.system, field=field)
+    turn = _as_rotation(standing, field)
+    return all(
+        (turn and turn.keeps(formula))
+        or patience.verdict(moved, Integral(f"along {law.name}", formula, on=standing.on))
+        for source in chosen
+        for formula in source.functions
+    )
+
+
+def _as_rotation(standing: Standing, field: Components) -> Turning | None:
+    """The rotation about a body axis that a field is, if it is one and shown a symmetry."""
+    for axis, law in enumerate(_rotations(standing, ())):
+        if _full(standing, law) == field:
+            return turning(standing, axis)
+    return None
+
+
+def _solvable(standing: Standing, laws: Sequence[Symmetry]) -> bool:
+    """Whether some fields span a solvable Lie algebra, with constant coefficients; exact."""
+    made = [_full(standing, law) for law in laws]
+    structure = _structure(made, standing.system.symbols)
+    if structure is None:
+        return False
+    span = [list(row) for row in sp.eye(len(laws)).tolist()]
+    while span:
+        pairs = [(span[i], span[j]) for i in range(len(span)) for j in range(i)]
+        brackets = [_bracket(structure, a, b) for a, b in pairs]
+        reduced = sp.Matrix(brackets).rref()[0].tolist() if brackets else []
+        derived = [row for row in reduced if any(row)]
+        if len(derived) == len(span):
+            return False
+        span = derived
+    return True
+
+
+def _bracket(structure: dict[tuple[int, int], list[Any]], a: Any, b: Any) -> list[Any]:
+    size = len(a)
+    total = [sp.S.Zero] * size
+    for (i, j), values in structure.items():
+        weight = a[i] * b[j] - a[j] * b[i]
+        total = [t + weight * v for t, v in zip(total, values, strict=True)]
+    return total
+
+
+def _structure(
+    fields: Sequence[Components], symbols: Sequence[sp.Symbol]
+) -> dict[tuple[int, int], list[Any]] | None:
+    """Constants c with [uᵢ, uⱼ] = Σ cₖ uₖ, for i < j; None where there are none."""
+    found = {}
+    for j in range(len(fields)):
+        for i in range(j):
+            bracket = _commutator(fields[i], fields[j], symbols)
+            constants = sp.symbols(f"c_:{len(fields)}")
+            conditions: list[Any] = []
+            for s in symbols:
+                total = sp.Add(*(c * u[s] for c, u in zip(constants, fields, strict=True)))
+                left = sp.expand(bracket[s] - total)
+                if not left.is_polynomial(*symbols):
+                    return None
+                conditions += sp.Poly(left, *symbols).coeffs()
+            solved = sp.solve(conditions, constants, dict=True)
+            if not solved:
+                return None
+            found[i, j] = [
+                solved[0].get(c, sp.S.Zero).xreplace(_free(constants)) for c in constants
+            ]
+    return found
+
+
+def _free(constants: Sequence[sp.Symbol]) -> Components:
+    return dict.fromkeys(constants, sp.S.Zero)
+
+
+def _commutator(u: Components, w: Components, symbols: Sequence[sp.Symbol]) -> Components:
+    return {
+        s: sp.Add(*(u[r] * sp.diff(w[s], r) - w[r] * sp.diff(u[s], r) for r in symbols))
+        for s in symbols
+    }

@@ -1,0 +1,119 @@
+"""Measures whose density depends on the configuration alone: found, or shown not to exist."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, is_dataclass, replace
+from typing import Any
+
+import sympy as sp
+
+from ...core.vectors import scalar
+from ...errors import InputError
+from ...formulas.errors import OutOfReachError
+from ...measures.existence import Existence, measure_exists
+from ...mechanics.lagrangian.mechanism import Mechanism
+from ...mechanics.rolling.equations import Rolling
+from ...parsing.exact_decimals import exact_number
+from ...printing.formula import text
+from .facts import HERE, Fact, Patience
+from .place import Density
+
+__all__ = ["Decided", "decided"]
+
+
+_OPEN = "whether one has a density that depends on the configuration alone"
+
+
+@dataclass(frozen=True)
+class Decided:
+    """What is known of measures with a density on the configuration space.
+
+    Attributes
+    ----------
+    measures : tuple of Density
+        The measure, if there is one.
+    absence : str
+        That there is none, and the witness; empty otherwise.
+    open : str
+        That neither is known of a body or mechanism; empty otherwise.
+    """
+
+    measures: tuple[Density, ...] = ()
+    absence: str = ""
+    open: str = ""
+
+
+def decided(given: Rolling | Mechanism | None, patience: Patience) -> Decided:
+    """Whether what moves keeps a measure whose density depends on the configuration alone.
+
+    Parameters
+    ----------
+    given : Rolling or Mechanism, optional
+        What moves, with its numbers; nothing can be said without it.  The parameters of a
+        mechanism have their present values, as exact decimals.
+    patience : Patience
+    """
+    if given is None:
+        return Decided()
+    if patience.over:
+        return Decided(open=f"{_OPEN} was not tried")
+    patience.report("a measure whose density depends on the configuration alone")
+    try:
+        asked = _at_present(given) if isinstance(given, Mechanism) else given
+        found = measure_exists(asked, effort=patience.effort)
+    except (InputError, OutOfReachError, ZeroDivisionError):
+        return Decided(open=f"{_OPEN} is undecided")
+    patience.spent += sum(verdict.effort for verdict in found.verdicts)
+    if found.decision == "none":
+        return Decided(absence=_witness(found))
+    if found.decision == "undecided":
+        return Decided(open=f"{_OPEN} is undecided")
+    # of a mechanism the density may depend on coordinates that its equations do without
+    if found and isinstance(given, Rolling):
+        return Decided((Density(_fact(found), "kept"),))
+    return Decided()
+
+
+def _at_present(mechanism: Mechanism) -> Mechanism:
+    """A mechanism with numbers for its parameters: other values of them are not asked for."""
+    values = {p.symbol: exact_number(p.default) for p in mechanism.parameters}
+    bare = replace(mechanism, parameters=(), observables=(), guards=(), laws=())
+    made: Mechanism = _with_numbers(bare, values)
+    return made
+
+
+def _with_numbers(part: Any, values: Mapping[sp.Symbol, Any]) -> Any:
+    """Formulas, and what is made of formulas, with numbers for symbols."""
+    if isinstance(part, sp.Basic | sp.MatrixBase):
+        return part.xreplace(values)
+    if isinstance(part, tuple):
+        return tuple(_with_numbers(item, values) for item in part)
+    if is_dataclass(part) and not isinstance(part, type):
+        items = {f.name: getattr(part, f.name) for f in fields(part) if f.init}
+        return replace(part, **{n: _with_numbers(item, values) for n, item in items.items()})
+    return part
+
+
+def _fact(found: Existence) -> Fact:
+    density = "by quadrature" if found.density is None else text(found.density.value)
+    return Fact("existence", f"density, a function of the normal γ: {density}", HERE)
+
+
+def _witness(found: Existence) -> str:
+    """What fails, and where."""
+    if not found.obstruction:
+        return found.reason
+    point: dict[str, Any] = found.obstruction["point"]
+    shown = {text(scalar(name)): _short(value) for name, value in point.items()}
+    # of a rolling body the vertical says where; parameters and the rest are left to the report
+    told = [name for name in shown if "γ" in name] or list(shown)
+    place = ", ".join(f"{name} = {shown[name]}" for name in told)
+    what = str(found.obstruction["what"])
+    return f"{what}, as at {place}" if place else what
+
+
+def _short(value: str) -> str:
+    """A ball by its middle with six digits; an exact number as it is."""
+    middle, ball, _ = value.strip("[]").partition(" +/-")
+    return f"{float(middle):.6g}" if ball else value

@@ -1,0 +1,244 @@
+"""A system at its present parameters: exact points of its phase space and ranks there."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, TypeVar
+
+import sympy as sp
+from flint import arb
+
+from ...core.laws import Isomorphism, Law
+from ...core.system import System
+from ...core.vectors import explicit
+from ...formulas.errors import NotExactError, OutOfReachError
+from ...formulas.jets import Evaluator, Jet
+from ...formulas.number_fields import precise
+from ...parsing.exact_decimals import exact_number
+from ...proof.level.level_set import Ground
+from ...proof.level.named_formulas import components
+from ...proof.level.time_derivatives import without_rates
+from ...proof.rank import rank
+
+__all__ = ["Standing", "View", "at_present", "present", "settled"]
+
+T = TypeVar("T")
+
+POINTS = 2
+ATTEMPTS = 400
+SEED = 20130400
+
+
+def present(system: System) -> dict[sp.Symbol, sp.Rational]:
+    """The present values of all parameters as the rational numbers that their decimals say."""
+    return {p.symbol: exact_number(p.default) for p in system.parameters}
+
+
+def at_present(system: System, values: Mapping[sp.Symbol, Any]) -> System:
+    """A system whose parameters are numbers: they become definitions with a constant value."""
+    return System(
+        name=system.name,
+        title=system.title,
+        field=system.field,
+        definitions=(*values.items(), *system.definitions),
+        relations=system.relations,
+        guards=system.guards,
+    )
+
+
+@dataclass(frozen=True)
+class View:
+    """The phase space near one of its points, as an observer there sees it.
+
+    Attributes
+    ----------
+    field : Rationals or Balls
+    evaluate : Evaluator
+        Values with their partial derivatives by the state variables.
+    ground : Ground
+        Of the system whose formulas are read.
+    size : int
+        Number of state variables of the system that is observed.
+    """
+
+    field: Any
+    evaluate: Evaluator
+    ground: Ground
+    size: int
+
+    def jet(self, formula: Any) -> Jet:
+        """A formula of the system with its derivatives."""
+        return self.evaluate(without_rates(explicit(sp.sympify(formula)), self.ground))
+
+    def differential(self, formula: Any) -> list[Any]:
+        """The partial derivatives of a function by the state variables."""
+        slopes = self.jet(formula).slopes
+        return [slopes.get(i, self.field.zero) for i in range(self.size)]
+
+    def through(self, law: Isomorphism) -> View:
+        """The same point seen in the variables of the target of an isomorphism."""
+        own = self.ground
+        named = [*components((*law.map, *law.constants), own).items()]
+        given = {s: self.evaluate(f) for s, f in named}
+        for parameter in law.target.parameters:
+            if parameter.symbol not in given:
+                given[parameter.symbol] = self.evaluate(parameter.symbol)
+        there = Ground(law.target)
+        reading = Evaluator(self.field, given.get, dict(law.target.steps))
+        return View(self.field, reading, there, self.size)
+
+
+@dataclass(frozen=True)
+class Standing:
+    """The points of a phase space at the present parameters, or of a level in it.
+
+    Parameters
+    ----------
+    system : System
+    on : tuple of sympy.Expr
+        Conditions on the state that define the level; none for the whole phase space.
+    values : mapping of Symbol to number, optional
+        Of the parameters, in place of the present ones.
+    """
+
+    system: System
+    on: tuple[Any, ...] = ()
+    values: Mapping[sp.Symbol, Any] | None = None
+
+    @cached_property
+    def ground(self) -> Ground:
+        """The level, with parameters that are numbers."""
+        return Ground(at_present(self.system, self.parameters), self.on)
+
+    @property
+    def parameters(self) -> Mapping[sp.Symbol, Any]:
+        """Values of the parameters."""
+        return present(self.system) if self.values is None else self.values
+
+    def expanded(self, formula: Any) -> sp.Expr:
+        """A formula in the state alone: definitions written out, parameters as numbers."""
+        return self.ground.expanded(sp.sympify(formula))
+
+    def at_points(self, compute: Callable[[View], T]) -> list[T]:
+        """What is computed at some points of the level, inside the domain of the equations.
+
+        Raises
+        ------
+        OutOfReachError
+            If no point was found at which it can be computed.
+        """
+        generator = random.Random(SEED)
+        found: list[T] = []
+        with precise():
+            for attempt in range(ATTEMPTS):
+                values, exact = self.ground.point(generator)
+                if attempt < ATTEMPTS // 2 and not self.ground.inside(values, exact):
+                    continue
+                found += self._computed(compute, values, exact)
+                if len(found) == POINTS:
+                    return found
+        raise OutOfReachError("no point was found at which the laws could be evaluated")
+
+    def _computed(
+        self, compute: Callable[[View], T], values: Mapping[str, Any], exact: bool
+    ) -> list[T]:
+        for rational in (True, False) if exact else (False,):
+            field = self.ground.numbers(values, rational)
+            partial = self.ground.partial(field)
+            view = View(field, partial, self.ground, len(self.system.symbols))
+            try:
+                return [compute(view)]
+            except NotExactError:
+                continue
+            except ZeroDivisionError:
+                break
+        return []
+
+    def bounds(self, view: View) -> list[list[Any]]:
+        """Differentials of the relations and of the level."""
+        return [view.differential(condition) for condition in self.ground.moving]
+
+    @cached_property
+    def dimension(self) -> int:
+        """Of the level: state variables less the rank of the conditions.
+
+        Conditions of full rank at one point have it at almost all.
+        """
+        ranks = self.at_points(lambda view: rank(view.field, self.bounds(view)))
+        return len(self.system.symbols) - max(ranks)
+
+    def independent(
+        self, rows: Sequence[Callable[[View], list[list[Any]]]]
+    ) -> tuple[list[int], int]:
+        """Which covectors are independent of the conditions and of those before them.
+
+        Parameters
+        ----------
+        rows : sequence of callable
+            View ↦ some covectors; all of one entry count together or not at all.
+
+        Returns
+        -------
+        tuple of (list of int, int)
+            Indices of the entries that add all their covectors to the rank, and the number of
+            covectors that they add; the largest found at a point, exact or certain.
+        """
+
+        def chosen(view: View) -> tuple[list[int], int]:
+            held = self.bounds(view)
+            first = reached = rank(view.field, held)
+            kept = []
+            for index, make in enumerate(rows):
+                more = make(view)
+                now = rank(view.field, [*held, *more])
+                if now == reached + len(more):
+                    kept.append(index)
+                    held += more
+                    reached = now
+            return kept, reached - first
+
+        return max(self.at_points(chosen), key=lambda pair: pair[1])
+
+    def full(self, wanted: int, rows: Callable[[View], list[list[Any]]]) -> bool:
+        """Whether vectors span as many dimensions as wanted, at a point and so at almost all."""
+        return max(self.at_points(lambda view: rank(view.field, rows(view)))) >= wanted
+
+    def vanishes(self, condition: Any) -> bool:
+        """Whether a condition on parameters holds exactly at the present ones."""
+        try:
+            return all(self.at_points(lambda view: _zero(view, condition)))
+        except OutOfReachError:
+            return False
+
+    def signs(self, formula: Any, points: int = 24) -> set[int]:
+        """Signs that a formula certainly takes, at points of the level."""
+        generator = random.Random(SEED)
+        found: set[int] = set()
+        with precise():
+            for _ in range(points):
+                values, exact = self.ground.point(generator)
+                found.update(self._computed(lambda view: _sign(view, formula), values, exact))
+        return found - {0}
+
+
+def settled(standing: Standing, laws: Sequence[Law]) -> tuple[Any, ...]:
+    """Conditions on parameters under which some laws hold."""
+    state = set(standing.system.symbols)
+    conditions = (explicit(c) for law in laws for c in law.on)
+    fixed = (c for c in conditions if not standing.expanded(c).free_symbols & state)
+    return tuple(dict.fromkeys(fixed))
+
+
+def _zero(view: View, formula: Any) -> bool:
+    value = view.jet(formula).value
+    return bool(value == 0) if view.field.exact else False
+
+
+def _sign(view: View, formula: Any) -> int:
+    value = view.jet(formula).value
+    if isinstance(value, arb) or view.field.exact:
+        return int(value > 0) - int(value < 0)
+    return 0

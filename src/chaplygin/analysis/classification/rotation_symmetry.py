@@ -1,0 +1,124 @@
+"""Equations that turn with the body: a symmetry proven definition by definition.
+
+Written out, the equations of a body of revolution are too long to compute their commutator with a
+rotation.  But every vector among their definitions turns with the vectors before it, every scalar
+stays: each of these is a short identity, and together they prove the symmetry by induction.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import sympy as sp
+
+from ...core.system import flat_pairs
+from ...core.vectors import Diagonal, Symmetric, Vector, explicit
+from .ranks import Standing
+
+__all__ = ["Turning", "turning", "vanishes"]
+
+#: Operations in a formula above which this proof gives up: definitions are to be short.
+LARGEST = 1500
+
+
+def turning(standing: Standing, axis: int) -> Turning | None:
+    """The rotation of all vectors of the state about a body axis, where it is shown a symmetry.
+
+    Parameters
+    ----------
+    standing : Standing
+        With the parameters at which it is asked.
+    axis : int
+        0, 1 or 2.
+
+    Returns
+    -------
+    Turning or None
+        None where it is not a symmetry, or this proof does not reach: where the state or a
+        definition is no vector, scalar or tensor of space in body axes.
+    """
+    made = Turning(standing, axis)
+    system = standing.system
+    vectors = all(isinstance(name, Vector) and len(name.symbols) == 3 for name in system.state)
+    if not vectors:
+        return None
+    for name in system.state:
+        made.motion.update(zip(name.symbols, made.turned(name.symbols), strict=True))
+    if not all(made.follows(name, formula) for name, formula in system.definitions):
+        return None
+    rates = [made.written(rate) for rate in system.rates]
+    wanted = [
+        component for i in range(0, len(rates), 3) for component in made.turned(rates[i : i + 3])
+    ]
+    shown = all(map(made.keeps, system.relations)) and made.agree(rates, wanted)
+    return made if shown else None
+
+
+class Turning:
+    """How every symbol changes under an infinitesimal rotation, as far as it is known."""
+
+    def __init__(self, standing: Standing, axis: int) -> None:
+        self.hat = sp.ImmutableMatrix(3, 3, lambda i, j: -sp.LeviCivita(axis, i, j))
+        self.across = [i for i in range(3) if i != axis]
+        self.motion: dict[sp.Symbol, Any] = {}
+        self.equal: dict[sp.Symbol, Any] = dict(standing.parameters)
+
+    def turned(self, triple: Sequence[Any]) -> list[Any]:
+        """The change of a vector: e × x."""
+        return list(self.hat * sp.Matrix(triple))
+
+    def written(self, formula: Any) -> Any:
+        """A formula with numbers for parameters and one symbol for what is equal."""
+        return formula.xreplace(self.equal)
+
+    def follows(self, name: Any, formula: Any) -> bool:
+        """Whether a definition changes as its kind must; if so, its symbols do from here on."""
+        symbols, parts = zip(*flat_pairs(((name, formula),)), strict=True)
+        values = [self.written(part) for part in parts]
+        if isinstance(name, Symmetric):
+            here, there = (_square(t) for t in (values, symbols))
+            wanted, change = (
+                Symmetric.independent(self.hat * t - t * self.hat) for t in (here, there)
+            )
+        elif isinstance(name, Vector) and len(symbols) == 3:
+            wanted, change = tuple(self.turned(values)), tuple(self.turned(symbols))
+        elif isinstance(name, Diagonal | sp.Symbol):
+            wanted = change = (sp.S.Zero,) * len(symbols)
+        else:
+            return False
+        if isinstance(name, Diagonal):
+            first, second = self.across
+            if not vanishes(values[first] - values[second]):
+                return False
+            self.equal[symbols[second]] = symbols[first]
+        self.motion.update(zip(symbols, change, strict=True))
+        return self.agree(values, wanted)
+
+    def keeps(self, formula: Any) -> bool:
+        """Whether a scalar formula is shown not to change."""
+        return vanishes(self._change(self.written(explicit(sp.sympify(formula)))))
+
+    def agree(self, values: Sequence[Any], wanted: Sequence[Any]) -> bool:
+        """Whether formulas change as they must."""
+        return all(vanishes(self._change(v) - w) for v, w in zip(values, wanted, strict=True))
+
+    def _change(self, value: Any) -> Any:
+        moved = sorted(value.free_symbols & self.motion.keys(), key=str)
+        return sp.Add(*(sp.diff(value, s) * self.motion[s] for s in moved))
+
+
+def _square(entries: Sequence[Any]) -> sp.ImmutableMatrix:
+    """A symmetric matrix from its six entries."""
+    pairs = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
+    places = {frozenset(pair): entry for pair, entry in zip(pairs, entries, strict=True)}
+    return sp.ImmutableMatrix(3, 3, lambda i, j: places[frozenset((i, j))])
+
+
+def vanishes(formula: Any) -> bool:
+    """Whether a formula is zero: as it stands, or its numerator over a common denominator."""
+    if sp.count_ops(formula) > LARGEST:
+        return False
+    if sp.expand(formula) == 0:
+        return True
+    return bool(sp.expand(sp.numer(sp.together(formula))) == 0)

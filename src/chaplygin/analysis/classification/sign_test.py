@@ -1,0 +1,127 @@
+"""Whether a formula keeps its sign on a phase space: shown by ball arithmetic, or refuted.
+
+An invariant measure excludes attracting sets only where its density is positive and finite; a
+reducing multiplier gives a new time only where it does not vanish.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Literal
+
+import sympy as sp
+from flint import arb
+
+from ...core.vectors import explicit
+from ...formulas.errors import NotExactError, OutOfReachError
+from ...formulas.number_fields import precise
+from .ranks import Standing
+
+__all__ = ["Sign", "sign"]
+
+Sign = Literal["kept", "changes", "unknown"]
+
+#: Boxes that may be looked at before the sign is left unknown.
+BOXES = 3000
+
+
+def sign(standing: Standing, formulas: Sequence[Any]) -> Sign:
+    """Whether none of some formulas vanishes or becomes infinite on a phase space.
+
+    Parameters
+    ----------
+    standing : Standing
+    formulas : sequence of sympy.Expr
+        In state, definitions and parameters.
+
+    Returns
+    -------
+    ``"kept"``, ``"changes"`` or ``"unknown"``
+        Kept: shown for every point, by ball arithmetic on a cover of the bounded variables on
+        which the formulas depend; changes: one of them has both signs, at points that were found.
+    """
+    found = [_of_one(standing, formula) for formula in formulas]
+    if "changes" in found:
+        return "changes"
+    return "unknown" if "unknown" in found else "kept"
+
+
+def _of_one(standing: Standing, formula: Any) -> Sign:
+    formula = explicit(sp.sympify(formula))
+    expanded = standing.expanded(formula)
+    if expanded.is_positive or expanded.is_negative or _divides(standing, formula):
+        return "kept"
+    try:
+        if len(standing.signs(formula)) == 2:
+            return "changes"
+        return "kept" if _covered(standing, formula, expanded) else "unknown"
+    except OutOfReachError:
+        return "unknown"
+
+
+def _divides(standing: Standing, formula: Any) -> bool:
+    """Whether a formula is a root by which the equations divide: positive where they hold."""
+    steps = dict(standing.system.steps)
+    inner = steps.get(formula, formula)
+    if not (inner.is_Pow and inner.exp == sp.Rational(1, 2)):
+        return False
+    used = (*steps.values(), *standing.system.rates)
+    powers = {power for f in used for power in f.atoms(sp.Pow) if power.exp.is_negative}
+    return any(power.base == formula for power in powers)
+
+
+def _bounds(standing: Standing, names: set[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+    """Bounds of state variables whose squares, with positive weights, add up to a number."""
+    found: dict[sp.Symbol, sp.Expr] = {}
+    for condition in standing.ground.moving:
+        group = sorted(condition.free_symbols, key=str)
+        weights = [sp.diff(condition, s, 2) / 2 for s in group]
+        rest = condition.xreplace(dict.fromkeys(group, sp.S.Zero))
+        squares = sp.Add(rest, *(w * s**2 for w, s in zip(weights, group, strict=True)))
+        plain = all(number.is_number for number in (rest, *weights))
+        if not names & set(group) or not plain or sp.expand(condition - squares) != 0:
+            continue
+        if all((w * rest).is_negative for w in weights):
+            found |= {s: sp.sqrt(-rest / w) for s, w in zip(group, weights, strict=True)}
+    return found
+
+
+def _covered(standing: Standing, formula: Any, expanded: sp.Expr) -> bool:
+    """Whether no box of a cover of the bounded variables lets the formula vanish."""
+    names = expanded.free_symbols & set(standing.system.symbols)
+    bounds = _bounds(standing, names)
+    if not names <= set(bounds):
+        return False
+    order = sorted(bounds, key=str)
+    conditions = [c for c in standing.ground.moving if c.free_symbols <= set(bounds)]
+    # a little wider than the bound itself, which need not be a binary fraction
+    waiting = [tuple((arb(0), arb(float(bounds[s])) * arb("1.0001")) for s in order)]
+    with precise():
+        for _ in range(BOXES):
+            if not waiting:
+                return True
+            box = waiting.pop()
+            values = {str(s): arb(m, r) for s, (m, r) in zip(order, box, strict=True)}
+            if any(_clear(standing, c, values) for c in conditions):
+                continue
+            if not _clear(standing, formula, values):
+                waiting += _halves(box)
+    return False
+
+
+def _clear(standing: Standing, formula: Any, values: dict[str, Any]) -> bool:
+    """Whether a formula is certainly not zero, and finite, on a box."""
+    field = standing.ground.numbers(values, False)
+    try:
+        value = standing.ground.evaluator(field).value(formula)
+    except (ZeroDivisionError, NotExactError):
+        return False
+    return bool(value.is_finite()) and 0 not in value
+
+
+def _halves(box: tuple[tuple[Any, Any], ...]) -> list[tuple[tuple[Any, Any], ...]]:
+    """A box cut in two across its longest side."""
+    index = max(range(len(box)), key=lambda i: float(box[i][1]))
+    middle, radius = box[index]
+    half = radius / 2
+    return [(*box[:index], (middle + s * half, half), *box[index + 1 :]) for s in (-1, 1)]

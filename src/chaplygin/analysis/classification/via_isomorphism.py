@@ -1,0 +1,162 @@
+"""What is proven of the systems onto which proven isomorphisms carry a system.
+
+Functions that are constant there are constant here.  A Hamiltonian form there is one here, up to
+the change of time, where the map is a local diffeomorphism.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import sympy as sp
+
+from ...catalogue import CATALOGUE
+from ...core.laws import Isomorphism, Law, Measure
+from ...core.system import System
+from ...formulas.errors import OutOfReachError
+from ...proof.level.named_formulas import components
+from .applicable_laws import sorted_laws
+from .conserved_covectors import Source, carried, sources
+from .facts import Fact, Patience
+from .hamiltonian_forms import density, hamiltonian
+from .place import Bracket, Density
+from .ranks import Standing, View, present
+from .sign_test import sign
+
+__all__ = ["There", "followed"]
+
+#: Isomorphisms that are followed one after another.
+DEPTH = 2
+
+
+@dataclass(frozen=True)
+class There:
+    """What the targets of isomorphisms give."""
+
+    sources: tuple[Source, ...] = ()
+    brackets: tuple[Bracket, ...] = ()
+    liouville: tuple[Fact, ...] = ()
+    measures: tuple[Density, ...] = ()
+
+
+def followed(
+    standing: Standing, laws: Sequence[Law], patience: Patience, depth: int = DEPTH
+) -> There:
+    """What is proven of the targets of the isomorphisms among some proven laws.
+
+    Parameters
+    ----------
+    standing : Standing
+    laws : sequence of Law
+        Proven on it.
+    patience : Patience
+        For the proofs of the laws of the targets.
+    depth : int
+        How many isomorphisms may follow one another.
+    """
+    found = There()
+    for law in laws:
+        if isinstance(law, Isomorphism) and depth:
+            more = _through(standing, law, patience, depth)
+            found = There(
+                found.sources + more.sources,
+                found.brackets + more.brackets,
+                found.liouville or more.liouville,
+                found.measures or more.measures,
+            )
+    return found
+
+
+def _through(standing: Standing, law: Isomorphism, patience: Patience, depth: int) -> There:
+    values, moving = _constants(standing, law)
+    target = _with_laws(law.target)
+    there = Standing(target, values=values)
+    laws = sorted_laws(there, patience.verdicts(target)).general
+    if moving:
+        # what holds at one value of a parameter need not hold along all of them
+        laws = tuple(each for each in laws if not each.on)
+    beyond = There() if moving else followed(there, laws, patience, depth - 1)
+    constant = tuple(carried(law, s) for s in (*sources(laws), *beyond.sources))
+    if not _diffeomorphic(standing, there, law, moving):
+        return There(constant)
+    forms = hamiltonian(there, laws, patience)
+    volumes = tuple(density(there, each) for each in laws if isinstance(each, Measure))
+    brackets = forms.brackets + beyond.brackets
+    return There(
+        constant,
+        tuple(_bracket(standing, law, b) for b in brackets[:1]),
+        tuple(_fact(law, fact) for fact in forms.liouville or beyond.liouville),
+        tuple(Density(_fact(law, m.law), "unknown") for m in volumes or beyond.measures),
+    )
+
+
+def _with_laws(target: System) -> System:
+    """The target with the laws that the catalogue states of the same equations."""
+    if target.laws or target.name not in CATALOGUE:
+        return target
+    known = CATALOGUE[target.name].system()
+    same = all(
+        getattr(known, part) == getattr(target, part)
+        for part in ("field", "definitions", "relations")
+    )
+    return replace(target, laws=known.laws) if same else target
+
+
+def _fact(law: Isomorphism, fact: Fact) -> Fact:
+    return Fact(law.name, fact.words, fact.source, fact.system or law.target.title)
+
+
+def _bracket(standing: Standing, law: Isomorphism, bracket: Bracket) -> Bracket:
+    """A Hamiltonian form of the target as one of the system itself."""
+    timed = law.time != 1
+    kept = sign(standing, [law.time]) if timed else "kept"
+    both = bracket.sign if kept == "kept" else kept
+    return replace(
+        bracket,
+        law=_fact(law, bracket.law),
+        conformal=bracket.conformal or timed,
+        sign=both,
+    )
+
+
+def _constants(
+    standing: Standing, law: Isomorphism
+) -> tuple[dict[sp.Symbol, Any], list[sp.Symbol]]:
+    """Values of the parameters of the target, and those of them that depend on the state.
+
+    For the latter the value is an example.
+    """
+    named = dict(components(law.constants, standing.ground))
+    state = set(standing.system.symbols)
+    values = present(law.target)
+    moving = []
+    for parameter in values:
+        formula = standing.expanded(named.get(parameter, parameter))
+        if formula.free_symbols & state:
+            moving.append(parameter)
+        else:
+            values[parameter] = formula
+    return values, moving
+
+
+def _diffeomorphic(
+    standing: Standing, there: Standing, law: Isomorphism, moving: Sequence[sp.Symbol]
+) -> bool:
+    """Whether the map, with the constants that it gives, has an inverse near almost every point.
+
+    The constants are Casimir functions of what is carried over.
+    """
+    named = dict(components(law.constants, standing.ground))
+    images = list(components(law.map, standing.ground).values())
+    constants = [named[s] for s in moving]
+
+    def rows(view: View) -> list[list[Any]]:
+        return [*standing.bounds(view), *map(view.differential, (*images, *constants))]
+
+    try:
+        same = standing.dimension == there.dimension + len(moving)
+        return same and standing.full(len(standing.system.symbols), rows)
+    except OutOfReachError:
+        return False

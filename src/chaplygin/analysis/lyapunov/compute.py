@@ -1,0 +1,389 @@
+"""The Lyapunov spectrum of a motion: what is genuine, how sure it is, what was forced to be zero.
+
+After Benettin, Galgani, Giorgilli and Strelcyn (1980), with deviations that stay tangent to
+relations and integrals and are counted modulo the flow and the symmetries, so that zeros which
+are there in any case are neither computed nor mistaken for a result.  An exponent is a mean over
+a motion of finite length and has an error; it is *observed*, never proven.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import numpy as np
+
+from ...core.system import System
+from ...errors import EarlyEndError, InputError, InterruptionError, RunError
+from ...flow.batch import Lanes, lanes
+from ...flow.initial_states import reduced_start
+from ...flow.state_scales import sizes_along
+from ...flow.tangent_space import propagate
+from ...flow.validation import require_on_phase_space
+from ...formulas.evaluate import parameter_rows, relation_terms
+from .averages import Average, average, batched, resolution
+from .divergence import NODES, Followed, Volume, volume
+from .zero_exponents import Forced, Removed, forced
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["Spectrum", "Volume", "kaplan_yorke", "spectrum"]
+
+Array: TypeAlias = Any
+Values: TypeAlias = Mapping[Any, Any] | None
+
+#: Part of a motion left out at the beginning, where deviations find their directions.
+UNSETTLED = 0.2
+#: Intervals of a motion, unless deviations part too fast.
+INTERVALS = 400
+#: Intervals at least, and at most.
+LEAST, MOST = 100, 2_000_000
+#: Logarithm of the ratio of lengths that deviations may reach in an interval: at first, and later.
+APART = (12.0, 28.0)
+FIRST = 8
+#: Draws of the bootstrap, and its seed.
+DRAWS, SEED = 400, 20080830
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """The Lyapunov exponents of one motion.
+
+    Attributes
+    ----------
+    system : System
+    parameters : dict of str to float
+    start : (size,) array
+    until, interval : float
+        Length of the motion, and of the intervals after which deviations are made orthonormal.
+    began : float
+        Before this time nothing is counted.
+    exponents : tuple of Average
+        The genuine ones, the largest first.
+    removed : tuple of (Removed, float or None)
+        What was removed, with the rate at which it was seen to grow, which is to vanish; None for
+        relations.
+    dependent : tuple of str
+        Integrals and symmetries that force nothing at this start.
+    fading : tuple of str
+        What would force a zero if it kept its size, and does not: the flow of a motion that comes
+        to rest.  It is not removed.
+    total : Average
+        The sum of the genuine exponents.
+    volume : Volume
+    growth : (intervals, exponents) array
+        Logarithms of the growth in each interval, from the start on.
+    tolerance : float
+    """
+
+    system: System
+    parameters: dict[str, float]
+    start: Array
+    until: float
+    interval: float
+    began: float
+    exponents: tuple[Average, ...]
+    removed: tuple[tuple[Removed, float | None], ...]
+    dependent: tuple[str, ...]
+    fading: tuple[str, ...]
+    total: Average
+    volume: Volume
+    growth: Array
+    tolerance: float
+
+    @property
+    def settled(self) -> bool:
+        """Whether every exponent agrees in both halves of the motion."""
+        return all(item.settled for item in self.exponents)
+
+    @property
+    def values(self) -> Array:
+        """The genuine exponents."""
+        return np.array([item.value for item in self.exponents])
+
+    @property
+    def errors(self) -> Array:
+        """Their errors."""
+        return np.array([item.error for item in self.exponents])
+
+    @property
+    def chaotic(self) -> bool:
+        """Whether the largest exponent is settled and positive beyond its error: observed."""
+        return bool(
+            self.exponents
+            and self.exponents[0].settled
+            and self.exponents[0].value > self.exponents[0].error
+        )
+
+    @property
+    def within(self) -> int:
+        """Zeros that belong to directions within the levels of the integrals."""
+        return sum(r.kind in ("flow", "symmetry", "quadrature") for r, _ in self.removed)
+
+    @cached_property
+    def dimension(self) -> tuple[float, float]:
+        """The Kaplan–Yorke dimension on the level of the integrals, and its error.
+
+        The error is the standard deviation over bootstrap draws of the batches.
+        """
+        began = round(self.began / self.interval)
+        means = batched(self.growth[began:]) / self.interval
+        draws = np.random.default_rng(SEED).integers(len(means), size=(DRAWS, len(means)))
+        zeros = np.zeros(self.within)
+        found = [kaplan_yorke(np.append(means[draw].mean(axis=0), zeros)) for draw in draws]
+        return kaplan_yorke(np.append(self.values, zeros)), float(np.std(found))
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether the exponents come in pairs of opposite sign, within their errors."""
+        pairs = self.values + self.values[::-1]
+        return bool(np.all(np.abs(pairs) <= self.errors + self.errors[::-1]))
+
+    @property
+    def times(self) -> Array:
+        """The ends of the intervals."""
+        return self.interval * np.arange(1, len(self.growth) + 1)
+
+    @property
+    def running(self) -> Array:
+        """What each exponent would have been if the motion had ended earlier.
+
+        (intervals, exponents); not a number before anything is counted.
+        """
+        began = round(self.began / self.interval)
+        found = np.full(self.growth.shape, np.nan)
+        count = np.arange(1, len(found) - began + 1)[:, None]
+        found[began:] = np.cumsum(self.growth[began:], axis=0) / (self.interval * count)
+        return found
+
+    def dataset(self) -> xr.Dataset:
+        """Exponents, errors and the way they settled, with what they are of."""
+        from .report import dataset
+
+        return dataset(self)
+
+
+def kaplan_yorke(exponents: Sequence[float] | Array) -> float:
+    """The dimension of an attractor with given exponents (Kaplan and Yorke 1979).
+
+    With the exponents in falling order, j is the largest number of them whose sum is not
+    negative; the dimension is j + (λ_1 + … + λ_j)/|λ_{j+1}|, and the number of exponents where
+    all sums are not negative.
+    """
+    ordered = np.sort(np.asarray(exponents, dtype=np.float64))[::-1]
+    sums = np.cumsum(ordered)
+    count = int(np.argmax(sums < 0)) if (sums < 0).any() else len(ordered)
+    if count == len(ordered):
+        return float(count)
+    rest = sums[count - 1] if count else 0.0
+    return float(count + rest / abs(ordered[count]))
+
+
+def spectrum(
+    system: System,
+    start: Mapping[str, Any] | Sequence[float],
+    parameters: Values = None,
+    *,
+    until: float,
+    intervals: int = INTERVALS,
+    tolerance: float = 1e-13,
+    progress: Callable[[float], None] | None = None,
+) -> Spectrum:
+    """The Lyapunov spectrum of the motion from a start.
+
+    Parameters
+    ----------
+    system : System
+    start : sequence of float, or mapping of str to number or numbers
+        State on the phase space, as of :func:`chaplygin.flow.integrator.integrate`; what belongs
+        to the motion in space is left out.
+    parameters : mapping of Symbol or name to number, optional
+        Values that replace the defaults.
+    until : float
+        How long to follow the motion; the first fifth is not counted.
+    intervals : int
+        Into how many intervals to divide it, at least; their number is doubled as long as
+        deviations grow too far apart within one.
+    tolerance : float
+        Relative error of a step.
+    progress : callable, optional
+        Called with the fraction done.
+
+    Returns
+    -------
+    Spectrum
+
+    Raises
+    ------
+    InputError
+        If the start is not on the phase space, or `until` or `intervals` cannot be used.
+    RunError
+        If the motion ends early, or deviations grow too fast to be followed.
+    InterruptionError
+        If it is interrupted; it carries the spectrum of the motion until then, if that has at
+        least `LEAST` intervals.
+    """
+    if not 0 < until < np.inf:
+        raise InputError(f"until = {until:g}: it must be positive and finite")
+    if not LEAST <= intervals <= MOST:
+        raise InputError(f"intervals = {intervals}: there must be from {LEAST} to {MOST}")
+    start = [float(x) for x in reduced_start(system, start, parameters)]
+    _check(system, start, parameters)
+    told = progress or (lambda done: None)
+    lanes(system, tolerance=tolerance).require_reach(start, until, parameters)
+    sizes = sizes_along(system, [start], until, parameters, tolerance)[0]
+    found = forced(system, start, parameters, sizes=sizes)
+    kept: tuple[str, ...] = ()
+    try:
+        run = _followed(found, start, (until, intervals), parameters, tolerance, told)
+        kept = _not_forced(found, run)
+        if kept:
+            found = forced(system, start, parameters, kept, sizes)
+            run = _followed(found, start, (until, intervals), parameters, tolerance, told)
+    except _StoppedError as stop:
+        run = stop.run
+        length = run.interval * len(run.lengths)
+        # where more would have to be left out, the motion would have to be followed again
+        if len(run.lengths) < LEAST or set(_not_forced(found, run)) - set(kept):
+            raise InterruptionError("interrupted", length) from None
+        partial = _evaluated(system, found, run, length, tolerance, parameters, kept)
+        raise InterruptionError("interrupted", length, partial) from None
+    return _evaluated(system, found, run, until, tolerance, parameters, kept)
+
+
+class _StoppedError(Exception):
+    """Interrupted after some intervals of the motion."""
+
+    def __init__(self, run: Followed) -> None:
+        super().__init__()
+        self.run = run
+
+
+def _followed(
+    found: Forced,
+    start: Sequence[float],
+    times: tuple[float, int],
+    parameters: Values,
+    tolerance: float,
+    progress: Callable[[float], None],
+) -> Followed:
+    """The motion, in intervals so short that deviations keep apart."""
+    space = found.space
+    machine = lanes(space.system, tolerance=tolerance, deviations=space.dimension)
+    until, count = times
+    while (run := _run(machine, found, start, (until, count), parameters, progress)) is None:
+        count *= 2
+        if count > MOST:
+            raise RunError("deviations grow too fast to be followed", 0.0)
+    return run
+
+
+def _not_forced(found: Forced, run: Followed) -> tuple[str, ...]:
+    """Names of fields and integrals whose size does not last: their exponent is not zero.
+
+    So it is with the flow where the motion comes to rest.
+    """
+    skipped = round(UNSETTLED * len(run.lengths))
+    began, span = (run.interval * n for n in (skipped, len(run.lengths) - skipped))
+    bound = 3 * resolution(span, began)
+    with np.errstate(invalid="ignore"):
+        rates = (run.sizes[-1] - run.sizes[skipped]) / span
+    return tuple(
+        item.name
+        for item, rate in zip(found.removed, rates, strict=True)
+        if item.kind not in ("relation", "quadrature") and not abs(rate) <= bound
+    )
+
+
+def _check(system: System, start: Sequence[float], parameters: Values) -> None:
+    points = np.array([start], dtype=np.float64)
+    constants = parameter_rows(system, parameters, 1)
+    require_on_phase_space(system, relation_terms(system), points, constants)
+
+
+def _run(
+    machine: Lanes,
+    found: Forced,
+    start: Sequence[float],
+    times: tuple[float, int],
+    parameters: Values,
+    progress: Callable[[float], None],
+) -> Followed | None:
+    """The motion; None where deviations grow too far apart within an interval."""
+    until, count = times
+    interval = until / count
+    space = found.space
+    places, _ = np.polynomial.legendre.leggauss(NODES)
+    inner = interval * (1 + places) / 2
+    first = np.array([start], dtype=np.float64)
+    states, nodes = [first[0]], []
+    lengths, sizes = [], [space.excluded(first, parameters, found.sizes)[1][0]]
+    stretches = propagate(
+        machine, space, first, interval, parameters, sizes=found.sizes, nodes=inner, threads=1
+    )
+    try:
+        for k in range(count):
+            stretch = next(stretches)
+            code = int(stretch.outcome[0])
+            if code:
+                ended = k * interval + float(stretch.ended[0])
+                raise EarlyEndError(machine.system.name, machine.reason(code), ended)
+            spread = float(np.ptp(stretch.lengths[0])) if space.dimension else 0.0
+            if not max(spread, np.abs(stretch.lengths[0]).max(initial=0.0)) <= APART[k >= FIRST]:
+                return None
+            progress((k + 1) / count)
+            states.append(stretch.ends[0])
+            nodes.append(stretch.states[0])
+            lengths.append(stretch.lengths[0])
+            sizes.append(stretch.sizes[0])
+    except KeyboardInterrupt:
+        # what is appended last is there of complete intervals alone
+        n = len(sizes) - 1
+        if n == 0:
+            raise
+        parts = nodes[:n], states[: n + 1], lengths[:n], sizes
+        raise _StoppedError(Followed(interval, *map(np.array, parts))) from None
+    return Followed(interval, *map(np.array, (nodes, states, lengths, sizes)))
+
+
+def _evaluated(
+    system: System,
+    found: Forced,
+    run: Followed,
+    until: float,
+    tolerance: float,
+    parameters: Values,
+    kept: tuple[str, ...],
+) -> Spectrum:
+    skipped = round(UNSETTLED * len(run.lengths))
+    began = skipped * run.interval
+    span = (len(run.lengths) - skipped) * run.interval
+    counted = run.lengths[skipped:]
+    each = [average(column, run.interval, began) for column in counted.T]
+    order = sorted(range(len(each)), key=lambda i: -each[i].value)
+    rates = (run.sizes[-1] - run.sizes[skipped]) / span
+    removed = tuple(
+        (item, None if item.kind == "relation" else float(rate))
+        for item, rate in zip(found.removed, rates, strict=True)
+    )
+    named = {str(symbol): value for symbol, value in system.defaults.items()}
+    given = {str(name): float(value) for name, value in (parameters or {}).items()}
+    return Spectrum(
+        system,
+        named | given,
+        run.states[0],
+        until,
+        run.interval,
+        began,
+        tuple(each[i] for i in order),
+        removed,
+        found.dependent,
+        kept,
+        average(counted.sum(axis=1), run.interval, began),
+        volume(system, found, run, skipped, parameters),
+        run.lengths[:, order],
+        tolerance,
+    )

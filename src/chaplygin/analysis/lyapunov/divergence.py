@@ -1,0 +1,109 @@
+"""How volumes change along a motion: the divergence, what it must agree with, and measures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from ...core.laws import Measure
+from ...core.system import System
+from ...core.vectors import explicit
+from ...flow.tangent_space import orthonormal
+from ...formulas.batch import Formulas
+from .averages import Average, average
+from .zero_exponents import Forced, vanish
+
+__all__ = ["NODES", "Followed", "Volume", "volume"]
+
+Array: TypeAlias = Any
+Values: TypeAlias = Mapping[Any, Any] | None
+
+#: Points of Gauss's rule in an interval, for the mean of the divergence.
+NODES = 16
+#: Intervals taken together, to bound the memory.
+PIECE = 512
+
+
+@dataclass(frozen=True)
+class Followed:
+    """What was recorded along a motion, interval by interval."""
+
+    interval: float
+    nodes: Array
+    states: Array
+    lengths: Array
+    sizes: Array
+
+
+@dataclass(frozen=True)
+class Volume:
+    """How volumes on the phase space change along the motion, and what this must agree with.
+
+    Attributes
+    ----------
+    divergence : Average
+        The mean of the divergence on the phase space, from exact derivatives by Gauss's rule.
+    balance : float
+        By how much the sum of all exponents, forced ones and boundary terms included, differs
+        from it: an error of the computation.
+    measures : dict of str to float
+        For each invariant measure of the system, by how much the change of its density along the
+        motion differs from the mean of the divergence.
+    """
+
+    divergence: Average
+    balance: float
+    measures: dict[str, float]
+
+
+def volume(
+    system: System, found: Forced, run: Followed, skipped: int, parameters: Values
+) -> Volume:
+    """The divergence along the motion, and what it must agree with."""
+    relations = [explicit(relation) for relation in system.relations]
+    _, weights = np.polynomial.legendre.leggauss(NODES)
+    kept = run.nodes[skipped:]
+    growth = np.empty(len(kept))
+    for first in range(0, len(kept), PIECE):
+        some = kept[first : first + PIECE]
+        rates = found.space.divergence(
+            some.reshape(-1, some.shape[-1]), parameters, relations, found.sizes
+        )
+        growth[first : first + PIECE] = rates.reshape(some.shape[:2]) @ weights
+    growth *= run.interval / 2
+    span = len(growth) * run.interval
+    # of what is removed, all but the relations belongs to volumes on the phase space
+    inside = [item.kind != "relation" for item in found.removed]
+    change = float((run.sizes[-1] - run.sizes[skipped])[inside].sum())
+    balance = float(run.lengths[skipped:].sum() + change - growth.sum()) / span
+    ends = run.states[[skipped, -1]]
+    measures = {
+        name: float(growth.sum() - change) / span
+        for name, change in _densities(system, ends, found.sizes, parameters)
+    }
+    return Volume(average(growth, run.interval, skipped * run.interval), balance, measures)
+
+
+def _densities(
+    system: System, ends: Array, sizes: Array, parameters: Values
+) -> Iterator[tuple[str, float]]:
+    """For each invariant measure, the growth of volumes that it allows between two states."""
+    moving = set(system.symbols) | {symbol for symbol, _ in system.steps}
+    relations = [explicit(relation) for relation in system.relations]
+    gradients = Formulas(system, relations).slopes(ends, parameters) * sizes
+    _, lengths = orthonormal(gradients)
+    for law in system.laws:
+        if not isinstance(law, Measure):
+            continue
+        level = [explicit(condition) for condition in law.on]
+        if any(condition.free_symbols & moving for condition in level):
+            continue
+        if not vanish(system, level, ends[0], parameters, sizes):
+            continue
+        density = Formulas(system, [explicit(law.value)])(ends, parameters)[:, 0]
+        # volumes are those of the surface: the form of the law times the size of the gradients
+        logarithm = np.log(lengths).sum(axis=1) - np.log(np.abs(density))
+        yield law.name, float(logarithm[1] - logarithm[0])

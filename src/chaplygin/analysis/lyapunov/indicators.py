@@ -1,0 +1,321 @@
+"""How fast neighbours of many motions part: numbers for charts.
+
+One deviation, or several, is carried along each motion and made of length one after each interval.
+The logarithms of the lengths lost add up to L(t): the largest exponent is the slope of L, the fast
+Lyapunov indicator its greatest value (Froeschlé, Lega, Gonczi 1997), and MEGNO compares it with its
+mean (Cincotta, Simó 2000).  Lengths are measured with each vector of the state divided by its size
+along the motion, so that the numbers are the same in all units.  Exponents are taken of what
+integrals and the flow do not force to be zero; indicators of all deviations that the relations
+allow, among which those of a regular motion part evenly with time.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar, TypeAlias
+
+import numpy as np
+
+from ...core.system import System
+from ...core.vectors import explicit
+from ...errors import InputError
+from ...flow.batch import lanes
+from ...flow.level_projection import picked
+from ...flow.state_scales import sizes_along
+from ...flow.tangent_space import TangentSpace, orthonormal
+from ..scans.observables import Parameters
+
+__all__ = [
+    "Alignment",
+    "Exponent",
+    "Fastest",
+    "Grown",
+    "Megno",
+    "Parting",
+    "Total",
+    "across",
+    "grown",
+    "tangent",
+]
+
+#: Part of a motion left out at the beginning, where a deviation finds its direction.
+UNSETTLED = 0.2
+#: Batches by whose means an error is told, and Student's factor for 95 % of them.
+BATCHES, STUDENT = 16, 2.131
+#: Logarithm of the share of others to which a deviation may shrink in an interval before it is
+#: lost in the error of these; the interval is parted then, into so many pieces at most.
+APART, PARTED = 16.0, 64
+
+
+@dataclass(frozen=True)
+class Parting(ABC):
+    """A number that tells how neighbours of a motion part.
+
+    Attributes
+    ----------
+    system : System
+    until : float
+        How long motions are followed.
+    tolerance : float
+        See :func:`chaplygin.flow.batch.lanes`.
+    intervals : int
+        After each of which deviations are made of length one.
+
+    Raises
+    ------
+    InputError
+        If there are too few intervals.
+    """
+
+    system: System
+    until: float
+    tolerance: float = 1e-12
+    intervals: int = 200
+    further: ClassVar[Mapping[str, str]] = {}
+
+    def __post_init__(self) -> None:
+        if self.intervals < 2 * BATCHES:
+            raise InputError(f"intervals = {self.intervals}: at least {2 * BATCHES} are needed")
+
+    @abstractmethod
+    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+        """Values, errors if any, outcomes and times reached, (n,) each."""
+
+    def renewed(self, deviations: Any, basis: Any) -> tuple[Any, Any]:
+        """Deviations of length one, and the lengths lost; what is in the span of a basis goes."""
+        return orthonormal(deviations, basis)
+
+
+_Arrays: TypeAlias = tuple[Any, Any, Any, Any, Any]
+
+
+@dataclass(frozen=True)
+class Grown:
+    """Deviations along motions.
+
+    Attributes
+    ----------
+    logarithms : (n, intervals, d) array
+        Of the lengths lost in each interval; not numbers after the end of a motion, and all of
+        them where deviations part too fast to be told.
+    frames : (n, d, size) array
+        The deviations at the end, of length one in the measures of the motion.
+    outcome : (n,) array of int
+        0, or why a motion ended.
+    ended : (n,) array
+        The times reached.
+    """
+
+    logarithms: Any
+    frames: Any
+    outcome: Any
+    ended: Any
+
+
+def tangent(system: System) -> TangentSpace:
+    """Deviations tangent to the relations: all that are possible."""
+    relations = tuple(explicit(relation) for relation in system.relations)
+    return _some(TangentSpace(system, relations, (), np.zeros((0, 0))))
+
+
+def across(system: System) -> TangentSpace:
+    """Those tangent to the integrals that hold everywhere as well, modulo the flow.
+
+    What is left out has the exponent zero in any case.
+    """
+    kept = tuple(explicit(law.value) for law in system.integrals if not law.on)
+    free = tangent(system)
+    conditions = (*free.conditions, *kept)
+    return _some(TangentSpace(system, conditions, (system.rates,), np.eye(1)))
+
+
+def _some(space: TangentSpace) -> TangentSpace:
+    if space.dimension < 1:
+        raise InputError(
+            f"{space.system.name}: neighbours cannot part: relations, integrals and the direction "
+            "of motion leave no deviation"
+        )
+    return space
+
+
+def grown(
+    rule: Parting, space: TangentSpace, deviations: int, starts: Any, parameters: Parameters
+) -> Grown:
+    """Deviations along many motions.
+
+    Parameters
+    ----------
+    rule : Parting
+        The system, the length of the motions and of the intervals.
+    space : TangentSpace
+        Deviations that count.
+    deviations : int
+        How many.
+    starts : (n, size) array
+        In flat order, on the phase space.
+    parameters : mapping of Symbol or name to number or (n,) array
+    """
+    states = np.array(starts, dtype=np.float64)
+    sizes = sizes_along(rule.system, states, rule.until, parameters, rule.tolerance)
+    found = _grown(rule, space, (deviations, 1), (states, sizes), parameters)
+    pieces = 2
+    while pieces <= PARTED and len(lost := np.flatnonzero(_lost(found))):
+        chosen = picked(parameters, lost)
+        again = _grown(rule, space, (deviations, pieces), (states[lost], sizes[lost]), chosen)
+        for known, new in zip(found, again, strict=True):
+            known[lost] = new
+        pieces *= 2
+    found[0][_lost(found)] = np.nan
+    return Grown(*found[:4])
+
+
+def _lost(found: _Arrays) -> Any:
+    """Motions that were followed to their end, while deviations became too short beside others."""
+    _, _, outcome, _, shrunk = found
+    return (outcome == 0) & ~(shrunk <= APART)
+
+
+def _grown(
+    rule: Parting,
+    space: TangentSpace,
+    counts: tuple[int, int],
+    begin: tuple[Any, Any],
+    parameters: Parameters,
+) -> _Arrays:
+    """Logarithms, frames, outcomes, times reached, and how far deviations shrank beside others.
+
+    Parameters
+    ----------
+    counts : pair of int
+        Deviations, and pieces of each interval.
+    begin : pair of (n, size) arrays
+        The starts, and the sizes by which deviations are measured.
+    """
+    deviations, pieces = counts
+    flow = lanes(rule.system, tolerance=rule.tolerance, deviations=deviations)
+    states, sizes = begin[0].copy(), begin[1]
+    relations = tangent(rule.system)
+    frames = space.frames(states, parameters, flow.deviations, sizes)
+    logarithms = np.full((len(states), rule.intervals * pieces, flow.deviations), np.nan)
+    outcome, ended = np.zeros(len(states), dtype=np.int64), np.zeros(len(states))
+    interval = rule.until / logarithms.shape[1]
+    for k in range(logarithms.shape[1]):
+        live = np.flatnonzero(outcome == 0)
+        if not len(live):
+            break
+        chosen = picked(parameters, live)
+        carried = frames[live] * sizes[live, None]
+        run = flow.until(states[live], [interval], chosen, deviations=carried)
+        ended[live] = k * interval + run.ended
+        outcome[live] = run.outcome
+        going = run.outcome == 0
+        live, chosen = live[going], picked(chosen, going)
+        level = np.zeros((len(live), len(relations.conditions)))
+        states[live] = relations.kept(run.states[going, 0], level, chosen, sizes[live])
+        basis, _ = space.excluded(states[live], chosen, sizes[live])
+        frames[live], lengths = rule.renewed(run.deviations[going, 0] / sizes[live, None], basis)
+        with np.errstate(divide="ignore"):
+            logarithms[live, k] = np.log(lengths)
+    frames[outcome != 0] = np.nan
+    shrunk = np.maximum(logarithms.max(axis=2), 0.0) - logarithms.min(axis=2)
+    parted = logarithms.reshape(len(states), rule.intervals, pieces, flow.deviations)
+    return parted.sum(axis=2), frames, outcome, ended, shrunk.max(axis=1)
+
+
+class Exponent(Parting):
+    """The largest Lyapunov exponent but for that of the flow, and its error.
+
+    The first fifth of the motion is left out: there the deviation finds its direction.
+
+    The error is the larger of the 95 % interval from the means of 16 batches, and of what growth
+    with the square of the time would show.
+    """
+
+    further: ClassVar[Mapping[str, str]] = {"error": "error of the largest exponent"}
+
+    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+        """Values, errors, outcomes and times reached, (n,) each."""
+        found = grown(self, across(self.system), 1, starts, parameters)
+        value, error = _rate(found.logarithms[:, :, 0], self.until)
+        return {"value": value, "error": error, "outcome": found.outcome, "ended": found.ended}
+
+
+class Total(Parting):
+    """The sum of all exponents that relations, integrals and the flow leave.
+
+    Where a measure is preserved it is zero; where it is negative the motion is attracted.
+    """
+
+    further: ClassVar[Mapping[str, str]] = {"error": "error of the sum of exponents"}
+
+    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+        """Values, errors, outcomes and times reached, (n,) each."""
+        space = across(self.system)
+        found = grown(self, space, space.dimension, starts, parameters)
+        value, error = _rate(found.logarithms.sum(axis=2), self.until)
+        return {"value": value, "error": error, "outcome": found.outcome, "ended": found.ended}
+
+
+def _rate(logarithms: Any, until: float) -> tuple[Any, Any]:
+    """The mean rate of growth without the beginning, and its error, (n,) each."""
+    intervals = logarithms.shape[1]
+    each = (intervals - round(UNSETTLED * intervals)) // BATCHES
+    kept = logarithms[:, intervals - each * BATCHES :]
+    batches = kept.reshape(len(kept), BATCHES, each).mean(axis=2) * (intervals / until)
+    span = until * each * BATCHES / intervals
+    spread = STUDENT * batches.std(axis=1, ddof=1) / np.sqrt(BATCHES)
+    unseen = 2.0 * np.log(until / (until - span)) / span
+    return batches.mean(axis=1), np.maximum(spread, unseen)
+
+
+class Fastest(Parting):
+    """The fast Lyapunov indicator: the greatest logarithm of the growth so far."""
+
+    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+        """Values, outcomes and times reached, (n,) each."""
+        found = grown(self, tangent(self.system), 1, starts, parameters)
+        value = np.cumsum(found.logarithms[:, :, 0], axis=1).max(axis=1)
+        return {"value": value, "outcome": found.outcome, "ended": found.ended}
+
+
+class Megno(Parting):
+    """The mean of MEGNO: 2 on a regular motion, λ/2 times the time on a chaotic one.
+
+    Where all neighbours keep their distance (equal frequencies, a stable rest) it is 0.
+
+    Y(t) = (2/t) ∫ (d ln|ξ|/ds) s ds = 2 (L(t) − the mean of L until t), by the trapezoidal rule
+    over the intervals.
+    """
+
+    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+        """Values, outcomes and times reached, (n,) each."""
+        found = grown(self, tangent(self.system), 1, starts, parameters)
+        total = np.cumsum(found.logarithms[:, :, 0], axis=1)
+        before = np.concatenate([np.zeros((len(total), 1)), total[:, :-1]], axis=1)
+        count = np.arange(1, self.intervals + 1)
+        now = 2.0 * (total - np.cumsum((total + before) / 2, axis=1) / count)
+        return {"value": now.mean(axis=1), "outcome": found.outcome, "ended": found.ended}
+
+
+class Alignment(Parting):
+    """SALI: how far two deviations are from being parallel at the end.
+
+    The logarithm (base 10) of the smaller of |u + v| and |u − v| of two deviations of length one
+    (Skokos 2001).  It falls evenly on chaotic motions, to −16 where rounding ends it.
+    """
+
+    def renewed(self, deviations: Any, basis: Any) -> tuple[Any, Any]:
+        """Each for itself, so that they can become parallel."""
+        pairs = [orthonormal(deviations[:, i : i + 1], basis) for i in range(deviations.shape[1])]
+        frames, lengths = zip(*pairs, strict=True)
+        return np.concatenate(frames, axis=1), np.concatenate(lengths, axis=1)
+
+    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+        """Values, outcomes and times reached, (n,) each."""
+        found = grown(self, tangent(self.system), 2, starts, parameters)
+        u, v = found.frames[:, 0], found.frames[:, 1]
+        apart = np.minimum(np.linalg.norm(u + v, axis=1), np.linalg.norm(u - v, axis=1))
+        value = np.log10(np.maximum(apart, np.finfo(float).eps))
+        return {"value": value, "outcome": found.outcome, "ended": found.ended}

@@ -1,0 +1,243 @@
+"""A Lyapunov spectrum in words, as a dataset, and as plain values for other programs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from math import floor, log10
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..orbits.reversing_symmetries import Reversor
+from .averages import Average
+from .compute import Spectrum
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["dataset", "record", "remarks", "rounded", "word"]
+
+#: A relative error of the computation above which it is told.
+CAREFUL = 0.1
+
+
+def word(item: Average) -> str:
+    """What an exponent says."""
+    if not item.settled:
+        return "not settled"
+    if item.zero:
+        return "zero within its error"
+    return "neighbours part" if item.value > 0 else "neighbours approach"
+
+
+def rounded(value: float, error: float) -> tuple[str, str]:
+    """A number and its error, to two digits of the error."""
+    places = max(0, 1 - floor(log10(error))) if error > 0 else 12
+    # a zero has no sign
+    return f"{round(value, places) + 0.0:.{places}f}", f"{error:.{places}f}"
+
+
+def remarks(found: Spectrum, reversors: Sequence[Reversor] = ()) -> Iterator[str]:
+    """Sentences on what a spectrum shows; all of them observed unless they say proven.
+
+    Parameters
+    ----------
+    found : Spectrum
+    reversors : sequence of Reversor
+        Those of the system; the ones that hold with these parameters are used.
+    """
+    yield from _convergence(found)
+    for name in found.fading:
+        yield (
+            f"no zero is forced by {name} on this motion, because its size does not last: the "
+            "motion comes to rest, or runs away"
+        )
+    yield from _kind(found)
+    yield from _volumes(found)
+    holding = [reversor for reversor in reversors if reversor.holds(found.parameters)]
+    if holding:
+        yield from _pairs(found, holding[0])
+
+
+def _undecided(found: Spectrum) -> bool:
+    """Whether an error is no smaller than what deviations grow and shrink by on the way."""
+    counted = found.growth[round(found.began / found.interval) :]
+    rates = counted.std(axis=0) / found.interval
+    return any(
+        item.error > max(2 * item.resolution, CAREFUL * rate)
+        for item, rate in zip(found.exponents, rates, strict=True)
+    )
+
+
+def _convergence(found: Spectrum) -> Iterator[str]:
+    for number, item in enumerate(found.exponents, 1):
+        if not item.settled:
+            first, second = item.halves
+            yield (
+                f"λ{number} has not settled: {first:.3g} over the first half of the time, "
+                f"{second:.3g} over the second; follow the motion longer"
+            )
+    if abs(found.volume.balance) > CAREFUL * found.total.error:
+        yield (
+            f"the mean of the divergence is uncertain by {abs(found.volume.balance):.2g} besides: "
+            "it varies faster than the points where it was taken"
+        )
+
+
+def _kind(found: Spectrum) -> Iterator[str]:
+    if not found.exponents:
+        yield "integrals, relations and symmetries force all exponents to be zero"
+    elif found.chaotic:
+        yield "the largest exponent is positive: the motion is chaotic (observed)"
+    elif all(item.zero for item in found.exponents) and _undecided(found):
+        yield (
+            "no exponent is told from zero, but the errors are not small beside the rates at which "
+            "deviations grow and shrink on the way: nothing can be told yet; follow the motion "
+            "longer (--until)"
+        )
+    elif all(item.zero for item in found.exponents) and found.settled:
+        yield (
+            "no exponent is told from zero: the motion is regular as far as this time shows "
+            "(observed)"
+        )
+    elif found.settled and found.exponents[0].value < -found.exponents[0].error:
+        yield "all exponents are negative: a periodic or steady motion attracts this one (observed)"
+
+
+def _volumes(found: Spectrum) -> Iterator[str]:
+    total = found.total
+    changing = bool(found.exponents) and total.settled and not total.zero
+    for name, defect in found.volume.measures.items():
+        if abs(defect) <= CAREFUL * total.error:
+            limit = "grows beyond all bounds" if total.value < 0 else "goes to zero"
+            yield (
+                f"the density of the invariant measure {name!r} accounts for the mean of the "
+                f"divergence, to {abs(defect):.1g}"
+                + (f": it {limit} along this motion, and so forbids nothing" if changing else "")
+            )
+        else:
+            yield (
+                f"the density of the invariant measure {name!r} does not account for the mean of "
+                f"the divergence, by {abs(defect):.1g}: the motion runs where it has no value"
+            )
+    if not changing:
+        return
+    way, end = ("shrink", "attracts") if total.value < 0 else ("grow", "repels")
+    yield (
+        f"volumes {way} along this motion: about what it tends to there is no invariant measure "
+        "with a smooth positive density (observed, not proven)"
+    )
+    if found.chaotic and total.value < 0:
+        value, error = rounded(*found.dimension)
+        level = any(item.kind == "integral" for item, _ in found.removed)
+        place = " on the level of the integrals" if level else ""
+        yield f"a chaotic set {end} it, of Kaplan–Yorke dimension {value} ± {error}{place}"
+
+
+def _pairs(found: Spectrum, reversor: Reversor) -> Iterator[str]:
+    yield (f"the equations are reversible (proven): {reversor.words(found.system)} with the time")
+    if found.exponents and found.settled and not _undecided(found):
+        yield (
+            "the exponents come in pairs of opposite sign within their errors"
+            if found.symmetric
+            else "the exponents do not come in pairs of opposite sign: the reversed motion has the "
+            "opposite ones, and is another motion"
+        )
+
+
+def record(found: Spectrum, reversors: Sequence[Reversor] = ()) -> dict[str, Any]:
+    """A spectrum as numbers, texts and lists of these."""
+    return {
+        "system": found.system.name,
+        "parameters": found.parameters,
+        "start": found.start.tolist(),
+        "units": dict.fromkeys(("exponents", "seen", "sum", "mean_divergence"), "1/s")
+        | dict.fromkeys(("until", "counted_from", "interval"), "s"),
+        "until": found.until,
+        "counted_from": found.began,
+        "interval": found.interval,
+        "exponents": [_average(item) | {"word": word(item)} for item in found.exponents],
+        "removed": [
+            {"name": item.name, "kind": item.kind, "seen": rate} for item, rate in found.removed
+        ],
+        "dependent": list(found.dependent),
+        "fading": list(found.fading),
+        "sum": _average(found.total),
+        "mean_divergence": _average(found.volume.divergence),
+        "balance": found.volume.balance,
+        "measures": found.volume.measures,
+        "dimension": dict(zip(("value", "error"), found.dimension, strict=True)),
+        "settled": found.settled,
+        "symmetric": found.symmetric,
+        "reversors": [
+            {
+                "odd": [str(s) for s in item.odd],
+                "needs_zero": [str(s) for s in item.vanishing],
+                "holds": item.holds(found.parameters),
+            }
+            for item in reversors
+        ],
+        "remarks": list(remarks(found, reversors)),
+    }
+
+
+def _average(item: Average) -> dict[str, Any]:
+    return {
+        "value": item.value,
+        "error": item.error,
+        "statistical": item.statistical,
+        "wandering": item.wandering,
+        "resolution": item.resolution,
+        "halves": list(item.halves),
+        "settled": item.settled,
+    }
+
+
+def dataset(found: Spectrum) -> xr.Dataset:
+    """A spectrum with the way it settled.
+
+    Returns
+    -------
+    xarray.Dataset
+        Dimensions ``exponent`` (from 1), ``removed`` (names) and ``time`` (ends of the intervals).
+    """
+    import xarray as xr
+
+    from ..._version import __version__
+
+    def variable(dims: Any, values: Any, long_name: str, units: str = "1/s") -> Any:
+        return dims, values, {"long_name": long_name, "units": units, "source": ""}
+
+    rates = [np.nan if rate is None else rate for _, rate in found.removed]
+    kinds = [item.kind for item, _ in found.removed]
+    settled = np.array([item.settled for item in found.exponents], dtype=np.int8)
+    total, divergence = found.total, found.volume.divergence
+    start = zip(found.system.symbols, found.start, strict=True)
+    return xr.Dataset(
+        {
+            "lyapunov": variable("exponent", found.values, "Lyapunov exponent"),
+            "error": variable("exponent", found.errors, "error of the exponent"),
+            "settled": variable("exponent", settled, "whether both halves agree", "1"),
+            "running": variable(("time", "exponent"), found.running, "exponent if ended here"),
+            "seen": variable("removed", rates, "rate seen of a forced zero"),
+            "kind": variable("removed", kinds, "why it was removed", "1"),
+            "total": variable((), total.value, "sum of the exponents"),
+            "total_error": variable((), total.error, "error of the sum"),
+            "divergence": variable((), divergence.value, "mean divergence on the phase space"),
+        },
+        {
+            "exponent": variable("exponent", np.arange(1, len(found.exponents) + 1), "number", "1"),
+            "removed": variable("removed", [r.name for r, _ in found.removed], "name", "1"),
+            "time": variable("time", found.times, "time", "s"),
+        },
+        {
+            "Conventions": "CF-1.11",
+            "system": found.system.title,
+            "system_name": found.system.name,
+            "parameters": "; ".join(f"{name} = {x!r}" for name, x in found.parameters.items()),
+            "start": "; ".join(f"{symbol} = {float(x)!r}" for symbol, x in start),
+            "counted_from": found.began,
+            "tolerance": found.tolerance,
+            "versions": f"chaplygin {__version__}",
+        },
+    )

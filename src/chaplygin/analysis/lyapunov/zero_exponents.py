@@ -1,0 +1,314 @@
+"""Lyapunov exponents that are zero because they must be.
+
+Every integral F forces one: the motion keeps dF, so that a deviation across its levels neither
+grows nor shrinks.  So does every field that the motion carries into itself and that stays bounded:
+the flow, a symmetry.  Where relations hold, deviations that break them are no deviations of the
+system at all.  What is left when all of these are removed is the genuine spectrum.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, Literal, TypeAlias
+
+import numpy as np
+import sympy as sp
+
+from ...core.laws import Law, Symmetry
+from ...core.system import System
+from ...core.vectors import explicit
+from ...flow.linear_stability import components, taking_part
+from ...flow.state_scales import sizes_at
+from ...flow.tangent_space import TangentSpace
+from ...formulas.batch import Formulas
+from ...printing.formula import text
+from ...printing.laws import equation
+
+__all__ = ["Forced", "Removed", "forced", "vanish"]
+
+Values: TypeAlias = Mapping[Any, Any] | None
+Kind = Literal["relation", "integral", "flow", "symmetry", "quadrature"]
+
+#: Relative size below which a vector counts as dependent on others.
+DEPENDENT = 1e-8
+#: Relative size below which a number counts as zero.
+ZERO = 1e-10
+#: States near by: how many, how far in sizes of the state, and the seed of their directions.
+BESIDE, NEAR, SEED = 4, 0.1, 20080830
+
+_REASONS: Mapping[Kind, str] = {
+    "relation": "holds on the phase space",
+    "integral": "does not change",
+    "flow": "the direction of the motion",
+    "symmetry": "carried along by the motion",
+    "quadrature": "nothing depends on it",
+}
+
+
+@dataclass(frozen=True)
+class Removed:
+    """One dimension taken out of the tangent space.
+
+    Attributes
+    ----------
+    name : str
+        ``"flow"``, the name of an integral or a symmetry, the relation, the variable.
+    kind : str
+        ``"relation"``, ``"integral"``, ``"flow"``, ``"symmetry"`` or ``"quadrature"``.
+    """
+
+    name: str
+    kind: Kind
+
+    @property
+    def exponent(self) -> float | None:
+        """0, or None for a relation: what breaks it is no deviation, and has no exponent."""
+        return None if self.kind == "relation" else 0.0
+
+    @property
+    def reason(self) -> str:
+        """Why it has no genuine exponent."""
+        return _REASONS[self.kind]
+
+
+@dataclass(frozen=True)
+class Forced:
+    """What has to be removed along a motion, and what is left.
+
+    Attributes
+    ----------
+    space : TangentSpace
+        Deviations that count.
+    removed : tuple of Removed
+    dependent : tuple of str
+        Integrals and fields that depend on those removed before at this start, and force nothing.
+    sizes : (size,) array
+        By which deviations are measured.
+    """
+
+    space: TangentSpace
+    removed: tuple[Removed, ...]
+    dependent: tuple[str, ...]
+    sizes: Any
+
+
+def forced(
+    system: System,
+    start: Sequence[float],
+    parameters: Values = None,
+    kept: Collection[str] = (),
+    sizes: Any = None,
+) -> Forced:
+    """The zero exponents that laws and relations force on the motion from a start.
+
+    Parameters
+    ----------
+    system : System
+    start : sequence of float
+        State in flat order, on the phase space.
+    parameters : mapping of Symbol or name to number, optional
+        Values that replace the defaults.
+    kept : collection of str
+        Names of what is not to be removed, because it forces no zero on this motion.
+    sizes : (size,) array, optional
+        By which deviations are measured; those of the start if left out.
+
+    Returns
+    -------
+    Forced
+        With integrals and fields that are independent at the start: dependence is kept by the
+        motion.
+    """
+    state = np.array([start], dtype=np.float64)
+    measures = sizes_at(system, state[:, None], parameters)[0] if sizes is None else sizes
+    at = _At(system, state, measures, parameters)
+    across, along = _Span(), _Span()
+    removed: list[Removed] = []
+    dependent: list[str] = []
+    conditions: list[Any] = []
+    for item in _conditions(at):
+        if item.removed.name in kept:
+            continue
+        if item.on and not at.on_level(item.on, across):
+            continue
+        gradients = at.slopes(item.formulas)[:, 0]
+        if across.take(gradients[0], _floor(gradients)):
+            conditions.append(item.formulas[0])
+            removed.append(item.removed)
+        else:
+            dependent.append(item.removed.name)
+    fields = [
+        item
+        for item in _fields(at)
+        if item.removed.name not in kept and (not item.on or at.on_level(item.on, across))
+    ]
+    rows: list[Any] = []
+    for named, row in _tangent(at, fields, across):
+        vectors = row @ at.vectors(fields)
+        if along.take(vectors[0], _floor(vectors)):
+            rows.append(row)
+            removed.append(named)
+        else:
+            dependent.append(named.name)
+    directions = tuple(item.formulas for item in fields)
+    mixed = np.array(rows).reshape(len(rows), len(fields))
+    space = TangentSpace(system, tuple(conditions), directions, mixed)
+    return Forced(space, tuple(removed), tuple(dependent), measures)
+
+
+def vanish(
+    system: System, level: Sequence[Any], state: Any, parameters: Values, sizes: Any
+) -> bool:
+    """Whether formulas vanish at a state, up to rounding of what they consist of.
+
+    Parameters
+    ----------
+    system : System
+    level : sequence of sympy.Expr
+    state, sizes : (size,) arrays
+    parameters : mapping of Symbol or name to number, optional
+    """
+    values = np.abs(Formulas(system, level)(state, parameters))
+    reach = np.linalg.norm(Formulas(system, level).slopes(state, parameters) * sizes, axis=1)
+    named = [item.symbol for item in system.parameters]
+    parts = [symbol * sp.diff(formula, symbol) for formula in level for symbol in named]
+    shares = np.abs(Formulas(system, parts)(state, parameters)).reshape(len(level), len(named))
+    return bool(np.all(values <= ZERO * (reach + shares.sum(axis=1))))
+
+
+def _floor(vectors: Any) -> float:
+    """The length below which the first of some vectors counts as zero beside those near by."""
+    lengths = np.linalg.norm(vectors, axis=1)
+    return ZERO * float(np.fmax.reduce(lengths, initial=0.0))
+
+
+@dataclass(frozen=True)
+class _Item:
+    """Something that may force a zero: a function or a field."""
+
+    removed: Removed
+    formulas: tuple[Any, ...]
+    on: tuple[Any, ...] = ()
+
+
+@dataclass
+class _Span:
+    """Vectors independent of each other, as an orthonormal basis."""
+
+    basis: list[Any] = field(default_factory=list)
+
+    def rest(self, vector: Any) -> Any:
+        """What of a vector does not lie in the span."""
+        for _ in range(2):
+            for other in self.basis:
+                vector = vector - (vector @ other) * other
+        return vector
+
+    def take(self, vector: Any, floor: float) -> bool:
+        """Whether a vector of at least the size `floor` is independent; if so, it is added."""
+        left = self.rest(vector)
+        size = float(np.linalg.norm(left))
+        independent = size > max(floor, DEPENDENT * float(np.linalg.norm(vector)))
+        if independent:
+            self.basis.append(left / size)
+        return independent
+
+
+@dataclass(frozen=True)
+class _At:
+    """A system at one state."""
+
+    system: System
+    state: Any
+    sizes: Any
+    parameters: Values
+
+    @cached_property
+    def places(self) -> Any:
+        """The state, and some near by, which show how large a vector is that vanishes here."""
+        moves = np.random.default_rng(SEED).standard_normal((BESIDE, self.state.shape[1]))
+        return np.concatenate([self.state, self.state + NEAR * self.sizes * moves])
+
+    def slopes(self, formulas: Sequence[Any]) -> Any:
+        """Measured gradients, (places, formulas, size)."""
+        return Formulas(self.system, formulas).slopes(self.places, self.parameters) * self.sizes
+
+    def vectors(self, items: Sequence[_Item]) -> Any:
+        """The fields of some items, measured, (places, items, size)."""
+        parts = [part for item in items for part in item.formulas]
+        flat = Formulas(self.system, parts)(self.places, self.parameters)
+        return flat.reshape(len(flat), len(items), len(self.sizes)) / self.sizes
+
+    def on_level(self, level: Sequence[Any], span: _Span) -> bool:
+        """Whether the state lies on a level, which deviations within the span keep."""
+        return vanish(self.system, level, self.state[0], self.parameters, self.sizes) and all(
+            np.linalg.norm(span.rest(row)) <= DEPENDENT * np.linalg.norm(row)
+            for row in self.slopes(level)[0]
+        )
+
+
+def _conditions(at: _At) -> Iterator[_Item]:
+    """Relations, then integrals: those that hold everywhere first."""
+    system = at.system
+    for relation in system.relations:
+        name = " = ".join(map(text, equation(relation)))
+        yield _Item(Removed(name, "relation"), (explicit(relation),))
+    idle = set(_idle(system))
+    for law in sorted(system.integrals, key=lambda law: bool(law.on)):
+        value = explicit(law.value)
+        used = {s for _, step in system.needed([value]) for s in step.free_symbols}
+        # a variable on which nothing depends is removed as such
+        if not idle & (used | value.free_symbols):
+            yield _Item(Removed(law.name, "integral"), (value,), _level(law))
+
+
+def _fields(at: _At) -> Iterator[_Item]:
+    """Variables on which nothing depends, symmetries, and the flow.
+
+    The flow comes last: where it leads along the others it forces no zero of its own, and where a
+    motion comes to rest the flow shows it.
+    """
+    system = at.system
+    for symbol in _idle(system):
+        unit = tuple(sp.Integer(s == symbol) for s in system.symbols)
+        yield _Item(Removed(str(symbol), "quadrature"), unit)
+    for law in system.laws:
+        if isinstance(law, Symmetry):
+            parts = tuple(components(law, system.symbols))
+            yield _Item(Removed(law.name, "symmetry"), parts, _level(law))
+    yield _Item(Removed("flow", "flow"), system.rates)
+
+
+def _idle(system: System) -> list[sp.Symbol]:
+    active = taking_part(system)
+    return [s for s in system.symbols if s not in active]
+
+
+def _level(law: Law) -> tuple[Any, ...]:
+    return tuple(explicit(condition) for condition in law.on)
+
+
+def _tangent(at: _At, fields: Sequence[_Item], across: _Span) -> Iterator[tuple[Removed, Any]]:
+    """Fields tangent to the conditions, and combinations of the others that are.
+
+    The combinations have constant coefficients: the rate of an integral along a symmetry is an
+    integral again.
+    """
+    vectors = at.vectors(fields)[0]
+    sizes = np.linalg.norm(vectors, axis=1)
+    outward = vectors @ np.array(across.basis).reshape(-1, vectors.shape[1]).T
+    within = np.linalg.norm(outward, axis=1) <= DEPENDENT * sizes
+    loose = [i for i, tangent in enumerate(within) if not tangent]
+    if loose:
+        _, strengths, rotation = np.linalg.svd(outward[loose].T / sizes[loose])
+        rank = int((strengths > DEPENDENT * strengths[0]).sum())
+        names = " and ".join(fields[i].removed.name for i in loose)
+        for row in rotation[rank:]:
+            mixed = np.zeros(len(fields))
+            mixed[loose] = row / sizes[loose]
+            yield Removed(f"a combination of {names}", "symmetry"), mixed
+    for item, tangent, row in zip(fields, within, np.eye(len(fields)), strict=True):
+        if tangent:
+            yield item.removed, row

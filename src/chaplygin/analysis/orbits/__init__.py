@@ -1,0 +1,1 @@
+"""Periodic orbits, their continuation and multipliers; rotation numbers; limit cycles."""

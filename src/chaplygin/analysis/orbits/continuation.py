@@ -1,0 +1,313 @@
+"""Branches of periodic orbits, followed along their length whichever way they turn.
+
+A parameter is one more integral (:func:`chaplygin.analysis.orbits.return_map.promoted`), so that
+there is one continuation: of the value of an integral.  The orbits with the other integrals held
+are a curve in the space of all their points; it is followed by steps along its tangent, each
+corrected across it, so that folds are passed like any other place.  On the way it is noticed where
+a branch folds, where a multiplier goes through 1 or −1 and where a pair goes through the unit
+circle.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ...errors import InputError
+from .floquet import Multipliers
+from .maps import Array, Map
+from .periodic import FAMILY, Equations, NoOrbitError, Orbit, described, held_values, solved
+
+__all__ = ["Branch", "Event", "follow"]
+
+#: Halvings of a step before a branch ends, and of an interval in which something happens.
+SHORTENED, LOCATED = 12, 50
+#: A step is lengthened by this factor when the tangent turns by less than `_STRAIGHT` radians,
+#: and shortened when it turns by more than twice that.
+LONGER, _STRAIGHT = 1.5, 0.1
+#: Values of a test function below this many errors tell nothing.
+CLEAR = 100.0
+
+
+@dataclass(frozen=True)
+class Event:
+    """What happens on a branch.
+
+    Attributes
+    ----------
+    kind : str
+        ``"fold"``: the varied value turns back; ``"branch"``: a multiplier goes through 1 without
+        that (known to some five digits, as two branches meet there); ``"doubling"``: one goes
+        through −1; ``"torus"``: a pair of complex ones goes through the unit circle.
+    place : float
+        The varied value there.
+    orbit : Orbit
+    """
+
+    kind: str
+    place: float
+    orbit: Orbit
+
+
+@dataclass(frozen=True)
+class Branch:
+    """Periodic orbits along a curve.
+
+    Attributes
+    ----------
+    varied : str
+        The integral or promoted parameter that changes.
+    orbits : tuple of Orbit
+    events : tuple of Event
+        In order.
+    reason : str
+        Why it ends.
+    """
+
+    varied: str
+    orbits: tuple[Orbit, ...]
+    events: tuple[Event, ...] = field(repr=False)
+    reason: str
+
+    @property
+    def places(self) -> Array:
+        """The varied values, shape (orbits,)."""
+        return np.array([orbit.values[self.varied] for orbit in self.orbits])
+
+
+@dataclass(frozen=True)
+class _Place:
+    """An orbit of the branch with its tangent, a unit vector in the measured space of points."""
+
+    orbit: Orbit
+    tangent: Array
+    speed: float
+
+
+@dataclass(frozen=True)
+class _Follower:
+    equations: Equations
+    varied: str
+
+    def place(self, points: Array, error: float, ahead: Array | None) -> _Place:
+        """The place at the points of an orbit; its tangent makes no sharp turn from `ahead`."""
+        _, slopes, _ = self.equations(points)
+        _, sizes, other = np.linalg.svd(slopes)
+        free = points.size - int((sizes > FAMILY * sizes[0]).sum())
+        if free > 1:
+            raise InputError(
+                f"hold: the orbits are a family of {free} dimensions; hold further integrals so "
+                f"that they depend on {self.varied} alone"
+            )
+        tangent = other[-1]
+        map = self.equations.map
+        row = map.integrals.names.index(self.varied)
+        rate = map.integrals.slopes(points[:1])[0, row]
+        speed = float((rate * self.equations.sizes) @ tangent[: points.shape[1]])
+        turned = speed < 0 if ahead is None else float(ahead @ tangent) < 0
+        if turned:
+            tangent, speed = -tangent, -speed
+        return _Place(described(map, points, error), tangent, speed)
+
+    def step(self, here: _Place, length: float) -> _Place:
+        """The place at a distance along the tangent."""
+        sizes = self.equations.sizes
+        way = length * here.tangent.reshape(here.orbit.points.shape)
+        guess = here.orbit.points + way * sizes
+        row = (here.tangent, float(here.tangent @ (guess / sizes).ravel()))
+        points, error = solved(self.equations, guess, row)
+        return self.place(points, error, here.tangent)
+
+
+def follow(
+    made: Map,
+    orbit: Orbit,
+    varied: str,
+    until: float,
+    hold: Iterable[str] | Mapping[str, float] = (),
+    *,
+    step: float = 0.05,
+    longest: float = 0.5,
+    most: int = 400,
+) -> Branch:
+    """The branch of periodic orbits through one of them.
+
+    Parameters
+    ----------
+    made : Map
+    orbit : Orbit
+        Where it begins.
+    varied : str
+        An integral or promoted parameter whose value changes.
+    until : float
+        The branch begins towards this value and ends where it is reached.
+    hold : names, or mapping of str to float
+        Integrals that keep their values (for names: those of the orbit).
+    step, longest : float
+        The first and the longest step, in the space of all points of the orbit, each vector of
+        them divided by its size there.
+    most : int
+        The greatest number of orbits.
+
+    Raises
+    ------
+    InputError
+        If a name is unknown, or if orbits are a family of more dimensions than one.
+    """
+    held = held_values(made, orbit.points[0], hold)
+    start = held_values(made, orbit.points[0], [varied])[varied]
+    if varied in held:
+        raise InputError(f"hold: {varied} cannot be held and varied")
+    follower = _Follower(Equations(made, held, made.sizes(orbit.points)), varied)
+    here = follower.place(orbit.points, orbit.error, None)
+    if (until - start) * here.speed < 0:
+        here = _Place(here.orbit, -here.tangent, -here.speed)
+    places, events, length, reason = [here], [], step, f"after {most} orbits"
+    while len(places) < most:
+        advanced = _advance(follower, here, min(length, longest))
+        if advanced is None:
+            reason = "no orbit was found however short the step"
+            break
+        there, taken = advanced
+        turn = _turn(here, there)
+        events.extend(_events(follower, here, there, taken))
+        end = _located(
+            follower, here, there, taken, lambda p: p.orbit.values[varied] - until, "passed"
+        )
+        if end is not None:
+            places.append(there if end.orbit is there.orbit else _Place(end.orbit, here.tangent, 0))
+            events.append(end)
+            reason = f"{varied} reached {until:g}"
+            break
+        if len(places) > 2 and _passes(here, there, places[0], follower.equations.sizes):
+            reason = "the branch is closed"
+            break
+        length = taken * (LONGER if turn < _STRAIGHT else 1.0)
+        here = there
+        places.append(here)
+    orbits = tuple(place.orbit for place in places)
+    return Branch(varied, orbits, tuple(e for e in events if e.kind != "passed"), reason)
+
+
+def _advance(follower: _Follower, here: _Place, length: float) -> tuple[_Place, float] | None:
+    """The next place and its distance; None if there is none."""
+    for _ in range(SHORTENED):
+        try:
+            there = follower.step(here, length)
+        except NoOrbitError:
+            length /= 2
+            continue
+        if _turn(here, there) < 2 * _STRAIGHT:
+            return there, length
+        length /= 2
+    return None
+
+
+def _turn(here: _Place, there: _Place) -> float:
+    """The angle between two tangents."""
+    return float(np.arccos(np.clip(here.tangent @ there.tangent, -1.0, 1.0)))
+
+
+def _passes(here: _Place, there: _Place, first: _Place, sizes: Array) -> bool:
+    """Whether a step goes by the orbit with which the branch began, in its direction."""
+    begin, step = here.orbit.points / sizes, (there.orbit.points - here.orbit.points) / sizes
+    length = float(np.linalg.norm(step))
+    for k in range(len(begin)):
+        way = np.roll(first.orbit.points, k, axis=0) / sizes - begin
+        tangent = np.roll(first.tangent.reshape(begin.shape), k, axis=0).ravel()
+        share = float((way * step).sum()) / length**2
+        aside = float(np.linalg.norm(way - share * step))
+        if 0 < share <= 1 and aside < _STRAIGHT * length and tangent @ here.tangent > 0.9:
+            return True
+    return False
+
+
+def _at_one(found: Multipliers, sign: float) -> tuple[float, float]:
+    """∏(μ − sign), which changes its sign where a multiplier goes through ±1, and its error."""
+    factors = found.values - sign
+    value = float(np.prod(factors).real)
+    return value, _spread(factors, found.errors)
+
+
+def _on_circle(found: Multipliers) -> tuple[float, float]:
+    """∏(μ_i μ_j − 1) over pairs of complex conjugates, and its error; 1 if there are none."""
+    pairs = found.values[found.values.imag > 0]
+    errors = found.errors[found.values.imag > 0]
+    factors = np.abs(pairs) ** 2 - 1
+    return float(np.prod(factors)), _spread(factors, 2 * np.abs(pairs) * errors)
+
+
+def _spread(factors: Array, errors: Array) -> float:
+    """How far errors of its factors may move a product."""
+    sizes = np.abs(factors)
+    return float(np.prod(sizes + errors) - np.prod(sizes))
+
+
+def _events(follower: _Follower, here: _Place, there: _Place, length: float) -> list[Event]:
+    found = []
+    fold = _located(follower, here, there, length, lambda p: p.speed, "fold")
+    tests: dict[str, Callable[[Multipliers], tuple[float, float]]] = {
+        "doubling": lambda m: _at_one(m, -1.0),
+        "torus": _on_circle,
+    }
+    if fold is not None:
+        found.append(fold)
+    else:
+        tests["branch"] = lambda m: _at_one(m, 1.0)
+    for kind, test in tests.items():
+        ends = [test(place.orbit.multipliers) for place in (here, there)]
+        if all(abs(value) > CLEAR * error for value, error in ends) and _same_pairs(
+            kind, here, there
+        ):
+
+            def value(place: _Place, test: Callable[..., tuple[float, float]] = test) -> float:
+                return test(place.orbit.multipliers)[0]
+
+            event = _located(follower, here, there, length, value, kind)
+            if event is not None:
+                found.append(event)
+    return found
+
+
+def _same_pairs(kind: str, here: _Place, there: _Place) -> bool:
+    """Whether as many multipliers are complex at both ends, without which circles mean nothing."""
+    counts = [int((p.orbit.multipliers.values.imag > 0).sum()) for p in (here, there)]
+    return kind != "torus" or counts[0] == counts[1] > 0
+
+
+def _located(
+    follower: _Follower,
+    here: _Place,
+    there: _Place,
+    length: float,
+    test: Callable[[_Place], float],
+    kind: str,
+) -> Event | None:
+    """Where a function changes its sign between two places, by the Illinois method."""
+    ends = [(0.0, test(here), here), (length, test(there), there)]
+    if ends[0][1] * ends[1][1] > 0 or ends[0][1] == 0:
+        return None
+    best = ends[1]
+    for _ in range(LOCATED):
+        (a, f, _), (b, g, _) = ends
+        if abs(b - a) < 1e-14 or g == 0:
+            break
+        middle = b - g * (b - a) / (g - f)
+        try:
+            place = follower.step(here, middle)
+        except NoOrbitError:
+            break
+        value = test(place)
+        moved = abs(middle - best[0])
+        best = (middle, value, place)
+        if value * g < 0:
+            ends[0] = ends[1]
+        else:
+            ends[0] = (a, f / 2, ends[0][2])
+        ends[1] = best
+        if moved < 1e-13 or value == 0:
+            break
+    orbit = best[2].orbit
+    return Event(kind, orbit.values[follower.varied], orbit)

@@ -1,0 +1,158 @@
+"""Periodic orbits of a System with 30 digits.
+
+Newton's method with slopes in doubles and residuals in 30 digits: each step adds some thirteen
+digits to those of an orbit that is known in doubles.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import mpmath
+import numpy as np
+
+from ...core.vectors import explicit
+from ...flow.batch import lanes
+from ...flow.gauss import precise
+from ...flow.kernel.double_double import unpaired
+from ...formulas.multiprecision import slopes
+from .maps import Array, measured
+from .periodic import NoOrbitError, Orbit, held_values, shortest, wrapped
+from .return_map import Returns
+
+__all__ = ["Refined", "refined"]
+
+#: Digits of mpmath; steps at most; a step at which the iteration rests, relative to the state.
+_DIGITS, _STEPS, _REST = 36, 8, 1e-29
+
+
+@dataclass(frozen=True)
+class Refined:
+    """A periodic orbit with 30 digits.
+
+    Attributes
+    ----------
+    point : list of mpf
+        Its first point on the section, in flat order.
+    duration : mpf
+    error : float
+        The last step of Newton's method, in sizes of the vectors of the state.
+    """
+
+    point: list[Any]
+    duration: Any
+    error: float
+
+
+def refined(made: Returns, orbit: Orbit, hold: Mapping[str, float] | Iterable[str] = ()) -> Refined:
+    """An orbit to 30 digits.
+
+    Parameters
+    ----------
+    made : Returns
+        The map of which it was found; parameters are taken as they are given, a float as the
+        double that it is.
+    orbit : Orbit
+    hold : mapping of str to float, or names
+        As it was found; integrals held by name keep the double that they have on the orbit.
+
+    Raises
+    ------
+    NoOrbitError
+        If the iteration does not come to rest.
+    """
+    held = held_values(made, orbit.points[0], hold)
+    sizes = np.append(made.sizes(orbit.points[:1]), orbit.duration)
+    problem = _Problem(made, held, sizes)
+    with mpmath.workdps(_DIGITS):
+        point = [mpmath.mpf(float(x)) for x in orbit.points[0]]
+        duration = mpmath.mpf(orbit.duration)
+        last = np.inf
+        for _ in range(_STEPS):
+            step = problem.step(point, duration)
+            size = float(np.abs(step / sizes).max())
+            if size > last / 2:
+                break
+            point = [x + mpmath.mpf(float(s)) for x, s in zip(point, step[:-1], strict=True)]
+            duration += mpmath.mpf(float(step[-1]))
+            last = size
+            if size < _REST:
+                break
+        if last > 1e-20:
+            raise NoOrbitError("the orbit could not be refined beyond doubles", orbit.points)
+        return Refined(point, duration, last)
+
+
+@dataclass(frozen=True)
+class _Problem:
+    """What a point and a duration satisfy: closure, relations, the section, held integrals.
+
+    Point and duration are measured by `sizes`.
+    """
+
+    made: Returns
+    held: Mapping[str, float]
+    sizes: Array
+
+    def step(self, point: list[Any], duration: Any) -> Array:
+        """The shortest step of point and duration to first order, in doubles."""
+        section = self.made.section
+        system, size = section.system, section.size
+        parameters = section.parameters
+        rough = np.array([float(x) for x in point])
+        whole = float(duration)
+        flow = precise(system, rough, parameters, digits=30)
+        found = flow.until(np.array([point], dtype=object), [whole], parameters)
+        end = unpaired(found.states[0, 0], found.rest[0, 0])
+        if found.outcome[0] != 0:
+            raise NoOrbitError(flow.reason(int(found.outcome[0])), rough[None])
+        moved = lanes(system, deviations=size).until(
+            rough[None], [whole], parameters, deviations=np.eye(size)[None]
+        )
+        (rates, _) = self._numbers(system.rates, end)
+        rest = duration - mpmath.mpf(whole)
+        # the flow for what the duration is longer than a double
+        misses = [e + rest * r - x for e, r, x in zip(end, rates, point, strict=True)]
+        turns = wrapped(np.array([float(m) for m in misses]), self.made.periods)[1]
+        whole_turns = [
+            mpmath.mpf(0) if t == 0 else int(t) * self._period(i) for i, t in enumerate(turns)
+        ]
+        gaps = [float(m - t) for m, t in zip(misses, whole_turns, strict=True)]
+        sizes = self.sizes[:-1]
+        excess, rows = measured(*self._levels(point), sizes)
+        closing = np.column_stack(
+            [moved.deviations[0, 0].T - np.eye(size), [float(r) for r in rates]]
+        )
+        ends = closing * self.sizes / sizes[:, None]
+        matrix = np.vstack([ends, np.column_stack([rows, np.zeros(len(rows))])])
+        return shortest(matrix, np.concatenate([gaps / sizes, excess])) * self.sizes
+
+    def _period(self, index: int) -> Any:
+        """A period with all digits, where it is a turn."""
+        period = float(self.made.periods[index])
+        return 2 * mpmath.pi if period == 2 * np.pi else mpmath.mpf(period)
+
+    def _levels(self, point: list[Any]) -> tuple[Array, Array]:
+        """Relations, the section and integrals less their values, with slopes."""
+        section = self.made.section
+        laws = {law.name: law.value for law in section.system.integrals}
+        wanted = [*section.system.relations, section.section.value, *(laws[n] for n in self.held)]
+        values, rows = self._numbers([explicit(f) for f in wanted], point)
+        targets = [0.0] * (len(wanted) - len(self.held)) + list(self.held.values())
+        excess = [float(v - mpmath.mpf(t)) for v, t in zip(values, targets, strict=True)]
+        made = [[float(rows[i, j]) for j in range(len(point))] for i in range(len(wanted))]
+        return np.array(excess), np.array(made)
+
+    def _numbers(self, formulas: Any, point: Any) -> tuple[Any, Any]:
+        """Formulas and their slopes with all digits."""
+        section = self.made.section
+        given = {str(name): value for name, value in section.parameters.items()}
+        constants = {
+            s: mpmath.mpmathify(given.get(str(s), default))
+            for s, default in section.system.defaults.items()
+        }
+        symbols = section.system.symbols
+        values = dict(zip(symbols, point, strict=True)) | constants
+        return slopes(section.system, formulas, symbols, values)

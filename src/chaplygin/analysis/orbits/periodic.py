@@ -1,0 +1,340 @@
+"""Periodic orbits of maps of a section, by Newton's method with the integrals as unfolding.
+
+All points of an orbit are unknowns, each a lane: with the closure of the orbit, the relations and
+the section at each point and the integrals that are held, there are more equations than unknowns,
+all of which have a common solution; a step is the shortest one that solves them to first order.
+Orbits that come in families, as they do where an integral is not held, are thereby reached at the
+place of the family that is next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...errors import InputError, RunError
+from .floquet import Multipliers, multipliers
+from .maps import Array, Image, Map, measured
+
+__all__ = [
+    "Equations",
+    "NoOrbitError",
+    "Orbit",
+    "described",
+    "find",
+    "held_values",
+    "onto",
+    "shortest",
+    "solved",
+    "wrapped",
+]
+
+#: Singular values below this share of the greatest belong to a family.
+FAMILY = 1e-10
+#: Steps of Newton's method, and halvings of one of them.
+STEPS, HALVINGS = 30, 6
+#: An orbit that closes no better than this share of its size has not been found.
+CLOSED = 1e-10
+#: Below this, residuals may grow: at rounding level, and where two orbits are near each other.
+ROUGH = 1e-8
+
+
+class NoOrbitError(RunError):
+    """There is no orbit where one was sought; `partial` holds the points where the search ended."""
+
+    def __init__(self, reason: str, points: Array) -> None:
+        super().__init__(reason, 0.0, points)
+
+    def __str__(self) -> str:
+        return self.reason
+
+
+@dataclass(frozen=True)
+class Orbit:
+    """A periodic orbit.
+
+    Attributes
+    ----------
+    names : tuple of str
+        The coordinates.
+    points : array (period, size)
+        The points of the orbit on the section, in order.
+    duration : float
+        The time that it takes; zero for maps without time.
+    turns : array (size,)
+        By how many periods angles have grown when the orbit closes.
+    values : mapping of str to float
+        Integrals and promoted parameters on the orbit.
+    multipliers : Multipliers
+        With the kind of stability.
+    gap : float
+        The greatest distance by which a step misses the next point.
+    error : float
+        The last step of Newton's method: the error left where rounding ends it.  For a System the
+        errors of the integration come on top, which its tolerance governs.
+    """
+
+    names: tuple[str, ...]
+    points: Array
+    duration: float
+    turns: Array
+    values: Mapping[str, float]
+    multipliers: Multipliers
+    gap: float
+    error: float
+
+    @property
+    def period(self) -> int:
+        """The number of points on the section."""
+        return len(self.points)
+
+    @property
+    def kind(self) -> str:
+        """The kind of stability."""
+        return self.multipliers.kind
+
+
+@dataclass(frozen=True)
+class Equations:
+    """What the points of an orbit satisfy.
+
+    Parameters
+    ----------
+    map : Map
+    held : mapping of str to float
+        Integrals with the values that they must have.
+    sizes : array (size,)
+        By which coordinates are measured.
+    """
+
+    map: Map
+    held: Mapping[str, float]
+    sizes: Array
+
+    def __call__(self, points: Array) -> tuple[Array, Array, Image]:
+        """Residuals, their derivatives by all measured coordinates of all points, and the images.
+
+        The residual of a function is the measured distance to where it has its value, to first
+        order.
+        """
+        count, size = points.shape
+        image = self.map.image(points, slopes=True)
+        if not np.isfinite(image.points).all():
+            raise NoOrbitError("a point of the orbit has no image on the section", points)
+        assert image.slopes is not None
+        gaps, _ = wrapped(np.roll(points, -1, axis=0) - image.points, self.map.periods)
+        closing = np.zeros((count, size, count, size))
+        for k in range(count):
+            closing[k, :, k] -= image.slopes[k] * self.sizes / self.sizes[:, None]
+            closing[k, :, (k + 1) % count] += np.eye(size)
+        domain = self.map.domain
+        places = np.zeros((count, len(domain.names), count, size))
+        missed, local = measured(domain.values(points), domain.slopes(points), self.sizes)
+        for k, slope in enumerate(local):
+            places[k, :, k] = slope
+        rows = [self.map.integrals.names.index(name) for name in self.held]
+        levels = np.zeros((len(rows), count, size))
+        excess = self.map.integrals.values(points[:1])[0, rows] - list(self.held.values())
+        excess, levels[:, 0] = measured(
+            excess, self.map.integrals.slopes(points[:1])[0, rows], self.sizes
+        )
+        residuals = np.concatenate([(gaps / self.sizes).ravel(), missed.ravel(), excess])
+        blocks = (closing, places, levels)
+        slopes = np.concatenate([block.reshape(-1, count * size) for block in blocks])
+        return residuals, slopes, image
+
+
+def wrapped(differences: Array, periods: Array) -> tuple[Array, Array]:
+    """Differences of coordinates without whole periods of angles, and these periods."""
+    finite = np.where(np.isfinite(periods), periods, 1.0)
+    turns = np.where(np.isfinite(periods), np.round(differences / finite), 0.0)
+    return differences - turns * finite, turns
+
+
+def held_values(
+    made: Map, point: Array, hold: Mapping[str, float] | Iterable[str]
+) -> dict[str, float]:
+    """Values of the integrals that are held: those given, or those at a point.
+
+    Raises
+    ------
+    InputError
+        If a name is not that of an integral of the map.
+    """
+    known = dict(
+        zip(made.integrals.names, made.integrals.values(point[None])[0].tolist(), strict=True)
+    )
+    for name in hold:
+        if name not in known:
+            allowed = ", ".join(known) or "none"
+            raise InputError(f"hold: {name!r} is not an integral of this map; it has {allowed}")
+    if isinstance(hold, Mapping):
+        return {name: float(value) for name, value in hold.items()}
+    return {name: known[name] for name in hold}
+
+
+def shortest(slopes: Array, residuals: Array) -> Array:
+    """The shortest step that annuls residuals to first order, as far as they can be."""
+    found: Array = np.linalg.lstsq(slopes, -residuals, rcond=FAMILY)[0]
+    return found
+
+
+def onto(made: Map, points: Array, sizes: Array) -> Array:
+    """The points of the domain of a map that are next to given ones, to rounding."""
+    for _ in range(8):
+        misses, slopes = measured(made.domain.values(points), made.domain.slopes(points), sizes)
+        if not misses.size or np.abs(misses).max() < 1e-15:
+            break
+        inverse = np.linalg.pinv(slopes, rcond=FAMILY)
+        points = points - np.einsum("nij,nj->ni", inverse, misses) * sizes
+    return points
+
+
+def solved(
+    equations: Equations, points: Array, row: tuple[Array, float] | None = None
+) -> tuple[Array, float]:
+    """Points that satisfy equations, by damped Newton steps, and the size of the last step.
+
+    Parameters
+    ----------
+    equations : Equations
+    points : array (period, size)
+        A guess.
+    row : pair of array (period·size,) and float, optional
+        A further equation: the product with all measured coordinates has this value.
+
+    Raises
+    ------
+    NoOrbitError
+        If the iteration does not come to rest on an orbit.
+    """
+    sizes = equations.sizes
+
+    def evaluated(place: Array) -> tuple[Array, Array]:
+        residuals, slopes, _ = equations(place)
+        if row is not None:
+            direction, value = row
+            residuals = np.append(residuals, direction @ (place / sizes).ravel() - value)
+            slopes = np.concatenate([slopes, direction[None]])
+        return residuals, slopes
+
+    points = onto(equations.map, points, sizes)
+    residuals, slopes = evaluated(points)
+    last = np.inf
+    for _ in range(STEPS):
+        step = shortest(slopes, residuals).reshape(points.shape)
+        size, scale = float(np.abs(step).max()), 1.0 + float(np.abs(points / sizes).max())
+        if size >= 0.9 * last and size < 1e-10 * scale:
+            break
+        moved = _damped(
+            equations, evaluated, points, step * sizes, float(np.linalg.norm(residuals))
+        )
+        if moved is None:
+            break
+        points, residuals, slopes = moved
+        last = size
+        if size < 1e-15 * scale:
+            break
+    scale = 1.0 + float(np.abs(points / sizes).max())
+    if np.abs(residuals).max() > CLOSED * scale:
+        raise NoOrbitError("Newton's method found no periodic orbit near the guess", points)
+    last_step = shortest(slopes, residuals).reshape(points.shape) * sizes
+    return points, float(np.abs(last_step).max())
+
+
+def _damped(
+    equations: Equations,
+    evaluated: Callable[[Array], tuple[Array, Array]],
+    points: Array,
+    step: Array,
+    norm: float,
+) -> tuple[Array, Array, Array] | None:
+    """The step, or the greatest half, quarter, … of it that makes the residuals smaller."""
+    for power in range(HALVINGS):
+        place = onto(equations.map, points + step * 0.5**power, equations.sizes)
+        try:
+            residuals, slopes = evaluated(place)
+        except NoOrbitError:
+            continue
+        if np.linalg.norm(residuals) < norm or norm < ROUGH:
+            return place, residuals, slopes
+    return None
+
+
+def find(
+    made: Map,
+    guess: Array,
+    period: int = 1,
+    hold: Mapping[str, float] | Iterable[str] = (),
+) -> Orbit:
+    """The periodic orbit near a guess.
+
+    Parameters
+    ----------
+    made : Map
+    guess : array (size,) or (period, size)
+        A point near the orbit, or one near each of its points.
+    period : int
+        After how many steps it closes.
+    hold : mapping of str to float, or names
+        Integrals with the values that the orbit must have; for names those at the guess.  Where
+        orbits come in families in spite of them, the next one is found.
+
+    Raises
+    ------
+    InputError
+        If the guess or a name cannot be used.
+    NoOrbitError
+        If there is no orbit near the guess, or the map ends there.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from chaplygin.analysis.orbits.maps import Plain
+    >>> henon = Plain(
+    ...     ("x", "y"),
+    ...     lambda z: np.stack([1 - 1.4 * z[:, 0] ** 2 + z[:, 1], 0.3 * z[:, 0]], axis=1),
+    ... )
+    >>> orbit = find(henon, np.array([0.6, 0.2]))
+    >>> print(orbit.kind, orbit.points[0, 0].round(12))
+    saddle 0.63135447709
+    """
+    points = np.atleast_2d(np.asarray(guess, dtype=float))
+    if period < 1:
+        raise InputError(f"period = {period}: it must be at least 1")
+    if points.shape[1] != len(made.names) or len(points) not in (1, period):
+        raise InputError(
+            f"guess: its shape {points.shape} must be ({len(made.names)},) or "
+            f"({period}, {len(made.names)}) for the coordinates {', '.join(made.names)}"
+        )
+    sizes = made.sizes(points)
+    points = onto(made, points, sizes)
+    held = held_values(made, points[0], hold)
+    while len(points) < period:
+        points = np.concatenate([points, made.image(points[-1:]).points])
+    points, error = solved(Equations(made, held, sizes), points)
+    return described(made, points, error)
+
+
+def described(made: Map, points: Array, error: float) -> Orbit:
+    """An orbit with all that is known of it, from its points."""
+    image = made.image(points, slopes=True)
+    assert image.slopes is not None
+    gaps, _ = wrapped(np.roll(points, -1, axis=0) - image.points, made.periods)
+    _, turns = wrapped((image.points - points).sum(axis=0), made.periods)
+    slope = np.eye(points.shape[1])
+    for local in image.slopes:
+        slope = local @ slope
+    values = made.integrals.values(points[:1])[0].tolist()
+    return Orbit(
+        names=made.names,
+        points=points,
+        duration=float(image.times.sum()),
+        turns=turns.astype(int),
+        values=dict(zip(made.integrals.names, values, strict=True)),
+        multipliers=multipliers(made, points[0], slope),
+        gap=float(np.abs(gaps).max()),
+        error=error,
+    )

@@ -1,0 +1,249 @@
+"""The returns of a System to a section as a map that orbits are found of, and as maps of a circle.
+
+A parameter that is to change along a branch becomes one more state variable, which stays what it
+is: then it is an integral like others, and the variational equations give derivatives by it too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from ...core.laws import Integral
+from ...core.system import System
+from ...core.vectors import explicit
+from ...errors import InputError
+from ...flow.sections.poincare_map import SectionMap
+from ...flow.state_scales import sizes_at
+from ...formulas.batch import Formulas
+from .maps import Array, Image, Kept
+from .rotation import average, lifted
+
+__all__ = ["Circle", "Returns", "Rotations", "promoted", "rotations"]
+
+#: Numbers kept at once when many motions are followed.
+AT_ONCE = 1 << 23
+
+
+def promoted(system: System, *names: str) -> System:
+    """A system with some parameters as state variables that stay what they are.
+
+    Parameters
+    ----------
+    system : System
+    *names : str
+        Parameters; each is also an integral of this name.
+
+    Raises
+    ------
+    InputError
+        If a name is not that of a parameter.
+
+    Examples
+    --------
+    >>> from chaplygin.catalogue import from_catalogue
+    >>> print(promoted(from_catalogue("rattleback"), "g").symbols[-1])
+    g
+    """
+    known = {str(p.symbol): p for p in system.parameters}
+    for name in names:
+        if name not in known:
+            allowed = ", ".join(known) or "none"
+            raise InputError(f"{system.name}: no parameter {name}; it has {allowed}")
+    chosen = [known[name] for name in names]
+    return replace(
+        system,
+        field=(*system.field, *((p.symbol, sp.S.Zero) for p in chosen)),
+        parameters=tuple(p for p in system.parameters if p not in chosen),
+        laws=(*system.laws, *(Integral(str(p.symbol), p.symbol, p.meaning) for p in chosen)),
+    )
+
+
+@dataclass(frozen=True)
+class Returns:
+    """The first return to a section.
+
+    Parameters
+    ----------
+    section : SectionMap
+        With numbers for parameters, not arrays.
+    angles : mapping of str to float
+        Periods of state variables that are angles.
+
+    Examples
+    --------
+    See the page docs/orbits.md.
+    """
+
+    section: SectionMap
+    angles: Mapping[str, float] = field(default_factory=dict)
+    forced: tuple[str, ...] = ("flow",)
+
+    def __post_init__(self) -> None:
+        for name in self.angles:
+            _require_variable(self.section, name, "angles")
+        for name, value in self.section.parameters.items():
+            if np.ndim(value):
+                raise InputError(f"{name}: a map has one value of a parameter, not an array")
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The state variables."""
+        return tuple(map(str, self.section.system.symbols))
+
+    @property
+    def periods(self) -> Array:
+        """The period of each, infinite where it is no angle."""
+        return np.array([self.angles.get(name, np.inf) for name in self.names])
+
+    @cached_property
+    def domain(self) -> Kept:
+        """Relations and the section."""
+        system = self.section.system
+        names = (*(f"relation {i}" for i in range(1, len(system.relations) + 1)), "section")
+        return self._kept(names, (*system.relations, self.section.section.value))
+
+    @cached_property
+    def integrals(self) -> Kept:
+        """The integrals that hold for these parameters."""
+        laws = [law for law in self.section.system.integrals if self._holds(law)]
+        return self._kept(tuple(law.name for law in laws), tuple(law.value for law in laws))
+
+    def _kept(self, names: tuple[str, ...], formulas: tuple[Any, ...]) -> Kept:
+        made = Formulas(self.section.system, tuple(explicit(f) for f in formulas))
+        parameters = self.section.parameters
+        return Kept(
+            names,
+            lambda points: made(points, parameters),
+            lambda points: made.slopes(points, parameters),
+        )
+
+    def _holds(self, law: Integral) -> bool:
+        """Whether an integral needs no condition but on the parameters, which they satisfy."""
+        system = self.section.system
+        given = {str(name): value for name, value in self.section.parameters.items()}
+        values = {s: given.get(str(s), default) for s, default in system.defaults.items()}
+        conditions = [explicit(condition) for condition in law.on]
+        if any(condition.free_symbols - set(values) for condition in conditions):
+            return False
+        return all(abs(float(condition.subs(values))) < 1e-12 for condition in conditions)
+
+    def sizes(self, points: Array) -> Array:
+        """The greatest sizes of the vectors of the state at points (n, size), (size,)."""
+        found: Array = sizes_at(self.section.system, points[None], self.section.parameters)[0]
+        return found
+
+    def image(self, points: Array, count: int = 1, *, slopes: bool = False) -> Image:
+        """Where points (n, size) return for the time numbered `count`."""
+        if slopes:
+            found = self.section.derivative(points, count)
+            return Image(found.images, found.times, found.matrices)
+        crossed = self.section.returns(points, count)
+        return Image(crossed.states[:, -1], crossed.times[:, -1])
+
+
+@dataclass(frozen=True)
+class Circle:
+    """The returns of a flow on a torus, as maps of the circle of one angle.
+
+    Parameters
+    ----------
+    section : SectionMap
+        A section that a second angle goes through; of a system whose state contains the first
+        one, growing without jumps.
+    angle : str
+        The state variable that is the angle, in radians.
+    varied : str
+        The parameter of the family.
+    state : mapping of str to float
+        The other state variables on the section.
+    """
+
+    section: SectionMap
+    angle: str
+    varied: str
+    state: Mapping[str, float]
+
+    def __post_init__(self) -> None:
+        for name in (self.angle, *self.state):
+            _require_variable(self.section, name, "state")
+        known = [str(symbol) for symbol in self.section.system.defaults]
+        if self.varied not in known:
+            raise InputError(f"varied: no parameter {self.varied}; there are {', '.join(known)}")
+
+    def __call__(self, turns: Array, values: Array, count: int) -> Array:
+        """Lifts of orbits, (n, count + 1) turns; see :mod:`.arnold_tongues`."""
+        names = [str(s) for s in self.section.system.symbols]
+        place = names.index(self.angle)
+        starts = np.array([[self.state.get(name, 0.0) for name in names]]).repeat(len(turns), 0)
+        starts[:, place] = 2 * np.pi * turns
+        parameters = {**self.section.parameters, self.varied: np.asarray(values, dtype=float)}
+        found = replace(self.section, parameters=parameters).returns(starts, count)
+        return np.concatenate([turns[:, None], found.states[:, :, place] / (2 * np.pi)], axis=1)
+
+
+def _require_variable(section: SectionMap, name: str, where: str) -> None:
+    names = [str(symbol) for symbol in section.system.symbols]
+    if name not in names:
+        raise InputError(f"{where}: {name} is not a state variable; there are {', '.join(names)}")
+
+
+@dataclass(frozen=True)
+class Rotations:
+    """Rotation numbers of many motions.
+
+    Attributes
+    ----------
+    values, errors : arrays (n,)
+        Turns per return, and the differences of both halves; not-a-number where there is none.
+    outcome : array (n,) of int
+        0, or why a motion did not return: see `SectionMap.reason`; −1 where the angle has no lift.
+    """
+
+    values: Array
+    errors: Array
+    outcome: Array
+
+
+def rotations(section: SectionMap, starts: Array, angle: Any, count: int = 1000) -> Rotations:
+    """Rotation numbers of an angle on a section, for many starts and parameters of each.
+
+    Parameters
+    ----------
+    section : SectionMap
+        Its parameters may be arrays, one number for each start.
+    starts : array (n, size)
+        In flat order.
+    angle : sympy.Expr
+        A formula in state, definitions and parameters: radians modulo 2π, such as
+        ``atan2(gamma_2, gamma_1)``.
+    count : int
+        Returns of each motion.
+    """
+    starts = np.asarray(starts, dtype=float)
+    values, errors = np.full(len(starts), np.nan), np.full(len(starts), np.nan)
+    outcome = np.zeros(len(starts), dtype=int)
+    formula = Formulas(section.system, (explicit(sp.sympify(angle)),))
+    rows = max(1, AT_ONCE // (count * section.size))
+    for first in range(0, len(starts), rows):
+        part = slice(first, min(first + rows, len(starts)))
+        parameters = {
+            name: value if np.ndim(value) == 0 else np.asarray(value)[part]
+            for name, value in section.parameters.items()
+        }
+        crossed = replace(section, parameters=parameters).returns(starts[part], count)
+        outcome[part] = crossed.outcome
+        angles = formula(crossed.states, parameters)[..., 0]
+        for i in np.flatnonzero(crossed.outcome == 0):
+            try:
+                mean, error = average(np.diff(lifted(angles[i])))
+            except InputError:
+                outcome[first + i] = -1
+            else:
+                values[first + i], errors[first + i] = mean, error
+    return Rotations(values, errors, outcome)

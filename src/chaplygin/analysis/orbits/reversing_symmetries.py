@@ -1,0 +1,144 @@
+"""Linear involutions under which the equations run backwards.
+
+A *reversor* R changes the signs of some state variables, such as those of a reflection of space or
+of the angular velocity, and carries every motion into a motion run backwards: v(Rx) = −R v(x).
+Some need parameters to vanish, such as components of a displacement of the centre of mass: then R,
+with the signs of these parameters changed as well, reverses the whole family.  Candidates are
+found by numbers and proven exactly.  (Exchanges of axes, which need equal parameters, are not
+looked for.)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from ...core.system import Parameter, System, flat
+from ...formulas.batch import Formulas
+from ...printing.formula import text
+from ..classification.sign_reversal import reverses
+
+__all__ = ["Reversor", "reversors"]
+
+#: So many signs are tried one by one; where there are more, a vector counts as one.
+SIGNS = 16
+#: States at which candidates are tried, and how often a usable one is drawn for.
+POINTS, DRAWS = 2, 60
+SEED = 20080830
+#: Relative size below which two numbers count as equal, when candidates are chosen.
+CLOSE = 1e-9
+#: Size of the parameters whose sign is free, at these states.
+SMALL = 0.2
+
+
+@dataclass(frozen=True)
+class Reversor:
+    """A change of signs that reverses the equations; proven.
+
+    Attributes
+    ----------
+    odd : tuple of Symbol
+        State variables that change their signs, in flat order.
+    vanishing : tuple of Symbol
+        Parameters that must be zero.
+    """
+
+    odd: tuple[sp.Symbol, ...]
+    vanishing: tuple[sp.Symbol, ...] = ()
+
+    def signs(self, system: System) -> Any:
+        """The diagonal of R: +1 and −1 in flat order."""
+        return np.array([-1.0 if s in self.odd else 1.0 for s in system.symbols])
+
+    def holds(self, parameters: Mapping[Any, Any]) -> bool:
+        """Whether it reverses the system with these parameters, by Symbol or name."""
+        values = {str(name): value for name, value in parameters.items()}
+        return all(values[str(symbol)] == 0 for symbol in self.vanishing)
+
+    def words(self, system: System) -> str:
+        """What changes its sign, whole vectors by their names, and what that needs."""
+        whole = [name for name in system.state if set(flat((name,))) <= set(self.odd)]
+        rest = [s for s in self.odd if s not in flat(whole)]
+        names = [text(name) for name in (*whole, *rest)]
+        needs = "".join(f"{text(symbol)} = " for symbol in self.vanishing)
+        verb = "changes" if len(names) == 1 else "change"
+        return f"{', '.join(names)} {verb} sign" + (f" where {needs}0" if needs else "")
+
+
+def reversors(system: System) -> tuple[Reversor, ...]:
+    """All changes of signs that are proven to reverse a system, each with the fewest conditions.
+
+    Parameters
+    ----------
+    system : System
+        Conditions are found among its parameters; those that hold at given values are chosen by
+        :meth:`Reversor.holds`.
+
+    Returns
+    -------
+    tuple of Reversor
+        Those without conditions first.  What is seen in numbers but not proven, parity by parity
+        along the definitions, is left out.
+    """
+    found: list[Reversor] = []
+    for made in sorted(_candidates(system), key=lambda r: (len(r.vanishing), len(r.odd))):
+        weaker = any(
+            old.odd == made.odd and set(old.vanishing) <= set(made.vanishing) for old in found
+        )
+        if not weaker and reverses(system, {*made.odd, *made.vanishing}):
+            found.append(made)
+    return tuple(found)
+
+
+def _candidates(system: System) -> Iterator[Reversor]:
+    """Changes of signs that reverse the equations at some states, by numbers."""
+    loose = [p.symbol for p in system.parameters if _signed(p)]
+    units = [(s,) for s in (*system.symbols, *loose)]
+    if len(units) > SIGNS:
+        units = [flat((name,)) for name in system.state]
+    places = {s: i for i, s in enumerate(system.symbols)}
+    choices = np.arange(1, 2 ** len(units))
+    flips = (choices[:, None] >> np.arange(len(units))) & 1 == 1
+    states = np.ones((len(choices), len(system.symbols)))
+    constants = {s: np.ones(len(choices)) for s in loose}
+    for flip, unit in zip(flips.T, units, strict=True):
+        for symbol in unit:
+            column = states[:, places[symbol]] if symbol in places else constants[symbol]
+            column[flip] = -1.0
+    rates = Formulas(system, system.rates)
+    good = np.ones(len(choices), dtype=bool)
+    for point, given, rate in _points(system, loose, rates):
+        turned = rates(states * point, {s: signs * given[s] for s, signs in constants.items()})
+        with np.errstate(invalid="ignore"):
+            missed = np.abs(turned + states * rate).max(axis=1)
+            good &= missed <= CLOSE * np.abs(rate).max()
+    for row, index in zip(states[good], np.flatnonzero(good), strict=True):
+        yield Reversor(
+            tuple(s for s, sign in zip(system.symbols, row, strict=True) if sign < 0),
+            tuple(s for s in loose if constants[s][index] < 0),
+        )
+
+
+def _signed(parameter: Parameter) -> bool:
+    """Whether a parameter may have either sign."""
+    conditions = [sp.sympify(c).subs(parameter.symbol, -SMALL) for c in parameter.admissible]
+    return all(condition != sp.false for condition in conditions)
+
+
+def _points(system: System, loose: list[sp.Symbol], rates: Formulas) -> Iterator[Any]:
+    """Some states and parameters at which the equations have a value, and it."""
+    random = np.random.default_rng(SEED)
+    count = 0
+    for _ in range(DRAWS):
+        state = random.uniform(0.1, 0.9, size=len(system.symbols))
+        given = {s: SMALL * random.uniform(0.5, 1.5) for s in loose}
+        (rate,) = rates([state], given)
+        if np.isfinite(rate).all() and np.any(rate):
+            count += 1
+            yield state, given, rate
+        if count == POINTS:
+            return

@@ -1,0 +1,1 @@
+"""Quantities over a grid of parameters or starts, and the coordinates they are drawn in."""

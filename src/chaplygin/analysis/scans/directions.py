@@ -1,0 +1,127 @@
+"""Angles of γ and of the velocity or momentum beside it, with the energy.
+
+For a rubber contact (ω, γ) = 0: γ and the direction of γ̇ = γ × ω make the unit tangent bundle of
+the sphere, and the energy gives the length of ω.  On a level of the area integral the momentum
+lies in a plane (M, γ) = const in the same way, and is seen from the point of that plane in which
+the energy is least.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from ...core.system import System
+from ...errors import InputError
+from ...flow.batched_linalg import dots
+from ...flow.sampling.find_fibration import bundle
+from ...formulas.compiled import Sheet
+from ...formulas.evaluate import parameter_rows
+
+__all__ = ["Directions"]
+
+#: Below this the sine of an angle is rounding.
+_FLAT = 1e-7
+#: How nearly a linear condition must be one on the component along γ.
+_ALONG = 1e-12
+
+
+class Directions:
+    """Maps between states and (theta, phi, psi, energy).
+
+    γ = (sin θ cos φ, sin θ sin φ, cos θ) in body axes; ψ is the angle of ω or M, seen from the
+    centre of its ellipse, from the direction in which θ rises towards that in which φ rises.
+
+    Parameters
+    ----------
+    system : System
+        Its state must be a vector and the unit vector γ.
+    level : mapping of str to float
+        The area integral, or nothing for a system with (ω, γ) = 0.
+    parameters : mapping of Symbol or name to float, optional
+
+    Raises
+    ------
+    InputError
+        If the energy does not bound an ellipse in a plane across γ.
+    """
+
+    names = ("theta", "phi", "psi", "energy")
+
+    def __init__(
+        self, system: System, level: Mapping[str, float], parameters: Mapping[Any, Any] | None
+    ) -> None:
+        if "energy" not in {law.name for law in system.integrals}:
+            raise InputError(f"{system.name}: these coordinates need an integral named energy")
+        held = {**level, "energy": 0.0}
+        self.values = parameter_rows(system, parameters, 1)[0]
+        self.made = bundle(system, Sheet(system), held, self.values)
+        shape = [len(part) for part in (self.made.ground, self.made.fibre, self.made.linear)]
+        if shape != [3, 3, 1] or self.made.further or self.made.quadratic.name != "energy":
+            raise InputError(
+                f"{system.name}: these coordinates need a vector beside the unit vector gamma and "
+                "one linear condition on it: hold the area integral, or take a system with "
+                "(omega, gamma) = 0"
+            )
+        self._check(system)
+
+    def _check(self, system: System) -> None:
+        gamma = np.array([[0.6, 0.0, -0.8], [0.48, 0.64, 0.6]]).T
+        states = np.zeros((self.made.size, 2))
+        states[list(self.made.ground)] = gamma
+        normals = self.made.parts(states, self.values)[0][:, 0]
+        if np.abs(np.cross(normals, gamma.T)).max() > _ALONG * np.abs(normals).max():
+            raise InputError(
+                f"{system.name}: these coordinates need a linear condition on the component along "
+                f"gamma, which {self.made.linear[0].name} is not"
+            )
+
+    def states(self, points: Any) -> tuple[Any, Any]:
+        """Which points (4, k) have a state, and these states (size, n)."""
+        theta, phi, psi, energy = points
+        gamma, rising, turning = frame(theta, phi)
+        ground = np.zeros((self.made.size, theta.size))
+        ground[list(self.made.ground)] = gamma
+        level = replace(self.made, quadratic=replace(self.made.quadratic, target=energy))
+        rays = level.fill(ground, rising * np.cos(psi) + turning * np.sin(psi), self.values)
+        here = np.flatnonzero(rays.excess > 0)
+        return here, rays.states[:, here]
+
+    def points(self, states: Any) -> Any:
+        """(theta, phi, psi, energy) of states; not-a-number where an angle is undefined."""
+        x, y, z = gamma = states[list(self.made.ground)]
+        theta = np.arctan2(np.hypot(x, y), z)
+        phi = np.where(np.hypot(x, y) > _FLAT, np.arctan2(y, x), np.nan)
+        _, rising, turning = frame(theta, phi)
+        ground = np.zeros_like(states)
+        ground[list(self.made.ground)] = gamma
+        level = replace(self.made, quadratic=replace(self.made.quadratic, target=np.inf))
+        with np.errstate(invalid="ignore"):
+            centre = level.fill(ground, np.nan_to_num(rising), self.values).centre
+        vector = states[list(self.made.fibre)].T
+        off = vector - centre
+        psi = np.arctan2(dots(off, turning.T), dots(off, rising.T))
+        _, _, A, b, c = self.made.parts(ground, self.values)
+        applied = (A * vector[:, None, :]).sum(axis=2)
+        energy = c + dots(b, vector) + 0.5 * dots(vector, applied)
+        return np.stack([theta, phi, psi, energy])
+
+    @staticmethod
+    def span(name: str, known: Any) -> tuple[Any, Any]:
+        """The range of one variable, the others being known."""
+        if name == "energy":
+            raise InputError("the energy is a coordinate here: fix it, rather than solve for it")
+        return 0.0, np.pi if name == "theta" else 2 * np.pi
+
+
+def frame(theta: Any, phi: Any) -> tuple[Any, Any, Any]:
+    """γ and the unit vectors in which θ and φ rise, arrays (3, k)."""
+    s, c, sp, cp = np.sin(theta), np.cos(theta), np.sin(phi), np.cos(phi)
+    return (
+        np.stack([s * cp, s * sp, c]),
+        np.stack([c * cp, c * sp, -s]),
+        np.stack([-sp, cp, np.zeros_like(sp)]),
+    )

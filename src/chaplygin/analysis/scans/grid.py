@@ -1,0 +1,335 @@
+"""Planes of parameters and starts: two numbers vary, and every cell has a motion of its own.
+
+An axis is a parameter, a variable in which the start is given (``gamma_1``), a quantity on whose
+level the start is to lie (``energy``), or a name of its own, of which formulas make the others
+(``gamma_1 = sin(theta)``).  What is so given stands still; the rest of the start is moved the
+shortest way until it is a state of the phase space on the levels asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from ...core.admissible import conditions, satisfied
+from ...core.system import System, flat
+from ...core.vectors import Vector, explicit, normed
+from ...errors import InputError
+from ...flow.level_projection import projected
+from ...formulas.batch import Formulas
+from ...formulas.evaluate import formula
+from ...parsing import nearest, parse
+from .named_quantities import named
+
+__all__ = ["NO_NUMBER", "REASONS", "Axis", "Cells", "Plane", "axis", "directions", "plane"]
+
+#: Why a cell has no motion or no number; −1 in a store is what is not computed yet.
+NO_STATE, INADMISSIBLE, NO_NUMBER = -2, -3, -4
+REASONS: Mapping[int, str] = {
+    NO_STATE: "no state with these values was found",
+    INADMISSIBLE: "the parameters are not admissible",
+    NO_NUMBER: "the number could not be formed",
+}
+#: Cells along an axis, at most.
+MOST = 100_000
+
+
+@dataclass(frozen=True)
+class Axis:
+    """A number that varies: `count` values from `first` to `last`, both included."""
+
+    name: str
+    first: float
+    last: float
+    count: int
+    meaning: str = ""
+    unit: str = ""
+
+    @property
+    def symbol(self) -> sp.Symbol:
+        """By which formulas call it."""
+        return sp.Symbol(self.name, real=True)
+
+    @property
+    def values(self) -> Any:
+        """The numbers, (count,)."""
+        return np.linspace(self.first, self.last, self.count)
+
+
+def axis(text: str, where: str = "") -> Axis:
+    """An axis as it is written: ``NAME=FIRST:LAST:COUNT``, such as ``k=-2:2:300``.
+
+    Raises
+    ------
+    InputError
+        If it is not written so.
+    """
+    name, equals, span = (part.strip() for part in text.partition("="))
+    parts = span.split(":")
+    if not equals or not name.isidentifier() or len(parts) != 3:
+        raise InputError(
+            f"{text}: an axis is written NAME=FIRST:LAST:COUNT, such as k=-2:2:300", where
+        )
+    first, last = (float(parse(part, {}, where)) for part in parts[:2])
+    if not parts[2].strip().isdecimal() or not 1 <= int(parts[2]) <= MOST:
+        raise InputError(f"{text}: the number of cells is a whole number from 1 to {MOST}", where)
+    if (first == last) != (int(parts[2]) == 1):
+        raise InputError(
+            f"{text}: several cells need two ends that differ, one cell one end", where
+        )
+    return Axis(name, first, last, int(parts[2]))
+
+
+@dataclass(frozen=True)
+class Cells:
+    """Motions to be followed.
+
+    Attributes
+    ----------
+    starts : (n, size) array
+        States in flat order of the system; not a number where there is none.
+    parameters : dict of Symbol to (n,) array
+        Those that are not the system's defaults.
+    reasons : (n,) array of int
+        0, or why there is no motion; see `REASONS`.
+    """
+
+    starts: Any
+    parameters: dict[sp.Symbol, Any]
+    reasons: Any
+
+
+@dataclass(frozen=True)
+class Plane:
+    """A plane of motions of a system; made by :func:`plane`.
+
+    Attributes
+    ----------
+    system : System
+        Whose motions they are.
+    given : System
+        The same phase space in the variables in which a start is given; its definitions give
+        the state of `system`.
+    base : tuple of float
+        The start that is varied, in flat order of `given`.
+    x, y : Axis
+        y varies from row to row.
+    set : tuple of (Symbol, Expr)
+        Parameters and variables of the start, by formulas in the axes and parameters.
+    levels : tuple of (Expr, Expr)
+        Quantities of the start, and the formulas of their values.
+    held : tuple of Symbol
+        Variables of the start that are not to be moved.
+    """
+
+    system: System
+    given: System
+    base: tuple[float, ...]
+    x: Axis
+    y: Axis
+    set: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    levels: tuple[tuple[sp.Expr, sp.Expr], ...]
+    held: tuple[sp.Symbol, ...]
+
+    def cells(self, first: int, last: int) -> Cells:
+        """The cells of rows first, …, last − 1, row by row."""
+        y, x = (
+            a.ravel() for a in np.meshgrid(self.y.values[first:last], self.x.values, indexing="ij")
+        )
+        count = len(x)
+        known = {symbol: np.full(count, value) for symbol, value in self.system.defaults.items()}
+        known |= {self.x.symbol: x, self.y.symbol: y}
+        starts = np.tile(np.array(self.base), (count, 1))
+        parameters: dict[sp.Symbol, Any] = {}
+        for symbol, given in self.set:
+            value = _evaluated(given, known, count)
+            if symbol in self.system.defaults:
+                known[symbol] = parameters[symbol] = value
+            else:
+                starts[:, self.given.symbols.index(symbol)] = value
+        targets = [_evaluated(value, known, count) for _, value in self.levels]
+        good = np.isfinite(starts).all(axis=1) & _admissible(self.system, known, count)
+        reasons = np.where(good, 0, INADMISSIBLE)
+        starts[~good] = np.nan
+        for symbol, value in parameters.items():
+            value[~good] = self.system.defaults[symbol]
+        starts, met = self._placed(starts, targets, parameters)
+        reasons[good & ~met] = NO_STATE
+        states = Formulas(self.given, self.system.symbols)(starts, parameters)
+        states[reasons != 0] = np.nan
+        return Cells(states, parameters, reasons)
+
+    def _placed(
+        self, starts: Any, targets: Sequence[Any], parameters: Mapping[sp.Symbol, Any]
+    ) -> tuple[Any, Any]:
+        """Starts on the relations and then on the levels, and whether they are there."""
+        relations = tuple(explicit(relation) for relation in self.given.relations)
+        met = np.isfinite(starts).all(axis=1)
+        fixed = {*self.held, *(symbol for symbol, _ in self.set)}
+        if relations:
+            starts, there = projected(
+                Formulas(self.given, relations), starts, 0.0, parameters, self._others(fixed)
+            )
+            met = met & there
+        if targets:
+            # directions keep still as long as something else can be moved
+            wider = fixed | directions(self.given)
+            moved = self._others(wider) if any(self._others(wider)) else self._others(fixed)
+            wanted = np.stack([*(np.zeros(len(starts)) for _ in relations), *targets], axis=1)
+            level = Formulas(self.given, (*relations, *(value for value, _ in self.levels)))
+            starts, there = projected(level, starts, wanted, parameters, moved)
+            met = met & there
+        return starts, met
+
+    def _others(self, fixed: Collection[sp.Symbol]) -> list[bool]:
+        return [symbol not in fixed for symbol in self.given.symbols]
+
+
+def plane(
+    system: System,
+    x: Axis,
+    y: Axis,
+    start: Mapping[str, Any],
+    *,
+    formulas: Mapping[str, str] | None = None,
+    held: Collection[str] = (),
+) -> Plane:
+    """A plane of motions.
+
+    Parameters
+    ----------
+    system : System
+    x, y : Axis
+        y varies from row to row.
+    start : mapping of str to number or numbers
+        The start that is varied: the state by name, or ω and γ where these give the state.
+    formulas : mapping of str to str, optional
+        Parameters, variables of the start or levels, by formulas in the axes and the parameters.
+    held : collection of str, optional
+        Variables of the start, or vectors of them, that are not to be moved.
+
+    Raises
+    ------
+    InputError
+        If a name or a formula is wrong, or an axis is of no consequence.
+    """
+    given, base = _given(system, start)
+    if x.name == y.name:
+        raise InputError(f"{x.name}: the two axes need names that differ")
+    texts = dict(formulas or {})
+    symbols = {str(s): s for s in (*given.symbols, *system.defaults)}
+    for item in (x, y):
+        if item.name in texts:
+            raise InputError(f"{item.name}: it is an axis and cannot be given by a formula besides")
+    known = {str(s): s for s in system.defaults} | {a.name: a.symbol for a in (x, y)}
+    values: dict[str, sp.Expr] = {n: parse(t, known, f"{n} = {t}") for n, t in texts.items()}
+    used = {s for value in values.values() for s in value.free_symbols}
+    levels = {str(s) for s, _ in given.steps} | named(given).keys()
+    for item in (x, y):
+        if item.name in symbols.keys() | levels:
+            values = {item.name: item.symbol, **values}
+        elif item.symbol not in used:
+            raise InputError(
+                f"{item.name}: {system.name} has neither parameter, variable nor quantity of this "
+                f"name, and no formula uses it{nearest(item.name, _useful(given))}"
+            )
+    made: list[tuple[sp.Symbol, sp.Expr]] = []
+    asked: list[tuple[sp.Expr, sp.Expr]] = []
+    for name, value in values.items():
+        if name in symbols:
+            made.append((symbols[name], value))
+        elif name in levels:
+            asked.append((formula(given, name), value))
+        else:
+            raise InputError(
+                f"{name}: {system.name} has neither parameter, variable nor quantity of this name"
+                f"{nearest(name, _useful(given))}"
+            )
+    # parameters first: formulas of the start may use them
+    made.sort(key=lambda pair: pair[0] not in system.defaults)
+    return Plane(system, given, base, x, y, tuple(made), tuple(asked), _held(given, held))
+
+
+def _useful(system: System) -> list[str]:
+    """Names for the user, in the order of declaration; not those defined on the way."""
+    return list(dict.fromkeys(map(str, (*system.defaults, *system.symbols, *named(system)))))
+
+
+def _held(given: System, held: Collection[str]) -> tuple[sp.Symbol, ...]:
+    parts = {str(name): flat([name]) for name in given.state}
+    parts |= {str(symbol): (symbol,) for symbol in given.symbols}
+    for name in held:
+        if name not in parts:
+            raise InputError(f"{name}: no variable of the start{nearest(name, parts)}")
+    return tuple(symbol for name in held for symbol in parts[name])
+
+
+def _given(system: System, start: Mapping[str, Any]) -> tuple[System, tuple[float, ...]]:
+    """A system in the variables in which its start is given, and the start in flat order."""
+    names = [name for name in system.state if str(name) in start]
+    if len(names) < len(system.state):
+        made = _by_velocity(system, start)
+        names, system = list(made.state), made
+    numbers = [np.atleast_1d(np.asarray(start[str(name)], dtype=np.float64)) for name in names]
+    for name, values in zip(names, numbers, strict=True):
+        if len(values) != len(flat([name])):
+            raise InputError(f"{name}: {len(flat([name]))} numbers are needed, not {len(values)}")
+    return system, tuple(float(value) for values in numbers for value in values)
+
+
+def _by_velocity(system: System, start: Mapping[str, Any]) -> System:
+    """The same phase space described by ω and γ, of which the state consists or follows."""
+    follow = [(name, value) for name, value in system.start if name in system.state]
+    told = {str(name): name for name, _ in system.definitions}
+    told |= {str(name): name for name in system.state}
+    names = [told[name] for name in start if name in told]
+    missing = {*system.state} - {*names, *(name for name, _ in follow)}
+    if missing:
+        raise InputError(
+            f"{system.name}: the start gives no {', '.join(sorted(map(str, missing)))}"
+        )
+    symbols = set(flat(names))
+    follow = [(name, value) for name, value in follow if name not in names]
+    before = system.needed([value for _, value in follow], given=symbols)
+    done = {symbol for symbol, _ in before}
+    after = [(s, v) for s, v in system.steps if s not in done | symbols]
+    return replace(
+        system,
+        field=tuple((name, 0 * name) for name in names),
+        definitions=(*before, *follow, *after),
+        motion=None,
+        start=(),
+        guards=(),
+    )
+
+
+def directions(system: System) -> set[sp.Symbol]:
+    """Components of the vectors whose length the relations make one."""
+    relations = [explicit(relation) for relation in system.relations]
+    vectors = [name for name in system.state if isinstance(name, Vector)]
+    unit = [name for name in vectors if explicit(normed(name)) - 1 in relations]
+    return set(flat(unit))
+
+
+def _evaluated(value: sp.Expr, known: Mapping[sp.Symbol, Any], count: int) -> Any:
+    """A formula at arrays; not a number where it has no value."""
+    names = sorted(value.free_symbols, key=str)
+    function = sp.lambdify(names, value, "numpy")
+    with np.errstate(all="ignore"):
+        found = function(*(known[name] for name in names))
+    return np.array(np.broadcast_to(np.asarray(found, dtype=np.float64), (count,)))
+
+
+def _admissible(system: System, known: Mapping[sp.Symbol, Any], count: int) -> Any:
+    """Where all parameters are finite and satisfy what is asked of them."""
+    good = np.ones(count, dtype=bool)
+    for parameter in system.parameters:
+        good &= np.isfinite(known[parameter.symbol])
+    with np.errstate(all="ignore"):
+        for _, condition in conditions(system.parameters):
+            good &= satisfied(condition, known)
+    return good

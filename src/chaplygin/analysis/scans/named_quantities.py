@@ -1,0 +1,45 @@
+"""What a system has a name for, and what the name means."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from ...core.system import System
+from ...core.vectors import Vector, explicit
+
+__all__ = ["meaning", "named"]
+
+
+def named(system: System) -> dict[str, sp.Expr]:
+    """Scalar integrals and observables of a system by name; the integral of two of one name."""
+    values = {item.name: explicit(item.value) for item in system.observables}
+    values |= {item.name: explicit(item.value) for item in system.integrals}
+    return {name: v for name, v in values.items() if not isinstance(v, sp.MatrixBase)}
+
+
+def meaning(system: System, name: str, variables: Mapping[str, tuple[str, str]]) -> tuple[str, str]:
+    """What a parameter, a component, an integral or an observable is, and its unit.
+
+    Parameters
+    ----------
+    system : System
+    name : str
+    variables : mapping of str to (str, str)
+        Meaning and unit of vectors and scalars of the state.
+
+    Returns
+    -------
+    tuple of str
+        Both empty if nothing is known.
+    """
+    told = {str(p.symbol): (p.meaning, p.unit) for p in system.parameters}
+    told |= {item.name: (item.meaning, item.unit) for item in system.observables}
+    told |= {item.name: (item.meaning, item.unit) for item in system.integrals}
+    for vector in (*system.state, *(n for n, _ in system.definitions)):
+        if isinstance(vector, Vector) and str(vector) in variables:
+            of, unit = variables[str(vector)]
+            for i, component in enumerate(vector.symbols, 1):
+                told[str(component)] = (f"{of}, component {i}", unit)
+    return told.get(name, variables.get(name, ("", "")))

@@ -1,0 +1,232 @@
+"""Numbers of motions that come of watching a formula: means, extremes, frequencies, how long.
+
+Each is a rule for many motions at once, as charts and ensembles ask for.  A motion that ends early
+has no number, and does not disturb the others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
+
+import numpy as np
+import sympy as sp
+
+from ...core.system import System
+from ...flow.batch import Lanes, lanes
+from ...flow.level_projection import picked
+from ...formulas.evaluate import values
+from ..orbits.rotation import average
+
+__all__ = ["Duration", "Frequency", "Highest", "Lowest", "Mean", "Parameters", "Watched", "watched"]
+
+Parameters = Mapping[Any, Any]
+
+#: States of a motion that are kept at a time.
+KEPT = 128
+#: An additional variable of the state: a formula integrated in time.
+TOTAL = sp.Symbol("integral_in_time", real=True)
+
+
+@dataclass(frozen=True)
+class Duration:
+    """How long a motion lasts: until a guard of the system or a failure ends it.
+
+    Attributes
+    ----------
+    system : System
+    until : float
+        Time at which to stop.
+    tolerance : float
+        See :func:`chaplygin.flow.batch.lanes`.
+    """
+
+    system: System
+    until: float
+    tolerance: float = 1e-12
+    further: ClassVar[Mapping[str, str]] = {}
+
+    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+        """Times, outcomes and times reached, (n,) each."""
+        run = lanes(self.system, tolerance=self.tolerance).until(starts, [self.until], parameters)
+        return {"value": run.ended, "outcome": run.outcome, "ended": run.ended}
+
+
+@dataclass(frozen=True)
+class Mean:
+    """The mean of a formula in time, integrated along with the motion.
+
+    Attributes
+    ----------
+    system, until, tolerance
+        See `Duration`.
+    formula : sympy.Expr
+        In state, definitions and parameters.
+    """
+
+    system: System
+    until: float
+    formula: Any
+    tolerance: float = 1e-12
+    further: ClassVar[Mapping[str, str]] = {}
+
+    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+        """Means, outcomes and times reached, (n,) each."""
+        flow = lanes(_with_total(self.system, self.formula), tolerance=self.tolerance)
+        run = flow.until(_from_zero(starts), [self.until], parameters)
+        mean = run.states[:, 0, -1] / self.until
+        return {"value": mean, "outcome": run.outcome, "ended": run.ended}
+
+
+@dataclass(frozen=True)
+class Highest:
+    """The greatest value of a formula among equidistant samples of a motion.
+
+    Attributes
+    ----------
+    system, until, tolerance
+        See `Duration`.
+    formula : sympy.Expr
+        In state, definitions and parameters.
+    samples : int
+        Samples after the start, which counts as well.
+    """
+
+    system: System
+    until: float
+    formula: Any
+    samples: int = 2048
+    tolerance: float = 1e-12
+    further: ClassVar[Mapping[str, str]] = {}
+
+    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+        """Values, outcomes and times reached, (n,) each."""
+        flow = lanes(self.system, tolerance=self.tolerance)
+        seen = watched(flow, self.formula, starts, self.until, self.samples, parameters)
+        return {"value": seen.values.max(axis=1), "outcome": seen.outcome, "ended": seen.ended}
+
+
+@dataclass(frozen=True)
+class Lowest:
+    """The least value of a formula among equidistant samples of a motion; see `Highest`."""
+
+    system: System
+    until: float
+    formula: Any
+    samples: int = 2048
+    tolerance: float = 1e-12
+    further: ClassVar[Mapping[str, str]] = {}
+
+    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+        """Values, outcomes and times reached, (n,) each."""
+        turned = Highest(self.system, self.until, -self.formula, self.samples, self.tolerance)
+        found = turned(starts, parameters)
+        return {**found, "value": -found["value"]}
+
+
+@dataclass(frozen=True)
+class Frequency:
+    """Turns of an angle per unit of time, by a weighted average; and an estimate of its error.
+
+    The rate of the angle is integrated along with the motion, so that no turn is lost.
+
+    Attributes
+    ----------
+    system, until, tolerance
+        See `Duration`.
+    formula : sympy.Expr
+        An angle, in radians, up to whole turns.
+    samples : int
+        Equidistant samples over which the average is taken.
+    """
+
+    system: System
+    until: float
+    formula: Any
+    samples: int = 4096
+    tolerance: float = 1e-12
+    further: ClassVar[Mapping[str, str]] = {"error": "difference between the halves of the motion"}
+
+    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+        """Values, errors, outcomes and times reached, (n,) each."""
+        turns = _with_total(self.system, _rate(self.system, self.formula) / (2 * sp.pi))
+        flow = lanes(turns, tolerance=self.tolerance)
+        seen = watched(flow, TOTAL, _from_zero(starts), self.until, self.samples, parameters)
+        value, error = average(np.diff(seen.values, axis=1) * (self.samples / self.until))
+        return {"value": value, "error": error, "outcome": seen.outcome, "ended": seen.ended}
+
+
+def _with_total(system: System, formula: Any) -> System:
+    """A system that integrates a formula in time along with its motion."""
+    return replace(system, field=(*system.field, (TOTAL, formula)), motion=None)
+
+
+def _from_zero(starts: Any) -> Any:
+    return np.concatenate([starts, np.zeros((len(starts), 1))], axis=1)
+
+
+def _rate(system: System, formula: Any) -> Any:
+    """The derivative of a formula along the motion, through the definitions."""
+    rates = dict(zip(system.symbols, system.rates, strict=True))
+    for symbol, value in system.needed([formula]):
+        rates[symbol] = _changing(value, rates)
+    return _changing(formula, rates)
+
+
+def _changing(formula: Any, rates: Mapping[Any, Any]) -> Any:
+    return sp.Add(*(sp.diff(formula, s) * rates[s] for s in formula.free_symbols if s in rates))
+
+
+@dataclass(frozen=True)
+class Watched:
+    """A formula along motions.
+
+    Attributes
+    ----------
+    values : (n, samples + 1) array
+        From the start on; not numbers after the end of a motion.
+    outcome : (n,) array of int
+        0, or why a motion ended; see ``Lanes.reason``.
+    ended : (n,) array
+        The times reached.
+    """
+
+    values: Any
+    outcome: Any
+    ended: Any
+
+
+def watched(
+    flow: Lanes, formula: Any, starts: Any, until: float, samples: int, parameters: Parameters
+) -> Watched:
+    """A formula along motions at equidistant times; few states are kept at a time.
+
+    Parameters
+    ----------
+    flow : Lanes
+    formula : sympy.Expr
+        In state, definitions and parameters.
+    starts : (n, size) array
+    until : float
+        The last time.
+    samples : int
+        How many times after the start.
+    parameters : mapping of Symbol or name to number or (n,) array
+    """
+    times = np.linspace(0.0, until, samples + 1)
+    states = np.array(starts, dtype=np.float64)
+    outcome, ended = np.zeros(len(states), dtype=np.int64), np.zeros(len(states))
+    found = np.full((len(states), samples + 1), np.nan)
+    found[:, 0] = values(flow.system, [formula], states, parameters)[:, 0]
+    for first in range(0, samples, KEPT):
+        some = slice(first + 1, min(first + KEPT, samples) + 1)
+        live = np.flatnonzero(outcome == 0)
+        if not len(live):
+            break
+        chosen = picked(parameters, live)
+        run = flow.until(states[live], times[some] - times[first], chosen)
+        found[live, some] = values(flow.system, [formula], run.states, chosen)[..., 0]
+        outcome[live], states[live] = run.outcome, run.states[:, -1]
+        ended[live] = times[first] + run.ended
+    return Watched(found, outcome, ended)

@@ -1,0 +1,148 @@
+"""Numbers of motions by the words in which a user asks for them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from ...core.system import System
+from ...errors import InputError
+from ...flow.batch import section
+from ...formulas.evaluate import formula
+from ...parsing import nearest
+from ..lyapunov.indicators import Alignment, Exponent, Fastest, Megno, Total
+from .grid import directions
+from .named_quantities import meaning
+from .observables import Duration, Frequency, Highest, Lowest, Mean
+from .scan_task import Rule
+from .section_rotation import Winding
+
+__all__ = ["KINDS", "Asked", "asked"]
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A number that was asked for.
+
+    Attributes
+    ----------
+    rule : Rule
+    name : str
+        What its variable is called.
+    title, unit : str
+        What it is, in words, and its unit.
+    """
+
+    rule: Rule
+    name: str
+    title: str
+    unit: str
+
+
+@dataclass(frozen=True)
+class _Kind:
+    """A kind of number: how it is made, from a formula or without, its title and its unit."""
+
+    make: Callable[..., Rule]
+    title: str
+    unit: str = ""
+    of: bool = False
+
+
+KINDS: Mapping[str, _Kind] = {
+    "lyapunov": _Kind(Exponent, "largest Lyapunov exponent", "1/s"),
+    "fli": _Kind(Fastest, "fast Lyapunov indicator"),
+    "megno": _Kind(Megno, "MEGNO"),
+    "sali": _Kind(Alignment, "logarithm of SALI"),
+    "sum": _Kind(Total, "sum of Lyapunov exponents", "1/s"),
+    "duration": _Kind(Duration, "time until the motion ends", "s"),
+    "mean": _Kind(Mean, "mean of {}", "{}", of=True),
+    "highest": _Kind(Highest, "highest value of {}", "{}", of=True),
+    "lowest": _Kind(Lowest, "lowest value of {}", "{}", of=True),
+    "frequency": _Kind(Frequency, "frequency of {}", "1/s", of=True),
+    "rotation": _Kind(Winding, "rotation number of {}", of=True),
+}
+"""What can be asked for; those with a formula are written ``mean:normal_force``.
+
+A rotation number needs a section as well, where a quantity rises through zero:
+``rotation:atan2(M_2,M_1) on n_3``.
+"""
+
+
+def asked(
+    system: System,
+    text: str,
+    until: float,
+    *,
+    tolerance: float = 1e-12,
+    variables: Mapping[str, tuple[str, str]] | None = None,
+) -> Asked:
+    """A number of the motions of a system.
+
+    Parameters
+    ----------
+    system : System
+    text : str
+        A word of `KINDS`, followed by a colon and a formula where it is a number of a formula.
+    until : float
+        How long motions are followed.
+    tolerance : float
+        Error allowed in a step.
+    variables : mapping of str to (str, str), optional
+        Meaning and unit of vectors and scalars of the state.
+
+    Raises
+    ------
+    InputError
+        If there is no such number, the formula cannot be read, or `until` is not positive.
+    """
+    if not 0 < until < math.inf:
+        raise InputError(f"until = {until:g}: motions must be followed for a positive, finite time")
+    word, colon, quantity = (part.strip() for part in text.partition(":"))
+    kind = KINDS.get(word)
+    if kind is None:
+        raise InputError(
+            f"{word}: no number has this name{nearest(word, KINDS)}; some are written with a "
+            "formula, as in mean:FORMULA"
+        )
+    if kind.of != bool(quantity) or (colon and not quantity):
+        written = f"{word}:FORMULA" if kind.of else word
+        raise InputError(f"{text}: this number is written {written}")
+    if kind.make is Winding:
+        return _rotation(kind, system, quantity, until, tolerance)
+    if not kind.of:
+        return Asked(kind.make(system, until, tolerance=tolerance), word, kind.title, kind.unit)
+    value: Any = formula(system, quantity)
+    made = kind.make(system, until, value, tolerance=tolerance)
+    measured = meaning(system, quantity, variables or {})[1] or "unknown"
+    if kind.make is Frequency:
+        _require_angle(system, text, value, measured)
+    unit = kind.unit.format(measured)
+    return Asked(made, word, kind.title.format(quantity), unit)
+
+
+def _require_angle(system: System, text: str, value: Any, unit: str) -> None:
+    """Raise InputError where a formula is known to be no angle."""
+    varying = value.free_symbols - set(system.defaults)
+    if unit not in ("rad", "1", "unknown"):
+        wrong = f"it is measured in {unit}"
+    elif varying <= directions(system) and value.is_polynomial(*varying):
+        wrong = "it stays within bounds and makes no turns"
+    else:
+        return
+    raise InputError(f"{text}: {wrong}; an angle is needed, such as atan2(gamma_2, gamma_1)")
+
+
+def _rotation(kind: _Kind, system: System, text: str, until: float, tolerance: float) -> Asked:
+    """A rotation number, from its angle and its section."""
+    angle, on, place = text.partition(" on ")
+    if not on:
+        raise InputError(
+            f"rotation:{text}: a section is needed, where a quantity rises through zero, such as "
+            f"rotation:{text} on gamma_3"
+        )
+    where = section(system, place.strip())
+    made = kind.make(system, until, formula(system, angle.strip()), where, tolerance=tolerance)
+    return Asked(made, "rotation", kind.title.format(text), kind.unit)

@@ -1,0 +1,175 @@
+"""Charts: a number of each motion of a plane of parameters and starts.
+
+A chart is a :class:`chaplygin.flow.ensemble.task.Task` whose members are rows: computed in blocks,
+kept in memory or in a Zarr store, by this process or a cluster, to the same bits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy as np
+
+from ..._version import __version__
+from ...core.system import System
+from ...errors import InputError
+from ...flow.batch import lanes
+from ...flow.ensemble.task import Coordinate, Task, Variable
+from ...flow.kernel.runge_kutta import ENDS
+from .grid import NO_NUMBER, REASONS, Axis, Plane
+
+__all__ = ["Chart", "Rule", "chart"]
+
+#: Motions that are computed at once, about.
+AT_ONCE = 2048
+
+
+class Rule(Protocol):
+    """A number of motions; a value that can be pickled, and no motion disturbs its neighbours."""
+
+    @property
+    def system(self) -> System:
+        """Whose motions they are."""
+
+    @property
+    def until(self) -> float:
+        """How long they are followed."""
+
+    @property
+    def tolerance(self) -> float:
+        """How exactly."""
+
+    @property
+    def further(self) -> Mapping[str, str]:
+        """What else it gives, such as an error: names, and meanings."""
+
+    def __call__(self, starts: Any, parameters: Mapping[Any, Any]) -> Mapping[str, Any]:
+        """The number (``"value"``), ``"outcome"`` and time reached (``"ended"``), (n,) each."""
+
+
+@dataclass(frozen=True)
+class Chart:
+    """A number over a plane: rows first, …, last − 1 ↦ arrays of numbers.
+
+    Attributes
+    ----------
+    plane : Plane
+    rule : Rule
+        The number.
+    name : str
+        What it is to be called.
+    title, unit : str
+        What it is, in words, and its unit.
+    """
+
+    plane: Plane
+    rule: Rule
+    name: str
+    title: str
+    unit: str = ""
+
+    def __call__(self, first: int, last: int) -> dict[str, Any]:
+        """Rows of the chart: numbers, outcomes and times reached, (last − first, columns)."""
+        cells = self.plane.cells(first, last)
+        good = np.flatnonzero(cells.reasons == 0)
+        arrays = {name: np.full(len(cells.reasons), np.nan) for name in (*self.numbers, "ended")}
+        outcome = cells.reasons.astype(np.int16)
+        if len(good):
+            parameters = {symbol: numbers[good] for symbol, numbers in cells.parameters.items()}
+            found = self.rule(cells.starts[good], parameters)
+            outcome[good] = found["outcome"]
+            for name, key in (*self.numbers.items(), ("ended", "ended")):
+                arrays[name][good] = found[key]
+            outcome[(outcome == 0) & ~np.isfinite(arrays[self.name])] = NO_NUMBER
+        shape = (last - first, self.plane.x.count)
+        arrays["outcome"] = outcome
+        return {name: array.reshape(shape) for name, array in arrays.items()}
+
+    @property
+    def numbers(self) -> dict[str, str]:
+        """The numbers of the result, by what the rule calls them."""
+        return {self.name: "value", **{f"{self.name}_{key}": key for key in self.rule.further}}
+
+
+def chart(made: Chart, attributes: Mapping[str, Any] | None = None) -> Task:
+    """The task that computes a chart; see :func:`chaplygin.flow.ensemble.task.compute`.
+
+    Parameters
+    ----------
+    made : Chart
+    attributes : mapping, optional
+        Further attributes of the result: numbers and texts.
+
+    Returns
+    -------
+    Task
+        Its result has the dimensions of y and x, their values as coordinates, and the variables
+        ``made.numbers``, ``outcome`` (0, or why there is no number: see its ``flag_meanings``) and
+        ``ended`` (the time reached).
+
+    Raises
+    ------
+    InputError
+        If an axis has the name of a variable of the result.
+    """
+    plane, rule = made.plane, made.rule
+    columns = (plane.x.name,)
+    shape = (plane.x.count,)
+    for item in (plane.x, plane.y):
+        if item.name in {*made.numbers, "outcome", "ended"}:
+            raise InputError(f"{item.name}: an axis must not have the name of a result")
+    titles = {"value": made.title, **rule.further}
+    return Task(
+        work=made,
+        size=plane.y.count,
+        block=max(1, AT_ONCE // plane.x.count),
+        variables={
+            **{
+                name: Variable(columns, shape, attributes=_attributes(titles[key], made.unit))
+                for name, key in made.numbers.items()
+            },
+            "outcome": Variable(columns, shape, "int16", _outcomes(rule)),
+            "ended": Variable(columns, shape, attributes=_attributes("time reached", "s")),
+        },
+        member=plane.y.name,
+        coordinates={item.name: _coordinate(item) for item in (plane.x, plane.y)},
+        attributes={
+            "system": plane.system.title,
+            "number": made.name,
+            "until": rule.until,
+            "tolerance": rule.tolerance,
+            "parameters": _listed(plane.system.defaults),
+            "start": _listed(dict(zip(plane.given.symbols, plane.base, strict=True))),
+            "formulas": [f"{symbol} = {value}" for symbol, value in plane.set],
+            "levels": [f"{quantity} = {value}" for quantity, value in plane.levels],
+            "held": [str(symbol) for symbol in plane.held],
+            "version": __version__,
+            **(attributes or {}),
+        },
+    )
+
+
+def _attributes(title: str, unit: str) -> dict[str, str]:
+    return {"long_name": title, "units": unit or "1", "source": ""}
+
+
+def _coordinate(item: Axis) -> Coordinate:
+    return Coordinate((item.name,), item.values, _attributes(item.meaning or item.name, item.unit))
+
+
+def _listed(values: Mapping[Any, float]) -> list[str]:
+    return [f"{name} = {value!r}" for name, value in values.items()]
+
+
+def _outcomes(rule: Rule) -> dict[str, Any]:
+    """What outcomes mean: numbers, and as many words for them, with underscores for blanks."""
+    flow = lanes(rule.system, tolerance=rule.tolerance)
+    reasons = {0: "followed to the end", -1: "not computed yet", **REASONS}
+    reasons |= {code: flow.reason(code) for code in range(1, len(ENDS) + len(rule.system.guards))}
+    return {
+        **_attributes("why there is no number", ""),
+        "flag_values": list(reasons),
+        "flag_meanings": " ".join(text.replace(" ", "_") for text in reasons.values()),
+    }

@@ -1,0 +1,59 @@
+"""Rotation numbers on a section, for many motions at once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+
+from ...core.system import System
+from ...flow.batch import Section
+from ...flow.sections.poincare_map import SectionMap
+from ..orbits.return_map import rotations
+from .observables import Parameters
+
+__all__ = ["Winding"]
+
+
+@dataclass(frozen=True)
+class Winding:
+    """Turns of an angle from return to return, by a weighted average; and an estimate of its error.
+
+    Attributes
+    ----------
+    system : System
+    until : float
+        Time after which to give up.
+    formula : sympy.Expr
+        An angle, in radians, up to whole turns.
+    section : Section
+        Where the motion is looked at.
+    tolerance : float
+        See :func:`chaplygin.flow.batch.lanes`.
+    count : int
+        Returns that are looked at.
+    """
+
+    system: System
+    until: float
+    formula: Any
+    section: Section
+    tolerance: float = 1e-12
+    count: int = 500
+    further: ClassVar[Mapping[str, str]] = {"error": "difference between the halves of the motion"}
+
+    def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
+        """Values, errors and outcomes, (n,) each; the times reached are not told."""
+        returning = SectionMap(
+            self.system, self.section, dict(parameters), self.tolerance, until=self.until
+        )
+        found = rotations(returning, starts, self.formula, self.count)
+        return {
+            "value": found.values,
+            "error": found.errors,
+            # an angle without a lift has no rotation number: nothing has ended the motion
+            "outcome": np.maximum(found.outcome, 0),
+            "ended": np.full(len(starts), np.nan),
+        }

@@ -1,0 +1,40 @@
+"""Borisov and Mamaev (2008), claim by claim: modules ``section_*`` in reading order.
+
+Each offers ``CLAIMS`` (what a computation decides) and ``REMARKS`` (what was not computed).
+"""
+
+from __future__ import annotations
+
+import pkgutil
+from importlib import import_module
+
+from .claim import Case, Claim, Remark
+
+__all__ = ["Case", "Claim", "Remark", "claims", "remarks"]
+
+
+def _modules() -> dict[str, int]:
+    """Modules of claims in reading order, each with the section of the paper it belongs to."""
+    folders = pkgutil.walk_packages(__path__, f"{__name__}.")
+    names = sorted(m.name for m in folders if not m.ispkg and ".section_" in m.name)
+    return {name: int(name.split(".section_")[1][:2]) for name in names}
+
+
+def claims(section: int | None = None) -> tuple[tuple[int, Claim], ...]:
+    """The claims of one section, or of the whole paper, in reading order, with their section."""
+    return tuple(
+        (number, claim)
+        for name, number in _modules().items()
+        if section in (None, number)
+        for claim in import_module(name).CLAIMS
+    )
+
+
+def remarks(section: int | None = None) -> tuple[Remark, ...]:
+    """What was not computed, in reading order."""
+    return tuple(
+        remark
+        for name, number in _modules().items()
+        if section in (None, number)
+        for remark in getattr(import_module(name), "REMARKS", ())
+    )

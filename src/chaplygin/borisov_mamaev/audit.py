@@ -1,0 +1,292 @@
+"""The audit of the paper: every claim judged as printed, and as corrected.
+
+Claims are judged in processes of their own, as many as there are processors; verdicts are kept,
+so that an audit that was interrupted goes on where it stopped, and a second one takes seconds.
+"""
+
+from __future__ import annotations
+
+import html
+import os
+import re
+import signal
+import time
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from multiprocessing import get_context
+from typing import Any
+
+from .._version import __version__
+from ..core.source_digest import whole
+from ..flow.ensemble.zarr_store import UnfinishedError
+from ..printing.mathml import mathml
+from ..proof.fields.budget import EFFORT
+from ..proof.prover import prove
+from ..proof.verdict import Decision, Verdict
+from ..proof.verdict_cache import digest, recall, remember
+from . import Case, Claim, claims, remarks
+
+__all__ = ["DECISIONS", "TITLES", "Judgement", "audit", "counts", "page"]
+
+THOROUGH = 4 * EFFORT
+"""Term operations that the proof of one claim may take."""
+
+#: What may come of a claim, in the order in which it is counted.
+DECISIONS: tuple[Decision, ...] = ("proven", "proven where", "refuted", "undecided")
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """A claim with the verdicts on its printed and its corrected form.
+
+    `corrected` is None where the printed form holds, and where no right form is known.
+    """
+
+    section: int
+    claim: Claim
+    printed: Verdict
+    corrected: Verdict | None
+    seconds: float
+
+    @property
+    def conditions(self) -> tuple[str, ...]:
+        """Where what is proven holds, if not everywhere, in the printed form or the right one."""
+        found = (v.conditions for v in (self.printed, self.corrected) if v is not None)
+        return tuple(dict.fromkeys(text for texts in found for text in texts))
+
+    @property
+    def reason(self) -> str:
+        """Why something is undecided; empty otherwise."""
+        found = (v.reason for v in (self.printed, self.corrected) if v is not None)
+        return "; ".join(dict.fromkeys(reason for reason in found if reason))
+
+    def record(self) -> dict[str, Any]:
+        """The judgement for another program; formulas in LaTeX between dollar signs."""
+        made: dict[str, Any] = {
+            "source": self.claim.source,
+            "statement": self.claim.statement,
+            "printed": self.printed.decision,
+        }
+        if self.corrected is not None:
+            made["corrected"] = self.claim.correction
+            made["verdict"] = self.corrected.decision
+        if self.claim.note:
+            made["note"] = self.claim.note
+        if self.conditions:
+            made["conditions"] = list(self.conditions)
+        if self.reason:
+            made["reason"] = self.reason
+        made["seconds"] = round(self.seconds, 3)
+        return made
+
+
+def _joined(case: Case) -> Verdict:
+    """The verdict on a case: all of its parts must hold, under all of their conditions."""
+    if isinstance(case, Verdict):
+        return case
+    if isinstance(case[0], tuple):
+        verdicts = [prove(system, law, effort=THOROUGH) for system, law in case]
+    else:
+        verdicts = [prove(case[0], case[1], effort=THOROUGH)]
+    weakest = next(
+        decision
+        for decision in ("refuted", "undecided", "proven where", "proven")
+        if any(v.decision == decision for v in verdicts)
+    )
+    chosen = next(v for v in verdicts if v.decision == weakest)
+    conditions = tuple(dict.fromkeys(text for v in verdicts for text in v.conditions))
+    return replace(
+        chosen,
+        conditions=conditions if weakest == "proven where" else (),
+        terms=max(v.terms for v in verdicts),
+        seconds=sum(v.seconds for v in verdicts),
+    )
+
+
+def _kept(name: str, decide: Callable[[], Case]) -> Verdict:
+    """A verdict from an earlier audit, or a new one that is kept."""
+    found = recall(name)
+    if found is not None:
+        return found
+    started = time.monotonic()
+    verdict = replace(_joined(decide()), seconds=time.monotonic() - started)
+    remember(name, verdict)
+    return verdict
+
+
+def judge(number: int, section: int | None) -> tuple[Verdict, Verdict | None]:
+    """Verdicts on the printed and the corrected form of one claim."""
+    _, claim = claims(section)[number]
+    names = [_name(claim, form) for form in ("printed", "corrected")]
+    printed = _kept(names[0], claim.printed)
+    corrected = None if claim.corrected is None else _kept(names[1], claim.corrected)
+    return printed, corrected
+
+
+def _name(claim: Claim, form: str) -> str:
+    return digest(claim.source, claim.statement, form, whole())
+
+
+def audit(
+    section: int | None = None,
+    workers: int | None = None,
+    report: Callable[[float], None] = lambda _: None,
+) -> tuple[tuple[Judgement, ...], int]:
+    """Judge the claims of one section, or of the whole paper.
+
+    Parameters
+    ----------
+    section : int, optional
+    workers : int, optional
+        Processes; by default one for each processor.
+    report : callable
+        Called with the share of claims that are judged.
+
+    Returns
+    -------
+    judgements : tuple of Judgement
+        In reading order; those that were done, when it was interrupted.
+    left : int
+        How many claims were left unjudged by an interruption.
+    """
+    chosen = claims(section)
+    found: dict[int, tuple[Verdict, Verdict | None]] = {}
+    waiting = []
+    for number, (_, claim) in enumerate(chosen):
+        printed = recall(_name(claim, "printed"))
+        corrected = recall(_name(claim, "corrected")) if claim.corrected else None
+        if printed is None or (claim.corrected is not None and corrected is None):
+            waiting.append(number)
+        else:
+            found[number] = printed, corrected
+    left = 0
+    if waiting:
+        left = _judged_by_processes(waiting, section, workers, found, len(chosen), report)
+    done = tuple(_judgement(*chosen[n], *found[n]) for n in sorted(found))
+    return done, left
+
+
+def _judged_by_processes(
+    waiting: Sequence[int],
+    section: int | None,
+    workers: int | None,
+    found: dict[int, tuple[Verdict, Verdict | None]],
+    total: int,
+    report: Callable[[float], None],
+) -> int:
+    """Fill `found`; how many were left when interrupted."""
+    pool = ProcessPoolExecutor(workers or os.cpu_count(), mp_context=get_context("spawn"))
+    try:
+        with _deaf():
+            tasks: dict[Future[Any], int] = {pool.submit(judge, n, section): n for n in waiting}
+        open_tasks = set(tasks)
+        while open_tasks:
+            ended, open_tasks = wait(open_tasks, timeout=0.5, return_when=FIRST_COMPLETED)
+            found.update((tasks[task], task.result()) for task in ended)
+            report(len(found) / total)
+    except KeyboardInterrupt:
+        pool.shutdown(wait=False, cancel_futures=True)
+        return total - len(found)
+    except BrokenProcessPool:
+        raise UnfinishedError(
+            f"a process ended before it had an answer, as it does when memory runs out; "
+            f"{total - len(found)} claims are not judged. Verdicts are kept: run the same again, "
+            "with fewer --workers"
+        ) from None
+    pool.shutdown()
+    return 0
+
+
+@contextmanager
+def _deaf() -> Iterator[None]:
+    """Processes that are begun in this block leave Ctrl-C to this one."""
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _judgement(
+    section: int, claim: Claim, printed: Verdict, corrected: Verdict | None
+) -> Judgement:
+    seconds = printed.seconds + (corrected.seconds if corrected is not None else 0.0)
+    return Judgement(section, claim, printed, corrected, seconds)
+
+
+def counts(judgements: Iterable[Judgement]) -> dict[str, dict[Decision, int]]:
+    """How many claims came to each of `DECISIONS`: as printed, and as corrected."""
+    table: dict[str, dict[Decision, int]] = {
+        form: dict.fromkeys(DECISIONS, 0) for form in ("printed", "corrected")
+    }
+    for judgement in judgements:
+        table["printed"][judgement.printed.decision] += 1
+        if judgement.corrected is not None:
+            table["corrected"][judgement.corrected.decision] += 1
+    return table
+
+
+# --- the page ------------------------------------------------------------------------------
+
+
+def _typeset(statement: str) -> str:
+    """Words with LaTeX between dollar signs as HTML."""
+    parts = re.split(r"\$\$(.+?)\$\$|\$(.+?)\$", statement, flags=re.S)
+    made = []
+    for i in range(0, len(parts), 3):
+        words = html.escape(parts[i])
+        made.append(re.sub(r"\*(.+?)\*", r"<em>\1</em>", words))
+        if i + 2 < len(parts):
+            display, inline = parts[i + 1], parts[i + 2]
+            made.append(mathml(display, "block") if display else mathml(inline))
+    return "".join(made)
+
+
+def page(judgements: Sequence[Judgement], section: int | None = None) -> str:
+    """The audit as one HTML page that needs no network, ordered as the paper."""
+    import jinja2
+    from markupsafe import Markup
+
+    environment = jinja2.Environment(
+        loader=jinja2.PackageLoader("chaplygin.report"),
+        autoescape=True,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters["typeset"] = lambda text: Markup(_typeset(text))
+    sections: dict[int, list[Judgement]] = {}
+    for judgement in judgements:
+        sections.setdefault(judgement.section, []).append(judgement)
+    numbers = sorted(sections) if section is None else [section]
+    notes = {number: remarks(number) for number in numbers}
+    return environment.get_template("audit.html").render(
+        version=__version__,
+        titles=TITLES,
+        decisions=DECISIONS,
+        sections=sections,
+        notes=notes,
+        counts=counts(judgements),
+        counts_by_section={n: counts(found) for n, found in sections.items()},
+        total=len(judgements),
+        seconds=sum(j.seconds for j in judgements),
+    )
+
+
+TITLES = {
+    1: "Equations of motion of nonholonomic systems",
+    2: "Nonholonomy of constraints and some isomorphisms",
+    3: "Conservation laws in nonholonomic mechanics",
+    4: "Integrability and reduction",
+    5: "Heavy rubber body of revolution on a plane",
+    6: "The Veselova system",
+    7: "The Chaplygin ball",
+    8: "The Chaplygin ball on a sphere",
+    9: "Rubber ball on a sphere",
+    10: "Dynamically non-symmetric, unbalanced ball on a plane",
+    11: "Discussion",
+    12: "Open problems",
+}
+"""Sections of the paper, with the headings they have there."""

@@ -1,0 +1,55 @@
+"""A claim of the paper: what is printed, what is right, and how both are decided."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from ..core.laws import Law
+from ..core.system import System
+from ..proof.verdict import Verdict
+
+__all__ = ["Case", "Claim", "Remark"]
+
+#: A system with a law of it, several such pairs that must all hold, or a verdict computed directly.
+Case: TypeAlias = tuple[System, Law] | tuple[tuple[System, Law], ...] | Verdict
+
+
+@dataclass(frozen=True)
+class Claim:
+    """One statement of the paper that a computation can decide.
+
+    Parameters
+    ----------
+    source : str
+        ``"(6.1)"``, ``"Theorem 7"``, ``"Remark 15"``, or section and a few words for an
+        unnumbered claim, such as ``"§5, after (5.2)"``.
+    statement : str
+        What is printed: plain words with formulas in LaTeX between dollar signs, word for word
+        in every sign that matters.
+    printed : callable
+        Makes the printed claim as a `Case`, or decides it.
+    corrected : callable, optional
+        The same for the right statement, where the printed one fails.
+    correction : str
+        The right statement, written as `statement` is.
+    note : str
+        What was wrong with the printed form, in one phrase; or how it had to be read.
+    """
+
+    source: str
+    statement: str
+    printed: Callable[[], Case]
+    corrected: Callable[[], Case] | None = None
+    correction: str = ""
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Remark:
+    """A statement of the paper that was not computed: literature, history or judgement."""
+
+    source: str
+    statement: str
+    reason: str

@@ -1,0 +1,42 @@
+"""A verdict that rests on several others."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from ...core.laws import Law
+from ...core.system import System
+from ...proof.prover import prove
+from ...proof.verdict import Verdict
+
+__all__ = ["concluded"]
+
+
+def concluded(name: str, shown: str, rests_on: Iterable[Verdict | tuple[System, Law]]) -> Verdict:
+    """Proven when everything that the conclusion rests on is.
+
+    Parameters
+    ----------
+    name : str
+    shown : str
+        What follows, in a few words.
+    rests_on : verdicts, or laws with their systems
+
+    Returns
+    -------
+    Verdict
+        Undecided where something is not proven; a premiss that fails proves no opposite.
+    """
+    verdicts = [v if isinstance(v, Verdict) else prove(*v) for v in rests_on]
+    missing = [v for v in verdicts if not v]
+    reasons = "; ".join(
+        f"{v.law}: {v.reason or ', '.join((v.decision, *v.conditions))}" for v in missing
+    )
+    return Verdict(
+        name,
+        "undecided" if missing else "proven",
+        shown="" if missing else shown,
+        reason=reasons,
+        terms=max((v.terms for v in verdicts), default=0),
+        seconds=sum(v.seconds for v in verdicts),
+    )

@@ -1,0 +1,50 @@
+"""The span of vector fields and their commutators, and the verdict on a claim about it."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping, Sequence
+
+import sympy as sp
+
+from ...mechanics.constraints import growth as mechanics
+from ...mechanics.constraints.distribution import Field, along, commutator
+from ...proof.verdict import Verdict
+
+__all__ = ["Field", "along", "commutator", "counted", "growth"]
+
+
+def growth(
+    fields: Sequence[Field], coordinates: Sequence[sp.Symbol], point: Mapping[sp.Symbol, sp.Expr]
+) -> tuple[int, ...]:
+    """Growth vector of a distribution, with its last entry twice."""
+    counts = mechanics.growth(fields, coordinates, point)
+    return (*counts, counts[-1])
+
+
+def counted(claimed: int, counts: tuple[int, ...], dimension: int, started: float) -> Verdict:
+    """The verdict on a number of holonomic constraints, from the growth of a distribution.
+
+    A function F with η(F) = 0 for every admissible field has dF annul their commutators too, so
+    that there are as many independent ones as the dimension exceeds that of the span.
+
+    Parameters
+    ----------
+    claimed : int
+        How many independent holonomic constraints there are said to be.
+    counts : tuple of int
+        As from `growth`.
+    dimension : int
+        Of the configuration space.
+    started : float
+        Monotonic time at which the computation began.
+    """
+    true = dimension - counts[-1]
+    return Verdict(
+        "holonomic_constraints",
+        "proven" if claimed == true else "refuted",
+        shown=f"the span grows as {', '.join(map(str, counts))} in dimension {dimension}: "
+        f"{true} holonomic constraints",
+        seconds=time.monotonic() - started,
+        witness=None if claimed == true else {"claimed": claimed, "true": true},
+    )

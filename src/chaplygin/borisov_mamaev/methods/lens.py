@@ -1,0 +1,71 @@
+"""Marble bodies of revolution, not spheres, with an elementary integral linear in ω (§5).
+
+With the height p(γ₃) of the centre of mass above the plane, the radii of curvature ρ₁ of the
+meridian and ρ₂ across it, r₃ and ξ² = r₁² + r₂², let the profile obey
+
+    I₃ γ₃ r₃ ρ₁ + (I₃ + mξ²) p ρ₂ = 0.
+
+This is an equation of second order for p.  Around a pole its solutions are smooth convex caps,
+two of which make a lens; M₃/√(I₃ + mξ²) is then constant in any potential U(γ₃).
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import sympy as sp
+
+from ...core.laws import Integral
+from ...core.system import System
+from ...core.vectors import scalar, vectors
+from ...mechanics.rolling.body import Body
+from ...mechanics.rolling.equations import Field, roll
+from ...mechanics.rolling.shapes import Revolution
+
+__all__ = ["curvatures", "height", "lens", "linear_integral", "slope"]
+
+M, omega, gamma, r = vectors("M omega gamma r")
+m, I_1, I_2, I_3 = (scalar(s) for s in ("m", "I_1", "I_2", "I_3"))
+#: The names that the mechanics gives to the support function and its derivatives.
+height, slope, bend = scalar("p"), scalar("pprime"), scalar("pprime2")
+g_1, g_2, g_3 = gamma.symbols
+LEAN = 1 - g_3**2
+POTENTIAL = sp.Function("U")(g_3)
+
+
+def curvatures() -> tuple[sp.Expr, sp.Expr]:
+    """ρ₁ and ρ₂ of a lens, in γ₃, p and p′."""
+    across = height - g_3 * slope
+    r_3 = -(g_3 * height + LEAN * slope)
+    along = -(I_3 + m * LEAN * across**2) * height * across / (I_3 * g_3 * r_3)
+    return along, across
+
+
+def lens(potential: sp.Expr = POTENTIAL) -> System:
+    """A lens with marble contact, heavy and in a potential U(γ₃), by default an unspecified one.
+
+    State M, γ, and p, p′ at the contact, whose rates follow from the equation of the profile.
+    """
+    any_profile = Revolution(1 + g_3**2 / 4)
+    made = roll(Body(1.0, (0.3, 0.3, 0.2), any_profile), field=Field(9.81, potential))
+    along, across = curvatures()
+    nod = g_1 * omega.symbols[1] - g_2 * omega.symbols[0]
+    kept = tuple(item for item in made.definitions if item[0] not in (height, slope, bend))
+    return replace(
+        made,
+        name="marble-lens",
+        title="Marble lens",
+        field=(*made.field, (height, slope * nod), (slope, bend * nod)),
+        definitions=((bend, (along - across) / LEAN), *kept),
+        guards=(),
+        observables=(),
+        motion=None,
+        laws=(),
+    )
+
+
+def linear_integral() -> Integral:
+    """M₃/√(I₃ + m(r₁² + r₂²))."""
+    reach = r.symbols[0] ** 2 + r.symbols[1] ** 2
+    value = M.symbols[2] / sp.sqrt(I_3 + m * reach)
+    return Integral("linear", value, "integral linear in ω", on=(I_1 - I_2,))

@@ -1,0 +1,76 @@
+"""An obstruction to an invariant measure that is smooth where a marble ball is at rest.
+
+Ṁ is quadratic in M, γ̇ is linear in M.  If the density ρ(M, γ) is positive and continuously
+differentiable at M = 0, the terms of first order in M of v(ln ρ) + div v = 0 are
+
+    γ̇ · ∂ ln ρ(0, γ)/∂γ + div v = 0.
+
+A ball that spins about the normal has γ̇ = 0, so that div v must vanish for ω = γ.  The numbers are
+rational, and the divergence is exact: a quadratic function is differentiated by a central
+difference, and γ̇ of a ball has no divergence.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from functools import reduce
+from operator import add, mul
+
+import sympy as sp
+
+from ...core.system import System
+from ...core.vectors import explicit, vectors
+
+__all__ = ["divergence_of_spin"]
+
+M, omega, gamma = vectors("M omega gamma")
+
+Known = Mapping[sp.Symbol, Fraction]
+
+
+def divergence_of_spin(system: System, place: Sequence[Fraction]) -> Fraction:
+    """div v of a marble ball for ω = γ.
+
+    Parameters
+    ----------
+    system : System
+        State M, γ; the default parameters are read as decimal fractions.
+    place : 3 rational numbers
+        γ, a unit vector.
+    """
+    spinning = _known(system, dict(zip(omega.symbols, place, strict=True)), place)
+    momentum = [_evaluated(part, spinning) for part in explicit(dict(system.start)[M])]
+    rates = dict(zip(system.symbols, system.rates, strict=True))
+    total = Fraction(0)
+    for i, symbol in enumerate(M.symbols):
+        for sign in (1, -1):
+            shifted = dict(zip(M.symbols, momentum, strict=True))
+            shifted[symbol] = momentum[i] + sign
+            rate = _evaluated(rates[symbol], _known(system, shifted, place))
+            total += Fraction(sign, 2) * rate
+    return total
+
+
+def _known(system: System, state: Known, place: Sequence[Fraction]) -> dict[sp.Symbol, Fraction]:
+    """Parameters, state, and the definitions that follow from them."""
+    known = {p.symbol: Fraction(str(p.default)) for p in system.parameters}
+    known |= {**state, **dict(zip(gamma.symbols, place, strict=True))}
+    for symbol, formula in system.steps:
+        if symbol not in known and formula.free_symbols <= set(known):
+            known[symbol] = _evaluated(formula, known)
+    return known
+
+
+def _evaluated(formula: sp.Expr, known: Known) -> Fraction:
+    """A rational formula."""
+    if formula.is_Symbol:
+        return known[formula]
+    if formula.is_Add or formula.is_Mul:
+        parts = [_evaluated(arg, known) for arg in formula.args]
+        return reduce(add if formula.is_Add else mul, parts)
+    if formula.is_Pow:
+        made: Fraction = _evaluated(formula.base, known) ** int(formula.exp)
+        return made
+    number = sp.Rational(formula)
+    return Fraction(int(number.p), int(number.q))

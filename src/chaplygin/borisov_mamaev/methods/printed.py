@@ -1,0 +1,33 @@
+"""Laws of the catalogue as the paper prints them."""
+
+from __future__ import annotations
+
+from ...core.laws import Law
+from ...core.system import System
+
+__all__ = ["law_named", "printed_form"]
+
+
+def law_named(system: System, name: str) -> Law:
+    """The law of a system by its name.
+
+    Raises
+    ------
+    ValueError
+        If there is none, or more than one.
+    """
+    (law,) = (item for item in system.laws if getattr(item, "name", "") == name)
+    return law
+
+
+def printed_form(law: Law) -> Law:
+    """The misprinted form of a law.
+
+    Raises
+    ------
+    ValueError
+        If the paper prints the law as it is.
+    """
+    if law.as_printed is None:
+        raise ValueError("the paper prints this law as it is")
+    return law.as_printed

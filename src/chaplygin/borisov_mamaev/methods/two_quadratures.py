@@ -1,0 +1,103 @@
+"""The ball around a sphere beside the ball on a plane: their quadratures compared (§8.2).
+
+With w = 1/u the separated equations of
+:mod:`chaplygin.catalogue.ball_on_sphere.ball_around_sphere_coordinates` are ẇ₁²/R(w₁) = ẇ₂²/R(w₂)
+with the polynomial of degree six
+
+    R(w) = (1 − A₁w)(1 − A₂w)(1 − A₃w)(e₂ − e₃w) q(w),
+    q(w) = w² (h (τ − 1/w) L(1/w) − f Q(1/w)),
+
+h = (M, ω), f = M²: p(u), L(u) and Q(u) of that module become its factors.  The trajectories are
+Σ dw/√R(w) = 0, and those of the Chaplygin ball with (M, γ) = 0 are Σ dz/y = 0 with the six roots
+I₁, I₂, I₃, 0, −D, f/h − D (:mod:`chaplygin.explicit.separations.chaplygin_ball`).
+
+Such an equation keeps its form under affine maps alone.  Let one, which may depend on the level,
+take the roots of R into those of a Chaplygin ball, for all levels of a range.  Five of the latter
+do not depend on the level f/h.  Among any five roots of R three at least are of the four that do
+not depend on it either; they fix the map, which so does not depend on the level.  But one of the
+five is a root of q, both of which depend on it: a contradiction.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ...catalogue.ball_on_sphere import ball_around_sphere_coordinates as chart
+from ...catalogue.ball_on_sphere import ball_on_sphere_equations as ball
+from ...core.laws import Law
+from ...core.system import System
+from ...core.vectors import scalar
+from ...explicit.separations.chaplygin_ball import chaplygin_ball
+from ...explicit.separations.fedorov import fedorov
+from ...proof.verdict import Verdict
+from .conclusion import concluded
+
+__all__ = ["alike", "level_factor", "not_the_same", "roots_that_move"]
+
+h, f, w = scalar("h"), scalar("f"), scalar("w")
+
+
+def level_factor() -> sp.Expr:
+    """q(w)."""
+    u = 1 / w
+    form = h * (chart.tau - u) * chart.scale(u) - f * chart.ratio_form(u)
+    value: sp.Expr = sp.expand(w**2 * form)
+    return value
+
+
+def roots_that_move() -> tuple[int, int]:
+    """How many roots depend on f/h: for the ball around a sphere, and for Chaplygin's ball.
+
+    A root of q that does not would be one of its part with h, w = 1/τ or e₂/e₃, where the part with
+    f is −I₁I₂I₃/τ² and d, both not zero.
+    """
+    tensor = chart.A.symbols
+    e_3 = sp.Mul(*tensor)
+    e_2 = sp.Add(*(e_3 / a for a in tensor))
+    with_h, with_f = (level_factor().coeff(s) for s in (h, f))
+    central = sp.Mul(*(chart.tau - a for a in tensor))
+    # d = tr A − τ
+    lever = sp.Add(*tensor) - chart.tau
+    places = {1 / chart.tau: -central / chart.tau**2, e_2 / e_3: lever}
+    vanishing = [sp.cancel(with_h.subs(w, place)) == 0 for place in places]
+    known = [
+        sp.cancel(with_f.subs(w, place).subs(chart.d, lever) - value) == 0
+        for place, value in places.items()
+    ]
+    around = 2 if all(vanishing) and all(known) and sp.degree(with_h, w) == 2 else 0
+    level = {scalar("f"), scalar("h")}
+    own = sum(bool(sp.sympify(root).free_symbols & level) for root in chaplygin_ball().roots)
+    return around, own
+
+
+def _separations() -> tuple[tuple[System, Law], ...]:
+    around = chart.coordinates()
+    return (
+        *((made.system, law) for made in (chaplygin_ball(), fedorov()) for law in made.laws),
+        *((around, law) for law in around.laws),
+        (ball.vanishing_area(), chart.of_ball()),
+    )
+
+
+def alike() -> Verdict:
+    """Both problems are separated on curves of genus two."""
+    return concluded(
+        "alike",
+        "both are separated, with polynomials of degree six",
+        _separations(),
+    )
+
+
+def not_the_same() -> Verdict:
+    """That no Chaplygin ball has the quadratures of a ball around a sphere on all levels."""
+    around, own = roots_that_move()
+    rests_on = alike()
+    shown = bool(rests_on) and (around, own) == (2, 1)
+    return Verdict(
+        "quadratures",
+        "proven" if shown else "undecided",
+        shown=f"{around} of the six roots depend on the level, {own} of those of Chaplygin's ball",
+        reason="" if shown else rests_on.reason or "the roots are not as they should be",
+        terms=rests_on.terms,
+        seconds=rests_on.seconds,
+    )

@@ -1,0 +1,28 @@
+"""What the claims of §10.1 and §10.2 share: the symbols of the unbalanced ball."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sympy.matrices.expressions import MatrixExpr
+
+from ...core.laws import Rate
+from ...core.vectors import Diagonal, constant, cross, explicit, scalar, vectors
+
+M, omega, gamma, r, c = vectors("M omega gamma r c")
+I = Diagonal("I")
+m, R = scalar("m"), scalar("R")
+
+NORMAL: dict[str, object] = {"gamma_1": "2/7", "gamma_2": "-3/7", "gamma_3": "6/7"}
+#: a of r = −Rγ − a; c goes from the centre of mass to the geometric centre.
+OFFSET = -c
+
+M_RATE, OMEGA_RATE, GAMMA_RATE, R_RATE = (
+    constant([Rate(s) for s in explicit(vector)]) for vector in (M, omega, gamma, r)
+)
+
+
+def about_contact(turning: Any) -> MatrixExpr:
+    """Ĩ applied to a vector: I u + m r×(u×r)."""
+    made: MatrixExpr = I * turning + m * cross(r, cross(turning, r))
+    return made

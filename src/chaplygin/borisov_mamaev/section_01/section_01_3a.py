@@ -1,0 +1,320 @@
+"""§1.3, from (1.10) to (1.16): configuration space, kinematics, constraints and energies."""
+
+from __future__ import annotations
+
+import time
+from functools import cache
+from itertools import product
+
+import sympy as sp
+
+from ...catalogue.bodies.any_shape import SUPPORT
+from ...catalogue.bodies.rubber_body import any_rubber_body
+from ...catalogue.rates import rate
+from ...core.laws import Identity, Rate
+from ...core.system import System
+from ...core.vectors import (
+    Diagonal,
+    constant,
+    cross,
+    dot,
+    explicit,
+    gradient,
+    normed,
+    unit,
+    vectors,
+)
+from ...mechanics.rolling.attitude import rotation
+from ...mechanics.rolling.body import Body
+from ...mechanics.rolling.equations import roll
+from ...mechanics.rolling.shapes import Ellipsoid
+from ...proof.verdict import Verdict
+from ..claim import Case, Claim, Remark
+from ..methods.free_body import COORDINATES, bracket, moving, shift, turn
+from ..methods.growth import Field, along
+
+alpha, beta, gamma, R, omega, v, r, c = vectors("alpha beta gamma R omega v r c")
+I, B = Diagonal("I"), Diagonal("B")
+THREE = range(3)
+HALF = sp.Rational(1, 2)
+DIRECTIONS = (alpha, beta, gamma)
+#: Q of (1.10), with the columns α, β, γ.
+Q = sp.ImmutableDenseMatrix.hstack(*(explicit(u) for u in DIRECTIONS))
+FUNCTION = sp.Function("h_f")(*COORDINATES)
+
+
+@cache
+def body() -> System:
+    """A body in space that moves with any ω and v."""
+    return moving()
+
+
+@cache
+def rubber() -> System:
+    """A rubber body of any shape on a plane."""
+    return any_rubber_body()
+
+
+@cache
+def ellipsoid() -> System:
+    """A rolling ellipsoid, whose surface has the equation (r, B⁻¹r) = 1."""
+    return roll(Body(1.0, (1.0, 1.5, 2.1), Ellipsoid((1.0, 0.9, 0.8))))
+
+
+def _same(first: Field, second: Field) -> list[sp.Expr]:
+    return [first.get(s, sp.S.Zero) - second.get(s, sp.S.Zero) for s in COORDINATES]
+
+
+def _scaled(field: Field, number: sp.Expr) -> Field:
+    return {symbol: number * value for symbol, value in field.items()}
+
+
+# --- (1.10)–(1.13) -------------------------------------------------------------------------
+
+
+def orthogonal() -> Case:
+    """Q keeps orthonormal columns and its determinant."""
+    return body(), Identity("orthogonal", (Q * Q.T - sp.eye(3), Q.det() - 1))
+
+
+def redundant() -> Verdict:
+    """Rank of the six relations between the nine direction cosines, at a rational rotation."""
+    started = time.monotonic()
+    relations = [
+        dot(first, second) for i, first in enumerate(DIRECTIONS) for second in DIRECTIONS[: i + 1]
+    ]
+    symbols = COORDINATES[:9]
+    point = dict(zip(symbols, rational_rotation().flat(), strict=True))
+    rows = [[sp.diff(explicit(f), s).xreplace(point) for s in symbols] for f in relations]
+    rank = sp.Matrix(rows).rank()
+    return Verdict(
+        "redundant",
+        "proven" if 0 < rank == len(relations) else "undecided",
+        shown=f"nine coordinates with {rank} independent relations: three are free",
+        seconds=time.monotonic() - started,
+    )
+
+
+def rational_rotation() -> sp.ImmutableDenseMatrix:
+    """A rotation with rational entries, rows α, β, γ."""
+    quaternion = (sp.Rational(1, 5), sp.Rational(2, 5), sp.Rational(-2, 5), sp.Rational(4, 5))
+    symbols = tuple(moving().symbols[:4])
+    return constant(rotation().xreplace(dict(zip(symbols, quaternion, strict=True))))
+
+
+def turning() -> Case:
+    """The rate of any function of the attitude is Σ ω_k ξ_k of it."""
+    function = sp.Function("h_f")(*COORDINATES[:9])
+    total = sp.Add(*(w * along(turn(k), function) for k, w in enumerate(omega)))
+    return body(), Identity("turning", Rate(function) - total)
+
+
+def shifting_printed() -> Case:
+    """ζ_k with the index i, summed over as in ξ_k: then it is the same for all k."""
+    total = [sp.Add(*v.symbols) * sp.Add(*direction.symbols) for direction in DIRECTIONS]
+    return body(), Identity("shifting", rate(R) - constant(total))
+
+
+def shifting() -> Case:
+    """The rate of R is Σ v_k ζ_k of it."""
+    fields = [_scaled(shift(k), w) for k, w in enumerate(v)]
+    total = [sp.Add(*(field[symbol] for field in fields)) for symbol in R]
+    return body(), Identity("shifting", rate(R) - constant(total))
+
+
+def commutators() -> Case:
+    """The commutators of ξ and ζ, component by component."""
+    residuals: list[sp.Expr] = []
+    for i, j in product(THREE, repeat=2):
+        k = next((n for n in THREE if sp.LeviCivita(i, j, n) != 0), 0)
+        sign = sp.LeviCivita(i, j, k)
+        residuals += _same(bracket(turn(i), turn(j)), _scaled(turn(k), sign))
+        residuals += _same(bracket(turn(i), shift(j)), _scaled(shift(k), sign))
+        residuals += _same(bracket(shift(i), shift(j)), {})
+    return body(), Identity("commutators", tuple(residuals))
+
+
+def rates_of_attitude() -> Case:
+    """Q̇ = ω̃Q with ω̃_ij = ε_ijk ω_k."""
+    tilde = sp.Matrix(
+        3, 3, lambda i, j: sum(sp.LeviCivita(i, j, k) * w for k, w in enumerate(omega))
+    )
+    change = sp.ImmutableDenseMatrix.hstack(*(explicit(rate(u)) for u in DIRECTIONS))
+    return body(), Identity("attitude", change - constant(tilde) * Q)
+
+
+def rates_of_place() -> Case:
+    """Ṙ = Q⁻¹v, in the form QṘ = v."""
+    return body(), Identity("place", Q * explicit(rate(R)) - explicit(v))
+
+
+# --- constraints ---------------------------------------------------------------------------
+
+
+def no_slip() -> Case:
+    """The velocity of the point r of the body is v + ω×r."""
+    point = constant([x + dot(u, r) for x, u in zip(R, DIRECTIONS, strict=True)])
+    slip = explicit(v + cross(omega, r))
+    return body(), Identity("no_slip", rate(point) - constant(Q.T * slip))
+
+
+def inward_normal() -> Case:
+    """γ = −∇f/|∇f| at the contact point of an ellipsoid."""
+    slope = 2 * B**-1 * r
+    length = sp.sqrt(normed(slope))
+    return ellipsoid(), Identity("normal", (gamma + slope / length, dot(r, B**-1 * r) - 1))
+
+
+def no_spin() -> Case:
+    """(ω, γ) is the third component of the angular velocity in space."""
+    return body(), Identity("no_spin", (rotation() * explicit(omega))[2] - dot(omega, gamma))
+
+
+# --- energies ------------------------------------------------------------------------------
+
+
+def kinetic() -> Case:
+    """Three pairs of point masses on the axes: any mass and any principal moments."""
+    masses = [sp.Symbol(f"r_{i}", real=True) ** 2 for i in (1, 2, 3)]
+    velocities = [v + sign * cross(omega, unit(i + 1)) for i in THREE for sign in (-1, 1)]
+    total = sp.Add(*(HALF * masses[n // 2] * normed(u) for n, u in enumerate(velocities)))
+    whole = 2 * sp.Add(*masses)
+    moments = [whole - 2 * mass for mass in masses]
+    inertia = sp.Add(*(i * w**2 for i, w in zip(moments, omega, strict=True)))
+    return body(), Identity("kinetic", total - HALF * whole * normed(v) - HALF * inertia)
+
+
+def height() -> Case:
+    """−(r, γ) rises as the centre of mass does: its rate is (v, γ) with v = r×ω."""
+    return rubber(), Identity("height", Rate(dot(r, gamma)) + dot(gamma, cross(r, omega)))
+
+
+def weight() -> Case:
+    """∂(r, γ)/∂γ × γ = r×γ: the couple of U = −mg(r, γ) is that of the reaction mgγ at r."""
+    slope = gradient(SUPPORT, gamma, "h")
+    lever = dot(c, gamma) + (dot(gamma, slope) - SUPPORT) * normed(gamma) - dot(gamma, slope)
+    arm = constant([sp.diff(explicit(lever), s) for s in gamma])
+    return rubber(), Identity("weight", cross(arm, gamma) - cross(r, gamma))
+
+
+CLAIMS = (
+    Claim(
+        "(1.10)",
+        r"$\mathbf Q$ with the columns $\boldsymbol\alpha,\boldsymbol\beta,\boldsymbol\gamma$, the "
+        r"projections of the orths of the immovable space on the movable axes, is an orthogonal "
+        r"matrix, $\mathbf Q\in SO(3)$",
+        orthogonal,
+        note="decided with a unit quaternion as attitude",
+    ),
+    Claim(
+        "Remark 4",
+        r"$\alpha_i,\beta_i,\gamma_i$ define redundant coordinates on $SO(3)$",
+        redundant,
+    ),
+    Claim(
+        "(1.11), first line",
+        r"$\boldsymbol\omega=\sum_k\omega_k\boldsymbol\xi_k$, $\boldsymbol\xi_k=-\sum_{i,j}"
+        r"\varepsilon_{kij}\left(\alpha_i\frac\partial{\partial\alpha_j}+\beta_i\frac\partial{"
+        r"\partial\beta_j}+\gamma_i\frac\partial{\partial\gamma_j}\right)$",
+        turning,
+        note="judged by the rate of the quaternion, ½q(0, ω)",
+    ),
+    Claim(
+        "(1.11), second line",
+        r"$\mathbf v=\sum_kv_k\boldsymbol\zeta_k$, $\boldsymbol\zeta_k=\alpha_i\frac\partial{"
+        r"\partial R_1}+\beta_i\frac\partial{\partial R_2}+\gamma_i\frac\partial{\partial R_3}$",
+        shifting_printed,
+        shifting,
+        r"$\boldsymbol\zeta_k=\alpha_k\frac\partial{\partial R_1}+\beta_k\frac\partial{\partial "
+        r"R_2}+\gamma_k\frac\partial{\partial R_3}$",
+        "the index of α, β, γ is k; printed, i is free (read as summed over, as in ξ_k)",
+    ),
+    Claim(
+        "(1.12)",
+        r"$[\boldsymbol\xi_i,\boldsymbol\xi_j]=\varepsilon_{ijk}\boldsymbol\xi_k$, $[\boldsymbol"
+        r"\xi_i,\boldsymbol\zeta_j]=\varepsilon_{ijk}\boldsymbol\zeta_k$, $[\boldsymbol\zeta_i,"
+        r"\boldsymbol\zeta_j]=0$",
+        commutators,
+        note="with [u, w] = uw − wu and ζ_k as corrected",
+    ),
+    Claim(
+        "(1.13), first equation",
+        r"$\dot{\mathbf Q}=\tilde{\boldsymbol\omega}\mathbf Q$ with $\tilde\omega_{ij}="
+        r"\varepsilon_{ijk}\omega_k$",
+        rates_of_attitude,
+        note="this ω̃ is minus the matrix of u ↦ ω×u, as it must be for α̇ = α×ω",
+    ),
+    Claim(
+        "(1.13), second equation",
+        r"$\dot{\mathbf R}=\mathbf Q^{-1}\mathbf v$",
+        rates_of_place,
+    ),
+    Claim(
+        "(1.14)",
+        r"the velocity of the contact point vanishes: $\mathbf v+\boldsymbol\omega\times\mathbf "
+        "r=0$",
+        no_slip,
+    ),
+    Claim(
+        "§1.3, before (1.15)",
+        r"if $f(\mathbf r)=0$ is the equation of the surface, $\boldsymbol\gamma=-\frac{\nabla "
+        r"f(\mathbf r)}{|\nabla f(\mathbf r)|}$",
+        inward_normal,
+        note="decided for an ellipsoid, f negative inside; the normals of body and plane are "
+        "opposite to each other",
+    ),
+    Claim(
+        "(1.15)",
+        r"the projection of the angular velocity on the normal of the plane vanishes: $(\boldsymbol"
+        r"\omega,\boldsymbol\gamma)=0$",
+        no_spin,
+    ),
+    Claim(
+        "§1.3, before (1.16)",
+        r"$T=\frac12m\mathbf v^2+\frac12(\boldsymbol\omega,\mathbf I\boldsymbol\omega)$",
+        kinetic,
+        note="decided for six point masses on the principal axes",
+    ),
+    Claim(
+        "(1.16)",
+        r"$U=mgh=-mg(\mathbf r,\boldsymbol\gamma)$",
+        height,
+        note="for an unspecified support function: −(r, γ) changes as the height of the centre of "
+        "mass",
+    ),
+    Claim(
+        "§1.3, after (1.16)",
+        r"since $\mathbf r=\mathbf r(\boldsymbol\gamma)$, the potential depends only on "
+        r"$\boldsymbol\gamma$, $U=U(\boldsymbol\gamma)$",
+        weight,
+        note="decided as: the couple −∂U/∂γ×γ of (1.17) is that of the weight and of its support, "
+        "for an unspecified support function",
+    ),
+)
+
+REMARKS = (
+    Remark(
+        "§1.3",
+        r"the pair $(\mathbf R,\mathbf Q)\in\mathbb R^3\otimes SO(3)$ uniquely determines the "
+        "position of the body",
+        "definition of the configuration space",
+    ),
+    Remark(
+        "§1.3, before (1.11)",
+        "projections on the movable axes $Oxyz$",
+        "the movable axes are called $Cxyz$ everywhere else",
+    ),
+    Remark(
+        "§1.3, before (1.15)",
+        r"if the body is elsewhere convex, $\mathbf r$ can be uniquely expressed through "
+        r"$\boldsymbol\gamma$",
+        "the Gauss map of a closed strictly convex surface is one to one: a theorem of geometry; "
+        "read 'everywhere' for 'elsewhere'",
+    ),
+    Remark(
+        "§1.3, after (1.15)",
+        "in the Euler angles the constraints have a cumbersome form",
+        "judgement",
+    ),
+    Remark("§1.3", "mechanical realizations of the constraints; names of the systems", "history"),
+)

@@ -1,0 +1,1 @@
+"""Claims of §2 of Borisov and Mamaev (2008)."""

@@ -1,0 +1,201 @@
+"""§3.1: first integrals, symmetry fields, conservation of energy."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ...catalogue import CATALOGUE
+from ...core.laws import Identity, Rate
+from ...core.system import System
+from ...core.vectors import Vector
+from ...mechanics.rolling.body import Body
+from ...mechanics.rolling.equations import Field, roll
+from ...mechanics.rolling.shapes import Ellipsoid
+from ..claim import Case, Claim, Remark
+from ..methods.named import named
+from ..methods.unspecified import fields, gradient, of, system
+
+q = sp.symbols("q_1:4", real=True)
+w = sp.symbols("w_1:4", real=True)
+x = sp.symbols("x_1:4", real=True)
+
+# --- integrals and symmetry fields ---------------------------------------------------------
+
+
+def rate_of_a_function() -> Case:
+    """Ḟ = (∇F, v) for any F and v."""
+    (F,) = of("F", *x)
+    field = fields("v1 v2 v3", x)
+    along = sp.Add(*(sp.diff(F, s) * rate for s, rate in field.items()))
+    return system("field", "ẋ = v(x)", field), Identity("rate", Rate(F) - along)
+
+
+def symmetry_of_integrals() -> Case:
+    """[u, v] = 0 in components: u takes the rate of any F into the rate of u(F)."""
+    (F,) = of("F", *x)
+    v, u = fields("v1 v2 v3", x), fields("u1 u2 u3", x)
+
+    def along(field: dict[sp.Symbol, sp.Expr], function: sp.Expr) -> sp.Expr:
+        return sp.Add(*(sp.diff(function, s) * rate for s, rate in field.items()))
+
+    lie = sp.Add(*((along(u, v[s]) - along(v, u[s])) * sp.diff(F, s) for s in x))
+    commuted = along(u, along(v, F)) - along(v, along(u, F)) - lie
+    return system("field", "ẋ = v(x)", v), Identity("commutator", commuted)
+
+
+# --- energy of (1.9) -----------------------------------------------------------------------
+
+FRAME = sp.Matrix(3, 3, lambda i, j: of(f"G{i + 1}{j + 1}", *q)[0])
+VELOCITY = FRAME * sp.Matrix(w)
+(LAGRANGIAN,) = of("L", *q, *w)
+ENERGY = sp.Add(*(s * sp.diff(LAGRANGIAN, s) for s in w)) - LAGRANGIAN
+
+
+def _structure(i: int, j: int, k: int) -> sp.Expr:
+    """Unspecified structure functions c_ij^k = −c_ji^k."""
+    if i == j:
+        return sp.S.Zero
+    first, second = min(i, j), max(i, j)
+    (value,) = of(f"c{first + 1}{second + 1}{k + 1}", *q)
+    return value if i < j else -value
+
+
+def _any_motion() -> System:
+    """q̇ = G w with unspecified ẇ."""
+    field = dict(zip(q, VELOCITY, strict=True)) | dict(zip(w, of("a1 a2 a3", *q, *w), strict=True))
+    return system("motion", "q̇ = G(q) w", field)
+
+
+def _left_side(i: int) -> sp.Expr:
+    """d/dt ∂L/∂w_i − Σ c_ji^k ∂L/∂w_k w_j − E_i(L), the left side of (1.9)."""
+    momenta = gradient(LAGRANGIAN, w)
+    turning = sp.Add(*(_structure(j, i, k) * momenta[k] * w[j] for j in range(3) for k in range(3)))
+    along = sp.Add(*(FRAME[j, i] * sp.diff(LAGRANGIAN, q[j]) for j in range(3)))
+    return Rate(momenta[i]) - turning - along
+
+
+def energy_identity() -> tuple[System, Identity]:
+    """Ė = Σ w_i × (left side of (1.9))_i along every motion, whatever ẇ is."""
+    power = sp.Add(*(s * _left_side(i) for i, s in enumerate(w)))
+    return _any_motion(), Identity("power", Rate(ENERGY) - power)
+
+
+def euler(degree: int) -> tuple[System, Identity]:
+    """Euler's theorem for an unspecified homogeneous polynomial in w of the given degree."""
+    monomials = sp.itermonomials(w, degree, degree)
+    ordered = sorted(monomials, key=sp.default_sort_key)
+    f = sp.Add(*(of(f"a{i}", *q)[0] * term for i, term in enumerate(ordered)))
+    residual = sp.Add(*(sp.diff(f, s) * s for s in w)) - degree * f
+    return _any_motion(), Identity(f"degree {degree}", residual)
+
+
+def theorem_1() -> Case:
+    """Ė = Σ λ_μ ϰ_μ f_μ, which vanishes on the constraints."""
+    return energy_identity(), *(euler(degree) for degree in (1, 2, 3))
+
+
+def power_of_reactions() -> Case:
+    """The formula for Ė in the proof; (1.9) says that the left sides are Σ λ_μ ∂f_μ/∂w_i."""
+    return energy_identity()
+
+
+def eulers_theorem() -> Case:
+    """Homogeneous constraints of degree one, two and three."""
+    return tuple(euler(degree) for degree in (1, 2, 3))
+
+
+def energy_in_coordinates() -> Case:
+    """(1.6): the frame is that of the coordinates."""
+    momenta = gradient(LAGRANGIAN, w)
+    field = dict(zip(q, w, strict=True)) | dict(zip(w, of("a1 a2 a3", *q, *w), strict=True))
+    power = sp.Add(*(s * (Rate(momenta[i]) - sp.diff(LAGRANGIAN, q[i])) for i, s in enumerate(w)))
+    moving = system("motion", "q̇ = w", field)
+    return moving, Identity("power", Rate(ENERGY) - power)
+
+
+def homogeneous_constraints() -> Case:
+    """Σ q̇ ∂f/∂q̇ − f = −b for f = Σ a_k q̇_k + b, so that f is homogeneous just when b = 0."""
+    a, (b,) = of("a1 a2 a3", *q), of("b", *q)
+    f = sp.Add(*(s * rate for s, rate in zip(a, w, strict=True))) + b
+    residual = sp.Add(*(sp.diff(f, s) * s for s in w)) - f + b
+    return _any_motion(), Identity("degree", residual)
+
+
+def examples() -> Case:
+    """The energy of the rubber body in any potential, of the Chaplygin ball and of Veselova's."""
+    gamma = Vector("gamma")
+    potential = sp.Function("U")(*gamma.symbols)
+    body = Body(1.0, (1.0, 1.5, 2.1), Ellipsoid((1.0, 0.9, 0.8)))
+    rubber = roll(body, contact="rubber", field=Field(potential=potential))
+    made = [rubber, *(CATALOGUE[name].system() for name in ("chaplygin-ball", "veselova"))]
+    return tuple((each, named(each, "energy")) for each in made)
+
+
+CLAIMS = (
+    Claim(
+        "§3.1, first integral",
+        r"a function $F(\mathbf{x})$ is a first integral if "
+        r"$\dot F = (\nabla F, \mathbf{v}(\mathbf{x})) = 0$",
+        rate_of_a_function,
+        note="read as the formula for the rate of any function",
+    ),
+    Claim(
+        "(3.2)",
+        r"a vector field $\mathbf{u}(\mathbf{x})$ is a symmetry field if "
+        r"$[\mathbf{u}(\mathbf{x}), \mathbf{v}(\mathbf{x})] = 0$, where $[\cdot,\cdot]$ is the Lie "
+        "bracket in the phase space",
+        symmetry_of_integrals,
+        note="read as: the components of the bracket are those of the commutator of derivatives, "
+        "so that the derivative along u of an integral is an integral",
+    ),
+    Claim(
+        "Theorem 1, (3.3)",
+        r"If $\hat L(\mathbf{q}, \mathbf{w})$ and the constraints are independent of time and the "
+        r"constraints are homogeneous functions of $w_i$, the system (1.9) preserves the energy "
+        r"$\mathcal{E} = \sum w_i\,\partial\hat L/\partial w_i - \hat L$ (3.3)",
+        theorem_1,
+        note="for three degrees of freedom and polynomial constraints of degree one to three",
+    ),
+    Claim(
+        "Theorem 1, proof",
+        r"$\dot{\mathcal{E}} = \sum_{\mu,i} \lambda_\mu "
+        r"\frac{\partial\hat f_\mu}{\partial w_i} w_i$",
+        power_of_reactions,
+        note="by (1.9) the reactions are the left sides of its first line; their power is Ė",
+    ),
+    Claim(
+        "Theorem 1, proof, Euler's theorem",
+        r"$\frac{\partial \hat f_\mu}{\partial w_i} w_i = \varkappa_\mu \hat f_\mu$, where "
+        r"$\varkappa_\mu$ is the degree of homogeneity of $f_\mu$",
+        eulers_theorem,
+        note="summed over i",
+    ),
+    Claim(
+        "§3.1, energy for (1.6)",
+        r"For the equation in local coordinates (1.6), the energy integral reads "
+        r"$\mathcal{E} = (\dot{\mathbf{q}}, \partial L/\partial\dot{\mathbf{q}}) - L$",
+        energy_in_coordinates,
+        note="for three degrees of freedom; Ė is the power of the reactions",
+    ),
+    Claim(
+        "§3.1, homogeneous constraints",
+        r"For the constraints (1.2) the homogeneity condition is equivalent to "
+        r"$b_\mu(\mathbf{q}) = 0$",
+        homogeneous_constraints,
+    ),
+    Claim(
+        "§3.1, examples",
+        "These conditions are fulfilled for a rubber body (1.14), (1.15) and Chaplygin's and "
+        "Veselova's problems",
+        examples,
+        note="their energy is preserved",
+    ),
+)
+
+REMARKS = (
+    Remark(
+        "(3.1)",
+        "The components of v are analytic functions in the problems under consideration",
+        "an assumption, not a statement",
+    ),
+)

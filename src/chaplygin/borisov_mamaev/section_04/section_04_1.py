@@ -1,0 +1,329 @@
+"""§4.1: integration by symmetry fields and first integrals."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ...catalogue import CATALOGUE
+from ...catalogue.fixed_point.lagrange_top import I_1, I_3, p_phi, p_psi, phi, psi, theta
+from ...core.laws import (
+    ConformallyHamiltonian,
+    Identity,
+    Integral,
+    Isomorphism,
+    Measure,
+    PoissonStructure,
+    Rate,
+)
+from ...core.system import System
+from ...parsing.exact_decimals import exact_number
+from ...proof.prover import prove
+from ...proof.verdict import Verdict
+from ..claim import Case, Claim, Remark
+from ..methods.contrary import contrary
+from ..methods.named import named
+from ..methods.rest import excludes_measure
+from ..methods.tori import F_1, F_2, canonical_in, not_hamiltonian, theta_1, theta_2, theta_3
+from ..methods.unspecified import of, system
+
+# --- Lie -----------------------------------------------------------------------------------
+
+
+def _triangular() -> System:
+    """ẏ₁ = v₁(y₁), ẏ₂ = v₂(y₁), ẏ₃ = v₃(y₁, y₂), with one integral F."""
+    y = sp.symbols("y_1:4", real=True)
+    F = sp.Symbol("F", real=True)
+    rates = (*of("v1 v2", y[0], F), *of("v3", y[0], y[1], F), sp.S.Zero)
+    return system("triangular", "triangular form", dict(zip((*y, F), rates, strict=True)))
+
+
+def triangular_measure() -> Case:
+    """The density 1/v₁, where v₁ is not zero."""
+    made = _triangular()
+    return made, Measure("measure", {made.rates[0]: -sp.S.One})
+
+
+def lie_measure() -> Verdict:
+    """The velocities of the Chaplygin sleigh: n = 2, one integral, no symmetry field needed."""
+    made = CATALOGUE["chaplygin-sleigh-reduced"].system()
+    if not prove(made, named(made, "energy")):
+        return Verdict("measure", "undecided", reason="the energy of the example is not proven")
+    point = {p.symbol: exact_number(p.default) for p in made.parameters}
+    straight_on = dict(zip(made.symbols, (sp.S.One, sp.S.Zero), strict=True))
+    return contrary(excludes_measure(made, {**point, **straight_on}))
+
+
+# --- the Lagrange top ----------------------------------------------------------------------
+
+
+def _top(angle: sp.Symbol, rate: sp.Expr) -> Case:
+    law = Identity("quadrature", Rate(angle) - rate)
+    return CATALOGUE["lagrange-top-angles"].system(), law
+
+
+ACROSS = (p_psi - p_phi * sp.cos(theta)) / sp.sin(theta) ** 2
+ALONG = (p_phi - p_psi * sp.cos(theta)) / sp.sin(theta) ** 2
+DIFFERENCE = (1 / I_3 - 1 / I_1) * p_phi
+
+
+def precession_printed() -> Case:
+    """ψ̇ as printed."""
+    return _top(psi, ACROSS)
+
+
+def precession_corrected() -> Case:
+    """ψ̇ with the factor 1/I₁."""
+    return _top(psi, ACROSS / I_1)
+
+
+def rotation_printed() -> Case:
+    """φ̇ as printed."""
+    return _top(phi, DIFFERENCE + ACROSS)
+
+
+def rotation_corrected() -> Case:
+    """φ̇ with p_φ and p_ψ exchanged and the factor 1/I₁."""
+    return _top(phi, DIFFERENCE + ALONG / I_1)
+
+
+def momenta_of_the_top() -> Case:
+    """p_ψ and p_φ are constants of motion."""
+    made = CATALOGUE["lagrange-top-angles"].system()
+    return (made, named(made, "area")), (made, named(made, "spin"))
+
+
+# --- reducibility --------------------------------------------------------------------------
+
+
+def _uniform() -> System:
+    """(4.2) for three angles and two integrals."""
+    frequencies = of("omega1 omega2 omega3", F_1, F_2)
+    field = dict(zip((theta_1, theta_2, theta_3), frequencies, strict=True))
+    return system("uniform", "(4.2)", {**field, F_1: sp.S.Zero, F_2: sp.S.Zero})
+
+
+def _straightened(shifts: tuple[sp.Expr, sp.Expr]) -> Case:
+    """(4.1) with ζ_i = ω_i + ω₁ ∂Z_i/∂θ₁, and the change θ̃_i = θ_i − Z_i."""
+    uniform = _uniform()
+    omega = uniform.rates[:3]
+    rates = [w + omega[0] * sp.diff(Z, theta_1) for w, Z in zip(omega[1:], shifts, strict=True)]
+    field = {theta_1: omega[0], theta_2: rates[0], theta_3: rates[1]}
+    made = system("one_angle", "(4.1)", {**field, F_1: sp.S.Zero, F_2: sp.S.Zero})
+    new = {
+        theta_1: theta_1,
+        theta_2: theta_2 - shifts[0],
+        theta_3: theta_3 - shifts[1],
+        F_1: F_1,
+        F_2: F_2,
+    }
+    return made, Isomorphism("straightened", uniform, new)
+
+
+def theorem_4_printed() -> Verdict:
+    """θ̇₁ = F, θ̇₂ = cos θ₁: the torus F = 0 carries rest points and moving points.
+
+    In (4.2) either all points of a torus are at rest or none.
+    """
+    field = {theta_1: F_1, theta_2: sp.cos(theta_1), F_1: sp.S.Zero}
+    made = system("stopping", "θ̇₁ = F, θ̇₂ = cos θ₁", field)
+    at_rest = [rate.subs({theta_1: sp.pi / 2, F_1: 0}) for rate in made.rates]
+    moving = [rate.subs({theta_1: 0, F_1: 0}) for rate in made.rates]
+    broken = not any(at_rest) and any(moving)
+    return Verdict(
+        "reducibility",
+        "refuted" if broken else "undecided",
+        shown="θ̇₁ = F, θ̇₂ = cos θ₁: on the torus F = 0 the point θ₁ = π/2 rests, θ₁ = 0 moves",
+        reason="" if broken else "the example does not stop",
+        witness={"rate at θ₁ = π/2": str(at_rest), "rate at θ₁ = 0": str(moving)},
+    )
+
+
+def theorem_4_corrected() -> Case:
+    """Z_i(θ₁, F), the periodic primitive of (ζ_i − ω_i)/ω₁, unspecified."""
+    first, second = of("Z2 Z3", theta_1, F_1, F_2)
+    return _straightened((first, second))
+
+
+def fourier() -> Case:
+    """The series with three harmonics, in real form: cosine a_m gives sine a_m/(m ω₁)."""
+    omega_1 = _uniform().rates[0]
+
+    def shift(name: str) -> sp.Expr:
+        terms = []
+        for n in (1, 2, 3):
+            a, b = of(f"{name}a{n} {name}b{n}", F_1, F_2)
+            terms.append((a * sp.sin(n * theta_1) - b * sp.cos(n * theta_1)) / n)
+        return sp.Add(*terms) / omega_1
+
+    return _straightened((shift("y"), shift("z")))
+
+
+def frequencies() -> Verdict:
+    """(1/2π)∫ζ dθ₁ is the coefficient with m = 0, for five harmonics with any coefficients."""
+    orders = range(-5, 6)
+    coefficients = {n: sp.Symbol(f"zeta_{n}") for n in orders}
+    series = sp.Add(*(c * sp.exp(sp.I * n * theta_1) for n, c in coefficients.items()))
+    mean = sp.integrate(sp.expand(series), (theta_1, 0, 2 * sp.pi)) / (2 * sp.pi)
+    rest = sp.simplify(mean - coefficients[0])
+    return Verdict(
+        "frequencies",
+        "proven" if rest == 0 else "refuted",
+        shown="the mean over θ₁ is the coefficient with m = 0",
+        witness=None if rest == 0 else {"difference": str(rest)},
+    )
+
+
+def corollary_1_corrected() -> Case:
+    """Two angles, two integrals, independent frequencies, ω₁ ≠ 0: two structures for (4.1)."""
+    omega_1, omega_2 = of("omega1 omega2", F_1, F_2)
+    (Z,) = of("Z", theta_1, F_1, F_2)
+    field = {
+        theta_1: omega_1,
+        theta_2: omega_2 + omega_1 * sp.diff(Z, theta_1),
+        F_1: sp.S.Zero,
+        F_2: sp.S.Zero,
+    }
+    made = system("one_angle", "(4.1) with two angles", field)
+    first = canonical_in((omega_1, omega_2), (sp.S.One, sp.S.One), Z)
+    second = canonical_in((omega_1, omega_2), (omega_1, omega_2), Z)
+    half = sp.Rational(1, 2)
+    cases = ((first, half * (omega_1**2 + omega_2**2)), (second, omega_1 + omega_2))
+    forms = []
+    for i, (matrix, energy) in enumerate(cases, 1):
+        structure = PoissonStructure(f"bracket_{i}", matrix, rank=4)
+        form = ConformallyHamiltonian(f"form_{i}", sp.S.One, structure, energy)
+        forms += [(made, structure), (made, form)]
+    return tuple(forms)
+
+
+def remark_11() -> Case:
+    """θ̇₁ = θ̇₂ = 1, θ̇₃ = cos(θ₁ − θ₂): the mean rate of θ₃ differs along one torus."""
+    field = {theta_1: sp.S.One, theta_2: sp.S.One, theta_3: sp.cos(theta_1 - theta_2)}
+    made = system("resonant", "a resonant triangular field", field)
+    mean = Integral("mean", sp.cos(theta_1 - theta_2))
+    return (made, mean), (made, Identity("rate", Rate(theta_3) - mean.value))
+
+
+def corollary_1_printed() -> Verdict:
+    """θ̇₁ = 1, θ̇₂ = F on T² × ℝ: the frequencies are two, the integral is one."""
+    return contrary(not_hamiltonian())
+
+
+CLAIMS = (
+    Claim(
+        "§4.1, Lie-integrable systems",
+        "Lie-integrable systems preserve measure",
+        lie_measure,
+        triangular_measure,
+        r"They preserve the measure $\tilde v_1(y_1)^{-1}\,dF\,dy$ in the coordinates of the "
+        r"triangular form, where $\tilde v_1 \ne 0$",
+        "fails at rest points: the velocities of the Chaplygin sleigh (n = 2, one integral) "
+        "preserve no smooth measure, nor do those of Suslov's problem, which §3.2 names",
+    ),
+    Claim(
+        "§4.1, precession of the Lagrange top",
+        r"$\dot\psi = \frac{p_\psi - p_\varphi\cos\theta}{\sin^2\theta}$",
+        precession_printed,
+        precession_corrected,
+        r"$\dot\psi = \frac{p_\psi - p_\varphi\cos\theta}{I_1\sin^2\theta}$",
+        "the factor 1/I₁ is lost, though the formula for φ̇ keeps I₁",
+    ),
+    Claim(
+        "§4.1, intrinsic rotation of the Lagrange top",
+        r"$\dot\varphi = (I_3^{-1} - I_1^{-1})p_\varphi + "
+        r"\frac{p_\psi - p_\varphi\cos\theta}{\sin^2\theta}$",
+        rotation_printed,
+        rotation_corrected,
+        r"$\dot\varphi = (I_3^{-1} - I_1^{-1})p_\varphi + "
+        r"\frac{p_\varphi - p_\psi\cos\theta}{I_1\sin^2\theta}$",
+        "p_ψ and p_φ are exchanged and the factor 1/I₁ is lost",
+    ),
+    Claim(
+        "§4.1, momenta of the Lagrange top",
+        r"$p_\psi$, $p_\varphi$ are constants of motion",
+        momenta_of_the_top,
+    ),
+    Claim(
+        "Theorem 4",
+        r"If $\dot\theta_1 = \omega_1(\mathbf{F})$, $\dot\theta_i = \zeta_i(\theta_1, \mathbf{F})$ "
+        r"(4.1), then a differentiable change of variables reduces the system to "
+        r"$\dot\theta_i = \omega_i(\mathbf{F})$ (4.2)",
+        theorem_4_printed,
+        theorem_4_corrected,
+        r"the same, where $\omega_1(\mathbf{F}) \ne 0$",
+        "the hypothesis ω₁ ≠ 0 is missing; the change divides by ω₁",
+    ),
+    Claim(
+        "Theorem 4, change of variables from (4.1) to (4.2)",
+        r"$\tilde\theta_i = \theta_i - \frac{1}{\omega_1(\mathbf{F})}\sum_{m \ne 0}"
+        r"\frac{\zeta_i^{(m)}(\mathbf{F})}{im}e^{im\theta_1}$",
+        fourier,
+        note="for three harmonics with any coefficients; ω₁ ≠ 0",
+    ),
+    Claim(
+        "Theorem 4, frequencies",
+        r"$\omega_i(\mathbf{F}) = \zeta_i(\mathbf{F}) = "
+        r"\frac{1}{2\pi}\int_0^{2\pi}\zeta_i(\theta_1, \mathbf{F})\,d\theta_1$",
+        frequencies,
+        note=r"ζ_i(F) read as the coefficient ζ_i^(0)(F)",
+    ),
+    Claim(
+        "Corollary 1",
+        "If an integrable system can be written in the form (4.1), then this system is Hamiltonian "
+        "(and even multi-Hamiltonian)",
+        corollary_1_printed,
+        corollary_1_corrected,
+        r"It is, near a torus with $\omega_1 \ne 0$ on which the frequencies "
+        r"$\omega_1, \dots, \omega_{n-k}$ are functionally independent (so that $k \ge n - k$): "
+        r"$\{\tilde\theta_i, \omega_j\} = \delta_{ij} g_i'(\omega_i)^{-1}\omega_i$, "
+        r"$H = \sum g_i(\omega_i)$ for any $g_i$",
+        "the hypotheses are missing: θ̇₁ = 1, θ̇₂ = F, Ḟ = 0 has no Poisson structure; the "
+        "correction is proved for two angles, g = ω²/2 and g = ω. Weaker: an integral F₁ on which "
+        "the ratios of the frequencies do not depend is enough, with {θ̃_i, F₁} = ω_i and H = F₁, "
+        "as Proposition 5 shows for two angles",
+    ),
+    Claim(
+        "Remark 11",
+        r"For $\dot\theta_3 = \zeta_3(\theta_1, \theta_2)$, when $n - k > 2$, the form (4.2) "
+        "can be impossible, whereas the solution itself can be expressed in quadratures",
+        remark_11,
+        note="θ̇₁ = θ̇₂ = 1, θ̇₃ = cos(θ₁ − θ₂): θ₃ turns at a rate that is constant along each "
+        "motion and differs along one torus",
+    ),
+)
+
+REMARKS = (
+    Remark(
+        "§4, beginning",
+        "Three mechanisms of explicit integration: Lie's theorem, the Euler–Jacobi theorem, the "
+        "conformally Hamiltonian form with Liouville's theorem",
+        "a classification",
+    ),
+    Remark(
+        "Theorem 3",
+        "k first integrals and n − k − 1 symmetry fields that form a solvable Lie algebra give "
+        "quadratures, in triangular coordinates",
+        "a quoted theorem; the fields must be independent of each other and of v",
+    ),
+    Remark(
+        "§4.1, divergence of the triangular form",
+        "For the proof it is sufficient to find the divergence of the vector field in the "
+        "coordinates of the integrals and y",
+        "a hint; the divergence is ṽ₁′(y₁), which leads to the density 1/ṽ₁ of the claim above",
+    ),
+    Remark(
+        "§4.1, body of revolution",
+        "The motion of an axisymmetric body on a plane was integrated by Chaplygin and Gallop",
+        "history",
+    ),
+    Remark(
+        "Remark 11, end",
+        "Nevertheless, the system can be non-Hamiltonian",
+        "no example is given; that of Corollary 1 is one already for two angles",
+    ),
+    Remark(
+        "Remark 12",
+        "In the whole phase space the reduction may turn out to be impossible [42, 43]",
+        "literature",
+    ),
+)

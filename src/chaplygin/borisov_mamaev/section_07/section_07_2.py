@@ -1,0 +1,194 @@
+"""§7.2: the conformally Hamiltonian representation of the Chaplygin ball."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
+
+from ...catalogue.chaplygin_ball.chaplygin_ball import DENSITY, unspecified
+from ...catalogue.chaplygin_ball.chaplygin_ball_unreduced import orientation
+from ...catalogue.chaplygin_ball.chaplygin_bracket import DET_J, A, D, J, L, gamma, hamiltonian_form
+from ...catalogue.e3 import lie_poisson
+from ...catalogue.rates import rate
+from ...core.laws import Identity, Integral, PoissonStructure
+from ...core.system import System
+from ...core.vectors import Components, constant, cross, dot, explicit, vectors
+from ...mechanics.rolling.attitude import attitude, quaternion_rate, rotation, unit_length
+from ..claim import Case, Claim, Remark
+from ..methods.independence import independent, rational_point
+from .section_07_1 import MOVED, free_ball, rubber_ball
+
+M, omega, alpha, beta = vectors("M omega alpha beta")
+J_1, J_2, J_3 = J.symbols
+g1, g2, g3 = gamma.symbols
+U = sp.Function("U")(*gamma.symbols)
+VARIABLES = (*L, *gamma)
+
+#: (7.7).
+ENERGY = (
+    DET_J / 2 * ((1 - D * dot(gamma, A * gamma)) * dot(L, A * L) + D * dot(A * L, gamma) ** 2) + U
+)
+#: (7.6): u with {L_i, L_j} = ε_ijk u_k.
+TWISTED = L - D * dot(L, gamma) * DENSITY**2 * constant(
+    [J_2 * J_3 * g1, J_3 * J_1 * g2, J_1 * J_2 * g3]
+)
+
+
+def printed_bracket() -> Components:
+    """The matrix {x_i, x_j} of (7.6) for x = (L, γ)."""
+    return Components(-lie_poisson(TWISTED, gamma))
+
+
+def hamilton(value: Any) -> Components:
+    """{H, f} by (7.6) and (7.7) for the components f of a vector in L and γ."""
+    slope = sp.Matrix([sp.diff(explicit(ENERGY), s) for s in VARIABLES])
+    jacobian = sp.Matrix(explicit(value)).jacobian(VARIABLES)
+    return Components(jacobian * sp.Matrix(explicit(printed_bracket())).T * slope)
+
+
+@cache
+def ball() -> System:
+    """The rolling ball in an unspecified potential, with L = ρM."""
+    made = unspecified()
+    return replace(made, definitions=(*made.definitions, (L, DENSITY * M)), laws=())
+
+
+def kinematics() -> Case:
+    """The rates of α and β, the first rows of the rotation from body to space."""
+    made = free_ball()
+    system = replace(
+        made,
+        field=(*made.field, (attitude, quaternion_rate(omega))),
+        relations=(*made.relations, unit_length()),
+        motion=None,
+    )
+    first, second = (sp.ImmutableDenseMatrix(rotation()[i, :].T) for i in range(2))
+    return system, Identity(
+        "axes", (rate(first) - cross(first, omega), rate(second) - cross(second, omega))
+    )
+
+
+def _along(potential: sp.Expr) -> Case:
+    system = orientation(potential)
+    return tuple(
+        (system, Integral(name, dot(M, axis))) for name, axis in (("x", alpha), ("y", beta))
+    )
+
+
+def along_in_a_field() -> Case:
+    """(M, α), (M, β) along (7.1)."""
+    return _along(U)
+
+
+def along_without_field() -> Case:
+    """(M, α), (M, β) without a field."""
+    return _along(sp.S.Zero)
+
+
+def superintegrable() -> Case:
+    """Six conditions on α, β, γ and four integrals are independent in the twelve variables."""
+    system = orientation(sp.S.Zero)
+    axes = (alpha, beta, gamma)
+    conditions = [dot(a, b) for i, a in enumerate(axes) for b in axes[i:]]
+    integrals = [dot(M, omega), *(dot(M, axis) for axis in axes)]
+    third, unit = sp.Rational(1, 3), sp.eye(3)
+    frame = 2 * third * sp.ones(3, 3) - unit
+    values = dict(zip(system.symbols, (3, -1, 2, *frame), strict=True))
+    point = rational_point(system, {str(s): value for s, value in values.items()})
+    return independent(system, conditions + integrals, point)
+
+
+def poisson() -> Case:
+    """(7.6) is a Poisson bracket."""
+    system = hamiltonian_form(U)
+    return system, PoissonStructure("bracket", printed_bracket())
+
+
+def energy() -> Case:
+    """(7.7)."""
+    return ball(), Identity("energy", dot(M, omega) / 2 + U - ENERGY)
+
+
+def _equations(system: System, momentum: MatrixExpr) -> Case:
+    return system, Identity(
+        "hamilton",
+        (
+            rate(momentum) / DENSITY - hamilton(momentum.xreplace({M: L / DENSITY})),
+            rate(gamma) / DENSITY - hamilton(gamma),
+        ),
+    )
+
+
+def equations_of_6_1() -> Case:
+    """Hamilton's equations for M and γ along (6.1) with the tensor J."""
+    made = rubber_ball()
+    return _equations(replace(made, definitions=(*made.definitions, (L, DENSITY * M))), M)
+
+
+def equations() -> Case:
+    """Hamilton's equations for L and γ along (7.1)."""
+    return _equations(ball(), L)
+
+
+CLAIMS = (
+    Claim(
+        "§7.2, first display",
+        r"$\dot{\alpha} = \alpha \times \omega$, $\dot{\beta} = \beta \times \omega$",
+        kinematics,
+        note="α, β are the first rows of the rotation from body to space",
+    ),
+    Claim(
+        "§7.2, second display",
+        r"(7.1) with the equations for α, β admits two additional integrals linear in velocities, "
+        r"$(M, \alpha) = $ const, $(M, \beta) = $ const.",
+        along_in_a_field,
+        along_without_field,
+        r"For $U = 0$, (7.1) with the equations for α, β admits the integrals "
+        r"$(M, \alpha) = $ const, $(M, \beta) = $ const.",
+        "U = 0 is needed; the next sentences alone say it",
+    ),
+    Claim(
+        "§7.2, superintegrable",
+        "With U = 0 the integral manifolds of the extended system are two-dimensional: three "
+        "degrees of freedom, two-dimensional tori.",
+        superintegrable,
+    ),
+    Claim(
+        "(7.5) and Hamilton's equations",
+        r"With $\rho_\mu dt = d\tau$, $L = \rho_\mu M$ the equations of motion (6.1) take the "
+        r"Hamiltonian form $\frac{dM_k}{d\tau} = \{H, M_k\}$, "
+        r"$\frac{d\gamma_k}{d\tau} = \{H, \gamma_k\}$ with (7.6) and (7.7), for any potential.",
+        equations_of_6_1,
+        equations,
+        r"With $\rho_\mu dt = d\tau$, $L = \rho_\mu M$ the equations of motion (7.1) take the "
+        r"Hamiltonian form $\frac{dL_k}{d\tau} = \{H, L_k\}$, "
+        r"$\frac{d\gamma_k}{d\tau} = \{H, \gamma_k\}$ with (7.6) and (7.7), for any potential.",
+        MOVED + "; L_k is meant for M_k (any function of L, γ obeys the same equation); the order "
+        "{H, x} of the bracket is opposite to that of (3.5) and Theorem 9",
+    ),
+    Claim(
+        "(7.6)",
+        r"$\{L_i, L_j\} = \varepsilon_{ijk} (L_k - D(L, \gamma) \rho_\mu^2 J_i J_j \gamma_k)$, "
+        r"$\{L_i, \gamma_j\} = \varepsilon_{ijk} \gamma_k$, $\{\gamma_i, \gamma_j\} = 0$ is a "
+        "Poisson bracket.",
+        poisson,
+    ),
+    Claim(
+        "(7.7)",
+        r"The energy is $H = \frac{\det J}{2} ((1 - D(\gamma, J^{-1} \gamma)) (L, J^{-1} L) + "
+        r"D(J^{-1} L, \gamma)^2) + U(\gamma)$.",
+        energy,
+    ),
+)
+
+REMARKS = (
+    Remark(
+        "§7.2",
+        "The Chaplygin ball is a nonholonomic analogue of the Euler–Poinsot top.",
+        "a comparison; the dimension of the tori is computed above",
+    ),
+)

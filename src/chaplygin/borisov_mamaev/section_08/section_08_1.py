@@ -1,0 +1,231 @@
+"""§8.1: the Chaplygin ball on a sphere, its equations, measure and integrals."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ...catalogue.ball_on_sphere import ball_on_sphere_equations as ball
+from ...catalogue.ball_on_sphere import rubber_ball_ratio as rubber
+from ...catalogue.rates import rate
+from ...core.laws import Identity, Integral, Measure
+from ...core.system import Parameter, System
+from ...core.vectors import Diagonal, cross, dot, identity, normed, scalar, vectors, zero
+from ...mechanics.rolling.body import Body
+from ...mechanics.rolling.equations import roll
+from ...mechanics.rolling.shapes import Ball
+from ...mechanics.rolling.surfaces import Plane, Sphere, Surface
+from ..claim import Case, Claim, Remark
+from ..methods import unspecified
+
+M, omega, gamma, n = vectors("M omega gamma n")
+I = Diagonal("I")
+#: Mass, radius of the body, signed radius of the supporting sphere, as `roll` names them.
+m, R, a = scalar("m"), scalar("R"), scalar("a")
+d, k = ball.d, ball.k
+kappa = scalar("kappa")
+HALF = sp.S.Half
+
+
+def rolled(surface: Surface, *, hollow: bool = False) -> System:
+    """The ball as it follows from mechanics; γ is n."""
+    radius = 2.0 if hollow else 1.0
+    return roll(Body(1.0, (1.0, 1.5, 2.1), Ball(radius, hollow=hollow)), surface)
+
+
+def dynamics() -> Case:
+    """Ṁ = M×ω outside and around, with M the momentum about the contact."""
+    law = Identity("dynamics", rate(M) - cross(M, omega), "balance of momentum")
+    return (rolled(Sphere(2.0)), law), (rolled(Sphere(1.0), hollow=True), law)
+
+
+def kinematics(ratio: sp.Expr) -> tuple[System, Identity]:
+    """ṅ = k n×ω with the ratio given."""
+    law = Identity("kinematics", rate(gamma) - ratio * cross(gamma, omega), "motion of the normal")
+    return rolled(Sphere(2.0)), law
+
+
+def momentum(sign: int, moment: sp.Expr) -> Case:
+    """M = Iω ± d n×(n×ω) with d given."""
+    made = I * omega + sign * moment * cross(gamma, cross(gamma, omega))
+    return rolled(Sphere(2.0)), Identity("momentum", M - made, "momentum about the contact")
+
+
+def flattened(ratio: sp.Expr) -> tuple[System, Identity]:
+    """ṅ = n×ω where a curvature κ vanishes, for ṅ = `ratio` n×ω with any ω."""
+    made = unspecified.system(
+        "limit",
+        "a ball of the ratio given",
+        {gamma: ratio * cross(gamma, omega), omega: zero},
+        parameters=(
+            Parameter(kappa, "a curvature", 0.0),
+            Parameter(R, "radius of the body", 0.8),
+            Parameter(a, "radius of the surface", 2.0),
+        ),
+    )
+    law = Identity("kinematics", rate(gamma) - cross(gamma, omega), "a plane", on=(kappa,))
+    return made, law
+
+
+def large_body() -> Case:
+    """The radius of the body grows, k = a/(a + R) with R = 1/κ."""
+    return kinematics(a / (a + R)), flattened(a * kappa / (1 + a * kappa))
+
+
+def large_surface() -> Case:
+    """The radius of the surface grows, k = a/(a + R) with a = 1/κ, to the ball on a plane."""
+    return kinematics(a / (a + R)), flattened(1 / (1 + R * kappa)), *on_plane()
+
+
+def on_plane() -> tuple[tuple[System, Identity], ...]:
+    """k = 1 is a ball on a plane."""
+    law = Identity("kinematics", rate(gamma) - cross(gamma, omega), "motion of the normal")
+    return (rolled(Plane()), law), (
+        rolled(Plane()),
+        Identity("dynamics", rate(M) - cross(M, omega), "balance of momentum"),
+    )
+
+
+def integrals() -> Case:
+    """n², the energy and M², for every k."""
+    made = ball.equations()
+    return tuple(
+        (made, Integral(name, value, name))
+        for name, value in (
+            ("length", normed(n)),
+            ("energy", HALF * dot(M, ball.omega)),
+            ("momentum", normed(M)),
+        )
+    )
+
+
+def measure() -> Case:
+    """ρ dω dn, for every k."""
+    density = normed(n) - d * dot(n, (I + d * identity) ** -1 * n)
+    return ball.equations_in_omega(), Measure("measure", {density: HALF}, "invariant measure")
+
+
+def radii() -> Case:
+    """A body of radius 2 with its inner surface on a ball of radius 1: ṅ = −n×ω."""
+    law = Identity(
+        "kinematics",
+        rate(gamma) + cross(gamma, omega),
+        "motion of the normal for k = −1",
+        on=(R - 2 * a,),
+    )
+    return rolled(Sphere(1.0), hollow=True), law
+
+
+def linear(shift: sp.Expr) -> Case:
+    """(AM, n) with A_i = ½ (ΣI + shift) − I_i, at k = −1."""
+    tensor = (sp.Add(*I.symbols) + shift) / 2 * identity - I
+    law = Integral("linear", dot(tensor * M, n), "linear integral", on=(k + 1,))
+    return ball.equations(), law
+
+
+def without_spin() -> Case:
+    """The rubber ball with k = −1 has a further integral."""
+    return rubber.rolling(), rubber.AROUND
+
+
+CLAIMS = (
+    Claim(
+        "(8.1), M",
+        r"The momentum about the point of contact obeys $\dot{\mathbf{M}} = \mathbf{M} \times "
+        r"\boldsymbol{\omega}$.",
+        dynamics,
+        note="judged for a ball outside the sphere and for a hollow ball around it",
+    ),
+    Claim(
+        "(8.1), n",
+        r"$\dot{\mathbf{n}} = k\mathbf{n} \times \boldsymbol{\omega}$, $k = \frac{a}{a+b}$, where "
+        "$a$ is the radius of the body and $b$ is the radius of the surface.",
+        lambda: kinematics(R / (R + a)),
+        lambda: kinematics(a / (a + R)),
+        r"$k = \frac{a}{a+b}$, where $a$ is the radius of the surface and $b$ of the body; $a$ "
+        "is negative for a ball inside, $b$ for a hollow ball around the sphere",
+        "the two radii are exchanged in the text",
+    ),
+    Claim(
+        "§8.1, M",
+        r"$\mathbf{M} = \mathbf{I}\boldsymbol{\omega} + d\mathbf{n} \times (\mathbf{n} \times "
+        r"\boldsymbol{\omega})$.",
+        lambda: momentum(1, m * R**2),
+        lambda: momentum(-1, m * R**2),
+        r"$\mathbf{M} = \mathbf{I}\boldsymbol{\omega} + d\mathbf{n} \times (\boldsymbol{\omega} "
+        r"\times \mathbf{n})$",
+        "the sign of the second term, as in (7.1); as printed, d n(n×ω), it lacks the first ×",
+    ),
+    Claim(
+        "§8.1, d",
+        "$d = mb^2$, where $b$ is the radius of the surface.",
+        lambda: momentum(-1, m * a**2),
+        lambda: momentum(-1, m * R**2),
+        "$d = mb^2$ with $b$ the radius of the body",
+        "the radii are exchanged in the text; read with the right sign of the momentum",
+    ),
+    Claim(
+        "§8.1, k = 1",
+        r"The case $k = 1$ corresponds to $a \rightarrow \infty$, i.e. a ball is rolling over a "
+        "plane.",
+        large_body,
+        large_surface,
+        r"The case $k = 1$ corresponds to $b \rightarrow \infty$, $b$ the radius of the surface, "
+        "i.e. a ball is rolling over a plane.",
+        "read as after (8.1), where a is the radius of the body: as it grows, k tends to 0 and not "
+        "to 1. Here the letters are those of the formula k = a/(a + b), in which a is the radius "
+        "of the surface",
+    ),
+    Claim(
+        "(8.2)",
+        r"For an arbitrary $k$ the system has the integrals $F_0 = (\mathbf{n}, \mathbf{n}) = 1$, "
+        r"$H = \frac{1}{2}(\mathbf{M}, \boldsymbol{\omega})$, $F_1 = (\mathbf{M}, \mathbf{M})$.",
+        integrals,
+    ),
+    Claim(
+        "§8.1, after (8.2)",
+        r"The measure $\rho d\boldsymbol{\omega} d\mathbf{n}$ is preserved, $\rho^2 = (\mathbf{n}, "
+        r"\mathbf{n}) - d(\mathbf{n}, (\mathbf{I} + d)^{-1}\mathbf{n})$.",
+        measure,
+        note="judged on (n, n) = 1, for every k",
+    ),
+    Claim(
+        "§8.1, before (8.3)",
+        "For $k = -1$ the radii of the body, $a$, and of the fixed ball, $b$, are connected by "
+        r"$\frac{b}{a} = \frac{1}{2}$.",
+        radii,
+        note="read as after (8.1), without the sign of a hollow body; with the letters of "
+        "k = a/(a + b), as in §9.2, it would be b = −2a",
+    ),
+    Claim(
+        "(8.3)",
+        r"For $k = -1$ there is the integral $F_2 = (\mathbf{A}\mathbf{M}, \mathbf{n})$ with "
+        r"$\mathbf{A} = \text{diag}(\frac{1}{2}(-I_1 + I_2 + I_3), \frac{1}{2}(I_1 - I_2 + I_3), "
+        r"\frac{1}{2}(I_1 + I_2 - I_3))$.",
+        lambda: linear(sp.S.Zero),
+        lambda: linear(d),
+        r"$\mathbf{A} = \text{diag}(\frac{1}{2}(-J_1 + J_2 + J_3), \frac{1}{2}(J_1 - J_2 + J_3), "
+        r"\frac{1}{2}(J_1 + J_2 - J_3))$, $J_i = I_i + d$",
+        "I stands for J = I + d",
+    ),
+    Claim(
+        "§8.1, after (8.3)",
+        r"With the additional constraint $(\boldsymbol{\omega}, \mathbf{n}) = 0$ the system is "
+        "also integrable for $k = -1$.",
+        without_spin,
+        note="what is proved is the further integral (9.4); with the measure "
+        "(9.3) it makes the system integrable by the Euler–Jacobi theorem",
+    ),
+)
+
+REMARKS = (
+    Remark(
+        "§8.1, after (8.1)",
+        "A strategy for gyroscopes with a spherical rolling bearing was suggested by Contensou.",
+        "history",
+    ),
+    Remark(
+        "§8.1, after (8.1)",
+        "The case $k = 1$ is known to be integrable and studied in many works.",
+        "literature; its integrals are claims of §7",
+    ),
+)

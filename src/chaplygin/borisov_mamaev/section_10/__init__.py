@@ -1,0 +1,1 @@
+"""Claims of §10 of Borisov and Mamaev (2008)."""

@@ -1,0 +1,196 @@
+"""§10.1: the unbalanced marble ball on a plane."""
+
+from __future__ import annotations
+
+import time
+from fractions import Fraction
+
+from sympy.matrices.expressions import MatrixExpr
+
+from ...catalogue import from_catalogue
+from ...core.laws import Identity, Integral
+from ...core.system import System
+from ...core.vectors import cross, dot, normed, zero
+from ...mechanics.rolling.body import Body
+from ...mechanics.rolling.equations import Rolling
+from ...mechanics.rolling.shapes import Ball
+from ...mechanics.rolling.surfaces import Sphere
+from ...proof.verdict import Verdict
+from ..claim import Case, Claim, Remark
+from ..methods.independence import independent, rational_point
+from ..methods.measure_at_rest import divergence_of_spin
+from ..methods.unbalanced import (
+    M_RATE,
+    NORMAL,
+    OFFSET,
+    R_RATE,
+    M,
+    R,
+    about_contact,
+    c,
+    gamma,
+    m,
+    omega,
+    r,
+)
+
+
+def marble() -> System:
+    """The unbalanced ball of the catalogue, as it follows from mechanics."""
+    return from_catalogue("unbalanced-ball")
+
+
+def momentum() -> Case:
+    """The first and the third of (10.1)."""
+    balance = M_RATE - cross(M, omega) - m * cross(R_RATE, cross(omega, r))
+    made = marble()
+    return (
+        (made, Identity("balance", balance, "rate of the momentum")),
+        (made, Identity("momentum", M - about_contact(omega), "momentum about the contact")),
+    )
+
+
+def offset(vector: MatrixExpr) -> Case:
+    """r = −Rγ − a for a given meaning of a."""
+    return marble(), Identity("contact", r + R * gamma + vector, "place of the contact")
+
+
+def contact_rate(vector: MatrixExpr) -> Case:
+    """ṙ = (r + vector)×ω."""
+    return marble(), Identity("rate", R_RATE - cross(r + vector, omega), "rate of the contact")
+
+
+def invariants() -> Case:
+    """(10.2)."""
+    made = marble()
+    return (
+        (made, Integral("length", normed(gamma), "length of the normal")),
+        (made, Integral("energy", dot(M, omega) / 2, "energy")),
+    )
+
+
+QUADRATIC = Integral(
+    "quadratic", normed(M) - m * normed(r) * dot(M, omega), "quadratic integral", source="(10.3)"
+)
+
+
+def balanced() -> Case:
+    """(10.3) for a = 0 is M² up to a multiple of the energy."""
+    made = from_catalogue("chaplygin-ball")
+    reach = -R * gamma + zero
+    value = normed(M) - m * normed(reach) * dot(M, omega)
+    excess = value - (normed(M) - 2 * m * R**2 * dot(M, omega) / 2)
+    return (made, Identity("balanced", excess, "(10.3) for a = 0")), (
+        made,
+        Integral("momentum", normed(M), "square of the momentum"),
+    )
+
+
+def on_sphere() -> Case:
+    """(10.3) on a sphere, outside, inside and around."""
+    body = Body(1.3, (1.0, 1.5, 2.1), Ball(2.0, centre=(0.1, -0.2, 0.3), hollow=True))
+    around = Rolling(body, Sphere(0.75)).system()
+    places = (from_catalogue("unbalanced-ball-on-sphere", a=value) for value in (2.0, -3.0))
+    return tuple((made, QUADRATIC) for made in (*places, around))
+
+
+def rank_of_marble() -> Verdict:
+    """γ², H and F₂ are independent, so that their levels are three-dimensional."""
+    made = marble()
+    state: dict[str, object] = {"M_1": 2, "M_2": "-1/3", "M_3": "5/4"}
+    functions = (normed(gamma), dot(M, omega), QUADRATIC.value)
+    return independent(made, functions, rational_point(made, state | NORMAL))
+
+
+def no_measure_for_marble() -> Verdict:
+    """No density that is positive and continuously differentiable at M = 0."""
+    started = time.monotonic()
+    value = divergence_of_spin(marble(), (Fraction(2, 7), Fraction(-3, 7), Fraction(6, 7)))
+    return Verdict(
+        "no measure",
+        "proven" if value else "undecided",
+        shown="no invariant density is positive and smooth at M = 0: for the parameters of the "
+        f"catalogue the divergence for ω = γ = (2, −3, 6)/7 is {value}",
+        reason="" if value else "the obstruction vanishes",
+        seconds=time.monotonic() - started,
+    )
+
+
+CLAIMS = (
+    Claim(
+        "(10.1), M",
+        r"$\dot{\mathbf M} = \mathbf M\times\boldsymbol\omega + m\dot{\mathbf r}\times"
+        r"(\boldsymbol\omega\times\mathbf r)$, $\mathbf M = \mathbf I\boldsymbol\omega + "
+        r"m\mathbf r\times(\boldsymbol\omega\times\mathbf r)$.",
+        momentum,
+        note="judged against Newton and Euler",
+    ),
+    Claim(
+        "§10.1, a",
+        r"$\mathbf a$ is the vector from the center of mass to the geometric center, $\mathbf r = "
+        r"-R\boldsymbol\gamma - \mathbf a$.",
+        lambda: offset(c),
+        lambda: offset(OFFSET),
+        r"$\mathbf a$ is the vector from the geometric center to the center of mass, $\mathbf r = "
+        r"-R\boldsymbol\gamma - \mathbf a$",
+        "the direction of a is reversed; r = −Rγ − a and (10.5) need this one",
+    ),
+    Claim(
+        "(10.1), r",
+        r"$\dot{\mathbf r} = (\mathbf r - \mathbf a)\times\boldsymbol\omega$.",
+        lambda: contact_rate(-OFFSET),
+        lambda: contact_rate(OFFSET),
+        r"$\dot{\mathbf r} = (\mathbf r + \mathbf a)\times\boldsymbol\omega$",
+        "the sign of a: r + a = −Rγ turns with the space; as printed it would be right with a "
+        "towards the geometric centre, but then r = −Rγ + a",
+    ),
+    Claim(
+        "(10.2)",
+        r"$F_1 = \boldsymbol\gamma^2 = 1$, $H = \frac12(\mathbf M,\boldsymbol\omega)$ are "
+        r"integrals.",
+        invariants,
+    ),
+    Claim(
+        "(10.3)",
+        r"$F_2 = (\mathbf M,\mathbf M) - m(\mathbf r,\mathbf r)(\mathbf M,\boldsymbol\omega)$ is "
+        r"an integral.",
+        lambda: (marble(), QUADRATIC),
+    ),
+    Claim(
+        "§10.1, after (10.3)",
+        r"This integral is a generalization of the integral $\mathbf M^2 = \text{const}$ in the "
+        r"problem of motion of a Chaplygin ball.",
+        balanced,
+        note="for a = 0 they differ by 2mR²H",
+    ),
+    Claim(
+        "§10.1, integrability",
+        r"To achieve integrability by the Euler–Jacobi theorem an additional integral and "
+        r"invariant measure are needed.",
+        rank_of_marble,
+        note="shown: F₁, H, F₂ are independent; of six variables the theorem asks four integrals",
+    ),
+    Claim(
+        "§10.1, missing invariants",
+        r"In the generic cases the required invariants are missing: the invariant measure.",
+        no_measure_for_marble,
+        note="shown: no density that is positive and smooth at rest; the additional integral is "
+        "a matter of numerical evidence",
+    ),
+    Claim(
+        "§10.1, ball on a sphere",
+        r"The integral (10.3) can be generalized to the general case of rolling motion of a ball "
+        r"on a sphere.",
+        on_sphere,
+        note="it holds there word for word, for every radius, outside, inside and around: all it "
+        "needs is (ṙ, ω) = 0",
+    ),
+)
+
+REMARKS = (
+    Remark(
+        "§10.1, Fig. 8",
+        "Simulations show that in the generic cases an additional integral is missing.",
+        "numerical evidence, not a statement that algebra decides",
+    ),
+)

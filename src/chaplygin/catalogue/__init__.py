@@ -1,0 +1,58 @@
+"""The catalogue: one file per system of Borisov and Mamaev (2008), each described once.
+
+A file offers its systems as ``ENTRIES``; :data:`CATALOGUE` collects them by name.
+"""
+
+from __future__ import annotations
+
+import pkgutil
+import re
+from importlib import import_module
+
+from ..core.laws import Law
+from ..core.system import System
+from ..mechanics.rolling.equations import Rolling
+from .entry import Entry, Start, known_laws, lookup
+
+__all__ = ["CATALOGUE", "Entry", "Start", "entry", "from_catalogue", "known_laws_of"]
+
+
+def _place(item: Entry) -> tuple[int, ...]:
+    """Where the paper speaks of a system first: section and subsection."""
+    found = re.search(r"§(\d+)(?:\.(\d+))?", item.source)
+    return tuple(int(number or 0) for number in found.groups()) if found else (99,)
+
+
+def _entries() -> list[Entry]:
+    modules = [m.name for m in pkgutil.walk_packages(__path__, f"{__name__}.") if not m.ispkg]
+    found = [
+        item
+        for module in sorted(modules, key=lambda name: name.split(".")[-1])
+        for item in getattr(import_module(module), "ENTRIES", ())
+    ]
+    return sorted(found, key=_place)
+
+
+CATALOGUE: dict[str, Entry] = {item.name: item for item in _entries()}
+"""Every system of the catalogue by its name, in the order of the paper."""
+
+
+def entry(name: str) -> Entry:
+    """The catalogue entry of a name; InputError names the nearest one if there is none."""
+    return lookup(CATALOGUE, name)
+
+
+def from_catalogue(name: str, **parameters: float) -> System:
+    """A System of the catalogue, with some of its parameters given by symbol name.
+
+    Raises
+    ------
+    InputError
+        If the catalogue has no such system, or the system no such parameter.
+    """
+    return entry(name).system(parameters)
+
+
+def known_laws_of(rolling: Rolling, made: System) -> tuple[Law, ...]:
+    """The laws that the catalogue knows of a body, whether or not it was named."""
+    return known_laws(CATALOGUE.values(), rolling, made)

@@ -1,0 +1,1 @@
+"""Homogeneous balls that roll on surfaces other than planes and spheres."""

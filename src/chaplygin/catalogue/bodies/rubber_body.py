@@ -1,0 +1,129 @@
+"""A rubber body of any convex shape on a plane and on a sphere (§1.3, §1.4)."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ...core.laws import Identity, Rate
+from ...core.system import System
+from ...core.vectors import cross, dot, normed, scalar, vectors
+from ...mechanics.rolling.equations import Field, Rolling
+from ...mechanics.rolling.surfaces import Sphere
+from ..entry import Entry, Numbers, Start
+from ..rates import rate
+from .any_shape import (
+    ELLIPSOID,
+    INERTIA,
+    POTENTIAL,
+    SHAPE,
+    ellipsoid,
+    energy,
+    inverse,
+    kinematics,
+    momentum,
+    touch,
+)
+
+__all__ = ["ENTRIES", "any_rubber_body", "general", "general_on_sphere"]
+
+omega, gamma, r, rdot = vectors("omega gamma r rdot")
+M, X, q, torque = vectors("M X q torque")
+m, a, lambda_0 = scalar("m"), scalar("a"), scalar("lambda_0")
+
+
+def any_rubber_body(curvature: sp.Expr = sp.S.Zero) -> System:
+    """A rubber body of arbitrary support function h and potential U on a plane or a sphere.
+
+    Parameters
+    ----------
+    curvature : sympy.Expr
+        1/a of the supporting sphere in a symbol, which becomes a parameter; zero for a plane.
+
+    Returns
+    -------
+    System
+        State ω, γ (body axes): (1.18) or (1.23), the latter as corrected.
+    """
+    contact = touch(curvature)
+    return System(
+        name=f"any-rubber-body-on-{contact.where}",
+        title=f"Rubber body of any shape on a {contact.where}",
+        field={omega: inverse(X) + lambda_0 * q, gamma: contact.gammadot},
+        definitions=(
+            *SHAPE,
+            *INERTIA,
+            *contact.definitions,
+            (M, momentum(omega)),
+            (X, cross(M, omega) - m * cross(r, cross(omega, rdot)) + torque),
+            (q, inverse(gamma)),
+            (lambda_0, -(dot(q, X) + dot(omega, contact.gammadot)) / dot(q, gamma)),
+        ),
+        parameters=contact.parameters,
+        relations=(normed(gamma) - 1, dot(omega, gamma)),
+        source="(1.18), (1.19)" if curvature == 0 else "(1.23)",
+    )
+
+
+def build(p: Numbers) -> Rolling:
+    """A heavy ellipsoid with three different axes and its centre of mass away from its centre."""
+    return Rolling(ellipsoid(p), contact="rubber", field=Field(p["g"]))
+
+
+def build_on_sphere(p: Numbers) -> Rolling:
+    """The same body on a sphere, without gravity."""
+    return Rolling(ellipsoid(p), Sphere(p["a"]), "rubber")
+
+
+def general() -> System:
+    """Any shape and potential on a plane."""
+    return any_rubber_body().with_laws(
+        Identity(
+            "couple",
+            Rate(POTENTIAL) + dot(torque, omega),
+            "the couple does the work of the potential",
+            source="(1.17)",
+        ),
+        Identity(
+            "contact",
+            (rdot - rate(r), dot(gamma, rdot)),
+            "rate of the contact point, which stays in the tangent plane",
+            source="§1.3",
+        ),
+        energy(),
+    )
+
+
+def general_on_sphere() -> System:
+    """Any shape and potential on a sphere of radius a."""
+    return any_rubber_body(1 / a).with_laws(
+        kinematics(1 / a),
+        energy(),
+    )
+
+
+_START = Start(omega=(0.9, -0.5, -0.35483870967741937), gamma=(0.2, -0.3, 0.93), until=30.0)
+
+ENTRIES = (
+    Entry(
+        name="rubber-body",
+        title="Rubber body on a plane",
+        summary="A heavy body of any convex shape, here an ellipsoid, rolls on a horizontal plane "
+        "with neither slipping nor spinning.",
+        source="§1.3, (1.17)–(1.19)",
+        defaults={**ELLIPSOID, "g": 9.81},
+        build=build,
+        start=_START,
+        general=general,
+    ),
+    Entry(
+        name="rubber-body-on-sphere",
+        title="Rubber body on a sphere",
+        summary="A body of any convex shape, here an ellipsoid, rolls with neither slipping nor "
+        "spinning on a fixed sphere of radius a, outside (a > 0) or inside (a < 0).",
+        source="§1.4, (1.23)",
+        defaults={**ELLIPSOID, "a": 5.0},
+        build=build_on_sphere,
+        start=_START,
+        general=general_on_sphere,
+    ),
+)

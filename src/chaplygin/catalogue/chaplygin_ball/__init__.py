@@ -1,0 +1,1 @@
+"""The Chaplygin ball on a plane, its forms, brackets and generalisations."""

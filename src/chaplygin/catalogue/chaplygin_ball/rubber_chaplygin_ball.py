@@ -1,0 +1,99 @@
+"""The Chaplygin ball with rubber contact (§2.4), equivalent to the Veselova system."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import sympy as sp
+
+from ...core.laws import Integral, Isomorphism, Law, Measure
+from ...core.system import System
+from ...core.vectors import Diagonal, cross, dot, normed, vectors, zero
+from ...mechanics.rolling.equations import Field, Rolling
+from ...mechanics.rolling.shapes import Ball
+from ...mechanics.rolling.surfaces import Plane
+from ..entry import Entry, Numbers, Start, bruns_factor
+from ..fixed_point import veselova
+from . import chaplygin_ball
+
+M, gamma, k, omega = vectors("M gamma k omega")
+I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")
+
+SOURCE = "§2.4"
+MOMENTUM_UNIT = chaplygin_ball.MOMENTUM_UNIT
+
+
+def build(p: Numbers) -> Rolling:
+    """The same ball, kept from spinning."""
+    return replace(chaplygin_ball.build(p), contact="rubber")
+
+
+def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
+    """Measure; the square of the horizontal momentum without a potential or with Bruns'."""
+    body = rolling.body
+    balanced = isinstance(body.shape, Ball) and not any(body.shape.centre)
+    if not (balanced and rolling.surface == Plane() and rolling.contact == "rubber"):
+        return ()
+    found: tuple[Law, ...] = (_measure(),) if body.principal else ()
+    total = M + k if any(body.gyrostat) else M + zero
+    value = normed(cross(total, gamma))
+    potential = rolling.field.potential
+    if potential == 0:
+        meaning = "square of the horizontal momentum"
+        found = (Integral("momentum", value, meaning, source="(6.4)", unit=MOMENTUM_UNIT), *found)
+        return (
+            (*found, _onto(veselova.build(veselova.NUMBERS)))
+            if body.principal and total == M
+            else found
+        )
+    if body.principal and total == M and (factor := bruns_factor(potential)) is not None:
+        value = value - factor * sp.Mul(*J.symbols) * dot(gamma, A * gamma)
+        meaning = "square of the horizontal momentum, Bruns field"
+        law = Integral("momentum", value, meaning, source="Remark 15", unit=MOMENTUM_UNIT)
+        return (law, *found)
+    return found
+
+
+def _measure() -> Measure:
+    return Measure(
+        "measure",
+        {dot(gamma, A * gamma): sp.Rational(1, 2)},
+        "invariant measure ρ d³ω d³γ",
+        source="(6.3)",
+    )
+
+
+def _onto(target: System) -> Isomorphism:
+    """The Veselova system with J for I."""
+    return Isomorphism(
+        "veselova",
+        target,
+        {omega: omega, gamma: gamma},
+        constants=dict(zip(I.symbols, J.symbols, strict=True)),
+        meaning="Veselova system with J = I + mR² for I",
+        source=SOURCE,
+    )
+
+
+def unspecified() -> System:
+    """The ball in an arbitrary potential U(γ)."""
+    potential = sp.Function("U")(*gamma.symbols)
+    rolling = replace(build(chaplygin_ball.NUMBERS), field=Field(potential=potential))
+    made = rolling.system("rubber-chaplygin-ball")
+    return made.with_laws(_measure(), _onto(veselova.general()))
+
+
+ENTRIES = (
+    Entry(
+        name="rubber-chaplygin-ball",
+        title="Chaplygin ball with rubber contact",
+        summary="A balanced, dynamically asymmetric ball rolls on a horizontal plane with neither "
+        "slipping nor spinning; its equations are those of the Veselova system with J = I + mR².",
+        source=SOURCE,
+        defaults=chaplygin_ball.NUMBERS,
+        build=build,
+        start=Start(omega=(0.9, -0.5, -0.35483870967741937), gamma=(0.2, -0.3, 0.93), until=60.0),
+        laws=laws,
+        general=unspecified,
+    ),
+)

@@ -1,0 +1,48 @@
+"""The Chaplygin ball with rubber contact in Bruns' field (§2.4): the Veselova system with I → J."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from ...core.laws import Isomorphism, Law
+from ...core.system import System
+from ...mechanics.rolling.equations import Field, Rolling
+from ..entry import Entry, Numbers, bruns_factor
+from ..fixed_point import veselova
+from . import chaplygin_ball, rubber_chaplygin_ball
+
+__all__ = ["ENTRIES"]
+
+
+def build(p: Numbers) -> Rolling:
+    """The ball in the potential U = ½K(γ, Iγ)."""
+    field = Field(potential=chaplygin_ball.BRUNS, values=((veselova.K, p["K"]),))
+    return replace(rubber_chaplygin_ball.build(p), field=field)
+
+
+def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
+    """What is known of the ball in a potential, and the isomorphism onto the Veselova system."""
+    known = rubber_chaplygin_ball.laws(rolling, system)
+    if not known or bruns_factor(rolling.field.potential) != veselova.K:
+        return known
+    target = veselova.in_bruns_field({**veselova.NUMBERS, "K": 2.0})
+    general = rubber_chaplygin_ball.unspecified()
+    forms = (law for law in general.laws if isinstance(law, Isomorphism))
+    return (*known, *(replace(law, target=target) for law in forms))
+
+
+_FREE = rubber_chaplygin_ball.ENTRIES[0]
+
+ENTRIES = (
+    Entry(
+        name="rubber-chaplygin-ball-bruns",
+        title="Chaplygin ball with rubber contact in Bruns' field",
+        summary="A balanced, dynamically asymmetric ball rolls on a horizontal plane with neither "
+        "slipping nor spinning in the potential U = ½K(γ, Iγ); it moves as the Veselova system.",
+        source="§2.4, Remark 15",
+        defaults={**_FREE.defaults, "K": 0.7},
+        build=build,
+        start=_FREE.start,
+        laws=laws,
+    ),
+)

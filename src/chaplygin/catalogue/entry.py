@@ -1,0 +1,179 @@
+"""What the catalogue says of one system; `list`, `show` and the documentation read it here."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, TypeAlias
+
+import sympy as sp
+
+from ..core.laws import Law
+from ..core.system import System
+from ..errors import InputError
+from ..mechanics.ball.ball import RollingBall
+from ..mechanics.lagrangian.plan import Plan
+from ..mechanics.rolling.equations import Rolling
+
+__all__ = ["Entry", "Start", "known_laws", "lookup"]
+
+Numbers = Mapping[str, float]
+Triple: TypeAlias = tuple[float, float, float]
+#: Values of a state by the names of its variables: a number, or the components of a vector.
+Values: TypeAlias = Mapping[str, float | tuple[float, ...]]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Start:
+    """A start worth looking at: ω and γ, or the whole state by name.
+
+    Parameters
+    ----------
+    until : float
+        For how long to follow it.
+    omega, gamma : 3 floats, optional
+        Angular velocity and normal, body axes, from which the rest of the state follows.
+    state : mapping of str to float or floats, optional
+        The state by the names of its variables, for a system that is not given by ω and γ; what
+        belongs to the lift to space may be left out.
+
+    Raises
+    ------
+    InputError
+        Unless either ω and γ are given, or a state.
+    """
+
+    until: float
+    omega: Triple | None = None
+    gamma: Triple | None = None
+    state: Values | None = None
+
+    def __post_init__(self) -> None:
+        halves = [self.omega is not None, self.gamma is not None]
+        if all(halves) == (self.state is not None) or any(halves) != all(halves):
+            raise InputError("a start is given either by both omega and gamma or by a state")
+
+    @property
+    def values(self) -> dict[str, Any]:
+        """What is given, by name: ω and γ, or the variables of the state."""
+        return {"omega": self.omega, "gamma": self.gamma} if self.state is None else {**self.state}
+
+
+def _no_laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
+    return ()
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One system of the catalogue.
+
+    Attributes
+    ----------
+    name, title, summary, source : str
+        Identifier, human form, one or two sentences, equation numbers in the paper.
+    defaults : mapping of str to float
+        Parameters by symbol name, with values of an instructive example.
+    build : callable
+        Numbers by symbol name ↦ Rolling; or ↦ System where nothing rolls.
+    start : Start
+    laws : callable
+        (Rolling, System) ↦ the laws that the paper names for it, besides the energy; empty
+        for a Rolling that this entry does not speak of.
+    general : callable, optional
+        The System with what is arbitrary left arbitrary (a potential U(γ), a profile), and the
+        laws that hold for every choice: for proofs alone, it cannot be run.
+    variables : mapping of str to (str, str)
+        Meaning and SI unit of state variables by name, where the start is given by a state.
+    ball : callable, optional
+        Numbers by symbol name ↦ the homogeneous ball on a surface whose System `build` gives.
+    letters : mapping of str to str
+        Meanings of letters in the equations that this system alone has.
+    plan : Plan, optional
+        What is drawn of a mechanism in the plane.
+    """
+
+    name: str
+    title: str
+    summary: str
+    source: str
+    defaults: Numbers
+    build: Callable[[Numbers], Rolling | System]
+    start: Start
+    laws: Callable[[Rolling, System], tuple[Law, ...]] = _no_laws
+    general: Callable[[], System] | None = None
+    variables: Mapping[str, tuple[str, str]] = field(default_factory=dict)
+    ball: Callable[[Numbers], RollingBall] | None = None
+    letters: Mapping[str, str] = field(default_factory=dict)
+    plan: Plan | None = None
+
+    def numbers(self, parameters: Numbers | None = None) -> dict[str, float]:
+        """All parameters, the given ones replacing the defaults.
+
+        Raises
+        ------
+        InputError
+            If a parameter is not one of this system's.
+        """
+        given = dict(parameters or {})
+        for name in given:
+            if name not in self.defaults:
+                raise InputError(
+                    f"no parameter {name!r} in {self.name}{_nearest(name, self.defaults)}; it has "
+                    f"{', '.join(self.defaults)}"
+                )
+        return {**self.defaults, **given}
+
+    def rolling(self, parameters: Numbers | None = None) -> Rolling | None:
+        """What rolls on what; None for a body about a fixed point."""
+        made = self.build(self.numbers(parameters))
+        return made if isinstance(made, Rolling) else None
+
+    def rolling_ball(self, parameters: Numbers | None = None) -> RollingBall | None:
+        """The homogeneous ball and its surface; None where there is none."""
+        return None if self.ball is None else self.ball(self.numbers(parameters))
+
+    def system(self, parameters: Numbers | None = None) -> System:
+        """The System, with the laws that the paper names."""
+        from dataclasses import replace
+
+        made = self.build(self.numbers(parameters))
+        if isinstance(made, System):
+            return made
+        system = made.system(self.name, self.title)
+        system = replace(system, source=self.source, summary=self.summary)
+        return system.with_laws(*self.laws(made, system))
+
+
+def lookup(catalogue: Mapping[str, Entry], name: str) -> Entry:
+    """The entry of that name, or an InputError that names the nearest one."""
+    if name not in catalogue:
+        raise InputError(
+            f"no system {name!r} in the catalogue{_nearest(name, catalogue)}; "
+            "`chaplygin list` shows all of them"
+        )
+    return catalogue[name]
+
+
+def _nearest(name: str, known: Iterable[str]) -> str:
+    close = difflib.get_close_matches(name, list(known), n=1)
+    return f" (did you mean {close[0]!r}?)" if close else ""
+
+
+def known_laws(entries: Iterable[Entry], rolling: Rolling, system: System) -> tuple[Law, ...]:
+    """The integrals that some entries know of a rolling body, each once."""
+    found: dict[str, Law] = {}
+    for item in entries:
+        for law in item.laws(rolling, system):
+            found.setdefault(law.name, law)
+    return tuple(found.values())
+
+
+def bruns_factor(potential: sp.Expr) -> Any:
+    """k of the Bruns field U = ½k(γ, Iγ) for a diagonal tensor I; None for another potential."""
+    gamma = sp.symbols("gamma_1:4", real=True)
+    inertia = sp.symbols("I_1:4", real=True)
+    factor = sp.cancel(2 * sp.diff(potential, gamma[0]) / (2 * gamma[0] * inertia[0]))
+    bruns = factor / 2 * sp.Add(*(i * c**2 for i, c in zip(inertia, gamma, strict=True)))
+    fits = not factor.free_symbols & {*gamma, *inertia} and sp.expand(potential - bruns) == 0
+    return factor if fits and factor != 0 else None

@@ -1,0 +1,1 @@
+"""Bodies that turn about a fixed point: Suslov, Veselova, Neumann, Clebsch, Lagrange."""

@@ -1,0 +1,86 @@
+"""The Neumann system: a point on a sphere in a quadratic potential (§6.3)."""
+
+from __future__ import annotations
+
+from ...core.laws import Integral, Rate, Separation
+from ...core.system import Parameter, System
+from ...core.vectors import dot, normed, scalar
+from ...mechanics.rolling.body import check_inertia
+from ..e3 import Gamma, H, I, M, e3_system, inertia_parameters
+from ..entry import Entry, Numbers, Start
+from ..sphero_conical import coordinates, cubic, u, v
+
+c = scalar("c")
+#: The values of the two integrals.
+h, f = scalar("h"), scalar("f")
+I_1, I_2, I_3 = I.symbols
+SECOND = (dot(M, I * M) - c * I_1 * I_2 * I_3 * dot(Gamma, I**-1 * Gamma)) / 2
+
+TITLE = "Neumann system"
+SUMMARY = (
+    "A point moves on a sphere in a quadratic potential: the Clebsch case with α = 1 and β = 0, "
+    "at zero area constant."
+)
+SOURCE = "§6.3, (6.14), Theorem 8"
+STRENGTH = "strength of the potential"
+
+
+def build(p: Numbers) -> System:
+    """H = ½M² + ½c(Γ, IΓ) at (M, Γ) = 0; Γ is the place of the point, Γ×M its velocity."""
+    moments = (p["I_1"], p["I_2"], p["I_3"])
+    check_inertia(moments)
+    return e3_system(
+        "neumann",
+        TITLE,
+        (normed(M) + c * dot(Gamma, I * Gamma)) / 2,
+        (*inertia_parameters(moments), Parameter(c, STRENGTH, p["c"], "1/(kg m^2)")),
+        level=(dot(M, Gamma),),
+        laws=(
+            Integral(
+                "second",
+                SECOND,
+                "second quadratic integral, of the Clebsch case",
+                source="(6.14)",
+            ),
+            separation(),
+        ),
+        source=SOURCE,
+        summary=SUMMARY,
+        unit="",
+    )
+
+
+def separation() -> Separation:
+    """(u − v)² ż² = 8A(z)((h − ½c tr I) z + ½c z² − f) for z = u, v."""
+    trace = I_1 + I_2 + I_3
+    return Separation(
+        "separation",
+        {**coordinates(Gamma), h: H, f: SECOND},
+        (
+            *(
+                (u - v) ** 2 * Rate(z) ** 2
+                - 8 * cubic(z) * ((h - c * trace / 2) * z + c * z**2 / 2 - f)
+                for z in (u, v)
+            ),
+            Rate(h),
+            Rate(f),
+        ),
+        "separated equations in sphero-conical coordinates",
+        source="Remark 16",
+    )
+
+
+ENTRIES = (
+    Entry(
+        name="neumann",
+        title=TITLE,
+        summary=SUMMARY,
+        source=SOURCE,
+        defaults={"I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "c": 0.8},
+        build=build,
+        start=Start(
+            state={"M": (0.9, -0.2, -0.4), "Gamma": (2 / 7, -3 / 7, 6 / 7)},
+            until=60.0,
+        ),
+    ),
+)

@@ -1,0 +1,412 @@
+"""The Veselova system (§6): a body about a fixed point that must not turn about the vertical."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ...core.laws import (
+    ConformallyHamiltonian,
+    Integral,
+    Isomorphism,
+    Law,
+    Measure,
+    PoissonStructure,
+    Rate,
+    Separation,
+)
+from ...core.system import Motion, Observable, Parameter, System
+from ...core.vectors import (
+    Components,
+    Diagonal,
+    constant,
+    cross,
+    dot,
+    explicit,
+    gradient,
+    hat,
+    normed,
+    scalar,
+    vectors,
+)
+from ...mechanics.rolling.attitude import (
+    attitude,
+    attitude_observable,
+    quaternion_rate,
+    tie,
+    unit_length,
+)
+from ...mechanics.rolling.body import check_inertia
+from .. import e3
+from ..entry import Entry, Numbers, Start
+from ..sphero_conical import coordinates, cubic, u, v
+from . import neumann
+from .veselova_geodesic import in_potential
+
+omega, gamma, omegadot, X = vectors("omega gamma omegadot X")
+I, A = Diagonal("I"), Diagonal("A")
+I_1, I_2, I_3 = I.symbols
+lambda_0, U, K = scalar("lambda_0"), scalar("U"), scalar("K")
+#: The values of energy and momentum integral.
+h, F = scalar("h"), scalar("F")
+
+HALF = sp.Rational(1, 2)
+DET_I = I_1 * I_2 * I_3
+KINETIC = HALF * dot(I * omega, omega)
+#: ρ_ω of (6.3).
+DENSITY = sp.sqrt(dot(gamma, I**-1 * gamma))
+#: Bruns' field U = ½K(γ, Iγ); the paper has K = 2.
+BRUNS = explicit(HALF * K * dot(gamma, I * gamma))
+ANY = sp.Function("U")(*gamma.symbols)
+FREE = sp.S.Zero
+
+SOURCE = "§6.1, (6.1)–(6.4)"
+MOMENTUM_UNIT = "kg^2 m^4/s^2"
+
+
+def turning(
+    name: str,
+    title: str,
+    summary: str,
+    source: str,
+    parameters: tuple[Parameter, ...],
+    potential: sp.Expr,
+    constraint: tuple[sp.Expr, ...],
+    laws: tuple[Law, ...],
+) -> System:
+    """(6.1) in a potential, with the sign of λ₀ that keeps (ω, γ) constant.
+
+    Parameters
+    ----------
+    name, title, summary, source : str
+    parameters : tuple of Parameter
+    potential : sympy.Expr
+        U in ``gamma_1``, ``gamma_2``, ``gamma_3`` (body axes); zero for none.
+    constraint : tuple of sympy.Expr
+        What vanishes besides γ² − 1: (ω, γ), or nothing.
+    laws : tuple of Law
+    """
+    torque = cross(I * omega, omega) + cross(gamma, gradient(potential, gamma))
+    return System(
+        name=name,
+        title=title,
+        summary=summary,
+        source=source,
+        parameters=parameters,
+        definitions={
+            A: I**-1,
+            **({U: potential} if potential != 0 else {}),
+            X: torque,
+            lambda_0: -dot(A * gamma, X) / dot(A * gamma, gamma),
+            omegadot: A * (X + lambda_0 * gamma),
+        },
+        field={omega: omegadot, gamma: cross(gamma, omega)},
+        relations=(normed(gamma) - 1, *constraint),
+        laws=laws,
+        observables=(
+            Observable("spin_torque", lambda_0, "torque about the vertical", "N m", source="(6.1)"),
+        ),
+        motion=Motion(
+            field={attitude: quaternion_rate(omega)},
+            relations=(unit_length(), *tie(gamma)),
+            observables=(attitude_observable(),),
+        ),
+    )
+
+
+def moments(p: Numbers) -> tuple[float, float, float]:
+    """The principal moments, refused unless a rigid body can have them."""
+    found = (p["I_1"], p["I_2"], p["I_3"])
+    check_inertia(found)
+    return found
+
+
+# --- laws ----------------------------------------------------------------------------------
+
+
+def measure() -> Measure:
+    """(6.3)."""
+    return Measure(
+        "measure",
+        {dot(gamma, I**-1 * gamma): HALF},
+        "invariant measure ρ d³ω d³γ",
+        source="(6.3)",
+    )
+
+
+def bracket() -> PoissonStructure:
+    """The canonical bracket of (6.10) in the variables ω, γ, on (ω, γ) = 0."""
+    spin = hat(explicit(I * omega + cross(omega, cross(gamma, I * gamma))))
+    normal = constant(gamma.symbols)
+    corner = hat(gamma) * I.entries * (sp.eye(3) - normal * normal.T)
+    top = spin.row_join(corner)
+    whole = top.col_join((-corner.T).row_join(Components.zeros(3, 3)))
+    return PoissonStructure(
+        "bracket",
+        whole / (explicit(DENSITY) * DET_I),
+        casimirs=(normed(gamma), dot(omega, gamma)),
+        rank=4,
+        meaning="canonical bracket of T*S² in the variables ω, γ",
+        source="§6.2, (6.10)",
+    )
+
+
+def conformally_hamiltonian(potential: sp.Expr) -> tuple[Law, ...]:
+    """Theorem 7 without coordinates: the bracket and v = ρ_ω⁻¹ J dH."""
+    structure = bracket()
+    return (
+        structure,
+        ConformallyHamiltonian(
+            "hamiltonian",
+            1 / DENSITY,
+            structure,
+            KINETIC + potential,
+            "conformally Hamiltonian form",
+            source="Theorem 7",
+        ),
+    )
+
+
+def onto_e3(potential: sp.Expr, numbers: tuple[float, float, float]) -> Isomorphism:
+    """(6.11), (6.12)."""
+    roots = [sp.sqrt(s) for s in I.symbols]
+    return Isomorphism(
+        "e3",
+        in_potential(potential, numbers),
+        {
+            e3.M: DENSITY * constant(sp.diag(*roots)) * omega,
+            e3.Gamma: constant(sp.diag(*(1 / s for s in roots))) * gamma / DENSITY,
+        },
+        1 / (DENSITY * sp.sqrt(DET_I)),
+        meaning="Hamiltonian system on e(3)",
+        source="(6.11), (6.12)",
+    )
+
+
+def onto_neumann(p: Numbers) -> Isomorphism:
+    """Theorem 8: ρ_ω ω and γ move as the Neumann system, whose c is 2h/det I."""
+    return Isomorphism(
+        "neumann",
+        neumann.build({**p, "c": 1.0}),
+        {e3.M: DENSITY * omega, e3.Gamma: gamma},
+        1 / DENSITY,
+        {neumann.c: 2 * KINETIC / DET_I},
+        "Neumann system on a level of the energy",
+        onto=(neumann.SECOND,),
+        source="Theorem 8",
+    )
+
+
+def separation() -> Separation:
+    """uv (u − v)² ż² = 4z A(z)(2hz − F) for z = u, v, without a field."""
+    return Separation(
+        "separation",
+        {**coordinates(gamma), h: KINETIC, F: normed(cross(I * omega, gamma))},
+        (
+            *(
+                u * v * (u - v) ** 2 * Rate(z) ** 2 - 4 * z * cubic(z) * (2 * h * z - F)
+                for z in (u, v)
+            ),
+            Rate(h),
+            Rate(F),
+        ),
+        "separated equations in sphero-conical coordinates",
+        source="Remark 16",
+    )
+
+
+def energy(potential: sp.Expr) -> Integral:
+    """(6.2)."""
+    value = KINETIC + U if potential != 0 else KINETIC
+    return Integral("energy", value, "energy", source="(6.2)", unit="J")
+
+
+def momentum() -> Integral:
+    """(6.4)."""
+    return Integral(
+        "momentum",
+        normed(cross(I * omega, gamma)),
+        "square of the horizontal momentum",
+        source="(6.4)",
+        unit=MOMENTUM_UNIT,
+    )
+
+
+def momentum_in_bruns_field() -> Integral:
+    """(6.4) in the field U = ½K(γ, Iγ)."""
+    return Integral(
+        "momentum",
+        normed(cross(I * omega, gamma)) - K * DET_I * dot(gamma, A * gamma),
+        "square of the horizontal momentum, Bruns field",
+        source="Remark 15",
+        unit=MOMENTUM_UNIT,
+    )
+
+
+def energy_of_spinning(potential: sp.Expr) -> Integral:
+    """Energy less (ω, γ)(Iω, γ), to which the torque of the constraint adds as much."""
+    value = KINETIC - dot(omega, gamma) * dot(I * omega, gamma)
+    return Integral(
+        "energy",
+        value + U if potential != 0 else value,
+        "energy less (ω, γ) times the vertical momentum",
+        source="Remark 18",
+        unit="J",
+    )
+
+
+def spin() -> Integral:
+    """The constraint (ω, γ) = d of Remark 18."""
+    return Integral(
+        "spin", dot(omega, gamma), "vertical angular velocity", source="Remark 18", unit="rad/s"
+    )
+
+
+# --- systems -------------------------------------------------------------------------------
+
+
+TITLE = "Veselova system"
+SUMMARY = (
+    "A rigid body turns about a fixed point, its centre of mass, under the constraint that its "
+    "angular velocity has no vertical component."
+)
+
+
+def build(p: Numbers) -> System:
+    """Without a field."""
+    numbers = moments(p)
+    return turning(
+        "veselova",
+        TITLE,
+        SUMMARY,
+        SOURCE,
+        e3.inertia_parameters(numbers),
+        FREE,
+        (dot(omega, gamma),),
+        (
+            energy(FREE),
+            momentum(),
+            measure(),
+            *conformally_hamiltonian(FREE),
+            onto_e3(FREE, numbers),
+            onto_neumann(p),
+            separation(),
+        ),
+    )
+
+
+def general() -> System:
+    """In an unspecified potential."""
+    numbers = moments(NUMBERS)
+    return turning(
+        "veselova",
+        TITLE,
+        SUMMARY,
+        SOURCE,
+        e3.inertia_parameters(numbers),
+        ANY,
+        (dot(omega, gamma),),
+        (
+            energy(ANY),
+            measure(),
+            *conformally_hamiltonian(ANY),
+            onto_e3(ANY, numbers),
+        ),
+    )
+
+
+BRUNS_TITLE = "Veselova system in Bruns' field"
+BRUNS_SUMMARY = (
+    "The Veselova system in the potential U = ½K(γ, Iγ), in which it keeps a second quadratic "
+    "integral."
+)
+
+
+def in_bruns_field(p: Numbers) -> System:
+    """In the potential U = ½K(γ, Iγ)."""
+    numbers = moments(p)
+    return turning(
+        "veselova-bruns",
+        BRUNS_TITLE,
+        BRUNS_SUMMARY,
+        "§6.1, Remark 15",
+        (
+            *e3.inertia_parameters(numbers),
+            Parameter(K, "strength of the Bruns field", p["K"], "1/s^2"),
+        ),
+        BRUNS,
+        (dot(omega, gamma),),
+        (
+            energy(BRUNS),
+            momentum_in_bruns_field(),
+            measure(),
+            *conformally_hamiltonian(BRUNS),
+        ),
+    )
+
+
+SPINNING_TITLE = "Generalised Veselova system"
+SPINNING_SUMMARY = (
+    "A rigid body turns about a fixed point, its centre of mass, under the constraint that the "
+    "vertical component of its angular velocity is constant."
+)
+
+
+def spinning(p: Numbers) -> System:
+    """(ω, γ) = d with any d, without a field."""
+    return _spinning(moments(p), FREE, momentum())
+
+
+def spinning_general() -> System:
+    """(ω, γ) = d with any d, in an unspecified potential."""
+    return _spinning(moments(NUMBERS), ANY)
+
+
+def _spinning(
+    numbers: tuple[float, float, float], potential: sp.Expr, *further: Integral
+) -> System:
+    return turning(
+        "veselova-spinning",
+        SPINNING_TITLE,
+        SPINNING_SUMMARY,
+        "§6.1, Remark 18",
+        e3.inertia_parameters(numbers),
+        potential,
+        (),
+        (spin(), energy_of_spinning(potential), *further, measure()),
+    )
+
+
+NUMBERS = {"I_1": 1.0, "I_2": 1.5, "I_3": 2.1}
+START = Start(omega=(0.9, -0.5, -0.35483870967741937), gamma=(0.2, -0.3, 0.93), until=60.0)
+
+ENTRIES = (
+    Entry(
+        name="veselova",
+        title=TITLE,
+        summary=SUMMARY,
+        source=SOURCE,
+        defaults=NUMBERS,
+        build=build,
+        start=START,
+        general=general,
+    ),
+    Entry(
+        name="veselova-bruns",
+        title=BRUNS_TITLE,
+        summary=BRUNS_SUMMARY,
+        source="§6.1, Remark 15",
+        defaults={**NUMBERS, "K": 2.0},
+        build=in_bruns_field,
+        start=START,
+    ),
+    Entry(
+        name="veselova-spinning",
+        title=SPINNING_TITLE,
+        summary=SPINNING_SUMMARY,
+        source="§6.1, Remark 18",
+        defaults=NUMBERS,
+        build=spinning,
+        start=Start(omega=(0.9, -0.5, 0.8), gamma=(0.2, -0.3, 0.93), until=60.0),
+        general=spinning_general,
+    ),
+)

@@ -1,0 +1,1 @@
+"""Sleighs, wheels, trailers and other mechanisms in the plane."""

@@ -1,0 +1,160 @@
+"""A car that pulls trailers, each hitched at the axle before it (§2.1).
+
+Axle 0 is that of the car, seen as one; axle i follows at the distance l_i.  θ is the heading of the
+car and φ_i the angle at hitch i, from trailer i to what pulls it.  Axle i has the velocity a_i
+along itself and b_i across, which vanishes:
+
+    a_i = a_{i−1} cos φ_i − b_{i−1} sin φ_i,    b_i = a_{i−1} sin φ_i + b_{i−1} cos φ_i − l_i w_i.
+
+Masses sit at the axles, so that the car turns uniformly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from ...core.laws import Integral
+from ...core.system import Parameter, System
+from ...core.vectors import scalar
+from ...mechanics.lagrangian.mechanism import Frame, Mechanism
+from ...mechanics.lagrangian.plan import Plan
+from ...mechanics.lagrangian.poincare_suslov import equations
+from ..entry import Entry, Numbers, Start
+from ..positive import positive
+
+__all__ = ["drawn", "train"]
+
+x, y, theta, u, v, m, J = (scalar(name) for name in ("x", "y", "theta", "u", "v", "m", "J"))
+HALF = sp.Rational(1, 2)
+SOURCE = "§2.1"
+TITLE = "Car with trailers"
+SUMMARY = (
+    "A car pulls two trailers, each hitched at the axle before it; it turns uniformly, and its "
+    "speed alone responds to the trailers."
+)
+
+
+def drawn(count: int) -> Plan:
+    """The axles of a car with a number of trailers, and the drawbars between them."""
+    place, heading = (x, y), theta
+    axles, links = [(x, y, theta)], []
+    for phi, length in zip(_numbered("phi", count), _numbered("l", count), strict=True):
+        heading = heading - phi
+        hitch, place = (
+            place,
+            (
+                place[0] - length * sp.cos(heading),
+                place[1] - length * sp.sin(heading),
+            ),
+        )
+        axles.append((*place, heading))
+        links.append((*hitch, *place))
+    return Plan((x, y), tuple(links), axles=tuple(axles))
+
+
+def _numbered(name: str, count: int) -> tuple[sp.Symbol, ...]:
+    return tuple(scalar(f"{name}_{i}") for i in range(1, count + 1))
+
+
+def train(count: int, values: Mapping[str, float] | None = None) -> Mechanism:
+    """A car with a number of trailers.
+
+    Parameters
+    ----------
+    count : int
+        How many trailers.
+    values : mapping of str to float, optional
+        Parameters: ``m`` and ``J`` of the car, ``m_i``, ``J_i`` and ``l_i`` of trailer i.
+
+    Raises
+    ------
+    InputError
+        If a mass, moment of inertia or length is not positive.
+    """
+    p = {**_defaults(count), **(values or {})}
+    angles, spins = _numbered("phi", count), _numbered("w", count)
+    lengths, masses, moments = (_numbered(name, count) for name in ("l", "m", "J"))
+    along, across = _numbered("a", count), _numbered("b", count)
+    turn = scalar("Omega")
+    definitions: dict[sp.Symbol, sp.Expr] = {}
+    constraints: list[sp.Expr] = [v]
+    rates = {x: u * sp.cos(theta) - v * sp.sin(theta), y: u * sp.sin(theta) + v * sp.cos(theta)}
+    rates[theta] = turn
+    kinetic = HALF * m * (u**2 + v**2) + HALF * J * turn**2
+    pulling, speed = (u, v, turn), u
+    for phi, w, length, mass, moment, a, b in zip(
+        angles, spins, lengths, masses, moments, along, across, strict=True
+    ):
+        forward, sideways, before = pulling
+        definitions[a] = forward * sp.cos(phi) - sideways * sp.sin(phi)
+        definitions[b] = forward * sp.sin(phi) + sideways * sp.cos(phi) - length * w
+        # b = 0, where the axles before do not slip sideways
+        constraints.append(w - speed * sp.sin(phi) / length)
+        speed = speed * sp.cos(phi)
+        rates[phi] = before - w
+        kinetic += HALF * mass * (a**2 + b**2) + HALF * moment * w**2
+        pulling = (a, b, w)
+    return Mechanism(
+        name="trailers",
+        frame=Frame(rates, (u, v, turn, *spins)),
+        lagrangian=kinetic,
+        constraints=tuple(constraints),
+        definitions=definitions,
+        parameters=_parameters(count, p),
+        laws=(Integral("turning", turn, "angular velocity of the car", source=SOURCE, unit="1/s"),),
+        title=TITLE,
+        source=SOURCE,
+        summary=SUMMARY,
+    )
+
+
+def _defaults(count: int) -> dict[str, float]:
+    found = {"m": 1.0, "J": 0.5}
+    for i in range(1, count + 1):
+        found |= {f"m_{i}": 0.6, f"J_{i}": 0.2, f"l_{i}": 1.0 - 0.2 * (i % 2)}
+    return found
+
+
+def _parameters(count: int, p: Mapping[str, float]) -> tuple[Parameter, ...]:
+    found = [positive(m, "mass of the car, at its axle", p["m"], "kg")]
+    found.append(positive(J, "moment of inertia of the car", p["J"], "kg m^2"))
+    for i in range(1, count + 1):
+        found += [
+            positive(scalar(f"m_{i}"), f"mass of trailer {i}, at its axle", p[f"m_{i}"], "kg"),
+            positive(scalar(f"J_{i}"), f"moment of inertia of trailer {i}", p[f"J_{i}"], "kg m^2"),
+            positive(scalar(f"l_{i}"), f"length of trailer {i}", p[f"l_{i}"], "m"),
+        ]
+    return tuple(found)
+
+
+def trailers(p: Numbers) -> System:
+    """Two trailers: the angles at the hitches, the speed and the turning."""
+    return equations(train(2, p))
+
+
+ENTRIES = (
+    Entry(
+        name="trailers",
+        title=TITLE,
+        summary=SUMMARY,
+        source=SOURCE,
+        defaults=_defaults(2),
+        build=trailers,
+        plan=drawn(2),
+        start=Start(
+            state={"phi_1": 0.3, "phi_2": -0.2, "u": 1.0, "Omega": 0.6},
+            until=20.0,
+        ),
+        variables={
+            "phi_1": ("angle at the hitch of trailer 1", "rad"),
+            "phi_2": ("angle at the hitch of trailer 2", "rad"),
+            "u": ("velocity of the car along itself", "m/s"),
+            "Omega": ("angular velocity of the car", "1/s"),
+            "x": ("place of the car's axle", "m"),
+            "y": ("place of the car's axle", "m"),
+            "theta": ("heading of the car", "rad"),
+        },
+    ),
+)

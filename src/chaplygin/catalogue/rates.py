@@ -1,0 +1,17 @@
+"""Time derivatives of vectors in laws."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sympy.matrices.expressions import MatrixExpr
+
+from ..core.laws import Rate
+from ..core.vectors import constant, explicit
+
+__all__ = ["rate"]
+
+
+def rate(vector: MatrixExpr | Any) -> MatrixExpr:
+    """The rates of the components of a vector formula along the field of its system."""
+    return constant([Rate(component) for component in explicit(vector)])

@@ -1,0 +1,1 @@
+"""What a certificate claims, and its residuals as numbers at a point."""

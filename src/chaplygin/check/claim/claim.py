@@ -1,0 +1,328 @@
+"""What is claimed: a system and a law, read from a certificate."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from .errors import CheckError
+from .evaluate import Place
+from .formulas import Formula, names_in, parse, parse_condition
+from .jets import Number
+from .json_data import field, integer, items, listed, mapping, only, text
+from .unspecified_functions import Functions
+
+__all__ = ["Claim", "Law", "System", "read_claim"]
+
+_NAME = re.compile(r"[^\W\d]\w*")
+
+#: Names that formulas use otherwise.
+_TAKEN = {"Derivative", "Subs", "Ne", "Eq"}
+
+
+@dataclass(frozen=True)
+class System:
+    """A vector field on a phase space.
+
+    Attributes
+    ----------
+    state : tuple of str
+    rates : tuple of formulas
+    definitions : mapping of name to formula, in order
+    parameters : tuple of str
+    relations : tuple of formulas
+        Vanish on the phase space.
+    guards : tuple of formulas
+        Positive inside the domain.
+    admissible : tuple of (formula, sign)
+        Conditions on parameters: the formula is > 0, >= 0, = 0 or != 0.
+    """
+
+    state: tuple[str, ...]
+    rates: tuple[Formula, ...]
+    definitions: Mapping[str, Formula]
+    parameters: tuple[str, ...]
+    relations: tuple[Formula, ...]
+    guards: tuple[Formula, ...]
+    admissible: tuple[tuple[Formula, str], ...]
+
+    @property
+    def symbols(self) -> tuple[str, ...]:
+        """State and parameters."""
+        return (*self.state, *self.parameters)
+
+    def reach(
+        self, formulas: Iterable[Formula], more: Mapping[str, Formula] | None = None
+    ) -> set[str]:
+        """All names on which formulas depend, through definitions."""
+        definitions = {**self.definitions, **(more or {})}
+        found: set[str] = set()
+        waiting = names_in(formulas)
+        while waiting:
+            word = waiting.pop()
+            found.add(word)
+            if word in definitions:
+                waiting |= names_in([definitions[word]]) - found
+        return found
+
+    def place(
+        self,
+        values: Mapping[str, Number],
+        functions: Functions,
+        settled: Mapping[str, Formula] | None = None,
+    ) -> Place:
+        """The system at a point."""
+        rates = dict(zip(self.state, self.rates, strict=True))
+        return Place(values, self.definitions, rates, functions, settled)
+
+
+@dataclass(frozen=True)
+class Law:
+    """A law: its kind, the level, and what it says.
+
+    Attributes
+    ----------
+    kind : str
+    on : tuple of formulas
+    single : mapping of field name to formula
+    several : mapping of field name to tuple of formulas
+    pairs : mapping of field name to tuple of (name or formula, formula)
+    matrix : tuple of tuple of formulas
+        Of a bracket.
+    rank : int or None
+        Of a bracket.
+    target : System or None
+    """
+
+    kind: str
+    on: tuple[Formula, ...]
+    single: Mapping[str, Formula]
+    several: Mapping[str, tuple[Formula, ...]]
+    pairs: Mapping[str, tuple[tuple[Any, Formula], ...]]
+    matrix: tuple[tuple[Formula, ...], ...] = ()
+    rank: int | None = None
+    target: System | None = None
+
+    def formulas(self) -> list[Formula]:
+        """All formulas about the system itself."""
+        found = [*self.on, *self.single.values()]
+        found += [f for name, group in self.several.items() if name != "onto" for f in group]
+        for name, group in self.pairs.items():
+            found += [value for _, value in group]
+            if name == "density":
+                found += [base for base, _ in group]
+        return [*found, *(entry for row in self.matrix for entry in row)]
+
+    @property
+    def quantities(self) -> dict[str, Formula]:
+        """Names that the law itself defines."""
+        return dict(self.pairs.get("quantities", ()))
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A law of a system."""
+
+    system: System
+    law: Law
+
+    @property
+    def conditions(self) -> tuple[Formula, ...]:
+        """What vanishes where the law is claimed."""
+        return (*self.system.relations, *self.law.on)
+
+    @cached_property
+    def moving(self) -> tuple[Formula, ...]:
+        """The conditions that involve the state."""
+        state = set(self.system.state)
+        return tuple(c for c in self.conditions if self.system.reach([c]) & state)
+
+
+def _formulas(data: Any, what: str) -> tuple[Formula, ...]:
+    return tuple(parse(t, f"{what} {i}") for i, t in enumerate(listed(data, what), 1))
+
+
+def _name(data: Any, what: str) -> str:
+    word = text(data, what)
+    if _NAME.fullmatch(word) is None or word in _TAKEN:
+        raise CheckError(f"{what} is {word!r}, which is no name")
+    return word
+
+
+def _names(data: Any, what: str) -> tuple[str, ...]:
+    return tuple(_name(word, what) for word in listed(data, what))
+
+
+def _pairs(data: Any, what: str) -> tuple[tuple[str, Formula], ...]:
+    found = []
+    for pair in listed(data, what):
+        word, formula = items(pair, 2, what)
+        found.append((_name(word, what), parse(formula, f"{what} {word}")))
+    _distinct([word for word, _ in found], what)
+    return tuple(found)
+
+
+def _distinct(words: Iterable[str], what: str) -> None:
+    seen: set[str] = set()
+    for word in words:
+        if word in seen:
+            raise CheckError(f"{what}: {word} stands there twice")
+        seen.add(word)
+
+
+def _require(formulas: Iterable[Formula], known: set[str], what: str) -> None:
+    strange = sorted(names_in(formulas) - known - {"pi", "E"})
+    if strange:
+        raise CheckError(f"{what} uses {strange[0]}, which is unknown")
+
+
+def read_system(data: Any, what: str) -> System:
+    """Read a system; what is wrong with it raises CheckError."""
+    data = mapping(data, what)
+    fields = ("name", "state", "rates", "definitions", "parameters", "relations", "guards")
+    only(data, what, *fields, "admissible")
+    text(field(data, "name", what), f"the name of {what}")
+    state = _names(field(data, "state", what), f"the state of {what}")
+    rates = _formulas(field(data, "rates", what), f"the rates of {what}")
+    if len(rates) != len(state) or not state:
+        raise CheckError(f"{what} has {len(state)} state variables and {len(rates)} rates")
+    parameters = _names(field(data, "parameters", what), f"the parameters of {what}")
+    definitions = _pairs(field(data, "definitions", what), f"the definitions of {what}")
+    _distinct((*state, *parameters, *(word for word, _ in definitions)), what)
+    known = {*state, *parameters}
+    for word, formula in definitions:
+        _require([formula], known, f"the definition of {word} in {what}")
+        known.add(word)
+    relations = _formulas(field(data, "relations", what), f"the relations of {what}")
+    guards = _formulas(data.get("guards", []), f"the guards of {what}")
+    admissible = tuple(
+        part
+        for condition in listed(data.get("admissible", []), what)
+        for part in parse_condition(condition, f"what is admissible in {what}")
+    )
+    _require([*rates, *relations, *guards], known, what)
+    _require([f for f, _ in admissible], set(parameters), f"what is admissible in {what}")
+    return System(state, rates, dict(definitions), parameters, relations, guards, admissible)
+
+
+#: Fields of every kind: single formulas, lists of formulas, pairs of name and formula.
+_KINDS: dict[str, tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]] = {
+    "Integral": (("value",), (), ()),
+    "Measure": ((), (), ()),
+    "Symmetry": ((), (), ("field",)),
+    "PoissonStructure": ((), ("casimirs",), ()),
+    "ConformallyHamiltonian": (("multiplier", "hamiltonian"), (), ()),
+    "Isomorphism": (("time",), ("onto",), ("map", "constants")),
+    "Reduction": ((), ("equations",), ("quantities",)),
+    "Separation": ((), ("equations",), ("quantities",)),
+    "Identity": ((), ("value",), ("quantities",)),
+}
+
+#: Fields that may be missing, where nothing is said there.
+_OPTIONAL = {("Identity", "quantities"), ("Isomorphism", "onto")}
+
+
+def read_claim(data: Any, what: str) -> Claim:
+    """Read a claim; what is wrong with it raises CheckError."""
+    data = mapping(data, what)
+    only(data, what, "system", "law")
+    system = read_system(field(data, "system", what), f"the system of {what}")
+    law = _law(mapping(field(data, "law", what), what), system, f"the law of {what}")
+    known = {*system.symbols, *system.definitions}
+    for word, formula in law.pairs.get("quantities", ()):
+        if word in known:
+            raise CheckError(f"the quantity {word} of {what} has a name that is taken")
+        _require([formula], known, f"the quantity {word} of {what}")
+        known.add(word)
+    _require(law.on, {*system.symbols, *system.definitions}, f"the level of {what}")
+    _require(law.formulas(), known, f"the law of {what}")
+    return Claim(system, law)
+
+
+def _law(data: Mapping[str, Any], system: System, what: str) -> Law:
+    kind = field(data, "kind", what)
+    if not isinstance(kind, str) or kind not in _KINDS:
+        raise CheckError(f"{what} is of the kind {kind!r}, which is unknown")
+    single, several, pairs = _KINDS[kind]
+    extra = {
+        "Measure": ("density",),
+        "PoissonStructure": ("matrix", "rank"),
+        "ConformallyHamiltonian": ("structure",),
+        "Isomorphism": ("target",),
+    }.get(kind, ())
+    only(data, what, "kind", "name", "on", *single, *several, *pairs, *extra)
+    text(field(data, "name", what), f"the name of {what}")
+    given = {**{word: [] for other, word in _OPTIONAL if other == kind}, **data}
+    made: dict[str, Any] = {
+        "kind": kind,
+        "on": _formulas(field(data, "on", what), f"the level of {what}"),
+        "single": {n: parse(field(data, n, what), f"{n} of {what}") for n in single},
+        "several": {n: _formulas(field(given, n, what), f"{n} of {what}") for n in several},
+        "pairs": {n: _pairs(field(given, n, what), f"{n} of {what}") for n in pairs},
+    }
+    if kind == "Measure":
+        made["pairs"]["density"] = _density(field(data, "density", what), system, what)
+    if kind == "PoissonStructure":
+        made |= _bracket(data, system, what)
+    if kind == "ConformallyHamiltonian":
+        structure = mapping(field(data, "structure", what), what)
+        only(structure, f"the structure of {what}", "matrix", "casimirs", "rank", "name")
+        casimirs = field(structure, "casimirs", what)
+        made["several"]["casimirs"] = _formulas(casimirs, f"casimirs of {what}")
+        made |= _bracket(structure, system, what)
+    if kind == "Symmetry":
+        _require_names(made["pairs"]["field"], set(system.state), f"the field of {what}")
+    if kind == "Isomorphism":
+        made["target"] = target = read_system(data.get("target"), f"the target of {what}")
+        _check_isomorphism(made["pairs"], system, target, what)
+        there = {*target.symbols, *target.definitions, *system.parameters}
+        _require(made["several"]["onto"], there, f"the image of {what}")
+    return Law(**made)
+
+
+def _require_names(pairs: Iterable[tuple[str, Formula]], known: set[str], what: str) -> None:
+    for word, _ in pairs:
+        if word not in known:
+            raise CheckError(f"{what} names {word}, which is unknown there")
+
+
+def _density(data: Any, system: System, what: str) -> tuple[tuple[Formula, Formula], ...]:
+    found = []
+    for pair in listed(data, what):
+        base, exponent = items(pair, 2, f"the density of {what}")
+        made = parse(base, f"the density of {what}"), parse(exponent, f"the density of {what}")
+        if system.reach([made[1]]) & set(system.state):
+            raise CheckError(f"the density of {what} has an exponent that depends on the state")
+        found.append(made)
+    return tuple(found)
+
+
+def _bracket(data: Mapping[str, Any], system: System, what: str) -> dict[str, Any]:
+    size = len(system.state)
+    rows = items(field(data, "matrix", what), size, f"the matrix of {what}")
+    matrix = tuple(
+        tuple(parse(t, f"the matrix of {what}") for t in items(row, size, f"a row of {what}"))
+        for row in rows
+    )
+    rank = field(data, "rank", what)
+    if rank is not None:
+        rank = integer(rank, f"the rank of {what}", 0, size)
+        if rank % 2:
+            raise CheckError(f"the rank of {what} is odd")
+    return {"matrix": matrix, "rank": rank}
+
+
+def _check_isomorphism(pairs: Mapping[str, Any], system: System, target: System, what: str) -> None:
+    _require_names(pairs["map"], set(target.state), f"the map of {what}")
+    _require_names(pairs["constants"], set(target.parameters), f"the constants of {what}")
+    images = {word for word, _ in pairs["map"]}
+    constants = {word for word, _ in pairs["constants"]}
+    for word in target.state:
+        if word not in images:
+            raise CheckError(f"{what} does not say what {word} of its target is")
+    for word in target.parameters:
+        if word not in constants | set(system.parameters):
+            raise CheckError(f"{what} does not say what the parameter {word} of its target is")

@@ -1,0 +1,176 @@
+"""Where a law is defined: what its formulas divide by, and what stands under their roots.
+
+A law says nothing where a divisor vanishes, or where something under a root, in a power that is no
+whole number or in a logarithm is not positive.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from .claim import Claim
+from .errors import UndefinedError
+from .evaluate import Place, exact_value
+from .formulas import Formula, call, number, power, product, total, walk
+from .jets import Number
+from .residuals import gram_determinants, target_place
+
+__all__ = ["GRAM", "Domain", "domain"]
+
+HALF = Fraction(1, 2)
+
+#: Stands for the determinant whose vanishing means that the conditions cut out no volume.
+GRAM = "the volume of the conditions"
+
+
+@dataclass(frozen=True)
+class Domain:
+    """Formulas that decide where a law is defined.
+
+    Attributes
+    ----------
+    nonzero : tuple of (place, formula)
+        Do not vanish; the place is ``"own"`` or ``"target"``.
+    positive : tuple of (place, formula, exponent)
+        Are positive; the exponent of the power that asks for it, or None if it is no number.
+    logarithms : tuple of (place, formula)
+        Are positive, too.
+    gram : bool
+        Whether the conditions must be independent.
+    """
+
+    claim: Claim
+    nonzero: tuple[tuple[str, Formula], ...]
+    positive: tuple[tuple[str, Formula, Fraction | None], ...]
+    logarithms: tuple[tuple[str, Formula], ...]
+    gram: bool
+
+    def values(self, place: Place) -> tuple[list[Any], list[Any], list[Any]]:
+        """Values of what does not vanish, what stands under roots and in logarithms.
+
+        Raises
+        ------
+        UndefinedError
+            If the law is not certainly defined at the place.
+        """
+        places = {"own": place.with_definitions(self.claim.law.quantities)}
+        if self.claim.law.target is not None:
+            places["target"] = target_place(self.claim, place)
+        nonzero: list[Number] = [places[where](f) for where, f in self.nonzero]
+        if self.gram:
+            nonzero += gram_determinants(self.claim, place)
+        positive = [places[where](f) for where, f, _ in self.positive]
+        logarithms = [places[where](f) for where, f in self.logarithms]
+        if any(value.contains(0) for value in nonzero):
+            raise UndefinedError("a divisor may vanish")
+        if not all(value > 0 for value in [*positive, *logarithms]):
+            raise UndefinedError("what stands under a root may not be positive")
+        return nonzero, positive, logarithms
+
+
+def domain(claim: Claim, settled: Mapping[str, Formula]) -> Domain:
+    """What decides where the law of a claim is defined.
+
+    Parameters
+    ----------
+    claim : Claim
+    settled : mapping of name to formula
+        Parameters with a value on the level, which may make an exponent a whole number.
+    """
+    system, law = claim.system, claim.law
+    found = _Found()
+    known = {**system.definitions, **law.quantities}
+    base = [*system.rates, *claim.conditions, *law.formulas()]
+    needed = system.reach(base, law.quantities)
+    formulas = [*base, *(f for word, f in known.items() if word in needed)]
+    found.collect("own", formulas, {**known, **settled})
+    if law.kind == "Measure":
+        for density, _ in law.pairs["density"]:
+            found.divided("own", density)
+    if law.target is not None:
+        target = law.target
+        base = [*target.rates, *target.relations, *law.several["onto"]]
+        needed = target.reach(base)
+        formulas = [*base, *(f for word, f in target.definitions.items() if word in needed)]
+        constants = constant_values(claim, {**known, **settled})
+        found.collect("target", formulas, {**target.definitions, **constants})
+    gram = law.kind == "Measure" and bool(claim.moving)
+    return Domain(claim, tuple(found.nonzero), tuple(found.positive), tuple(found.logarithms), gram)
+
+
+def constant_values(claim: Claim, known: Mapping[str, Formula]) -> dict[str, Formula]:
+    """Parameters of the target that are numbers."""
+    law, target = claim.law, claim.law.target
+    assert target is not None
+    formulas = dict(law.pairs["constants"])
+    made = {}
+    for word in target.parameters:
+        formula = formulas.get(word, known.get(word))
+        value = None if formula is None else exact_value(formula, known)
+        if value is not None:
+            made[word] = number(value)
+    return made
+
+
+class _Found:
+    """Formulas collected, each once."""
+
+    def __init__(self) -> None:
+        self.nonzero: dict[tuple[str, Formula], None] = {}
+        self.positive: dict[tuple[str, Formula, Fraction | None], None] = {}
+        self.logarithms: dict[tuple[str, Formula], None] = {}
+
+    def collect(
+        self, where: str, formulas: Iterable[Formula], known: Mapping[str, Formula]
+    ) -> None:
+        for node in walk(formulas):
+            if node.kind == "power":
+                base, exponent = node.parts
+                value = exact_value(exponent, known)
+                if value is None or value.denominator != 1:
+                    self.positive[where, base, value] = None
+                elif value < 0:
+                    self.divided(where, base)
+            elif node.kind == "call":
+                self._called(where, node.word, node.parts)
+
+    def divided(self, where: str, base: Formula) -> None:
+        """What does not vanish when `base` does not."""
+        for part in _factors(base):
+            self.nonzero[where, part] = None
+
+    def _called(self, where: str, word: str, parts: tuple[Formula, ...]) -> None:
+        first = parts[0]
+        if word == "sqrt":
+            self.positive[where, first, HALF] = None
+        elif word == "Abs":
+            self.positive[where, power(first, number(2)), HALF] = None
+        elif word == "log":
+            self.logarithms[where, first] = None
+        elif word in ("asin", "acos"):
+            rest = total((number(1), product((number(-1), power(first, number(2))))))
+            self.positive[where, rest, HALF] = None
+        elif word == "atan2":
+            self.nonzero[where, total(power(part, number(2)) for part in parts)] = None
+        elif word in _DIVISORS:
+            self.nonzero[where, call(_DIVISORS[word], parts)] = None
+
+
+_DIVISORS = {"tan": "cos", "sec": "cos", "cot": "sin", "csc": "sin", "tanh": "cosh"}
+
+
+def _factors(base: Formula) -> Iterator[Formula]:
+    """A formula and what it is a product of."""
+    if base.kind == "number":
+        if not base.word:
+            yield base
+        return
+    yield base
+    if base.kind == "product":
+        for part in base.parts:
+            yield from _factors(part)
+    elif base.kind == "power" and base.parts[1].kind == "number":
+        yield from _factors(base.parts[0])

@@ -1,0 +1,229 @@
+"""Formulas evaluated: names through a table and definitions, rates along a field."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+
+from flint import arb
+
+from .errors import CheckError
+from .formulas import Formula, names_in
+from .jets import (
+    Jet,
+    Number,
+    add,
+    apply,
+    arctangent,
+    ball,
+    general_power,
+    inverse,
+    multiply,
+    raised,
+    rational_power,
+    slopes_of,
+)
+from .unspecified_functions import Functions
+
+__all__ = ["Place", "exact_value"]
+
+
+class Place:
+    """A point at which formulas are evaluated, perhaps moving.
+
+    Parameters
+    ----------
+    values : mapping of name to number
+        Known symbols.
+    definitions : mapping of name to formula
+        Symbols given by formulas in known symbols and earlier ones.
+    rates : mapping of name to formula
+        Time derivatives of the symbols that move.
+    functions : Functions
+        Values of unspecified functions.
+    settled : mapping of name to formula
+        Parameters that have a formula in others, which may make an exponent a number.
+    level : int
+        The highest level of the values.
+    """
+
+    def __init__(
+        self,
+        values: Mapping[str, Number],
+        definitions: Mapping[str, Formula],
+        rates: Mapping[str, Formula],
+        functions: Functions,
+        settled: Mapping[str, Formula] | None = None,
+        level: int = 0,
+    ) -> None:
+        self.values = dict(values)
+        self.definitions = dict(definitions)
+        self.rates = dict(rates)
+        self.functions = functions
+        self.settled = dict(settled or {})
+        self.level = level
+        self._seen: dict[Formula, Number] = {}
+        self._moving: Place | None = None
+
+    def with_definitions(self, more: Mapping[str, Formula]) -> Place:
+        """The same point with further definitions."""
+        return Place(
+            self.values,
+            {**self.definitions, **more},
+            self.rates,
+            self.functions,
+            self.settled,
+            self.level,
+        )
+
+    def moving(self) -> Place:
+        """The point as it moves: every value with its derivative in direction 0."""
+        if self._moving is None:
+            values = dict(self.values)
+            for word, rate in self.rates.items():
+                values[word] = Jet(self.level + 1, values[word], {0: self(rate)})
+            self._moving = self._above(values)
+        return self._moving
+
+    def partial(self, words: Iterable[str]) -> Place:
+        """The point with partial derivatives by symbols, numbered."""
+        values = dict(self.values)
+        for i, word in enumerate(words):
+            values[word] = Jet(self.level + 1, values[word], {i: arb(1)})
+        return self._above(values)
+
+    def _above(self, values: Mapping[str, Number]) -> Place:
+        return Place(
+            values, self.definitions, self.rates, self.functions, self.settled, self.level + 1
+        )
+
+    def slopes(self, formula: Formula) -> Mapping[int, Number]:
+        """Derivatives of the highest level."""
+        return slopes_of(self(formula), self.level)
+
+    def __call__(self, formula: Formula) -> Number:
+        """The value of a formula."""
+        found = self._seen.get(formula)
+        if found is None:
+            self._prepare(formula)
+            found = self._seen[formula] = self._evaluated(formula)
+        return found
+
+    def _prepare(self, formula: Formula) -> None:
+        """Evaluate chains of definitions from below, so that they are not nested."""
+        if formula.kind != "name" or not self._waits(formula.word):
+            return
+        needed: set[str] = set()
+        waiting: list[str] = [formula.word]
+        while waiting:
+            word = waiting.pop()
+            if word not in needed and self._waits(word):
+                needed.add(word)
+                waiting.extend(names_in([self.definitions[word]]))
+        for word, definition in self.definitions.items():
+            if word in needed and word != formula.word:
+                self._seen[definition] = self._evaluated(definition)
+
+    def _waits(self, word: str) -> bool:
+        """Whether a symbol has a definition that has not been evaluated."""
+        definition = None if word in self.values else self.definitions.get(word)
+        return definition is not None and definition not in self._seen
+
+    def _evaluated(self, formula: Formula) -> Number:
+        kind, parts = formula.kind, formula.parts
+        if kind == "number":
+            return ball(formula.word)
+        if kind == "name":
+            return self._named(formula.word)
+        if kind == "sum":
+            result = self(parts[0])
+            for part in parts[1:]:
+                result = add(result, self(part))
+            return result
+        if kind == "product":
+            result = self(parts[0])
+            for part in parts[1:]:
+                result = multiply(result, self(part))
+            return result
+        if kind == "power":
+            return self._power(*parts)
+        if kind == "function":
+            word, orders = formula.word
+            return self.functions.value(word, orders, [self(part) for part in parts])
+        return self._called(formula.word, parts)
+
+    def _named(self, word: str) -> Number:
+        if word in self.values:
+            return self.values[word]
+        if word in self.definitions:
+            return self(self.definitions[word])
+        if word == "pi":
+            return arb.pi()
+        if word == "E":
+            return arb(1).exp()
+        raise CheckError(f"the symbol {word} is unknown")
+
+    def exact(self, formula: Formula) -> Fraction | None:
+        """The rational number that a formula is, through definitions and settled parameters."""
+        return exact_value(formula, {**self.definitions, **self.settled})
+
+    def _power(self, base: Formula, exponent: Formula) -> Number:
+        value = self.exact(exponent)
+        if value is None:
+            return general_power(self(base), self(exponent))
+        if value.denominator == 1:
+            if abs(value) > 10_000:
+                raise CheckError(f"the exponent {value} is too large")
+            return raised(self(base), int(value))
+        return rational_power(self(base), value)
+
+    def _called(self, word: str, parts: tuple[Formula, ...]) -> Number:
+        if word == "Rate":
+            there = self.moving()
+            return slopes_of(there(parts[0]), there.level).get(0, arb(0))
+        if word == "sqrt":
+            return rational_power(self(parts[0]), Fraction(1, 2))
+        if word == "atan2":
+            return arctangent(self(parts[0]), self(parts[1]))
+        inner = self(parts[0])
+        if word in ("tan", "cot", "sec", "csc", "tanh"):
+            above, below = _RATIOS[word]
+            upper = arb(1) if above is None else apply(above, inner)
+            return multiply(upper, inverse(apply(below, inner)))
+        return apply(word, inner)
+
+
+_RATIOS: dict[str, tuple[str | None, str]] = {
+    "tan": ("sin", "cos"),
+    "cot": ("cos", "sin"),
+    "sec": (None, "cos"),
+    "csc": (None, "sin"),
+    "tanh": ("sinh", "cosh"),
+}
+
+
+def exact_value(formula: Formula, definitions: Mapping[str, Formula]) -> Fraction | None:
+    """The rational number that a formula is, if its symbols are numbers by definition."""
+    kind, parts = formula.kind, formula.parts
+    if kind == "number":
+        return Fraction(formula.word)
+    if kind == "name":
+        inner = definitions.get(formula.word)
+        return None if inner is None else exact_value(inner, definitions)
+    if kind not in ("sum", "product", "power"):
+        return None
+    values = [exact_value(part, definitions) for part in parts]
+    known = [value for value in values if value is not None]
+    if len(known) < len(values):
+        return None
+    if kind == "sum":
+        return sum(known, Fraction(0))
+    if kind == "product":
+        result = Fraction(1)
+        for value in known:
+            result *= value
+        return result
+    base, exponent = known
+    if exponent.denominator != 1 or abs(exponent) > 1000 or (base == 0 and exponent < 0):
+        return None
+    return base ** int(exponent)

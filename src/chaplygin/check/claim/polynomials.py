@@ -1,0 +1,133 @@
+"""Polynomials of a certificate: read, compared, evaluated.
+
+A polynomial is a list of terms ``[coefficient, [generator, exponent, …]]``; a fraction has a
+polynomial above and a list of ``[polynomial, power]`` below.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any, TypeAlias
+
+from flint import Ordering, arb, fmpq, fmpq_mpoly_ctx
+
+from .errors import CheckError
+from .jets import inverse
+from .json_data import field, integer, items, listed, mapping, only, rational
+
+__all__ = ["Poly", "Powers", "Ring", "monic"]
+
+Poly: TypeAlias = Any
+#: A product of powers of polynomials.
+Powers: TypeAlias = list[tuple[Poly, int]]
+
+#: Generators of one ring, exponents in a polynomial, powers of factors.
+GENERATORS = 2_000
+HIGHEST = 100_000
+#: Terms that a power of a polynomial may come to when it is multiplied out.
+TERMS = 20_000_000
+
+
+class Ring:
+    """Polynomials with rational coefficients in named generators."""
+
+    def __init__(self, names: Sequence[str]) -> None:
+        if len(names) > GENERATORS:
+            raise CheckError(f"a ring has more than {GENERATORS} generators")
+        self.names = tuple(names)
+        # a ring without generators has one that never occurs
+        self.context = fmpq_mpoly_ctx.get(self.names or ("_",), Ordering.degrevlex)
+        self.index = {name: i for i, name in enumerate(self.names)}
+
+    def generator(self, name: str) -> Poly:
+        """A generator as a polynomial."""
+        return self.context.gens()[self.index[name]]
+
+    def constant(self, value: Fraction | int) -> Poly:
+        """A number as a polynomial."""
+        value = Fraction(value)
+        return self.context.constant(fmpq(value.numerator, value.denominator))
+
+    def read(self, data: Any, what: str) -> Poly:
+        """A polynomial from its list of terms."""
+        made: dict[tuple[int, ...], Any] = {}
+        size = len(self.names)
+        for term in listed(data, what):
+            coefficient, powers = items(term, 2, f"a term of {what}")
+            number = rational(coefficient, f"a coefficient of {what}")
+            powers = listed(powers, f"a term of {what}")
+            if not number or len(powers) % 2:
+                raise CheckError(f"a term of {what} is zero or lacks an exponent")
+            exponents = [0] * max(size, 1)
+            for at in range(0, len(powers), 2):
+                i = integer(powers[at], f"a generator in {what}", 0, size - 1)
+                if exponents[i]:
+                    raise CheckError(f"a term of {what} has a generator twice")
+                exponents[i] = integer(powers[at + 1], f"an exponent in {what}", 1, HIGHEST)
+            key = tuple(exponents)
+            if key in made:
+                raise CheckError(f"{what} has a term twice")
+            made[key] = fmpq(number.numerator, number.denominator)
+        return self.context.from_dict(made)
+
+    def powers(self, data: Any, what: str, negative: bool = False) -> Powers:
+        """A list of polynomials with powers; none of the polynomials is zero."""
+        found = []
+        for pair in listed(data, what):
+            poly, power = items(pair, 2, what)
+            made = self.read(poly, what)
+            if made.is_zero():
+                raise CheckError(f"a factor of {what} is zero")
+            lowest = -HIGHEST if negative else 1
+            number = integer(power, f"a power of {what}", lowest, HIGHEST)
+            if not number:
+                raise CheckError(f"a power of {what} is zero")
+            found.append((made, number))
+        return found
+
+    def fraction(self, data: Any, what: str) -> tuple[Poly, Powers]:
+        """A fraction: numerator and factors of the denominator."""
+        data = mapping(data, what)
+        only(data, what, "numerator", "denominator", "what")
+        above = self.read(field(data, "numerator", what), f"the numerator of {what}")
+        below = self.powers(field(data, "denominator", what), f"the denominator of {what}")
+        return above, below
+
+    def multiplied(self, powers: Powers) -> Poly:
+        """The product of powers, multiplied out."""
+        result = self.constant(1)
+        for poly, power in powers:
+            if len(poly) > 1 and len(poly) ** power * len(result) > TERMS:
+                raise CheckError("a product of factors would be too large")
+            result = result * poly**power
+        return result
+
+    def value(self, poly: Poly, values: Sequence[Any]) -> Any:
+        """The value of a polynomial at balls, one for each generator."""
+        known: dict[tuple[int, int], Any] = {}
+        total = arb(0)
+        for exponents, coefficient in poly.to_dict().items():
+            term = arb(coefficient)
+            for i, exponent in enumerate(exponents):
+                if exponent:
+                    key = (i, int(exponent))
+                    if key not in known:
+                        known[key] = values[i] ** int(exponent)
+                    term = term * known[key]
+            total = total + term
+        return total
+
+    def value_of_powers(self, powers: Powers, values: Sequence[Any]) -> Any:
+        """The value of a product of powers."""
+        result = arb(1)
+        for poly, power in powers:
+            base = self.value(poly, values)
+            result = result * (base**power if power > 0 else inverse(base) ** -power)
+        return result
+
+
+def monic(poly: Poly) -> tuple[str, int]:
+    """A key that a polynomial shares with its multiples, and the sign of its first coefficient."""
+    lead = poly.leading_coefficient()
+    return str(poly / lead), 1 if lead > 0 else -1

@@ -1,0 +1,331 @@
+"""What must vanish for a law to hold, as numbers at a point.
+
+The definitions: an integral F has v(F) = 0; a density ρ has div(ρv) = 0 for the volume that the
+conditions cut out; a symmetry field commutes with v and keeps the conditions; a bracket is skew,
+has the conditions and its Casimir functions for Casimirs, satisfies the Jacobi identity and has no
+larger rank than it says; a conformally Hamiltonian field is N J dH; an isomorphism carries field
+and relations to those of its target; reductions, separations and identities are formulas that
+vanish; whether a separation separates is checked in :mod:`.separation`.  For every law the rates of
+the conditions come first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations
+from typing import Any
+
+from flint import arb
+
+from .claim import Claim
+from .errors import CheckError, UndefinedError
+from .evaluate import Place
+from .formulas import Formula, call, name, number
+from .jets import Number, add, inverse, multiply
+from .separation import parts
+
+__all__ = [
+    "each_residual",
+    "gram_determinants",
+    "rank_at_least",
+    "ranked",
+    "residuals",
+    "target_place",
+]
+
+#: Residuals of one law.
+MANY = 20_000
+
+MINUS = arb(-1)
+
+
+def residuals(claim: Claim, place: Place) -> list[Number]:
+    """Everything that must vanish, in order."""
+    found = []
+    for value in each_residual(claim, place):
+        found.append(value)
+        if len(found) > MANY:
+            raise CheckError(f"the law has more than {MANY} residuals")
+    return found
+
+
+def each_residual(claim: Claim, place: Place) -> Iterator[Number]:
+    """The same, computed one after the other."""
+    for condition in claim.moving:
+        yield place(call("Rate", [condition]))
+    yield from _KINDS[claim.law.kind](claim, place)
+
+
+def _sum(parts: Sequence[Number]) -> Number:
+    result: Number = arb(0)
+    for part in parts:
+        result = add(result, part)
+    return result
+
+
+def _minus(a: Number, b: Number) -> Number:
+    return add(a, multiply(MINUS, b))
+
+
+def _integral(claim: Claim, place: Place) -> Iterator[Number]:
+    yield place(call("Rate", [claim.law.single["value"]]))
+
+
+def _identity(claim: Claim, place: Place) -> Iterator[Number]:
+    there = place.with_definitions(claim.law.quantities)
+    for formula in claim.law.several["value"]:
+        yield there(formula)
+
+
+def _reduction(claim: Claim, place: Place) -> Iterator[Number]:
+    there = place.with_definitions(claim.law.quantities)
+    for formula in claim.law.several["equations"]:
+        yield there(formula)
+
+
+# --- invariant measure ---------------------------------------------------------------------------
+
+
+def _measure(claim: Claim, place: Place) -> Iterator[Number]:
+    system = claim.system
+    partial = place.partial(system.state)
+    rates = [place(rate) for rate in system.rates]
+    total = _sum([partial.slopes(r).get(i, arb(0)) for i, r in enumerate(system.rates)])
+    for base, exponent in claim.law.pairs["density"]:
+        along = _sum([multiply(s, rates[i]) for i, s in partial.slopes(base).items()])
+        part = multiply(place(exponent), multiply(along, inverse(place(base))))
+        total = add(total, part)
+    yield _minus(total, _transverse(claim, partial))
+
+
+def _transverse(claim: Claim, partial: Place) -> Number:
+    """Trace of C, where v(F_i) = Σ C_ij F_j for the conditions F.
+
+    C is taken as the solution of ∇v(F_i) · ∇F_k = Σ C_ij ∇F_j · ∇F_k.
+    """
+    normals = _normals(claim, partial)
+    drifts = [partial.slopes(call("Rate", [c])) for c in claim.moving]
+    if not any(_is_certain(slope) for drift in drifts for slope in drift.values()):
+        return arb(0)
+    gram = [[_dot(a, b) for b in normals] for a in normals]
+    right = [[_dot(drift, normal) for normal in normals] for drift in drifts]
+    size = len(normals)
+    # Gram is symmetric: its columns times C^T are `right` transposed
+    solution = _solved(gram, [[right[j][i] for j in range(size)] for i in range(size)])
+    return _sum([solution[i][i] for i in range(size)])
+
+
+def _is_certain(number: Any) -> bool:
+    """Whether a number is certainly not zero."""
+    return not number.contains(0)
+
+
+def _normals(claim: Claim, partial: Place) -> list[Mapping[int, Number]]:
+    return [partial.slopes(condition) for condition in claim.moving]
+
+
+def _dot(a: Mapping[int, Number], b: Mapping[int, Number]) -> Number:
+    return _sum([multiply(slope, b[i]) for i, slope in a.items() if i in b])
+
+
+def gram_determinants(claim: Claim, place: Place) -> list[Any]:
+    """The leading minors of the Gram matrix of the conditions.
+
+    Where the last is not zero, the conditions are independent, and so all of them are positive.
+    """
+    normals = _normals(claim, place.partial(claim.system.state))
+    rows = [[_dot(a, b) for b in normals] for a in normals]
+    found: list[Any] = []
+    for i in range(len(rows)):
+        if not _is_certain(rows[i][i]):
+            raise UndefinedError("the conditions are dependent")
+        found.append(multiply(found[-1], rows[i][i]) if found else rows[i][i])
+        for j in range(i + 1, len(rows)):
+            factor = rows[j][i] / rows[i][i]
+            rows[j] = [x - factor * y for x, y in zip(rows[j], rows[i], strict=True)]
+    return found
+
+
+def _solved(matrix: Sequence[Sequence[Any]], right: Sequence[Sequence[Any]]) -> list[list[Any]]:
+    rows = [[*a, *b] for a, b in zip(matrix, right, strict=True)]
+    size = len(rows)
+    for i in range(size):
+        pivot = max(range(i, size), key=lambda j: rows[j][i].abs_lower())
+        if not _is_certain(rows[pivot][i]):
+            raise UndefinedError("the conditions are dependent")
+        rows[i], rows[pivot] = rows[pivot], rows[i]
+        rows[i] = [x / rows[i][i] for x in rows[i]]
+        for j in range(size):
+            if j != i:
+                factor = rows[j][i]
+                rows[j] = [x - factor * y for x, y in zip(rows[j], rows[i], strict=True)]
+    return [row[size:] for row in rows]
+
+
+# --- symmetry fields, brackets -------------------------------------------------------------------
+
+
+def _symmetry(claim: Claim, place: Place) -> Iterator[Number]:
+    system = claim.system
+    partial = place.partial(system.state)
+    given = dict(claim.law.pairs["field"])
+    rates = [place(rate) for rate in system.rates]
+    push = [place(given[word]) if word in given else arb(0) for word in system.state]
+
+    def along(slopes: Mapping[int, Number], field: Sequence[Number]) -> Number:
+        return _sum([multiply(slope, field[i]) for i, slope in slopes.items()])
+
+    for condition in claim.moving:
+        yield along(partial.slopes(condition), push)
+    for word, rate in zip(system.state, system.rates, strict=True):
+        shift = partial.slopes(given[word]) if word in given else {}
+        yield _minus(along(partial.slopes(rate), push), along(shift, rates))
+
+
+def _poisson(claim: Claim, place: Place) -> Iterator[Number]:
+    law, size = claim.law, len(claim.system.state)
+    partial = place.partial(claim.system.state)
+    values = [[place(entry) for entry in row] for row in law.matrix]
+    slopes = [[partial.slopes(entry) for entry in row] for row in law.matrix]
+    for i in range(size):
+        for j in range(i, size):
+            yield add(values[i][j], values[j][i])
+    for condition in claim.moving:
+        yield from _brackets(values, partial.slopes(condition))
+    for i, j, k in combinations(range(size), 3):
+        parts = [
+            multiply(values[a][n], slope)
+            for a, b, c in ((i, j, k), (j, k, i), (k, i, j))
+            for n, slope in slopes[b][c].items()
+        ]
+        yield _sum(parts)
+    for casimir in law.several["casimirs"]:
+        yield from _brackets(values, partial.slopes(casimir))
+    if law.rank is not None:
+        for chosen in combinations(range(size), law.rank + 2):
+            yield _pfaffian(values, chosen)
+
+
+def _brackets(values: Sequence[Sequence[Number]], slopes: Mapping[int, Number]) -> Iterator[Number]:
+    for row in values:
+        yield _sum([multiply(row[j], slope) for j, slope in slopes.items()])
+
+
+def _pfaffian(matrix: Sequence[Sequence[Number]], chosen: tuple[int, ...]) -> Number:
+    if not chosen:
+        return arb(1)
+    first, *rest = chosen
+    total: Number = arb(0)
+    for position, other in enumerate(rest):
+        remaining = tuple(n for n in rest if n != other)
+        part = multiply(matrix[first][other], _pfaffian(matrix, remaining))
+        total = add(total, part) if position % 2 == 0 else _minus(total, part)
+    return total
+
+
+def _hamiltonian(claim: Claim, place: Place) -> Iterator[Number]:
+    yield from _poisson(claim, place)
+    law = claim.law
+    gradient = place.partial(claim.system.state).slopes(law.single["hamiltonian"])
+    multiplier = place(law.single["multiplier"])
+    for row, rate in zip(law.matrix, claim.system.rates, strict=True):
+        total = _sum([multiply(place(row[j]), slope) for j, slope in gradient.items()])
+        yield _minus(place(rate), multiply(multiplier, total))
+
+
+# --- isomorphisms --------------------------------------------------------------------------------
+
+
+def target_place(claim: Claim, place: Place) -> Place:
+    """The image of a point in the target of an isomorphism."""
+    law, target = claim.law, claim.law.target
+    assert target is not None
+    values = {word: place(formula) for word, formula in law.pairs["constants"]}
+    for word in target.parameters:
+        if word not in values:
+            values[word] = place.values[word]
+    settled = {}
+    for word in target.parameters:
+        exact = place.exact(dict(law.pairs["constants"]).get(word, name(word)))
+        if exact is not None:
+            settled[word] = number(exact)
+    values |= {word: place(formula) for word, formula in law.pairs["map"]}
+    for word in claim.system.parameters:
+        # what the image lies on may depend on parameters of the system
+        if word not in values and word not in target.definitions:
+            values[word] = place.values[word]
+    return target.place(values, place.functions, settled)
+
+
+def _isomorphism(claim: Claim, place: Place) -> Iterator[Number]:
+    law, target = claim.law, claim.law.target
+    assert target is not None
+    for _, formula in law.pairs["constants"]:
+        yield place(call("Rate", [formula]))
+    there = target_place(claim, place)
+    for condition in (*target.relations, *law.several["onto"]):
+        yield there(condition)
+    speed = place(law.single["time"])
+    images = dict(law.pairs["map"])
+    for word, rate in zip(target.state, target.rates, strict=True):
+        yield _minus(place(call("Rate", [images[word]])), multiply(speed, there(rate)))
+
+
+_KINDS = {
+    "Integral": _integral,
+    "Identity": _identity,
+    "Reduction": _reduction,
+    "Separation": _reduction,
+    "Measure": _measure,
+    "Symmetry": _symmetry,
+    "PoissonStructure": _poisson,
+    "ConformallyHamiltonian": _hamiltonian,
+    "Isomorphism": _isomorphism,
+}
+
+
+# --- ranks ---------------------------------------------------------------------------------------
+
+
+def ranked(claim: Claim) -> bool:
+    """Whether a law says of something that its rank is not smaller."""
+    return claim.law.kind in ("Isomorphism", "Separation") or claim.law.rank is not None
+
+
+def rank_at_least(claim: Claim, place: Place) -> bool:
+    """Whether at a point the ranks are certainly as large as the law says."""
+    law, system = claim.law, claim.system
+    if law.rank is not None:
+        return _rank([[place(entry) for entry in row] for row in law.matrix]) >= law.rank
+    size = len(system.state)
+    formulas: list[Formula] = [*claim.moving]
+    if law.kind == "Separation":
+        # the quantities are independent on a level of the constants
+        stated = parts(claim)
+        formulas += [name(word) for word in (*stated.constants, *stated.quantities)]
+        wanted = len(formulas)
+    else:
+        formulas += [f for _, f in (*law.pairs["map"], *law.pairs["constants"])]
+        wanted = size
+    partial = place.with_definitions(law.quantities).partial(system.state)
+    rows = [[partial.slopes(f).get(i, arb(0)) for i in range(size)] for f in formulas]
+    return _rank(rows) >= wanted
+
+
+def _rank(rows: list[list[Any]]) -> int:
+    """A rank that is certain."""
+    rows = [list(row) for row in rows]
+    found = 0
+    for column in range(len(rows[0]) if rows else 0):
+        if found == len(rows):
+            break
+        best = max(range(found, len(rows)), key=lambda i: rows[i][column].abs_lower())
+        if not _is_certain(rows[best][column]):
+            continue
+        rows[found], rows[best] = rows[best], rows[found]
+        head = rows[found]
+        for i in range(found + 1, len(rows)):
+            factor = rows[i][column] / head[column]
+            rows[i] = [x - factor * y for x, y in zip(rows[i], head, strict=True)]
+        found += 1
+    return found

@@ -1,0 +1,1 @@
+"""The identities by which a certificate says that residuals vanish."""

@@ -1,0 +1,242 @@
+"""The tree of cases by which the residuals vanish, or a level is parted.
+
+A node stands for the points at which some polynomials E vanish while those of a set H do not.
+Every step is an identity of polynomials, which is computed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, TypeAlias
+
+from flint import fmpq
+
+from ..claim.errors import CheckError
+from ..claim.json_data import field, integer, items, listed, mapping, only, rational
+from ..claim.polynomials import Poly, Ring, monic
+
+__all__ = ["Node", "Signs", "check_tree"]
+
+DEPTH = 200
+
+#: What is said of a case that is left, or of a part that a proof treats: at which node, and what.
+Leaf: TypeAlias = Callable[["Node", Mapping[str, Any], str], None]
+
+
+class Signs:
+    """Polynomials whose sign is known, up to constant factors."""
+
+    def __init__(self) -> None:
+        self._known: dict[str, tuple[int, bool]] = {}
+
+    def copy(self) -> Signs:
+        """The same knowledge, to be enlarged by itself."""
+        made = Signs()
+        made._known = dict(self._known)
+        return made
+
+    def learn(self, poly: Poly, sign: int, strict: bool = True) -> None:
+        """sign · poly is positive, or at least not negative."""
+        key, lead = monic(poly)
+        known = self._known.get(key)
+        if known is not None and known[0] != sign * lead and known[1] and strict:
+            raise CheckError(f"what is positive contradicts itself at {_shown(poly)}")
+        if known is None or strict:
+            self._known[key] = (sign * lead, strict)
+
+    def of(self, poly: Poly) -> int:
+        """The strict sign of a polynomial; 0 if unknown."""
+        if poly.is_constant():
+            return 0 if poly.is_zero() else monic(poly)[1]
+        key, lead = monic(poly)
+        sign, strict = self._known.get(key, (0, False))
+        return sign * lead if strict else 0
+
+    def weak(self, poly: Poly) -> int:
+        """The sign of a polynomial that is zero at most besides; 0 if unknown."""
+        if poly.is_constant():
+            return self.of(poly)
+        key, lead = monic(poly)
+        return self._known.get(key, (0, False))[0] * lead
+
+
+@dataclass(frozen=True)
+class Node:
+    """The points of a case.
+
+    Attributes
+    ----------
+    ring : Ring
+    equations : tuple of Poly
+        Vanish.
+    nonzero : frozenset of str
+        Keys of polynomials that do not vanish.
+    signs : Signs
+    numerators : sequence of Poly, or None
+        Of the residuals; None where the tree shows nothing of them.
+    leaf : callable
+        What is done at a leaf that is neither empty nor shown to be zero.
+    """
+
+    ring: Ring
+    equations: tuple[Poly, ...]
+    nonzero: frozenset[str]
+    signs: Signs
+    numerators: Sequence[Poly] | None
+    leaf: Leaf
+
+    def with_equations(self, *more: Poly) -> Node:
+        """A case with further equations."""
+        return replace(self, equations=(*self.equations, *more))
+
+    def is_nonzero(self, poly: Poly) -> bool:
+        """Whether a polynomial is known not to vanish."""
+        if poly.is_constant():
+            return not poly.is_zero()
+        return monic(poly)[0] in self.nonzero or bool(self.signs.of(poly))
+
+    def strict_sign(self, poly: Poly) -> int:
+        """The sign of a polynomial where it is certain."""
+        sign = self.signs.of(poly)
+        if sign or poly.is_zero():
+            return sign
+        return self.signs.weak(poly) if self.is_nonzero(poly) else 0
+
+
+def _shown(poly: Poly) -> str:
+    words = str(poly)
+    return words if len(words) < 60 else words[:57] + "..."
+
+
+def check_tree(node: Node, data: Any, where: str = "the tree", depth: int = 0) -> None:
+    """Check a tree of cases; CheckError where it fails."""
+    if depth > DEPTH:
+        raise CheckError(f"the tree is deeper than {DEPTH}")
+    data = mapping(data, where)
+    case = field(data, "case", where)
+    if case == "zero":
+        _zero(node, data, where)
+    elif case == "empty":
+        only(data, where, "case", "factors", "constant", "quotients")
+        _contained(node, node.ring.constant(1), data, where)
+    elif case == "split":
+        _split(node, data, where, depth)
+    elif case == "vanishing":
+        _vanishing(node, data, where, depth)
+    elif case == "squares":
+        _squares(node, data, where, depth)
+    elif case in ("unproven", "proof"):
+        node.leaf(node, data, where)
+    else:
+        raise CheckError(f"{where} has a case {case!r}, which is unknown")
+
+
+def _constant(data: Any, what: str) -> Any:
+    number = rational(data, what)
+    if not number:
+        raise CheckError(f"{what} is zero")
+    return fmpq(number.numerator, number.denominator)
+
+
+def _multiplier(node: Node, data: Any, where: str) -> Poly:
+    powers = node.ring.powers(data, f"the factors in {where}")
+    for poly, _ in powers:
+        if not node.is_nonzero(poly):
+            raise CheckError(f"{where} multiplies by {_shown(poly)}, which may vanish")
+    return node.ring.multiplied(powers)
+
+
+def _combined(node: Node, data: Any, where: str) -> Poly:
+    """The sum of quotients times equations."""
+    quotients = items(data, len(node.equations), f"the quotients in {where}")
+    total = node.ring.constant(0)
+    for quotient, equation in zip(quotients, node.equations, strict=True):
+        total = total + node.ring.read(quotient, f"a quotient in {where}") * equation
+    return total
+
+
+def _contained(node: Node, poly: Poly, data: Mapping[str, Any], where: str) -> None:
+    """constant · ∏ factors · poly = Σ quotient · equation."""
+    constant = _constant(field(data, "constant", where), f"the constant in {where}")
+    multiplier = _multiplier(node, field(data, "factors", where), where)
+    combined = _combined(node, field(data, "quotients", where), where)
+    if constant * multiplier * poly != combined:
+        raise CheckError(f"{where}: an identity of polynomials does not hold")
+
+
+def _zero(node: Node, data: Mapping[str, Any], where: str) -> None:
+    only(data, where, "case", "identities")
+    if node.numerators is None:
+        raise CheckError(f"{where} has a case 'zero', which has no place there")
+    found = set()
+    for item in listed(field(data, "identities", where), where):
+        identity = mapping(item, where)
+        only(identity, where, "residual", "factors", "constant", "quotients")
+        last = len(node.numerators) - 1
+        number = integer(field(identity, "residual", where), f"a residual in {where}", 0, last)
+        if number in found:
+            raise CheckError(f"{where} has residual {number} twice")
+        found.add(number)
+        _contained(node, node.numerators[number], identity, f"{where}, residual {number}")
+    missing = set(range(len(node.numerators))) - found
+    if missing:
+        raise CheckError(f"{where} does not show that residual {min(missing)} vanishes")
+
+
+def _membership(node: Node, data: Mapping[str, Any], where: str) -> Poly:
+    """A polynomial that vanishes: ∏ by · P = Σ quotient · equation."""
+    poly = node.ring.read(field(data, "polynomial", where), f"the polynomial of {where}")
+    by = _multiplier(node, field(data, "by", where), where)
+    if by * poly != _combined(node, field(data, "quotients", where), where):
+        raise CheckError(f"{where}: the polynomial is not shown to vanish")
+    return poly
+
+
+def _split(node: Node, data: Mapping[str, Any], where: str, depth: int) -> None:
+    names = ("polynomial", "factors", "constant", "by", "quotients", "children")
+    only(data, where, "case", *names)
+    poly = _membership(node, data, where)
+    factors = node.ring.powers(field(data, "factors", where), f"the factors of {where}")
+    constant = _constant(field(data, "constant", where), f"the constant of {where}")
+    if poly != constant * node.ring.multiplied(factors):
+        raise CheckError(f"{where}: the factors do not make the polynomial")
+    vanishing = [factor for factor, _ in factors if not node.is_nonzero(factor)]
+    children = items(field(data, "children", where), len(vanishing), f"the children of {where}")
+    for number, (factor, child) in enumerate(zip(vanishing, children, strict=True), 1):
+        check_tree(node.with_equations(factor), child, f"{where}.{number}", depth + 1)
+
+
+def _vanishing(node: Node, data: Mapping[str, Any], where: str, depth: int) -> None:
+    only(data, where, "case", "polynomial", "nonzero", "zero")
+    poly = node.ring.read(field(data, "polynomial", where), f"the polynomial of {where}")
+    if poly.is_zero():
+        raise CheckError(f"{where} asks whether 0 vanishes")
+    other = replace(node, nonzero=node.nonzero | {monic(poly)[0]})
+    check_tree(other, field(data, "nonzero", where), f"{where}.nonzero", depth + 1)
+    zero = node.with_equations(poly)
+    check_tree(zero, field(data, "zero", where), f"{where}.zero", depth + 1)
+
+
+def _squares(node: Node, data: Mapping[str, Any], where: str, depth: int) -> None:
+    only(data, where, "case", "polynomial", "by", "quotients", "terms", "child")
+    poly = _membership(node, data, where)
+    total = node.ring.constant(0)
+    bases = []
+    for term in listed(field(data, "terms", where), f"the terms of {where}"):
+        weight, constant, base = items(term, 3, f"a term of {where}")
+        powers = node.ring.powers(weight, f"a weight of {where}")
+        number = _constant(constant, f"a constant of {where}")
+        (inner,) = items(base, 1, f"a base of {where}")
+        made = node.ring.read(inner, f"a base of {where}")
+        if number < 0:
+            raise CheckError(f"{where} has a negative square")
+        for part, power in powers:
+            certain = node.is_nonzero(part) if power % 2 == 0 else node.strict_sign(part) > 0
+            if not certain:
+                raise CheckError(f"{where} has a weight {_shown(part)} that may not be positive")
+        total = total + number * node.ring.multiplied(powers) * made**2
+        bases.append(made)
+    if total != poly:
+        raise CheckError(f"{where}: the squares do not make the polynomial")
+    check_tree(node.with_equations(*bases), field(data, "child", where), where + ".1", depth + 1)

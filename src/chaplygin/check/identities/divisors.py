@@ -1,0 +1,101 @@
+"""By what a law divides, as products of polynomials, and what therefore does not vanish."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from flint import arb, fmpq
+
+from ..claim.domain import GRAM
+from ..claim.errors import CheckError, UndefinedError
+from ..claim.formulas import Formula, parse
+from ..claim.json_data import choice, field, listed, mapping, only, rational, text
+from ..claim.polynomials import Powers, monic
+from ..claim.residuals import target_place
+from .accuracy import InaccurateError, agree
+from .generators import Ground, Sample
+
+__all__ = ["Entry", "nonzero_factors", "read_divisors"]
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A formula as a product: content · ∏ factor^power."""
+
+    content: int
+    powers: Powers
+
+
+def _at(ground: Ground, sample: Sample, where: str, formula: Formula) -> Any:
+    if where == "target":
+        return target_place(ground.claim, sample.place)(formula)
+    return sample.place.with_definitions(ground.claim.law.quantities)(formula)
+
+
+def read_divisors(
+    data: Mapping[str, Any], ground: Ground, samples: list[Sample], what: str
+) -> tuple[list[Entry], list[int | None]]:
+    """Divisors as products, and the number of the entry of each radicand."""
+    ring = ground.ring
+    size = len(samples)
+    known = [[s.nonzero[i] for s in samples] for i in range(len(samples[0].nonzero))]
+    roots = [[s.positive[i] for s in samples] for i in range(len(samples[0].positive))]
+    logs = [[s.logarithms[i] for s in samples] for i in range(len(samples[0].logarithms))]
+    entries: list[Entry] = []
+    matched: list[int | None] = [None] * (len(roots) + len(logs))
+    for number, data_of_one in enumerate(listed(field(data, "divisors", what), what)):
+        label = f"divisor {number} of {what}"
+        item = mapping(data_of_one, label)
+        only(item, label, "formula", "content", "factors", "where")
+        powers = ring.powers(field(item, "factors", label), label, negative=True)
+        content = rational(field(item, "content", label), label)
+        if not content:
+            raise CheckError(f"{label} is zero")
+        factor = arb(fmpq(content.numerator, content.denominator))
+        values = []
+        for sample in samples:
+            try:
+                values.append(factor * ring.value_of_powers(powers, sample.values))
+            except UndefinedError:
+                raise InaccurateError from None
+        shown = text(field(item, "formula", label), label)
+        where = choice(item.get("where", "own"), label, "own", "target")
+        if where == "target" and ground.claim.law.target is None:
+            raise CheckError(f"{label} is one of a target that there is not")
+        if shown != GRAM:
+            formula = parse(shown, label)
+            try:
+                stated = [_at(ground, sample, where, formula) for sample in samples]
+            except UndefinedError:
+                raise CheckError(f"{label} is not defined") from None
+            if not agree(values, stated):
+                raise CheckError(f"{label}: its factors do not make {shown}")
+        here = [i for i, known_values in enumerate([*roots, *logs]) if agree(values, known_values)]
+        if not here and not any(agree(values, known_values) for known_values in known):
+            raise CheckError(f"{label} is nothing by which the law divides")
+        for i in here:
+            matched[i] = len(entries)
+        entries.append(Entry(1 if content > 0 else -1, powers))
+    assert size
+    return entries, matched
+
+
+def nonzero_factors(ground: Ground, entries: Sequence[Entry]) -> frozenset[str]:
+    """Keys of factors that do not vanish, where those in denominators are known not to."""
+    found = {monic(ground.ring.generator(a.name))[0] for a in ground.auxiliary if a.positive}
+    for names, _ in ground.inverted:
+        # the inverse of a matrix is one that has an inverse
+        a, b, c, d, e, f = (ground.ring.generator(word) for word in names)
+        found.add(monic(a * (d * f - e * e) + b * (c * e - b * f) + c * (b * e - c * d))[0])
+    changed = True
+    while changed:
+        changed = False
+        for entry in entries:
+            below = {monic(p)[0] for p, n in entry.powers if n < 0 and not p.is_constant()}
+            above = {monic(p)[0] for p, n in entry.powers if n > 0 and not p.is_constant()}
+            if below <= found and not above <= found:
+                found |= above
+                changed = True
+    return frozenset(found)

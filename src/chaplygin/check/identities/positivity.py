@@ -1,0 +1,177 @@
+"""What a proof may take to be positive: guards, admissible parameters, radicands, sums."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from flint import fmpq
+
+from ..claim.claim import Claim
+from ..claim.errors import CheckError, UndefinedError
+from ..claim.formulas import Formula, parse, parse_condition
+from ..claim.json_data import field, items, listed, mapping, only, rational, text
+from ..claim.polynomials import Poly, monic
+from .accuracy import agree
+from .case_tree import Signs
+from .divisors import Entry
+from .generators import Ground, Sample
+
+__all__ = ["PositiveSum", "check_radicand_positive", "common_ratio", "learn_positive", "settle"]
+
+
+def learn_positive(
+    item: Any, ground: Ground, samples: list[Sample], signs: Signs, what: str
+) -> None:
+    """Something positive that a guard or a condition on parameters says."""
+    label = f"what is positive in {what}"
+    item = mapping(item, label)
+    more = ("terms", "quotients") if item.get("from") == "sum" else ()
+    only(item, label, "poly", "strict", "from", *more)
+    poly = ground.ring.read(field(item, "poly", label), label)
+    strict = field(item, "strict", label)
+    source = text(field(item, "from", label), label)
+    if not isinstance(strict, bool):
+        raise CheckError(f"{label} has a field 'strict' that is neither true nor false")
+    if source == "sum" or source.startswith("radicand "):
+        return
+    values = [ground.ring.value(poly, sample.values) for sample in samples]
+    for formula, sign in _positive_formulas(source, ground.claim, label):
+        if strict and sign != ">":
+            continue
+        try:
+            ratio = common_ratio(values, [sample.place(formula) for sample in samples])
+        except UndefinedError:
+            continue
+        if ratio is not None and ratio > 0:
+            signs.learn(poly, 1, strict)
+            return
+    raise CheckError(f"{label}: {source} does not say so")
+
+
+def _positive_formulas(source: str, claim: Claim, label: str) -> list[tuple[Formula, str]]:
+    """What a guard or a condition on parameters says, given by its text."""
+    system = claim.system
+    if any(sign in source for sign in "<>=&"):
+        found = parse_condition(source, label)
+        known = [pair for pair in system.admissible if pair[1] in (">", ">=")]
+    else:
+        found = [(parse(source, label), ">")]
+        known = [(guard, ">") for guard in system.guards]
+    return [pair for pair in found if pair in known]
+
+
+def common_ratio(first: Sequence[Any], second: Sequence[Any]) -> Any:
+    """The number by which two lists of numbers differ, or None if there is none."""
+    if any(b.contains(0) for b in second):
+        return None
+    ratios = [a / b for a, b in zip(first, second, strict=True)]
+    return ratios[0] if agree(ratios[:1] * len(ratios), ratios) and ratios[0] != 0 else None
+
+
+def check_radicand_positive(
+    item: Mapping[str, Any], ground: Ground, signs: Signs, what: str
+) -> None:
+    """What a proof says to be positive because it stands under a root."""
+    source = item["from"]
+    if not source.startswith("radicand "):
+        return
+    poly = ground.ring.read(item["poly"], what)
+    for auxiliary in ground.auxiliary:
+        if auxiliary.name == source.removeprefix("radicand ") and auxiliary.kind in (
+            "root",
+            "power",
+        ):
+            of = auxiliary.of[0][0]
+            if monic(poly) == monic(of) and signs.of(poly) > 0:
+                return
+    raise CheckError(f"what is positive in {what}: {source} is not")
+
+
+def _force(signs: Signs, radicands: Sequence[Entry]) -> None:
+    """The sign of the only factor of something positive whose sign is unknown."""
+    changed = True
+    while changed:
+        changed = False
+        for entry in radicands:
+            odd = [p for p, n in entry.powers if n % 2 and not p.is_constant()]
+            unknown = [p for p in odd if not signs.of(p)]
+            if len(unknown) == 1:
+                others = entry.content
+                for poly, power in entry.powers:
+                    if power % 2 and poly is not unknown[0]:
+                        others *= signs.of(poly)
+                signs.learn(unknown[0], others)
+                changed = True
+
+
+class PositiveSum:
+    """A polynomial that is a sum of positive terms, up to multiples of equations.
+
+    The terms are constant · ∏ weight^power · base² with a positive constant, and with weights that
+    are positive, or do not vanish where their power is even.
+    """
+
+    def __init__(self, data: Mapping[str, Any], ground: Ground, what: str) -> None:
+        label = f"what is positive in {what}"
+        ring = self.ring = ground.ring
+        self.label = label
+        self.poly = ring.read(field(data, "poly", label), label)
+        if field(data, "strict", label) is not True:
+            raise CheckError(f"{label}: a sum that is not strictly positive")
+        self.terms = []
+        for term in listed(field(data, "terms", label), label):
+            weight, constant, base = items(term, 3, label)
+            number = rational(constant, label)
+            if number <= 0:
+                raise CheckError(f"{label}: a term with a constant that is not positive")
+            (inner,) = items(base, 1, label)
+            made = ring.read(inner, label)
+            self.terms.append((ring.powers(weight, label), number, made))
+        self.quotients = [
+            ring.read(q, label) for q in listed(field(data, "quotients", label), label)
+        ]
+
+    def holds(self, signs: Signs, nonzero: frozenset[str], equations: Sequence[Poly]) -> bool:
+        """Whether the terms are known to be positive; CheckError where the sum is another."""
+        if len(self.quotients) != len(equations):
+            raise CheckError(
+                f"{self.label}: a sum has not as many quotients as there are equations"
+            )
+        total = self.ring.constant(0)
+        for quotient, equation in zip(self.quotients, equations, strict=True):
+            total = total + quotient * equation
+        certain, strict = True, False
+        for weights, number, base in self.terms:
+            for part, power in weights:
+                known = not part.is_constant() and monic(part)[0] in nonzero
+                sign = signs.of(part) or (signs.weak(part) if known else 0)
+                certain = certain and (known or bool(sign) if power % 2 == 0 else sign > 0)
+            strict = strict or (base.is_constant() and not base.is_zero())
+            fraction = fmpq(number.numerator, number.denominator)
+            total = total + fraction * self.ring.multiplied(weights) * base**2
+        if total != self.poly:
+            raise CheckError(f"{self.label}: a sum is another polynomial")
+        return certain and strict
+
+
+def settle(
+    signs: Signs,
+    radicands: Sequence[Entry],
+    sums: Sequence[PositiveSum],
+    nonzero: frozenset[str],
+    equations: Sequence[Poly],
+) -> list[PositiveSum]:
+    """Learn what sums and radicands say; the sums of which the terms are not known."""
+    _force(signs, radicands)
+    left = list(sums)
+    changed = True
+    while changed:
+        changed = False
+        for item in list(left):
+            if item.holds(signs, nonzero, equations):
+                signs.learn(item.poly, 1)
+                left.remove(item)
+                changed = True
+        _force(signs, radicands)
+    return left

@@ -1,0 +1,121 @@
+"""Proofs with assumed signs: whether together they leave no sign open."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import product
+from typing import Any
+
+from ..claim.errors import CheckError
+from ..claim.polynomials import Poly
+from .accuracy import with_precision
+from .basis import Basis
+from .generators import Ground
+from .proof import Condition, same
+
+__all__ = ["covers"]
+
+#: Polynomials whose signs may be assumed together.
+MANY = 14
+
+
+def covers(proofs: Sequence[Basis], conditions: Sequence[Condition]) -> bool:
+    """Whether at every point where the law is defined one of the proofs applies.
+
+    Their claims must be the same, and the points those where `conditions` hold.
+    """
+    assumed = [dict(_assumed(basis)) for basis in proofs]
+    keys = sorted({key for signs in assumed for key in signs}, key=repr)
+    if len(keys) > MANY:
+        raise CheckError(f"the proofs assume the signs of more than {MANY} polynomials")
+    known, products = _known(proofs, conditions, set(keys))
+    for pattern in product((1, -1), repeat=len(keys)):
+        signs = dict(zip(keys, pattern, strict=True))
+        if any(signs[key] != sign for key, sign in known):
+            continue
+        if any(_sign(content, factors, signs) < 0 for content, factors in products):
+            continue
+        if not any(all(signs[k] == s for k, s in some.items()) for some in assumed):
+            return False
+    return True
+
+
+def _sign(content: int, factors: Sequence[Any], signs: Mapping[Any, int]) -> int:
+    for key in factors:
+        content *= signs[key]
+    return content
+
+
+def _assumed(basis: Basis) -> Iterator[tuple[Any, int]]:
+    for poly, sign in basis.ground.signs:
+        key, lead = _key(basis.ground, poly)
+        yield key, sign * lead
+
+
+def _known(
+    proofs: Sequence[Basis], conditions: Sequence[Condition], keys: set[Any]
+) -> tuple[list[tuple[Any, int]], list[tuple[int, list[Any]]]]:
+    """Signs that are certain or asked for, and products of signs that are positive."""
+    known: list[tuple[Any, int]] = []
+    products: list[tuple[int, list[Any]]] = []
+    for basis in proofs:
+        ground = basis.ground
+        for poly, _ in ground.signs:
+            key, lead = _key(ground, poly)
+            certain = basis.certain.of(poly)
+            if certain:
+                known.append((key, certain * lead))
+            for condition in conditions:
+                if condition.positive:
+                    sign = with_precision(
+                        lambda b=basis, p=poly, c=condition: same(b, p, c.formula)
+                    )
+                    if sign is not None:
+                        known.append((key, sign * lead))
+        for entry in basis.radicands:
+            content, factors = entry.content, []
+            for poly, power in entry.powers:
+                if power % 2 == 0:
+                    continue
+                key, lead = _key(ground, poly)
+                certain = basis.certain.of(poly)
+                if certain:
+                    content *= certain
+                else:
+                    content *= lead
+                    factors.append(key)
+            if set(factors) <= keys:
+                products.append((content, factors))
+    return known, products
+
+
+def _key(ground: Ground, poly: Poly) -> tuple[Any, int]:
+    """A key that does not depend on the ring, and the sign by which the polynomial is divided."""
+    names: dict[str, tuple[Any, ...]] = {name: (name,) for name in ground.plain}
+    for auxiliary in ground.auxiliary:
+        names[auxiliary.name] = (
+            auxiliary.kind,
+            auxiliary.word,
+            auxiliary.number,
+            auxiliary.orders,
+            repr(auxiliary.exponent),
+            tuple(
+                (
+                    _terms(ground, above, names),
+                    tuple((_terms(ground, p, names), n) for p, n in below),
+                )
+                for above, below in auxiliary.of
+            ),
+        )
+    terms = _terms(ground, poly, names)
+    lead = terms[0][1]
+    return tuple((powers, str(number / lead)) for powers, number in terms), 1 if lead > 0 else -1
+
+
+def _terms(ground: Ground, poly: Poly, names: Mapping[str, Any]) -> tuple[Any, ...]:
+    """Terms in an order that does not depend on the ring."""
+    found = []
+    for exponents, number in poly.to_dict().items():
+        powers = [(names[ground.ring.names[i]], int(n)) for i, n in enumerate(exponents) if n]
+        found.append((tuple(sorted(powers, key=repr)), number))
+    return tuple(sorted(found, key=lambda term: repr(term[0])))

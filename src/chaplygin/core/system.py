@@ -1,0 +1,395 @@
+"""The one object everything else makes or uses: a vector field and what is claimed of it."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import sympy as sp
+
+from ..errors import InputError
+from .laws import Integral, Law
+from .vectors import Diagonal, Symmetric, Vector, explicit
+
+if TYPE_CHECKING:
+    from ..explicit.base.solution import Solution
+
+__all__ = [
+    "Guard",
+    "Motion",
+    "Observable",
+    "Parameter",
+    "System",
+    "flat",
+    "flat_pairs",
+    "unknown_names",
+]
+
+Name: TypeAlias = Vector | sp.Symbol
+Quantity: TypeAlias = Vector | Diagonal | Symmetric | sp.Symbol
+Pairs: TypeAlias = tuple[tuple[Any, Any], ...]
+#: Written as a mapping or as pairs, kept as pairs.
+Declared: TypeAlias = Any
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A number that stays constant during motion.
+
+    Parameters
+    ----------
+    symbol : sympy.Symbol
+        The symbol by which formulas call it.
+    meaning : str
+        In words, with the frame if it has one.
+    default : float
+        Value used when none is given.
+    unit : str
+        SI unit of the examples; any consistent units will do.
+    admissible : tuple of sympy relations
+        Conditions on this and other parameters.
+    """
+
+    symbol: sp.Symbol
+    meaning: str
+    default: float
+    unit: str = ""
+    admissible: tuple[Any, ...] = ()
+
+
+@dataclass(frozen=True)
+class Observable:
+    """A quantity worth recording along a motion.
+
+    `value` is a scalar or vector formula in the state, the definitions and the parameters;
+    `frame` is ``"body"`` or ``"space"`` for vectors and empty for scalars.
+    """
+
+    name: str
+    value: Any
+    meaning: str
+    unit: str = ""
+    frame: str = ""
+    source: str = ""
+
+
+@dataclass(frozen=True)
+class Guard:
+    """A quantity that must stay positive for the equations to describe the motion.
+
+    Parameters
+    ----------
+    name : str
+        Short name, such as ``"flat"``.
+    value : sympy.Expr
+        Positive inside the domain.
+    happening : str
+        What has happened when it is no longer positive: "the disk lies flat".
+    lift_off : bool
+        Whether the equations themselves remain valid beyond (a two-sided contact), so that a
+        run may go on when asked to.
+    """
+
+    name: str
+    value: sp.Expr
+    happening: str
+    lift_off: bool = False
+
+
+@dataclass(frozen=True)
+class Motion:
+    """The lift of a reduced system back to space, as further equations.
+
+    `field` gives the time derivatives of the further variables in the reduced state and
+    themselves, `relations` vanish along the motion and tie both together; `observables` are
+    places and directions in space.
+    """
+
+    field: Declared
+    relations: tuple[sp.Expr, ...]
+    observables: tuple[Observable, ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "field", _pairs(self.field))
+
+
+def _pairs(mapping: Mapping[Any, Any] | Pairs) -> Pairs:
+    return tuple(mapping.items()) if isinstance(mapping, Mapping) else tuple(mapping)
+
+
+def _symbols_of(formula: Any) -> set[sp.Symbol]:
+    symbols: set[sp.Symbol] = explicit(formula).free_symbols
+    return symbols
+
+
+def flat(names: Iterable[Quantity]) -> tuple[sp.Symbol, ...]:
+    """Named quantities as scalars, in order."""
+    return tuple(s for n in names for s in ((n,) if isinstance(n, sp.Symbol) else n.symbols))
+
+
+def flat_pairs(pairs: Pairs) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+    """Pairs (named quantity, formula) as pairs (scalar symbol, scalar formula)."""
+    found: list[tuple[sp.Symbol, sp.Expr]] = []
+    for name, formula in pairs:
+        value = explicit(sp.sympify(formula))
+        if isinstance(name, sp.Symbol):
+            found.append((name, value))
+        elif isinstance(name, Vector):
+            found.extend(zip(name.symbols, value, strict=True))
+        else:
+            found.extend(zip(name.symbols, name.independent(value), strict=True))
+    return tuple(found)
+
+
+def unknown_names(formula: sp.Expr, known: Iterable[sp.Symbol]) -> str:
+    """The symbols of a formula that are not known, as text; empty if there are none.
+
+    A symbol that is written like a known one but has other assumptions is told as such.
+    """
+    given = {str(s): s for s in known}
+    found = []
+    for symbol in sorted(formula.free_symbols - set(given.values()), key=str):
+        like = given.get(str(symbol))
+        found.append(
+            str(symbol)
+            if like is None
+            else f"{symbol} ({_assumed(symbol)}; the known {like} has {_assumed(like)})"
+        )
+    return ", ".join(found)
+
+
+def _assumed(symbol: sp.Symbol) -> str:
+    """What was assumed of a symbol when it was made."""
+    told = [f"{key}={value}" for key, value in sorted(symbol._assumptions_orig.items())]
+    return ", ".join(told) or "no assumptions"
+
+
+@dataclass(frozen=True)
+class System:
+    """A vector field on a phase space, with what is claimed of it.
+
+    Parameters
+    ----------
+    name, title : str
+        Identifier (``"chaplygin-ball"``) and its human form.
+    field : mapping of Vector or Symbol to formula
+        Time derivatives of the state; the order of declaration is the flat order.
+    definitions : mapping of Vector, tensor or Symbol to formula
+        Named intermediate quantities, each in terms of the state, the parameters and the
+        ones before it.
+    parameters : tuple of Parameter
+    relations : tuple of sympy.Expr
+        Vanish on the phase space.
+    laws : tuple of Law
+    observables : tuple of Observable
+    guards : tuple of Guard
+    motion : Motion, optional
+    source : str
+        Equation numbers in the paper.
+    summary : str
+        One or two sentences: what moves on what.
+    start : mapping of Vector to formula
+        How state variables follow from ω and γ, in which a start is given; the others (γ itself,
+        or ω where it belongs to the state) are taken as given.
+
+    Raises
+    ------
+    InputError
+        If a formula uses a symbol that is neither state, definition nor parameter, or two of
+        these have the same name.
+    """
+
+    name: str
+    title: str
+    field: Declared
+    parameters: tuple[Parameter, ...] = ()
+    definitions: Declared = ()
+    relations: tuple[sp.Expr, ...] = ()
+    laws: tuple[Law, ...] = ()
+    observables: tuple[Observable, ...] = ()
+    guards: tuple[Guard, ...] = ()
+    motion: Motion | None = None
+    source: str = ""
+    summary: str = ""
+    start: Declared = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "field", _pairs(self.field))
+        object.__setattr__(self, "definitions", _pairs(self.definitions))
+        object.__setattr__(self, "start", _pairs(self.start))
+        self._check_symbols()
+
+    # --- flat view -------------------------------------------------------------------------
+
+    @cached_property
+    def state(self) -> tuple[Name, ...]:
+        """The state as declared: vectors and scalars."""
+        return tuple(name for name, _ in self.field)
+
+    @cached_property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """The state as scalars, in flat order."""
+        return flat(self.state)
+
+    @cached_property
+    def rates(self) -> tuple[sp.Expr, ...]:
+        """Time derivatives of `symbols`, in terms of state, definitions and parameters."""
+        return tuple(rate for _, rate in flat_pairs(self.field))
+
+    @cached_property
+    def steps(self) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+        """The definitions as scalar assignments, in order."""
+        return flat_pairs(self.definitions)
+
+    def needed(
+        self, formulas: Iterable[Any], given: Iterable[sp.Symbol] = ()
+    ) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+        """The steps on which `formulas` depend, in order, when the symbols `given` are known."""
+        wanted = {s for formula in formulas for s in _symbols_of(formula)} - set(given)
+        chosen = []
+        for symbol, value in reversed(self.steps):
+            if symbol in wanted:
+                chosen.append((symbol, value))
+                wanted |= value.free_symbols - set(given)
+        return tuple(reversed(chosen))
+
+    @property
+    def integrals(self) -> tuple[Integral, ...]:
+        """The first integrals among the laws."""
+        return tuple(law for law in self.laws if isinstance(law, Integral))
+
+    @property
+    def defaults(self) -> dict[sp.Symbol, float]:
+        """Default value of every parameter."""
+        return {p.symbol: p.default for p in self.parameters}
+
+    @cached_property
+    def constants(self) -> tuple[tuple[str, float], ...]:
+        """Name and default value of every parameter, as text and as a double."""
+        return tuple((str(p.symbol), float(p.default)) for p in self.parameters)
+
+    def _check_symbols(self) -> None:
+        names = [p.symbol for p in self.parameters] + [*self.symbols, *(s for s, _ in self.steps)]
+        moved = flat(name for name, _ in self.motion.field) if self.motion else ()
+        whole = [n for n, _ in (*self.field, *self.definitions) if not isinstance(n, sp.Symbol)]
+        # whatever is proved, recorded or printed later knows them by their names alone
+        for name, count in Counter(map(str, (*names, *moved, *whole))).items():
+            if count > 1:
+                raise InputError(
+                    f"{self.name}: {name} stands for two things; each state variable, definition "
+                    "and parameter needs a name of its own"
+                )
+        known = {p.symbol for p in self.parameters} | set(self.symbols)
+        for symbol, value in self.steps:
+            self._require(value, known, f"the definition of {symbol}")
+            known.add(symbol)
+        for symbol, value in zip(self.symbols, self.rates, strict=True):
+            self._require(value, known, f"the rate of {symbol}")
+        for law in self.integrals:
+            self._require(explicit(law.value), known, f"the law {law.name!r}")
+        for relation in self.relations:
+            self._require(explicit(relation), known, f"the relation {relation}")
+
+    def _require(self, value: sp.Expr, known: set[sp.Symbol], where: str) -> None:
+        missing = unknown_names(value, known)
+        if missing:
+            raise InputError(
+                f"{self.name}: {where} uses {missing}, which is neither a state variable, an "
+                "earlier definition nor a parameter"
+            )
+
+    # --- making other systems --------------------------------------------------------------
+
+    def with_laws(self, *laws: Law) -> System:
+        """The same system with further laws claimed of it."""
+        return replace(self, laws=self.laws + laws)
+
+    def lifted(self) -> System:
+        """The system together with its motion in space, as one system.
+
+        Raises
+        ------
+        InputError
+            If the system has no motion in space.
+        """
+        if self.motion is None:
+            raise InputError(f"{self.name}: this system has no motion in space to be lifted to")
+        return self._lifted
+
+    @cached_property
+    def _lifted(self) -> System:
+        motion = self.motion
+        if motion is None:
+            return self
+        return replace(
+            self,
+            field=self.field + motion.field,
+            relations=self.relations + motion.relations,
+            observables=self.observables + motion.observables,
+            motion=None,
+        )
+
+    # --- motion in closed form ---------------------------------------------------------------
+
+    def solve(
+        self,
+        start: Mapping[str, Any] | Sequence[Any],
+        parameters: Mapping[Any, Any] | None = None,
+    ) -> Solution:
+        """The motion from a start in closed form, at any time; see :mod:`chaplygin.explicit`.
+
+        Parameters
+        ----------
+        start : sequence of numbers, or mapping of str to number or numbers
+            State at time 0; see :func:`chaplygin.explicit.solver.solve`.
+        parameters : mapping of Symbol or name to number, optional
+            Values that replace the defaults.
+
+        Raises
+        ------
+        InputError
+            If start or parameters cannot be used; and if no closed form is known, when the
+            message says what is.
+        """
+        from ..explicit.solver import solve
+
+        return solve(self, start, parameters)
+
+    # --- other tools and print -------------------------------------------------------------
+
+    def lambdify(self, target: str = "numpy") -> Callable[..., Any]:
+        """The field as a function ``f(t, x, p)`` for ``"numpy"``, ``"jax"`` or ``"numba"``.
+
+        See :func:`chaplygin.printing.code.function`.
+        """
+        from ..printing.code import function
+
+        return function(self, target)
+
+    def source_code(self, language: str) -> str:
+        """The field as source text in ``"julia"`` or ``"c"``."""
+        from ..printing.code import source
+
+        return source(self, language)
+
+    def latex(self) -> str:
+        """The equations of motion as a LaTeX ``aligned`` environment."""
+        from ..printing.system import system_latex
+
+        return system_latex(self)
+
+    def __str__(self) -> str:
+        from ..printing.system import system_text
+
+        return system_text(self)
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self.latex()}$"
+
+    def _repr_html_(self) -> str:
+        from ..printing.system import system_html
+
+        return system_html(self)

@@ -1,0 +1,367 @@
+"""Symbolic 3-vectors, written and shown as on paper, turned into components on demand.
+
+A vector is a SymPy matrix expression of shape (3, 1).  Formulas built from
+:func:`dot`, :func:`cross` and :func:`outer` keep their vector form, so that they print as
+``M×ω + m ṙ×(ω×r)``; :func:`explicit` turns the same formula into three scalars.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any, TypeAlias
+
+import sympy as sp
+from sympy.core.symbol import Str
+from sympy.matrices.expressions import (
+    Identity,
+    Inverse,
+    MatAdd,
+    MatMul,
+    MatPow,
+    MatrixExpr,
+    Transpose,
+    ZeroMatrix,
+)
+from sympy.printing.latex import LatexPrinter
+from sympy.printing.precedence import PRECEDENCE
+
+__all__ = [
+    "Cross",
+    "Diagonal",
+    "Dot",
+    "Gradient",
+    "Symmetric",
+    "Vector",
+    "by_name",
+    "constant",
+    "cross",
+    "dot",
+    "explicit",
+    "gradient",
+    "hat",
+    "identity",
+    "normed",
+    "outer",
+    "scalar",
+    "unit",
+    "vectors",
+    "zero",
+]
+
+Scalar: TypeAlias = sp.Expr
+Components: TypeAlias = sp.ImmutableDenseMatrix
+
+_LABELS = {2: ("x", "y"), 3: ("1", "2", "3"), 4: ("w", "x", "y", "z")}
+
+zero: MatrixExpr = ZeroMatrix(3, 1)
+identity: MatrixExpr = Identity(3)
+
+
+def by_name(formula: Any, known: Iterable[sp.Symbol]) -> sp.Expr:
+    """The formula with the known symbols in place of others of the same name.
+
+    ``Symbol("gamma_3")`` and ``Symbol("gamma_3", real=True)`` are two symbols for SymPy, and one
+    for whoever writes a formula.
+    """
+    named = {symbol.name: symbol for symbol in known}
+    written = sp.sympify(formula)
+    return written.xreplace({s: named[s.name] for s in written.free_symbols if s.name in named})
+
+
+def scalar(name: str) -> sp.Symbol:
+    """A real scalar symbol, the only kind used in this package."""
+    return sp.Symbol(name, real=True)
+
+
+class Vector(sp.MatrixSymbol):
+    """A named vector whose components are the scalars ``name_1``, ``name_2``, ``name_3``.
+
+    Parameters
+    ----------
+    name : str
+        Name as spelt in code; Greek names and the endings ``dot`` and ``tilde`` are
+        typeset (``gamma``, ``rdot``).
+    size : int
+        3; 2 for points of a plane, 4 for quaternions (components w, x, y, z).
+    """
+
+    def __new__(cls, name: str | Str, size: int = 3, *_: Any) -> Vector:
+        """Make the symbol; SymPy rebuilds expressions through here."""
+        made: Vector = sp.Basic.__new__(cls, Str(str(name)), sp.Integer(size), sp.S.One)
+        return made
+
+    def doit(self, **_: Any) -> Vector:
+        """A name is evaluated already."""
+        return self
+
+    @property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """The component symbols, in order."""
+        return tuple(scalar(f"{self.name}_{label}") for label in _LABELS[int(self.shape[0])])
+
+    def __iter__(self) -> Iterator[sp.Symbol]:
+        return iter(self.symbols)
+
+    def _latex(self, printer: LatexPrinter) -> str:
+        return _as_on_paper(self)
+
+
+class _Tensor(sp.MatrixSymbol):
+    def __new__(cls, name: str | Str, *_: Any) -> Any:
+        return sp.Basic.__new__(cls, Str(str(name)), sp.Integer(3), sp.Integer(3))
+
+    def doit(self, **_: Any) -> Any:
+        """A name is evaluated already."""
+        return self
+
+    def _latex(self, printer: LatexPrinter) -> str:
+        return _as_on_paper(self)
+
+
+class Diagonal(_Tensor):
+    """A named diagonal tensor diag(name_1, name_2, name_3)."""
+
+    @property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """The diagonal, in order."""
+        return tuple(scalar(f"{self.name}_{i}") for i in (1, 2, 3))
+
+    @property
+    def entries(self) -> Components:
+        """The 3×3 matrix of scalars."""
+        return Components(sp.diag(*self.symbols))
+
+    @staticmethod
+    def independent(matrix: sp.MatrixBase) -> tuple[Scalar, ...]:
+        """The entries of `matrix` that belong to `symbols`."""
+        return tuple(matrix[i, i] for i in range(3))
+
+
+class Symmetric(_Tensor):
+    """A named symmetric tensor with entries name_11, name_12, …, name_33."""
+
+    _pairs = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
+
+    @property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """The upper triangle, row by row."""
+        return tuple(scalar(f"{self.name}_{i + 1}{j + 1}") for i, j in self._pairs)
+
+    @property
+    def entries(self) -> Components:
+        """The 3×3 matrix of scalars."""
+        table = dict(zip(self._pairs, self.symbols, strict=True))
+        return Components(3, 3, lambda i, j: table[min(i, j), max(i, j)])
+
+    @staticmethod
+    def independent(matrix: sp.MatrixBase) -> tuple[Scalar, ...]:
+        """The entries of `matrix` that belong to `symbols`."""
+        return tuple(matrix[i, j] for i, j in Symmetric._pairs)
+
+
+class Cross(MatrixExpr):
+    """The vector product; build it with :func:`cross`."""
+
+    shape = (sp.Integer(3), sp.S.One)
+
+    def __new__(cls, left: MatrixExpr, right: MatrixExpr) -> Cross:
+        """Make the node as it stands, without evaluation."""
+        made: Cross = sp.Basic.__new__(cls, left, right)
+        return made
+
+    def doit(self, **_: Any) -> Cross:
+        """Stay as written: components are taken by :func:`explicit`."""
+        return self
+
+    def _latex(self, printer: LatexPrinter) -> str:
+        return _as_on_paper(self)
+
+
+class Dot(sp.Expr):
+    """The scalar product (u, v); build it with :func:`dot`."""
+
+    is_commutative = True
+    is_real = True
+    precedence = PRECEDENCE["Atom"]
+
+    def __new__(cls, left: MatrixExpr, right: MatrixExpr) -> Dot:
+        """Make the node as it stands, without evaluation."""
+        made: Dot = sp.Basic.__new__(cls, left, right)
+        return made
+
+    def _latex(self, printer: LatexPrinter) -> str:
+        return _as_on_paper(self)
+
+
+class Gradient(MatrixExpr):
+    """∂U/∂u for a scalar `U` written in the components of the vector `u`.
+
+    The name under which U is printed is the third argument.
+    """
+
+    shape = (sp.Integer(3), sp.S.One)
+
+    def __new__(cls, value: Scalar, variable: Vector, name: sp.Symbol) -> Gradient:
+        """Make the node as it stands, without evaluation."""
+        made: Gradient = sp.Basic.__new__(cls, value, variable, name)
+        return made
+
+    def doit(self, **_: Any) -> Gradient:
+        """Stay as written: components are taken by :func:`explicit`."""
+        return self
+
+    def _latex(self, printer: LatexPrinter) -> str:
+        return _as_on_paper(self)
+
+
+def _as_on_paper(formula: sp.Basic) -> str:
+    """LaTeX for SymPy's own printer, which notebooks call for a formula of its own."""
+    from ..printing.formula import latex
+
+    return latex(formula)
+
+
+def vectors(names: str) -> tuple[Vector, ...]:
+    """Several vectors at once: ``M, gamma = vectors("M gamma")``."""
+    return tuple(Vector(name) for name in names.split())
+
+
+def unit(axis: int) -> MatrixExpr:
+    """The unit vector along body axis 1, 2 or 3."""
+    return constant([int(axis == i) for i in (1, 2, 3)])
+
+
+def constant(values: Any) -> MatrixExpr:
+    """A vector or matrix given by its entries (numbers or scalars)."""
+    return sp.ImmutableDenseMatrix(values)
+
+
+def _parts(vector: MatrixExpr) -> list[tuple[Scalar, MatrixExpr]]:
+    """Write a vector as a sum of scalar multiples of atoms, without touching the atoms."""
+    if isinstance(vector, ZeroMatrix):
+        return []
+    if isinstance(vector, MatAdd):
+        return [part for arg in vector.args for part in _parts(arg)]
+    if isinstance(vector, MatMul):
+        scalars = [arg for arg in vector.args if not getattr(arg, "is_Matrix", False)]
+        factors = [arg for arg in vector.args if getattr(arg, "is_Matrix", False)]
+        if len(factors) == 1 and scalars:
+            return [(sp.Mul(*scalars) * c, atom) for c, atom in _parts(factors[0])]
+        matrix = factors[0] if len(factors) == 1 else MatMul(*factors)
+        return [(sp.Mul(*scalars), matrix)]
+    return [(sp.S.One, vector)]
+
+
+def _oriented(atom: MatrixExpr) -> tuple[int, MatrixExpr]:
+    """A vector product with its factors in a fixed order, and the sign that this costs."""
+    if isinstance(atom, Cross):
+        left, right = atom.args
+        if sp.default_sort_key(left) > sp.default_sort_key(right):
+            return -1, Cross(right, left)
+    return 1, atom
+
+
+def cross(left: MatrixExpr, right: MatrixExpr) -> MatrixExpr:
+    """Vector product, bilinear; products of parallel vectors vanish at once."""
+    total: MatrixExpr = zero
+    for a, u in _parts(left):
+        for b, v in _parts(right):
+            if _oriented(u)[1] != _oriented(v)[1]:
+                total = total + (a * b) * Cross(u, v)
+    return total
+
+
+def dot(left: MatrixExpr, right: MatrixExpr) -> Scalar:
+    """Scalar product; scalar factors are taken out."""
+    if isinstance(left, ZeroMatrix) or isinstance(right, ZeroMatrix):
+        return sp.S.Zero
+    factor = sp.S.One
+    ends = []
+    for side in (left, right):
+        parts = _parts(side)
+        share, end = parts[0] if len(parts) == 1 else (sp.S.One, side)
+        factor = factor * share
+        ends.append(end)
+    return factor * Dot(*ends)
+
+
+def normed(vector: MatrixExpr) -> Scalar:
+    """The square (u, u)."""
+    return dot(vector, vector)
+
+
+def outer(left: MatrixExpr, right: MatrixExpr) -> MatrixExpr:
+    """The dyad u ⊗ v, as the matrix u vᵀ."""
+    return left * Transpose(right)
+
+
+def hat(vector: MatrixExpr) -> Components:
+    """The skew matrix with hat(u) v = u × v."""
+    x, y, z = explicit(vector)
+    return Components([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+
+
+def gradient(value: Scalar, variable: Vector, name: str = "U") -> MatrixExpr:
+    """∂value/∂variable, shown as ∂U/∂γ; zero when `value` does not depend on it."""
+    if not explicit(value).has(*variable.symbols):
+        return zero
+    return Gradient(value, variable, scalar(name))
+
+
+def explicit(expression: Any) -> Any:
+    """Turn a formula into components.
+
+    Parameters
+    ----------
+    expression : sympy.Expr or MatrixExpr
+        A scalar or vector formula.
+
+    Returns
+    -------
+    sympy.Expr or ImmutableDenseMatrix
+        The same without any vector left in it; nothing is expanded.
+    """
+    if isinstance(expression, sp.MatrixBase):
+        return Components(expression.applyfunc(explicit))
+    if not isinstance(expression, MatrixExpr):
+        # from the top down, so that products inside products are reached with their factors
+        return expression.xreplace({d: _explicit_dot(d) for d in expression.atoms(Dot)})
+    return _explicit_matrix(expression)
+
+
+def _explicit_dot(product: Dot) -> Scalar:
+    left, right = (explicit(arg) for arg in product.args)
+    return sp.Add(*(a * b for a, b in zip(left, right, strict=True)))
+
+
+def _explicit_matrix(expression: MatrixExpr) -> Components:
+    match expression:
+        case Vector():
+            return Components(expression.symbols)
+        case Diagonal() | Symmetric():
+            return expression.entries
+        case Cross():
+            (a, b, c), (x, y, z) = (explicit(arg) for arg in expression.args)
+            return Components([b * z - c * y, c * x - a * z, a * y - b * x])
+        case Gradient():
+            value, variable, _ = expression.args
+            return Components([sp.diff(explicit(value), s) for s in variable.symbols])
+        case MatAdd():
+            terms = [explicit(arg) for arg in expression.args]
+            return Components(sum(terms[1:], terms[0]))
+        case MatMul():
+            product = sp.S.One
+            # from the right, so that matrices act on vectors and dyads never appear
+            for arg in reversed(expression.args):
+                product = explicit(arg) * product
+            return product
+        case Transpose():
+            return explicit(expression.arg).T
+        case Inverse() | MatPow():
+            matrix = explicit(expression.args[0])
+            if expression.args[1] != -1:
+                return Components(matrix ** expression.args[1])
+            if matrix.is_diagonal():
+                return Components(sp.diag(*(1 / matrix[i, i] for i in range(3))))
+            return Components(matrix.adjugate() / matrix.det(method="berkowitz"))
+    return Components(expression.as_explicit())

@@ -1,0 +1,1 @@
+"""An experiment: read from its file, made ready as a study, run, kept in files."""

@@ -1,0 +1,288 @@
+"""A study solved in closed form: its motion at any times, and what a report says of it."""
+
+from __future__ import annotations
+
+import contextlib
+import re
+import time as clock
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy as sp
+import xarray as xr
+from markupsafe import Markup
+
+from ..core.system import System
+from ..core.vectors import explicit, scalar
+from ..errors import InputError, RunError
+from ..explicit.base.problem import Problem
+from ..explicit.base.solution import Figure, Solution, checked
+from ..explicit.bifurcation import Diagram
+from ..explicit.bifurcation.diagram_of import diagram_of
+from ..explicit.recognise import solution_of
+from ..flow.trajectory import Statistics, Trajectory
+from ..printing import numerals
+from ..printing.formula import text
+from ..printing.numerals import signed, unit
+from ..printing.system import displayed, latex, mathml
+from .study import Study, dataset_of
+
+__all__ = [
+    "Section",
+    "ball",
+    "dataset",
+    "diagram_if_known",
+    "evaluated",
+    "number",
+    "section",
+    "solved",
+    "solved_if_known",
+    "units",
+]
+
+
+def solved(study: Study) -> Solution:
+    """The motion of a study in closed form.
+
+    Raises
+    ------
+    InputError
+        If the start is not admissible.
+    NoClosedFormError
+        If no closed form of this motion is known.
+    """
+    system = study.system
+    found = solution_of(Problem(system, system.defaults, study.start, study.rolling))
+    # the set-up is done here, so that what it cannot do is told before anything is printed
+    found.states(np.zeros(1))
+    return found
+
+
+def solved_if_known(study: Study) -> Solution | None:
+    """The motion of a study in closed form, None where it has none or none can be evaluated."""
+    with contextlib.suppress(InputError, RunError, ArithmeticError):
+        return solved(study)
+    return None
+
+
+def diagram_if_known(study: Study) -> tuple[Diagram, tuple[float, float]] | None:
+    """The bifurcation diagram of a study's integrals and its place there; None where none is known.
+
+    A body with two equal moments, for one, has none on a plane of two integrals.
+    """
+    system = study.system
+    with contextlib.suppress(InputError):
+        return diagram_of(Problem(system, system.defaults, study.start, study.rolling))
+    return None
+
+
+def in_space(study: Study, solution: Solution) -> bool:
+    """Whether a solution holds the motion in space, where the system has one."""
+    moves = study.system.motion is not None
+    return moves and len(solution.system.symbols) > len(study.system.symbols)
+
+
+def evaluated(study: Study, solution: Solution, times: Any) -> Trajectory:
+    """A motion at chosen times, with all that a run records.
+
+    Parameters
+    ----------
+    study : Study
+    solution : Solution
+        Of this study.
+    times : array (n,)
+
+    Returns
+    -------
+    Trajectory
+        In double precision.
+    """
+    began = clock.perf_counter()
+    moments = checked(np.asarray(times, dtype=float), solution.pace)
+    states = solution.states(moments)
+    seconds = clock.perf_counter() - began
+    system = study.watched.lifted() if in_space(study, solution) else study.watched
+    return Trajectory(
+        system,
+        system.defaults,
+        moments,
+        states,
+        _recorded(system, states),
+        (),
+        Statistics(
+            steps=0,
+            order=0,
+            tolerance=float(np.finfo(float).eps),
+            precision="double",
+            corrections=0,
+            seconds=seconds,
+            from_cache=False,
+        ),
+    )
+
+
+def _recorded(system: System, states: Any) -> dict[str, Any]:
+    """Observables and integrals of a lifted system along states (n, size)."""
+    wanted = {item.name: explicit(item.value) for item in system.observables}
+    wanted |= {f"law_{law.name}": explicit(law.value) for law in system.integrals}
+    scalars = [s for value in wanted.values() for s in _scalars(value)]
+    steps = list(system.needed(scalars))
+    function = sp.lambdify(
+        [*system.symbols, *system.defaults], scalars, "numpy", cse=lambda e: (steps, e)
+    )
+    columns = (np.broadcast_to(x, len(states)) for x in function(*states.T, *_doubles(system)))
+    recorded: dict[str, Any] = {}
+    for name, value in wanted.items():
+        parts = [next(columns) for _ in _scalars(value)]
+        recorded[name] = np.stack(parts, axis=1) if _is_vector(value) else np.array(parts[0])
+    return recorded
+
+
+def _doubles(system: System) -> list[float]:
+    return [float(value) for value in system.defaults.values()]
+
+
+def _is_vector(value: Any) -> bool:
+    return isinstance(value, sp.MatrixBase)
+
+
+def _scalars(value: Any) -> list[sp.Expr]:
+    return list(value) if _is_vector(value) else [value]
+
+
+def dataset(study: Study, trajectory: Trajectory, solution: Solution) -> xr.Dataset:
+    """States of a closed form as a dataset, with the names of an integrated trajectory."""
+    made = dataset_of(study, trajectory)
+    start = zip(trajectory.system.symbols, study.start, strict=False)
+    return made.assign_attrs(
+        start="; ".join(f"{symbol} = {float(value)!r}" for symbol, value in start),
+        integrator=f"none: closed form, {solution.form.title}",
+        motion=solution.form.motion,
+    )
+
+
+def units(study: Study, solution: Solution) -> dict[sp.Symbol, str]:
+    """The unit of every component of the lifted state, where it is known."""
+    made = dataset(study, evaluated(study, solution, [0.0]), solution)
+    found: dict[sp.Symbol, str] = {}
+    for name in solution.system.state:
+        unit = str(made[str(name)].units) if str(name) in made else "m"
+        for symbol in (name,) if isinstance(name, sp.Symbol) else name.symbols:
+            found[symbol] = "" if unit in ("1", "unknown") else unit
+    return found
+
+
+# --- the section of a report ---------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Section:
+    """What a report says of a closed form, ready for the page.
+
+    Attributes
+    ----------
+    title, motion, source : str
+    equations : tuple of Markup
+        The curve, the differential equations and the clock.
+    rows : tuple of (symbol, value, meaning)
+        Constants, roots, frequencies, with error bounds and units.
+    ovals : tuple of str
+        The intervals on which the separated variables live.
+    caption : str
+        Of the figure.
+    difference : str
+        The largest distance of any component of the state from the integrated trajectory.
+    """
+
+    title: str
+    motion: str
+    source: str
+    equations: tuple[Markup, ...]
+    rows: tuple[tuple[str, str, str], ...]
+    ovals: tuple[str, ...]
+    caption: str
+    difference: str
+
+
+_CAPTION = (
+    "The curve over the real line, each oval to its own height: its roots, and where the "
+    "separated variables move; and nine turns on the torus of the two phases."
+)
+_CAPTION_OF_ONE = "Where the separated variable moves."
+
+
+def section(solution: Solution, trajectory: Trajectory) -> Section:
+    """The words and formulas of a closed form, and how far an integration is from it.
+
+    Parameters
+    ----------
+    solution : Solution
+    trajectory : Trajectory
+        The same motion, integrated.
+    """
+    form = solution.form
+    states = solution.states(trajectory.times.astype(float))
+    integrated = trajectory.states[:, : states.shape[1]].astype(float)
+    distance = np.abs(states - integrated).max()
+    return Section(
+        title=form.title,
+        motion=form.motion,
+        source=form.source,
+        equations=tuple(Markup(displayed(equation(left, right))) for left, right in form.equations),
+        rows=tuple(
+            (_symbol(figure.symbol), printed(number(figure)), letters(figure.meaning))
+            for figure in form.figures
+        ),
+        ovals=tuple(signed(f"[{low:.12g}, {high:.12g}]") for low, high in form.ovals),
+        caption=_CAPTION if len(form.ovals) > 1 else _CAPTION_OF_ONE,
+        difference=numerals.number(float(distance), 2),
+    )
+
+
+#: A differential before another factor.
+_AFTER = re.compile(
+    r"(\\text\{d[a-z]+\}(?:_\{\w+\})?) "
+    r"((?:\w|\\(?!text)[a-z]+)(?:_\{\w+\})?(?:\^\{\w+\})?)(?=[}\s])"
+)
+
+
+def equation(left: Any, right: Any) -> str:
+    """An equation in LaTeX, symbols such as dz and dtau as differentials, varphi as a letter."""
+
+    def differential(found: re.Match[str]) -> str:
+        return rf"\mathrm{{d}}{latex(sp.Symbol(found[1]))}"
+
+    written = f"{latex(left)} = {latex(right)}".replace(r"\text{varphi}", r"\varphi")
+    # a differential stands after the factors before it: z₁ dz₁, not dz₁ z₁
+    written = _AFTER.sub(r"\2 \, \1", written)
+    return re.sub(r"\\text\{d([a-z]+)\}", differential, written)
+
+
+def printed(value: str) -> str:
+    """A value with its error and unit, signs, powers of ten and units as in print."""
+    return unit(signed(value))
+
+
+def _symbol(written: str) -> str:
+    """A symbol as a formula; what is no name, such as V_1/V_2, as words."""
+    return Markup(mathml(latex(scalar(written)))) if written.isidentifier() else letters(written)
+
+
+def letters(words: str) -> str:
+    """Words with z_1, dtau and Omega in them as z₁, dτ and Ω."""
+    named = r"(?<=\bd)tau\b|\b(?:tau|theta|phi|psi|rho|omega|Omega|lambda|Lambda)\b|[A-Za-z]+_\w+"
+    return re.sub(named, lambda found: text(scalar(found[0])), words)
+
+
+def number(figure: Figure, digits: int = 20) -> str:
+    """The value of a figure with its error bound and unit."""
+    middle, radius = ball(figure.value, digits)
+    unit = "" if figure.unit in ("", "1") else f" {figure.unit}"
+    return f"{middle}{unit}" if radius == "0" else f"{middle} ± {radius}{unit}"
+
+
+def ball(value: Any, digits: int) -> tuple[str, str]:
+    """Midpoint and radius of a ball, in so many digits; the printed ball contains the given one."""
+    middle, _, radius = value.str(digits).strip("[]").partition("+/-")
+    return middle.strip() or "0", radius.strip() or "0"

@@ -1,0 +1,191 @@
+"""Trajectories as xarray datasets, and to and from files."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from ..errors import InputError
+from ..flow.integrator import Trajectory
+from ..flow.metadata import FRAMES, LABELS, told_of
+from .formats import save
+
+__all__ = ["read", "to_dataset", "write"]
+
+#: Horizontal place of a centre of mass in the lift to space, which is recorded whole.
+_PLACE = "place"
+
+
+def to_dataset(
+    trajectory: Trajectory,
+    attributes: Mapping[str, Any] | None = None,
+    meanings: Mapping[str, tuple[str, str]] | None = None,
+) -> xr.Dataset:
+    """A trajectory as a dataset.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+    attributes : mapping, optional
+        Further global attributes, such as the text of the experiment file.
+    meanings : mapping of str to (str, str), optional
+        Meaning and SI unit of variables of the state, by name.
+
+    Returns
+    -------
+    xarray.Dataset
+        Dimension ``time``; vectors have ``axis`` (body), ``space`` or ``quaternion``, and
+        vectors of the state in no known frame a dimension ``<name>_component``.  Every
+        variable has ``long_name``, ``units`` and ``source``.  Numbers of 34 digits are split: the
+        variable ``<name>_low`` is what must be added to ``<name>`` to have all of them.
+    """
+    system = trajectory.system
+    variables: dict[str, Any] = {}
+    for name in map(str, system.state):
+        if name != _PLACE and name not in trajectory.recorded:
+            _add_state(variables, trajectory, name, (meanings or {}).get(name))
+    for item in system.observables:
+        values = trajectory.recorded[item.name]
+        _add(variables, item.name, values, item.frame, item.meaning, item.unit, item.source)
+    for law in system.integrals:
+        label = f"law_{law.name}"
+        _add(variables, label, trajectory.recorded[label], "", law.meaning, law.unit, law.source)
+    for part in ("", "_low"):
+        if f"law_energy{part}" in variables:
+            variables[f"energy{part}"] = variables[f"law_energy{part}"]
+    time, low = _split(trajectory.times)
+    coordinates: dict[str, Any] = {
+        "time": ("time", time, {"long_name": "time", "units": "s", "source": ""}),
+        **{
+            dim: (dim, list(labels), {"long_name": LABELS[dim], "units": "1", "source": ""})
+            for dim, labels in FRAMES.values()
+            if _used(variables, dim)
+        },
+    }
+    if low is not None:
+        notes = {"long_name": "time, low part", "units": "s", "source": ""}
+        variables["time_low"] = ("time", low, notes)
+    statistics = trajectory.statistics
+    facts = {
+        "Conventions": "CF-1.11",
+        "system": system.title,
+        "system_name": system.name,
+        "summary": system.summary,
+        "source": system.source,
+        "parameters": "; ".join(f"{s} = {_shown(v)}" for s, v in trajectory.parameters.items()),
+        "start": "; ".join(
+            f"{s} = {_shown(v)}" for s, v in zip(system.symbols, trajectory.states[0], strict=True)
+        ),
+        "happenings": "\n".join(map(str, trajectory.happenings)),
+        "tolerance": statistics.tolerance,
+        "precision": statistics.precision,
+        "integrator": f"Taylor series of order {statistics.order}, {statistics.steps} steps",
+        "versions": ", ".join(
+            f"{name} {version(name)}" for name in ("chaplygin", "heyoka", "numpy", "sympy")
+        ),
+    }
+    return xr.Dataset(variables, coordinates, {**facts, **(attributes or {})})
+
+
+def _shown(value: Any) -> str:
+    return repr(float(value)) if isinstance(value, (int, float, np.floating)) else str(value)
+
+
+def _used(variables: Mapping[str, Any], dim: str) -> bool:
+    return any(dim in dims for dims, _, _ in variables.values())
+
+
+def _add_state(
+    variables: dict[str, Any], trajectory: Trajectory, name: str, told: tuple[str, str] | None
+) -> None:
+    """A variable of the state; what its system does not tell of it follows from its name."""
+    values = trajectory[name]
+    size = values.shape[1] if values.ndim > 1 else 1
+    meaning, units, source, frame = told_of(trajectory.system, name, size, told)
+    _add(variables, name, values, frame, meaning, units, source)
+
+
+def _add(
+    variables: dict[str, Any],
+    name: str,
+    values: Any,
+    frame: str,
+    meaning: str,
+    units: str,
+    source: str,
+) -> None:
+    dims = ("time", FRAMES[frame][0] if frame in FRAMES else frame) if frame else ("time",)
+    high, low = _split(values)
+    notes = {"long_name": meaning, "units": units or "1", "source": source}
+    if frame in ("body", "space"):
+        notes["frame"] = f"{frame} axes"
+    variables[name] = (dims, high, notes)
+    if low is not None:
+        variables[f"{name}_low"] = (dims, low, {**notes, "long_name": f"{meaning}, low part"})
+
+
+def _split(values: Any) -> tuple[Any, Any]:
+    """Doubles, and for 34-digit numbers what is missing to them."""
+    array = np.asarray(values)
+    if array.dtype == np.float64:
+        return array, None
+    high = np.vectorize(float, otypes=[float])(array)
+    rest = array - high.astype(array.dtype)
+    return high, np.vectorize(float, otypes=[float])(rest)
+
+
+def write(dataset: xr.Dataset, path: str | Path, force: bool = False) -> Path:
+    """Write a dataset to a file or store; it appears complete or not at all.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+    path : str or Path
+        Name ending in ``.nc`` (NetCDF), ``.zarr`` (a Zarr store) or ``.csv`` (a table).
+    force : bool
+        Whether to replace what is there.
+
+    Raises
+    ------
+    InputError
+        If the ending is another one, the file exists and `force` is false, or its place cannot
+        be written.
+    """
+    target = Path(path)
+    save(dataset, target, force)
+    return target
+
+
+def read(path: str | Path) -> xr.Dataset:
+    """Read a dataset written by :func:`write` to NetCDF or Zarr, into memory.
+
+    Raises
+    ------
+    InputError
+        If the file is missing or damaged, or neither a NetCDF file nor a Zarr store.
+    """
+    import h5py
+
+    if not Path(path).exists():
+        raise InputError(f"{path}: there is no such file")
+    zarr = Path(path).is_dir()
+    try:
+        if not zarr:
+            # looked through by HDF5 alone first: the layer above complains past Python of what is
+            # none
+            with h5py.File(path, "r") as file:
+                dict(file.attrs)
+                file.visititems(lambda _, item: dict(item.attrs) and None)
+        with xr.open_dataset(
+            path, engine="zarr" if zarr else "h5netcdf", decode_times=False
+        ) as stored:
+            return stored.load()
+    except Exception as problem:
+        # what a damaged file makes the libraries raise may be anything
+        kind = "Zarr store" if zarr else "NetCDF file"
+        raise InputError(f"{path}: not a readable {kind}") from problem

@@ -1,0 +1,1 @@
+"""The tables of experiment files, and the sentences about mistakes in them."""

@@ -1,0 +1,62 @@
+"""What all kinds of experiment have: a title, the text they were read from, places in it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from pydantic import Field, PrivateAttr
+
+from .source import Source
+from .tables import Table
+from .toml import Key, dumps
+
+__all__ = ["ExperimentBase"]
+
+
+class ExperimentBase(Table):
+    """What all kinds of experiment have.
+
+    Two experiments are equal when their tables are, wherever they were read from.
+    """
+
+    title: str | None = Field(default=None, description="a text in quotes", min_length=1)
+    """What reports and figures call it."""
+
+    _source: Source = PrivateAttr(Source("<experiment>", ""))
+
+    def toml(self) -> str:
+        """A complete TOML text, defaults included, that reads back to an equal experiment."""
+        return dumps(self.model_dump(exclude_none=True))
+
+    @property
+    def text(self) -> str:
+        """The text it was read from, before overrides; its own TOML if it was made in Python."""
+        return self._source.text or self.toml()
+
+    @property
+    def overrides(self) -> tuple[str, ...]:
+        """The options ``KEY=VALUE`` that were applied to the text."""
+        return self._source.overrides
+
+    def has(self, *key: str) -> bool:
+        """Whether there is such a key, such as ``has("body", "mass")``, given or by default."""
+        table: object = self.model_dump()
+        for part in key:
+            if not isinstance(table, Mapping) or part not in table:
+                return False
+            table = table[part]
+        return True
+
+    def path(self, option: str) -> Key:
+        """The key that an option sets."""
+        return self._source.path(option)
+
+    def where(self, *key: str) -> str:
+        """The place of a key, such as ``where("body", "mass")``, for the message of an error."""
+        return self._source.where(key)
+
+    def __eq__(self, other: object) -> bool:
+        return type(self) is type(other) and self.__dict__ == other.__dict__
+
+    def __hash__(self) -> int:
+        return hash(self.toml())

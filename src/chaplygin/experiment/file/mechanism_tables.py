@@ -1,0 +1,232 @@
+"""The tables of a file that brings a system of the user's own: a Lagrangian, or equations.
+
+Formulas are kept as they are typed; :mod:`chaplygin.experiment.mechanism` reads them, once all
+names are known.  The description of a field completes the sentence "… must be".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Annotated, Any, Self
+
+from pydantic import (
+    Field,
+    PlainValidator,
+    Strict,
+    field_validator,
+    model_serializer,
+    model_validator,
+)
+
+from .number_lists import given_numbers
+from .tables import FORMULA, THREE, Table, Vector
+from .validation import shown
+
+__all__ = [
+    "ConstraintsTable",
+    "EquationsTable",
+    "FormulaValue",
+    "FrameTable",
+    "GuardTable",
+    "LagrangianTable",
+    "LawTable",
+    "LawsTable",
+    "MeaningTable",
+    "NumberTable",
+    "ObservableTable",
+    "PlanTable",
+]
+
+FORMULAS = "formulas in quotes, in brackets"
+NAMES = 'names in quotes, in brackets, such as ["x", "gamma[3]"]'
+NUMBER = "a finite number, or finite numbers in brackets"
+
+Text = Annotated[str, Strict()]
+Texts = tuple[Text, ...]
+
+
+def _formula(value: object) -> str:
+    if not isinstance(value, str) or not value.strip():
+        raise ValueError(f"must be {FORMULA}, not {shown(value)}")
+    return value
+
+
+def _number(value: object) -> float | tuple[float, ...]:
+    """A number, or the components of a vector."""
+    return given_numbers(value, NUMBER)
+
+
+#: A formula, for a table of them by name.
+FormulaValue = Annotated[str, PlainValidator(_formula)]
+Formulas = dict[str, FormulaValue]
+NumberValue = Annotated[float | tuple[float, ...], PlainValidator(_number)]
+
+
+class _Noted(Table):
+    """A value with notes; without notes the value alone stands for the table, as in ``m = 1.0``."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _value_alone(cls, given: Any) -> Any:
+        return given if isinstance(given, dict | cls) else {"value": given}
+
+    @model_serializer(mode="wrap")
+    def _as_given(self, serialised: Callable[[Self], dict[str, Any]]) -> Any:
+        told = {
+            key: value for key, value in serialised(self).items() if value not in (None, "", (), [])
+        }
+        return told.get("value") if set(told) == {"value"} else told
+
+
+class NumberTable(_Noted):
+    """A parameter: a number, a vector of three, or a diagonal tensor."""
+
+    value: NumberValue | None = Field(default=None, description=NUMBER)
+    diagonal: Vector | None = Field(default=None, description=THREE)
+    """The diagonal of a tensor, instead of a value."""
+    unit: Text = Field(default="", description="a text in quotes")
+    meaning: Text = Field(default="", description="a text in quotes")
+
+    @model_validator(mode="after")
+    def _one_of_both(self) -> Self:
+        if (self.value is None) == (self.diagonal is None):
+            raise ValueError("must have either a value or a diagonal")
+        if isinstance(self.value, tuple) and len(self.value) != 3:
+            raise ValueError(f"must be a number or 3 numbers, not {shown(self.value)}")
+        return self
+
+
+class MeaningTable(Table):
+    """What a variable of the state means."""
+
+    meaning: Text = Field(description="a text in quotes")
+    unit: Text = Field(default="", description="a text in quotes")
+
+
+class LawTable(_Noted):
+    """A law by its formula."""
+
+    value: FormulaValue = Field(description=FORMULA)
+    meaning: Text = Field(default="", description="a text in quotes")
+    unit: Text = Field(default="", description="a text in quotes")
+    on: Texts = Field(default=(), description=FORMULAS)
+    """Formulas that must vanish for the law to hold."""
+
+
+class LawsTable(Table):
+    """What is claimed of the system, to be proved or refuted."""
+
+    integrals: dict[str, LawTable] = Field(default={}, description="a table of named formulas")
+    measures: dict[str, LawTable] = Field(default={}, description="a table of named formulas")
+    symmetries: dict[str, Formulas] = Field(default={}, description="a table of named tables")
+    """Fields by name; what is not named of the state has component zero."""
+
+
+class ObservableTable(_Noted):
+    """A quantity to record."""
+
+    value: FormulaValue = Field(description=FORMULA)
+    meaning: Text = Field(default="", description="a text in quotes")
+    unit: Text = Field(default="", description="a text in quotes")
+
+
+class GuardTable(Table):
+    """A quantity that must stay positive."""
+
+    value: FormulaValue = Field(description=FORMULA)
+    happening: Text = Field(description='a text in quotes, such as "the disk lies flat"')
+
+
+PLACE = 'two formulas for a place, such as ["x", "y"]'
+PLACES = 'a list of places, each of two formulas, such as [["x", "y"]]'
+POSES = 'a list of places with headings, each of three formulas, such as [["x", "y", "phi"]]'
+RODS = (
+    "a list of rods, each of four formulas, such as "
+    '[["x", "y", "x + a*cos(phi)", "y + a*sin(phi)"]]'
+)
+_Place = tuple[Text, Text]
+_Pose = tuple[Text, Text, Text]
+
+
+class PlanTable(Table):
+    """What is drawn of the mechanism in the plane; lengths in the unit of x and y."""
+
+    path: _Place = Field(default=("x", "y"), description=PLACE)
+    """The place whose path is drawn."""
+    links: tuple[tuple[Text, Text, Text, Text], ...] = Field(default=(), description=RODS)
+    """Rods from a place to another."""
+    wheels: tuple[_Pose, ...] = Field(default=(), description=POSES)
+    """Wheels by place and heading."""
+    axles: tuple[_Pose, ...] = Field(default=(), description=POSES)
+    """Two wheels side by side, by the place between them and their heading."""
+    blades: tuple[_Pose, ...] = Field(default=(), description=POSES)
+    points: tuple[_Place, ...] = Field(default=(), description=PLACES)
+    """Marked by a ring, such as a centre of mass."""
+
+
+class FrameTable(Table):
+    """Coordinates and velocities (1.7)."""
+
+    coordinates: Texts = Field(default=(), description=NAMES)
+    velocities: Texts = Field(default=(), description=NAMES)
+    """Without them the velocities are the rates of the coordinates, xdot of x."""
+    rates: Formulas = Field(default={}, description="a table of named formulas")
+    """The rate of each coordinate, linear in the velocities."""
+    relations: Texts = Field(default=(), description=FORMULAS)
+    """Vanish on the configuration space; the velocities keep them by themselves."""
+    structure: Text | None = Field(
+        default=None, description='"rotations(omega)" or "euclidean(omega, v)"'
+    )
+    """The group by which a frame moves fewer coordinates than it has velocities."""
+    commutators: Formulas = Field(default={}, description="a table of named formulas")
+    """The same by itself: ``"u, v" = "2*w"`` where [E_u, E_v] = 2 E_w."""
+
+    @model_validator(mode="after")
+    def _rates_and_velocities(self) -> Self:
+        if self.rates and not self.velocities:
+            raise ValueError("rates need velocities to be written in; give them their names")
+        if self.velocities and self.coordinates and not self.rates:
+            raise ValueError("velocities of your own need the rates of the coordinates")
+        if not self.velocities and not self.coordinates:
+            raise ValueError("must name coordinates or velocities")
+        if self.structure and self.commutators:
+            raise ValueError("must have either structure or commutators")
+        return self
+
+
+class LagrangianTable(Table):
+    """L = T − U, by its parts or as a whole."""
+
+    kinetic: FormulaValue | None = Field(default=None, description=FORMULA)
+    potential: FormulaValue | None = Field(default=None, description=FORMULA)
+    L: FormulaValue | None = Field(default=None, description=FORMULA)
+
+    @model_validator(mode="after")
+    def _one_description(self) -> Self:
+        parts = self.kinetic is not None
+        if parts == (self.L is not None) or (self.L is not None and self.potential is not None):
+            raise ValueError("must have either kinetic (and perhaps potential) or L alone")
+        return self
+
+
+class ConstraintsTable(Table):
+    """What vanishes: formulas with velocities, and formulas without."""
+
+    velocity: Texts = Field(default=(), description=FORMULAS)
+    position: Texts = Field(default=(), description=FORMULAS)
+
+
+class EquationsTable(Table):
+    """A vector field without a Lagrangian."""
+
+    state: Texts = Field(description=NAMES)
+    rates: Formulas = Field(description="a table of named formulas")
+    relations: Texts = Field(default=(), description=FORMULAS)
+    """Vanish on the phase space."""
+
+    @field_validator("state")
+    @classmethod
+    def _not_empty(cls, state: Texts) -> Texts:
+        if not state:
+            raise ValueError(f"must be {NAMES}; it is empty")
+        return state

@@ -1,0 +1,461 @@
+"""The experiment file: what the command line, the web page and Python share.
+
+A TOML file describes a body that rolls on a plane or a sphere (`RollingExperiment`), a homogeneous
+ball that rolls on any other surface (`BallExperiment`), a system of the catalogue, or a system of
+the user's own, by its Lagrangian (`MechanismExperiment`) or by its equations
+(`EquationsExperiment`); further a start, and how the motion is computed. What moves in the
+catalogue's system is mostly a body whose start is given by ω and γ (`SystemExperiment`); of any
+other system the start gives the state by the names of its variables (`StateExperiment`). The keys,
+their meaning, units and frames are those of `chaplygin.experiment.file.tables`, `ball_tables` and
+`mechanism_tables`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from pydantic import Field, ValidationError, ValidationInfo, field_validator
+
+from ...catalogue import CATALOGUE, Entry, entry
+from ...errors import InputError
+from ...parsing import nearest
+from .ball_model import BallExperiment, means_ball
+from .base import ExperimentBase
+from .mechanism_tables import (
+    ConstraintsTable,
+    EquationsTable,
+    FormulaValue,
+    FrameTable,
+    GuardTable,
+    LagrangianTable,
+    LawsTable,
+    MeaningTable,
+    NumberTable,
+    ObservableTable,
+    PlanTable,
+)
+from .source import Source
+from .tables import (
+    BallTable,
+    BodyTable,
+    ContactTable,
+    DiskTable,
+    EllipsoidTable,
+    FieldTable,
+    PlaneTable,
+    RunTable,
+    ShapeTable,
+    SphereTable,
+    StartTable,
+    StateTable,
+    SurfaceTable,
+    SystemRunTable,
+    SystemStartTable,
+    SystemTable,
+    Table,
+    TorusTable,
+)
+from .toml import Key, dumps
+from .validation import mistakes
+
+__all__ = [
+    "BallExperiment",
+    "EquationsExperiment",
+    "Experiment",
+    "MechanismExperiment",
+    "OwnExperiment",
+    "RollingExperiment",
+    "StateExperiment",
+    "SystemExperiment",
+    "catalogue_experiment",
+    "load",
+    "loads",
+]
+
+
+#: Tables that describe a system by themselves.
+DESCRIBED = ("lagrangian", "equations")
+
+#: What a file without any description is asked for.
+BODY = "a table [body], or [system], [lagrangian] or [equations] instead of it"
+
+
+class RollingExperiment(ExperimentBase):
+    """A body rolls on a surface.
+
+    Raises
+    ------
+    pydantic.ValidationError
+        (A ValueError.) If it is made in Python of parts that do not fit; `load` raises InputError.
+    """
+
+    body: BodyTable = Field(description=BODY)
+    surface: SurfaceTable = Field(
+        default=PlaneTable(), discriminator="kind", description="a table", validate_default=True
+    )
+    contact: ContactTable = Field(default=ContactTable(), description="a table")
+    field: FieldTable = Field(default=FieldTable(), description="a table")
+    start: StartTable = Field(description="a table [start] with gamma and omega")
+    run: RunTable = Field(default=RunTable(), description="a table")
+
+    @field_validator("surface", mode="before")
+    @classmethod
+    def _plane_by_default(cls, surface: Any) -> Any:
+        return {"kind": "plane"} if surface == {} else surface
+
+    @field_validator("surface")
+    @classmethod
+    def _body_fits(cls, surface: SurfaceTable, info: ValidationInfo) -> SurfaceTable:
+        body = info.data.get("body")
+        misfit = _misfit(body.shape, surface) if body else None
+        if misfit:
+            raise ValueError(misfit)
+        return surface
+
+    @field_validator("field")
+    @classmethod
+    def _names_once(cls, field: FieldTable, info: ValidationInfo) -> FieldTable:
+        body = info.data.get("body")
+        twice = sorted(field.parameters.keys() & body.shape.parameters.keys()) if body else []
+        if twice:
+            raise ValueError(
+                f"the parameter '{twice[0]}' is one of body.shape.parameters too; rename one"
+            )
+        return field
+
+    @field_validator("start")
+    @classmethod
+    def _normal_of_surface(cls, start: StartTable, info: ValidationInfo) -> StartTable:
+        if isinstance(info.data.get("surface"), PlaneTable) and start.normal != (0.0, 0.0, 1.0):
+            raise ValueError("normal is for a sphere alone; on a plane it is always [0, 0, 1]")
+        return start
+
+
+class SystemExperiment(ExperimentBase):
+    """A system of the catalogue, which decides body, surface, contact and field.
+
+    Raises
+    ------
+    pydantic.ValidationError
+        (A ValueError.) If it is made in Python of wrong parts; `load` raises InputError.
+    """
+
+    system: SystemTable = Field(description="a table [system] with a name")
+    start: SystemStartTable = Field(default=SystemStartTable(), description="a table")
+    run: SystemRunTable = Field(default=SystemRunTable(), description="a table")
+
+
+class StateExperiment(ExperimentBase):
+    """A system of the catalogue whose start is given by the names of its state.
+
+    Raises
+    ------
+    pydantic.ValidationError
+        (A ValueError.) If it is made in Python of wrong parts; `load` raises InputError.
+    """
+
+    system: SystemTable = Field(description="a table [system] with a name")
+    start: StateTable = Field(default={}, description="a table of named values")
+    run: SystemRunTable = Field(default=SystemRunTable(), description="a table")
+
+
+class OwnExperiment(ExperimentBase):
+    """What all systems of the user's own have; the start is given by the names of the state."""
+
+    summary: str = Field(default="", description="a text in quotes")
+    """One or two sentences on what moves, for reports."""
+    parameters: dict[str, NumberTable] = Field(default={}, description="a table of numbers")
+    definitions: dict[str, FormulaValue] = Field(default={}, description="a table of formulas")
+    """Named quantities in order, each in terms of those before it."""
+    laws: LawsTable = Field(default=LawsTable(), description="a table")
+    observables: dict[str, ObservableTable] = Field(default={}, description="a table of formulas")
+    guards: dict[str, GuardTable] = Field(default={}, description="a table of tables")
+    variables: dict[str, MeaningTable] = Field(default={}, description="a table of tables")
+    """Meaning and unit of coordinates and velocities."""
+    plan: PlanTable | None = Field(default=None, description="a table of what is drawn")
+    start: StateTable = Field(default={}, description="a table of named values")
+    run: RunTable = Field(default=RunTable(), description="a table")
+
+    def toml(self) -> str:
+        """A complete TOML text, defaults included, that reads back to an equal experiment."""
+        tables = self.model_dump(exclude_none=True)
+        last = ("definitions", "laws", "observables", "guards", "variables", "plan", "start", "run")
+        for name in last:
+            if name in tables:
+                tables[name] = tables.pop(name)
+        return dumps(tables)
+
+
+class MechanismExperiment(OwnExperiment):
+    """A Lagrangian in a frame, with forces and constraints.
+
+    Raises
+    ------
+    pydantic.ValidationError
+        (A ValueError.) If it is made in Python of wrong parts; `load` raises InputError.
+    """
+
+    frame: FrameTable = Field(description="a table [frame] with coordinates or velocities")
+    lagrangian: LagrangianTable = Field(description="a table [lagrangian] with kinetic or L")
+    forces: dict[str, FormulaValue] = Field(default={}, description="a table of formulas")
+    """Generalised forces by velocity."""
+    constraints: ConstraintsTable = Field(default=ConstraintsTable(), description="a table")
+
+
+class EquationsExperiment(OwnExperiment):
+    """Equations of motion as they stand.
+
+    Raises
+    ------
+    pydantic.ValidationError
+        (A ValueError.) If it is made in Python of wrong parts; `load` raises InputError.
+    """
+
+    equations: EquationsTable = Field(description="a table [equations] with state and rates")
+
+
+Experiment = (
+    RollingExperiment
+    | BallExperiment
+    | SystemExperiment
+    | StateExperiment
+    | MechanismExperiment
+    | EquationsExperiment
+)
+"""Any kind of experiment; ``isinstance`` tells which."""
+
+
+def load(source: str | Path, overrides: Iterable[str] = ()) -> Experiment:
+    """Read an experiment file.
+
+    Parameters
+    ----------
+    source
+        Path of the file, or the text itself if it is a str with more than one line.
+    overrides
+        Options ``KEY=VALUE`` that replace or add keys, such as ``"start.omega=[1, 0, 0]"``; the
+        value is a TOML value or a word without quotes.
+
+    Returns
+    -------
+    Experiment
+        Of the kind that its tables mean.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, or for all that is wrong in it: one line for each mistake
+        with file, line, key and what is allowed.
+    """
+    if isinstance(source, str) and "\n" in source:
+        return loads(source, overrides=overrides)
+    name = str(source)
+    try:
+        # A byte order mark, as some editors put it first, is no part of the text.
+        text = Path(source).read_bytes().decode("utf-8-sig")
+    except FileNotFoundError:
+        raise InputError("there is no such file", name) from None
+    except IsADirectoryError:
+        raise InputError("this is a directory, not an experiment file", name) from None
+    except UnicodeDecodeError as error:
+        message = f"byte {error.start + 1} is not UTF-8 text; an experiment file is a text file"
+        raise InputError(message, name) from None
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else str(error)
+        raise InputError(f"the file cannot be read: {reason}", repr(name)) from None
+    return loads(text, name, overrides)
+
+
+def loads(text: str, name: str = "<text>", overrides: Iterable[str] = ()) -> Experiment:
+    """Read the text of an experiment file.
+
+    Parameters
+    ----------
+    text
+        The TOML text.
+    name
+        What errors call it.
+    overrides
+        As for `load`.
+
+    Returns
+    -------
+    Experiment
+        Of the kind that its tables mean.
+
+    Raises
+    ------
+    InputError
+        For all that is wrong in it, as `load` does.
+    """
+    return _read(Source(name, text, tuple(overrides)))
+
+
+def catalogue_experiment(name: str, overrides: Iterable[str] = ()) -> Experiment:
+    """The experiment that a system of the catalogue suggests.
+
+    Parameters
+    ----------
+    name
+        Of the system.
+    overrides
+        As for `load`.
+
+    Raises
+    ------
+    InputError
+        If there is no such system, or for all that is wrong in the overrides.
+    """
+    given = {"system": {"name": entry(name).name}}
+    return _read(Source(name, "", tuple(overrides), given))
+
+
+def _read(source: Source) -> Experiment:
+    """The experiment of a source, or an InputError for all that is wrong in it."""
+    source = replace(source, short=_short(source))
+    tables = source.tables()
+    _check_one_description(tables, source)
+    model = _model(tables)
+    wrong = _decided_by_system(tables) if "system" in tables else {}
+    wrong |= _no_keys(tables, model, source)
+    rest = {key: table for key, table in tables.items() if (key,) not in wrong}
+    try:
+        experiment = model.model_validate(rest)
+    except ValidationError as error:
+        wrong |= mistakes(error, model, rest)
+    if wrong:
+        in_order = sorted(wrong, key=lambda key: source.line(key) or math.inf)
+        raise InputError("\n".join(f"{source.where(key)}: {wrong[key]}" for key in in_order))
+    experiment._source = source
+    return experiment
+
+
+#: Where the parameters of a system stand, besides those of the catalogue.
+_PARAMETERS: tuple[Key, ...] = (
+    ("parameters",),
+    ("body", "shape", "parameters"),
+    ("surface", "parameters"),
+    ("field", "parameters"),
+)
+
+
+def _short(source: Source) -> dict[str, Key]:
+    """The paths of the parameters by their names, which an option may write alone."""
+    with_tables = tuple(option for option in source.overrides if "." in option.partition("=")[0])
+    tables = replace(source, overrides=with_tables).tables()
+    found: dict[str, Key] = {}
+    for place in _PARAMETERS:
+        table: Any = tables
+        for part in place:
+            table = table.get(part) if isinstance(table, dict) else None
+        if isinstance(table, dict):
+            found |= {name: (*place, name) for name in table}
+    if (item := _item(tables)) is not None:
+        found |= {name: ("system", "parameters", name) for name in item.defaults}
+    return found
+
+
+def _no_keys(tables: dict[str, Any], model: type[Experiment], source: Source) -> dict[Key, str]:
+    """What options without a table name that is neither a key nor a parameter."""
+    wrong: dict[Key, str] = {}
+    for option in source.overrides:
+        (name, *rest), value = source.path(option), option.partition("=")[2].strip()
+        if rest or name in model.model_fields or name not in tables:
+            continue
+        tables_with = [
+            table
+            for table, field in model.model_fields.items()
+            if isinstance(field.annotation, type)
+            and issubclass(field.annotation, Table)
+            and name in field.annotation.model_fields
+        ]
+        wrong[(name,)] = (
+            f"unknown key; a key is written with its table: --set {tables_with[0]}.{name}={value}"
+            if tables_with
+            else f"unknown key{nearest(name, (*model.model_fields, *source.short))}"
+        )
+    return wrong
+
+
+def _item(tables: dict[str, Any]) -> Entry | None:
+    """The entry of the catalogue that tables name, if there is one of that name."""
+    table = tables.get("system")
+    name = table.get("name") if isinstance(table, dict) else None
+    return CATALOGUE.get(name) if isinstance(name, str) else None
+
+
+def _model(tables: dict[str, Any]) -> type[Experiment]:
+    """The kind of experiment that these tables mean to be."""
+    if "system" not in tables:
+        return _own_model(tables)
+    item = _item(tables)
+    return StateExperiment if item and item.start.state is not None else SystemExperiment
+
+
+def _check_one_description(tables: dict[str, Any], source: Source) -> None:
+    """Refuse a Lagrangian or equations beside another description of what moves."""
+    first, *others = [n for n in (*DESCRIBED, "system", "body") if n in tables] or [""]
+    if first in DESCRIBED and others:
+        where = source.where((others[0],))
+        raise InputError(f"must be absent, as [{first}] says already what moves", where)
+
+
+def _own_model(tables: dict[str, Any]) -> type[Experiment]:
+    """What is described without the catalogue."""
+    if "equations" in tables:
+        return EquationsExperiment
+    if "body" not in tables and tables.keys() & {"frame", "lagrangian", "constraints"}:
+        return MechanismExperiment
+    return BallExperiment if means_ball(tables) else RollingExperiment
+
+
+def _decided_by_system(tables: dict[str, Any]) -> dict[Key, str]:
+    """The tables that have no place beside [system]."""
+    decided = [name for name in RollingExperiment.model_fields if name in tables]
+    return {
+        (name,): f"must be absent, as the table [system] decides the {name}"
+        for name in decided
+        if name not in SystemExperiment.model_fields
+    }
+
+
+def _misfit(shape: ShapeTable, surface: SurfaceTable) -> str | None:
+    """Why a body certainly cannot roll on a surface, if so."""
+    radius = surface.radius if isinstance(surface, SphereTable) else None
+    if isinstance(shape, BallTable) and shape.hollow:
+        if radius is None or radius < 0:
+            return "a hollow ball rolls around the outside of a sphere; its radius is positive"
+        if shape.radius <= radius:
+            return (
+                f"a hollow ball of radius {shape.radius:.15g} does not go around a sphere of "
+                f"radius {radius:.15g}; the ball must be the larger one"
+            )
+        return None
+    if radius is None or radius > 0:
+        return None
+    size, meaning = _size(shape)
+    if size < -radius:
+        return None
+    return (
+        f"a bowl of radius {-radius:.15g} is too small for this {shape.kind}, whose {meaning} is "
+        f"{size:.15g}; the bowl must be larger than that"
+    )
+
+
+def _size(shape: ShapeTable) -> tuple[float, str]:
+    """A length which the radius of a bowl must exceed, and its meaning."""
+    match shape:
+        case BallTable() | DiskTable():
+            return shape.radius, "radius"
+        case TorusTable():
+            return shape.radius + shape.tube, "outer radius"
+        case EllipsoidTable():
+            longest, shortest = max(shape.axes), min(shape.axes)
+            # Divided first, as the square of a large number may overflow.
+            return longest / shortest * longest, "largest radius of curvature"
+        case _:
+            return 0.0, "size"

@@ -1,0 +1,55 @@
+"""Numbers of a file, alone or in brackets, checked to be finite."""
+
+from __future__ import annotations
+
+import math
+
+from ...errors import InputError
+from ...parsing import parse
+from .validation import shown
+
+__all__ = ["given_numbers"]
+
+
+def given_numbers(value: object, wanted: str) -> float | tuple[float, ...]:
+    """A number, or numbers in brackets.
+
+    Parameters
+    ----------
+    value : object
+        As TOML gives it.
+    wanted : str
+        What it must be, in words.
+
+    Raises
+    ------
+    ValueError
+        If it is something else; of a formula without names the message tells the decimal.
+    """
+    listed = value if isinstance(value, list | tuple) else [value]
+    numbers = [_finite(x) for x in listed]
+    found = tuple(x for x in numbers if x is not None)
+    if not found or len(found) < len(listed):
+        raise ValueError(f"must be {wanted}, not {shown(value)}{_decimal(value)}")
+    return found if isinstance(value, list | tuple) else found[0]
+
+
+def _finite(value: object) -> float | None:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return None
+    try:
+        number = float(value)
+    except OverflowError:
+        return None
+    return number if math.isfinite(number) else None
+
+
+def _decimal(value: object) -> str:
+    """What to write instead of a formula such as ``pi/2``."""
+    if not isinstance(value, str):
+        return ""
+    try:
+        number = float(parse(value, {}))
+    except (InputError, OverflowError):
+        return ""
+    return f"; write {number!r} (formulas stand in formulas alone)"

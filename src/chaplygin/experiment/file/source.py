@@ -1,0 +1,180 @@
+"""The text of an experiment file, the options that override it, and places in both."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping
+from copy import deepcopy
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+from ...errors import InputError
+from .toml import Key, dotted, key_lines
+
+__all__ = ["Source"]
+
+_POSITION = re.compile(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)", re.DOTALL)
+
+#: Control characters but for tabs and line breaks.
+_CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f]")
+
+
+@dataclass(frozen=True)
+class Source:
+    """Where an experiment was read from.
+
+    Attributes
+    ----------
+    name
+        Name of the file, as the user gave it.
+    text
+        The TOML text as it stands in the file.
+    overrides
+        Options ``KEY=VALUE`` that replace or add keys, later ones winning.
+    given
+        Tables that stand in no text: those of a name of the catalogue.
+    short
+        Names that an option may write for a longer path, such as ``I_1``.
+    """
+
+    name: str
+    text: str
+    overrides: tuple[str, ...] = ()
+    given: Mapping[str, Any] = field(default_factory=dict)
+    short: Mapping[str, Key] = field(default_factory=dict)
+
+    def tables(self) -> dict[str, Any]:
+        """The tables of the file with the overrides put in.
+
+        Raises
+        ------
+        InputError
+            If the text is not TOML, or an override does not have the form ``KEY=VALUE`` or
+            leads through something that is no table.
+        """
+        try:
+            tables = deepcopy(dict(self.given)) | tomllib.loads(self.text)
+        except RecursionError:
+            raise InputError("not valid TOML: too deeply nested", self.name) from None
+        except ValueError as error:
+            raise self._syntax_error(str(error)) from None
+        for option in self.overrides:
+            _put(tables, option, self.short)
+        self._require_print((), tables)
+        return tables
+
+    def _require_print(self, key: Key, value: Any) -> None:
+        """Refuse keys and texts with characters that would command a terminal or end a text."""
+        match value:
+            case dict():
+                for part, inner in value.items():
+                    self._require_print((*key, part), part)
+                    self._require_print((*key, part), inner)
+            case list():
+                for inner in value:
+                    self._require_print(key, inner)
+            case str():
+                found = _CONTROL.search(value)
+                if found:
+                    raise InputError(
+                        f"the control character U+{ord(found[0]):04X} stands in it; of these only "
+                        "line breaks and tabs are allowed",
+                        self.where(key),
+                    )
+
+    def path(self, option: str) -> Key:
+        """The key that an option sets."""
+        return _path(option.partition("=")[0].strip(), self.short)
+
+    def where(self, key: Key) -> str:
+        """Name the place of a key for an error message.
+
+        Parameters
+        ----------
+        key
+            Its dotted path, such as ``("body", "inertia")``.
+
+        Returns
+        -------
+        str
+            ``"rattleback.toml, line 12, body.inertia"``; the line of the table where the key
+            itself is not in the file; the option where an override has set or made it, and all
+            of them where several have made a table.
+        """
+        made = []
+        for option in reversed(self.overrides):
+            setting = option.partition("=")[0].strip()
+            path = self.path(option)
+            if key == path:
+                return f"--set {setting}"
+            if key[: len(path)] == path:
+                return f"--set {setting}, {dotted(key)}"
+            if key and path[: len(key)] == key and key not in self._lines:
+                made.append(f"--set {setting}")
+        if made:
+            return " ".join(dict.fromkeys(reversed(made)))
+        number = self.line(key)
+        parts = [self.name, f"line {number}" if number else "", dotted(key)]
+        return ", ".join(part for part in parts if part)
+
+    def line(self, key: Key) -> int:
+        """The line of a key in the text, or of the table it belongs to; 0 if neither is there."""
+        lines = (self._lines.get(key[:length], 0) for length in range(len(key), 0, -1))
+        return next((line for line in lines if line), 0)
+
+    @cached_property
+    def _lines(self) -> dict[Key, int]:
+        return key_lines(self.text)
+
+    def _syntax_error(self, message: str) -> InputError:
+        match = _POSITION.fullmatch(message)
+        if match is None:
+            return InputError(f"not valid TOML: {message}", self.name)
+        problem, line, column = match.groups()
+        if line is None:
+            return InputError(f"not valid TOML: {problem} (at the end)", self.name)
+        sentence = f"not valid TOML: {problem} (column {column})"
+        return InputError(sentence, f"{self.name}, line {line}")
+
+
+def _path(setting: str, short: Mapping[str, Key]) -> Key:
+    """The path that an option writes, in full."""
+    return short.get(setting) or tuple(setting.split("."))
+
+
+def _put(tables: dict[str, Any], option: str, short: Mapping[str, Key]) -> None:
+    """Put one option ``KEY=VALUE`` into the tables."""
+    key, equals, text = option.partition("=")
+    key = key.strip()
+    path = _path(key, short)
+    if not equals or not all(re.fullmatch(r"[A-Za-z0-9_-]+", part) for part in path):
+        message = "an override has the form KEY=VALUE, such as body.mass=2"
+        raise InputError(message, f"--set {option}")
+    table = tables
+    for depth, part in enumerate(path[:-1], 1):
+        inner = table.setdefault(part, {})
+        if not isinstance(inner, dict):
+            message = f"{'.'.join(path[:depth])} is a value, not a table that could hold keys"
+            raise InputError(message, f"--set {key}")
+        table = inner
+    value, last = _value(text.strip(), key), table.get(path[-1])
+    if isinstance(last, dict) and "value" in last and not isinstance(value, dict):
+        last["value"] = value  # the notes beside a value stay
+    else:
+        table[path[-1]] = value
+
+
+def _value(text: str, key: str) -> Any:
+    """The value of an override: TOML, or a text without its quotes."""
+    try:
+        read: Mapping[str, Any] = tomllib.loads(f"value = {text}")
+    except (ValueError, RecursionError):
+        if text[:1] in {"[", "{", '"', "'", ""}:
+            message = f"{text or 'nothing'} is not a value; write 2.5, [1, 2, 3], true or a word"
+            raise InputError(message, f"--set {key}") from None
+        return text
+    if len(read) > 1:
+        raise InputError("one option sets one key", f"--set {key}")
+    return read["value"]

@@ -1,0 +1,158 @@
+"""What pydantic found wrong, told to the user: the key and one sentence."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import NoneType
+from typing import Any, get_args, get_origin
+
+from pydantic import BaseModel, ValidationError
+from pydantic.fields import FieldInfo
+from pydantic_core import ErrorDetails
+
+from ...parsing import nearest
+from .toml import Key
+
+__all__ = ["mistakes", "shown"]
+
+_LONGEST = 60
+_DEEPEST = 2
+_MOST_BITS = 1024
+
+
+def mistakes(error: ValidationError, model: type[BaseModel], data: object) -> dict[Key, str]:
+    """Translate what is wrong with the tables of a file.
+
+    Parameters
+    ----------
+    error
+        What pydantic says.
+    model
+        The model of the whole file.
+    data
+        The tables that were refused.
+
+    Returns
+    -------
+    dict
+        The path of each wrong key ↦ one sentence.
+    """
+    told: dict[Key, str] = {}
+    for details in error.errors(include_url=False):
+        place = _locate(model, details["loc"])
+        if _as_written(data, place.key) in told:
+            continue  # of a long array each element may be wrong
+        key, sentence = _sentence(details, place, _value(data, place.key))
+        told.setdefault(_as_written(data, key), sentence)
+    return told
+
+
+def shown(value: object) -> str:
+    """A value of the file in a few words, as TOML writes it."""
+    if isinstance(value, str):
+        return f"the text {_short(_plain(value, 0))}"
+    return _short(_plain(value, 0))
+
+
+def _plain(value: object, depth: int) -> str:
+    match value:
+        case Mapping():
+            return "a table"
+        case bool():
+            return str(value).lower()
+        case list() | tuple() if depth < _DEEPEST:
+            return f"[{', '.join(_plain(item, depth + 1) for item in value[:_LONGEST])}]"
+        case list() | tuple():
+            return "[...]"
+        case str():
+            return json.dumps(value[:_LONGEST], ensure_ascii=False)
+        case int() if value.bit_length() > _MOST_BITS:
+            return "a number too large"
+        case _:
+            return str(value)
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
+
+
+@dataclass(frozen=True)
+class _Place:
+    """A key, the table it belongs to and its description there (None for a named number)."""
+
+    key: Key
+    owner: type[BaseModel] | None = None
+    field: FieldInfo | None = None
+
+
+def _locate(model: type[BaseModel], steps: tuple[int | str, ...]) -> _Place:
+    """Follow pydantic's path, which also holds the kinds of tables and the places in arrays."""
+    place = _Place(())
+    table: Any = model
+    for step in map(str, steps):
+        if _is_choice(table):
+            table = next(t for t in get_args(table) if t.model_fields["kind"].default == step)
+        elif _is_table(table):
+            place = _Place((*place.key, step), table, table.model_fields.get(step))
+            table = _present(place.field.annotation) if place.field else None
+        elif get_origin(table) is dict:
+            place, table = _Place((*place.key, step)), get_args(table)[1]
+        else:
+            break
+    return place
+
+
+def _present(annotation: Any) -> Any:
+    """The kind of a table that may be left out."""
+    choices = [choice for choice in get_args(annotation) if choice is not NoneType]
+    left_out = NoneType in get_args(annotation)
+    return choices[0] if left_out and len(choices) == 1 else annotation
+
+
+def _is_table(annotation: object) -> bool:
+    return isinstance(annotation, type) and issubclass(annotation, BaseModel)
+
+
+def _is_choice(annotation: object) -> bool:
+    """Whether these are several tables, told apart by their ``kind``."""
+    choices = get_args(annotation)
+    return bool(choices) and all(map(_is_table, choices))
+
+
+def _value(data: Any, key: Key) -> object:
+    for part in key:
+        if not isinstance(data, Mapping) or part not in data:
+            return None
+        data = data[part]
+    return data
+
+
+def _as_written(data: Any, key: Key) -> Key:
+    """The key without what a value that stands for a whole table does not have."""
+    while len(key) > 1 and not isinstance(_value(data, key[:-1]), Mapping | None):
+        key = key[:-1]
+    return key
+
+
+def _sentence(details: ErrorDetails, place: _Place, value: object) -> tuple[Key, str]:
+    allowed = place.field.description if place.field else "a finite number"
+    context = details.get("ctx", {})
+    match details["type"]:
+        case "missing" if details["loc"][-1] == place.key[-1]:
+            return place.key, f"missing; it must be {allowed}"
+        case "extra_forbidden" if place.owner:
+            return place.key, f"unknown key{nearest(place.key[-1], place.owner.model_fields)}"
+        case "union_tag_invalid":
+            kinds = context["expected_tags"].replace("'", "").split(", ")
+            tag = context["tag"][:_LONGEST]
+            sentence = f"unknown kind {_short(_plain(tag, 0))}{nearest(tag, kinds)}"
+            return (*place.key, "kind"), sentence
+        case "union_tag_not_found" if place.field:
+            kinds = [t.model_fields["kind"].default for t in get_args(place.field.annotation)]
+            return (*place.key, "kind"), f"missing; allowed: {', '.join(kinds)}"
+        case "value_error":
+            return place.key, str(context["error"])
+        case _:
+            return place.key, f"must be {allowed}, not {shown(value)}"

@@ -1,0 +1,288 @@
+"""From named values to a state on the phase space, for systems that ω and γ do not describe.
+
+As in :mod:`chaplygin.mechanics.rolling.initial_state`, numbers are carried with 50 digits and
+rounded once.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection, Mapping, Sequence
+from typing import Any
+
+import mpmath
+import numpy as np
+import sympy as sp
+
+from ..core.system import System
+from ..core.vectors import Vector, explicit, normed
+from ..errors import InputError
+from ..flow.initial_states import upright
+from ..mechanics.rolling.attitude import attitude
+from ..mechanics.rolling.initial_state import DIGITS, SLACK
+from ..parsing import nearest
+from ..printing.formula import text
+from .file.validation import shown
+
+__all__ = ["given_state", "lift_of", "normalised", "on_level", "unit_vectors"]
+
+#: Components that a vector may have.
+SIZES = (2, 3, 4)
+SPACE, QUATERNION = 3, 4
+
+#: Steps of Newton's method by which a start is put on the phase space, at most.
+_STEPS = 40
+
+#: A unit vector given in doubles may miss its length by this much.
+ROUNDING = 4e-16
+
+#: By how much a variable is moved to find a slope.
+_DIFFERENCE = mpmath.mpf(10) ** -20
+Values = Mapping[str, float | Sequence[float]]
+
+
+def given_state(system: System, values: Values) -> tuple[Any, ...]:
+    """The state of a system, lifted to space where it has a motion, from values by name.
+
+    Parameters
+    ----------
+    system : System
+    values : mapping of str to number or numbers
+        Every variable of the state; those of the lift may be left out.  A vector that the
+        relations make a unit vector is normalised.  Definitions may be given besides, as a check.
+
+    Returns
+    -------
+    tuple of mpmath.mpf
+        In flat order, on the relations to 50 digits.  Of the lift, what is not given starts at
+        zero, and the attitude so that γ (where there is one) points upward.
+
+    Raises
+    ------
+    InputError
+        If a name is unknown or missing, a value has the wrong shape, or the state misses the
+        relations; the message then names the nearest state that does not.  Also if a definition
+        has another value at this state.
+    """
+    lifted = system.lifted() if system.motion else system
+    values, claims = _sorted(lifted, values)
+    with mpmath.workdps(DIGITS):
+        known = _read(system, values)
+        _complete(lifted, known)
+        state = [x for name in lifted.state for x in known[str(name)]]
+        found = _on_relations(lifted, state)
+        _check_claims(lifted, found, claims)
+        return tuple(found)
+
+
+def lift_of(system: System, values: Values) -> dict[str, float | tuple[float, ...]]:
+    """What a start leaves out of the lift to space, as :func:`given_state` completes it."""
+    if system.motion is None:
+        return {}
+    gamma = values.get("gamma")
+    known: dict[str, list[Any]] = {}
+    if isinstance(gamma, Sequence) and len(gamma) == SPACE:
+        known["gamma"] = [mpmath.mpf(x) for x in gamma]
+    _complete(system.lifted(), known)
+    found: dict[str, float | tuple[float, ...]] = {}
+    for name, _ in system.motion.field:
+        if str(name) not in values:
+            numbers = tuple(float(x) for x in known[str(name)])
+            found[str(name)] = numbers if _size(name) else numbers[0]
+    return found
+
+
+def normalised(values: Values, names: Collection[str]) -> dict[str, tuple[float, list[float]]]:
+    """The vectors of these names that had not the length one: their length and their direction."""
+    found = {}
+    for name in names & values.keys():
+        told = values[name]
+        given = list(map(float, told)) if isinstance(told, Sequence) else []
+        length = math.hypot(*given)
+        if length and abs(length - 1) > ROUNDING:
+            found[name] = length, [x / length for x in given]
+    return found
+
+
+def on_level(system: System, level: Sequence[sp.Expr], state: Sequence[Any]) -> bool:
+    """Whether all expressions of a level vanish at a state, but for rounding."""
+    with mpmath.workdps(DIGITS):
+        size = 1 + max((abs(x) for x in state), default=0)
+        found = _function(system, [explicit(e) for e in level])(state)
+        return all(abs(x) <= SLACK * size**2 for x in found)
+
+
+def _sorted(lifted: System, values: Values) -> tuple[Values, dict[sp.Symbol, float]]:
+    """Values of the state by its names, and of definitions by their symbols."""
+    state = set(map(str, lifted.state))
+    defined = {str(s): s for s, _ in lifted.steps}
+    told: dict[str, float | Sequence[float]] = {}
+    claims: dict[sp.Symbol, float] = {}
+    for name, given in values.items():
+        for part, value in _parts(name, given, state, {*map(str, lifted.symbols), *defined}):
+            if part in defined and not isinstance(value, Sequence):
+                claims[defined[part]] = value
+            else:
+                told[part] = value
+    return told, claims
+
+
+def _parts(
+    name: str, given: float | Sequence[float], state: Collection[str], scalars: Collection[str]
+) -> list[tuple[str, float | Sequence[float]]]:
+    """A vector that is no whole one in the system, by its components."""
+    if name in state or not isinstance(given, Sequence) or len(given) not in SIZES:
+        return [(name, given)]
+    symbols = list(map(str, Vector(name, len(given)).symbols))
+    if not all(symbol in scalars for symbol in symbols):
+        return [(name, given)]
+    return list(zip(symbols, given, strict=True))
+
+
+def _check_claims(lifted: System, state: list[Any], claims: Mapping[sp.Symbol, float]) -> None:
+    """Refuse values of definitions that the state does not give them."""
+    found = _function(lifted, list(claims))(state) if claims else []
+    for symbol, value in zip(claims, found, strict=True):
+        given = claims[symbol]
+        if abs(value - given) > SLACK * (1 + abs(given)):
+            raise InputError(
+                f"{symbol}: follows from the others and is {float(value):.15g}, not {given:.15g}; "
+                "it may be left out"
+            )
+
+
+def _read(system: System, values: Values) -> dict[str, list[Any]]:
+    """The given values as numbers, names and shapes checked, unit vectors normalised."""
+    lifted = system.lifted() if system.motion else system
+    sizes = {str(name): _size(name) for name in lifted.state}
+    for name in values:
+        if name not in sizes:
+            raise InputError(f"{name}: unknown variable{nearest(name, sizes)}")
+    missing = [str(name) for name in system.state if str(name) not in values]
+    if missing:
+        raise InputError(
+            f"start: {', '.join(missing)} missing; the state of {system.name} is "
+            f"{', '.join(map(str, system.state))}"
+        )
+    known = {name: _numbers(name, given, sizes[name]) for name, given in values.items()}
+    for name in unit_vectors(lifted) & known.keys():
+        length = mpmath.norm(known[name])
+        if length == 0:
+            raise InputError(f"{name}: must not be zero, as it is a direction")
+        known[name] = [x / length for x in known[name]]
+    return known
+
+
+def _size(name: Any) -> int:
+    """Number of components; 0 for a scalar."""
+    return 0 if isinstance(name, sp.Symbol) else len(name.symbols)
+
+
+def _numbers(name: str, given: float | Sequence[float], size: int) -> list[Any]:
+    listed = list(given) if isinstance(given, Sequence) else [given]
+    fits = isinstance(given, Sequence) == (size > 0) and len(listed) == max(size, 1)
+    if not fits or not all(mpmath.isfinite(x) for x in listed):
+        wanted = f"{size} finite numbers" if size else "a finite number"
+        raise InputError(f"{name}: must be {wanted}, not {shown(given)}")
+    return [mpmath.mpf(repr(float(x))) for x in listed]
+
+
+def unit_vectors(system: System) -> set[str]:
+    """Names of the state's vectors whose length the relations make one."""
+    relations = [explicit(relation) for relation in system.relations]
+    return {
+        str(name)
+        for name in system.state
+        if isinstance(name, Vector) and explicit(normed(name)) - 1 in relations
+    }
+
+
+def _complete(lifted: System, known: dict[str, list[Any]]) -> None:
+    """What is not given of the lift to space."""
+    zero, one = mpmath.mpf(0), mpmath.mpf(1)
+    for name in lifted.state:
+        if str(name) in unit_vectors(lifted) - {str(attitude)}:
+            # the last axis, or the quaternion that turns nothing
+            rest = [zero] * (_size(name) - 1)
+            known.setdefault(str(name), [one, *rest] if _size(name) == QUATERNION else [*rest, one])
+        known.setdefault(str(name), [zero] * max(_size(name), 1))
+    if attitude in lifted.state and not any(known[str(attitude)]):
+        known[str(attitude)] = upright(known.get("gamma", [zero, zero, mpmath.mpf(1)]))
+
+
+def _function(system: System, formulas: Sequence[sp.Expr]) -> Callable[[Sequence[Any]], list[Any]]:
+    """Scalar formulas of a system as a function of its flat state, for numbers of mpmath."""
+    constants = {s: mpmath.mpf(repr(float(v))) for s, v in system.defaults.items()}
+    steps = list(system.needed(formulas))
+    function = sp.lambdify(
+        [*system.symbols, *constants], list(formulas), "mpmath", cse=lambda e: (steps, e)
+    )
+
+    def values(state: Sequence[Any]) -> list[Any]:
+        try:
+            found = list(function(*state, *constants.values()))
+        except ZeroDivisionError:
+            raise InputError("start: the equations are singular at this state") from None
+        if any(isinstance(value, mpmath.mpc) for value in found):
+            raise InputError("start: the equations have no real value at this state")
+        return found
+
+    return values
+
+
+def _on_relations(lifted: System, state: list[Any]) -> list[Any]:
+    """The state moved onto the relations along the shortest way; refused if that is far."""
+    if not lifted.relations:
+        return state
+    residual = _function(lifted, [explicit(relation) for relation in lifted.relations])
+    near = _newton(residual, state)
+    defects = residual(state)
+    if near is not None and _distance(near, state) <= SLACK * (1 + max(map(abs, state))):
+        return near
+    worst = max(range(len(defects)), key=lambda i: abs(defects[i]))
+    message = (
+        f"start: the relation {text(lifted.relations[worst])} = 0 is missed by "
+        f"{mpmath.nstr(defects[worst], 6, min_fixed=-5, max_fixed=6)}"
+    )
+    if near is not None:
+        message += f"; the nearest admissible state is {_listed(lifted, near)}"
+    raise InputError(message)
+
+
+def _newton(
+    residual: Callable[[Sequence[Any]], list[Any]], state: Sequence[Any]
+) -> list[Any] | None:
+    """The point near `state` where all residuals vanish, if Newton's method finds one."""
+    point = list(state)
+    for _ in range(_STEPS):
+        defects = residual(point)
+        if max(map(abs, defects)) < mpmath.mpf(10) ** (8 - DIGITS):
+            return point
+        columns = []
+        for index in range(len(point)):
+            moved = list(point)
+            moved[index] += _DIFFERENCE
+            pairs = zip(residual(moved), defects, strict=True)
+            columns.append([float((x - y) / _DIFFERENCE) for x, y in pairs])
+        if not np.isfinite(columns).all():
+            return None  # a state so large that doubles do not hold its slopes
+        # redundant relations (an attitude tied to a unit vector) make the rows dependent
+        inverse = np.linalg.pinv(np.array(columns).T, rcond=1e-9)
+        for index, row in enumerate(inverse):
+            point[index] -= sum(float(a) * x for a, x in zip(row, defects, strict=True))
+    return None
+
+
+def _distance(one: Sequence[Any], other: Sequence[Any]) -> Any:
+    return max(abs(x - y) for x, y in zip(one, other, strict=True))
+
+
+def _listed(system: System, state: Sequence[Any]) -> str:
+    """A state by names, as it would be given."""
+    parts = []
+    rest = [repr(float(x)) for x in state]
+    for name in system.state:
+        size = _size(name)
+        values, rest = rest[: max(size, 1)], rest[max(size, 1) :]
+        parts.append(f"{name} = [{', '.join(values)}]" if size else f"{name} = {values[0]}")
+    return ", ".join(parts)

@@ -1,0 +1,204 @@
+"""A system that a Python file of the user's makes.
+
+The file is run: it is theirs, and they have named it.  It defines ``mechanism`` (a Mechanism),
+``system`` (a System) or ``study`` (a Study); besides, if it likes, ``start`` and ``run``, mappings
+with the keys of the tables of the same names, and ``plan`` (a Plan), what is drawn in the plane.
+What it guards by ``__name__ == "__main__"`` is not run.
+"""
+
+from __future__ import annotations
+
+import itertools
+import runpy
+import sys
+import traceback
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+from pydantic import ValidationError
+
+from ..core.system import Parameter, System
+from ..errors import InputError
+from ..mechanics.lagrangian.mechanism import Mechanism
+from ..mechanics.lagrangian.plan import Plan, plan_of
+from ..mechanics.lagrangian.poincare_suslov import equations
+from ..parsing import nearest
+from .file.models import EquationsExperiment
+from .file.source import Source
+from .file.toml import Key
+from .file.validation import mistakes, shown
+from .initial_state import lift_of
+from .study import Study, started
+from .write_equations import plan_table_of, tables_of
+
+__all__ = ["load_python"]
+
+_SYSTEMS: Mapping[str, type] = {"mechanism": Mechanism, "system": System, "study": Study}
+_KINDS: Mapping[str, type] = {**_SYSTEMS, "plan": Plan}
+_CHANGEABLE = ("parameters", "run", "start", "title")
+
+#: Numbers that a value has at most, and lists in lists.
+_MOST, _DEEPEST = 1000, 3
+
+
+def load_python(path: Path, overrides: Iterable[str] = ()) -> Study:
+    """Run a Python file and make ready what it defines.
+
+    Parameters
+    ----------
+    path : Path
+    overrides : iterable of str
+        Options ``KEY=VALUE``, for keys of ``parameters``, ``start``, ``run`` and the ``title``.
+
+    Raises
+    ------
+    InputError
+        If the file is missing, fails (with its line), or does not define a system.
+    """
+    found = _defined(path)
+    options = tuple(overrides)
+    if "study" in found:
+        if options:
+            raise InputError(
+                "a study made in Python cannot be changed by --set or --precision", str(path)
+            )
+        made: Study = found["study"]
+        return made
+    mechanism: Mechanism | None = found.get("mechanism")
+    with _Placed(path):
+        system: System = found.get("system") or equations(found["mechanism"])
+        tables = tables_of(system)
+        plan = found.get("plan") or (plan_of(mechanism) if mechanism else None)
+        if plan is not None:
+            tables["plan"] = plan_table_of(plan)
+    short = {name: ("parameters", name) for name in tables["parameters"]}
+    source = Source(str(path), "", options, short=short)
+    told = source.tables()
+    for name in told:
+        if name not in _CHANGEABLE:
+            allowed = nearest(name, (*_CHANGEABLE, *short))
+            raise InputError(f"a Python file decides this itself{allowed}", source.where((name,)))
+    for name in ("start", "run"):
+        with _Placed(path):
+            given = _plain(found.get(name, {}), name)
+        tables[name] = given | told.get(name, {})
+    tables["start"] = lift_of(system, tables["start"]) | tables["start"]
+    _change_parameters(tables, told.get("parameters", {}), source)
+    tables |= {key: value for key, value in told.items() if key == "title"}
+    experiment = _validated(tables, source)
+    parameters = tuple(_changed(experiment, parameter) for parameter in system.parameters)
+    system = replace(system, title=experiment.title or system.title, parameters=parameters)
+    return started(experiment, system, mechanism)
+
+
+def _changed(experiment: EquationsExperiment, parameter: Parameter) -> Parameter:
+    """A parameter with the value that the experiment gives it."""
+    name = str(parameter.symbol)
+    value = experiment.parameters[name].value
+    if not isinstance(value, float):
+        where = experiment.where("parameters", name)
+        raise InputError(f"must be a finite number, not {shown(value)}", where)
+    return replace(parameter, default=value)
+
+
+class _Placed:
+    """Tells what goes wrong in foreign code by file and line, in one sentence."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+
+    def __enter__(self) -> None:
+        return None
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        if not isinstance(error, Exception | SystemExit):
+            return
+        lines = [f.lineno for f in traceback.extract_tb(trace) if Path(f.filename) == self.path]
+        if isinstance(error, SyntaxError) and Path(error.filename or "") == self.path:
+            lines, words = [error.lineno], f"not valid Python: {error.msg}"
+        elif isinstance(error, InputError):
+            words = str(error)
+        elif isinstance(error, SystemExit):
+            words = "the file ends the program before it has defined a system"
+        else:
+            words = f"{type(error).__name__}: {' '.join(_said(error).split())}".removesuffix(": ")
+        place = f"{self.path}, line {lines[-1]}" if lines else str(self.path)
+        raise InputError(words, place) from None
+
+
+def _said(error: BaseException) -> str:
+    """The message of an error of foreign code, empty where that fails too."""
+    try:
+        return str(error)
+    except Exception:
+        return ""
+
+
+def _defined(path: Path) -> dict[str, Any]:
+    """What the file defines of interest, its kind checked."""
+    if not path.is_file():
+        raise InputError("there is no such file", str(path))
+    folder = str(path.parent)
+    sys.path.insert(0, folder)
+    try:
+        with _Placed(path):
+            names = runpy.run_path(str(path), run_name="<chaplygin>")
+    finally:
+        sys.path.remove(folder)
+    found = {name: names[name] for name in (*_KINDS, "start", "run") if name in names}
+    for name, kind in _KINDS.items():
+        if name in found and not isinstance(found[name], kind):
+            raise InputError(
+                f"{name} must be a {kind.__name__}, not {type(found[name]).__name__}", str(path)
+            )
+    if not found.keys() & _SYSTEMS.keys():
+        raise InputError("it must define mechanism, system or study", str(path))
+    return found
+
+
+def _plain(table: Any, name: str) -> dict[str, Any]:
+    """A mapping of the file's with names for keys and plain numbers for values."""
+    if not isinstance(table, Mapping):
+        raise InputError(f"{name} must be a mapping, not {type(table).__name__}")
+    return {str(key): _number(value, f"{name}: {key}") for key, value in table.items()}
+
+
+def _number(value: Any, name: str, depth: int = 0) -> Any:
+    """Numbers of any library as those of TOML; texts and truth values as they are."""
+    if isinstance(value, str | bool | int | float):
+        return value
+    if not hasattr(value, "__iter__"):
+        return float(value) if hasattr(value, "__float__") else value
+    parts = list(itertools.islice(value, _MOST + 1))
+    if len(parts) > _MOST or depth > _DEEPEST:
+        raise InputError(f"{name} must be a finite number, or a few of them in a list")
+    return [_number(part, name, depth + 1) for part in parts]
+
+
+def _change_parameters(tables: dict[str, Any], told: Any, source: Source) -> None:
+    if not isinstance(told, Mapping):
+        raise InputError(f"must be a table, not {shown(told)}", source.where(("parameters",)))
+    for name, value in told.items():
+        if name not in tables["parameters"]:
+            allowed = nearest(name, tables["parameters"])
+            raise InputError(f"unknown parameter{allowed}", source.where(("parameters", name)))
+        tables["parameters"][name]["value"] = value
+
+
+def _validated(tables: dict[str, Any], source: Source) -> EquationsExperiment:
+    try:
+        experiment = EquationsExperiment.model_validate(tables)
+    except ValidationError as error:
+        wrong: dict[Key, str] = mistakes(error, EquationsExperiment, tables)
+        lines = (f"{source.where(key)}: {sentence}" for key, sentence in wrong.items())
+        raise InputError("\n".join(lines)) from None
+    experiment._source = source
+    return experiment

@@ -1,0 +1,90 @@
+"""A chart of an experiment."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import replace
+from typing import Any
+
+from ..analysis.scans.grid import Axis, Plane, plane
+from ..analysis.scans.named_quantities import meaning
+from ..analysis.scans.quantity_names import asked
+from ..analysis.scans.scan_task import Chart
+from ..core.system import System, flat
+from ..flow.batch import lanes
+from .study import Study
+from .without_lift import followed
+
+__all__ = ["VECTORS", "chart_of", "plane_of"]
+
+#: Meaning and unit of the vectors of a rolling body.
+VECTORS = {
+    "omega": ("angular velocity", "rad/s"),
+    "gamma": ("normal at the contact", "1"),
+    "M": ("angular momentum", "kg m^2/s"),
+}
+
+
+def chart_of(
+    study: Study,
+    of: str,
+    x: Axis,
+    y: Axis,
+    *,
+    until: float | None = None,
+    formulas: Mapping[str, str] | None = None,
+    held: Collection[str] = (),
+) -> Chart:
+    """A number of the motions of a plane through the start of an experiment.
+
+    Parameters
+    ----------
+    study : Study
+    of : str
+        The number; see :func:`chaplygin.analysis.scans.quantity_names.asked`.
+    x, y : Axis
+    until : float, optional
+        How long motions are followed; as long as that of the experiment if left out.
+    formulas, held
+        See :func:`chaplygin.analysis.scans.grid.plane`.
+
+    Raises
+    ------
+    InputError
+        If the number, an axis or a formula cannot be used.
+    """
+    made = plane_of(study, x, y, formulas=formulas, held=held)
+    span = study.until if until is None else until
+    point = [float(value) for value in study.start[: len(made.system.symbols)]]
+    lanes(made.system, backward=span < 0).require_reach(point, span)
+    number = asked(made.system, of, span, variables={**VECTORS, **study.variables})
+    return Chart(made, number.rule, number.name, number.title, number.unit)
+
+
+def plane_of(
+    study: Study,
+    x: Axis,
+    y: Axis,
+    *,
+    formulas: Mapping[str, str] | None = None,
+    held: Collection[str] = (),
+) -> Plane:
+    """A plane through the start of an experiment; its axes know their meaning and unit."""
+    system = followed(study)
+    told = {**VECTORS, **study.variables}
+
+    def described(item: Axis) -> Axis:
+        words, unit = meaning(system, item.name, told)
+        return replace(item, meaning=words, unit=unit)
+
+    start = _start(study, system)
+    return plane(system, described(x), described(y), start, formulas=formulas, held=held)
+
+
+def _start(study: Study, system: System) -> dict[str, Any]:
+    """The start by ω and γ where the state follows from these, else by the state."""
+    follow = {str(name) for name, _ in system.start} | study.given.keys()
+    if not study.by_state and all(str(name) in follow for name in system.state):
+        return {name: study.given[name] for name in ("omega", "gamma")}
+    numbers = iter([float(value) for value in study.start])
+    return {str(name): [next(numbers) for _ in flat([name])] for name in system.state}

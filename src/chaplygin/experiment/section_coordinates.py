@@ -1,0 +1,86 @@
+"""Coordinates by which a section is looked at where nobody has chosen any."""
+
+from __future__ import annotations
+
+import numpy as np
+import sympy as sp
+
+from ..analysis.scans.coordinates import chart
+from ..core.system import System
+from ..core.vectors import Vector, explicit
+from ..errors import InputError
+from ..flow.sections.poincare_dataset import Quantity
+from ..formulas.evaluate import values
+
+__all__ = ["is_angle", "usual", "within_a_turn"]
+
+#: States at which it is tried whether a variable is an angle.
+_TRIED = 5
+_ROUNDING = 1e-9
+
+
+def usual(system: System, passed: str = "") -> str:
+    """Two or three coordinates as ``--coordinates`` takes them.
+
+    Andoyer's variables l and L/G of a momentum beside γ; else the cylinder of γ's longitude and the
+    third component of the other vector; else the first variables of the state.  Three where points
+    of one level fill space.
+
+    Parameters
+    ----------
+    system : System
+    passed : str
+        The quantity whose value the section holds: it is no coordinate.
+    """
+    held = len(system.relations) + sum(not law.on for law in system.integrals)
+    spatial = len(system.symbols) - held - 1 > 2
+    if _has_andoyer(system):
+        first = "l, g" if passed.endswith("_3") and not passed.startswith(("g", "G")) else "l, L/G"
+        return f"andoyer-ratio: {first}{', H' if spatial else ''}"
+    vectors = [name for name in system.state if isinstance(name, Vector)]
+    gamma = next((v for v in vectors if v.name in ("gamma", "Gamma") and len(v.symbols) == 3), None)
+    others = [str(v.symbols[2]) for v in vectors if v is not gamma and len(v.symbols) == 3]
+    if gamma is not None and others:
+        one, two, three = gamma.symbols
+        heights = [name for name in (*others, str(three)) if name != passed]
+        listed = [f"phi = atan2({two}, {one})", *heights]
+        return ", ".join(listed[: 3 if spatial else 2])
+    listed = [str(symbol) for symbol in system.symbols if str(symbol) != passed]
+    return ", ".join(listed[: 3 if spatial else 2])
+
+
+def _has_andoyer(system: System) -> bool:
+    try:
+        chart(system, "andoyer-ratio")
+    except InputError:
+        return False
+    return True
+
+
+def is_angle(system: System, symbol: sp.Symbol) -> bool:
+    """Whether the equations of motion depend on a variable, but not on its whole turns."""
+    rates = [entry for _, rate in system.field for entry in _entries(rate)]
+    place = system.symbols.index(symbol)
+    states = np.random.default_rng(0).uniform(0.2, 1.1, (_TRIED, len(system.symbols)))
+
+    def moved(by: float) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+        there = states.copy()
+        there[:, place] += by
+        return np.asarray(values(system, rates, there), dtype=np.float64)
+
+    here, turned, elsewhere = moved(0.0), moved(2 * np.pi), moved(1.0)
+    near = _ROUNDING * (1.0 + np.abs(here))
+    same = np.isfinite(here).all() and np.all(np.abs(turned - here) < near)
+    return bool(same and np.any(np.abs(elsewhere - here) > near))
+
+
+def _entries(rate: object) -> list[sp.Expr]:
+    found = explicit(sp.sympify(rate))
+    return list(found) if isinstance(found, sp.MatrixBase) else [found]
+
+
+def within_a_turn(symbol: sp.Symbol, told: tuple[str, str] | None = None) -> Quantity:
+    """An angle of the state between −π and π."""
+    meaning = told[0] if told and told[0] else str(symbol)
+    value = sp.atan2(sp.sin(symbol), sp.cos(symbol))
+    return Quantity(f"{symbol}_in_turn", value, f"{meaning}, within a turn", "rad", str(symbol))

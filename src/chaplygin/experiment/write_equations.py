@@ -1,0 +1,103 @@
+"""A System as the tables of an experiment file, so that what was made in Python can be kept."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import fields
+from typing import Any
+
+import sympy as sp
+
+from ..core.laws import Integral, Measure, Symmetry
+from ..core.system import System
+from ..core.vectors import Vector, explicit
+from ..errors import InputError
+from ..mechanics.lagrangian.plan import Plan
+from ..parsing import FUNCTIONS
+from ..parsing.exact_decimals import exactly
+
+__all__ = ["plan_table_of", "tables_of"]
+
+_WRITABLE = (
+    *(sp.Symbol, sp.Add, sp.Mul, sp.Pow, sp.Rational, sp.Float),
+    *(function for function in FUNCTIONS.values() if isinstance(function, type)),
+)
+_CONSTANTS = (sp.pi,)
+
+
+def tables_of(system: System) -> dict[str, Any]:
+    """The tables of a file that brings the same equations, lifted to space.
+
+    Of the laws it has integrals, measures and symmetries; others have no form in a file.
+
+    Raises
+    ------
+    InputError
+        If a formula uses what no file can say, such as a function that it does not know.
+    """
+    whole = system.lifted() if system.motion else system
+    tables: dict[str, Any] = {"title": whole.title, "summary": whole.summary}
+    tables["parameters"] = {
+        str(p.symbol): {"value": float(p.default), "unit": p.unit, "meaning": p.meaning}
+        for p in whole.parameters
+    }
+    tables["equations"] = {
+        "state": [_declared(name) for name in whole.state],
+        "rates": {str(name): _written(rate) for name, rate in whole.field},
+        "relations": _all(whole.relations),
+    }
+    tables["definitions"] = {str(symbol): _written(value) for symbol, value in whole.steps}
+    tables["laws"] = _laws(whole)
+    tables["observables"] = {
+        item.name: {"value": _written(item.value), "meaning": item.meaning, "unit": item.unit}
+        for item in whole.observables
+        if item.name not in map(str, whole.state)
+    }
+    tables["guards"] = {
+        guard.name: {"value": _written(guard.value), "happening": guard.happening}
+        for guard in whole.guards
+    }
+    return tables
+
+
+def plan_table_of(plan: Plan) -> dict[str, Any]:
+    """The table [plan] of a file that draws the same."""
+    tables = {
+        field.name: [_all(part) for part in getattr(plan, field.name)]
+        for field in fields(plan)
+        if field.name != "path"
+    }
+    return {"path": _all(plan.path), **tables}
+
+
+def _laws(system: System) -> dict[str, Any]:
+    integrals, measures, symmetries = {}, {}, {}
+    for law in system.laws:
+        on = _all(law.on)
+        if isinstance(law, Integral):
+            notes = {"meaning": law.meaning, "unit": law.unit, "on": on}
+            integrals[law.name] = {"value": _written(law.value), **notes}
+        elif isinstance(law, Measure):
+            measures[law.name] = {"value": _written(law.value), "meaning": law.meaning, "on": on}
+        elif isinstance(law, Symmetry) and not on:
+            symmetries[law.name] = {str(name): _written(value) for name, value in law.field}
+    return {"integrals": integrals, "measures": measures, "symmetries": symmetries}
+
+
+def _declared(name: Any) -> str:
+    return f"{name}[{len(name.symbols)}]" if isinstance(name, Vector) else str(name)
+
+
+def _all(formulas: Iterable[Any]) -> list[str]:
+    return [_written(formula) for formula in formulas]
+
+
+def _written(formula: Any) -> str:
+    """A formula as a user would type it, its numbers exact."""
+    value = explicit(sp.sympify(formula))
+    if isinstance(value, sp.MatrixBase):
+        return f"[{', '.join(map(_written, value))}]"
+    for part in sp.preorder_traversal(value):
+        if not isinstance(part, _WRITABLE) and part not in _CONSTANTS:
+            raise InputError(f"{type(part).__name__} in {formula} cannot be written to a file")
+    return str(sp.sstr(exactly(value)))

@@ -1,0 +1,117 @@
+"""A start given in doubles, put on the phase space to many digits."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any
+
+import sympy as sp
+from flint import arb, arb_mat
+
+from ...core.system import System
+from ...core.vectors import explicit
+from ...errors import InputError
+from ...formulas.balls import ball, ball_function, exact
+from ...formulas.relative_zero import GIVEN, Sized, measured, sized
+
+__all__ = ["on_phase_space"]
+
+
+def on_phase_space(
+    system: System,
+    level: Sequence[Any],
+    start: Sequence[Any],
+    values: Mapping[sp.Symbol, Any],
+) -> tuple[Any, ...]:
+    """The nearest state at which all relations, and the expressions of the level, vanish.
+
+    The numbers are taken as exact ones; what they miss by rounding is made up along the gradients
+    (Newton's method of least change, each vector's change being measured by its length, so that
+    the state that is found does not depend on the units).
+
+    Parameters
+    ----------
+    system : System
+    level : sequence of sympy.Expr
+        Further expressions that vanish.
+    start : sequence of numbers
+        The reduced state, in flat order.
+    values : mapping of Symbol to arb
+        The parameters.
+
+    Raises
+    ------
+    InputError
+        If the start misses the phase space by more than rounding, relative to the sizes of the
+        terms.
+    """
+    names = (*system.symbols, *values)
+    function, slopes, count = _conditions(system, tuple(level), names)
+    state = [ball(x) for x in start]
+    if count == 0:
+        return tuple(state)
+    numbers = measured(system.state, system.symbols, [exact(x) for x in state])
+    _check(system, level, numbers, values)
+    fixed = list(values.values())
+    size = len(state)
+    lengths = [ball(numbers[s].size) if numbers[s].size else arb(1) for s in system.symbols]
+    weights = arb_mat(
+        [[x * x if i == j else arb(0) for j in range(size)] for i, x in enumerate(lengths)]
+    )
+    for _ in range(9):
+        misses = function(*state, *fixed)
+        gradient = arb_mat(count, size, slopes(*state, *fixed))
+        weighted = weights * gradient.transpose()
+        step = weighted * (gradient * weighted).solve(arb_mat(count, 1, list(misses)))
+        state = [arb((x - step[i, 0]).mid()) for i, x in enumerate(state)]
+    return tuple(state)
+
+
+def _check(
+    system: System,
+    level: Sequence[Any],
+    state: Mapping[sp.Symbol, Sized],
+    values: Mapping[sp.Symbol, Any],
+) -> None:
+    """Refuse a start that misses a condition by more than rounding."""
+    conditions, _ = _moving(system, tuple(level))
+    numbers = {s: exact(x) for s, x in values.items()}
+    known = {**{s: Sized(x, abs(x)) for s, x in numbers.items()}, **state}
+    found = sized(conditions, known)
+    worst = max((value.share for value in found), default=0.0)
+    if not all(value.vanishes(GIVEN) for value in found):
+        raise InputError(
+            f"start: it misses the constraints by {worst:.3g} of the size of their terms; rounding "
+            f"may make up {float(Fraction(int(GIVEN.p), int(GIVEN.q))):g}"
+        )
+
+
+@lru_cache(maxsize=64)
+def _conditions(
+    system: System, level: tuple[Any, ...], names: tuple[sp.Symbol, ...]
+) -> tuple[Any, Any, int]:
+    """The conditions and their gradients in the state, as functions of balls."""
+    conditions, gradients = _moving(system, level)
+    return ball_function(names, conditions), ball_function(names, gradients), len(conditions)
+
+
+@lru_cache(maxsize=64)
+def _moving(
+    system: System, level: tuple[Any, ...]
+) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
+    """The conditions on the state, and their gradients."""
+    plain = (_plain(system, formula) for formula in (*system.relations, *level))
+    # what depends on parameters alone is no condition on the state
+    conditions = tuple(formula for formula in plain if formula.free_symbols & set(system.symbols))
+    gradients = tuple(sp.diff(f, x) for f in conditions for x in system.symbols)
+    return conditions, gradients
+
+
+def _plain(system: System, formula: Any) -> sp.Expr:
+    """A formula in the state and the parameters, its definitions put in."""
+    value = explicit(sp.sympify(formula))
+    for name, meaning in reversed(system.needed([value])):
+        value = value.xreplace({name: meaning})
+    return value

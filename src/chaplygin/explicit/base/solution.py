@@ -1,0 +1,173 @@
+"""What solving leaves behind: a motion known at every time."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from ...core.system import System
+from ...errors import InputError
+from ...flow.trajectory import by_name
+
+__all__ = ["LATEST", "ClosedForm", "Figure", "Solution", "States", "checked"]
+
+#: The largest phase Ωt in double precision; its digits are lost beyond 1e15.
+LATEST = 1e13
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A number that belongs to a closed form.
+
+    Attributes
+    ----------
+    symbol : str
+        As it is written, such as ``"Omega_1"``.
+    value : flint.arb
+        With its error bound.
+    meaning, unit : str
+    """
+
+    symbol: str
+    value: Any
+    meaning: str
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class ClosedForm:
+    """What a closed form looks like.
+
+    Attributes
+    ----------
+    title : str
+        Which system it is, in words.
+    motion : str
+        The kind of motion: "two-frequency motion on a torus", "periodic", "asymptotic to a
+        permanent rotation", …
+    equations : tuple of (left, right)
+        SymPy formulas: the curve, the differential equations, the clock.
+    figures : tuple of Figure
+        Constants, roots, frequencies, periods, rotation number.
+    ovals : tuple of (low, high)
+        Where the separated variables live (floats).
+    source : str
+    """
+
+    title: str
+    motion: str
+    equations: tuple[tuple[Any, Any], ...]
+    figures: tuple[Figure, ...]
+    ovals: tuple[tuple[float, float], ...] = ()
+    source: str = ""
+
+
+@dataclass(frozen=True)
+class States:
+    """States at chosen times, by name.
+
+    Attributes
+    ----------
+    system : System
+        Lifted to space where it has a motion.
+    times : array (n,)
+    values : array (n, size)
+        In the flat order of ``system.symbols``.
+    """
+
+    system: System
+    times: Any
+    values: Any
+
+    def __getitem__(self, name: str) -> Any:
+        """A state variable by name, (n, components) or (n,)."""
+        return by_name(self.system, self.values, name)
+
+
+def checked(times: Any, pace: float) -> Any:
+    """Times (n,) at which states in double precision have a meaning.
+
+    Parameters
+    ----------
+    times : array (n,)
+    pace : float
+        That of the motion.
+
+    Raises
+    ------
+    InputError
+        If one is not finite, or the phases there are beyond `LATEST`.
+    """
+    if not np.all(np.isfinite(times)) or np.any(np.abs(times) * pace > LATEST):
+        raise InputError(
+            f"times: in double precision they must be within ±{LATEST / (pace or 1.0):.3g}, beyond "
+            "which the phase of the motion is lost; evaluation with error bounds (--digits, "
+            "rigorous) goes further"
+        )
+    return times
+
+
+class Solution(ABC):
+    """A motion in closed form.
+
+    Attributes
+    ----------
+    system : System
+        Lifted to space where it has a motion.
+    parameters : mapping of Symbol to number
+    """
+
+    system: System
+    parameters: Mapping[sp.Symbol, Any]
+
+    @property
+    @abstractmethod
+    def form(self) -> ClosedForm:
+        """What the closed form looks like."""
+
+    @abstractmethod
+    def states(self, times: Any) -> Any:
+        """Lifted states at `times` (n,), as an array (n, size), in double precision."""
+
+    @property
+    @abstractmethod
+    def pace(self) -> float:
+        """How fast the phases of the motion grow with time, about; 0 at rest."""
+
+    @property
+    def left_open(self) -> str:
+        """What of the state :meth:`rigorous` cannot bound, and why, in a sentence; or nothing."""
+        return ""
+
+    @abstractmethod
+    def rigorous(self, time: Any, digits: int = 30) -> tuple[Any, ...]:
+        """The lifted state at one time as balls (``flint.arb``) that contain the exact one.
+
+        Parameters
+        ----------
+        time : float, int, str, Fraction or arb
+        digits : int
+            Relative accuracy aimed at; the radii of the balls say what was reached.  They are
+            infinite for a place in space that is left open.
+
+        Raises
+        ------
+        InputError
+            If the attitude would be left open, or so many digits cannot be had.
+        """
+
+    def __call__(self, times: Any) -> States:
+        """States at `times`, by name.
+
+        Raises
+        ------
+        InputError
+            If a time is not finite, or so large that doubles lose the phase.
+        """
+        moments = checked(np.atleast_1d(np.asarray(times, dtype=float)), self.pace)
+        return States(self.system, moments, self.states(moments))

@@ -1,0 +1,214 @@
+"""The motions over a curve of a bifurcation diagram: circles, and whether they are stable.
+
+On an arc, over a rational x, the height y is an algebraic number; signs of formulas in it are
+decided by balls, with as many digits as it takes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+from flint import acb, arb, arb_poly, ctx, fmpq, fmpq_mpoly
+
+from .arrangement import FIRST_PRECISION, Polynomial, middle, stack
+from .tori import SHEETS, Oval, group, ovals
+
+__all__ = ["Circles", "circles_at_a_double_root", "circles_at_a_pole"]
+
+#: Binary digits beyond which a sign is given up.
+LAST_PRECISION = 4096
+
+
+class UndecidedError(ArithmeticError):
+    """A ball is too wide for a sign; more digits may do."""
+
+
+@dataclass(frozen=True, order=True)
+class Circles:
+    """Periodic motions on which one separated coordinate rests at a double root of the curve.
+
+    Attributes
+    ----------
+    pole : int
+        Number i of the pole that the double root is: νᵢ vanishes; 0 for another double root.
+    coordinate : int
+        1 or 2, the coordinate that rests; 0 at the second pole, where either may.
+    oval : Oval
+        Where the other coordinate moves.
+    count : int
+        Number of circles in the phase space, on every level of the arc.
+    stable : bool
+        Whether tori surround them; if not, they have separatrices.
+    """
+
+    pole: int
+    coordinate: int
+    oval: Oval
+    count: int
+    stable: bool
+
+
+@dataclass(frozen=True)
+class Arc:
+    """A place on an arc, to any precision.
+
+    Attributes
+    ----------
+    curves : tuple of fmpq_mpoly
+        All curves of the arrangement.
+    x : fmpq
+    rank : int
+        Number of arcs below this one over x.
+    """
+
+    curves: tuple[Polynomial, ...]
+    x: fmpq
+    rank: int
+
+    def restricted(self, polynomial: Polynomial) -> Any:
+        """A polynomial in x, y, z as one in z with balls for coefficients."""
+        y, _ = stack(self.curves, self.x)[self.rank]
+        found: dict[int, Any] = {}
+        for (i, j, power), value in polynomial.to_dict().items():
+            found[power] = found.get(power, arb(0)) + arb(value * self.x**i) * y**j
+        return arb_poly([found.get(power, arb(0)) for power in range(max(found) + 1)])
+
+
+def decided(question: Callable[[], Any]) -> Any:
+    """The answer to a question about balls, asked again with more digits until it has one."""
+    precision = FIRST_PRECISION
+    while True:
+        with ctx.workprec(precision):
+            try:
+                return question()
+            except (UndecidedError, ValueError):
+                if precision >= LAST_PRECISION:
+                    raise
+        precision *= 2
+
+
+def circles_at_a_pole(
+    arc: Arc, poles: Sequence[fmpq], rest: fmpq_mpoly, number: int
+) -> tuple[Circles, ...]:
+    """The motions with νᵢ = 0 where a root meets the pole e_i, i = `number`."""
+    pole = poles[number - 1]
+    others = [other for other in poles if other != pole]
+    first, last = {1: (1, 2), 2: (0, 2), 3: (0, 1)}[number]
+
+    def answer() -> tuple[Circles, ...]:
+        left = _divided(arc.restricted(rest), arb(pole))
+        curvature = left
+        for other in others:
+            curvature = curvature * arb_poly([-arb(other), 1])
+        # at the second pole the whole interval between the others, which it does not interrupt
+        found = _allowed(curvature, left, poles, (first, last), skipped=number)
+        stable = not _positive(curvature(arb(pole)))
+        coordinate = {1: 1, 2: 0, 3: 2}[number]
+        return tuple(
+            Circles(number, coordinate, oval, SHEETS // 2 // len(group([oval.flips])), stable)
+            for oval in found
+        )
+
+    return tuple(decided(answer))
+
+
+def circles_at_a_double_root(
+    arc: Arc, poles: Sequence[fmpq], rest: fmpq_mpoly
+) -> tuple[Circles, ...]:
+    """The motions on which a coordinate rests at a double root apart from the poles."""
+
+    def answer() -> tuple[Circles, ...]:
+        whole = arc.restricted(rest)
+        place = _double(whole)
+        if place is None:
+            return ()
+        inside = [_positive(place - arb(pole)) for pole in poles]
+        if inside[0] == inside[2]:
+            return ()
+        coordinate = 2 if inside[1] else 1
+        left = _divided(_divided(whole, place), place)
+        curvature = left
+        for pole in poles:
+            curvature = curvature * arb_poly([-arb(pole), 1])
+        between = (0, 1) if coordinate == 2 else (1, 2)
+        found = _allowed(curvature, left, poles, between, skipped=0)
+        stable = not _positive(curvature(place))
+        return tuple(
+            Circles(0, coordinate, oval, SHEETS // len(group([oval.flips])), stable)
+            for oval in found
+        )
+
+    return tuple(decided(answer))
+
+
+def _positive(ball: Any) -> bool:
+    """Whether a number is positive; it is known not to vanish."""
+    if ball > 0:
+        return True
+    if ball < 0:
+        return False
+    raise UndecidedError
+
+
+def _divided(polynomial: Any, root: Any) -> Any:
+    """A polynomial by z − root, which divides it, by Horner's scheme."""
+    quotient, carried = [], arb(0)
+    for coefficient in reversed(polynomial.coeffs()):
+        carried = carried * root + coefficient
+        quotient.append(carried)
+    return arb_poly(quotient[-2::-1])
+
+
+def _double(polynomial: Any) -> Any:
+    """The real double root of a polynomial that has just one double root or pair of them.
+
+    Returns
+    -------
+    arb or None
+        None if the double roots are a complex pair.
+    """
+    candidates = [
+        root for root in polynomial.derivative().complex_roots() if polynomial(root).contains(0)
+    ]
+    if len(candidates) == 2 and not any(root.imag.contains(0) for root in candidates):
+        return None
+    if len(candidates) != 1:
+        raise UndecidedError
+    # a complex root would bring its conjugate
+    return candidates[0].real
+
+
+def _real_roots(polynomial: Any) -> list[Any]:
+    """The real roots of a polynomial with simple roots."""
+    roots = [acb(root) for root in polynomial.complex_roots()] if polynomial.degree() > 0 else []
+    found = []
+    for number, root in enumerate(roots):
+        if not root.imag.contains(0):
+            continue
+        # the conjugate is a root as well; if it can be no other one, it is the same
+        mirrored = root.conjugate()
+        if any(mirrored.overlaps(other) for other in roots[:number] + roots[number + 1 :]):
+            raise UndecidedError
+        found.append(root.real)
+    return found
+
+
+def _allowed(
+    sign: Any, rest: Any, poles: Sequence[fmpq], between: tuple[int, int], skipped: int
+) -> tuple[Oval, ...]:
+    """The ovals between two poles in which `sign` is positive; its roots are those of `rest`."""
+    first, last = between
+    low, high = poles[first], poles[last]
+    roots: list[tuple[Any, int]] = [
+        (arb(pole), n) for n, pole in enumerate(poles, 1) if low <= pole <= high and n != skipped
+    ]
+    for root in _real_roots(rest):
+        if _positive(root - arb(low)) and not _positive(root - arb(high)):
+            roots.append((root, 0))
+    roots.sort(key=lambda pair: middle(pair[0]))
+    if not all(_positive(b - a) for (a, _), (b, _) in pairwise(roots)):
+        raise UndecidedError
+    return ovals(roots, lambda z: _positive(sign(arb(z))))

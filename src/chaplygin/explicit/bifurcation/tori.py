@@ -1,0 +1,138 @@
+"""How many tori lie over the ovals of a curve of genus two, and what happens where they end.
+
+On a level of the integrals z₁ lies between the first and the second pole of y² = P(z), z₂ between
+the second and the third, each where P ≥ 0: in ovals.  A pair of ovals is a torus of the points
+(z₁, y₁, z₂, y₂); over each of them lie eight states, one for every choice of the signs of the
+components ν_i.  As νᵢ² has a simple zero at the pole e_i, a component changes its sign wherever a
+coordinate turns at that pole, once in every round of an oval that ends there.  The states over a
+pair of ovals are therefore eight sheets over a torus, exchanged by the flips of the two rounds,
+and fall into 8/|G| tori, G being the group that the flips generate.
+
+Where a root of P meets a pole e_i or another root at z*, P = c (z − z*)² + … there, and a
+coordinate can rest at z* while the other one moves: an invariant set of circles, surrounded by
+tori if c < 0 (an oval has shrunk; stable) and with motions that leave it and come back if c > 0
+(two ovals meet, or z = e_i repels; unstable).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise, product
+from typing import Any
+
+from flint import fmpq, fmpq_poly
+
+from .arrangement import between, highest, lowest, rational, separated
+
+__all__ = ["Family", "Oval", "families", "group", "ovals"]
+
+#: One bit for each of the three components of ν.
+SHEETS = 8
+
+
+@dataclass(frozen=True, order=True)
+class Oval:
+    """An interval in which a separated coordinate moves.
+
+    Attributes
+    ----------
+    low, high : int
+        Number 1, 2, 3 of the pole at that end; 0 where the end is another root.
+    """
+
+    low: int
+    high: int
+
+    @property
+    def flips(self) -> int:
+        """Components of ν that change sign in one round, as bits."""
+        return _bit(self.low) ^ _bit(self.high)
+
+    @property
+    def text(self) -> str:
+        """The interval in writing, e for poles and r for other roots."""
+        low, high = (f"e{end}" if end else "r" for end in (self.low, self.high))
+        return f"[{low}, {high}]"
+
+
+@dataclass(frozen=True)
+class Family:
+    """The tori over one pair of ovals.
+
+    Attributes
+    ----------
+    first, second : Oval
+        Where z₁ and z₂ move.
+    tori : int
+        Number of tori in the phase space on every level of the region.
+    kept : tuple of int
+        Components of ν (1, 2, 3) that never vanish on these tori.
+    two_way : bool
+        Whether a torus contains the motions with ν′ reversed as well.
+    """
+
+    first: Oval
+    second: Oval
+    tori: int
+    kept: tuple[int, ...]
+    two_way: bool
+
+
+def _bit(pole: int) -> int:
+    return 1 << (pole - 1) if pole else 0
+
+
+def group(flips: Iterable[int]) -> set[int]:
+    """All that compositions of flips do to the signs of ν."""
+    found = {0}
+    for flip in flips:
+        found |= {flip ^ other for other in found}
+    return found
+
+
+def family(first: Oval, second: Oval) -> Family:
+    """The tori over a pair of ovals."""
+    reached = group((first.flips, second.flips))
+    kept = tuple(i for i in (1, 2, 3) if not any(flips & _bit(i) for flips in reached))
+    # At the lower ends y₁ = y₂ = 0: reversing the motion changes there the sign of ν_i′ alone,
+    # i a pole at which a coordinate turns, and by a sheet is meant the sign of that ν_i′.
+    reversal = _bit(first.low) ^ _bit(second.low)
+    return Family(first, second, SHEETS // len(reached), kept, reversal in reached)
+
+
+def families(poles: Sequence[fmpq], rest: fmpq_poly) -> tuple[Family, ...]:
+    """The tori of a level on which the curve is y² = ∏(z − e_i) · rest(z); none without motions.
+
+    Parameters
+    ----------
+    poles : three fmpq
+        Increasing.
+    rest : fmpq_poly
+        With simple roots, none of them a pole.
+    """
+    lines = [fmpq_poly([-pole, 1]) for pole in poles]
+    whole = lines[0] * lines[1] * lines[2] * rest
+    roots = separated([rest, *lines])
+    low, middle, high = (next(n for n, r in enumerate(roots) if r[1] == i) for i in (1, 2, 3))
+    first, second = (
+        ovals(roots[a : b + 1], lambda z: whole(z) > 0) for a, b in ((low, middle), (middle, high))
+    )
+    return tuple(family(a, b) for a, b in product(first, second))
+
+
+def ovals(roots: Sequence[tuple[Any, int]], allowed: Any) -> tuple[Oval, ...]:
+    """Intervals between neighbouring roots in which a condition holds.
+
+    Parameters
+    ----------
+    roots : sequence of (arb, int)
+        Increasing, each with the number of its pole or 0.
+    allowed : callable
+        Of a rational number.
+    """
+    return tuple(
+        Oval(low, high)
+        for (below, low), (above, high) in pairwise(roots)
+        if allowed(rational(between(highest(below), lowest(above))))
+    )

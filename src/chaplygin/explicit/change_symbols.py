@@ -1,0 +1,99 @@
+"""A separation told in the symbols of another system that is the same."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from ..core.system import System
+from ..core.vectors import constant, explicit, scalar
+from .genus_two.separation import Separable
+
+__all__ = ["expressed", "translation"]
+
+
+def expressed(
+    separable: Separable, system: System, parameters: Mapping[sp.Symbol, Any]
+) -> Separable:
+    """The separation of a system whose field is that of ``separable.system``.
+
+    Parameters
+    ----------
+    separable : Separable
+    system : System
+        With states that follow each other in the same order; its lift to space may be another.
+    parameters : mapping of Symbol to formula
+        The parameters of ``separable.system`` in those of `system`.
+
+    Returns
+    -------
+    Separable
+        With all formulas in state and parameters of `system`, definitions written out; its laws
+        are left out, since they are claimed of the other system.
+    """
+    known = {
+        **translation(separable.system, system, parameters),
+        **_constants(separable, system),
+    }
+    names = dict(zip(separable.system.symbols, system.symbols, strict=True))
+
+    def told(formula: Any) -> Any:
+        value = explicit(sp.sympify(formula))
+        made = value.xreplace(known)
+        return constant(list(made)) if isinstance(value, sp.MatrixBase) else made
+
+    def each(formulas: Any) -> Any:
+        return tuple(told(formula) for formula in formulas)
+
+    return replace(
+        separable,
+        system=system,
+        level=each(separable.level),
+        constants=tuple(
+            (known.get(symbol, symbol), told(formula)) for symbol, formula in separable.constants
+        ),
+        direction=told(separable.direction),
+        turning=told(separable.turning),
+        poles=each(separable.poles),
+        weights=each(separable.weights),
+        leading=told(separable.leading),
+        roots=each(separable.roots),
+        speeds=each(separable.speeds),
+        along=None if separable.along is None else each(separable.along),
+        clock=told(separable.clock),
+        state=tuple(
+            (names[symbol], told(part))
+            for name, formula in separable.state
+            for symbol, part in _parts(name, formula)
+        ),
+        fixed=each(separable.fixed),
+        laws=(),
+    )
+
+
+def translation(
+    home: System, system: System, parameters: Mapping[sp.Symbol, Any]
+) -> dict[sp.Symbol, sp.Expr]:
+    """State, parameters and definitions of one system in the symbols of another."""
+    known: dict[sp.Symbol, sp.Expr] = dict(zip(home.symbols, system.symbols, strict=True))
+    known |= parameters
+    for symbol, value in home.steps:
+        known[symbol] = value.xreplace(known)
+    return known
+
+
+def _constants(separable: Separable, system: System) -> dict[sp.Symbol, sp.Symbol]:
+    """New names for constants whose letters mean something else in a system."""
+    taken = {*system.symbols, *system.defaults, *(symbol for symbol, _ in system.steps)}
+    clashes = [symbol for symbol, _ in separable.constants if symbol in taken]
+    return {symbol: scalar(f"{symbol}_const") for symbol in clashes}
+
+
+def _parts(name: Any, formula: Any) -> list[tuple[sp.Symbol, Any]]:
+    """A pair of a state name and its formula, by components."""
+    if isinstance(name, sp.Symbol):
+        return [(name, formula)]
+    return list(zip(name.symbols, explicit(formula), strict=True))

@@ -1,0 +1,333 @@
+"""Bodies with two equal moments: one equation for u = (γ, e), e the axis of symmetry.
+
+Both systems have two vectors that stand still in space, and e is known in the frame k they span:
+
+    Veselova, I = (A, A, C), G = C + (A − C)u², L = Iω×γ, ω₃√G = c:
+        A u̇² = 2h(1 − u²) − c²,
+        k₃ = γ, k₁ ∥ L,      e = (−A u̇, c√G, u√F)/√F,      ω = (γ×L − (C − A)ω₃(e − uγ))/A.
+
+    Chaplygin ball, J = I + D = (a, a, b), ε = 1/b − 1/a, W = 1 − D/a − Dεu², g = (M, γ), f = M²:
+        M₃ = K√W − Dgu/(a − D),      a²u̇² = f(1 − u²) − g² + 2guM₃ − M₃²,
+        k₃ = γ, k₁ ∥ M − gγ, m² = f − g²,      e = ((M₃ − gu)/m, a u̇/m, u),
+        ω = (M + Dsγ)/a + ε(M₃ + Dsu)e,      s = (ω, γ) = (g/a + εM₃u)/W.
+
+c and K are constants of the motion that only these bodies have; :mod:`.degenerate.laws` states them
+and the equations of u as laws of the systems.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+from flint import acb, arb
+
+from ..one_degree.uniformisation import Equation
+from .quaternion import cross, dot
+
+__all__ = ["Axial", "ChaplyginAxial", "VeselovaAxial"]
+
+Vector = Sequence[Any]
+
+
+def _root(x: Any) -> Any:
+    return x.sqrt(analytic=True) if isinstance(x, acb) else x.sqrt()
+
+
+@dataclass(frozen=True)
+class Axial(ABC):
+    """A motion of a body with the axis e.
+
+    Components are those in the frame k, which stands still in space.  `F` is
+    :data:`.one_variable_charts.BALLS` or :data:`.one_variable_charts.DOUBLES`.
+    """
+
+    @property
+    @abstractmethod
+    def equation(self) -> Equation:
+        """That of u."""
+
+    @abstractmethod
+    def axis(self, F: Any, u: Any, rate: Any) -> list[Any]:
+        """e at u, u̇."""
+
+    @abstractmethod
+    def omega(self, F: Any, u: Any, rate: Any) -> list[Any]:
+        """ω."""
+
+    @abstractmethod
+    def vectors(self, F: Any, u: Any, rate: Any) -> list[list[Any]]:
+        """The vectors of the reduced state."""
+
+    @abstractmethod
+    def velocity(self, F: Any, u: Any, rate: Any) -> list[Any] | None:
+        """Rate of the place, three components; None for a body with a fixed point."""
+
+    @property
+    @abstractmethod
+    def length(self) -> Any:
+        """A length of the body, with which paths are compared; 1 for a body with a fixed point."""
+
+    @property
+    @abstractmethod
+    def shown(self) -> tuple[tuple[Any, Any], ...]:
+        """The equations, for a reader."""
+
+    @property
+    @abstractmethod
+    def constants(self) -> tuple[tuple[str, Any, str], ...]:
+        """Symbol, value and meaning of the constants in them."""
+
+    @property
+    @abstractmethod
+    def rising(self) -> Any:
+        """u̇ at the start."""
+
+    @abstractmethod
+    def frame(self) -> list[list[Any]]:
+        """k₁, k₂, k₃ at the start, body axes with e last."""
+
+
+@dataclass(frozen=True)
+class VeselovaAxial(Axial):
+    """The Veselova system with A = I₁ = I₂, C = I₃.
+
+    Attributes
+    ----------
+    A, C : arb
+    spin : arb
+        c.
+    energy : arb
+        2h.
+    momentum : arb
+        F.
+    start : (omega, gamma)
+        Body axes, e last.
+    """
+
+    A: Any
+    C: Any
+    spin: Any
+    energy: Any
+    momentum: Any
+    start: tuple[Vector, Vector]
+
+    @classmethod
+    def begun(cls, A: Any, C: Any, omega: Vector, gamma: Vector) -> VeselovaAxial:
+        """The motion through a state on the phase space."""
+        Iomega = [A * omega[0], A * omega[1], C * omega[2]]
+        L = cross(Iomega, gamma)
+        G = C + (A - C) * gamma[2] * gamma[2]
+        return cls(A, C, omega[2] * G.sqrt(), dot(Iomega, omega), dot(L, L), (omega, gamma))
+
+    @property
+    def equation(self) -> Equation:
+        """That of u."""
+
+        def numerator(u: Any) -> Any:
+            return self.energy * (1 - u * u) - self.spin * self.spin
+
+        # beyond ±1 the square is negative: the edges are no roots
+        return Equation(numerator, lambda u: 0 * u + self.A, arb(-1.5), arb(1.5))
+
+    @property
+    def shown(self) -> tuple[tuple[Any, Any], ...]:
+        """A u̇² = 2h(1 − u²) − c²."""
+        A, h, c, u, udot = sp.symbols("A h c u udot")
+        return ((A * udot**2, 2 * h * (1 - u**2) - c**2),)
+
+    @property
+    def constants(self) -> tuple[tuple[str, Any, str], ...]:
+        """A, h and c."""
+        return (
+            ("A", self.A, "moment across the axis"),
+            ("h", self.energy / 2, "energy"),
+            ("c", self.spin, "constant of the body of revolution"),
+        )
+
+    def axis(self, F: Any, u: Any, rate: Any) -> list[Any]:
+        """e at u, u̇."""
+        size = F.number(self.momentum.sqrt())
+        return [-F.number(self.A) / size * rate, F.number(self.spin) * self._G(F, u) / size, u]
+
+    def _G(self, F: Any, u: Any) -> Any:
+        """√G."""
+        return F.sqrt(F.number(self.C) + F.number(self.A - self.C) * u * u)
+
+    def omega(self, F: Any, u: Any, rate: Any) -> list[Any]:
+        """ω at u, u̇."""
+        e, size = self.axis(F, u, rate), F.number(self.momentum.sqrt())
+        own = F.number((self.C - self.A) * self.spin) / self._G(F, u)
+        A = F.number(self.A)
+        return [-own * e[0] / A, (size - own * e[1]) / A, 0 * u]
+
+    def vectors(self, F: Any, u: Any, rate: Any) -> list[list[Any]]:
+        """The vectors of the reduced state."""
+        return [self.omega(F, u, rate), [0 * u, 0 * u, 0 * u + 1]]
+
+    def velocity(self, F: Any, u: Any, rate: Any) -> list[Any] | None:
+        """Rate of the place."""
+        return None
+
+    @property
+    def length(self) -> Any:
+        """Nothing is compared with it."""
+        return arb(1)
+
+    @property
+    def rising(self) -> Any:
+        """u̇ at the start."""
+        omega, gamma = self.start
+        return gamma[0] * omega[1] - gamma[1] * omega[0]
+
+    def frame(self) -> list[list[Any]]:
+        """k₁, k₂, k₃ at the start, body axes with e last."""
+        omega, gamma = self.start
+        L = cross([self.A * omega[0], self.A * omega[1], self.C * omega[2]], gamma)
+        first = [x / self.momentum.sqrt() for x in L]
+        return [first, cross(gamma, first), list(gamma)]
+
+
+@dataclass(frozen=True)
+class ChaplyginAxial(Axial):
+    """The Chaplygin ball with a = I₁ + D = I₂ + D, b = I₃ + D.
+
+    Attributes
+    ----------
+    a, b, D, R : arb
+        R is the radius.
+    own : arb
+        K.
+    area, square : arb
+        g and f.
+    start : (M, gamma)
+        Body axes, e last.
+    """
+
+    a: Any
+    b: Any
+    D: Any
+    R: Any
+    own: Any
+    area: Any
+    square: Any
+    start: tuple[Vector, Vector]
+
+    @classmethod
+    def begun(cls, a: Any, b: Any, D: Any, R: Any, M: Vector, gamma: Vector) -> ChaplyginAxial:
+        """The motion through a state on the phase space."""
+        g = dot(M, gamma)
+        made = cls(a, b, D, R, arb(0), g, dot(M, M), (M, gamma))
+        own = (M[2] - made._lean * gamma[2]) / made._W(gamma[2]).sqrt()
+        return cls(a, b, D, R, own, g, dot(M, M), (M, gamma))
+
+    @property
+    def _epsilon(self) -> Any:
+        return 1 / self.b - 1 / self.a
+
+    @property
+    def _lean(self) -> Any:
+        """−Dg/(a − D)."""
+        return -self.D * self.area / (self.a - self.D)
+
+    @property
+    def across(self) -> Any:
+        """m."""
+        return (self.square - self.area * self.area).sqrt()
+
+    def _W(self, u: Any) -> Any:
+        return 1 - self.D / self.a - self.D * self._epsilon * u * u
+
+    @property
+    def equation(self) -> Equation:
+        """That of u."""
+        g, f = self.area, self.square
+
+        def numerator(u: Any) -> Any:
+            M = self.own * _root(self._W(u)) + self._lean * u
+            return f * (1 - u * u) - g * g + 2 * g * u * M - M * M
+
+        high = arb(1.5)
+        if self._epsilon > 0:
+            # between 1 and where W vanishes
+            end = ((1 - self.D / self.a) / (self.D * self._epsilon)).sqrt()
+            high = high.min((1 + end) / 2)
+        return Equation(numerator, lambda u: 0 * u + self.a**2, -high, high)
+
+    @property
+    def shown(self) -> tuple[tuple[Any, Any], ...]:
+        """a²u̇² and M₃ in u."""
+        a, b, D, K, f, g, u, udot, M = sp.symbols("a b D K f g u udot M_3")
+        W = 1 - D / a - D * (1 / b - 1 / a) * u**2
+        return (
+            (a**2 * udot**2, f * (1 - u**2) - g**2 + 2 * g * u * M - M**2),
+            (M, K * sp.sqrt(W) - D * g * u / (a - D)),
+        )
+
+    @property
+    def constants(self) -> tuple[tuple[str, Any, str], ...]:
+        """a, b, D, f, g and K."""
+        return (
+            ("a", self.a, "moment about the contact, across the axis"),
+            ("b", self.b, "moment about the contact, along the axis"),
+            ("D", self.D, "mR²"),
+            ("f", self.square, "square of the momentum"),
+            ("g", self.area, "area integral"),
+            ("K", self.own, "constant of the ball of revolution"),
+        )
+
+    def _M(self, F: Any, u: Any) -> tuple[Any, Any, Any]:
+        """W, M₃ and s."""
+        D, epsilon = F.number(self.D), F.number(self._epsilon)
+        W = F.number(1 - self.D / self.a) - D * epsilon * u * u
+        M = F.number(self.own) * F.sqrt(W) + F.number(self._lean) * u
+        return W, M, (F.number(self.area / self.a) + epsilon * M * u) / W
+
+    def axis(self, F: Any, u: Any, rate: Any) -> list[Any]:
+        """e at u, u̇."""
+        _, M, _ = self._M(F, u)
+        m = F.number(self.across)
+        return [(M - F.number(self.area) * u) / m, F.number(self.a) * rate / m, u]
+
+    def omega(self, F: Any, u: Any, rate: Any) -> list[Any]:
+        """ω at u, u̇."""
+        _, M, s = self._M(F, u)
+        e = self.axis(F, u, rate)
+        a, D = F.number(self.a), F.number(self.D)
+        own = F.number(self._epsilon) * (M + D * s * u)
+        return [
+            F.number(self.across) / a + own * e[0],
+            own * e[1],
+            (F.number(self.area) + D * s) / a + own * e[2],
+        ]
+
+    def vectors(self, F: Any, u: Any, rate: Any) -> list[list[Any]]:
+        """The vectors of the reduced state."""
+        zero = 0 * u
+        M = [zero + F.number(self.across), zero, zero + F.number(self.area)]
+        return [M, [zero, zero, zero + 1]]
+
+    def velocity(self, F: Any, u: Any, rate: Any) -> list[Any] | None:
+        """Rate of the place."""
+        omega, R = self.omega(F, u, rate), F.number(self.R)
+        return [R * omega[1], -R * omega[0], 0 * u]
+
+    @property
+    def length(self) -> Any:
+        """The radius."""
+        return self.R
+
+    @property
+    def rising(self) -> Any:
+        """u̇ at the start."""
+        M, gamma = self.start
+        return (gamma[0] * M[1] - gamma[1] * M[0]) / self.a
+
+    def frame(self) -> list[list[Any]]:
+        """k₁, k₂, k₃ at the start, body axes with e last."""
+        M, gamma = self.start
+        first = [(x - self.area * n) / self.across for x, n in zip(M, gamma, strict=True)]
+        return [first, cross(gamma, first), list(gamma)]

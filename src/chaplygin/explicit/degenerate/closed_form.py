@@ -1,0 +1,104 @@
+"""What the closed form of a degenerate motion looks like."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+from flint import arb
+
+from ...formulas.balls import components, number
+from ...formulas.relative_zero import vanishes
+from ..base.solution import ClosedForm, Figure
+from ..genus_two.separation import Separable
+from .exact_start import Beginning
+from .theta_motion import Asymptotic, Periodic
+
+__all__ = ["form_of"]
+
+
+def form_of(
+    separable: Separable,
+    beginning: Beginning,
+    motion: Periodic | Asymptotic,
+    e: Any,
+    turn: Any,
+) -> ClosedForm:
+    """The curve without its double root, the equations on it, frequencies.
+
+    Parameters
+    ----------
+    separable : Separable
+    beginning : Beginning
+    motion : Periodic or Asymptotic
+    e : arb
+        The double root.
+    turn : arb
+        What the clock gains in a period.
+    """
+    w, z, y, e_ = sp.symbols("w z y e")
+    z_1, z_2, w_1, w_2 = sp.symbols("z_1 z_2 w_1 w_2")
+    d = [sp.Symbol(f"d{name}") for name in ("z", "z_1", "z_2", "tau", "t")]
+    a, b = (sp.sympify(speed) for speed in separable.speeds)
+    curve = (y**2, sp.Mul(separable.leading, *(z - root for root in separable.roots)))
+    asymptotic = isinstance(motion, Asymptotic)
+    if asymptotic:
+        equations: tuple[tuple[Any, Any], ...] = (
+            (d[1] / w_1 + d[2] / w_2, (b - a * e_) * d[3]),
+            (d[1] / ((z_1 - e_) * w_1) + d[2] / ((z_2 - e_) * w_2), a * d[3]),
+        )
+    else:
+        equations = ((d[0] / w, (b - a * e_) * d[3]),)
+    figures = [
+        *(Figure(str(s), beginning.values[s], "constant") for s, _ in separable.constants),
+        Figure("e", e, "root of the curve, double"),
+        *(Figure(f"r_{i}", r, "root of the curve") for i, r in enumerate(_others(beginning, e), 1)),
+        Figure("y", motion.thetas.y, "period ratio iy of the elliptic curve"),
+        Figure("P", motion.period, "period in τ"),
+        Figure("T", turn, "period in t", "s"),
+        Figure("Omega", 2 * arb.pi() / turn, "frequency", "rad/s"),
+    ]
+    kind = "periodic in the body: one variable stays at a double root of the curve"
+    if isinstance(motion, Asymptotic):
+        kind = "separatrix: asymptotic to a periodic motion in both directions of time"
+        figures.append(Figure("lambda", abs(motion.growth), "rate of approach in τ"))
+        figures.append(
+            Figure(
+                "Lambda", abs(motion.growth) * motion.period / turn, "mean rate of approach", "1/s"
+            )
+        )
+    return ClosedForm(
+        title=separable.title,
+        motion=kind,
+        equations=(
+            curve,
+            (w, y / (z - e_)),
+            *equations,
+            (d[4] / d[3], components(separable.clock)[0]),
+        ),
+        figures=tuple(figures),
+        ovals=tuple((number(x), number(y)) for x, y in _ovals(beginning, motion, e)),
+        source=separable.source,
+    )
+
+
+def _ovals(
+    beginning: Beginning, motion: Periodic | Asymptotic, e: Any
+) -> tuple[tuple[Any, Any], ...]:
+    """Where z₁ and z₂ live."""
+    z = beginning.total[0] - e
+    others = _others(beginning, e)
+    if isinstance(motion, Asymptotic):
+        low = max((r for r in others if r < e), key=lambda r: r.mid())
+        high = min((r for r in others if r > e), key=lambda r: r.mid())
+        return (low, e), (e, high)
+    low = max((r for r in others if r.mid() <= z.mid()), key=lambda r: r.mid(), default=z)
+    high = min((r for r in others if r.mid() > z.mid()), key=lambda r: r.mid(), default=z)
+    moving = (low, high)
+    return ((e, e), moving) if e < z else (moving, (e, e))
+
+
+def _others(beginning: Beginning, e: Any) -> list[Any]:
+    """The roots that have not collided, in increasing order."""
+    apart = (r for r in beginning.roots if not vanishes((r - e).mid(), beginning.size))
+    return sorted(apart, key=lambda r: r.mid())

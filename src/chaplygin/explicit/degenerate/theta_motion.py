@@ -1,0 +1,237 @@
+"""The unit vector of a motion whose curve is elliptic, as ratios of theta functions.
+
+Both kinds of motion have ν = N/|N|.  When one variable stays at the double root e, the other gives
+
+    N_i = c_i θ_i(v),        v = v₀ + Ωτ,
+
+a motion of one frequency, with N_i = 0 when e is the pole e_i.  When e closes the gap between the
+two variables, with e = z(s) and U = v₁ + v₂,
+
+    N_i = c_i (e^{−κ} θ_i(U − s) ± e^{κ} θ_i(U + s)),       N_e = c_e θ₁(U),
+
+U and κ linear in τ (the minus sign belongs to θ₁): this runs from one periodic motion to another.
+It follows from σ(v − v₁)σ(v − v₂) being a combination of σ(v − s)σ(v + s − U) and
+σ(v + s)σ(v − s − U), taken at v = ±s and at the half-periods.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from flint import acb, arb
+
+from .jacobi_theta import Thetas
+
+__all__ = ["Asymptotic", "Numerators", "Periodic", "direction", "direction_array"]
+
+Triples = tuple[list[Any], list[Any]]
+
+
+class Numerators(ABC):
+    """N and N′ as functions of τ, both up to one common factor.
+
+    N′ is the derivative along the flow that makes ν′, which may be another one than that of τ.
+    """
+
+    @property
+    @abstractmethod
+    def period(self) -> Any:
+        """The time τ after which all theta functions return."""
+
+    @abstractmethod
+    def at(self, tau: Any) -> Triples:
+        """N and N′ at an arb or acb."""
+
+    @abstractmethod
+    def array(self, tau: Any, turns: Any) -> tuple[Any, Any]:
+        """N and N′ (3, n) at the times τ + turns · period, in double precision."""
+
+
+@dataclass(frozen=True)
+class Periodic(Numerators):
+    """A motion of one frequency.
+
+    Attributes
+    ----------
+    thetas : Thetas
+    indices : three int
+        Which theta function belongs to which component.
+    amplitudes : three arb
+        c_i, with signs; zero for a component that vanishes.
+    phase, speed : arb
+        v₀ and Ω.
+    turn : arb
+        dv for the flow along which N′ is taken.
+    """
+
+    thetas: Thetas
+    indices: tuple[int, ...]
+    amplitudes: tuple[Any, ...]
+    phase: Any
+    speed: Any
+    turn: Any
+
+    @property
+    def period(self) -> Any:
+        """The time τ in which U grows by 2π."""
+        return 2 * arb.pi() / abs(self.speed)
+
+    def at(self, tau: Any) -> Triples:
+        """N and N′ at an arb or acb."""
+        v = self.phase + self.speed * tau
+        pairs = [
+            (c * value, c * self.turn * slope)
+            for c, (value, slope) in zip(
+                self.amplitudes, (self.thetas.pair(i, v) for i in self.indices), strict=True
+            )
+        ]
+        return [value for value, _ in pairs], [slope for _, slope in pairs]
+
+    def array(self, tau: Any, turns: Any) -> tuple[Any, Any]:
+        """N and N′ (3, n) in double precision."""
+        turn = float(self.turn)
+        v = float(self.phase) + float(self.speed) * tau
+        values, slopes = [], []
+        for c, index in zip(self.amplitudes, self.indices, strict=True):
+            value, slope = self.thetas.array(index, v)
+            values.append(float(c) * value)
+            slopes.append(float(c) * turn * slope)
+        return np.array(values), np.array(slopes)
+
+
+@dataclass(frozen=True)
+class Asymptotic(Numerators):
+    """A motion from one periodic motion to another.
+
+    Attributes
+    ----------
+    thetas : Thetas
+    shift : arb
+        s, between 0 and ½π.
+    indices : three int
+        Which theta function belongs to which component; 0 for the one that dies out.
+    amplitudes : three arb
+        c_i, with signs.
+    phase, speed : arb
+        U = phase + speed · τ.
+    offset, growth : arb
+        κ = offset + growth · τ.
+    turn : (arb, arb)
+        dU and dκ for the flow along which N′ is taken.
+    """
+
+    thetas: Thetas
+    shift: Any
+    indices: tuple[int, ...]
+    amplitudes: tuple[Any, ...]
+    phase: Any
+    speed: Any
+    offset: Any
+    growth: Any
+    turn: tuple[Any, Any]
+
+    @property
+    def period(self) -> Any:
+        """The time τ in which U grows by 2π."""
+        return 2 * arb.pi() / abs(self.speed)
+
+    def at(self, tau: Any) -> Triples:
+        """N and N′ at an arb or acb."""
+        U, kappa = self.phase + self.speed * tau, self.offset + self.growth * tau
+        real = kappa.real if isinstance(kappa, acb) else kappa
+        # the common factor keeps the larger exponential at one
+        after = bool(real.mid() > 0)
+        small = (-2 * kappa if after else 2 * kappa).exp()
+        middle = (-kappa if after else kappa).exp()
+        down, up = (small, arb(1)) if after else (arb(1), small)
+        return self.combined(U, down, up, middle)
+
+    def combined(self, U: Any, down: Any, up: Any, middle: Any) -> Triples:
+        """N and N′ with the factors of θ(U − s), θ(U + s) and of the component that dies out."""
+        pair, s = self.thetas.pair, self.shift
+        speed, growth = self.turn
+        values, slopes = [], []
+        for c, index in zip(self.amplitudes, self.indices, strict=True):
+            if index == 0:
+                value, slope = pair(1, U)
+                value, slope = middle * value, middle * speed * slope
+            else:
+                sign = -1 if index == 1 else 1
+                (one, one_slope), (two, two_slope) = pair(index, U - s), pair(index, U + s)
+                value = down * one + sign * up * two
+                slope = down * (speed * one_slope - growth * one)
+                slope += sign * up * (speed * two_slope + growth * two)
+            values.append(c * value)
+            slopes.append(c * slope)
+        return values, slopes
+
+    def array(self, tau: Any, turns: Any) -> tuple[Any, Any]:
+        """N and N′ (3, n) in double precision."""
+        growth = float(self.growth)
+        U = float(self.phase) + float(self.speed) * tau
+        kappa = float(self.offset) + growth * tau + growth * float(self.period) * turns
+        return self.with_phases(U, kappa)
+
+    def with_phases(self, U: Any, kappa: Any) -> tuple[Any, Any]:
+        """N and N′ (3, n) for given U and κ (arrays)."""
+        speed, growth = (float(x) for x in self.turn)
+        s = float(self.shift)
+        size = np.abs(kappa)
+        down, up, middle = np.exp(-kappa - size), np.exp(kappa - size), np.exp(-size)
+        values, slopes = [], []
+        for c, index in zip(self.amplitudes, self.indices, strict=True):
+            if index == 0:
+                value, slope = self.thetas.array(1, U)
+                value, slope = middle * value, middle * speed * slope
+            else:
+                sign = -1 if index == 1 else 1
+                one, one_slope = self.thetas.array(index, U - s)
+                two, two_slope = self.thetas.array(index, U + s)
+                value = down * one + sign * up * two
+                slope = down * (speed * one_slope - growth * one)
+                slope = slope + sign * up * (speed * two_slope + growth * two)
+            values.append(float(c) * value)
+            slopes.append(float(c) * slope)
+        return np.array(values), np.array(slopes)
+
+    def limit(self, side: int) -> Periodic:
+        """The periodic motion that is approached as κ → ∞ (`side` 1) or −∞ (−1)."""
+        amplitudes = tuple(
+            arb(0) if index == 0 else (-c if index == 1 and side > 0 else c)
+            for c, index in zip(self.amplitudes, self.indices, strict=True)
+        )
+        indices = tuple(index or 1 for index in self.indices)
+        phase = self.phase + side * self.shift
+        return Periodic(self.thetas, indices, amplitudes, phase, self.speed, self.turn[0])
+
+    def begun(self, phase: Any, offset: Any, signs: Sequence[int]) -> Asymptotic:
+        """The same motion begun elsewhere, with components reflected."""
+        reflected = tuple(sign * c for sign, c in zip(signs, self.amplitudes, strict=True))
+        return replace(self, phase=phase, offset=offset, amplitudes=reflected)
+
+
+def direction(values: Sequence[Any], slopes: Sequence[Any], analytic: bool = False) -> Triples:
+    """ν and ν′ from N and N′, real or complex balls.
+
+    Parameters
+    ----------
+    values, slopes : three arb or acb
+    analytic : bool
+        Whether to give no number (NaN) where the square root of N² may be cut.
+    """
+    square = sum((n * n for n in values[1:]), values[0] * values[0])
+    length = square.sqrt(analytic=analytic) if isinstance(square, acb) else square.sqrt()
+    nu = [n / length for n in values]
+    along = sum((v * d for v, d in zip(nu, slopes, strict=True)), 0 * length)
+    return nu, [(d - v * along) / length for v, d in zip(nu, slopes, strict=True)]
+
+
+def direction_array(values: Any, slopes: Any) -> tuple[Any, Any]:
+    """ν and ν′ (3, n) from N and N′."""
+    length = np.sqrt((values**2).sum(0))
+    nu = values / length
+    return nu, (slopes - nu * (nu * slopes).sum(0)) / length

@@ -1,0 +1,1 @@
+"""Systems that separate on a curve of genus two: theta functions and reconstruction."""

@@ -1,0 +1,296 @@
+"""From the reduced motion on a torus to the motion in space: attitude, and places by quadrature."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from ...core.system import flat_pairs
+from ...core.vectors import vectors
+from ...errors import InputError
+from ...formulas.balls import array_function, components, number
+from ...mechanics.rolling.attitude import attitude
+from .attitude import Cover, Triad, cover
+from .attitude_one_axis import farthest, references, spinning
+from .floquet_attitude import Reduction, reduction
+from .quadrature import Quadrature, quadrature, series
+from .separated_motion import Prepared, chain
+from .separation import Separable
+from .third_frequency import Turning, turning
+from .time_map import Clock, Moment
+
+__all__ = ["Held", "Lift", "Reduced", "Spun", "lift", "on_arrays"]
+
+#: Points per phase at which the directions of two vectors are compared.
+_COARSE = 24
+
+
+def on_arrays(
+    motion: Prepared, formulas: Sequence[sp.Expr], further: Sequence[sp.Symbol] = ()
+) -> Callable[..., Any]:
+    """Formulas of the system as a function of ν, ν′, each (3, n), and of `further` arrays (n,)."""
+    arguments, steps = chain(motion.separable, formulas)
+    made = array_function((*arguments, *further), tuple(formulas), steps)
+    fixed = [number(motion.values[s]) for s in arguments[6:]]
+
+    def function(direction: Any, turning: Any, *others: Any) -> Any:
+        found = made(*direction, *turning, *fixed, *others)
+        return np.stack([np.broadcast_to(x, direction[0].shape) for x in found])
+
+    return function
+
+
+@dataclass(frozen=True)
+class Lift(ABC):
+    """The motion in space over a motion on a torus.
+
+    Attributes
+    ----------
+    prepared : Prepared
+    clock : Clock
+    start : array (4 + places,)
+        Attitude (w, x, y, z) and places at t = 0.
+    """
+
+    prepared: Prepared
+    clock: Clock
+    start: Any
+
+    @abstractmethod
+    def at(self, moment: Moment) -> Any:
+        """Attitude and places, (4 + places, n)."""
+
+    @cached_property
+    def _origin(self) -> Any:
+        return self.clock.v_0[None, :]
+
+    def _torus(self, v: Any) -> tuple[Any, Any]:
+        return self.prepared.torus.values(v)
+
+    @cached_property
+    def _clock_rate(self) -> Callable[..., Any]:
+        return on_arrays(self.prepared, components(self.prepared.separable.clock))
+
+    @cached_property
+    def _places(self) -> Callable[..., Any]:
+        """Rates, per unit of t, of what the motion has besides the attitude."""
+        return on_arrays(self.prepared, place_rates(self.prepared.separable), attitude.symbols)
+
+    def _quadrature(self, function: Callable[[Any], Any]) -> tuple[Quadrature, ...]:
+        torus = self.prepared.torus
+        return tuple(quadrature(f, torus.V, self.clock.v_0) for f in series(function))
+
+
+def place_rates(of: Separable) -> list[sp.Expr]:
+    """Rates of the variables of the motion in space, the attitude left out."""
+    motion = of.system.motion
+    pairs = () if motion is None else flat_pairs(motion.field)
+    return [formula for name, formula in pairs if name not in attitude.symbols]
+
+
+@dataclass(frozen=True)
+class _Oriented(Lift):
+    """The attitude on the torus from two vectors of the body."""
+
+    @property
+    @abstractmethod
+    def _vectors(self) -> Callable[..., Any]:
+        """Both vectors, body axes, as a function of ν and ν′: (6, n)."""
+
+    @cached_property
+    def _triad(self) -> Triad:
+        six = self._vectors(*self._torus(self._origin))
+        return Triad.through(six[:3, 0], six[3:, 0], self.start[:4])
+
+    def _attitude(self, direction: Any, turning: Any) -> Any:
+        six = self._vectors(direction, turning)
+        return self._triad.attitude(six[:3], six[3:])
+
+    @cached_property
+    def _cover(self) -> Cover:
+        return cover(lambda v: self._attitude(*self._torus(v)), self.clock.flow.whole.grid)
+
+    @cached_property
+    def _sign(self) -> float:
+        """The sign that makes the covered quaternion that of the start."""
+        turns = self._attitude(*self._torus(self._origin))
+        at_start = self._cover.signed(self._origin, turns)
+        return 1.0 if float(at_start[0] @ self.start[:4]) > 0 else -1.0
+
+
+@dataclass(frozen=True)
+class Held(_Oriented):
+    """The attitude from two vectors that are fixed in space."""
+
+    @cached_property
+    def _vectors(self) -> Callable[..., Any]:
+        fixed = self.prepared.separable.fixed
+        return on_arrays(self.prepared, [c for vector in fixed[:2] for c in components(vector)])
+
+    @cached_property
+    def _flows(self) -> tuple[Quadrature, ...]:
+        if len(self.start) == 4:
+            return ()
+
+        def rates(v: Any) -> Any:
+            there = self._torus(v)
+            return self._clock_rate(*there) * self._places(*there, *self._attitude(*there).T)
+
+        return self._quadrature(rates)
+
+    def at(self, moment: Moment) -> Any:
+        """Attitude and places, (4 + places, n)."""
+        there = self._torus(moment.v)
+        turns = self._sign * self._cover.signed(moment.v, self._attitude(*there))
+        places = [
+            start + flow.mean * moment.tau + flow.quasi(moment.v, moment.tau)[0]
+            for start, flow in zip(self.start[4:], self._flows, strict=True)
+        ]
+        return np.concatenate([turns.T, np.array(places).reshape(-1, len(moment.tau))])
+
+
+@dataclass(frozen=True)
+class Spun(_Oriented):
+    """The attitude from one vector that is fixed in space and the angle of turning about it.
+
+    The attitude is a turn by ψ about the fixed vector, after an attitude on the torus; ψ grows
+    linearly but for a quasi-periodic part.  Velocities in space turn with ψ: a third frequency.
+    """
+
+    @cached_property
+    def _pair(self) -> tuple[Callable[..., Any], sp.Expr]:
+        """The fixed vector and a reference that stays away from it; the rate of ψ."""
+        of = self.prepared.separable
+        line = 2.0 * np.arange(_COARSE) / _COARSE
+        v = np.array(np.meshgrid(line, line, indexing="ij")).reshape(2, -1).T
+        there = self._torus(v)
+        fixed = on_arrays(self.prepared, components(of.fixed[0]))(*there)
+        choice = references(of)
+        tried = [on_arrays(self.prepared, components(e.vector))(*there) for e in choice]
+        best = choice[farthest(fixed, tried)]
+        both = on_arrays(self.prepared, [*components(of.fixed[0]), *components(best.vector)])
+        return both, spinning(of, best)
+
+    @property
+    def _vectors(self) -> Callable[..., Any]:
+        return self._pair[0]
+
+    @cached_property
+    def _angle(self) -> Quadrature:
+        """∫ (dψ/dτ) dτ."""
+        rate = on_arrays(self.prepared, [self._pair[1]])
+
+        def rates(v: Any) -> Any:
+            there = self._torus(v)
+            return self._clock_rate(*there) * rate(*there)
+
+        return self._quadrature(rates)[0]
+
+    @cached_property
+    def _flows(self) -> tuple[tuple[Quadrature, Turning], ...]:
+        """What of each place does not turn with ψ, and what does."""
+        if len(self.start) == 4:
+            return ()
+        axis = self._triad.axes[0]
+        angle = self._angle
+
+        def parts(v: Any) -> Any:
+            there = self._torus(v)
+            turns = self._attitude(*there).T
+            clock = self._clock_rate(*there)
+            zero, quarter, half = (
+                clock * self._places(*there, *_turned(axis, np.full(turns.shape[1], psi), turns))
+                for psi in (0.0, np.pi / 2, np.pi)
+            )
+            still = (zero + half) / 2
+            phase = np.exp(1j * angle.whole(v))
+            moving = ((zero - still) - 1j * (quarter - still)) * phase
+            return np.concatenate([still, moving.real, moving.imag])
+
+        count = len(self.start) - 4
+        found = series(parts)
+        V, v_0 = self.prepared.torus.V, self.clock.v_0
+        if len(angle.slow):
+            raise InputError(
+                "the frequencies are so near a resonance that the path in space is not resolved"
+            )
+        return tuple(
+            (
+                quadrature(found[i], V, v_0),
+                turning(found[count + i], found[2 * count + i], V, v_0, angle.mean, -angle.origin),
+            )
+            for i in range(count)
+        )
+
+    def at(self, moment: Moment) -> Any:
+        """Attitude and places, (4 + places, n)."""
+        there = self._torus(moment.v)
+        psi = self._angle.mean * moment.tau + self._angle.quasi(moment.v, moment.tau)[0]
+        turns = self._sign * self._cover.signed(moment.v, self._attitude(*there))
+        places = [
+            start
+            + still.mean * moment.tau
+            + still.quasi(moment.v, moment.tau)[0]
+            + moving.at(moment.v, moment.tau)
+            for start, (still, moving) in zip(self.start[4:], self._flows, strict=True)
+        ]
+        whole = _turned(self._triad.axes[0], psi, turns.T)
+        return np.concatenate([whole, np.array(places).reshape(-1, len(moment.tau))])
+
+
+@dataclass(frozen=True)
+class Reduced(Lift):
+    """The attitude where no fixed vector is known: reduced to a uniform rotation, in numbers."""
+
+    @cached_property
+    def _reduction(self) -> Reduction:
+        omega = on_arrays(self.prepared, vectors("omega")[0].symbols)
+
+        def turning(v: Any) -> Any:
+            there = self._torus(v)
+            return self._clock_rate(*there) * omega(*there)
+
+        V = [number(x) for x in self.prepared.torus.V]
+        return reduction(turning, V, self.clock.v_0, self.start[:4])
+
+    def at(self, moment: Moment) -> Any:
+        """The attitude, (4, n)."""
+        return self._reduction.attitude(moment.v, moment.tau).T
+
+
+def _turned(axis: Any, psi: Any, turns: Any) -> Any:
+    """Quaternions (4, n) after a further turn by ψ (n,) about an axis in space."""
+    w, vector = np.cos(psi / 2), np.sin(psi / 2) * np.asarray(axis)[:, None]
+    return np.concatenate(
+        [
+            (w * turns[0] - np.sum(vector * turns[1:], axis=0))[None],
+            w * turns[1:] + vector * turns[0] + np.cross(vector, turns[1:], axis=0),
+        ]
+    )
+
+
+def lift(motion: Prepared, clock: Clock, start: Sequence[float]) -> Lift | None:
+    """The motion in space, or None where the system has none.
+
+    Raises
+    ------
+    InputError
+        If the system has places in space and no direction that stays there.
+    """
+    of = motion.separable
+    if of.system.motion is None:
+        return None
+    given = np.array([float(x) for x in start])
+    if not of.fixed and len(given) > 4:
+        raise InputError(
+            f"{of.title}: no direction is known that stays in space, so that the path has no "
+            "closed form; solve the reduced system alone"
+        )
+    kinds: dict[int, type[Lift]] = {0: Reduced, 1: Spun}
+    return kinds.get(len(of.fixed), Held)(motion, clock, given)

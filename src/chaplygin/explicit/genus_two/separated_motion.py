@@ -1,0 +1,126 @@
+"""A separable system at numbers: constants, curve and torus of one motion, to any precision."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from ...formulas.balls import Steps, Values, ball, components, evaluated, needed
+from ..base.exact_start import on_phase_space
+from .curve import Curve
+from .separation import Separable, nu, nuprime
+from .torus import Torus, torus
+
+__all__ = ["Prepared", "chain", "flat_state", "prepared"]
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """One motion of a separable system.
+
+    Attributes
+    ----------
+    separable : Separable
+    state : tuple of arb
+        The reduced start, on the phase space, in flat order.
+    values : mapping of Symbol to arb
+        Parameters and constants.
+    curve : Curve
+    torus : Torus
+    """
+
+    separable: Separable
+    state: tuple[Any, ...]
+    values: Values
+    curve: Curve
+    torus: Torus
+
+
+def prepared(
+    separable: Separable, parameters: Mapping[sp.Symbol, Any], start: Sequence[Any]
+) -> Prepared:
+    """Find constants, curve and torus through a start, at the working precision.
+
+    Parameters
+    ----------
+    separable : Separable
+    parameters : mapping of Symbol to number
+        Taken as exact numbers.
+    start : sequence of numbers
+        The reduced state in flat order; see
+        :func:`chaplygin.explicit.base.exact_start.on_phase_space`.
+
+    Raises
+    ------
+    InputError
+        If the start is off the phase space or off the level.
+    DegenerateError
+        If roots of the curve coincide.
+    """
+    system = separable.system
+    values: dict[sp.Symbol, Any] = {name: ball(x) for name, x in parameters.items()}
+    state = on_phase_space(system, separable.level, start, values)
+    known = {**values, **dict(zip(system.symbols, state, strict=True))}
+    for name, formula in system.steps:
+        known[name] = evaluated([formula], known)[0]
+    for name, formula in separable.constants:
+        known[name] = values[name] = evaluated(components(formula), known)[0]
+
+    def at(*formulas: Any) -> tuple[Any, ...]:
+        return evaluated([part for formula in formulas for part in components(formula)], known)
+
+    curve = Curve.of(at(separable.leading)[0], at(*separable.roots))
+    motion = torus(
+        curve,
+        at(*separable.poles),
+        at(*separable.weights),
+        at(*separable.speeds),
+        at(separable.direction),
+        at(separable.turning),
+        None if separable.along is None else at(*separable.along),
+    )
+    return Prepared(separable, state, values, curve, motion)
+
+
+def chain(separable: Separable, formulas: Sequence[sp.Expr]) -> tuple[tuple[Any, ...], Steps]:
+    """Arguments and steps by which formulas of the system follow from ν and ν′.
+
+    Parameters
+    ----------
+    separable : Separable
+    formulas : sequence of sympy.Expr
+        In the state, the definitions, parameters and constants.
+
+    Returns
+    -------
+    arguments : tuple of Symbol
+        ν, ν′, then the parameters and constants.
+    steps : tuple of (Symbol, sympy.Expr)
+        The state and those definitions that are needed, in order.
+    """
+    moving = set(separable.system.symbols)
+    still, changing = [], []
+    for name, formula in separable.system.steps:
+        # quantities of the parameters alone may be used by the formulas of the state
+        if formula.free_symbols & moving:
+            moving.add(name)
+            changing.append((name, formula))
+        else:
+            still.append((name, formula))
+    steps = (*still, *flat_state(separable), *changing)
+    parameters = tuple(p.symbol for p in separable.system.parameters)
+    constants = tuple(name for name, _ in separable.constants)
+    arguments = (*nu.symbols, *nuprime.symbols, *parameters, *constants)
+    return arguments, needed(steps, formulas)
+
+
+def flat_state(separable: Separable) -> Steps:
+    """The state as scalar formulas in ν and ν′."""
+    found = []
+    for name, formula in separable.state:
+        names = (name,) if isinstance(name, sp.Symbol) else name.symbols
+        found += list(zip(names, components(formula), strict=True))
+    return tuple(found)

@@ -1,0 +1,93 @@
+"""Systems that separate on a hyperelliptic curve of genus two, in formulas.
+
+On a level of its integrals such a system has a unit vector ν, fixed neither in the body nor in
+space, whose components in body axes are
+
+    ν_i² = κ · weights_i (e_i − z₁)(e_i − z₂),            i = 1, 2, 3,
+
+with one common positive factor κ (found from ν² = 1).  The poles e_i are branch points of the curve
+y² = leading ∏ (z − root), and in the new time τ, dt = clock · dτ,
+
+    dz₁/y₁ + dz₂/y₂ = a dτ,        z₁ dz₁/y₁ + z₂ dz₂/y₂ = b dτ.
+
+So ν runs linearly on the Jacobian of the curve, and everything else is a formula in ν and ν′ =
+dν/dτ.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from ...core.laws import Law
+from ...core.system import System
+from ...core.vectors import vectors
+
+__all__ = ["Separable", "nu", "nuprime"]
+
+#: The unit vector and its derivative in the time τ, body axes.
+nu, nuprime = vectors("nu nuprime")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Separable:
+    """A system on a level, separated; all formulas, no numbers.
+
+    Vectors are formulas of :mod:`chaplygin.core.vectors`; wherever a formula may use the constants,
+    it names them by their symbols.
+
+    Attributes
+    ----------
+    name, title : str
+        Identifier, and what it is in words, such as "Chaplygin ball at zero area constant".
+    system : System
+        The system in its own symbols, as the catalogue has it.
+    level : tuple of sympy.Expr
+        Expressions in state and parameters that must vanish at the start (beside the relations).
+    constants : pairs of Symbol to formula
+        Constants of the motion, each in the state, the definitions and parameters of `system`
+        and the constants before it.
+    direction, turning : vectors
+        ν and ν′ as formulas in the state, the definitions, the parameters and the constants.
+    poles, weights : three formulas each
+        In parameters and constants; poles in increasing order for the parameters' usual order.
+    leading : formula
+    roots : formulas
+        Of the curve, five or six, the poles first; in parameters and constants.
+    speeds : two formulas
+        a and b, in parameters and constants.
+    along : two formulas, optional
+        The speeds of the flow along which ν′ is the derivative of ν, where that is another flow on
+        the same torus.
+    clock : formula
+        dt/dτ > 0 in ν, ν′, parameters and constants.
+    state : pairs of state name to formula
+        The state of `system` in ν, ν′, parameters and constants.
+    fixed : tuple of vectors
+        Vectors (body components, in the state, definitions, parameters, constants) whose
+        direction in space is constant: two that are never parallel on a generic motion, or one.
+    laws : tuple of Law
+        What of the above is claimed of `system` and can be proven by :mod:`chaplygin.proof`.
+    source : str
+    """
+
+    name: str
+    title: str
+    system: System
+    level: tuple[Any, ...] = ()
+    constants: tuple[tuple[sp.Symbol, Any], ...] = ()
+    direction: Any
+    turning: Any
+    poles: tuple[Any, Any, Any]
+    weights: tuple[Any, Any, Any]
+    leading: Any
+    roots: tuple[Any, ...]
+    speeds: tuple[Any, Any]
+    clock: Any
+    state: tuple[tuple[Any, Any], ...]
+    fixed: tuple[Any, ...] = ()
+    along: tuple[Any, Any] | None = None
+    laws: tuple[Law, ...] = ()
+    source: str = ""

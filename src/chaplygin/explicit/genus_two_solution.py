@@ -1,0 +1,208 @@
+"""Motions on a torus in closed form: from theta functions to states at any time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from flint import ctx
+
+from ..core.system import System
+from ..errors import InputError
+from ..formulas.balls import components, evaluated, number
+from .base.solution import ClosedForm, Figure, Solution
+from .genus_two.reconstruction import Lift, lift, on_arrays
+from .genus_two.separated_motion import Prepared, prepared
+from .genus_two.separation import Separable, nu
+from .genus_two.time_map import Clock, clock_of
+
+__all__ = ["BITS", "GenusTwo", "solved"]
+
+#: Working precision of the set-up, in bits.
+BITS = 320
+QUATERNION = 4
+
+
+@dataclass(frozen=True)
+class GenusTwo(Solution):
+    """A motion on a two-dimensional torus.
+
+    Attributes
+    ----------
+    system : System
+        Lifted to space where it has a motion.
+    parameters : mapping of Symbol to number
+    start : tuple of numbers
+        The lifted state at t = 0, as given.
+    prepared : Prepared
+    """
+
+    system: System
+    parameters: Mapping[sp.Symbol, Any]
+    start: tuple[Any, ...]
+    prepared: Prepared
+
+    @property
+    def separable(self) -> Separable:
+        """The formulas."""
+        return self.prepared.separable
+
+    @cached_property
+    def clock(self) -> Clock:
+        """t as a function of τ and back."""
+        return clock_of(self.prepared, BITS)
+
+    @cached_property
+    def lift(self) -> Lift | None:
+        """The motion in space."""
+        return lift(self.prepared, self.clock, self.start[len(self.separable.system.symbols) :])
+
+    @cached_property
+    def _state(self) -> Callable[..., Any]:
+        return on_arrays(self.prepared, self.separable.system.symbols)
+
+    def states(self, times: Any) -> Any:
+        """Lifted states (n, size) at `times` (n,), in double precision."""
+        moment = self.clock.at(np.asarray(times, dtype=float))
+        reduced = self._state(*self.prepared.torus.values(moment.v))
+        if self.lift is None:
+            return reduced.T
+        return np.concatenate([reduced, self.lift.at(moment)]).T
+
+    @property
+    def pace(self) -> float:
+        """How fast the phases grow with time, in turns."""
+        V_1, V_2 = (abs(number(x)) for x in self.prepared.torus.V)
+        return (V_1 + V_2) / number(self.clock.mean)
+
+    @property
+    def left_open(self) -> str:
+        """What of the state :meth:`rigorous` cannot bound, and why, in a sentence; or nothing."""
+        of = self.separable
+        lifted = len(self.start) - len(of.system.symbols)
+        if of.system.motion is None or len(of.fixed) > 1:
+            return ""
+        if not of.fixed:
+            return (
+                f"{of.title}: no direction is known that stays in space, so that the attitude has "
+                "no error bounds; for those of "
+                f"{', '.join(map(str, of.system.state))} give a start without attitude"
+            )
+        if lifted == QUATERNION:
+            return ""
+        return (
+            f"{of.title}: one direction alone is known that stays in space, so that the place "
+            "there has no error bounds"
+        )
+
+    def rigorous(self, time: Any, digits: int = 30) -> tuple[Any, ...]:
+        """The lifted state at one time as balls."""
+        from .rigorous import rigorous_state
+
+        if not self.separable.fixed and self.left_open:
+            raise InputError(self.left_open)
+        return rigorous_state(self, time, digits)
+
+    @cached_property
+    def form(self) -> ClosedForm:
+        """The curve, its ovals, frequencies."""
+        with ctx.workprec(BITS):
+            return _form(self)
+
+
+def _form(solution: GenusTwo) -> ClosedForm:
+    motion, separable = solution.prepared, solution.separable
+    torus = motion.torus
+    turns = torus.turns
+    y, z, kappa = sp.symbols("y z kappa")
+    z_1, z_2, y_1, y_2 = sp.symbols("z_1 z_2 y_1 y_2")
+    d = [sp.Symbol(f"d{name}") for name in ("z_1", "z_2", "tau", "t")]
+    a, b = separable.speeds
+    clock = solution.clock
+    figures = [
+        *(
+            Figure(str(name), motion.values[name], *_told(motion, motion.values[name]))
+            for name, _ in separable.constants
+        ),
+        *(
+            Figure(f"e_{i}", root, "root of the curve")
+            for i, root in enumerate(motion.curve.roots, 1)
+        ),
+        *(Figure(f"V_{i}", x, f"turns of z_{i} per unit of τ") for i, x in enumerate(turns, 1)),
+        Figure("V_1/V_2", turns[0] / turns[1], "rotation number"),
+        *(
+            Figure(f"Y_{i + 1}{j + 1}", torus.lattice.Y[i, j], "period matrix iY")
+            for i, j in ((0, 0), (0, 1), (1, 1))
+        ),
+        Figure("mean dt/dtau", clock.mean, "mean rate of the clock (error estimated)"),
+        *(
+            Figure(f"Omega_{i}", x / clock.mean, f"frequency of z_{i} (error estimated)", "turns/s")
+            for i, x in enumerate(turns, 1)
+        ),
+    ]
+    ends = [motion.curve.ends(left) for left in torus.lattice.ovals]
+    return ClosedForm(
+        title=separable.title,
+        motion="two-frequency motion on a torus",
+        equations=(
+            (nu, separable.direction),
+            *(
+                (own**2, kappa * weight * (pole - z_1) * (pole - z_2))
+                for own, weight, pole in zip(
+                    nu.symbols, separable.weights, separable.poles, strict=True
+                )
+            ),
+            (y**2, sp.Mul(separable.leading, *(z - root for root in separable.roots))),
+            (d[0] / y_1 + d[1] / y_2, sp.sympify(a) * d[2]),
+            (z_1 * d[0] / y_1 + z_2 * d[1] / y_2, sp.sympify(b) * d[2]),
+            (d[3] / d[2], components(separable.clock)[0]),
+        ),
+        figures=tuple(figures),
+        ovals=tuple((number(low), number(high)) for low, high in ends),
+        source=separable.source,
+    )
+
+
+def _told(motion: Prepared, value: Any) -> tuple[str, str]:
+    """Meaning and unit of a constant: those of the integral whose value it is, if there is one."""
+    system = motion.separable.system
+    known = {**motion.values, **dict(zip(system.symbols, motion.state, strict=True))}
+    for name, formula in system.steps:
+        known[name] = evaluated([formula], known)[0]
+    for law in system.integrals:
+        if evaluated(components(law.value), known)[0].overlaps(value):
+            return law.meaning or law.name, law.unit
+    return "constant", ""
+
+
+def solved(separable: Separable, values: Mapping[sp.Symbol, Any], start: Sequence[Any]) -> GenusTwo:
+    """Solve one motion of a separable system.
+
+    Parameters
+    ----------
+    separable : Separable
+    values : mapping of Symbol to number
+        The parameters of its system, taken as exact numbers.
+    start : sequence of numbers
+        The lifted state at t = 0, in flat order (the reduced one where there is no motion).
+
+    Raises
+    ------
+    InputError
+        If the start is off the phase space or off the level.
+    DegenerateError
+        If roots of the curve coincide.
+    """
+    system = separable.system
+    lifted = system.lifted() if system.motion else system
+    if len(start) != len(lifted.symbols):
+        raise InputError(
+            f"start: it has {len(start)} numbers; {lifted.name} needs {len(lifted.symbols)}"
+        )
+    with ctx.workprec(BITS):
+        motion = prepared(separable, values, start[: len(system.symbols)])
+    return GenusTwo(lifted, dict(values), tuple(start), motion)

@@ -1,0 +1,276 @@
+"""Closed forms carried over an isomorphism, in both directions (Theorems 8 and 10, Proposition 6).
+
+An isomorphism takes the state x of its system to y(x) in a new time dτ = N(x) dt.  Where it acts on
+a unit vector by stretching the axes, and on a further vector linearly at each value of the first,
+its inverse x(y) is a formula; and a system that separates on one side separates on the other, with
+the same curve, the same unit vector ν and another clock.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from typing import Any, TypeAlias
+
+import sympy as sp
+
+from ..core.laws import Identity, Isomorphism
+from ..core.system import System, flat_pairs
+from ..core.vectors import Vector, constant, explicit, normed, scalar
+from ..errors import InputError
+from .genus_two.separation import Separable
+
+__all__ = ["inverse", "pulled_back", "pushed_forward", "there_and_back", "written_out"]
+
+#: Scalar symbols with what is put in for them.
+Formulas: TypeAlias = dict[sp.Symbol, sp.Expr]
+
+
+# --- the inverse map -----------------------------------------------------------------------
+
+
+def inverse(system: System, law: Isomorphism) -> Formulas:
+    """The state of `system` as formulas in the state of the target, and parameters.
+
+    Parameters
+    ----------
+    system : System
+        Of which `law` is claimed.
+    law : Isomorphism
+        Its map must take a unit vector of the state to that vector with its axes stretched by
+        positive factors, and be linear in the other one.
+
+    Raises
+    ------
+    InputError
+        If the map is of another kind.
+    """
+    images = [(name, written_out(system, explicit(formula))) for name, formula in law.map]
+    vectors = [name for name in system.state if isinstance(name, Vector)]
+    if len(vectors) == len(system.state) == len(images):
+        for unit in (v for v in vectors if normed(v) - 1 in system.relations):
+            for name, image in images:
+                if image.free_symbols.isdisjoint(_others(system, unit)):
+                    place = _unstretched(system, unit, name, image)
+                    rest = [pair for pair in images if pair[0] != name]
+                    return place | _linear(system, unit, rest, place)
+    raise InputError(
+        f"{system.name}: the isomorphism {law.name!r} has no explicit inverse here; its map must "
+        "stretch the axes of a unit vector and be linear in one further vector"
+    )
+
+
+def _others(system: System, unit: Vector) -> set[sp.Symbol]:
+    return set(system.symbols) - set(unit.symbols)
+
+
+def _unstretched(system: System, unit: Vector, name: Vector, image: Any) -> Formulas:
+    """The unit vector γ with γ_i s_i λ = y_i, for factors s_i free of the state."""
+    scales = [part / s for part, s in zip(image, unit.symbols, strict=True)]
+    factors = [sp.cancel(scale / scales[0]) for scale in scales]
+    if any(factor.free_symbols & set(system.symbols) for factor in factors):
+        raise InputError(f"{system.name}: {name} is not {unit} with its axes stretched")
+    if all(scale == 1 for scale in scales):
+        return dict(zip(unit.symbols, name.symbols, strict=True))
+    parts = [s / factor for s, factor in zip(name.symbols, factors, strict=True)]
+    length = sp.sqrt(sp.Add(*(part**2 for part in parts)))
+    return {s: part / length for s, part in zip(unit.symbols, parts, strict=True)}
+
+
+def _linear(
+    system: System, unit: Vector, images: list[tuple[Vector, Any]], place: Formulas
+) -> Formulas:
+    """The other vector, from the image that is linear in it."""
+    (other,) = (v for v in system.state if v != unit)
+    ((name, image),) = images
+    matrix = sp.Matrix(image).jacobian(sp.Matrix(other.symbols))
+    if matrix.free_symbols & set(other.symbols):
+        raise InputError(f"{system.name}: {name} is not linear in {other}")
+    offset = sp.Matrix(image).xreplace({s: sp.S.Zero for s in other.symbols})
+    wanted = sp.Matrix(name.symbols) - offset
+    if matrix.is_diagonal():
+        found = [w / matrix[i, i] for i, w in enumerate(wanted)]
+    else:
+        first, second, third = (matrix.col(i) for i in range(3))
+        normals = (second.cross(third), third.cross(first), first.cross(second))
+        found = [wanted.dot(normal) / first.dot(normals[0]) for normal in normals]
+    return {s: f.xreplace(place) for s, f in zip(other.symbols, found, strict=True)}
+
+
+def there_and_back(system: System, law: Isomorphism) -> Identity:
+    """That the inverse undoes the map, as a law of `system`."""
+    images = dict(flat_pairs(law.map))
+    back = inverse(system, law)
+    return Identity(
+        f"{law.name}_and_back",
+        tuple(back[s].xreplace(images) - s for s in system.symbols),
+        "the inverse undoes the map",
+        on=law.on,
+        source=law.source,
+    )
+
+
+# --- systems that separate, carried over ---------------------------------------------------
+
+
+def pulled_back(
+    system: System, law: Isomorphism, separable: Separable, fixed: tuple[Any, ...] = ()
+) -> Separable:
+    """A system that separates because the target of an isomorphism does.
+
+    Parameters
+    ----------
+    system : System
+        Of which `law` is claimed.
+    law : Isomorphism
+    separable : Separable
+        Of the target.
+    fixed : tuple of vectors
+        Vectors of `system` with a constant direction in space.
+
+    Returns
+    -------
+    Separable
+        Of `system`, on the level of `law`.  What the isomorphism makes of the target's parameters
+        are constants; a name that `system` has already gets a tilde.
+
+    Raises
+    ------
+    InputError
+        If the map has no explicit inverse.
+    """
+    target = separable.system
+    given = {p for p, _ in law.constants}
+    names = _fresh((*given, *(s for s, _ in separable.constants)), system)
+    image = dict(flat_pairs(law.map))
+
+    def told(formula: Any) -> Any:
+        return _put(written_out(target, formula), names | image)
+
+    state = {s: _put(f, names) for s, f in flat_pairs(separable.state)}
+    back = {s: _put(f, state) for s, f in inverse(system, law).items()}
+    rate = _put(written_out(system, explicit(law.time)), back)
+    return replace(
+        _renamed(separable, told, names),
+        name=system.name,
+        title=system.title,
+        system=system,
+        level=law.on,
+        constants=(
+            *((names[p], explicit(formula)) for p, formula in law.constants),
+            *((names[s], told(explicit(formula))) for s, formula in separable.constants),
+        ),
+        clock=_put(explicit(separable.clock), names) / rate,
+        state=tuple(back.items()),
+        fixed=fixed,
+        laws=(law,),
+        source=law.source,
+    )
+
+
+def pushed_forward(system: System, law: Isomorphism, separable: Separable) -> Separable:
+    """The target of an isomorphism as a system that separates because the other side does.
+
+    Parameters
+    ----------
+    system : System
+        Of which `law` is claimed.
+    law : Isomorphism
+    separable : Separable
+        Of `system`.
+
+    Returns
+    -------
+    Separable
+        Of the target, for motions that are images: the parameters that the isomorphism gives as
+        integrals must have the values of these on the motion.  Parameters of `system` that the
+        target does not share become its parameters too; a name that it has gets a tilde.
+
+    Raises
+    ------
+    InputError
+        If the map has no explicit inverse.
+    """
+    named = {p for p, _ in law.constants}
+    shared = {p.symbol for p in law.target.parameters} - named
+    further = [p for p in system.parameters if p.symbol not in shared]
+    constants = (s for s, _ in separable.constants)
+    names = _fresh((*(p.symbol for p in further), *constants), law.target)
+    target = replace(
+        law.target,
+        parameters=(
+            *law.target.parameters,
+            *(
+                replace(
+                    p,
+                    symbol=names[p.symbol],
+                    admissible=tuple(_put(relation, names) for relation in p.admissible),
+                )
+                for p in further
+            ),
+        ),
+    )
+    back = {s: _put(f, names) for s, f in inverse(system, law).items()}
+
+    def told(formula: Any) -> Any:
+        return _put(written_out(system, formula), names | back)
+
+    state = {s: _put(written_out(system, f), names) for s, f in flat_pairs(separable.state)}
+    rate = _put(_put(written_out(system, explicit(law.time)), names), state)
+    image = {s: written_out(system, f) for s, f in flat_pairs(law.map)}
+    return replace(
+        _renamed(separable, told, names),
+        name=target.name,
+        title=target.title,
+        system=target,
+        level=tuple(told(explicit(condition)) for condition in law.on),
+        constants=tuple((names[s], told(explicit(formula))) for s, formula in separable.constants),
+        clock=_put(written_out(system, explicit(separable.clock)), names) * rate,
+        state=tuple((s, _put(_put(f, names), state)) for s, f in image.items()),
+        fixed=(),
+        laws=(),
+        source=law.source,
+    )
+
+
+def _renamed(separable: Separable, told: Any, names: Formulas) -> Separable:
+    """The curve in other names, ν and ν′ told in another state."""
+
+    def each(formulas: Iterable[Any]) -> Any:
+        return tuple(_put(sp.sympify(formula), names) for formula in formulas)
+
+    return replace(
+        separable,
+        direction=told(explicit(separable.direction)),
+        turning=told(explicit(separable.turning)),
+        poles=each(separable.poles),
+        weights=each(separable.weights),
+        leading=_put(sp.sympify(separable.leading), names),
+        roots=each(separable.roots),
+        speeds=each(separable.speeds),
+        along=None if separable.along is None else each(separable.along),
+    )
+
+
+def _fresh(symbols: Iterable[sp.Symbol], system: System) -> Formulas:
+    """Names for symbols in a system that may use the same ones."""
+    taken = {p.symbol for p in system.parameters} | set(system.symbols)
+    taken |= {s for s, _ in system.steps}
+    return {s: _tilde(s) if s in taken else s for s in symbols}
+
+
+def _tilde(symbol: sp.Symbol) -> sp.Symbol:
+    stem, bar, index = str(symbol).partition("_")
+    return scalar(f"{stem}tilde{bar}{index}")
+
+
+def _put(formula: Any, values: Mapping[sp.Symbol, Any]) -> Any:
+    return formula.xreplace(dict(values))
+
+
+def written_out(system: System, formula: Any) -> Any:
+    """A formula of a system with its definitions put in."""
+    value = explicit(sp.sympify(formula))
+    for name, meaning in reversed(system.needed([value])):
+        value = value.xreplace({name: meaning})
+    return constant(list(value)) if isinstance(value, sp.MatrixBase) else value

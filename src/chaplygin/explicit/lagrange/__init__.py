@@ -1,0 +1,1 @@
+"""The Lagrange top in elliptic functions."""

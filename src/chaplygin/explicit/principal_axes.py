@@ -1,0 +1,216 @@
+"""Bodies whose axes are not principal: solved in their principal axes, told in their own."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from flint import acb_mat, arb, arb_mat, ctx
+
+from ..core.system import System
+from ..core.vectors import Diagonal, Symmetric, Vector
+from ..errors import InputError
+from ..formulas.balls import ball, number
+from ..mechanics.rolling.equations import Rolling
+from ..mechanics.rolling.shapes import Ball
+from .base.problem import Problem, exact
+from .base.solution import ClosedForm, Solution
+
+__all__ = ["Turned", "in_principal_axes", "told_back"]
+
+#: Digits with which principal axes are computed.
+DIGITS = 220
+SPACE, QUATERNION = 3, 4
+
+
+@dataclass(frozen=True)
+class Turned(Solution):
+    """A motion known in other body axes.
+
+    Attributes
+    ----------
+    system : System
+        Lifted to space.
+    parameters : mapping of Symbol to number
+    inner : Solution
+        The motion in the other axes.
+    matrix : arb_mat (size, size)
+        Orthogonal; it takes its states to those of `system`.
+    """
+
+    system: System
+    parameters: Mapping[sp.Symbol, Any]
+    inner: Solution
+    matrix: Any
+
+    @property
+    def form(self) -> ClosedForm:
+        """That of the motion in the other axes."""
+        return self.inner.form
+
+    @property
+    def pace(self) -> float:
+        """That of the motion in the other axes."""
+        return self.inner.pace
+
+    @property
+    def left_open(self) -> str:
+        """That of the motion in the other axes."""
+        return self.inner.left_open
+
+    def states(self, times: Any) -> Any:
+        """Lifted states at `times` (n,), as an array (n, size), in double precision."""
+        turn = np.array([[number(x) for x in row] for row in self.matrix.tolist()])
+        return self.inner.states(times) @ turn.T
+
+    def rigorous(self, time: Any, digits: int = 30) -> tuple[Any, ...]:
+        """The lifted state at one time as balls that contain the exact one."""
+        with ctx.workdps(digits + 30):
+            column = arb_mat([[x] for x in self.inner.rigorous(time, digits)])
+            return tuple(row[0] for row in (self.matrix * column).tolist())
+
+
+def in_principal_axes(problem: Problem) -> tuple[Problem, Any] | None:
+    """A ball in other axes: those of its inertia, its axis of symmetry last if it is a rubber ball.
+
+    Returns
+    -------
+    Problem, arb_mat
+        The same motion in those axes, and the orthogonal matrix that takes its lifted states
+        back; None where the axes are such already, or the body is no ball and has axes of its
+        own.
+
+    Raises
+    ------
+    InputError
+        If two principal moments of a full tensor are so near that they do not tell the axes.
+    """
+    rolling = problem.rolling
+    if rolling is None or not isinstance(rolling.body.shape, Ball):
+        return None
+    order = _order(problem, rolling) if rolling.body.principal else None
+    if rolling.body.principal and order is None:
+        return None
+    with ctx.workdps(DIGITS):
+        if order is not None:
+            moments = [problem.parameters[Diagonal("I").symbols[i]] for i in order]
+            axes = arb_mat([[int(i == row) for i in order] for row in range(SPACE)])
+        else:
+            entries = [ball(exact(problem.parameters[s])) for s in Symmetric("I").symbols]
+            moments, axes = _axes(entries)
+        lifted = problem.system.lifted() if problem.system.motion else problem.system
+        matrix = _blocks(lifted, axes)
+        column = arb_mat([[ball(exact(x))] for x in problem.start])
+        start = tuple(row[0] for row in (matrix.transpose() * column).tolist())
+        turn = [[number(x) for x in row] for row in axes.tolist()]
+        made = _turned(rolling, [number(x) for x in moments], np.array(turn))
+        system = made.system(problem.system.name, problem.system.title)
+        if problem.system.motion is None:
+            system = replace(system, motion=None)
+        parameters = {
+            **system.defaults,
+            **{s: x for s, x in problem.parameters.items() if s in system.defaults},
+            **dict(zip(Diagonal("I").symbols, moments, strict=True)),
+        }
+        return Problem(system, parameters, start, made), matrix
+
+
+def _order(problem: Problem, rolling: Rolling) -> tuple[int, int, int] | None:
+    """The axes of a rubber ball with two equal moments, its axis of symmetry last."""
+    if rolling.contact != "rubber":
+        return None
+    first, second, third = (exact(problem.parameters[s]) for s in Diagonal("I").symbols)
+    if first == second or third not in (first, second):
+        return None
+    return (1, 2, 0) if second == third else (2, 0, 1)
+
+
+def told_back(problem: Problem, inner: Solution, matrix: Any) -> Turned:
+    """A solution in principal axes as one in the axes of the problem."""
+    lifted = problem.system.lifted() if problem.system.motion else problem.system
+    return Turned(lifted, problem.parameters, inner, matrix)
+
+
+def _turned(rolling: Rolling, moments: Sequence[float], axes: Any) -> Rolling:
+    """The same ball, described in its principal axes."""
+    body, shape = rolling.body, rolling.body.shape
+    first, second, third = moments
+    turned = replace(
+        body,
+        inertia=(first, second, third),
+        shape=replace(shape, centre=_seen(shape.centre, axes)),
+        gyrostat=_seen(body.gyrostat, axes),
+    )
+    return replace(rolling, body=turned)
+
+
+def _seen(vector: Sequence[float], axes: Any) -> tuple[float, float, float]:
+    """A vector by its components along the columns of `axes`."""
+    x, y, z = (float(part) for part in axes.T @ np.array(vector))
+    return x, y, z
+
+
+def _axes(entries: Sequence[Any]) -> tuple[list[Any], Any]:
+    """Principal moments, increasing, and the matrix whose columns are the axes, right-handed."""
+    a, b, c, d, e, f = entries
+    tensor = acb_mat([[a, b, c], [b, d, e], [c, e, f]])
+    try:
+        values, vectors = tensor.eig(right=True)
+    except ValueError:
+        raise InputError(
+            "inertia: two principal moments of this tensor coincide, so that its axes are not "
+            "determined; give the body in principal axes"
+        ) from None
+    order = sorted(range(SPACE), key=lambda i: number(values[i].real))
+    columns = []
+    for i in order:
+        column = [vectors[j, i].real for j in range(SPACE)]
+        length = sum((x * x for x in column), arb(0)).sqrt()
+        columns.append([x / length for x in column])
+    axes = arb_mat(columns).transpose()
+    if axes.det() < 0:
+        axes = arb_mat([*columns[:2], [-x for x in columns[2]]]).transpose()
+    return [values[i].real for i in order], axes
+
+
+def _blocks(lifted: System, axes: Any) -> Any:
+    """What takes a lifted state in principal axes to one in the body's own axes.
+
+    With u = S u′ for vectors in body axes the attitude is q = q′ s̄, s the quaternion of S.
+    """
+    size = len(lifted.symbols)
+    matrix = [[arb(int(i == j)) for j in range(size)] for i in range(size)]
+    first = 0
+    for name in lifted.state:
+        width = len(name.symbols) if isinstance(name, Vector) else 1
+        block = {SPACE: axes, QUATERNION: _times_conjugate(_quaternion(axes))}.get(width)
+        if block is not None:
+            for i in range(width):
+                for j in range(width):
+                    matrix[first + i][first + j] = block[i, j]
+        first += width
+    return arb_mat(matrix)
+
+
+def _quaternion(turn: Any) -> tuple[Any, Any, Any, Any]:
+    """The unit quaternion (w, x, y, z) of a rotation matrix, divided by its largest component."""
+    r = turn
+    columns = (
+        (1 + r[0, 0] + r[1, 1] + r[2, 2], r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]),
+        (r[2, 1] - r[1, 2], 1 + r[0, 0] - r[1, 1] - r[2, 2], r[1, 0] + r[0, 1], r[0, 2] + r[2, 0]),
+        (r[0, 2] - r[2, 0], r[1, 0] + r[0, 1], 1 - r[0, 0] + r[1, 1] - r[2, 2], r[2, 1] + r[1, 2]),
+        (r[1, 0] - r[0, 1], r[0, 2] + r[2, 0], r[2, 1] + r[1, 2], 1 - r[0, 0] - r[1, 1] + r[2, 2]),
+    )
+    largest = max(range(QUATERNION), key=lambda i: number(columns[i][i]))
+    length = sum((x * x for x in columns[largest]), arb(0)).sqrt()
+    w, x, y, z = (x / length for x in columns[largest])
+    return w, x, y, z
+
+
+def _times_conjugate(s: tuple[Any, Any, Any, Any]) -> Any:
+    """The matrix of p ↦ p s̄ for quaternions (w, x, y, z)."""
+    w, x, y, z = s
+    return arb_mat([[w, x, y, z], [-x, w, -z, y], [-y, z, w, -x], [-z, -y, x, w]])

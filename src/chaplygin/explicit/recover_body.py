@@ -1,0 +1,78 @@
+"""What rolls on what, found again in the equations that follow from it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import product
+from typing import Any
+
+from ..catalogue import CATALOGUE
+from ..core.system import System
+from ..core.vectors import Diagonal, Symmetric
+from ..errors import InputError
+from ..mechanics.rolling.body import Body
+from ..mechanics.rolling.equations import Field, Model, Rolling
+from ..mechanics.rolling.shapes import Ball
+from ..mechanics.rolling.surfaces import Plane, Sphere, Surface
+
+__all__ = ["rolling_of"]
+
+MODELS: tuple[Model, Model] = ("marble", "rubber")
+
+
+def rolling_of(system: System, values: Mapping[Any, Any]) -> Rolling | None:
+    """The rolling body of which a system holds the equations, with its numbers.
+
+    Bodies of the catalogue and balls with any inertia tensor are tried; the equations that they
+    lead to must be those of the system, formula by formula, and their numbers its numbers.
+
+    Parameters
+    ----------
+    system : System
+    values : mapping of Symbol to number
+        Its parameters.
+    """
+    numbers = {str(symbol): float(value) for symbol, value in values.items()}
+    for rolling in _candidates(numbers):
+        try:
+            made = rolling.system()
+        except InputError:
+            # a body and a surface that do not fit
+            continue
+        own = {str(symbol): float(value) for symbol, value in made.defaults.items()}
+        formulas = (made.field, made.definitions) == (system.field, system.definitions)
+        if formulas and own == numbers:
+            return rolling
+    return None
+
+
+def _candidates(numbers: Mapping[str, float]) -> Iterator[Rolling]:
+    """Rolling bodies that are given by these parameters, or by some of them."""
+    entries = [entry for entry in CATALOGUE.values() if set(entry.defaults) <= set(numbers)]
+    # a body of revolution is given by one moment for two axes, and by no centre across its axis
+    for entry in sorted(entries, key=lambda entry: -len(entry.defaults)):
+        try:
+            rolling = entry.rolling({name: numbers[name] for name in entry.defaults})
+        except InputError:
+            continue
+        if rolling is not None:
+            yield rolling
+    yield from _balls(numbers)
+
+
+def _balls(numbers: Mapping[str, float]) -> Iterator[Rolling]:
+    """Balanced balls with these parameters."""
+    entries = [str(s) for s in Symmetric("I").symbols]
+    moments = [str(s) for s in Diagonal("I").symbols]
+    tensor = entries if entries[0] in numbers else moments
+    if not {"m", "R", *tensor} <= set(numbers) <= {"m", "R", "a", "g", *tensor}:
+        return
+    inertia: Any = [numbers[name] for name in tensor]
+    if tensor is entries:
+        x, xy, xz, y, yz, z = inertia
+        inertia = ((x, xy, xz), (xy, y, yz), (xz, yz, z))
+    surface: Surface = Sphere(numbers["a"]) if "a" in numbers else Plane()
+    field = Field(numbers.get("g", 0.0))
+    for hollow, model in product((False, True), MODELS):
+        body = Body(numbers["m"], inertia, Ball(numbers["R"], hollow))
+        yield Rolling(body, surface, model, field)

@@ -1,0 +1,106 @@
+"""What the closed form of a rubber body of revolution looks like: formulas and numbers of §5."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+from flint import arb
+
+from ...core.vectors import scalar
+from ..base.solution import ClosedForm, Figure
+from ..one_degree import Course, Steady
+from ..one_degree.uniformisation import Asymptotic, Chart, Connecting
+from .body import Level, u
+
+__all__ = ["form_of", "kind_of", "steady_form"]
+
+#: Digits behind the figures.
+DIGITS = 19
+
+TITLE = "Rubber body of revolution on a plane"
+SOURCE = "(5.1), (5.2), Theorem 4"
+
+t, h, K = (scalar(name) for name in ("t", "h", "K"))
+theta, phi, psi = (sp.Function(name)(t) for name in ("theta", "varphi", "psi"))
+
+
+def _equations(level: Level) -> tuple[tuple[Any, Any], ...]:
+    """(5.2) for the given profile."""
+    body, tilted = level.body, {u: sp.cos(theta)}
+    rates = [angle.diff(t) for angle in (theta, phi, psi)]
+    principal, square = body.principal.subs(tilted), body.square.subs(tilted)
+    nutation = principal * rates[0] ** 2 / 2
+    weight = body.energy.subs(tilted)
+    return (
+        (nutation, h - weight - K**2 / (2 * sp.sin(theta) ** 2)),
+        (rates[1], K / (sp.sqrt(square) * sp.sin(theta) ** 2)),
+        (rates[2], -sp.cos(theta) * rates[1]),
+    )
+
+
+def _constants(level: Level) -> tuple[Figure, ...]:
+    return (
+        Figure("h", level.h, "energy", "J"),
+        Figure("K", level.K, "integral linear in the angular velocity", "kg^0.5 m/s"),
+    )
+
+
+def kind_of(chart: Chart) -> str:
+    """The kind of a motion on which θ changes, in words."""
+    if isinstance(chart, Connecting):
+        return "asymptotic to one permanent rotation in the past and to another in the future"
+    if isinstance(chart, Asymptotic):
+        return "asymptotic to a permanent rotation, in the past and in the future (separatrix)"
+    passed = [end.edge for end in (chart.first, chart.second)]
+    if all(passed):
+        return "periodic in shape: the body turns over and over in a vertical plane"
+    if any(passed):
+        return "periodic in shape: the axis swings through the vertical, in a vertical plane"
+    return "periodic in shape: the axis nods while it precesses, with two frequencies"
+
+
+def _steady(chart: Steady, turning: bool = True) -> str:
+    name = "permanent rotation" if turning else "equilibrium"
+    if chart.stable is None:
+        return f"{name}, on the border of stability"
+    return f"{name}, {'stable' if chart.stable else 'unstable'}"
+
+
+def form_of(level: Level, course: Course) -> ClosedForm:
+    """The form of a motion on which θ changes; the working precision must suffice."""
+    chart = course.chart
+    ends = sorted((chart.first, chart.second), key=lambda end: float(end.place))
+    figures = [
+        *_constants(level),
+        Figure("theta_min", ends[1].place.acos(), "least inclination of the axis", "rad"),
+        Figure("theta_max", ends[0].place.acos(), "greatest inclination of the axis", "rad"),
+    ]
+    if course.periodic:
+        period, own, precession, *_ = course.advances(DIGITS)
+        figures += [
+            Figure("T", period, "period of the nutation", "s"),
+            Figure("Omega", 2 * arb.pi() / period, "frequency of the nutation", "rad/s"),
+            Figure("<phi'>", own / period, "mean rate of intrinsic rotation", "rad/s"),
+            Figure("<psi'>", precession / period, "mean rate of precession", "rad/s"),
+            Figure("rho", own / (2 * arb.pi()), "rotation number, turns by nutation"),
+        ]
+    low, high = (float(end.place) for end in ends)
+    return ClosedForm(
+        TITLE, kind_of(chart), _equations(level), tuple(figures), ((low, high),), SOURCE
+    )
+
+
+def steady_form(level: Level, rest: Steady, rates: tuple[Any, Any]) -> ClosedForm:
+    """The form of a permanent rotation with the given φ̇ and ψ̇."""
+    figures = (
+        *_constants(level),
+        Figure("theta", rest.place.acos(), "inclination of the axis", "rad"),
+        Figure("phi'", rates[0], "rate of intrinsic rotation", "rad/s"),
+        Figure("psi'", rates[1], "rate of precession", "rad/s"),
+        Figure("w^2", rest.rigidity, "square of the frequency of small nutations", "rad^2/s^2"),
+    )
+    where = float(rest.place)
+    return ClosedForm(
+        TITLE, _steady(rest, level.K != 0), _equations(level), figures, ((where, where),), SOURCE
+    )

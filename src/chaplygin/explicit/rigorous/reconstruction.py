@@ -1,0 +1,192 @@
+"""Attitude and path in space, in formulas of ν and ν′ and with error bounds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from flint import arb, arb_mat
+
+from ...core.vectors import scalar
+from ...formulas.balls import components
+from ...mechanics.rolling.attitude import attitude
+from ..genus_two.attitude_one_axis import farthest, references, spinning, turned
+from ..genus_two.reconstruction import on_arrays, place_rates
+from ..genus_two.separated_motion import Prepared, chain
+from .branch_formula import Branch
+
+__all__ = ["Pair", "PathRates", "Turn", "path_rates"]
+
+#: Points per phase at which the directions of two vectors are compared.
+_COARSE = 24
+_AXES = sp.Matrix(3, 3, lambda k, s: scalar(f"axis_{k + 1}{s + 1}"))
+_TRIAD = sp.Matrix(3, 3, lambda k, b: scalar(f"triad_{k + 1}{b + 1}"))
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Two vectors in body axes by which an attitude is known.
+
+    Attributes
+    ----------
+    first, second : vectors
+        The first is fixed in space.
+    rate : formula or None
+        At which the second turns about the first, in t; None where it is fixed too.
+    """
+
+    first: Any
+    second: Any
+    rate: Any
+
+    @classmethod
+    def of(cls, prepared: Prepared) -> Pair | None:
+        """Two fixed vectors, or one and another that stays away from it; None if none is fixed."""
+        separable, torus = prepared.separable, prepared.torus
+        if not separable.fixed:
+            return None
+        first, *others = separable.fixed
+        if others:
+            return cls(first, others[0], None)
+        choice = references(separable)
+        parts = [c for vector in (first, *(e.vector for e in choice)) for c in components(vector)]
+        places = 2.0 * np.indices((_COARSE, _COARSE)).reshape(2, -1).T / _COARSE
+        values = on_arrays(prepared, parts)(*torus.values(places)).reshape(-1, 3, _COARSE**2)
+        best = choice[farthest(values[0], list(values[1:]))]
+        return cls(first, best.vector, spinning(separable, best))
+
+    def turning(self, prepared: Prepared) -> Branch:
+        """The rate in τ, as a function of ν and ν′."""
+        formula = components(prepared.separable.clock)[0] * self.rate
+        return Branch([formula], prepared.values, chain(prepared.separable, [formula])[1])
+
+
+@dataclass(frozen=True)
+class Turn:
+    """A triad that stands still in space, and its vectors seen from the body.
+
+    Attributes
+    ----------
+    body : Branch
+        The triad in body axes, nine formulas, row by row.
+    axes : arb_mat (3, 3)
+        The triad in space axes, as rows.
+    """
+
+    body: Branch
+    axes: Any
+
+    @classmethod
+    def through(
+        cls, prepared: Prepared, pair: Pair, there: Sequence[Any], quaternion: Sequence[Any]
+    ) -> Turn:
+        """From ν and ν′ and the attitude (w, x, y, z, body to space) at the start."""
+        formulas = list(_triad(pair.first, pair.second))
+        _, steps = chain(prepared.separable, formulas)
+        body = Branch(formulas, prepared.values, steps)
+        rows = arb_mat(3, 3, body.at(*there))
+        length = sum((x * x for x in quaternion), arb(0)).sqrt()
+        return cls(body, rows * _matrix([x / length for x in quaternion]).transpose())
+
+    def turned(self, angle: Any) -> Turn:
+        """The triad turned in space by an angle (arb) about its first vector."""
+        rows = turned(self.axes.table(), angle.cos(), angle.sin())
+        return Turn(self.body, arb_mat([list(row) for row in rows]))
+
+    def matrix(self, there: Sequence[Any]) -> Any:
+        """The matrix from body to space components (arb_mat), at ν and ν′."""
+        return self.axes.transpose() * arb_mat(3, 3, self.body.at(*there))
+
+    def quaternion(self, there: Sequence[Any], rough: Sequence[float]) -> list[Any]:
+        """The quaternion (w, x, y, z) at ν and ν′, next to a rough one."""
+        squares = _products(self.matrix(there).table())
+        # the largest component is safe to divide by
+        place = max(range(4), key=lambda i: abs(rough[i]))
+        largest = squares[place][place].sqrt() * (1 if rough[place] > 0 else -1)
+        return [squares[place][i] / largest if i != place else largest for i in range(4)]
+
+
+def _triad(first: Any, second: Any) -> Any:
+    """Orthonormal: along the first vector, the part of the second across it, and across both."""
+    along, other = (sp.Matrix(components(vector)) for vector in (first, second))
+    normal = along.cross(other)
+    one, three = (u / sp.sqrt(u.dot(u)) for u in (along, normal))
+    return sp.Matrix([one.T, three.cross(one).T, three.T])
+
+
+def _matrix(q: Sequence[Any]) -> Any:
+    """Body to space, of a unit quaternion."""
+    w, x, y, z = q
+    return arb_mat(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+
+
+def _products(R: Any) -> list[list[Any]]:
+    """q_i q_j of the quaternion of a rotation matrix (nested rows; numbers or formulas)."""
+    (a, b, c), (d, e, f), (g, h, i) = R
+    four = [
+        [1 + a + e + i, h - f, c - g, d - b],
+        [h - f, 1 + a - e - i, b + d, c + g],
+        [c - g, b + d, 1 - a + e - i, f + h],
+        [d - b, c + g, f + h, 1 - a - e + i],
+    ]
+    return [[x / 4 for x in row] for row in four]
+
+
+@dataclass(frozen=True)
+class PathRates:
+    """Rates of coordinates in space, in τ: sums of functions on the torus times components of axes.
+
+    Attributes
+    ----------
+    functions : Branch
+        What is to be integrated, in ν and ν′.
+    shares : tuple of tuples of (int, (int, int))
+        For every coordinate, which functions, and the entry of `Turn.axes` that multiplies each.
+    """
+
+    functions: Branch
+    shares: tuple[tuple[tuple[int, tuple[int, int]], ...], ...]
+
+
+def path_rates(prepared: Prepared, pair: Pair) -> PathRates | None:
+    """Derivatives of the coordinates in space beside the attitude; None if there are none.
+
+    Quaternions enter the rates of a path in products of two, which are linear in the matrix, and
+    the matrix is Σ axis_k triad_kᵀ.  The coefficient of each component of an axis is a function on
+    the torus that at most changes its sign with the periods, which the rate itself need not.
+    """
+    names = attitude.symbols
+    rates = place_rates(prepared.separable)
+    if not rates:
+        return None
+    products = _products((_AXES.T * _TRIAD).tolist())
+    clock = components(prepared.separable.clock)[0]
+    functions: list[Any] = []
+    shares = []
+    for rate in rates:
+        total = sp.S.Zero
+        for powers, coefficient in sp.Poly(rate, *names).terms():
+            both = [i for i, power in enumerate(powers) for _ in range(power)]
+            total += coefficient * (products[both[0]][both[1]] if both else 1)
+        linear = sp.Poly(total, *_AXES)
+        own = []
+        for place, axis in enumerate(_AXES):
+            function = clock * linear.coeff_monomial(axis)
+            if function != 0:
+                if function not in functions:
+                    functions.append(function)
+                own.append((functions.index(function), divmod(place, 3)))
+        shares.append(tuple(own))
+    triad = list(zip(_TRIAD, _triad(pair.first, pair.second), strict=True))
+    needed = [*functions, *(formula for _, formula in triad)]
+    _, steps = chain(prepared.separable, needed)
+    return PathRates(Branch(functions, prepared.values, (*steps, *triad)), tuple(shares))

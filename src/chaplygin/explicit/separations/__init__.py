@@ -1,0 +1,1 @@
+"""Separations of variables, one system a module."""

@@ -1,0 +1,24 @@
+"""The Chaplygin ball with rubber contact on a plane, without a field: the Veselova system.
+
+The ball moves as the Veselova system with J = I + mR² for I (§2.4, proven in the catalogue), so
+that all formulas of :mod:`.veselova` hold with J in the place of I.
+"""
+
+from __future__ import annotations
+
+from ...catalogue.chaplygin_ball.chaplygin_bracket import D, I, J
+from ..genus_two.separation import Separable
+from .veselova import separated
+
+__all__ = ["rubber_ball_plane"]
+
+
+def rubber_ball_plane() -> Separable:
+    """The rubber Chaplygin ball on a plane, with any three different principal moments."""
+    return separated(
+        "rubber-chaplygin-ball",
+        "Chaplygin ball with rubber contact",
+        J,
+        tuple(moment + D for moment in I.symbols),
+        "§2.4, Remark 16",
+    )

@@ -1,0 +1,62 @@
+"""The door to closed forms: a system, a start, and the motion at every time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import sympy as sp
+
+from ..core.system import System
+from ..errors import InputError
+from ..flow.initial_states import whole_start
+from .base.problem import Problem
+from .base.solution import Solution
+from .recognise import solution_of
+
+__all__ = ["solve"]
+
+
+def solve(
+    system: System,
+    start: Mapping[str, Any] | Sequence[Any],
+    parameters: Mapping[Any, Any] | None = None,
+) -> Solution:
+    """Solve an integrable system from a start.
+
+    Parameters
+    ----------
+    system : System
+        One of those that have a closed form, under whatever name and in whatever symbols.
+    start : sequence of numbers, or mapping of str to number or numbers
+        The state at t = 0 in flat order, with the motion in space, as
+        :func:`chaplygin.mechanics.rolling.initial_state.starting_state` gives it, or without, which
+        gives the motion of the state alone; or by name (ω and γ, or the variables of the state).
+    parameters : mapping of Symbol or name to number, optional
+        Values that replace the system's defaults.
+
+    Returns
+    -------
+    Solution
+        ``solution(t)`` gives the state at any times; see
+        :class:`chaplygin.explicit.base.solution.Solution`.
+
+    Raises
+    ------
+    NoClosedFormError
+        If no closed form is known; the sentence says what is known instead.
+    InputError
+        If start or parameters do not fit the system.
+    """
+    values = dict(system.defaults)
+    names = {str(symbol): symbol for symbol in values}
+    for key, number in (parameters or {}).items():
+        symbol = key if isinstance(key, sp.Symbol) else names.get(str(key))
+        if symbol not in values:
+            raise InputError(
+                f"{system.name} has no parameter {key}; it has {', '.join(names) or 'none'}"
+            )
+        values[symbol] = number
+    if isinstance(start, Mapping):
+        start = whole_start(system, start, values)
+    return solution_of(Problem(system, values, tuple(start)))

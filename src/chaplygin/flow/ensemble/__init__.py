@@ -1,0 +1,1 @@
+"""Many motions at once, in blocks that are kept on disk and may run on Dask."""

@@ -1,0 +1,176 @@
+"""Blocks computed by the workers of a Dask cluster.
+
+Workers only compute; this process alone writes.  So nothing needs to be shared but the network, and
+a worker that disappears costs the block it was at, which another one computes again.
+"""
+
+from __future__ import annotations
+
+import functools
+import logging
+import os
+from collections import Counter, deque
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...errors import InputError
+from .task import Arrays, Divisible, Work
+
+if TYPE_CHECKING:
+    from distributed import Client, Future
+
+__all__ = ["results"]
+
+#: Blocks waiting at each thread of the workers, besides the one it is at.
+_WAITING = 1
+
+#: How often Dask may give a block up before it is given up here.
+_BLAMED = 3
+
+#: How long a scheduler may take to answer.
+PATIENCE = "10s"
+
+
+def results(
+    client: Client | str | int, work: Work, blocks: Mapping[int, tuple[int, int]]
+) -> Iterator[tuple[int, Arrays]]:
+    """Blocks in the order in which they are ready.
+
+    Parameters
+    ----------
+    client : dask.distributed.Client, str or int
+        A client, the address of a scheduler, a number of processes of this machine, or ``"local"``
+        for as many as it has processors.
+    work : callable
+    blocks : mapping of int to (int, int)
+        First member of every block, and the one after its last.
+
+    Raises
+    ------
+    InputError
+        If Dask is not installed, the client is none of these, the scheduler cannot be reached, or
+        its workers lack a module.
+    UnfinishedError
+        If a block brings down one worker after another, or the cluster disappears.
+    """
+    try:
+        import cloudpickle
+        import distributed
+    except ImportError:
+        raise InputError(
+            "a computation on a cluster needs Dask: pip install cloudpickle dask distributed"
+        ) from None
+    from .zarr_store import UnfinishedError
+
+    if not blocks:
+        return
+    with _connected(client) as connected:
+        waiting = deque(blocks)
+        blamed: Counter[int] = Counter()
+        under_way: dict[Future[Any], int] = {}
+        ready = distributed.as_completed(loop=connected.loop)
+
+        def send() -> None:
+            threads = sum(connected.nthreads().values())
+            while waiting and len(under_way) < (1 + _WAITING) * max(1, threads):
+                block = waiting.popleft()
+                members = blocks[block]
+                share = work.part(*members) if isinstance(work, Divisible) else work
+                packed = cloudpickle.dumps(share)
+                future = connected.submit(_compute, packed, *members, pure=False)
+                under_way[future] = block
+                ready.add(future)
+
+        send()
+        for future in ready:
+            block = under_way.pop(future)
+            try:
+                arrays: Arrays = future.result()
+            except distributed.KilledWorker:
+                # Dask blames all blocks of a worker that disappears, not the one it was at alone
+                blamed[block] += 1
+                if blamed[block] == _BLAMED:
+                    first, last = blocks[block]
+                    raise UnfinishedError(
+                        f"the block of members {first} to {last - 1} brought down one worker after "
+                        "another: it may need more memory than they have"
+                    ) from None
+                waiting.append(block)
+                send()
+                continue
+            except ModuleNotFoundError as problem:
+                raise InputError(
+                    f"the Dask workers cannot import {problem.name}: install there what is "
+                    "installed here, in the same versions"
+                ) from problem
+            except distributed.client.FutureCancelledError:
+                raise UnfinishedError(
+                    "the Dask cluster has gone; what was written stays: run the same again"
+                ) from None
+            send()
+            yield block, arrays
+
+
+def _compute(packed: bytes, first: int, last: int) -> Arrays:
+    """A block, in a thread of a worker: it stands for one processor, unless its user says more."""
+    from ..batch import THREADS
+
+    before = THREADS.set(int(os.environ.get("CHAPLYGIN_THREADS", "1")))
+    try:
+        return _unpacked(packed)(first, last)
+    finally:
+        THREADS.reset(before)
+
+
+@functools.lru_cache(maxsize=2)
+def _unpacked(packed: bytes) -> Work:
+    """The work, once for every worker and not for every block."""
+    import cloudpickle
+
+    work: Work = cloudpickle.loads(packed)
+    return work
+
+
+@contextmanager
+def _connected(client: Client | str | int) -> Iterator[Client]:
+    """A client; what is opened here is closed here."""
+    import dask
+    import distributed
+
+    if isinstance(client, distributed.Client):
+        yield client
+        return
+    whole = isinstance(client, int | np.integer)
+    if not isinstance(client, str) and not (whole and client >= 1):
+        raise InputError(
+            f"there is no cluster {client!r}: a Dask client, an address such as "
+            "'tcp://host:8786', 'local' or a number of processes from 1 on is needed"
+        )
+    if whole or client == "local":
+        number = int(client) if whole else None
+        # a worker that is killed again while it is started again is not given up
+        patient = {"distributed.deploy.lost-worker-timeout": "1 day"}
+        with (
+            dask.config.set(patient),
+            distributed.LocalCluster(
+                n_workers=number,
+                threads_per_worker=1,
+                dashboard_address=":0",
+                silence_logs=logging.ERROR,
+            ) as cluster,
+            distributed.Client(cluster) as connected,
+        ):
+            yield connected
+    else:
+        try:
+            connected = distributed.Client(client, timeout=PATIENCE)
+        except (OSError, ValueError) as problem:
+            raise InputError(
+                f"there is no Dask scheduler at {client!r} ({problem}); an address such as "
+                "'tcp://host:8786' or 'local' is needed"
+            ) from problem
+        with connected:
+            yield connected

@@ -1,0 +1,197 @@
+"""Who takes part in an ensemble: lists and products of starts and parameters, and random starts.
+
+>>> everyone = drawn(100, {"energy": 1.0}, seed=7) * grid(a=[0.1, 0.2])
+>>> everyone.size
+200
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ...errors import InputError
+from ...formulas.evaluate import doubles
+
+__all__ = ["Drawn", "Listed", "Members", "drawn", "grid", "listed", "one"]
+
+
+@dataclass(frozen=True, eq=False)
+class Listed:
+    """Values of some names, a row for each member.
+
+    Parameters
+    ----------
+    values : mapping of str to array (n, …)
+    """
+
+    values: Mapping[str, Any]
+
+    @property
+    def size(self) -> int:
+        """Number of members."""
+        return len(next(iter(self.values.values())))
+
+    def __str__(self) -> str:
+        return f"{self.size} of {', '.join(self.values)}"
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """Starts drawn at random on a level of the integrals.
+
+    Parameters
+    ----------
+    size : int
+        How many.
+    level : mapping of str to float
+        Values of the integrals held.
+    seed : int
+    """
+
+    size: int
+    level: Mapping[str, float]
+    seed: int
+
+    def __str__(self) -> str:
+        held = ", ".join(f"{name} = {value!r}" for name, value in self.level.items())
+        return f"{self.size} drawn on {held} (seed {self.seed})"
+
+
+@dataclass(frozen=True, eq=False)
+class Members:
+    """Every combination of members of its factors; the last factor varies fastest.
+
+    Two of them are multiplied with ``*``.
+
+    Parameters
+    ----------
+    factors : tuple of Listed or Drawn
+
+    Raises
+    ------
+    InputError
+        If a name has two values, or starts are drawn twice.
+    """
+
+    factors: tuple[Listed | Drawn, ...]
+
+    def __post_init__(self) -> None:
+        names = self.names
+        twice = sorted({name for name in names if names.count(name) > 1})
+        if twice:
+            raise InputError(f"members of an ensemble: {', '.join(twice)} is given twice")
+        if sum(isinstance(factor, Drawn) for factor in self.factors) > 1:
+            raise InputError("members of an ensemble: starts are drawn twice")
+
+    def __mul__(self, other: Members) -> Members:
+        return Members(self.factors + other.factors)
+
+    def __str__(self) -> str:
+        return " × ".join(map(str, self.factors))
+
+    @property
+    def size(self) -> int:
+        """Number of members."""
+        return math.prod(factor.size for factor in self.factors)
+
+    @property
+    def names(self) -> list[str]:
+        """Everything that is given values."""
+        return [n for factor in self.factors if isinstance(factor, Listed) for n in factor.values]
+
+    @property
+    def draw(self) -> Drawn | None:
+        """How starts are drawn, if they are."""
+        return next((factor for factor in self.factors if isinstance(factor, Drawn)), None)
+
+    def rows(self, first: int, last: int) -> tuple[dict[str, Any], Any]:
+        """What members first, …, last − 1 are given.
+
+        Returns
+        -------
+        values : dict of str to array (last − first, …)
+        points : array (last − first,) of int, or None
+            Their numbers among the starts drawn, if some are.
+        """
+        sizes = tuple(factor.size for factor in self.factors)
+        places = np.unravel_index(np.arange(first, last), sizes)
+        values: dict[str, Any] = {}
+        points = None
+        for factor, place in zip(self.factors, places, strict=True):
+            if isinstance(factor, Drawn):
+                points = place
+            else:
+                values |= {name: array[place] for name, array in factor.values.items()}
+        return values, points
+
+
+def listed(**values: Any) -> Members:
+    """One member for every row: the first of everything, then the second of everything.
+
+    Parameters
+    ----------
+    **values : array (n,) for a scalar, (n, components) for a vector
+        State variables (``M``, ``gamma``, or components ``M_1``), parameters, ``omega`` and
+        ``gamma`` from which the state follows, or ``state`` for the whole state in flat order.
+
+    Raises
+    ------
+    InputError
+        If nothing is given, lengths differ, or a value is not a finite number.
+    """
+    arrays = {name: _finite(name, value) for name, value in values.items()}
+    lengths = {name: len(array) for name, array in arrays.items()}
+    if not arrays or 0 in lengths.values():
+        raise InputError("members of an ensemble: at least one is needed")
+    if len(set(lengths.values())) > 1:
+        told = ", ".join(f"{name} {length}" for name, length in lengths.items())
+        raise InputError(f"members of an ensemble: lists have different lengths ({told})")
+    return Members((Listed(arrays),))
+
+
+def one(**values: Any) -> Members:
+    """A single member: numbers, and vectors by their components."""
+    return listed(**{name: _numbers(name, value)[np.newaxis] for name, value in values.items()})
+
+
+def grid(**values: Any) -> Members:
+    """Every combination of the values of each name; the last name varies fastest."""
+    if not values:
+        raise InputError("members of an ensemble: at least one is needed")
+    return Members(
+        tuple(factor for name, v in values.items() for factor in listed(**{name: v}).factors)
+    )
+
+
+def drawn(count: int, level: Mapping[str, float], seed: int = 0) -> Members:
+    """Starts drawn on a level of the integrals; see :func:`chaplygin.flow.sampling.draw.draw`.
+
+    Start k depends on seed and k alone; where parameters vary, each start lies on the level at its
+    own parameters.
+
+    Raises
+    ------
+    InputError
+        If there are none.
+    """
+    if not isinstance(count, int | np.integer) or count < 1:
+        raise InputError(
+            f"members of an ensemble: {count} starts cannot be drawn; at least one is needed"
+        )
+    return Members((Drawn(count, dict(level), seed),))
+
+
+def _numbers(name: str, value: Any) -> Any:
+    return doubles(f"members of an ensemble: {name}", value)
+
+
+def _finite(name: str, value: Any) -> Any:
+    array = np.atleast_1d(_numbers(name, value))
+    if not np.all(np.isfinite(array)):
+        raise InputError(f"members of an ensemble: {name} must be finite numbers")
+    return array

@@ -1,0 +1,267 @@
+"""Ensembles: many motions of one System at the same instants, in blocks."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from importlib.metadata import version
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import sympy as sp
+
+from ...core.system import System
+from ...errors import InputError
+from ...formulas.digest import settled
+from ...formulas.evaluate import doubles
+from ..cost import TooMuchError
+from ..kernel.runge_kutta import ENDS
+from ..metadata import FRAMES, LABELS, told_of
+from ..validation import moments
+from .members import Members, drawn, grid, listed, one
+from .task import Coordinate, Progress, Task, Variable, compute
+from .work import Motions, recorded
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["drawn", "ensemble", "ensemble_task", "grid", "listed", "one"]
+
+#: A block holds no more members than this, nor more numbers.
+_MEMBERS, _NUMBERS = 4096, 1 << 22
+
+#: Blocks for a cluster, at least.
+SHARES = 64
+
+
+def ensemble(
+    system: System,
+    members: Members | Any,
+    times: Any,
+    parameters: Mapping[Any, float] | None = None,
+    *,
+    record: Sequence[str] = (),
+    tolerance: float = 1e-13,
+    block: int | None = None,
+    where: str | Path | None = None,
+    client: Any = None,
+    progress: Progress | None = None,
+) -> xr.Dataset:
+    """Many motions of a system, each from its own start with its own parameters.
+
+    Parameters
+    ----------
+    system : System
+        As it is to be integrated: ``system.lifted()`` carries the motion in space along.
+    members : Members or array (n, size)
+        Starts and parameters, by :func:`~chaplygin.flow.ensemble.members.listed`,
+        :func:`~chaplygin.flow.ensemble.members.grid`, :func:`~chaplygin.flow.ensemble.members.one`,
+        :func:`~chaplygin.flow.ensemble.members.drawn` and products of them with ``*``; or starts
+        alone, in flat order.
+    times : array (k,)
+        Increasing from 0 or later, or decreasing from 0 or before; motions begin at 0.
+    parameters : mapping of Symbol or name to float, optional
+        Values, the same for all, that replace the defaults.
+    record : sequence of str
+        Observables and integrals to be recorded too.
+    tolerance : float
+        Error allowed in a step; see :func:`~chaplygin.flow.batch.lanes`.
+    block : int, optional
+        Members computed, written and lost at once; chosen by their size unless given.
+    where, client, progress
+        A store on disk, a cluster, who is told; see :func:`~chaplygin.flow.ensemble.task.compute`.
+
+    Returns
+    -------
+    xarray.Dataset
+        Variables of the state and what is recorded over ``run`` and ``time`` (and ``axis``, …);
+        ``outcome`` (why a motion ended, in its attributes), ``ended`` and ``steps`` over ``run``;
+        parameters that vary as coordinates of ``run``.
+
+    Raises
+    ------
+    InputError
+        If anything given cannot be used.
+    UnfinishedError
+        If a store could not be written to the end.
+    """
+    task = ensemble_task(
+        system,
+        members,
+        times,
+        parameters,
+        record=record,
+        tolerance=tolerance,
+        block=block,
+        shares=1 if client is None else SHARES,
+    )
+    return compute(task, where, client=client, progress=progress)
+
+
+def ensemble_task(
+    system: System,
+    members: Members | Any,
+    times: Any,
+    parameters: Mapping[Any, float] | None = None,
+    *,
+    record: Sequence[str] = (),
+    tolerance: float = 1e-13,
+    block: int | None = None,
+    shares: int = 1,
+) -> Task:
+    """An ensemble that is still to be computed; see :func:`ensemble`.
+
+    Unless the size of a block is given, there are as many as `shares` at least, of 16 members or
+    more, so that several workers find something to do.
+    """
+    everyone = members if isinstance(members, Members) else listed(state=members)
+    work = Motions(
+        settled(system),
+        everyone,
+        _times(times),
+        _constants(system, parameters),
+        tolerance,
+        tuple(record),
+    )
+    twice = sorted({str(name) for name in parameters or ()} & set(work.varied))
+    if twice:
+        raise InputError(f"{system.name}: {', '.join(twice)} is given twice")
+    # a mistake shows at the first member, before any store is begun
+    first, parameters, points = work.starts(0, 1)
+    try:
+        work.lanes.require_reach(first[0], work.times[-1], parameters)
+    except TooMuchError:
+        raise
+    except InputError as error:
+        raise InputError(error.message, "runs 0 to 0") from error
+    variables = _variables(work, points is not None)
+    share = max(16, math.ceil(everyone.size / shares))
+    numbers = sum(math.prod(variable.shape) for variable in variables.values())
+    fitting = max(1, min(_MEMBERS, _NUMBERS // numbers, everyone.size, share))
+    return Task(
+        work,
+        everyone.size,
+        fitting if block is None else block,
+        variables,
+        "run",
+        _coordinates(work, variables),
+        {**_attributes(work), **_draw(work, parameters)},
+    )
+
+
+def _times(times: Any) -> tuple[float, ...]:
+    """The times of an ensemble, if motions can be looked at there."""
+    given = np.atleast_1d(doubles("times", times))
+    moments(given, backward=bool(given.size) and bool(given.flat[-1] < 0))
+    return tuple(given.tolist())
+
+
+def _constants(system: System, parameters: Mapping[Any, float] | None) -> dict[str, float]:
+    """Values of parameters by name, without those that are the default: they say nothing new."""
+    found, defaults = {}, dict(system.constants)
+    for name, value in (parameters or {}).items():
+        number = doubles(f"{system.name}: {name}", value)
+        if number.ndim:
+            raise InputError(
+                f"{system.name}: {name} must be one number; what varies belongs to the members"
+            )
+        if defaults.get(str(name)) != float(number):
+            found[str(name)] = float(number)
+    return found
+
+
+def _variables(work: Motions, drawn: bool) -> dict[str, Variable]:
+    """Everything that `Motions` gives."""
+    system, moments = work.system, len(work.times)
+    told = {str(p.symbol): p for p in system.parameters}
+    found = {
+        name: Variable(attributes=_notes(told[name].meaning, told[name].unit, ""), coordinate=True)
+        for name in work.varied
+    }
+    if drawn:
+        notes = _notes("number of the start among those drawn", "1", "")
+        found["start"] = Variable(dtype="int64", attributes=notes, coordinate=True)
+    for item in system.state:
+        size = 1 if isinstance(item, sp.Symbol) else len(item.symbols)
+        *about, frame = told_of(system, str(item), size)
+        found[str(item)] = _variable(moments, size, frame, *about)
+    for item in recorded(system, work.record):
+        about = [item.meaning, item.unit, item.source]
+        found[item.name] = _variable(moments, len(item.formulas), item.frame, *about)
+    found["outcome"] = Variable(dtype="int8", attributes=_outcomes(work))
+    found["ended"] = Variable(attributes=_notes("time that was reached", "s", ""))
+    found["steps"] = Variable(dtype="int64", attributes=_notes("steps tried", "1", ""))
+    return found
+
+
+def _notes(meaning: str, unit: str, source: str) -> dict[str, str]:
+    return {"long_name": meaning, "units": unit or "1", "source": source}
+
+
+def _variable(
+    moments: int, size: int, frame: str, meaning: str, unit: str, source: str
+) -> Variable:
+    """A quantity along the motions."""
+    notes = _notes(meaning, unit, source)
+    if not frame:
+        return Variable(("time",), (moments,), attributes=notes)
+    axis = frame
+    if frame in FRAMES:
+        axis = FRAMES[frame][0]
+        notes["frame"] = f"{frame} axes"
+    return Variable(("time", axis), (moments, size), attributes=notes)
+
+
+def _outcomes(work: Motions) -> dict[str, Any]:
+    """Flags that say why a motion ended."""
+    codes = range(len(ENDS) + len(work.system.guards))
+    reasons = ["the last time was reached", *(work.lanes.reason(code) for code in codes[1:])]
+    return {
+        **_notes("why the motion ended", "1", ""),
+        "flag_values": list(codes),
+        "flag_meanings": " ".join("_".join(re.findall(r"\w+", reason)) for reason in reasons),
+        "reasons": reasons,
+    }
+
+
+def _coordinates(work: Motions, variables: Mapping[str, Variable]) -> dict[str, Coordinate]:
+    """The times and the axes that are used."""
+    used = {dimension for variable in variables.values() for dimension in variable.dimensions}
+    axes = {
+        axis: Coordinate((axis,), list(places), _notes(LABELS[axis], "1", ""))
+        for axis, places in FRAMES.values()
+        if axis in used
+    }
+    return {"time": Coordinate(("time",), list(work.times), _notes("time", "s", "")), **axes}
+
+
+def _attributes(work: Motions) -> dict[str, Any]:
+    """What is told of the whole ensemble."""
+    system = work.system
+    constants = {str(p.symbol): p.default for p in system.parameters} | dict(work.parameters)
+    told = [f"{s} = {float(v)!r}" for s, v in constants.items() if s not in work.varied]
+    return {
+        "Conventions": "CF-1.11",
+        "system": system.title,
+        "system_name": system.name,
+        "summary": system.summary,
+        "source": system.source,
+        "parameters": "; ".join(told),
+        "members": str(work.members),
+        "tolerance": work.tolerance,
+        "integrator": "explicit Runge–Kutta of order 8, a lane for each motion",
+        "versions": ", ".join(
+            f"{name} {version(name)}" for name in ("chaplygin", "llvmlite", "numpy", "sympy")
+        ),
+    }
+
+
+def _draw(work: Motions, parameters: Mapping[str, Any]) -> dict[str, Any]:
+    """Seed and measure of the starts drawn; `parameters` are those of the first member."""
+    draw = work.members.draw
+    if draw is None:
+        return {}
+    first = {name: float(parameters[name][0]) for name in work.varied}
+    return {"seed": draw.seed, "measure": work.level(first).measure}

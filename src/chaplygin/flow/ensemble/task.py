@@ -1,0 +1,266 @@
+"""Long computations in blocks: in memory or streamed to a store, here or on a cluster.
+
+A computation has many members (runs of an ensemble, cells of a chart), each of which depends on
+its own number alone.  They are computed in blocks of neighbours; a block that is done stays done,
+so that a computation which was killed goes on where it was, and its numbers are the same to the
+bit in whatever order, in whatever blocks and on however many machines they were computed.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias, runtime_checkable
+
+import numpy as np
+
+from ...errors import InputError
+from ..cost import Pace, require_room
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["Coordinate", "Divisible", "Progress", "Task", "Variable", "Work", "compute"]
+
+Arrays: TypeAlias = Mapping[str, np.ndarray]
+#: Told how much is done, from 0 to 1.
+Progress: TypeAlias = Callable[[float], Any]
+
+
+class Work(Protocol):
+    """What computes a block: members first, …, last − 1 ↦ arrays by name, a row per member.
+
+    It must be pure (the same numbers give the same bits, wherever and in whatever blocks), and be
+    such that it can be pickled and named: a function of a module, a :func:`functools.partial` of
+    one, or a frozen dataclass with ``__call__``.
+    """
+
+    def __call__(self, first: int, last: int, /) -> Arrays:
+        """Arrays by name; their leading axis has length last − first."""
+
+
+@runtime_checkable
+class Divisible(Work, Protocol):
+    """Work that holds so much data that each worker should be sent its share alone."""
+
+    def part(self, first: int, last: int, /) -> Work:
+        """Work that gives the same for these members, numbered as before."""
+
+
+@dataclass(frozen=True)
+class Variable:
+    """An array of the result.
+
+    Parameters
+    ----------
+    dimensions : tuple of str
+        Names of the axes after the leading one.
+    shape : tuple of int
+        Their lengths.
+    dtype : str
+        Such as ``"float64"``, ``"int8"``, ``"bool"``.
+    attributes : mapping
+        ``long_name``, ``units``, ``source`` and what else is to be said of it.
+    coordinate : bool
+        Whether it says of every member where it is, rather than what was found there.
+    """
+
+    dimensions: tuple[str, ...] = ()
+    shape: tuple[int, ...] = ()
+    dtype: str = "float64"
+    attributes: Mapping[str, Any] = field(default_factory=dict)
+    coordinate: bool = False
+
+
+@dataclass(frozen=True)
+class Coordinate:
+    """A small array that is known beforehand, such as the times of the samples."""
+
+    dimensions: tuple[str, ...]
+    values: Any
+    attributes: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Task:
+    """A computation of many members in blocks.
+
+    Parameters
+    ----------
+    work : callable
+        See :class:`Work`.
+    size : int
+        Number of members.
+    block : int
+        Members in a block: what is computed, written and lost at once.
+    variables : mapping of str to Variable
+        What `work` gives.
+    member : str
+        Name of the leading axis: ``"run"``, ``"cell"``, …
+    coordinates : mapping of str to Coordinate
+        Known beforehand.
+    attributes : mapping
+        Of the whole result: system, parameters, seed, tolerance, versions.  Together with `work`
+        they tell one experiment from another, so they must be the same when it is resumed: numbers,
+        texts, and lists of them.
+
+    Raises
+    ------
+    InputError
+        If size or block are no whole numbers from 1 on.
+    """
+
+    work: Work
+    size: int
+    block: int
+    variables: Mapping[str, Variable]
+    member: str = "run"
+    coordinates: Mapping[str, Coordinate] = field(default_factory=dict)
+    attributes: Mapping[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for name in ("size", "block"):
+            number = getattr(self, name)
+            if not isinstance(number, int | np.integer) or number < 1:
+                raise InputError(f"the {name} is {number}: a whole number, at least 1, is needed")
+
+    def members(self, block: int) -> tuple[int, int]:
+        """First member of a block, and the one after its last."""
+        return block * self.block, min((block + 1) * self.block, self.size)
+
+    @property
+    def blocks(self) -> int:
+        """Number of blocks."""
+        return math.ceil(self.size / self.block)
+
+    def checked(self, arrays: Arrays, first: int, last: int) -> Arrays:
+        """The arrays of a block, if they are what was announced.
+
+        Raises
+        ------
+        InputError
+            If a name, a shape or a kind of number is another one.
+        """
+        if set(arrays) != set(self.variables):
+            raise InputError(
+                f"the work gave {', '.join(sorted(arrays))} where "
+                f"{', '.join(sorted(self.variables))} were announced"
+            )
+        for name, variable in self.variables.items():
+            array, shape = arrays[name], (last - first, *variable.shape)
+            if array.shape != shape or array.dtype != np.dtype(variable.dtype):
+                raise InputError(
+                    f"the work gave {name} with shape {array.shape} and type {array.dtype} where "
+                    f"{shape} and {variable.dtype} were announced"
+                )
+        return arrays
+
+
+def compute(
+    task: Task,
+    where: str | Path | None = None,
+    *,
+    client: Any = None,
+    progress: Progress | None = None,
+) -> xr.Dataset:
+    """Carry out a task.
+
+    Parameters
+    ----------
+    task : Task
+    where : path, optional
+        Folder of the Zarr store that is to hold the result, usually called ``….zarr``: written
+        block by block, and begun or gone on with, as it is found.  Without it everything is kept
+        in memory.
+    client : dask.distributed.Client, str or int, optional
+        Who computes: a Dask client, the address of a scheduler (``"tcp://host:8786"``), a number
+        of processes of this machine, or ``"local"`` for as many as it has processors.  Without
+        it this process does.
+    progress : callable, optional
+        Told how much is done, from 0 to 1.
+
+    Returns
+    -------
+    xarray.Dataset
+        In memory; or, where there is a store, read from it when it is used.
+
+    Raises
+    ------
+    InputError
+        If the store cannot be written, is none of ours, or holds another experiment; if the
+        cluster cannot be reached.
+    UnfinishedError
+        If the disk is full, or a block brings down the workers; what was written stays.
+    """
+    told = progress if progress is not None else _silent
+    _require_room(task, where)
+    return _in_memory(task, client, told) if where is None else _stored(task, where, client, told)
+
+
+def _require_room(task: Task, where: str | Path | None) -> None:
+    """Refuse a task whose result finds no room where it is to be; what is there takes none."""
+    sizes = [
+        (task.size * math.prod(variable.shape), np.dtype(variable.dtype).itemsize)
+        for variable in task.variables.values()
+    ]
+    folder = None if where is None else Path(where)
+    if folder is None or not folder.exists():
+        what = f"the {sum(count for count, _ in sizes):,} numbers of the result"
+        require_room(sum(count * size for count, size in sizes), folder, what)
+
+
+def _silent(done: float) -> None:
+    """Progress of which nobody wants to hear."""
+
+
+def _results(
+    task: Task, blocks: Sequence[int], client: Any, progress: Progress
+) -> Iterator[tuple[int, Arrays]]:
+    """The blocks asked for as they come, each with its number."""
+    progress(1 - len(blocks) / task.blocks)
+    pace = Pace()
+    if client is None:
+        pairs: Iterator[tuple[int, Arrays]] = (
+            (block, task.work(*task.members(block))) for block in blocks
+        )
+    else:
+        from .dask import results
+
+        pairs = results(client, task.work, {block: task.members(block) for block in blocks})
+    for count, (block, arrays) in enumerate(pairs, 1):
+        yield block, task.checked(arrays, *task.members(block))
+        pace.check(count / len(blocks), f"{task.size:,} {task.member}s")
+        progress(1 - (len(blocks) - count) / task.blocks)
+
+
+def _in_memory(task: Task, client: Any, progress: Progress) -> xr.Dataset:
+    import xarray as xr
+
+    whole = {
+        name: np.empty((task.size, *variable.shape), variable.dtype)
+        for name, variable in task.variables.items()
+    }
+    for block, arrays in _results(task, range(task.blocks), client, progress):
+        for name, array in arrays.items():
+            whole[name][slice(*task.members(block))] = array
+    placed = {
+        name: xr.Variable((task.member, *variable.dimensions), whole[name], variable.attributes)
+        for name, variable in task.variables.items()
+    }
+    known = {
+        name: xr.Variable(item.dimensions, item.values, item.attributes)
+        for name, item in task.coordinates.items()
+    }
+    of_members = [name for name, variable in task.variables.items() if variable.coordinate]
+    return xr.Dataset(placed, known, task.attributes).set_coords(of_members)
+
+
+def _stored(task: Task, where: str | Path, client: Any, progress: Progress) -> xr.Dataset:
+    from .zarr_store import open_store, read
+
+    with open_store(task, Path(where)) as store:
+        for block, arrays in _results(store.task, store.missing, client, progress):
+            store.write(block, arrays)
+    return read(where)

@@ -1,0 +1,181 @@
+"""The work of an ensemble: motions of some of its members."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from ...core.system import System
+from ...core.vectors import explicit
+from ...errors import InputError
+from ...formulas.evaluate import values
+from ..batch import Lanes, lanes
+from ..initial_states import flat_starts
+from ..sampling.draw import Level, prepared
+from ..trajectory import by_name
+from .members import Drawn, Listed, Members
+from .task import Arrays
+
+__all__ = ["Motions", "Recorded", "recorded"]
+
+
+@dataclass(frozen=True)
+class Recorded:
+    """A quantity to be recorded along motions.
+
+    Attributes
+    ----------
+    name : str
+    formulas : tuple of sympy.Expr
+        Its components.
+    frame : str
+        Of a vector, as in :class:`chaplygin.core.system.Observable`; empty for a scalar.
+    meaning, unit, source : str
+    """
+
+    name: str
+    formulas: tuple[Any, ...]
+    frame: str
+    meaning: str
+    unit: str
+    source: str
+
+
+def recorded(system: System, names: Sequence[str]) -> tuple[Recorded, ...]:
+    """Observables and integrals by name; an integral is recorded as ``law_<name>``.
+
+    Raises
+    ------
+    InputError
+        If the system has no such observable or integral.
+    """
+    known = {f"law_{law.name}": _recorded(f"law_{law.name}", "", law) for law in system.integrals}
+    known |= {item.name: _recorded(item.name, item.frame, item) for item in system.observables}
+    found = []
+    for name in names:
+        label = name if name in known else f"law_{name}"
+        if label not in known:
+            raise InputError(
+                f"{system.name}: there is no {name} to be recorded; there are "
+                f"{', '.join(known) or 'no observables'}"
+            )
+        found.append(known[label])
+    return tuple(found)
+
+
+def _recorded(name: str, frame: str, item: Any) -> Recorded:
+    formula = explicit(sp.sympify(item.value))
+    parts = tuple(formula) if isinstance(formula, sp.MatrixBase) else (formula,)
+    return Recorded(name, parts, frame, item.meaning, item.unit or "1", item.source)
+
+
+@dataclass(frozen=True, eq=False)
+class Motions:
+    """The work of an ensemble; see :class:`chaplygin.flow.ensemble.task.Work`.
+
+    Parameters
+    ----------
+    system : System
+    members : Members
+    times : tuple of float
+    parameters : mapping of str to float
+        The same for all members.
+    tolerance : float
+    record : tuple of str
+        Observables and integrals, by name.
+    offset : int
+        Number of the first of the members.
+    """
+
+    system: System
+    members: Members
+    times: tuple[float, ...]
+    parameters: Mapping[str, float]
+    tolerance: float
+    record: tuple[str, ...]
+    offset: int = 0
+
+    @property
+    def lanes(self) -> Lanes:
+        """The machine code."""
+        return lanes(self.system, tolerance=self.tolerance, backward=self.times[-1] < 0)
+
+    @property
+    def varied(self) -> tuple[str, ...]:
+        """The parameters that are given member by member."""
+        known = {str(p.symbol) for p in self.system.parameters}
+        return tuple(name for name in self.members.names if name in known)
+
+    def __call__(self, first: int, last: int) -> Arrays:
+        """Motions first, …, last − 1; arrays by name, a row for each."""
+        try:
+            starts, parameters, points = self.starts(first, last)
+            marched = self.lanes.until(starts, self.times, parameters)
+        except InputError as error:
+            raise InputError(error.message, f"runs {first} to {last - 1}") from error
+        found = {name: parameters[name] for name in self.varied}
+        if points is not None:
+            found["start"] = points
+        states = marched.states.reshape(-1, marched.states.shape[-1])
+        for variable in map(str, self.system.state):
+            block = by_name(self.system, states, variable)
+            found[variable] = block.reshape(*marched.states.shape[:2], *block.shape[1:])
+        for item in recorded(self.system, self.record):
+            block = values(self.system, item.formulas, marched.states, parameters)
+            found[item.name] = block if item.frame else block[..., 0]
+        found["outcome"] = marched.outcome.astype(np.int8)
+        found |= {"ended": marched.ended, "steps": marched.steps}
+        return {name: np.ascontiguousarray(array) for name, array in found.items()}
+
+    def part(self, first: int, last: int) -> Motions:
+        """The work for these members alone, without the rows of others; starts drawn have none."""
+        if self.members.draw is not None:
+            return self
+        given, _ = self.members.rows(first - self.offset, last - self.offset)
+        return replace(self, members=Members((Listed(given),)), offset=first)
+
+    def starts(self, first: int, last: int) -> tuple[Any, dict[str, Any], Any]:
+        """States at time 0, parameters, and numbers among the starts drawn, of some members."""
+        given, points = self.members.rows(first - self.offset, last - self.offset)
+        varied = {name: given.pop(name) for name in self.varied}
+        parameters = {**self.parameters, **varied}
+        if self.members.draw is None:
+            return flat_starts(self.system, given, parameters), parameters, None
+        if given:
+            raise InputError(
+                f"{self.system.name}: starts are drawn, so only parameters can be given besides, "
+                f"not {', '.join(given)}"
+            )
+        return self._drawn(self.members.draw, varied, points), parameters, points
+
+    def _drawn(self, draw: Drawn, varied: Mapping[str, Any], points: Any) -> Any:
+        """Starts by their numbers, on the levels at the parameters of each."""
+        found = np.empty((len(points), len(self.system.symbols)))
+        rows = np.column_stack([np.zeros(len(points)), *varied.values()])
+        sets, which = np.unique(rows, axis=0, return_inverse=True)
+        for number, row in enumerate(sets[:, 1:].tolist()):
+            here = np.flatnonzero(which.ravel() == number)
+            wanted, begin = points[here], int(points[here].min())
+            level = self.level(dict(zip(varied, row, strict=True)))
+            found[here] = level.draw(int(wanted.max()) - begin + 1, seed=draw.seed, first=begin)[
+                wanted - begin
+            ]
+        return found
+
+    def level(self, varied: Mapping[str, float]) -> Level:
+        """The level on which starts are drawn, at given values of the parameters that vary."""
+        held = self.members.draw.level if self.members.draw is not None else {}
+        values = {**self.parameters, **varied}
+        return _level(self.system, tuple(held.items()), tuple(values.items()))
+
+
+@lru_cache(maxsize=512)
+def _level(
+    system: System, held: tuple[tuple[str, float], ...], values: tuple[tuple[str, float], ...]
+) -> Level:
+    return prepared(system, dict(held), dict(values))

@@ -1,0 +1,229 @@
+"""Starts: many at once by name, and one in whichever of the ways in which it may be given."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+from typing import Any
+
+import mpmath
+import numpy as np
+import sympy as sp
+
+from ..core.system import System, flat
+from ..core.vectors import Vector
+from ..errors import InputError
+from ..formulas.evaluate import values
+
+__all__ = ["flat_starts", "reduced_rows", "reduced_start", "upright", "whole_start"]
+
+#: Digits of the attitude that goes with a start, and what is left of a half turn.
+_DIGITS, _TURNED = 50, 1e-12
+
+omega, gamma = Vector("omega"), Vector("gamma")
+
+
+def reduced_start(
+    system: System,
+    start: Mapping[str, Any] | Sequence[Any],
+    parameters: Mapping[Any, Any] | None = None,
+) -> tuple[Any, ...]:
+    """The state of a system without what belongs to its motion in space, in flat order.
+
+    Parameters
+    ----------
+    system : System
+    start : mapping of str to number or numbers, or sequence of numbers
+        By name (ω and γ, or the variables of the state), or in flat order, with the motion in
+        space, as :func:`chaplygin.starting_state` gives it, or without.
+    parameters : mapping of Symbol or name to number, optional
+        Values that replace the defaults where the state follows from ω and γ.
+
+    Raises
+    ------
+    InputError
+        If a name or the number of numbers is wrong.
+    """
+    if isinstance(start, Mapping):
+        given = {name: np.array([value], dtype=float) for name, value in start.items()}
+        numbers = {str(key): value for key, value in (parameters or {}).items()}
+        return tuple(flat_starts(system, given, numbers)[0].tolist())
+    _require_size(system, len(start))
+    return tuple(start[: len(system.symbols)])
+
+
+def whole_start(
+    system: System,
+    start: Mapping[str, Any] | Sequence[Any],
+    parameters: Mapping[Any, Any] | None = None,
+) -> tuple[Any, ...]:
+    """The state of a system with its motion in space, where it has one, in flat order.
+
+    What a start leaves out begins at zero, and the attitude so that ζ, or else γ, points upward.
+
+    Parameters
+    ----------
+    system, start, parameters
+        See `reduced_start`.
+
+    Raises
+    ------
+    InputError
+        If a name or the number of numbers is wrong.
+    """
+    if isinstance(start, Mapping):
+        start = reduced_start(system, start, parameters)
+    _require_size(system, len(start))
+    if system.motion is None or len(start) > len(system.symbols):
+        return tuple(start)
+    known = dict(zip(map(str, system.symbols), start, strict=True))
+    up = next((n for n in (Vector("zeta"), gamma) if n in system.state), None)
+    found: list[Any] = list(start)
+    for name, _ in system.motion.field:
+        if str(name) == "attitude":
+            found += upright([known[str(s)] for s in up.symbols]) if up else [1.0, 0.0, 0.0, 0.0]
+        else:
+            found += [0.0] * len(flat([name]))
+    return tuple(found)
+
+
+def upright(vertical: Sequence[Any]) -> list[Any]:
+    """The quaternion that takes a unit vector (body) to the vertical along the shortest way."""
+    with mpmath.workdps(_DIGITS):
+        x, y, z = (mpmath.mpf(repr(v)) if isinstance(v, float) else mpmath.mpf(v) for v in vertical)
+        turn = [1 + z, y, -x, mpmath.mpf(0)]
+        if not 1 + z > _TURNED:
+            turn = [mpmath.mpf(0), mpmath.mpf(1), mpmath.mpf(0), mpmath.mpf(0)]
+        length = mpmath.norm(turn)
+        return [part / length for part in turn]
+
+
+def reduced_rows(system: System, rows: Any) -> Any:
+    """Starts (motions, size, …) without the columns that belong to the motion in space."""
+    whole = system.motion is not None and rows.ndim > 1
+    if whole and rows.shape[1] == len(system.lifted().symbols):
+        return rows[:, : len(system.symbols)]
+    return rows
+
+
+def _require_size(system: System, given: int) -> None:
+    """Refuse a start of another size than the state, or the state with the motion in space."""
+    size = len(system.symbols)
+    whole = system.lifted() if system.motion else system
+    if given in (size, len(whole.symbols)):
+        return
+    names = list(map(str, whole.symbols))
+    more = f"; or {len(names)}, with {', '.join(names[size:])}" if len(names) > size else ""
+    raise InputError(
+        f"start has {given} numbers: {size} are needed ({', '.join(names[:size])}{more})"
+    )
+
+
+def flat_starts(
+    system: System, given: Mapping[str, Any], parameters: Mapping[str, Any] | None = None
+) -> Any:
+    """States in flat order.
+
+    Parameters
+    ----------
+    system : System
+    given : mapping of str to array
+        ``state`` (n, size), the whole state; or variables of the state, (n, components) for
+        vectors and (n,) for scalars, or single components; or ``omega`` and ``gamma``, (n, 3) in
+        body axes, from which the system says how the state follows (γ is normalised then).
+    parameters : mapping of str to number or array (n,), optional
+        Values that replace the defaults.
+
+    Returns
+    -------
+    array (n, size)
+
+    Raises
+    ------
+    InputError
+        If a name is unknown, a shape is wrong, or something of the state is not given.
+    """
+    if set(given) == {"state"}:
+        states = reduced_rows(system, np.asarray(given["state"], dtype=float))
+        return _shaped(system, "state", states, len(system.symbols))
+    if "omega" in given and ("gamma" in given or omega not in system.state):
+        return _placed(system, _of_spin(system, given, parameters))
+    return _placed(system, given)
+
+
+def _placed(system: System, given: Mapping[str, Any]) -> Any:
+    """The columns of the state, from variables and components by name."""
+    columns: dict[str, Any] = {}
+    variables = {str(v): v for v in system.state}
+    components = {str(s): s for s in system.symbols}
+    for name, array in given.items():
+        if name in variables:
+            symbols = flat([variables[name]])
+            block = _shaped(system, name, array, len(symbols))
+            columns |= {str(s): block[:, i] for i, s in enumerate(symbols)}
+        elif name in components:
+            columns[name] = _shaped(system, name, array, 1)[:, 0]
+        else:
+            known = ", ".join([*variables, *(str(p.symbol) for p in system.parameters)])
+            raise InputError(f"{system.name}: there is no {name}; it has {known}")
+    missing = [name for name in components if name not in columns]
+    if missing:
+        raise InputError(f"{system.name}: the start does not tell {', '.join(missing)}")
+    return np.column_stack([columns[name] for name in components])
+
+
+def _shaped(system: System, name: str, array: Any, size: int) -> Any:
+    """An array (n, size); scalars may be (n,)."""
+    block = np.asarray(array, dtype=float)
+    if size == 1 and block.ndim == 1:
+        return block[:, np.newaxis]
+    if block.ndim != 2 or block.shape[1] != size:
+        raise InputError(
+            f"{system.name}: each row of {name} has the shape {block.shape[1:]}; "
+            f"({size},) is needed"
+        )
+    return block
+
+
+def _of_spin(
+    system: System, given: Mapping[str, Any], parameters: Mapping[str, Any] | None
+) -> dict[str, Any]:
+    """The variables of the state that follow from ω and γ, and those that are given besides."""
+    if not system.start and omega not in system.state:
+        raise InputError(f"{system.name}: its state does not follow from omega; give the state")
+    if "gamma" not in given:
+        raise InputError(f"{system.name}: omega is given, but gamma is not")
+    turning = _shaped(system, "omega", given["omega"], 3)
+    normal = _shaped(system, "gamma", given["gamma"], 3)
+    lengths = np.linalg.norm(normal, axis=1, keepdims=True)
+    if not np.all(lengths > 0):
+        raise InputError(f"{system.name}: gamma is zero: it must point along the normal")
+    points = np.column_stack([turning, normal / lengths])
+    auxiliary, symbols = _spinning(system)
+    found = values(auxiliary, symbols, points, parameters)
+    following = {str(s): found[:, i] for i, s in enumerate(symbols)}
+    others = {name: array for name, array in given.items() if name not in ("omega", "gamma")}
+    kept = {
+        str(name): block
+        for name, block in ((omega, points[:, :3]), (gamma, points[:, 3:]))
+        if name in system.state
+    }
+    return {**following, **kept, **others}
+
+
+@lru_cache(maxsize=16)
+def _spinning(system: System) -> tuple[System, tuple[sp.Symbol, ...]]:
+    """ω and γ as a state of their own, in which the variables that follow are definitions."""
+    state: Sequence[Any] = (omega, gamma)
+    still = {name: sp.ImmutableMatrix([0, 0, 0]) for name in state}
+    known = flat(state)
+    formulas = [formula for _, formula in system.start]
+    before = system.needed(formulas, known)
+    auxiliary = System(
+        system.name,
+        system.title,
+        still,
+        system.parameters,
+        definitions=(*before, *system.start),
+    )
+    return auxiliary, flat([name for name, _ in system.start])

@@ -1,0 +1,1 @@
+"""Machine code for integration: its generation, its compilation, its cache."""

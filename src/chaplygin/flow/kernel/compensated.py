@@ -1,0 +1,196 @@
+"""Numbers kept as a head and a rest, and tricks with the bits of doubles."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import TYPE_CHECKING, NamedTuple
+
+from .approximation import parts, series
+
+if TYPE_CHECKING:
+    from .arithmetic import Arithmetic, Value
+    from .ir_writer import Writer
+
+__all__ = [
+    "Split",
+    "as_doubles",
+    "as_integers",
+    "constant",
+    "difference",
+    "fast_sum",
+    "integers",
+    "is_negative",
+    "is_odd",
+    "joined",
+    "like",
+    "nearest",
+    "polynomial",
+    "power_of_two",
+    "put",
+    "quotient",
+    "reduced",
+    "selected",
+    "unit",
+    "where",
+]
+
+#: Adding this rounds to an integer, which then stands in the lowest bits (Moler's trick; vector
+#: instructions for it are missing on half of the machines).
+MAGIC = 1.5 * 2.0**52
+
+
+class Split(NamedTuple):
+    """A number as a sum of a rounded number and a small rest."""
+
+    head: Value
+    rest: Value
+
+
+# --- bits -------------------------------------------------------------------------------------
+
+
+def as_integers(w: Writer, a: str) -> str:
+    """Doubles as integers."""
+    return w.emit(f"bitcast {w.type} {a} to {w.whole}")
+
+
+def as_doubles(w: Writer, bits: str) -> str:
+    """Integers as doubles."""
+    return w.emit(f"bitcast {w.whole} {bits} to {w.type}")
+
+
+def integers(w: Writer, name: str, a: str, b: int) -> str:
+    """An instruction on integers, with a constant."""
+    return w.emit(f"{name} {w.whole} {a}, splat (i64 {b})")
+
+
+def is_negative(w: Writer, a: str) -> str:
+    """Where the sign bit is set."""
+    return w.emit(f"icmp slt {w.whole} {as_integers(w, a)}, zeroinitializer")
+
+
+def is_odd(w: Writer, bits: str) -> str:
+    """Where an integer is odd."""
+    return w.emit(f"trunc {w.whole} {bits} to {w.mask}")
+
+
+def nearest(w: Writer, a: str, factor: Fraction) -> tuple[str, str]:
+    """The integer nearest to a multiple: as a double, and in the lowest bits."""
+    magic = w.constant(MAGIC)
+    moved = w.call("fma", a, w.constant(float(factor)), magic)
+    return w.op("fsub", moved, magic), as_integers(w, moved)
+
+
+def power_of_two(w: Writer, n: str) -> str:
+    """2ⁿ for an integer (as a double) between −1022 and 1023."""
+    bits = as_integers(w, w.op("fadd", n, w.constant(MAGIC)))
+    return as_doubles(w, integers(w, "shl", integers(w, "add", bits, 1023), 52))
+
+
+# --- sums, quotients and polynomials ----------------------------------------------------------
+
+
+def unit(k: Arithmetic) -> Value:
+    """1."""
+    return k.number(Fraction(1))
+
+
+def fast_sum(k: Arithmetic, a: Value, b: Value) -> Split:
+    """a + b without error, where a is the larger (Dekker)."""
+    head = k.add(a, b)
+    return Split(head, k.sub(b, k.sub(head, a)))
+
+
+def any_sum(k: Arithmetic, a: Value, b: Value) -> Split:
+    """The same whichever is the larger (Knuth)."""
+    head = k.add(a, b)
+    moved = k.sub(head, a)
+    return Split(head, k.add(k.sub(a, k.sub(head, moved)), k.sub(b, moved)))
+
+
+def joined(k: Arithmetic, a: Split) -> Value:
+    """As one number."""
+    return k.add(a.head, a.rest)
+
+
+def selected(k: Arithmetic, mask: str, yes: Split, no: Split) -> Split:
+    """`yes` where the mask is set, else `no`."""
+    return Split(k.choose(mask, yes.head, no.head), k.choose(mask, yes.rest, no.rest))
+
+
+def quotient(k: Arithmetic, a: Split, b: Split) -> Split:
+    """a/b."""
+    inverse = k.recip(b.head)
+    head = k.mul(a.head, inverse)
+    minus = k.neg(head)
+    left = k.fma(minus, b.rest, k.add(k.fma(minus, b.head, a.head), a.rest))
+    return Split(head, k.mul(left, inverse))
+
+
+def polynomial(k: Arithmetic, name: str, t: Value) -> Value:
+    """The smooth part of a function, by Horner's rule.
+
+    High terms are too small for more than their first 53 bits to matter: they take one register
+    in any arithmetic.
+    """
+    found = series(name, k.bits + 6)
+    sizes = [abs(c) * Fraction(found.reach) ** i for i, c in enumerate(found.coefficients)]
+    short = [size * 2 ** (k.bits - 50) < sizes[0] for size in sizes]
+    w, lead = k.writer, k.leading(t)
+    *others, top = zip(found.coefficients, short, strict=True)
+    register = w.constant(float(top[0]))
+    total: Value = None
+    for coefficient, small in reversed(others):
+        if small:
+            register = w.call("fma", register, lead, w.constant(float(coefficient)))
+        else:
+            total = k.whole(register) if total is None else total
+            total = k.fma(total, t, k.number(coefficient))
+    return total
+
+
+def difference(k: Arithmetic, a: Split, b: Split) -> Split:
+    """a − b, where a is the larger or zero."""
+    total = fast_sum(k, a.head, k.neg(b.head))
+    return Split(total.head, k.add(total.rest, k.sub(a.rest, b.rest)))
+
+
+def constant(k: Arithmetic, name: str, factor: Fraction) -> Split:
+    """A constant and what is lost by rounding it."""
+    head, rest = parts(name, (53 * k.words,))
+    return Split(k.number(head * factor), k.number(rest * factor))
+
+
+def where(k: Arithmetic, x: Value, relation: str, limit: float) -> str:
+    """Where x has a relation to a number."""
+    w = k.writer
+    return w.compare(relation, k.leading(x), w.constant(limit))
+
+
+def put(k: Arithmetic, mask: str, value: float, result: Value) -> Value:
+    """A result with a constant in some places."""
+    return k.choose(mask, k.whole(k.writer.constant(value)), result)
+
+
+def like(k: Arithmetic, x: Value, magnitude: Value) -> Value:
+    """With the sign of x."""
+    return k.choose(is_negative(k.writer, k.leading(x)), k.neg(magnitude), magnitude)
+
+
+def reduced(k: Arithmetic, x: Value, name: str, factor: Fraction) -> tuple[Split, str, str]:
+    """x less the nearest multiple n of a constant; n as a double, and in the lowest bits.
+
+    Multiples of short pieces of the constant are taken off one after another, all but the last
+    two without error (Cody and Waite 1980; with fused products Boldo, Daumas and Li 2009).
+    """
+    w = k.writer
+    *pieces, _ = (piece * factor for piece in parts(name, (53,) * (k.words + 2)))
+    turns, bits = nearest(w, k.leading(x), 1 / sum(pieces, Fraction(0)))
+    n = k.whole(turns)
+    *exact, next_to_last, last = (k.number(-piece) for piece in pieces)
+    for piece in exact:
+        x = k.fma(n, piece, x)
+    product = k.mul(n, next_to_last)
+    lost = k.fma(n, next_to_last, k.neg(product))
+    head, rest = any_sum(k, x, product)
+    return Split(head, k.add(rest, k.fma(n, last, lost))), turns, bits

@@ -1,0 +1,61 @@
+"""Numbers of 32 digits as two doubles each."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import mpmath
+import numpy as np
+
+from ...core.system import System
+from ...formulas.evaluate import doubles, parameter_rows
+
+__all__ = ["paired", "parameter_pairs", "unpaired"]
+
+
+def paired(name: str, values: Any) -> Any:
+    """Numbers as pairs of doubles, the second what rounding to the first leaves: (..., 2).
+
+    Raises
+    ------
+    InputError
+        If they are not real numbers; the message calls them by `name`.
+    """
+    first = doubles(name, values)
+    numbers = np.asarray(values)
+    if numbers.dtype != object:
+        return np.ascontiguousarray(np.stack([first, np.zeros_like(first)], axis=-1))
+    with mpmath.workdps(50):
+        exact = [mpmath.mpmathify(x) for x in numbers.ravel()]
+        parts = [(float(x), float(x - mpmath.mpf(float(x)))) for x in exact]
+    return np.array(parts).reshape(*numbers.shape, 2)
+
+
+def parameter_pairs(system: System, parameters: Mapping[Any, Any] | None, count: int) -> Any:
+    """Values of the parameters in order: (1 or count, parameters, 2).
+
+    See :func:`chaplygin.formulas.evaluate.parameter_rows`; numbers of many digits keep 32 of them.
+    """
+    rows = parameter_rows(system, parameters, count)
+    made = np.stack([rows, np.zeros_like(rows)], axis=-1)
+    if not parameters:
+        return made
+    given = {str(key): np.asarray(value) for key, value in parameters.items()}
+    for i, parameter in enumerate(system.parameters):
+        value = given.get(str(parameter.symbol))
+        if value is not None and value.dtype == object:
+            made[:, i] = paired(str(parameter.symbol), value)
+    return made
+
+
+def unpaired(first: Any, rest: Any) -> Any:
+    """The numbers that pairs stand for, as an array of mpmath numbers."""
+    with mpmath.workdps(40):
+        sums = [
+            mpmath.mpf(float(a)) + mpmath.mpf(float(b))
+            for a, b in zip(np.ravel(first), np.ravel(rest), strict=True)
+        ]
+    made = np.empty(len(sums), dtype=object)
+    made[:] = sums
+    return made.reshape(np.shape(first))

@@ -1,0 +1,317 @@
+"""Functions of one number and more, in vector instructions: no branches, no tables, no calls.
+
+Every function is written once over an arithmetic, so that doubles and pairs of doubles share it.
+The argument is reduced to a short interval; there the function is its leading part, exact, and a
+polynomial times something small.  Both are kept apart as long as anything is done with them (a
+`Split` number, head and rest), so that rounding is felt hardly more than once: results are
+within 0.9 units in the last place for doubles, and to 10⁻³¹ for pairs.  Circular functions of
+more than 2⁴⁰ are not a number.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from .approximation import parts
+from .compensated import (
+    Split,
+    as_doubles,
+    as_integers,
+    constant,
+    difference,
+    fast_sum,
+    integers,
+    is_negative,
+    is_odd,
+    joined,
+    like,
+    nearest,
+    polynomial,
+    power_of_two,
+    put,
+    quotient,
+    reduced,
+    selected,
+    unit,
+    where,
+)
+
+if TYPE_CHECKING:
+    from .arithmetic import Arithmetic, Value
+
+__all__ = ["FUNCTIONS"]
+
+INFINITY = float("inf")
+
+# --- signs ------------------------------------------------------------------------------------
+
+
+def absolute(k: Arithmetic, x: Value) -> Value:
+    """Magnitude."""
+    return like(k, x, x)
+
+
+def sign(k: Arithmetic, x: Value) -> Value:
+    """1, −1; zero for zero, not a number for what is none."""
+    found = put(k, where(k, x, "olt", 0.0), -1.0, x)
+    return put(k, where(k, x, "ogt", 0.0), 1.0, found)
+
+
+# --- circular functions -----------------------------------------------------------------------
+
+#: Beyond this the nearest multiple of π/2 is not told apart any more.
+FARTHEST = 2.0**40
+
+
+def _circular(k: Arithmetic, x: Value) -> tuple[Split, Split, str]:
+    """Sine and cosine of x − n π/2, at most π/4 in magnitude, and n in the lowest bits."""
+    (r, rest), _, quadrant = reduced(k, x, "pi", Fraction(1, 2))
+    t = k.mul(r, r)
+    sine = Split(r, k.fma(k.mul(r, t), polynomial(k, "sin", t), rest))
+    top = fast_sum(k, unit(k), k.mul(t, k.number(Fraction(-1, 2))))
+    small = k.fma(k.mul(t, t), polynomial(k, "cos", t), k.neg(k.mul(r, rest)))
+    return sine, Split(top.head, k.add(top.rest, small)), quadrant
+
+
+def _turned(k: Arithmetic, x: Value, quarters: int) -> Value:
+    """sin(x + quarters π/2)."""
+    w = k.writer
+    sine, cosine, quadrant = _circular(k, x)
+    quadrant = integers(w, "add", quadrant, quarters)
+    found = joined(k, selected(k, is_odd(w, quadrant), cosine, sine))
+    other = is_odd(w, integers(w, "lshr", quadrant, 1))
+    return _within(k, x, k.choose(other, k.neg(found), found))
+
+
+def _within(k: Arithmetic, x: Value, value: Value) -> Value:
+    """Not a number where the angle is too large."""
+    return put(k, where(k, absolute(k, x), "ogt", FARTHEST), float("nan"), value)
+
+
+def _through_zero(k: Arithmetic, x: Value, value: Value) -> Value:
+    """x itself where that is zero, for the sign."""
+    return k.choose(where(k, x, "oeq", 0.0), x, value)
+
+
+def sin(k: Arithmetic, x: Value) -> Value:
+    """Sine."""
+    return _through_zero(k, x, _turned(k, x, 0))
+
+
+def cos(k: Arithmetic, x: Value) -> Value:
+    """Cosine."""
+    return _turned(k, x, 1)
+
+
+def tan(k: Arithmetic, x: Value) -> Value:
+    """Tangent."""
+    sine, cosine, quadrant = _circular(k, x)
+    odd = is_odd(k.writer, quadrant)
+    above, below = selected(k, odd, cosine, sine), selected(k, odd, sine, cosine)
+    below = fast_sum(k, *below)
+    found = joined(k, quotient(k, fast_sum(k, *above), below))
+    return _through_zero(k, x, _within(k, x, k.choose(odd, k.neg(found), found)))
+
+
+# --- their inverses ---------------------------------------------------------------------------
+
+
+def _arcsine(k: Arithmetic, x: Value) -> tuple[Split, str]:
+    """The arcsine of what is at most ½: of |x|, or of √((1 − |x|)/2) where the mask is set."""
+    size = absolute(k, x)
+    large = where(k, size, "ogt", 0.5)
+    t = k.mul(k.sub(unit(k), size), k.number(Fraction(1, 2)))
+    root = k.sqrt(t)
+    lost = k.mul(k.fma(k.neg(root), root, t), k.recip(k.add(root, root)))
+    zero = k.number(Fraction(0))
+    safe = k.choose(where(k, root, "oeq", 0.0), zero, lost)
+    s = selected(k, large, Split(root, safe), Split(size, zero))
+    square = k.choose(large, t, k.mul(size, size))
+    cubic = k.mul(k.mul(s.head, square), polynomial(k, "asin", square))
+    return Split(s.head, k.add(s.rest, cubic)), large
+
+
+def asin(k: Arithmetic, x: Value) -> Value:
+    """Arcsine."""
+    s, large = _arcsine(k, x)
+    twice = Split(*(k.add(part, part) for part in s))
+    far = difference(k, constant(k, "pi", Fraction(1, 2)), twice)
+    return like(k, x, joined(k, selected(k, large, far, s)))
+
+
+def acos(k: Arithmetic, x: Value) -> Value:
+    """Arccosine: π/2 ∓ s for small arguments, 2 s or π − 2 s for those near 1 or −1."""
+    w = k.writer
+    s, large = _arcsine(k, x)
+    negative = is_negative(w, k.leading(x))
+    minus = w.emit(f"xor {w.mask} {large}, {negative}")
+    s = Split(*(k.choose(large, k.add(part, part), part) for part in s))
+    s = Split(*(k.choose(minus, k.neg(part), part) for part in s))
+    zero = k.number(Fraction(0))
+    end = selected(k, negative, constant(k, "pi", Fraction(1)), Split(zero, zero))
+    middle = constant(k, "pi", Fraction(1, 2))
+    return joined(k, difference(k, selected(k, large, end, middle), s))
+
+
+def atan2(k: Arithmetic, y: Value, x: Value) -> Value:
+    """The angle of a point (x, y): a multiple of π/4, and the arctangent of at most ½."""
+    w, one, zero = k.writer, unit(k), k.number(Fraction(0))
+    steep = w.compare("ogt", k.leading(absolute(k, y)), k.leading(absolute(k, x)))
+    above, below = _proper(k, absolute(k, y), absolute(k, x), steep)
+    half = k.leading(k.mul(below, k.number(Fraction(1, 2))))
+    middle = w.compare("ogt", k.leading(above), half)
+    top = k.choose(middle, k.sub(above, below), above)
+    bottom = fast_sum(k, below, k.choose(middle, above, zero))
+    slope = quotient(k, Split(top, zero), bottom)
+    t = k.mul(slope.head, slope.head)
+    cubic = k.mul(k.mul(slope.head, t), polynomial(k, "atan", t))
+    angle = Split(slope.head, k.add(slope.rest, cubic))
+
+    behind = is_negative(w, k.leading(x))
+    backward = w.emit(f"xor {w.mask} {steep}, {behind}")
+    eighths = k.choose(middle, one, zero)
+    start = k.choose(steep, k.number(Fraction(2)), k.choose(behind, k.number(Fraction(4)), zero))
+    eighths = k.add(start, k.choose(backward, k.neg(eighths), eighths))
+    eighth = constant(k, "pi", Fraction(1, 4))
+    head = k.mul(eighths, eighth.head)
+    lost = k.fma(eighths, eighth.head, k.neg(head))
+    turned = Split(head, k.fma(eighths, eighth.rest, lost))
+    minus = Split(*(k.choose(backward, part, k.neg(part)) for part in angle))
+    return like(k, y, joined(k, difference(k, turned, minus)))
+
+
+def _proper(k: Arithmetic, a: Value, b: Value, swapped: str) -> tuple[Value, Value]:
+    """Two magnitudes with the same ratio, the smaller first, neither huge nor tiny nor 0/0."""
+    one = unit(k)
+    above, below = k.choose(swapped, b, a), k.choose(swapped, a, b)
+    factor = put(k, where(k, below, "olt", 2.0**-500), 2.0**600, one)
+    factor = put(k, where(k, below, "ogt", 2.0**500), 2.0**-600, factor)
+    endless = where(k, below, "oeq", INFINITY)
+    corner = put(k, where(k, above, "oeq", INFINITY), 1.0, k.mul(above, k.number(Fraction(0))))
+    above = k.choose(endless, corner, k.mul(above, factor))
+    below = k.choose(endless, one, k.mul(below, factor))
+    return above, k.choose(where(k, below, "oeq", 0.0), one, below)
+
+
+def atan(k: Arithmetic, x: Value) -> Value:
+    """Arctangent."""
+    return atan2(k, x, unit(k))
+
+
+# --- exponentials -----------------------------------------------------------------------------
+
+#: Where the results of exp and of sinh and cosh end, and where exp is nothing any more.
+HIGHEST, HIGHEST_HYPERBOLIC, LOWEST = 709.782712893384, 710.4758600739439, -746.0
+#: From here on the hyperbolic tangent is 1 to 106 bits.
+SATURATED = 40.0
+
+
+def _exponential(k: Arithmetic, x: Value, halvings: int) -> Split:
+    """eˣ by a power of two: 2ⁿ (1 + r + …), |r| ≤ (log 2)/2."""
+    w = k.writer
+    (r, rest), turns, _ = reduced(k, x, "ln2", Fraction(1))
+    top = fast_sum(k, unit(k), r)
+    small = k.fma(k.mul(r, r), polynomial(k, "exp", r), rest)
+    turns = w.op("fsub", turns, w.constant(float(halvings)))
+    # in two steps, for the last numbers before infinity and zero
+    first, _ = nearest(w, turns, Fraction(1, 2))
+    powers = (first, w.op("fsub", turns, first))
+    near, far = (k.whole(power_of_two(w, power)) for power in powers)
+    made = fast_sum(k, top.head, k.add(top.rest, small))
+    return Split(*(k.mul(k.mul(part, near), far) for part in made))
+
+
+def exp(k: Arithmetic, x: Value) -> Value:
+    """Exponential function."""
+    found = joined(k, _exponential(k, x, 0))
+    found = put(k, where(k, x, "ogt", HIGHEST), INFINITY, found)
+    return put(k, where(k, x, "olt", LOWEST), 0.0, found)
+
+
+def _hyperbolic(k: Arithmetic, x: Value) -> tuple[Split, Split]:
+    """Hyperbolic sine and cosine of a magnitude."""
+    large = _exponential(k, x, 1)
+    inverse = k.recip(large.head)
+    left = k.fma(k.neg(inverse), large.rest, k.fma(k.neg(inverse), large.head, unit(k)))
+    quarter = k.number(Fraction(1, 4))
+    small = Split(k.mul(inverse, quarter), k.mul(k.mul(inverse, left), quarter))
+    t = k.mul(x, x)
+    near = Split(x, k.mul(k.mul(x, t), polynomial(k, "sinh", t)))
+    cosine = difference(k, large, Split(*map(k.neg, small)))
+    sine = selected(k, where(k, x, "olt", 0.5), near, difference(k, large, small))
+    return sine, cosine
+
+
+def sinh(k: Arithmetic, x: Value) -> Value:
+    """Hyperbolic sine."""
+    size = absolute(k, x)
+    sine, _ = _hyperbolic(k, size)
+    far = where(k, size, "ogt", HIGHEST_HYPERBOLIC)
+    return like(k, x, put(k, far, INFINITY, joined(k, sine)))
+
+
+def cosh(k: Arithmetic, x: Value) -> Value:
+    """Hyperbolic cosine."""
+    size = absolute(k, x)
+    _, cosine = _hyperbolic(k, size)
+    return put(k, where(k, size, "ogt", HIGHEST_HYPERBOLIC), INFINITY, joined(k, cosine))
+
+
+def tanh(k: Arithmetic, x: Value) -> Value:
+    """Hyperbolic tangent."""
+    size = absolute(k, x)
+    sine, cosine = _hyperbolic(k, size)
+    found = joined(k, quotient(k, fast_sum(k, *sine), cosine))
+    return like(k, x, put(k, where(k, size, "ogt", SATURATED), 1.0, found))
+
+
+def log(k: Arithmetic, x: Value) -> Value:
+    """Logarithm: of 2ⁿ m it is n log 2 + 2 artanh((m − 1)/(m + 1)), √½ ≤ m < √2."""
+    w, one = k.writer, unit(k)
+    tiny, huge = where(k, x, "olt", 2.0**-500), where(k, x, "ogt", 2.0**500)
+    m = k.mul(x, put(k, huge, 2.0**-600, put(k, tiny, 2.0**600, one)))
+    n = w.choose(huge, w.constant(600.0), w.choose(tiny, w.constant(-600.0), w.constant(0.0)))
+    # the exponent's field, counted from √½ instead of 1
+    field = integers(
+        w, "add", as_integers(w, k.leading(m)), 0x3FF0000000000000 - 0x3FE6A09E667F3BCD
+    )
+    field = integers(w, "lshr", field, 52)
+    as_double = as_doubles(w, integers(w, "or", field, 0x4330000000000000))
+    n = w.op("fadd", n, w.op("fsub", as_double, w.constant(2.0**52 + 1023.0)))
+    inverse = w.emit(f"sub {w.whole} splat (i64 2046), {field}")
+    m = k.mul(m, k.whole(as_doubles(w, integers(w, "shl", inverse, 52))))
+
+    above = k.sub(m, one)
+    below = fast_sum(k, k.number(Fraction(2)), above)
+    s = quotient(k, Split(above, k.number(Fraction(0))), below)
+    twice = Split(*(k.add(part, part) for part in s))
+    t = k.mul(s.head, s.head)
+    cubic = k.mul(k.mul(twice.head, t), polynomial(k, "atanh", t))
+    # short, so that its multiples are exact
+    high, low = parts("ln2", (k.bits - 11,))
+    total = fast_sum(k, k.mul(k.whole(n), k.number(high)), twice.head)
+    rest = k.add(twice.rest, k.fma(k.whole(n), k.number(low), cubic))
+    found = k.add(total.head, k.add(total.rest, rest))
+    found = put(k, where(k, x, "olt", 0.0), float("nan"), found)
+    found = put(k, where(k, x, "oeq", INFINITY), INFINITY, found)
+    return put(k, where(k, x, "oeq", 0.0), -INFINITY, found)
+
+
+FUNCTIONS: Mapping[str, Callable[..., Value]] = {
+    "abs": absolute,
+    "sign": sign,
+    "sin": sin,
+    "cos": cos,
+    "tan": tan,
+    "asin": asin,
+    "acos": acos,
+    "atan": atan,
+    "atan2": atan2,
+    "sinh": sinh,
+    "cosh": cosh,
+    "tanh": tanh,
+    "exp": exp,
+    "log": log,
+}

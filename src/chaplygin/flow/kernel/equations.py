@@ -1,0 +1,192 @@
+"""What machine code is made of: the formulas of a System, of its deviations and of a section."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from ...core.system import System
+from ...errors import InputError
+from ...formulas.evaluate import formula, read_system
+from ...formulas.graph import Graph, Term, ordered
+
+__all__ = ["Equations", "Section", "equations_of", "groups", "section", "serial", "serial_terms"]
+
+
+@dataclass(frozen=True)
+class Section:
+    """Where a motion is looked at: a function vanishes.
+
+    Attributes
+    ----------
+    value : sympy.Expr
+        The function, in the state, definitions and parameters.
+    direction : int
+        +1 where it rises through zero, −1 where it falls, 0 for both.
+    where : sympy.Expr or None
+        Only crossings where this is positive count.
+    """
+
+    value: Any
+    direction: int = 1
+    where: Any = None
+
+
+def section(
+    system: System, quantity: Any, value: float = 0, direction: int = 1, angle: bool = False
+) -> Section:
+    """The section on which a quantity has a value.
+
+    Parameters
+    ----------
+    system : System
+    quantity : SymPy expression or str
+        See :func:`chaplygin.formulas.evaluate.formula`.
+    value : float
+    direction : int
+        +1 where the quantity rises through the value, −1 where it falls, 0 for both.
+    angle : bool
+        The quantity is an angle, and has the value up to whole turns.
+
+    Raises
+    ------
+    InputError
+        If the quantity cannot be read or does not change, or the direction is none of the three.
+    """
+    if direction not in (-1, 0, 1):
+        raise InputError(f"direction = {direction}: it must be 1 (rising), -1 (falling) or 0")
+    difference = formula(system, quantity) - sp.sympify(value)
+    reader, _ = read_system(system)
+    if not any(term.kind == "state" for term in ordered([reader(difference)])):
+        raise InputError(f"{system.name}: the section {quantity} = {value} contains no state")
+    if angle:
+        return Section(sp.sin(difference), direction, sp.cos(difference))
+    return Section(difference, direction)
+
+
+@dataclass(frozen=True)
+class Equations:
+    """Formulas of a System as terms of one graph.
+
+    Attributes
+    ----------
+    rates : tuple of Term
+        Time derivatives of the state; deviations follow the state itself.
+    groups : tuple of tuple of int
+        State variables whose error is measured by their common size: the components of a vector.
+    parameters : int
+    section, slope, where : Term or None
+        A function that vanishes on the section, its rate, and what must be positive there.
+    direction : int
+        +1 where the function rises, −1 where it falls, 0 for both.
+    guards : tuple of Term
+        Positive as long as the equations hold.
+    deviations : tuple of tuple of int
+        The places of each component in all the deviations.
+    """
+
+    graph: Graph
+    rates: tuple[Term, ...]
+    groups: tuple[tuple[int, ...], ...]
+    parameters: int
+    section: Term | None = None
+    slope: Term | None = None
+    where: Term | None = None
+    direction: int = 1
+    guards: tuple[Term, ...] = ()
+    deviations: tuple[tuple[int, ...], ...] = ()
+
+    @property
+    def acting(self) -> tuple[int, ...]:
+        """State variables on which some rate depends; a place on a plane is none."""
+        controlled = {i for group in self.groups for i in group}
+        used = {term.args[0] for term in ordered(self.rates) if term.kind == "state"}
+        return tuple(sorted(controlled & used))
+
+    @property
+    def pieces(self) -> dict[str, tuple[Term, ...]]:
+        """What is evaluated, by the name of the function that does it."""
+        pieces = {"rates": self.rates}
+        if self.section is not None and self.slope is not None:
+            where = () if self.where is None else (self.where,)
+            pieces["section"] = (self.section, self.slope, *where)
+            pieces["halfway"] = (self.section,)
+        if self.guards:
+            pieces["guards"] = self.guards
+        return pieces
+
+
+def equations_of(
+    system: System, deviations: int, section: Section | None, backward: bool
+) -> Equations:
+    """The formulas of a system, of its deviations and of a section, as terms."""
+    reader, forward = read_system(system)
+    if not forward:
+        raise InputError(f"{system.name}: a system without state has no motion")
+    graph = reader.graph
+    rates = tuple(-rate for rate in forward) if backward else forward
+    size = len(rates)
+    every = [*rates, *_variations(graph, rates, deviations)]
+    value = slope = where = None
+    if section is not None:
+        value = reader(section.value)
+        (slope,) = graph.along([value], {graph.state(i): rate for i, rate in enumerate(rates)})
+        where = None if section.where is None else reader(section.where)
+    direction = 0 if section is None else -section.direction if backward else section.direction
+    return Equations(
+        graph,
+        tuple(every),
+        groups(system),
+        len(system.parameters),
+        value,
+        slope,
+        where,
+        direction,
+        tuple(reader(guard.value) for guard in system.guards),
+        tuple(
+            tuple(size * k + i for k in range(1, deviations + 1))
+            for i in range(size if deviations else 0)
+        ),
+    )
+
+
+def _variations(graph: Graph, rates: Sequence[Term], deviations: int) -> list[Term]:
+    """The variational equations, of one deviation after the other."""
+    size = len(rates)
+    found: list[Term] = []
+    for k in range(1, deviations + 1):
+        direction = {graph.state(i): graph.state(k * size + i) for i in range(size)}
+        found.extend(graph.along(rates, direction))
+    return found
+
+
+def groups(system: System) -> tuple[tuple[int, ...], ...]:
+    """The places of the components of each vector of the state; scalars stand alone."""
+    found, first = [], 0
+    for variable in system.state:
+        width = 1 if isinstance(variable, sp.Symbol) else len(variable.symbols)
+        found.append(tuple(range(first, first + width)))
+        first += width
+    return tuple(found)
+
+
+def serial(equations: Equations) -> str:
+    """All that the code depends on, as a text."""
+    pieces = equations.pieces
+    heads = [f"{name} {len(piece)}" for name, piece in pieces.items()]
+    terms = serial_terms([term for piece in pieces.values() for term in piece])
+    rest = (equations.groups, equations.direction, equations.parameters, equations.deviations)
+    return "\n".join([*heads, terms, *map(str, rest)])
+
+
+def serial_terms(terms: Sequence[Term]) -> str:
+    """Terms as a text, in which each is written once."""
+    nodes = ordered(terms)
+    place = {id(node): i for i, node in enumerate(nodes)}
+    lines = [
+        f"{node.kind} {' '.join(str(place.get(id(a), a)) for a in node.args)}" for node in nodes
+    ]
+    return "\n".join([*lines, str([place[id(t)] for t in terms])])

@@ -1,0 +1,93 @@
+"""How to move a state so that integrals and relations keep their values."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from ...formulas.graph import Graph, Term
+
+__all__ = ["Kept", "correction"]
+
+
+@dataclass(frozen=True)
+class Kept:
+    """Functions of the state that keep their values along every motion.
+
+    Attributes
+    ----------
+    residuals : tuple of Term
+        What vanishes; the values to be kept are state variables after the last one.
+    correction : tuple of Term
+        The change of each state variable that makes them vanish; the residuals are state
+        variables after the last one.
+    """
+
+    residuals: tuple[Term, ...]
+    correction: tuple[Term, ...]
+
+
+def correction(
+    graph: Graph,
+    kept: Sequence[Term],
+    vanishing: Sequence[Term],
+    groups: Sequence[Sequence[int]],
+    size: int,
+) -> Kept:
+    """How to move a state so that functions keep their values, and others vanish.
+
+    The change is the shortest in which each vector of the state counts relative to its length:
+    −D Gᵀ(G D Gᵀ)⁻¹ c, with G the gradients, c the residuals and D the squared lengths.  Where
+    gradients are dependent, as in a steady motion, what they share is corrected once.
+    """
+    states = [graph.state(i) for i in range(size)]
+    held = [*kept, *vanishing]
+    zero, one = graph.number(0), graph.number(1)
+    lengths = [zero] * size
+    for group in groups:
+        total = graph.number(Fraction(1, 10**200))
+        for i in group:
+            total = total + states[i] * states[i]
+        for i in group:
+            lengths[i] = total
+    columns = [graph.along(held, {s: one if s is x else zero for s in states}) for x in states]
+    gradients = [[columns[i][k] for i in range(size)] for k in range(len(held))]
+    scaled = [[g * d for g, d in zip(row, lengths, strict=True)] for row in gradients]
+    matrix = [[_dot(graph, row, other) for other in scaled] for row in gradients]
+    residuals = [graph.state(size + k) for k in range(len(held))]
+    shares = _solved(graph, matrix, residuals)
+    moves = [-_dot(graph, shares, [scaled[k][i] for k in range(len(held))]) for i in range(size)]
+    left = [value - graph.state(size + k) for k, value in enumerate(kept)]
+    return Kept((*left, *vanishing), tuple(moves))
+
+
+def _dot(graph: Graph, a: Sequence[Term], b: Sequence[Term]) -> Term:
+    total = graph.number(0)
+    for x, y in zip(a, b, strict=True):
+        total = total + x * y
+    return total
+
+
+def _solved(graph: Graph, matrix: list[list[Term]], right: list[Term]) -> list[Term]:
+    """The solution of symmetric equations, leaving out rows that depend on those before."""
+    size = len(right)
+    rows = [[*row, b] for row, b in zip(matrix, right, strict=True)]
+    pivots = []
+    for k in range(size):
+        share = matrix[k][k] * graph.number(Fraction(1, 10**10))
+        pivot = rows[k][k]
+        inverse = graph.positive(pivot - share, graph.recip(pivot), graph.number(0))
+        pivots.append(inverse)
+        for i in range(k + 1, size):
+            factor = rows[i][k] * inverse
+            rows[i] = [
+                rows[i][j] - factor * rows[k][j] if j > k else rows[i][j] for j in range(size + 1)
+            ]
+    found: list[Term] = [graph.number(0)] * size
+    for k in reversed(range(size)):
+        rest = rows[k][size]
+        for j in range(k + 1, size):
+            rest = rest - rows[k][j] * found[j]
+        found[k] = rest * pivots[k]
+    return found

@@ -1,0 +1,617 @@
+"""Many motions at once: an explicit method with a lane for each trajectory.
+
+Every lane has its own time, step size and fate.  A lane that has come to its end makes room for
+the next trajectory of the batch, so that all lanes are busy until few are left; nothing that
+happens in one lane is seen by another.
+
+Crossings of a section are found by the steps themselves.  When a step has passed through the
+section it is not taken; the lane goes instead to where a cubic through values and slopes at both
+ends vanishes, then by Newton's method in time, until what is left is below rounding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from .arithmetic import Arithmetic, Value
+from .codegen import functions
+from .equations import Equations
+from .hermite import dipping, hence, root
+from .ir_writer import Writer, literal
+from .tableaux import Explicit
+
+__all__ = ["ENDS", "STEPS", "Workspace", "march"]
+
+#: Why a lane ended, by number; guards follow.
+ENDS = (
+    "",
+    "the step size collapsed (a singularity of the equations is near)",
+    "the state stopped being a number",
+    "the largest number of steps was reached",
+    "the time was over",
+    "a million steps passed without a crossing",
+)
+
+COLLAPSED, NOT_A_NUMBER, STEPS, OVER, IN_VAIN = range(1, len(ENDS))
+
+#: Steps without a crossing after which a motion is given up: what comes to rest crosses nothing.
+VAIN = 1e6
+
+#: The stage at which section and guards are looked at inside a step: its ends do not tell all.
+HALFWAY = 9
+
+#: Deviations may have so many times the error of the motion.
+LOOSER = 100.0
+
+#: Vectors that the lanes keep between steps.
+_KEPT = (
+    "time target step floor saved g gdot g_here tries steps marked "
+    "mode fault event fresh index samples"
+)
+
+# what has to be looked at in a lane
+_SAMPLE, _POINT, _END = 1.0, 2.0, 3.0
+
+# which stage of its life a lane is in
+_EMPTY, _RUNNING, _REFINING = 0.0, 1.0, 2.0
+
+
+@dataclass
+class Workspace:
+    """Where things lie in the memory of one thread, counted in vectors."""
+
+    size: int = 0
+    places: dict[str, int] = field(default_factory=dict)
+
+    def room(self, name: str, vectors: int = 1) -> int:
+        """Room for some vectors."""
+        self.places[name] = self.size
+        self.size += vectors
+        return self.places[name]
+
+
+class _March:
+    """The writing of the loop."""
+
+    def __init__(
+        self, arithmetic: type[Arithmetic], method: Explicit, equations: Equations, lanes: int
+    ) -> None:
+        self.w = Writer(lanes)
+        self.n = arithmetic(self.w)
+        self.method, self.equations = method, equations
+        self.dimension = len(equations.rates)
+        self.pieces, constants = functions(arithmetic, equations.pieces, lanes)
+        self.space = Workspace()
+        #: What each variable changes by, over the length of the step.
+        self.results: dict[int, Value] = {}
+        words = self.n.words
+        for name, count in (
+            ("y", self.dimension),
+            ("rest", self.dimension),
+            ("new", self.dimension),
+            ("stage", self.dimension),
+            ("rates", (len(method.b) + 1) * self.dimension),
+            ("constants", max(constants, 1)),
+            ("parameters", max(equations.parameters, 1)),
+            ("section", 3),
+            ("halfway", 1),
+            ("guards", max(len(equations.guards), 1)),
+        ):
+            self.space.room(name, count * words)
+        for name in _KEPT.split():
+            self.space.room(name)
+
+    # --- places ------------------------------------------------------------------------------
+
+    def place(self, name: str, number: int = 0) -> str:
+        """The address of a number of an array."""
+        vectors = self.space.places[name] + number * self.n.words
+        return self.w.at(self.w.type, "%work", vectors)
+
+    def get(self, name: str) -> str:
+        """A vector that the lanes keep."""
+        return self.w.load(self.w.type, self.place(name))
+
+    def put(self, name: str, value: str) -> None:
+        """Change a vector that the lanes keep."""
+        self.w.store(self.w.type, value, self.place(name))
+
+    def lane(self, name: str, lane: str) -> str:
+        """The address of one lane of a vector."""
+        return self.w.at("double", self.place(name), lane)
+
+    def rates(self, stage: int, of: str) -> None:
+        """Compute the rates of a stage."""
+        to, state = self.place("rates", stage * self.dimension), self.place(of)
+        self.w.line(f"call void @rates(ptr {to}, ptr {state}, ptr {self.place('constants')})")
+
+    def evaluate(self, piece: str, of: str) -> None:
+        """Compute the section or the guards at a state."""
+        self.w.line(
+            f"call void @{piece}(ptr {self.place(piece)}, ptr {self.place(of)}, "
+            f"ptr {self.place('constants')})"
+        )
+
+    # --- the loop ------------------------------------------------------------------------------
+
+    def write(self) -> str:
+        """The whole text."""
+        w = self.w
+        self.next = w.variable("i64", "%first")
+        self._start_lanes()
+        with w.forever() as leave:
+            self._attend()
+            leave(w.emit(f"xor i1 {w.any(self._live())}, true"))
+            with w.when(w.any(w.compare("ogt", self.get("fresh"), w.constant(0.0)))):
+                self._begin_fresh()
+            with w.forever() as pause:
+                pause(w.any(w.compare("ogt", self.get("event"), w.constant(0.0))))
+                self._step()
+        head = (
+            "void @march(i64 %first, i64 %last, ptr noalias %starts, ptr noalias %values, "
+            "i64 %stride, ptr noalias %times, i64 %wanted, double %tolerance, i64 %limit, "
+            "ptr noalias %states, ptr noalias %moments, ptr noalias %counts, "
+            "ptr noalias %outcome, ptr noalias %ended, ptr noalias %taken, ptr noalias %work)"
+        )
+        return self.pieces + "\n" + w.text(head, "#0")
+
+    def _live(self) -> str:
+        return self.w.compare("ogt", self.get("mode"), self.w.constant(_EMPTY))
+
+    def _start_lanes(self) -> None:
+        w, zero = self.w, self.w.constant(0.0)
+        with w.count(self.space.size) as i:
+            w.store(w.type, zero, w.at(w.type, "%work", i))
+        # an empty lane asks for a trajectory
+        self.put("event", w.constant(_END))
+
+    def _attend(self) -> None:
+        """Look at each lane in which something has happened."""
+        w = self.w
+        with w.count(w.lanes) as lane:
+            event = w.load("double", self.lane("event", lane))
+            with w.when(w.emit(f"fcmp ogt double {event}, 0.0")):
+                mode = w.load("double", self.lane("mode", lane))
+                with w.when(w.emit(f"fcmp ogt double {mode}, 0.0")):
+                    self._leave_sample(lane, event)
+                w.store("double", "0.0", self.lane("event", lane))
+                mode = w.load("double", self.lane("mode", lane))
+                with w.when(w.emit(f"fcmp oeq double {mode}, 0.0")):
+                    index = w.load("i64", self.next)
+                    with w.when(w.emit(f"icmp slt i64 {index}, %last")):
+                        self._take(lane, index)
+
+    def _take(self, lane: str, index: str) -> None:
+        """Put the next trajectory into a lane."""
+        w, words = self.w, self.n.words
+        w.store("i64", w.emit(f"add i64 {index}, 1"), self.next)
+        w.store("i64", index, self.lane("index", lane))
+        row = w.emit(f"mul i64 {index}, {self.dimension * words}")
+        for i in range(self.dimension * words):
+            value = w.load("double", w.at("double", w.at("double", "%starts", row), i))
+            w.store("double", value, self._component("y", i, lane))
+            w.store("double", "0.0", self._component("rest", i, lane))
+        row = w.emit(f"mul i64 {index}, %stride")
+        for i in range(self.equations.parameters * words):
+            value = w.load("double", w.at("double", w.at("double", "%values", row), i))
+            w.store("double", value, self._component("parameters", i, lane))
+        for name, value in (
+            ("time", "0.0"),
+            ("fault", "0.0"),
+            ("samples", "0.0"),
+            ("tries", "0.0"),
+            ("steps", "0.0"),
+            ("marked", "0.0"),
+            ("mode", literal(_RUNNING)),
+            ("fresh", "1.0"),
+        ):
+            w.store("double", value, self.lane(name, lane))
+        w.store("double", w.load("double", "%times"), self.lane("target", lane))
+
+    def _component(self, name: str, i: int, lane: str) -> str:
+        place = self.w.at(self.w.type, "%work", self.space.places[name] + i)
+        return self.w.at("double", place, lane)
+
+    def _leave_sample(self, lane: str, event: str) -> None:
+        """Write down a state, or the end."""
+        w = self.w
+        index = w.load("i64", self.lane("index", lane))
+        done = w.emit(f"fptosi double {w.load('double', self.lane('samples', lane))} to i64")
+        over = w.emit(f"fcmp oeq double {event}, {literal(_END)}")
+        with w.when(w.emit(f"xor i1 {over}, true")):
+            self._write_state(lane, index, done)
+            done_now = w.emit(f"add i64 {done}, 1")
+            w.store(
+                "double", w.emit(f"sitofp i64 {done_now} to double"), self.lane("samples", lane)
+            )
+            w.store("i64", done_now, w.at("i64", "%counts", index))
+            full = w.emit(f"icmp sge i64 {done_now}, %wanted")
+            with w.when(full):
+                self._finish(lane, index)
+            if self.equations.section is not None:
+                steps = w.load("double", self.lane("steps", lane))
+                w.store("double", steps, self.lane("marked", lane))
+            else:
+                with w.when(w.emit(f"xor i1 {full}, true")):
+                    following = w.load("double", w.at("double", "%times", done_now))
+                    w.store("double", following, self.lane("target", lane))
+        with w.when(over):
+            self._finish(lane, index)
+
+    def _finish(self, lane: str, index: str) -> None:
+        w = self.w
+        fault = w.emit(f"fptosi double {w.load('double', self.lane('fault', lane))} to i64")
+        w.store("i64", fault, w.at("i64", "%outcome", index))
+        w.store(
+            "double", w.load("double", self.lane("time", lane)), w.at("double", "%ended", index)
+        )
+        steps = w.emit(f"fptosi double {w.load('double', self.lane('steps', lane))} to i64")
+        w.store("i64", steps, w.at("i64", "%taken", index))
+        w.store("double", literal(_EMPTY), self.lane("mode", lane))
+
+    def _write_state(self, lane: str, index: str, done: str) -> None:
+        """The state of a lane; on a section, moved onto it along the flow."""
+        w, words = self.w, self.n.words
+        row = w.emit(f"add i64 {w.emit(f'mul i64 {index}, %wanted')}, {done}")
+        if self.equations.section is not None:
+            left = w.load("double", self.lane("saved", lane))
+            now = w.load("double", self.lane("time", lane))
+            w.store("double", w.emit(f"fadd double {now}, {left}"), w.at("double", "%moments", row))
+        start = w.emit(f"mul i64 {row}, {self.dimension * words}")
+        for i in range(self.dimension * words):
+            value = w.load("double", self._component("y", i, lane))
+            if self.equations.section is not None:
+                rate = w.load("double", self._component("rates", i, lane))
+                value = w.emit(
+                    f"call double @llvm.fma.f64(double {left}, double {rate}, double {value})"
+                )
+            w.store("double", value, w.at("double", w.at("double", "%states", start), i))
+
+    def _begin_fresh(self) -> None:
+        """What a lane needs before its first step."""
+        w, n, zero = self.w, self.n, self.w.constant(0.0)
+        fresh = w.compare("ogt", self.get("fresh"), zero)
+        w.line(f"call void @prepare(ptr {self.place('constants')}, ptr {self.place('parameters')})")
+        self.rates(0, "y")
+        size, speed = w.constant(1e-12), w.constant(1e-300)
+        for i in (i for group in self.equations.groups for i in group):
+            y = n.leading(n.load(self.place("y"), i))
+            k = n.leading(n.load(self.place("rates"), i))
+            size, speed = w.call("fma", y, y, size), w.call("fma", k, k, speed)
+        ratio = w.op("fdiv", size, speed)
+        first = w.op("fmul", w.constant(1e-2), w.call("sqrt", ratio))
+        # at rest nothing tells how fast things go
+        index = "0" if self.equations.section else w.emit("sub i64 %wanted, 1")
+        end = w.splat(w.load("double", w.at("double", "%times", index)))
+        first = w.call("minnum", first, w.call("minnum", end, w.constant(1e6)))
+        self.put("step", w.choose(fresh, first, self.get("step")))
+        floor = w.op("fmul", w.constant(1e-12), first)
+        self.put("floor", w.choose(fresh, floor, self.get("floor")))
+        if self.equations.section is not None:
+            self.evaluate("section", "y")
+            g = n.leading(n.load(self.place("section"), 0))
+            gdot = n.leading(n.load(self.place("section"), 1))
+            # a start on the section is not a return to it
+            reach = w.op("fmul", w.op("fmul", w.constant(1e-8), first), w.call("fabs", gdot))
+            close = w.compare("ole", w.call("fabs", g), reach)
+            self.put("g", w.choose(fresh, w.choose(close, hence(w, gdot), g), self.get("g")))
+            self.put("g_here", w.choose(fresh, g, self.get("g_here")))
+            self.put("gdot", w.choose(fresh, gdot, self.get("gdot")))
+        if self.equations.guards:
+            self.evaluate("guards", "y")
+            self._notice_guards(fresh)
+        bad = w.both(fresh, w.unless(w.compare("ord", ratio, ratio)))
+        self.put("fault", w.choose(bad, w.constant(float(NOT_A_NUMBER)), self.get("fault")))
+        ended = w.both(fresh, w.compare("ogt", self.get("fault"), zero))
+        self.put("event", w.choose(ended, w.constant(_END), self.get("event")))
+        self.put("fresh", zero)
+
+    def _passed(self) -> list[str]:
+        """For each guard, where it is not positive; what is no number is not."""
+        w, n = self.w, self.n
+        places = range(len(self.equations.guards))
+        values = [n.leading(n.load(self.place("guards"), i)) for i in places]
+        return [w.compare("ule", value, w.constant(0.0)) for value in values]
+
+    def _notice_guards(self, among: str, before: Sequence[str] = ()) -> str:
+        """Mark lanes whose state a guard forbids; the mask of those that none does.
+
+        `before` are masks of guards that were passed earlier in the step.
+        """
+        w = self.w
+        fine = "splat (i1 true)"
+        fault = self.get("fault")
+        for i, now in reversed(list(enumerate(self._passed()))):
+            passed = w.either(now, before[i]) if before else now
+            fine = w.both(fine, w.unless(passed))
+            code = w.constant(float(len(ENDS) + i))
+            fault = w.choose(w.both(among, passed), code, fault)
+        self.put("fault", fault)
+        return fine
+
+    def _step(self) -> None:
+        """One attempt in all lanes."""
+        w, n, zero = self.w, self.n, self.w.constant(0.0)
+        mode = self.get("mode")
+        running = w.compare("oeq", mode, w.constant(_RUNNING))
+        refining = w.compare("oeq", mode, w.constant(_REFINING))
+        live = self._live()
+        time, target, planned = self.get("time"), self.get("target"), self.get("step")
+        left = w.op("fsub", target, time)
+        last = w.both(running, w.compare("oge", w.op("fmul", planned, w.constant(1.00001)), left))
+        step = w.choose(live, w.choose(last, left, planned), zero)
+        arrived = w.op("fadd", time, step)
+        # a step that the clock can show, so that no time is lost by rounding
+        step_number = n.difference(arrived, time)
+        halfway: list[str] = []
+        step = n.leading(step_number)
+        for stage in range(1, len(self.method.b)):
+            for i in range(self.dimension):
+                value = n.fma(step_number, self._sum(self.method.a[stage], i), self._y(i))
+                n.store(value, self.place("stage"), i)
+            if stage == HALFWAY and self.equations.section is not None:
+                self.evaluate("halfway", "stage")
+            if stage == HALFWAY and self.equations.guards:
+                self.evaluate("guards", "stage")
+                halfway = self._passed()
+            self.rates(stage, "stage")
+        for i in range(self.dimension):
+            self._advance(step_number, i)
+        error = self._error(step)
+        last_stage = len(self.method.b)
+        self.rates(last_stage, "new")
+        allowed = w.both(live, w.compare("ole", error, w.constant(1.0)))
+        number = w.compare("ord", error, error)
+        factor = w.op("fmul", w.constant(0.9), w.inverse_root(error, 2 * self.method.order))
+        factor = w.choose(w.compare("ogt", factor, w.constant(0.2)), factor, w.constant(0.2))
+        factor = w.choose(w.compare("olt", factor, w.constant(5.0)), factor, w.constant(5.0))
+        factor = w.choose(number, factor, w.constant(0.2))
+        if self.equations.section is not None:
+            self.evaluate("section", "new")
+            excess = self._wavering(step)
+            slower = w.op("fmul", w.constant(0.9), w.inverse_root(excess, 8))
+            factor = w.choose(w.compare("olt", slower, factor), slower, factor)
+            allowed = w.both(allowed, w.unless(w.compare("ogt", excess, w.constant(1.0))))
+        reason = w.choose(number, w.constant(float(COLLAPSED)), w.constant(float(NOT_A_NUMBER)))
+        self.put("fault", w.choose(live, w.choose(allowed, zero, reason), self.get("fault")))
+        if self.equations.guards:
+            self.evaluate("guards", "new")
+            fine = self._notice_guards(allowed, halfway)
+            factor = w.choose(w.both(allowed, w.unless(fine)), w.constant(0.5), factor)
+            allowed = w.both(allowed, fine)
+        following = w.op("fmul", step, factor)
+        # a step cut short says nothing against the one that was planned
+        short = w.both(allowed, last)
+        following = w.choose(short, w.call("maxnum", following, planned), following)
+        moved = allowed
+        event = w.choose(w.both(allowed, last), w.constant(_SAMPLE), zero)
+        if self.equations.section is not None:
+            over = w.both(allowed, last)
+            fault = w.choose(over, w.constant(float(OVER)), self.get("fault"))
+            event = w.choose(over, w.constant(_END), zero)
+            moved, following, event, fault = self._cross(
+                step, running, refining, allowed, following, event, fault
+            )
+            self.put("fault", fault)
+        floor = w.call("fma", w.call("fabs", time), w.constant(1e-15), self.get("floor"))
+        tiny = w.compare("ole", w.call("fabs", following), floor)
+        lost = w.both(w.both(live, w.unless(allowed)), tiny)
+        steps = w.op("fadd", self.get("steps"), w.choose(live, w.constant(1.0), zero))
+        self.put("steps", steps)
+        limit = w.splat(w.emit("sitofp i64 %limit to double"))
+        late = w.both(w.compare("oeq", event, zero), w.both(live, w.compare("oge", steps, limit)))
+        self.put("fault", w.choose(late, w.constant(float(STEPS)), self.get("fault")))
+        if self.equations.section is not None:
+            vain = w.op("fsub", steps, self.get("marked"))
+            vain = w.both(w.compare("oeq", event, zero), w.compare("oge", vain, w.constant(VAIN)))
+            vain = w.both(live, vain)
+            self.put("fault", w.choose(vain, w.constant(float(IN_VAIN)), self.get("fault")))
+            late = w.either(late, vain)
+        event = w.choose(w.either(lost, late), w.constant(_END), event)
+        self.put("step", w.choose(live, following, zero))
+        self.put("event", event)
+        self.put("time", w.choose(moved, w.choose(last, target, arrived), time))
+        for i in range(self.dimension):
+            for name, source in (("y", "new"), ("rest", "stage")):
+                value = n.choose(moved, n.load(self.place(source), i), n.load(self.place(name), i))
+                n.store(value, self.place(name), i)
+            fresh = n.load(self.place("rates", last_stage * self.dimension), i)
+            kept = n.choose(moved, fresh, n.load(self.place("rates"), i))
+            n.store(kept, self.place("rates"), i)
+
+    def _y(self, i: int) -> Value:
+        return self.n.load(self.place("y"), i)
+
+    def _sum(self, weights: Sequence[Fraction], *members: int) -> Value:
+        """A sum over the stages, with weights, of the rates of a variable or of several."""
+        n = self.n
+        total = None
+        for stage, weight in enumerate(weights):
+            if weight == 0:
+                continue
+            rates = self.place("rates", stage * self.dimension)
+            k = n.load(rates, members[0])
+            for i in members[1:]:
+                k = n.plus(k, n.load(rates, i))
+            a = n.number(weight)
+            total = n.mul(a, k) if total is None else n.fused(a, k, total)
+        return total
+
+    def _apart(self, weights: Sequence[Fraction], *members: int) -> Value:
+        """The same from the sum that gives the result, where few weights differ from its own."""
+        others = [weight - b for weight, b in zip(weights, self.method.b, strict=True)]
+        nothing = Fraction(0)
+        if len(members) > 1 or others.count(nothing) <= list(weights).count(nothing):
+            return self._sum(weights, *members)
+        return self.n.add(self.results[members[0]], self._sum(others, *members))
+
+    def _advance(self, step: Value, i: int) -> None:
+        """The new value of a variable, and what rounding has taken from it."""
+        n = self.n
+        y = self._y(i)
+        self.results[i] = self._sum(self.method.b, i)
+        change = n.fma(step, self.results[i], n.load(self.place("rest"), i))
+        new = n.add(y, change)
+        n.store(new, self.place("new"), i)
+        n.store(n.sub(change, n.sub(new, y)), self.place("stage"), i)
+
+    def _error(self, step: str) -> str:
+        """The square of the estimated error, where the tolerance is 1."""
+        w, n = self.w, self.n
+        fifth, third = w.constant(0.0), w.constant(0.0)
+        square = w.op("fmul", step, step)
+        # a variable that happens to be zero is measured by a millionth of what acts
+        whole = w.constant(1e-200)
+        for i in self.equations.acting:
+            y = n.leading(self._y(i))
+            whole = w.call("fma", y, y, whole)
+        whole = w.op("fmul", whole, w.constant(1e-12))
+        for group in self.equations.groups:
+            e5, e3 = self._share([(i,) for i in group], square, whole)
+            fifth, third = w.op("fadd", fifth, e5), w.op("fadd", third, e3)
+        if self.equations.deviations:
+            # the equations are linear in them, so that the error of their sum tells of all
+            e5, e3 = self._share(self.equations.deviations, square, w.constant(1e-200))
+            looser = w.constant(LOOSER**-2)
+            fifth, third = w.call("fma", looser, e5, fifth), w.call("fma", looser, e3, third)
+        # err² = h² e5⁴ / (e5² + e3²/100), relative to the tolerance, a mean over the groups
+        below = w.call("fma", third, w.constant(0.01), fifth)
+        below = w.op("fadd", below, w.constant(1e-290))
+        error = w.op("fdiv", w.op("fmul", fifth, w.op("fmul", fifth, square)), below)
+        tolerance = w.emit("fmul double %tolerance, %tolerance")
+        share = w.emit(f"fmul double {tolerance}, {literal(float(len(self.equations.groups)))}")
+        return w.op("fdiv", error, w.splat(share))
+
+    def _share(
+        self, components: Sequence[Sequence[int]], square: str, floor: str
+    ) -> tuple[str, str]:
+        """The squares of both estimates for a vector, relative to its size.
+
+        Each component is the sum of some variables.
+        """
+        w, n = self.w, self.n
+        size, speed = floor, w.constant(0.0)
+        e5, e3 = w.constant(0.0), w.constant(0.0)
+        for members in components:
+            y = self._added([n.leading(self._y(i)) for i in members])
+            k = self._added([n.leading(n.load(self.place("rates"), i)) for i in members])
+            size, speed = w.call("fma", y, y, size), w.call("fma", k, k, speed)
+            # what cancels here is as small as the tolerance: in pairs, doubles would not do
+            a = n.leading(self._sum(self.method.e5, *members))
+            b = n.leading(self._apart(self.method.e3, *members))
+            e5, e3 = w.call("fma", a, a, e5), w.call("fma", b, b, e3)
+        share = w.op("fdiv", w.constant(1.0), w.call("fma", square, speed, size))
+        return w.op("fmul", e5, share), w.op("fmul", e3, share)
+
+    def _added(self, values: Sequence[str]) -> str:
+        total = values[0]
+        for value in values[1:]:
+            total = self.w.op("fadd", total, value)
+        return total
+
+    def _cross(
+        self,
+        step: str,
+        running: str,
+        refining: str,
+        allowed: str,
+        following: str,
+        event: str,
+        fault: str,
+    ) -> tuple[str, str, str, str]:
+        """Find crossings, and go to them."""
+        w, n, zero = self.w, self.n, self.w.constant(0.0)
+        g, g_here, gdot = self.get("g"), self.get("g_here"), self.get("gdot")
+        g_new = n.leading(n.load(self.place("section"), 0))
+        gdot_new = n.leading(n.load(self.place("section"), 1))
+        rises = w.both(w.compare("olt", g, zero), w.compare("oge", g_new, zero))
+        falls = w.both(w.compare("ogt", g, zero), w.compare("ole", g_new, zero))
+        dips, turn = dipping(w, step, g_here, g_new, gdot, gdot_new)
+        dips = w.both(w.both(running, allowed), w.both(dips, w.unless(w.either(rises, falls))))
+        direction = self.equations.direction
+        through = w.either(rises, falls) if direction == 0 else rises if direction > 0 else falls
+        crossed = w.both(w.both(running, allowed), through)
+        # running lanes: stop before a crossing and go to it
+        moved = w.both(allowed, w.unless(w.either(crossed, dips)))
+        following = w.choose(dips, turn, following)
+        event = w.choose(dips, zero, event)
+        fault = w.choose(dips, zero, fault)
+        place = w.variable(w.type, zero)
+        with w.when(w.any(crossed)):
+            w.store(w.type, root(w, step, g, g_new, gdot, gdot_new), place)
+        ahead = w.load(w.type, place)
+        saved = self.get("saved")
+        saved = w.choose(crossed, following, saved)
+        following = w.choose(crossed, ahead, following)
+        event = w.choose(crossed, zero, event)
+        fault = w.choose(crossed, zero, fault)
+        mode = w.choose(crossed, w.constant(_REFINING), self.get("mode"))
+        tries = w.choose(crossed, zero, self.get("tries"))
+        # refining lanes: Newton's method in time
+        arrived = w.both(refining, allowed)
+        left = w.op("fdiv", w.op("fneg", g_new), gdot_new)
+        close = w.compare("ole", w.call("fabs", left), w.op("fmul", w.constant(1e-8), saved))
+        there = w.both(arrived, close)
+        tries = w.choose(arrived, w.op("fadd", tries, w.constant(1.0)), tries)
+        # a section that is only touched is left
+        stuck = w.both(w.both(arrived, w.unless(close)), w.compare("ogt", tries, w.constant(12.0)))
+        following = w.choose(w.both(arrived, w.unless(close)), left, following)
+        counted = there
+        if self.equations.where is not None:
+            where = n.leading(n.load(self.place("section"), 2))
+            counted = w.both(there, w.compare("ogt", where, zero))
+        back = w.either(there, stuck)
+        event = w.choose(counted, w.constant(_POINT), event)
+        following = w.choose(back, saved, following)
+        mode = w.choose(back, w.constant(_RUNNING), mode)
+        # where the section lies, for what writes the point down
+        saved = w.choose(counted, left, saved)
+        self.put("saved", saved)
+        self.put("mode", mode)
+        self.put("tries", tries)
+        # what has just been crossed is not crossed again, but may be crossed back
+        self.put("g", w.choose(moved, w.choose(back, hence(w, gdot_new), g_new), g))
+        self.put("g_here", w.choose(moved, g_new, self.get("g_here")))
+        self.put("gdot", w.choose(moved, gdot_new, gdot))
+        return moved, following, event, fault
+
+    def _wavering(self, step: str) -> str:
+        """The square of how far the section's function is from the cubic through both ends.
+
+        Up to 1 it crosses zero where the cubic does; beyond, it may have turned unseen in between.
+        """
+        w, n = self.w, self.n
+        x = float(sum(self.method.a[HALFWAY]))
+        g, rise = self.get("g_here"), w.op("fmul", step, self.get("gdot"))
+        g_new = n.leading(n.load(self.place("section"), 0))
+        rise_new = w.op("fmul", step, n.leading(n.load(self.place("section"), 1)))
+        cubic = w.op("fmul", w.constant((1 + 2 * x) * (1 - x) ** 2), g)
+        cubic = w.call("fma", w.constant(x * (1 - x) ** 2), rise, cubic)
+        cubic = w.call("fma", w.constant(x * x * (3 - 2 * x)), g_new, cubic)
+        cubic = w.call("fma", w.constant(x * x * (x - 1)), rise_new, cubic)
+        off = w.op("fsub", n.leading(n.load(self.place("halfway"), 0)), cubic)
+        ends = w.op("fadd", w.call("fabs", g), w.call("fabs", g_new))
+        rises = w.op("fadd", w.call("fabs", rise), w.call("fabs", rise_new))
+        allowed = w.call("fma", w.constant(0.02), rises, w.constant(1e-13))
+        allowed = w.call("fma", w.constant(0.05), ends, allowed)
+        share = w.op("fdiv", off, allowed)
+        return w.op("fmul", share, share)
+
+
+def march(
+    arithmetic: type[Arithmetic], method: Explicit, equations: Equations, lanes: int
+) -> tuple[str, int]:
+    """The text of the loop, and the doubles of memory that it needs.
+
+    Parameters
+    ----------
+    arithmetic : Double or Pair
+    method : Explicit
+    equations : Equations
+    lanes : int
+        Trajectories in a vector.
+    """
+    made = _March(arithmetic, method, equations, lanes)
+    return made.write(), made.space.size * lanes

@@ -1,0 +1,144 @@
+"""Coefficients of the methods."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any
+
+import mpmath
+
+__all__ = ["Explicit", "Gauss", "explicit", "explicit_fine", "gauss"]
+
+
+@dataclass(frozen=True)
+class Explicit:
+    """An explicit Runge–Kutta method with two estimates of its error.
+
+    Attributes
+    ----------
+    a : tuple of rows
+        Row i gives the state of stage i from the rates of the stages before it.
+    b, e3, e5 : tuple
+        Weights of the result and of the two estimates.
+    order : int
+    """
+
+    a: tuple[tuple[Fraction, ...], ...]
+    b: tuple[Fraction, ...]
+    e3: tuple[Fraction, ...]
+    e5: tuple[Fraction, ...]
+    order: int = 8
+
+
+@lru_cache
+def explicit() -> Explicit:
+    """Dormand and Prince's method of order 8 with 12 stages (Hairer, Nørsett, Wanner 1993)."""
+    from scipy.integrate import DOP853
+
+    stages = len(DOP853.B)
+    return Explicit(
+        a=tuple(_fractions(DOP853.A[i, :i]) for i in range(stages)),
+        b=_fractions(DOP853.B),
+        e3=_fractions(DOP853.E3[:stages]),
+        e5=_fractions(DOP853.E5[:stages]),
+    )
+
+
+@lru_cache
+def explicit_fine() -> Explicit:
+    """The same method with coefficients of 60 digits."""
+    from .dop853_coefficients import explicit_table
+
+    table = explicit_table()
+    return Explicit(table.a, table.b, table.e3, table.e5)
+
+
+def _fractions(values: Any) -> tuple[Fraction, ...]:
+    return tuple(Fraction(float(v)) for v in values)
+
+
+@dataclass(frozen=True)
+class Gauss:
+    """A Gauss–Legendre collocation method, of order twice its number of stages.
+
+    Attributes
+    ----------
+    c, b : tuple
+        Nodes and weights on [0, 1].
+    a : tuple of rows
+        Integrals of the cardinal polynomials up to each node.
+    ahead : tuple of rows
+        Values of the same polynomials at the nodes of the next step of the same length.
+    top : tuple
+        The coefficient of the highest Legendre polynomial in what the stages interpolate.
+    """
+
+    c: tuple[Fraction, ...]
+    b: tuple[Fraction, ...]
+    a: tuple[tuple[Fraction, ...], ...]
+    ahead: tuple[tuple[Fraction, ...], ...]
+    top: tuple[Fraction, ...]
+
+
+@lru_cache
+def gauss(stages: int) -> Gauss:
+    """The method with a number of stages, to 70 digits.
+
+    A polynomial p of degree < s is Σ_k (2k + 1) L_k(x) Σ_j b_j L_k(c_j) p(c_j) with the Legendre
+    polynomials L_k on [0, 1], for the rule of s nodes is exact to degree 2s − 1; integrals of L_k
+    are differences of its neighbours.
+    """
+    with mpmath.workdps(80):
+        nodes = sorted(_roots(stages))
+        c = [(1 + x) / 2 for x in nodes]
+        slopes = [stages * mpmath.legendre(stages - 1, x) / (1 - x * x) for x in nodes]
+        b = [1 / ((1 - x * x) * d * d) for x, d in zip(nodes, slopes, strict=True)]
+        at_nodes = [_legendre(stages, x) for x in c]
+        expand = [
+            [(2 * k + 1) * b[j] * at_nodes[j][k] for j in range(stages)] for k in range(stages)
+        ]
+        rows_a = [_combine(_primitives(stages, x), expand) for x in c]
+        rows_ahead = [_combine(_legendre(stages, 1 + x), expand) for x in c]
+        return Gauss(
+            c=_exact(c),
+            b=_exact(b),
+            a=tuple(map(_exact, rows_a)),
+            ahead=tuple(map(_exact, rows_ahead)),
+            top=_exact(expand[stages - 1]),
+        )
+
+
+def _roots(stages: int) -> list[Any]:
+    """The roots of the Legendre polynomial on [−1, 1]: eigenvalues of Jacobi's matrix."""
+    jacobi = mpmath.matrix(stages)
+    for k in range(1, stages):
+        jacobi[k - 1, k] = jacobi[k, k - 1] = k / mpmath.sqrt(4 * k * k - 1)
+    roots: list[Any] = list(mpmath.eigsy(jacobi, eigvals_only=True))
+    return roots
+
+
+def _legendre(count: int, x: Any) -> list[Any]:
+    """L_0 … L_{count−1} on [0, 1]."""
+    return [mpmath.legendre(k, 2 * x - 1) for k in range(count)]
+
+
+def _primitives(count: int, x: Any) -> list[Any]:
+    """Their integrals from 0 to x."""
+    values = _legendre(count + 1, x)
+    rest = [(values[k + 1] - values[k - 1]) / (2 * (2 * k + 1)) for k in range(1, count)]
+    return [x, *rest]
+
+
+def _combine(values: list[Any], expand: list[list[Any]]) -> list[Any]:
+    return [
+        mpmath.fsum(v * row[j] for v, row in zip(values, expand, strict=True))
+        for j in range(len(expand))
+    ]
+
+
+def _exact(values: list[Any]) -> tuple[Fraction, ...]:
+    """Numbers of many digits as fractions."""
+    scale = 2**240
+    return tuple(Fraction(int(mpmath.nint(v * scale)), scale) for v in values)

@@ -1,0 +1,85 @@
+"""States put on levels of formulas, many at once.
+
+Each state is moved by itself: where it ends does not depend on its neighbours.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from ..formulas.batch import Formulas
+
+__all__ = ["picked", "projected"]
+
+#: Steps of Newton's method, at most.
+STEPS = 60
+#: A level is met when it is missed by no more than this, relative to the size of its value.
+MET = 1e-12
+#: Below this, relative to the largest, a singular value counts as zero: redundant conditions.
+REDUNDANT = 1e-9
+
+
+def projected(
+    formulas: Formulas,
+    states: Any,
+    targets: Any = 0.0,
+    parameters: Mapping[Any, Any] | None = None,
+    moved: Any = None,
+) -> tuple[Any, Any]:
+    """States moved along the shortest way until formulas have given values.
+
+    Parameters
+    ----------
+    formulas : Formulas
+    states : (n, size) array
+        In flat order.
+    targets : number, (formulas,) or (n, formulas) array
+        The values wanted.
+    parameters : mapping of Symbol or name to number or (n,) array, optional
+        Values that replace the defaults.
+    moved : (size,) array of bool, optional
+        Which state variables may be moved; all of them if left out.
+
+    Returns
+    -------
+    states : (n, size) array
+        The best that was found.
+    met : (n,) array of bool
+        Whether the values are met there.
+    """
+    found = np.array(states, dtype=np.float64)
+    free = np.flatnonzero(np.ones(found.shape[1], bool) if moved is None else moved)
+    wanted = np.broadcast_to(
+        np.asarray(targets, dtype=np.float64), (len(found), len(formulas.formulas))
+    )
+    scale = 1.0 + np.abs(wanted).max(axis=1, initial=0.0)
+    best, missed = found.copy(), np.full(len(found), np.inf)
+    pending = np.arange(len(found))
+    for _ in range(STEPS):
+        defects = formulas(found[pending], picked(parameters, pending)) - wanted[pending]
+        size = np.abs(defects).max(axis=1, initial=0.0) / scale[pending]
+        better = size < missed[pending]
+        best[pending[better]] = found[pending[better]]
+        missed[pending[better]] = size[better]
+        # a state on its level is polished until nothing is gained any more
+        going = np.isfinite(size) & (size > 0.0) & (better | (size > MET))
+        pending, defects = pending[going], defects[going]
+        if not len(pending) or not len(free):
+            break
+        slopes = formulas.slopes(found[pending], picked(parameters, pending))[:, :, free]
+        usable = np.isfinite(slopes).all(axis=(1, 2))
+        pending, defects = pending[usable], defects[usable]
+        inverse = np.linalg.pinv(slopes[usable], rcond=REDUNDANT)
+        found[np.ix_(pending, free)] -= (inverse @ defects[:, :, None])[:, :, 0]
+    return best, missed <= MET
+
+
+def picked(parameters: Mapping[Any, Any] | None, chosen: Any) -> dict[Any, Any]:
+    """The parameters of some of the motions: arrays are indexed, numbers stay."""
+    return {
+        name: value[chosen] if np.ndim(value) else value
+        for name, value in (parameters or {}).items()
+    }

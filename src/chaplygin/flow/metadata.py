@@ -1,0 +1,70 @@
+"""What is told of the variables of a state in a dataset: meaning, unit, source and axes."""
+
+from __future__ import annotations
+
+from ..core.system import System
+
+__all__ = ["FRAMES", "LABELS", "UNKNOWN", "told_of"]
+
+#: Frames in which vectors are given: the name of the axis, and what its places are called.
+FRAMES = {
+    "body": ("axis", (1, 2, 3)),
+    "space": ("space", ("x", "y", "z")),
+    "quaternion": ("quaternion", ("w", "x", "y", "z")),
+}
+
+#: What these axes are.
+LABELS = {
+    "axis": "body axis",
+    "space": "space axis",
+    "quaternion": "component of the quaternion",
+}
+
+#: Vectors of three components in body axes: meaning, unit, source.
+_BODY = {
+    "omega": ("angular velocity", "rad/s", "(1.13)"),
+    "gamma": ("unit vector fixed in space", "1", "(1.10)"),
+    "M": ("angular momentum", "kg m^2/s", ""),
+    "r": ("contact point from the centre of mass", "m", "(1.14)"),
+    "zeta": ("upward vertical", "1", ""),
+}
+
+#: The same where a body touches a surface.
+_TOUCHING = {
+    **_BODY,
+    "gamma": ("normal of the surface at the contact", "1", "(1.10)"),
+    "M": ("angular momentum about the contact point", "kg m^2/s", "(7.1)"),
+}
+
+#: The unit of a variable of which nothing is told.
+UNKNOWN = "unknown"
+
+
+def told_of(
+    system: System, name: str, size: int, told: tuple[str, str] | None = None
+) -> tuple[str, str, str, str]:
+    """What is known of a variable of the state; it follows from its name unless it is told.
+
+    Parameters
+    ----------
+    system : System
+    name : str
+    size : int
+        Number of components; 1 for a scalar.
+    told : (str, str), optional
+        Meaning and unit.
+
+    Returns
+    -------
+    meaning, unit, source, frame : str
+        The frame is ``"body"`` or ``"quaternion"``, empty for a scalar, and
+        ``"<name>_component"`` for a vector in no known frame.
+    """
+    if name == "attitude":
+        return "attitude quaternion, body to space", "", "", "quaternion"
+    touching = any(item.name == "contact" for item in system.observables)
+    known = (_TOUCHING if touching else _BODY) if size == 3 else {}
+    meaning, units, source = (*told, "") if told else known.get(name, (name, UNKNOWN, ""))
+    if name in known:
+        return meaning, units, source, "body"
+    return meaning, units, source, "" if size == 1 else f"{name}_component"

@@ -1,0 +1,1 @@
+"""Points drawn from a level of integrals, by its invariant measure."""

@@ -1,0 +1,203 @@
+"""How a level of the integrals of a System lies over a base: found from its formulas."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from ...core.system import System
+from ...core.vectors import explicit
+from ...errors import InputError
+from ...formulas.compiled import Compiled, Sheet
+from ...formulas.graph import Term
+from .counter_rng import normals
+from .fibration import Bundle, Condition
+
+__all__ = ["bundle"]
+
+#: Integrals that are tried first as the ones that bound the fibre.
+_BOUNDING = ("energy", "hamiltonian")
+#: Base points at which boundedness is looked at.
+_SAMPLE = 256
+#: What counts as no change.
+_SAME = 1e-10
+#: Least ratio of the axes of an ellipsoid, squared.
+_DEFINITE = 1e-12
+
+
+def bundle(system: System, sheet: Sheet, level: Mapping[str, float], values: Any) -> Bundle:
+    """How a level of the integrals lies over a base.
+
+    Parameters
+    ----------
+    system : System
+    sheet : Sheet
+        Its formulas.
+    level : mapping of str to float
+        Held integrals by name.
+    values : array (p,)
+        Parameters.
+
+    Raises
+    ------
+    InputError
+        If the level is not bounded, or is of a form for which no exact method is known here.
+    """
+    spheres, others = _ellipsoids(system, values)
+    relations = [Condition("", sheet.read(relation), 0.0) for relation in others]
+    formulas = {law.name: law.value for law in system.integrals}
+    held = [Condition(name, sheet.read(formulas[name]), float(level[name])) for name in level]
+    for bound in sorted(held, key=lambda condition: condition.name not in _BOUNDING):
+        rest = [condition for condition in held if condition is not bound]
+        found = _with_bound(system, sheet, spheres, relations, bound, rest)
+        if found is not None and _bounded(found, values):
+            return found
+    given = " and ".join(f"{name} = {value:.6g}" for name, value in level.items())
+    raise InputError(
+        f"{system.name}: the level {given or 'of no integral'} is not bounded in a way that can "
+        "be seen: among what is held there must be an integral, such as the energy, that is "
+        f"quadratic and definite in {_names(system, _loose(system, spheres))}"
+    )
+
+
+def _loose(system: System, spheres: Iterable[Sequence[int]]) -> list[int]:
+    inside = {place for places in spheres for place in places}
+    return [i for i in range(len(system.symbols)) if i not in inside]
+
+
+def _names(system: System, places: Sequence[int]) -> str:
+    return ", ".join(str(system.symbols[i]) for i in places)
+
+
+def _with_bound(
+    system: System,
+    sheet: Sheet,
+    spheres: Mapping[tuple[int, ...], tuple[float, ...]],
+    relations: list[Condition],
+    bound: Condition,
+    rest: list[Condition],
+) -> Bundle | None:
+    """The bundle in which `bound` is the quadratic condition; None where that cannot be."""
+    fibre, angles = _loose(system, spheres), list[int]()
+    terms = [bound.term, *(relation.term for relation in relations)]
+    while curved := sheet.depends(_second(sheet, terms, fibre)) & set(fibre):
+        angles += sorted(curved)
+        fibre = [i for i in fibre if i not in curved]
+    degree = {id(c): _degree(sheet, c.term, fibre) for c in (*relations, bound, *rest)}
+    if degree[id(bound)] != 2 or any(degree[id(relation)] != 1 for relation in relations):
+        return None
+    linear = [*relations, *(c for c in rest if degree[id(c)] == 1)]
+    # a fibre needs two rays at least: two points at its ends would have no bounded density
+    linear = linear[: max(len(relations), len(fibre) - 2)]
+    further = [c for c in rest if c not in linear]
+    if len(fibre) - len(linear) < 2:
+        return None
+    slopes = sheet.slopes([c.term for c in (*linear, bound)])
+    second = _second(sheet, [bound.term], fibre)
+    coefficients = [
+        *(row[i] for row in slopes[:-1] for i in fibre),
+        *(c.term for c in linear),
+        *second,
+        *(slopes[-1][i] for i in fibre),
+        bound.term,
+    ]
+    return Bundle(
+        size=len(system.symbols),
+        spheres=tuple(spheres),
+        axes=(*(a for axes in spheres.values() for a in axes), *(1.0 for _ in angles)),
+        angles=tuple(angles),
+        fibre=tuple(fibre),
+        quadratic=bound,
+        linear=tuple(linear),
+        further=tuple(further),
+        coefficients=Compiled(coefficients),
+    )
+
+
+def _second(sheet: Sheet, terms: Sequence[Term], places: Sequence[int]) -> list[Term]:
+    """All second derivatives of terms in some variables."""
+    first = [row[i] for row in sheet.slopes(terms) for i in places]
+    return [row[i] for row in sheet.slopes(first) for i in places]
+
+
+def _degree(sheet: Sheet, term: Term, places: Sequence[int]) -> int:
+    """The degree of a term as a polynomial in some variables; 3 for anything higher."""
+    inside = set(places)
+    if not sheet.depends([term]) & inside:
+        return 0
+    if not sheet.depends([sheet.slopes([term])[0][i] for i in places]) & inside:
+        return 1
+    return 3 if sheet.depends(_second(sheet, [term], places)) & inside else 2
+
+
+def _at_random(made: Bundle) -> Any:
+    """States over random points of the base, their fibre zero."""
+    gauss = normals(0, np.arange(_SAMPLE), np.zeros(_SAMPLE), made.numbers)
+    states = np.zeros((made.size, _SAMPLE))
+    states[list(made.ground)] = made.ground_states(made.normed(gauss))
+    return states
+
+
+def _periodic(made: Bundle, states: Any, values: Any) -> bool:
+    """Whether nothing changes when an angle of the base grows by a turn."""
+    turned = states.copy()
+    turned[list(made.angles)] += 2 * np.pi
+    here, there = (made.coefficients(s, values) for s in (states, turned))
+    return bool((np.abs(there - here) <= _SAME * (1 + np.abs(here))).all())
+
+
+def _bounded(made: Bundle, values: Any) -> bool:
+    """Whether the quadratic condition is definite on the fibres over a sample of base points."""
+    states = _at_random(made)
+    if not _periodic(made, states, values):
+        return False
+    n, _, A, _, _ = made.parts(states, values)
+    if not (np.isfinite(n).all() and np.isfinite(A).all()):
+        return False
+    across = np.eye(len(made.fibre)) - np.linalg.pinv(n) @ n if n.shape[1] else 1.0
+    sizes = np.linalg.eigvalsh(across @ A @ across if n.shape[1] else A)[:, n.shape[1] :]
+    return bool((sizes[:, 0] > _DEFINITE * sizes[:, -1]).all())
+
+
+def _ellipsoids(
+    system: System, values: Any
+) -> tuple[dict[tuple[int, ...], tuple[float, ...]], list[sp.Expr]]:
+    """The variables that lie on ellipsoids with their half axes; and the relations left.
+
+    δ(∑ xᵢ²/aᵢ² − 1) dx is the uniform measure of the unit vectors xᵢ/aᵢ, up to a constant.
+    """
+    places = {symbol: i for i, symbol in enumerate(system.symbols)}
+    numbers = dict(zip((p.symbol for p in system.parameters), map(float, values), strict=True))
+    found: dict[tuple[int, ...], tuple[float, ...]] = {}
+    others: list[sp.Expr] = []
+    for relation in system.relations:
+        formula = explicit(relation)
+        free = sorted(formula.free_symbols & set(places), key=places.__getitem__)
+        axes = _axes(formula, free, numbers)
+        if axes is None or {places[s] for s in free} & {i for own in found for i in own}:
+            others.append(formula)
+        else:
+            found[tuple(places[s] for s in free)] = axes
+    return found, others
+
+
+def _axes(
+    formula: sp.Expr, free: Sequence[sp.Symbol], numbers: Mapping[sp.Symbol, float]
+) -> tuple[float, ...] | None:
+    """The half axes of an ellipsoid in principal axes; None for any other formula."""
+    if not free or not formula.is_polynomial(*free):
+        return None
+    terms = sp.Poly(formula, *free).as_dict()
+    constant = terms.pop((0,) * len(free), sp.S.Zero)
+    squares_of = [tuple(2 * int(i == j) for j in range(len(free))) for i in range(len(free))]
+    if set(terms) != set(squares_of) or not constant.free_symbols <= set(numbers):
+        return None
+    ratios = [-constant / terms[square] for square in squares_of]
+    if not all(ratio.free_symbols <= set(numbers) for ratio in ratios):
+        return None
+    sizes = [float(ratio.subs(numbers)) for ratio in ratios]
+    return tuple(math.sqrt(size) for size in sizes) if min(sizes) > 0 else None

@@ -1,0 +1,348 @@
+"""Points where random great circles over a bundle meet a further condition.
+
+Base points and directions of rays make a point y of a product of spheres (and circles), and with
+it a state.  A geodesic from a uniform point into a uniform direction meets the hypersurface
+F(y) = c at points whose density is the surface measure (the formula of Crofton and Santaló), that
+is |∇F| δ(F − c) dy: dividing by |∇F| gives the measure δ(F − c) exactly, tangencies and all.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ...formulas.compiled import Compiled, Sheet
+from ..batched_linalg import applied, dots, solved, squares
+from .fibration import Bundle, Rays
+from .proposals import Spots
+
+__all__ = ["Slice", "crossings"]
+
+#: Length of a geodesic, and in how many pieces it is looked at first.
+LENGTH = 0.5
+PIECES = 1
+#: A piece is halved, at most so often, while a cubic through its ends misses its middle by more
+#: than this, relative to the largest value on the curve.
+_HALVINGS = 10
+_CUBIC = 0.01
+#: How fine a crossing is found; the state is then settled on its level.
+_FINE = 1e-12
+#: Where a piece that ends at the edge of the level is looked at first, in its own parameter.
+_EDGE = 1e-5
+
+#: From curves and parameters on them to values and slopes.
+Along = Callable[[Any, Any], tuple[Any, Any]]
+
+
+@dataclass(frozen=True)
+class Slice:
+    """The further condition of a bundle, with what its slopes need.
+
+    Attributes
+    ----------
+    made : Bundle
+    parameters : array (p,)
+    target : float
+    terms : Compiled
+        At a point of the level: F, its slopes, the slopes of the quadratic condition.
+    central : Compiled
+        At the centre of a fibre, for each variable of the base: the slope of the quadratic
+        condition and of each linear one, and the slopes of these in the fibre.
+    """
+
+    made: Bundle
+    parameters: Any
+    target: float
+    terms: Compiled
+    central: Compiled
+
+    @staticmethod
+    def of(made: Bundle, sheet: Sheet, parameters: Any) -> Slice:
+        """The slice of a bundle that has one further condition."""
+        (further,) = made.further
+        own, outer = sheet.slopes([further.term, made.quadratic.term])
+        conditions = [made.quadratic.term, *(c.term for c in made.linear)]
+        slopes = sheet.slopes(conditions)
+        mixed = [sheet.slopes([row[i] for i in made.fibre]) for row in slopes]
+        central = [
+            term
+            for row, second in zip(slopes, mixed, strict=True)
+            for j in made.ground
+            for term in (row[j], *(line[j] for line in second))
+        ]
+        terms = Compiled([further.term, *own, *outer])
+        return Slice(made, parameters, further.target, terms, Compiled(central))
+
+    # --- values and slopes ---------------------------------------------------------------------
+
+    def excess(self, places: Any) -> tuple[Any, Any]:
+        """How far the level reaches over base points, and its slopes in y (k, y)."""
+        rays = self.made.over(places, self.parameters)
+        ground, _ = self._central(rays)
+        slopes = np.zeros(places.shape[::-1])
+        # the least value in a fibre has the slopes of the Lagrange function
+        pulls = np.concatenate([np.ones((places.shape[1], 1)), rays.pull], axis=1)
+        for j in range(len(self.made.ground)):
+            slopes[:, j] = -dots(pulls, ground[:, :, j])
+        return rays.excess, self._tangent(places, slopes)
+
+    def value(self, places: Any) -> tuple[Any, Any, Rays]:
+        """F − c, its slopes in y (k, y) and the points of the level."""
+        made, size = self.made, self.made.size
+        rays = made.over(places, self.parameters)
+        flat = np.ascontiguousarray(self.terms(rays.states, self.parameters).T)
+        F, own, outer = flat[:, 0], flat[:, 1 : size + 1], flat[:, size + 1 :]
+        fibre, ground = list(made.fibre), list(made.ground)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            rise = dots(own[:, fibre], rays.ray) / dots(outer[:, fibre], rays.ray)
+        # slopes of F along the level: what is left when the length of the ray adapts
+        free = own - rise[:, None] * outer
+        across = free[:, fibre]
+        inside = across - applied(np.swapaxes(rays.normals, 1, 2), self._shares(rays, across))
+        values, mixed = self._central(rays)
+        slopes = np.concatenate(
+            [free[:, ground], inside * (rays.length / rays.span)[:, None]], axis=1
+        )
+        f = len(fibre)
+        reach = solved(rays.saddle, np.concatenate([across, np.zeros_like(rays.pull)], axis=1))
+        lean, push = reach[:, :f], reach[:, f:]
+        shares, shadow = self._shares(rays, across), rays.ray
+        for j in range(len(ground)):
+            turned = mixed[:, :, j]
+            slopes[:, j] -= dots(lean, turned[:, 0]) + dots(push, values[:, 1:, j])
+            slopes[:, j] -= dots(rays.pull, applied(turned[:, 1:], lean))
+            tilt = dots(applied(turned[:, 1:], inside), rays.share) / rays.span
+            tilt = tilt + dots(shares, applied(turned[:, 1:], shadow))
+            slopes[:, j] -= rays.length * tilt
+        return F - self.target, self._tangent(places, slopes), rays
+
+    def _shares(self, rays: Rays, vectors: Any) -> Any:
+        """Coefficients of vectors in the slopes of the linear conditions."""
+        gram = rays.normals @ np.swapaxes(rays.normals, 1, 2)
+        return solved(gram, applied(rays.normals, vectors))
+
+    def _central(self, rays: Rays) -> tuple[Any, Any]:
+        """`central` at the centres: slopes (k, 1 + m, b) and mixed ones (k, 1 + m, b, f)."""
+        made = self.made
+        f, b, m = len(made.fibre), len(made.ground), len(made.linear)
+        states = rays.states.copy()
+        states[list(made.fibre)] = rays.centre.T
+        flat = np.ascontiguousarray(self.central(states, self.parameters).T)
+        table = flat.reshape(len(flat), 1 + m, b, 1 + f)
+        return table[..., 0], table[..., 1:]
+
+    def _tangent(self, places: Any, slopes: Any) -> Any:
+        """Slopes in y, of slopes in the variables of the base and the direction of the ray."""
+        made = slopes.copy()
+        made[:, : len(self.made.axes)] *= self.made.axes
+        return self._across(places, made)
+
+    def _across(self, places: Any, vectors: Any) -> Any:
+        """Vectors without their parts along the unit vectors."""
+        made = vectors.copy()
+        for part in self.made.balls:
+            unit, own = places[part].T, vectors[:, part]
+            made[:, part] = own - dots(own, unit)[:, None] * unit
+        return made
+
+    # --- throws ------------------------------------------------------------------------------
+
+    @property
+    def numbers(self) -> int:
+        """How many normal numbers a throw takes: a point y and a direction."""
+        return 2 * self.made.numbers
+
+    @property
+    def most(self) -> float:
+        """Three: so short a geodesic rarely meets a smooth surface more than once."""
+        return 3.0
+
+    def spots(self, gauss: Any) -> Spots:
+        """The points where the geodesics thrown by normal numbers (numbers, k) meet the level."""
+        which, places = self.crossings(*self.curves(gauss))
+        _, slopes, rays = self.value(places)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            volume = rays.volume / np.sqrt(dots(slopes, slopes))
+        real = np.flatnonzero(volume > 0)
+        states = np.ascontiguousarray(rays.states[:, real])
+        return Spots(which[real], places[:, real], states, volume[real])
+
+    def near(self, gauss: Any, fresh: Any) -> Any:
+        """Geodesics that begin at places made of `gauss` (y, k)."""
+        return np.concatenate([gauss, fresh[self.made.numbers :]])
+
+    # --- curves ----------------------------------------------------------------------------------
+
+    def curves(self, gauss: Any) -> tuple[Any, Any]:
+        """Uniform points y and uniform unit tangent vectors (y, k) from normal numbers (2 y, k)."""
+        half = gauss.shape[0] // 2
+        places = self.made.normed(gauss[:half])
+        pushes = self._across(places, np.ascontiguousarray(gauss[half:].T)).T
+        return places, pushes / np.sqrt(squares(pushes))
+
+    def moved(self, places: Any, pushes: Any, way: Any) -> tuple[Any, Any]:
+        """Points and velocities on geodesics, after a way (k,) at unit speed."""
+        there, speed = places + way * pushes, pushes.copy()
+        for part in self.made.balls:
+            rate = np.sqrt(squares(pushes[part]))
+            turn = rate * way
+            across = pushes[part] / rate
+            there[part] = places[part] * np.cos(turn) + across * np.sin(turn)
+            speed[part] = rate * (across * np.cos(turn) - places[part] * np.sin(turn))
+        return there, speed
+
+    def crossings(self, places: Any, pushes: Any) -> tuple[Any, Any]:
+        """Where geodesics meet the hypersurface: numbers of the curves, and points y (y, n)."""
+
+        def reach(which: Any, way: Any) -> tuple[Any, Any]:
+            there, speed = self.moved(places[:, which], pushes[:, which], way)
+            value, slopes = self.excess(there)
+            return value, dots(slopes, speed.T)
+
+        which, low, high = _parts(reach, places.shape[1])
+
+        def along(index: Any, angle: Any) -> tuple[Any, Any]:
+            # at the edge of the level rays shrink like a square root, which the cosine smooths
+            half = (high[index] - low[index]) / 2
+            way = low[index] + half * (1 - np.cos(np.pi * angle))
+            there, speed = self.moved(places[:, which[index]], pushes[:, which[index]], way)
+            value, slopes, _ = self.value(there)
+            return value, dots(slopes, speed.T) * half * np.pi * np.sin(np.pi * angle)
+
+        nodes = np.linspace(0.0, 1.0, PIECES + 1)
+        nodes[0], nodes[-1] = _EDGE, 1 - _EDGE
+        index, angle = crossings(along, which.size, nodes)
+        half = (high[index] - low[index]) / 2
+        way = low[index] + half * (1 - np.cos(np.pi * angle))
+        return which[index], self.moved(places[:, which[index]], pushes[:, which[index]], way)[0]
+
+
+def _parts(reach: Along, count: int) -> tuple[Any, Any, Any]:
+    """The parts of curves over which the level lies: curves, beginnings and ends."""
+    which, way = crossings(reach, count, np.linspace(0.0, LENGTH, PIECES + 1))
+    curve = np.concatenate([np.arange(count), which, np.arange(count)])
+    cut = np.concatenate([np.zeros(count), way, np.full(count, LENGTH)])
+    order = np.lexsort((cut, curve))
+    curve, cut = curve[order], cut[order]
+    within = np.flatnonzero((curve[1:] == curve[:-1]) & (cut[1:] > cut[:-1]))
+    curve, low, high = curve[within], cut[within], cut[within + 1]
+    over = reach(curve, (low + high) / 2)[0] > 0
+    return curve[over], low[over], high[over]
+
+
+@dataclass(frozen=True)
+class Steps:
+    """Intervals of functions: whose they are, their ends, values and slopes there (2, n)."""
+
+    owner: Any
+    ends: Any
+    values: Any
+    slopes: Any
+
+    def __getitem__(self, chosen: Any) -> Steps:
+        return Steps(
+            self.owner[chosen], self.ends[:, chosen], self.values[:, chosen], self.slopes[:, chosen]
+        )
+
+    def joined(self, other: Steps) -> Steps:
+        """These and others."""
+        return Steps(
+            np.append(self.owner, other.owner),
+            np.append(self.ends, other.ends, axis=1),
+            np.append(self.values, other.values, axis=1),
+            np.append(self.slopes, other.slopes, axis=1),
+        )
+
+    def halved(self, along: Along) -> tuple[Steps, Any]:
+        """Both halves of each, and by how much a cubic through the ends misses the middle."""
+        middle = self.ends.mean(axis=0)
+        value, slope = along(self.owner, middle)
+        cubic = self.values.mean(axis=0) + np.diff(self.ends, axis=0)[0] / 8 * (
+            self.slopes[0] - self.slopes[1]
+        )
+        inner = (middle, value, slope)
+        outer = (self.ends, self.values, self.slopes)
+        left = Steps(self.owner, *(np.stack([o[0], i]) for o, i in zip(outer, inner, strict=True)))
+        right = Steps(self.owner, *(np.stack([i, o[1]]) for o, i in zip(outer, inner, strict=True)))
+        return left.joined(right), np.tile(np.abs(value - cubic), 2)
+
+
+def crossings(along: Along, count: int, nodes: Any) -> tuple[Any, Any]:
+    """All zeros of functions of one variable.
+
+    Parameters
+    ----------
+    along : callable
+        Numbers of functions (n,) and arguments (n,) ↦ values (n,) and slopes (n,).
+    count : int
+        How many functions.
+    nodes : array
+        Arguments to begin with; intervals in which a function is no cubic are halved.
+
+    Returns
+    -------
+    int array, array
+        Functions and arguments, by function and in rising order.
+    """
+    steps = _resolved(along, count, nodes)
+    sure = steps[np.flatnonzero(steps.values[0] * steps.values[1] < 0)]
+    dips = steps[np.flatnonzero(_may_dip(steps))]
+    turn = _zero(lambda which, s: along(dips.owner[which], s)[1], *dips.ends)
+    there = along(dips.owner, turn)[0] if turn.size else turn
+    past = np.flatnonzero(there * dips.values[0] < 0)
+    owner = np.concatenate([sure.owner, dips.owner[past], dips.owner[past]])
+    low = np.concatenate([sure.ends[0], dips.ends[0, past], turn[past]])
+    high = np.concatenate([sure.ends[1], turn[past], dips.ends[1, past]])
+    found = _zero(lambda which, s: along(owner[which], s)[0], low, high)
+    order = np.lexsort((found, owner))
+    return owner[order], found[order]
+
+
+def _resolved(along: Along, count: int, nodes: Any) -> Steps:
+    """Intervals so short that every function is nearly a cubic in each."""
+    flat = along(np.repeat(np.arange(count), nodes.size), np.tile(nodes, count))
+    value, slope = (part.reshape(count, nodes.size) for part in flat)
+    scale = np.abs(value).max(axis=1, initial=0.0)
+    steps = Steps(
+        np.repeat(np.arange(count), nodes.size - 1),
+        np.stack([np.tile(nodes[:-1], count), np.tile(nodes[1:], count)]),
+        np.stack([value[:, :-1].ravel(), value[:, 1:].ravel()]),
+        np.stack([slope[:, :-1].ravel(), slope[:, 1:].ravel()]),
+    )
+    done = steps[np.arange(0)]
+    for _ in range(_HALVINGS):
+        steps, missed = steps.halved(along)
+        rough = missed > _CUBIC * scale[steps.owner]
+        done, steps = done.joined(steps[np.flatnonzero(~rough)]), steps[np.flatnonzero(rough)]
+    return done.joined(steps)
+
+
+def _may_dip(steps: Steps) -> Any:
+    """Where a function of one sign may go to zero and come back inside an interval."""
+    sign = np.sign(steps.values[0])
+    left, right = sign * steps.values
+    down, up = sign * steps.slopes
+    with np.errstate(invalid="ignore", divide="ignore"):
+        # where the tangents at both ends meet; a curve that bends one way stays above
+        meet = (right - left - up * np.diff(steps.ends, axis=0)[0]) / (down - up)
+        lowest = left + down * meet
+        return (right > 0) & (down < 0) & (up > 0) & (lowest < 0.5 * np.minimum(left, right))
+
+
+def _zero(function: Callable[[Any, Any], Any], low: Any, high: Any) -> Any:
+    """Zeros between arguments at which functions have opposite signs."""
+    from scipy.optimize import elementwise
+
+    if not low.size:
+        return low
+    which = np.arange(low.size)
+    found = elementwise.find_root(
+        lambda argument, own: function(own.astype(int), argument),
+        (low, high),
+        args=(which.astype(float),),
+        tolerances={"xatol": _FINE},
+    )
+    return found.x

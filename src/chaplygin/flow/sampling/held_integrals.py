@@ -1,0 +1,80 @@
+"""What may be held on a level: which integrals are there, and which measure is invariant."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from ...core.laws import Measure
+from ...core.system import System
+from ...core.vectors import explicit
+from ...errors import InputError
+
+__all__ = ["check", "measures", "shown", "told"]
+
+#: A condition on parameters holds up to this, relative to the size of its terms.
+_ROUNDING = 1e-12
+
+
+def check(system: System, level: Mapping[str, float], values: Any) -> None:
+    """Refuse integrals that the system has not, or not at these parameters.
+
+    Raises
+    ------
+    InputError
+    """
+    known = {law.name: law for law in system.integrals}
+    for name, value in level.items():
+        if name not in known:
+            raise InputError(
+                f"{system.name} has no integral {name!r}; it has {', '.join(known) or 'none'}"
+            )
+        if not np.isfinite(float(value)):
+            raise InputError(f"{system.name}: {name} = {value}: a finite number is needed")
+        for condition in known[name].on:
+            if not _vanishes(system, condition, level, values):
+                raise InputError(
+                    f"{system.name}: {name} is an integral only where {explicit(condition)} = 0, "
+                    "which does not hold here"
+                )
+
+
+def _vanishes(system: System, formula: Any, level: Mapping[str, float], values: Any) -> bool:
+    """Whether a formula is zero at these parameters, or an integral that is held at zero."""
+    written = explicit(formula)
+    parameters = [p.symbol for p in system.parameters]
+    if written.free_symbols <= set(parameters):
+        point = dict(zip(parameters, map(float, values), strict=True))
+        size = sum(abs(float(term.subs(point))) for term in sp.Add.make_args(sp.expand(written)))
+        return abs(float(written.subs(point))) <= _ROUNDING * size
+    return any(
+        level.get(law.name) == 0 and sp.expand(explicit(law.value) - written) == 0
+        for law in system.integrals
+    )
+
+
+def measures(system: System, level: Mapping[str, float], values: Any) -> list[Measure]:
+    """The measures claimed of a system whose conditions hold here."""
+    return [
+        law
+        for law in system.laws
+        if isinstance(law, Measure)
+        and all(_vanishes(system, condition, level, values) for condition in law.on)
+    ]
+
+
+def told(law: Measure | None) -> str:
+    """A measure in words, with its source."""
+    if law is None:
+        return "surface measure"
+    name = "invariant measure"
+    meaning = law.meaning if law.meaning.startswith(name) else f"{name}: {law.meaning}"
+    return f"{meaning.removesuffix(': ')} {law.source}".strip()
+
+
+def shown(level: Mapping[str, float]) -> str:
+    """The values on a level as text."""
+    return " and ".join(f"{name} = {value:.6g}" for name, value in level.items())

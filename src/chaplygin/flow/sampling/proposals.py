@@ -1,0 +1,142 @@
+"""Random points of a level with the volume that each stands for, and the largest of a quantity."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy as np
+
+from .counter_rng import normals
+from .fibration import Bundle
+
+__all__ = ["Ends", "Spots", "Thrower", "highest"]
+
+#: The seed of trials: any number that users will not choose.
+_SEED = 0x9E3779B97F4A7C15
+#: Trials to begin with; then the best are followed for some rounds, each in some directions.
+_PILOT = 1 << 12
+_BEST = 64
+_ROUNDS = 24
+_AROUND = 4
+
+
+@dataclass(frozen=True)
+class Spots:
+    """Points of a level.
+
+    Attributes
+    ----------
+    which : int array (n,)
+        The throw from which each came, in rising order.
+    places : array (y, n)
+        Their unit vectors and angles; see :class:`~chaplygin.flow.sampling.fibration.Bundle`.
+    states : array (size, n)
+    volume : array (n,)
+        δ(relations and held integrals) dx over the density of the throws, up to a constant.
+    """
+
+    which: Any
+    places: Any
+    states: Any
+    volume: Any
+
+
+class Thrower(Protocol):
+    """What makes points of a level of normal numbers."""
+
+    @property
+    def made(self) -> Bundle:
+        """How the level lies over its base."""
+
+    @property
+    def numbers(self) -> int:
+        """How many normal numbers a throw takes."""
+
+    @property
+    def most(self) -> float:
+        """How many points of the greatest density a throw may give, near enough."""
+
+    def spots(self, gauss: Any) -> Spots:
+        """The points that throws (numbers, k) give."""
+
+    def near(self, gauss: Any, fresh: Any) -> Any:
+        """Throws that come close to places made of `gauss` (y, k); `fresh` (numbers, k)."""
+
+
+@dataclass(frozen=True)
+class Ends:
+    """The ends of rays of random direction over random base points: where nothing else is held."""
+
+    made: Bundle
+    parameters: Any
+
+    @property
+    def numbers(self) -> int:
+        """How many normal numbers a throw takes."""
+        return self.made.numbers
+
+    @property
+    def most(self) -> float:
+        """One."""
+        return 1.0
+
+    def spots(self, gauss: Any) -> Spots:
+        """The points that throws (numbers, k) give."""
+        places = self.made.normed(gauss)
+        rays = self.made.over(places, self.parameters)
+        real = np.flatnonzero(rays.volume > 0)
+        states = np.ascontiguousarray(rays.states[:, real])
+        return Spots(real, places[:, real], states, rays.volume[real])
+
+    def near(self, gauss: Any, fresh: Any) -> Any:
+        """The same throws again."""
+        return gauss
+
+
+def highest(
+    made: Bundle,
+    height: Callable[[Any], tuple[Any, Any]],
+    start: Callable[[Any, Any], Any],
+    many: int,
+    first: Any = None,
+) -> tuple[float, Any]:
+    """The largest value met of a quantity, and the place.
+
+    Parameters
+    ----------
+    made : Bundle
+    height : callable
+        Throws (many, k) ↦ places (y, n) and values (n,), n whatever comes of them.
+    start : callable
+        (places as normal numbers (y, k), normal numbers (many, k)) ↦ throws near these places.
+    many : int
+    first : array (y, k), optional
+        Places to begin with besides those of random throws.
+
+    Returns
+    -------
+    float, array (y,)
+        Minus infinity where no throw gives anything.
+    """
+    places, values = height(normals(_SEED, np.arange(_PILOT), np.zeros(_PILOT), many))
+    if first is not None:
+        more = height(start(made.gauss(first), _fresh(first.shape[1], _ROUNDS + 1, many)))
+        places, values = np.append(places, more[0], axis=1), np.append(values, more[1])
+    for turn in range(_ROUNDS):
+        if not values.size:
+            return -np.inf, np.zeros(made.numbers)
+        best = np.argsort(-values, kind="stable")[:_BEST]
+        places, values = places[:, best], values[best]
+        around = np.repeat(made.gauss(places), _AROUND, axis=1)
+        noise = _fresh(around.shape[1], turn + 1, made.numbers + many)
+        moved = around + 0.4 * 0.7**turn * noise[: made.numbers]
+        more = height(start(moved, noise[made.numbers :]))
+        places, values = np.append(places, more[0], axis=1), np.append(values, more[1])
+    top = int(np.argmax(values))
+    return float(values[top]), places[:, top]
+
+
+def _fresh(count: int, turn: int, many: int) -> Any:
+    return normals(_SEED, np.arange(count), np.full(count, turn), many)

@@ -1,0 +1,1 @@
+"""Poincaré maps and sections."""

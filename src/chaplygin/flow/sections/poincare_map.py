@@ -1,0 +1,261 @@
+"""A section of a flow as a map: where a motion goes through a surface again.
+
+Let a motion ẋ = f(x) leave a point x of the surface g = 0 and come back to it, through it in the
+same direction, after the time T(x).  P(x) = φ_T(x), the first return, is a map of the surface
+into itself: it is iterated, inverted, differentiated as any map.  Its derivative follows from that
+of the flow, Φ = ∂φ_t/∂x at t = T, by going along the flow onto the surface,
+
+    ∂P = (1 − f ∇gᵀ/(∇g·f)) Φ,    ∂T = −∇gᵀ Φ/(∇g·f),    f and ∇g at P(x).
+
+The integrals of the flow are integrals of the map.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import sympy as sp
+
+from ...core.system import System
+from ...core.vectors import explicit
+from ...errors import InputError
+from ...formulas.batch import Formulas
+from ..batch import Lanes, Section, lanes
+
+if TYPE_CHECKING:
+    from ..batch import Crossed
+
+__all__ = ["Derivative", "SectionMap", "slab"]
+
+
+@dataclass(frozen=True)
+class Derivative:
+    """A map and its derivative at n points.
+
+    Attributes
+    ----------
+    images : array (n, size)
+        Where the points return; NaN for those that do not.
+    times : array (n,)
+        Times of return.
+    matrices : array (n, size, size)
+        ∂(image)/∂(point), in flat order.  Its columns are tangent to the section at the image, and
+        it annuls the direction of the flow at the point; relations and integrals are kept.
+    time_slopes : array (n, size)
+        ∂(time)/∂(point).
+    """
+
+    images: Any
+    times: Any
+    matrices: Any
+    time_slopes: Any
+
+
+@dataclass(frozen=True)
+class SectionMap:
+    """The first return to a section.
+
+    Parameters
+    ----------
+    system : System
+        Points are its states in flat order; a system lifted to space carries its attitude along.
+    section : Section
+        Where the motion is looked at.
+    parameters : mapping of Symbol or name to number or array (n,), optional
+        Values that replace the defaults; an array has one for every point.
+    tolerance : float
+        Of the integration, relative error of a step.
+    backward : bool
+        Whether to go back in time: the inverse map.
+    until : float
+        After so much time without a return a point counts as one that does not return.
+
+    Raises
+    ------
+    InputError
+        If the section or a parameter is not one of the system.
+    """
+
+    system: System
+    section: Section
+    parameters: Mapping[Any, Any] = field(default_factory=dict)
+    tolerance: float = 1e-13
+    backward: bool = False
+    until: float = np.inf
+
+    @property
+    def inverse(self) -> SectionMap:
+        """The map that leads back."""
+        return replace(self, backward=not self.backward)
+
+    @property
+    def size(self) -> int:
+        """Number of coordinates of a point."""
+        return len(self.system.symbols)
+
+    def __call__(self, points: Any) -> Any:
+        """The first return.
+
+        Parameters
+        ----------
+        points : array (n, size) or (size,)
+            On the section; elsewhere, where the motion meets it first.
+
+        Returns
+        -------
+        array of the same shape
+            NaN for a point that does not return; `returns` tells why.
+        """
+        given = np.asarray(points, dtype=float)
+        found = self.returns(np.atleast_2d(given), 1).states[:, 0]
+        return found.reshape(given.shape)
+
+    def returns(self, points: Any, count: int, threads: int | None = None) -> Crossed:
+        """The next `count` returns of n points, with their times, and why some have fewer.
+
+        Parameters
+        ----------
+        points : array (n, size)
+        count : int
+        threads : int, optional
+            All cores if left out; the result does not depend on it.
+        """
+        return self._lanes(0).returns(
+            points, count, self.parameters, until=self.until, threads=threads
+        )
+
+    def iterate(self, points: Any, count: int) -> Any:
+        """The map applied `count` times: array of the shape of `points`.
+
+        The motion is followed in one piece, without stopping at the section.
+        """
+        given = np.asarray(points, dtype=float)
+        if count == 0:
+            return given.copy()
+        if count < 0:
+            return self.inverse.iterate(given, -count)
+        found = self.returns(np.atleast_2d(given), count).states[:, -1]
+        return found.reshape(given.shape)
+
+    def derivative(self, points: Any, count: int = 1) -> Derivative:
+        """The map applied `count` times, with its derivative.
+
+        Parameters
+        ----------
+        points : array (n, size)
+        count : int
+        """
+        starts = np.asarray(points, dtype=float)
+        if count < 1:
+            raise InputError(f"a derivative of {count} returns: there must be one at least")
+        frame = np.broadcast_to(np.eye(self.size), (len(starts), self.size, self.size))
+        crossed = self._lanes(self.size).returns(
+            starts, count, self.parameters, until=self.until, deviations=frame.copy()
+        )
+        images, times = crossed.states[:, -1], crossed.times[:, -1]
+        # deviations are rows there, columns here
+        flow = np.swapaxes(crossed.deviations[:, -1], 1, 2)
+        rates = self._rates(images, self.parameters)
+        normals = self._value.slopes(images, self.parameters)[:, 0]
+        across = np.einsum("ni,ni->n", normals, rates)[:, None]
+        time_slopes = -np.einsum("ni,nij->nj", normals, flow) / across
+        matrices = flow + rates[:, :, None] * time_slopes[:, None, :]
+        return Derivative(images, times, matrices, time_slopes)
+
+    def reason(self, code: int) -> str:
+        """What an outcome of `returns` means, in words; nothing for 0."""
+        return self._lanes(0).reason(code)
+
+    def residual(self, points: Any) -> Any:
+        """The section's value at points (..., size): zero on it."""
+        return self._value(points, self.parameters)[..., 0]
+
+    def dimension(self, point: Any, *, integrals: bool = True) -> int:
+        """The dimension of the section near a point.
+
+        Relations, the section itself and, unless they are to be left out, the known integrals
+        that hold without condition are counted by the rank of their derivatives.
+
+        Parameters
+        ----------
+        point : array (size,)
+        integrals : bool
+            Whether the section of one level of the integrals is meant.
+        """
+        fixed = [*self.system.relations, self.section.value]
+        if integrals:
+            fixed += [law.value for law in self.system.integrals if not law.on]
+        values = _mapping_at(self.parameters, 0)
+        formulas = Formulas(self.system, [explicit(f) for f in fixed])
+        slopes = formulas.slopes(point, values)
+        sizes = np.linalg.norm(slopes, axis=-1, keepdims=True)
+        unit = slopes / np.where(sizes > 0.0, sizes, 1.0)
+        return self.size - int(np.linalg.matrix_rank(unit, tol=1e-9))
+
+    def within(self, quantity: Any, width: float) -> SectionMap:
+        """A section of the section: its returns to a slab |quantity| < width.
+
+        Points of a map jump, so that they do not cross a second surface; what they do is come near
+        to it.  The returns to a thin slab about it ("double section", after F. C. Moon and
+        W. T. Holmes, 1985) form again a map, smooth as long as the number of returns between does
+        not change.
+
+        Parameters
+        ----------
+        quantity : sympy.Expr
+            Formula in state, definitions and parameters.
+        width : float
+            Half the thickness of the slab, in the unit of the quantity.
+        """
+        return replace(self, section=slab(self.section, quantity, width))
+
+    # --- inner parts -----------------------------------------------------------------------
+
+    def _lanes(self, deviations: int) -> Lanes:
+        return lanes(
+            self.system,
+            tolerance=self.tolerance,
+            deviations=deviations,
+            section=self.section,
+            backward=self.backward,
+        )
+
+    @cached_property
+    def _value(self) -> Formulas:
+        return Formulas(self.system, (self.section.value,))
+
+    @cached_property
+    def _rates(self) -> Formulas:
+        return Formulas(self.system, self.system.rates)
+
+
+def slab(section: Section, quantity: Any, width: float) -> Section:
+    """A section where only crossings with |quantity| < width count; see `SectionMap.within`.
+
+    Raises
+    ------
+    InputError
+        If the width is not positive.
+    """
+    if not width > 0:
+        raise InputError(f"a slab of half width {width}: it must be positive")
+    inside = sp.Float(width) - sp.Abs(explicit(sp.sympify(quantity)))
+    if section.where is None:
+        return replace(section, where=inside)
+    return replace(section, where=_least(section.where, inside))
+
+
+def _least(a: sp.Expr, b: sp.Expr) -> sp.Expr:
+    """The smaller of two numbers: positive where both are."""
+    return (a + b - sp.Abs(a - b)) / 2
+
+
+def _mapping_at(parameters: Mapping[Any, Any], index: int) -> dict[Any, Any]:
+    """The parameters of one point."""
+    return {
+        name: value if np.ndim(value) == 0 else value[index] for name, value in parameters.items()
+    }

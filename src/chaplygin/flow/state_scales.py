@@ -1,0 +1,97 @@
+"""How large the vectors of a state are along a motion: a measure that no choice of units changes.
+
+A momentum of 1e-10 kg m²/s beside the unit vector γ is not small, and a deviation of γ by one is
+not large beside one of the momentum by 1e-10.  Deviations are therefore measured with each vector
+of the state divided by a fixed size of its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from ..core.system import System
+from ..formulas.batch import Formulas
+from .batch import lanes
+from .kernel.equations import groups
+
+__all__ = ["sizes_along", "sizes_at"]
+
+Array: TypeAlias = Any
+Values: TypeAlias = Mapping[Any, Any] | None
+
+#: Part of a motion over which its vectors are looked at, and how often.
+STRETCH, LOOKS = 0.1, 32
+#: A vector smaller than this share of the size by which it acts as much as others counts as zero.
+SMALL = 1e-10
+#: Two vectors act on each other if they do so at this share of the fastest rate, at least.
+COUPLED = 1e-4
+
+
+def sizes_along(
+    system: System, starts: Array, until: float, parameters: Values = None, tolerance: float = 1e-12
+) -> Array:
+    """The greatest sizes of the vectors of the state over the first tenth of motions.
+
+    Parameters
+    ----------
+    system : System
+    starts : (n, size) array
+        In flat order, on the phase space.
+    until : float
+        Length of the motions.
+    parameters : mapping of Symbol or name to number or (n,) array, optional
+        Values that replace the defaults.
+    tolerance : float
+        See :func:`chaplygin.flow.batch.lanes`.
+
+    Returns
+    -------
+    (n, size) array
+        For each variable the size of the vector to which it belongs, positive; see `sizes_at`.
+    """
+    times = STRETCH * until * np.arange(1, LOOKS + 1) / LOOKS
+    run = lanes(system, tolerance=tolerance).until(starts, times, parameters)
+    first = np.asarray(starts, dtype=np.float64)
+    return sizes_at(system, np.concatenate([first[:, None], run.states], axis=1), parameters)
+
+
+def sizes_at(system: System, states: Array, parameters: Values = None) -> Array:
+    """The greatest sizes of the vectors of the state among some states of each motion.
+
+    A vector u that is zero beside others v has the size with which each acts on the other as
+    strongly, |v| √(|∂u̇/∂v| / |∂v̇/∂u|) at the first state, and 1 if none acts on it so.
+
+    Parameters
+    ----------
+    system : System
+    states : (n, states, size) array
+        The first of a motion must be finite; others may be not a number.
+    parameters : mapping of Symbol or name to number or (n,) array, optional
+
+    Returns
+    -------
+    (n, size) array
+    """
+    parts = groups(system)
+    # component after component, so that no neighbour changes a bit
+    squares = [sum(states[..., i] ** 2 for i in part) for part in parts]
+    norms = np.stack([np.sqrt(np.fmax.reduce(square, axis=1)) for square in squares], axis=1)
+    slopes = Formulas(system, system.rates).slopes(states[:, 0], parameters)
+    acting = np.array(
+        [[np.abs(slopes[:, p][:, :, q]).max(axis=(1, 2)) for q in parts] for p in parts]
+    )
+    back = np.swapaxes(acting, 0, 1)
+    rates = np.sqrt(acting) * np.sqrt(back)
+    coupled = rates > COUPLED * rates.max(axis=(0, 1))
+    coupled &= ~np.eye(len(parts), dtype=bool)[:, :, None]
+    ratios = np.sqrt(np.divide(acting, back, out=np.zeros_like(acting), where=coupled))
+    balanced = ratios * norms.T
+    beside = balanced.max(axis=1).T
+    found = np.where(norms > SMALL * beside, norms, beside)
+    found = np.where(found > 0, found, 1.0)
+    return np.concatenate(
+        [np.repeat(found[:, i : i + 1], len(p), axis=1) for i, p in enumerate(parts)], axis=1
+    )

@@ -1,0 +1,323 @@
+"""Small deviations carried along many motions, and how fast they grow.
+
+The variational equations of :func:`chaplygin.flow.batch.lanes` carry deviations over a short
+interval; there they are made orthonormal again, and the logarithms of the lengths that are lost
+add up to the Lyapunov exponents (Benettin et al. 1980).  What cannot grow is taken out at the end
+of every interval, so that rounding cannot bring it back: deviations stay tangent to relations and
+integrals, and are counted modulo the flow and the symmetries.
+
+Lengths and angles of deviations are measured with each variable divided by a fixed size, so that
+they are the same in all units: what is called orthonormal below is so in these measures, and
+gradients are those with respect to the measured variables.  See :mod:`chaplygin.flow.state_scales`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from ..core.system import System
+from ..formulas.batch import Formulas
+from .batch import Lanes
+from .level_projection import REDUNDANT, picked
+
+__all__ = ["Stretch", "TangentSpace", "orthonormal", "propagate"]
+
+Array: TypeAlias = Any
+Values: TypeAlias = Mapping[Any, Any] | None
+
+#: What is left of a vector, relative to its length, when it counts as dependent on others.
+DEPENDENT = 1e-12
+#: A state is put back on its level when it misses it by more than this, relatively.
+DRIFTED = 1e-11
+#: Steps by which it is put back.
+STEPS = 3
+#: Sizes of the variables unless others are given.
+ONE = np.ones(1)
+#: Seed of the frames that deviations start from.
+SEED = 20080830
+
+
+def orthonormal(vectors: Array, given: Array | None = None) -> tuple[Array, Array]:
+    """Vectors made orthonormal one after the other, for many states at once.
+
+    By Gram and Schmidt, each projection done twice, after which it is exact to rounding.
+
+    Parameters
+    ----------
+    vectors : (n, d, size) array
+    given : (n, k, size) array, optional
+        Orthonormal vectors, or zeros, to which the result is orthogonal as well.
+
+    Returns
+    -------
+    frames : (n, d, size) array
+        A vector that depends on those before it becomes zero.
+    lengths : (n, d) array
+        What was left of each vector: the diagonal of R in the QR decomposition.
+    """
+    found = np.array(vectors, dtype=np.float64)
+    lengths = np.empty(found.shape[:2])
+    for i in range(found.shape[1]):
+        vector = found[:, i]
+        before = np.sqrt(_dot(vector, vector))
+        for others in (given, found[:, :i]) * 2:
+            if others is not None:
+                _take_out(vector, others)
+        left = np.sqrt(_dot(vector, vector))
+        dependent = left <= DEPENDENT * before
+        lengths[:, i] = np.where(dependent, 0.0, left)
+        unit = vector / np.where(dependent, 1.0, left)[:, None]
+        found[:, i] = np.where(dependent[:, None], 0.0, unit)
+    return found, lengths
+
+
+def _take_out(vector: Array, others: Array) -> None:
+    """Take out of each vector (n, size), in place, its parts along others (n, k, size)."""
+    for other in np.moveaxis(others, 1, 0):
+        vector -= _dot(vector, other)[:, None] * other
+
+
+def _dot(a: Array, b: Array) -> Array:
+    # a sum along each row, whose bits do not depend on other rows, as einsum's do
+    return (a * b).sum(axis=1)
+
+
+@dataclass(frozen=True)
+class TangentSpace:
+    """The deviations that count along the motions of a system.
+
+    Attributes
+    ----------
+    system : System
+    conditions : tuple of formulas
+        Relations and integrals, independent of each other: deviations are tangent to them.
+    directions : tuple of tuples of formulas
+        Fields, in flat order, that the motion carries into themselves: the flow, symmetries.
+    mixed : (directions, fields) array
+        Constant combinations of the fields, tangent to the conditions, that are divided out.
+    """
+
+    system: System
+    conditions: tuple[Any, ...]
+    directions: tuple[tuple[Any, ...], ...]
+    mixed: Array
+
+    @property
+    def dimension(self) -> int:
+        """How many independent deviations are left."""
+        return len(self.system.symbols) - len(self.conditions) - len(self.mixed)
+
+    @cached_property
+    def _conditions(self) -> Formulas:
+        return Formulas(self.system, self.conditions)
+
+    @cached_property
+    def _directions(self) -> Formulas:
+        return Formulas(self.system, [part for field in self.directions for part in field])
+
+    @cached_property
+    def _rates(self) -> Formulas:
+        return Formulas(self.system, self.system.rates)
+
+    def normals(self, states: Array, parameters: Values = None, sizes: Array = ONE) -> Array:
+        """The gradients of the conditions, (n, conditions, size)."""
+        return self._conditions.slopes(states, parameters) * sizes[..., None, :]
+
+    def level(self, states: Array, parameters: Values = None) -> Array:
+        """The values of the conditions, (n, conditions): zero for relations."""
+        return self._conditions(states, parameters)
+
+    def kept(
+        self, states: Array, level: Array, parameters: Values = None, sizes: Array = ONE
+    ) -> Array:
+        """States put back on the level of the conditions where they have drifted off, (n, size)."""
+        normals = self.normals(states, parameters, sizes)
+        reach = np.abs(level) + np.sqrt((normals**2).sum(axis=2))
+        missed = np.abs(self.level(states, parameters) - level)
+        far = np.flatnonzero((missed > DRIFTED * reach).any(axis=1))
+        if not len(far):
+            return states
+        states, measures = states.copy(), np.broadcast_to(sizes, states.shape)
+        for _ in range(STEPS):
+            some = picked(parameters, far)
+            normals = self.normals(states[far], some, measures[far])
+            lengths = np.sqrt((normals**2).sum(axis=2))
+            excess = self.level(states[far], some) - level[far]
+            usable = (np.isfinite(lengths) & np.isfinite(excess) & (lengths > 0)).all(axis=1)
+            far, normals, lengths = far[usable], normals[usable], lengths[usable][:, :, None]
+            if not len(far):
+                break
+            inverse = np.linalg.pinv(normals / lengths, rcond=REDUNDANT)
+            steps = (inverse @ (excess[usable][:, :, None] / lengths))[:, :, 0]
+            states[far] -= steps * measures[far]
+        return states
+
+    def fields(self, states: Array, parameters: Values = None, sizes: Array = ONE) -> Array:
+        """The directions that are divided out, (n, mixed, size)."""
+        found = self._directions(states, parameters)
+        found = found.reshape(len(found), len(self.directions), len(self.system.symbols))
+        mixed = [sum(c * found[:, j] for j, c in enumerate(row)) for row in self.mixed]
+        return (np.stack(mixed, axis=1) if mixed else found[:, :0]) / sizes[..., None, :]
+
+    def excluded(
+        self, states: Array, parameters: Values = None, sizes: Array = ONE
+    ) -> tuple[Array, Array]:
+        """An orthonormal basis of what is no deviation that counts.
+
+        Parameters
+        ----------
+        states : (n, size) array
+        parameters : mapping, optional
+        sizes : (size,) or (n, size) array, optional
+            By which deviations are measured.
+
+        Returns
+        -------
+        basis : (n, conditions + mixed, size) array
+        lengths : (n, conditions + mixed) array
+            Logarithms of what is left of each of these vectors beside the ones before it, with
+            the opposite sign for a gradient: how long a deviation is that changes its condition
+            by one.
+        """
+        normals, across = orthonormal(self.normals(states, parameters, sizes))
+        fields, along = orthonormal(self.fields(states, parameters, sizes), normals)
+        with np.errstate(divide="ignore"):
+            lengths = np.concatenate([-np.log(across), np.log(along)], axis=1)
+        return np.concatenate([normals, fields], axis=1), lengths
+
+    def frames(
+        self,
+        states: Array,
+        parameters: Values = None,
+        count: int | None = None,
+        sizes: Array = ONE,
+    ) -> Array:
+        """Orthonormal deviations to start from, measured, the same at the same state.
+
+        Parameters
+        ----------
+        states : (n, size) array
+        parameters : mapping, optional
+        count : int, optional
+            How many; `dimension` if left out.
+        sizes : (size,) or (n, size) array, optional
+            By which deviations are measured.
+
+        Returns
+        -------
+        (n, count, size) array
+        """
+        shape = (self.dimension if count is None else count, len(self.system.symbols))
+        chosen = np.random.default_rng(SEED).standard_normal(shape)
+        vectors = np.broadcast_to(chosen, (len(states), *shape))
+        return orthonormal(vectors, self.excluded(states, parameters, sizes)[0])[0]
+
+    def divergence(
+        self,
+        states: Array,
+        parameters: Values = None,
+        relations: Sequence[Any] = (),
+        sizes: Array = ONE,
+    ) -> Array:
+        """The divergence of the equations on the surface where relations vanish, (n,).
+
+        It is the rate of the logarithm of a volume of deviations tangent to `relations`.
+        """
+        jacobian = self._rates.slopes(states, parameters)
+        jacobian *= sizes[..., None, :] / sizes[..., :, None]
+        gradients = Formulas(self.system, relations).slopes(states, parameters)
+        gradients *= sizes[..., None, :]
+        normals, _ = orthonormal(gradients)
+        across = np.einsum("nki,nij,nkj->n", normals, jacobian, normals)
+        return np.einsum("nii->n", jacobian) - across
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """Deviations at the end of an interval.
+
+    Attributes
+    ----------
+    states : (n, nodes, size) array
+        The motions at the inner times of the interval.
+    ends : (n, size) array
+        The motions at its end; not a number after a motion has failed.
+    frames : (n, d, size) array
+        Deviations, measured, orthonormal again.
+    lengths : (n, d) array
+        The logarithms of the lengths that were taken off.
+    sizes : (n, conditions + mixed) array
+        Logarithms of the sizes of what is excluded, at the end; see `TangentSpace.excluded`.
+    outcome : (n,) array of int
+        0, or why a motion ended; see ``Lanes.reason``.
+    ended : (n,) array
+        When, counted from the start of the interval.
+    """
+
+    states: Array
+    ends: Array
+    frames: Array
+    lengths: Array
+    sizes: Array
+    outcome: Any
+    ended: Array
+
+
+def propagate(
+    lanes: Lanes,
+    space: TangentSpace,
+    starts: Array,
+    interval: float,
+    parameters: Values = None,
+    *,
+    sizes: Array = ONE,
+    frames: Array | None = None,
+    nodes: Array | None = None,
+    threads: int | None = None,
+) -> Iterator[Stretch]:
+    """Deviations along motions, made orthonormal at the end of each interval, without end.
+
+    Parameters
+    ----------
+    lanes : Lanes
+        Of ``space.system``, compiled for as many deviations as there are frames.
+    space : TangentSpace
+    starts : (n, size) array
+    interval : float
+        Its length.
+    parameters : mapping of Symbol or name to number or (n,) array, optional
+    sizes : (size,) or (n, size) array, optional
+        By which deviations are measured.
+    frames : (n, d, size) array, optional
+        Deviations to start from, measured, orthonormal; those of ``space.frames`` if left out.
+    nodes : (nodes,) array, optional
+        Inner times of the interval, between 0 and `interval`, at which states are wanted.
+    threads : int, optional
+
+    Yields
+    ------
+    Stretch
+    """
+    states = np.asarray(starts, dtype=np.float64)
+    inner = np.empty(0) if nodes is None else np.asarray(nodes, dtype=np.float64)
+    times = np.append(inner, interval)
+    measures = sizes[..., None, :]
+    if frames is None:
+        frames = space.frames(states, parameters, lanes.deviations, sizes)
+    level = space.level(states, parameters)
+    while True:
+        carried = frames * measures if frames.shape[1] else None
+        run = lanes.until(states, times, parameters, deviations=carried, threads=threads)
+        states = space.kept(run.states[:, -1], level, parameters, sizes)
+        basis, excluded = space.excluded(states, parameters, sizes)
+        if run.deviations is not None:
+            frames = run.deviations[:, -1] / measures
+        frames, lengths = orthonormal(frames, basis)
+        with np.errstate(divide="ignore"):
+            logs = np.log(lengths)
+        yield Stretch(run.states[:, :-1], states, frames, logs, excluded, run.outcome, run.ended)

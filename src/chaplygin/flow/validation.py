@@ -1,0 +1,73 @@
+"""What an engine is given: starts and times, read and refused where they cannot be used."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ..core.system import System
+from ..errors import InputError
+from ..formulas.evaluate import doubles, numbers
+from ..formulas.graph import Term
+
+__all__ = ["moments", "require_on_phase_space", "require_rows"]
+
+#: A start may miss a relation by this share of what it consists of, and by so much besides.
+SLACK, LEAST = 1e-9, 1e-13
+
+
+def moments(times: Any, backward: bool = False) -> Any:
+    """Times at which motions are looked at, counted from 0 in the direction of the motion.
+
+    Raises
+    ------
+    InputError
+        If there are none, or they do not go on from 0 in that direction.
+    """
+    given = np.atleast_1d(doubles("times", times))
+    if given.ndim != 1 or not given.size or not np.all(np.isfinite(given)):
+        raise InputError("times: there must be a row of at least one, and all finite numbers")
+    ahead = -given if backward else given
+    if ahead[0] < 0 or np.any(np.diff(ahead) <= 0):
+        way = "decrease from 0" if backward else "increase from 0"
+        raise InputError(f"times: they must {way}, where the motion begins")
+    return np.ascontiguousarray(ahead)
+
+
+def require_rows(system: System, points: Any) -> None:
+    """Refuse starts that are not rows of a state each."""
+    size = len(system.symbols)
+    if points.ndim != 2 or points.shape[1] != size:
+        names = ", ".join(map(str, system.symbols))
+        raise InputError(
+            f"{system.name}: starts have the shape {points.shape}; (motions, {size}) is needed, "
+            f"in the order {names}"
+        )
+
+
+def require_on_phase_space(
+    system: System, relations: Sequence[Term], points: Any, parameters: Any
+) -> None:
+    """Refuse starts that miss a relation of the system.
+
+    Parameters
+    ----------
+    system : System
+    relations : sequence of Term
+        See :func:`chaplygin.formulas.evaluate.relation_terms`.
+    points : array (motions, size)
+    parameters : array (1 or motions, parameters)
+    """
+    if not relations or not len(points):
+        return
+    found = np.abs(numbers(relations, points, parameters))
+    missed, sizes = np.split(found, 2, axis=1)
+    excess = missed / (SLACK * sizes + LEAST)
+    worst = np.unravel_index(np.argmax(np.nan_to_num(excess, nan=np.inf)), excess.shape)
+    if not excess[worst] <= 1:
+        raise InputError(
+            f"{system.name}: start {worst[0]} misses the phase space; "
+            f"{system.relations[worst[1]]} is {missed[worst]:.3g} there and must vanish"
+        )

@@ -1,0 +1,110 @@
+"""Formulas of a System at many states at once, with their slopes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from ..core.system import System
+from ..core.vectors import explicit
+from ..errors import InputError
+from .evaluate import numbers, parameter_rows
+from .graph import Graph, Reader, Term
+
+__all__ = ["Formulas"]
+
+
+@dataclass(frozen=True)
+class Formulas:
+    """Scalar formulas in state, definitions and parameters of a System.
+
+    What is computed for a state depends on it alone, not on its neighbours.
+
+    Parameters
+    ----------
+    system : System
+    formulas : sequence of sympy.Expr
+
+    Raises
+    ------
+    InputError
+        When a formula is first evaluated that has a name of neither kind, or an unknown function.
+    """
+
+    system: System
+    formulas: Sequence[Any]
+
+    def __call__(self, states: Any, parameters: Mapping[Any, Any] | None = None) -> Any:
+        """The formulas at states.
+
+        Parameters
+        ----------
+        states : array (..., size)
+            In flat order.
+        parameters : mapping of Symbol or name to number or array (n,), optional
+            Values that replace the defaults; an array has one for each row of `states`, its
+            first axis.
+
+        Returns
+        -------
+        array (..., formulas)
+            Infinite or not a number where a formula has no value.
+        """
+        return self._evaluated(self._terms, states, parameters)
+
+    def slopes(self, states: Any, parameters: Mapping[Any, Any] | None = None) -> Any:
+        """Their derivatives with respect to the state.
+
+        Returns
+        -------
+        array (..., formulas, size)
+        """
+        flat = self._evaluated(self._slope_terms, states, parameters)
+        return flat.reshape(*flat.shape[:-1], len(self.formulas), len(self.system.symbols))
+
+    @cached_property
+    def _terms(self) -> list[Term]:
+        known = {*self.system.symbols, *self.system.defaults, *dict(self.system.steps)}
+        formulas = [explicit(formula) for formula in self.formulas]
+        for formula in formulas:
+            strange = sorted(map(str, formula.free_symbols - known))
+            if strange:
+                raise InputError(
+                    f"{self.system.name}: the formula {formula} uses {', '.join(strange)}, which "
+                    "is neither a state variable, a definition nor a parameter"
+                )
+        reader = Reader(self.system, Graph())
+        return [reader(formula) for formula in formulas]
+
+    @cached_property
+    def _slope_terms(self) -> list[Term]:
+        if not self._terms:
+            return []
+        graph = self._terms[0].graph
+        size = len(self.system.symbols)
+        columns = [
+            graph.along(
+                self._terms,
+                {graph.state(i): graph.number(int(i == j)) for i in range(size)},
+            )
+            for j in range(size)
+        ]
+        return [term for row in zip(*columns, strict=True) for term in row]
+
+    def _evaluated(
+        self, terms: Sequence[Term], states: Any, parameters: Mapping[Any, Any] | None
+    ) -> Any:
+        points = np.asarray(states, dtype=float)
+        count = len(points) if points.ndim > 1 else 1
+        rows = parameter_rows(self.system, parameters, count)
+        if len(rows) == 1:
+            return numbers(terms, points, rows[0])
+        return numbers(terms, points, rows.reshape(count, *(1,) * (points.ndim - 2), -1))
+
+    def __getstate__(self) -> dict[str, Any]:
+        # terms are told apart by their identity, which another process does not keep
+        return {"system": self.system, "formulas": self.formulas}

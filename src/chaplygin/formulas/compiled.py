@@ -1,0 +1,98 @@
+"""Formulas of a System as one NumPy function each, for loops that call them again and again.
+
+What is asked once is better served by :mod:`chaplygin.formulas.batch`, which compiles nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from ..core.system import System
+from .graph import Graph, Reader, Term, ordered
+
+__all__ = ["Compiled", "Sheet"]
+
+#: How an operation is written in Python on arrays.
+_WRITTEN: Mapping[str, str] = {
+    "add": "{} + {}",
+    "sub": "{} - {}",
+    "mul": "{} * {}",
+    "neg": "-{}",
+    "recip": "1.0 / {}",
+    "atan2": "arctan2({}, {})",
+    "asin": "arcsin({})",
+    "acos": "arccos({})",
+    "atan": "arctan({})",
+    "positive": "where({} > 0, {}, {})",
+}
+
+
+class Compiled:
+    """Terms as one function of arrays.
+
+    Parameters
+    ----------
+    terms : sequence of Term
+    """
+
+    def __init__(self, terms: Sequence[Term]) -> None:
+        names: dict[int, str] = {}
+        lines = []
+        for i, node in enumerate(ordered(terms)):
+            if node.kind in ("state", "parameter"):
+                text = f"{node.kind}[{node.args[0]}]"
+            elif node.number is not None:
+                text = repr(float(node.number))
+            else:
+                pattern = _WRITTEN.get(node.kind, node.kind + "({})")
+                text = pattern.format(*(names[id(a)] for a in node.operands))
+            names[id(node)] = f"t{i}"
+            lines.append(f"    t{i} = {text}")
+        lines += [f"    made[{row}] = {names[id(term)]}" for row, term in enumerate(terms)]
+        text = "\n".join(["def function(state, parameter, made):", *lines, "    return made"])
+        scope: dict[str, Any] = dict(vars(np))
+        exec(compile(text, "<formulas>", "exec"), scope)
+        self._function: Callable[..., Any] = scope["function"]
+        self._many = len(terms)
+
+    def __call__(self, states: Any, parameters: Any) -> Any:
+        """Values (terms, k) at states (size, k), each variable in a row, and parameters (p,).
+
+        Not-a-number where a formula has no real value.
+        """
+        with np.errstate(all="ignore"):
+            return self._function(states, parameters, np.empty((self._many, states.shape[1])))
+
+
+class Sheet:
+    """The formulas of one System as terms, with derivatives in the state.
+
+    Attributes
+    ----------
+    graph : Graph
+    read : Reader
+        From a formula to its term.
+    state : tuple of Term
+        The state variables in flat order.
+    """
+
+    def __init__(self, system: System) -> None:
+        self.graph = Graph()
+        self.read = Reader(system, self.graph)
+        self.state = tuple(self.graph.state(i) for i in range(len(system.symbols)))
+
+    def slopes(self, terms: Sequence[Term]) -> list[list[Term]]:
+        """The derivatives of terms: one row for each term, one column for each variable."""
+        zero, one = self.graph.number(0), self.graph.number(1)
+        columns = [
+            self.graph.along(terms, {v: one if v is leaf else zero for v in self.state})
+            for leaf in self.state
+        ]
+        return [list(row) for row in zip(*columns, strict=True)]
+
+    def depends(self, terms: Sequence[Term]) -> set[int]:
+        """The places of the state variables that occur in terms."""
+        return {node.args[0] for node in ordered(terms) if node.kind == "state"}

@@ -1,0 +1,232 @@
+"""Formulas of a System at many states at once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from ..core.admissible import conditions, satisfied
+from ..core.system import Quantity, System
+from ..core.vectors import explicit
+from ..errors import InputError
+from ..parsing import parse_formula
+from .digest import settled
+from .graph import Reader, Term, of_system, ordered
+
+__all__ = ["doubles", "formula", "parameter_rows", "read_system", "relation_terms", "values"]
+
+_NUMPY: Mapping[str, Any] = {
+    "add": np.add,
+    "sub": np.subtract,
+    "mul": np.multiply,
+    "neg": np.negative,
+    "recip": np.reciprocal,
+    "sqrt": np.sqrt,
+    "sin": np.sin,
+    "cos": np.cos,
+    "tan": np.tan,
+    "asin": np.arcsin,
+    "acos": np.arccos,
+    "atan": np.arctan,
+    "atan2": np.arctan2,
+    "sinh": np.sinh,
+    "cosh": np.cosh,
+    "tanh": np.tanh,
+    "exp": np.exp,
+    "log": np.log,
+    "abs": np.abs,
+    "sign": np.sign,
+    "positive": lambda a, yes, no: np.where(a > 0, yes, no),
+}
+
+
+def relation_terms(system: System) -> tuple[Term, ...]:
+    """The relations of a system as terms, and after them the sizes of what they consist of.
+
+    The size of f is Σ |xᵢ ∂f/∂xᵢ|.
+    """
+    reader, _ = read_system(system)
+    graph = reader.graph
+    states = [graph.state(i) for i in range(len(system.symbols))]
+    relations = [reader(relation) for relation in system.relations]
+    zero, one = graph.number(0), graph.number(1)
+    sizes = [zero] * len(relations)
+    for x in states:
+        slopes = graph.along(relations, {s: one if s is x else zero for s in states})
+        sizes = [size + graph.call("abs", x * d) for size, d in zip(sizes, slopes, strict=True)]
+    return (*relations, *sizes)
+
+
+@lru_cache(maxsize=64)
+def read_system(system: System) -> tuple[Reader, tuple[Term, ...]]:
+    """A reader of a system's formulas and the rates of its state, kept for later."""
+    # as a worker gets it, so that bits are the same everywhere
+    reader, rates = of_system(settled(system))
+    return reader, tuple(rates)
+
+
+def doubles(name: str, given: Any) -> Any:
+    """Numbers as doubles.
+
+    Raises
+    ------
+    InputError
+        If they are not real numbers; the message calls them by `name`.
+    """
+    try:
+        return np.asarray(given, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(f"{name}: all must be real numbers, in rows of one length") from None
+
+
+def formula(system: System, quantity: Any) -> Any:
+    """A scalar formula of a system: itself, or what a text says.
+
+    Parameters
+    ----------
+    system : System
+    quantity : SymPy expression, number or str
+        A text is the name of a scalar observable or of an integral (``"energy"``), or a formula in
+        the state, the definitions and the parameters (``"dot(M, gamma) - 0.3"``, ``"gamma_3"``).
+
+    Raises
+    ------
+    InputError
+        If the text cannot be read, or is not a scalar.
+    """
+    if isinstance(quantity, str):
+        named: dict[str, Any] = {item.name: item.value for item in system.observables}
+        named |= {law.name: law.value for law in system.integrals}
+        if quantity in named:
+            found = named[quantity]
+        else:
+            found = parse_formula(quantity, _names(system), f"{system.name}: quantity")
+    else:
+        found = quantity
+    value = explicit(sp.sympify(found))
+    if isinstance(value, sp.MatrixBase):
+        raise InputError(f"{system.name}: {quantity} is a vector; name one of its components")
+    return value
+
+
+def _names(system: System) -> dict[str, Any]:
+    quantities: list[Quantity] = [*system.state, *(name for name, _ in system.definitions)]
+    quantities.extend(p.symbol for p in system.parameters)
+    return {str(q): q for q in quantities}
+
+
+def parameter_rows(system: System, parameters: Mapping[Any, Any] | None, count: int) -> Any:
+    """Values of the parameters in order, (1, parameters), or (count, parameters) if some vary.
+
+    Parameters
+    ----------
+    system : System
+    parameters : mapping of Symbol or name to number or array (count,), optional
+        Values that replace the defaults.
+    count : int
+        Motions for which they are.
+
+    Raises
+    ------
+    InputError
+        If a name is unknown, a value is not finite or not admissible, or an array has another
+        length.
+    """
+    columns: dict[str, Any] = dict(system.constants)
+    for key, value in (parameters or {}).items():
+        if str(key) not in columns:
+            known = ", ".join(columns) or "none"
+            raise InputError(f"{system.name}: no parameter {key}; it has {known}")
+        column = doubles(f"{system.name}: {key}", value)
+        if column.shape not in ((), (count,)):
+            raise InputError(
+                f"{system.name}: {key} has the shape {column.shape}; it must be one number or "
+                f"{count}, one for each motion"
+            )
+        if not np.all(np.isfinite(column)):
+            raise InputError(f"{system.name}: {key} must be finite numbers")
+        columns[str(key)] = column
+    varied = any(np.ndim(column) for column in columns.values())
+    rows = np.empty((count if varied else 1, len(columns)))
+    for i, column in enumerate(columns.values()):
+        rows[:, i] = column
+    if parameters:
+        _require_admissible(system, rows)
+    return rows
+
+
+def _require_admissible(system: System, rows: Any) -> None:
+    columns = {p.symbol: rows[:, place] for place, p in enumerate(system.parameters)}
+    for parameter, condition in conditions(system.parameters):
+        holds = satisfied(condition, columns)
+        bad = np.flatnonzero(~np.broadcast_to(holds, len(rows)))
+        if bad.size:
+            value = columns[parameter.symbol][bad[0]]
+            raise InputError(
+                f"{system.name}: {parameter.symbol} = {value:.10g} is not admissible; "
+                f"{condition} must hold"
+            )
+
+
+def values(
+    system: System,
+    formulas: Sequence[Any],
+    states: Any,
+    parameters: Mapping[Any, Any] | None = None,
+) -> Any:
+    """Scalar formulas at many states.
+
+    Parameters
+    ----------
+    system : System
+    formulas : sequence of SymPy expressions or str
+        See :func:`formula`.
+    states : array (..., size)
+    parameters : mapping of Symbol or name to number or array (n,), optional
+        Arrays give a value for each row of `states`, its first axis.
+
+    Returns
+    -------
+    array (..., formulas)
+
+    Raises
+    ------
+    InputError
+        If a formula or a parameter cannot be used.
+    """
+    points = doubles("states", states)
+    size = len(system.symbols)
+    if points.shape[-1:] != (size,):
+        raise InputError(
+            f"{system.name}: states have the shape {points.shape}; their last axis must be {size}"
+        )
+    reader, _ = read_system(system)
+    terms = [reader(formula(system, f)) for f in formulas]
+    rows = parameter_rows(system, parameters, len(points))
+    spread = rows.reshape(len(rows), *([1] * (points.ndim - 2)), rows.shape[1])
+    if len(rows) == 1:
+        spread = rows[0]
+    return numbers(terms, points, spread)
+
+
+def numbers(terms: Sequence[Term], states: Any, parameters: Any) -> Any:
+    """Terms at states (..., size) with parameters (..., parameters): (..., terms)."""
+    known: dict[int, Any] = {}
+    with np.errstate(all="ignore"):
+        for node in ordered(terms):
+            if node.kind == "number":
+                known[id(node)] = np.float64(float(node.args[0]))
+            elif node.kind == "state":
+                known[id(node)] = states[..., node.args[0]]
+            elif node.kind == "parameter":
+                known[id(node)] = parameters[..., node.args[0]]
+            else:
+                known[id(node)] = _NUMPY[node.kind](*(known[id(a)] for a in node.operands))
+    result = np.empty((*states.shape[:-1], len(terms)))
+    for i, term in enumerate(terms):
+        result[..., i] = known[id(term)]
+    return result

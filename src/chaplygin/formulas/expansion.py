@@ -1,0 +1,232 @@
+"""Formulas as Taylor series about a point, exactly.
+
+Angles enter by sine and cosine, for which rational numbers are taken; e^x by a number of its own.
+At an angle that is a rational number, not zero, its sine is transcendental, and no polynomial
+relation with rational coefficients holds there that does not hold everywhere (Lindemann and
+Weierstrass): any point of the circle stands for it.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import combinations_with_replacement
+from math import factorial, lcm
+from typing import Any
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from ..errors import InputError
+from ..parsing.exact_decimals import exact_number
+from .taylor import Numbers, Series
+
+__all__ = ["Germs", "angles", "combination", "expanded", "turned"]
+
+Steps = Mapping[sp.Symbol, sp.Expr]
+#: Angles α of which sines and cosines are taken, with n where those of α/n are needed.
+Angles = Mapping[sp.Expr, int]
+
+_CIRCULAR = (sp.sin, sp.cos, sp.tan)
+#: Derivatives of functions whose value at a point is a number of its own.
+_SLOPES = {
+    sp.log: lambda x: 1 / x,
+    sp.atan: lambda x: 1 / (1 + x**2),
+    sp.asin: lambda x: 1 / sp.sqrt(1 - x**2),
+    sp.acos: lambda x: -1 / sp.sqrt(1 - x**2),
+}
+
+
+def expanded(formula: sp.Expr, steps: Steps) -> sp.Expr:
+    """A formula in which the definitions are written out."""
+    while formula.free_symbols & set(steps):
+        formula = formula.xreplace(dict(steps))
+    return formula
+
+
+def combination(argument: sp.Expr, steps: Steps) -> dict[sp.Expr, sp.Rational]:
+    """An argument as a sum of rational multiples of angles; sp.pi stands for a half turn."""
+    found = sp.expand(expanded(argument, steps)).as_coefficients_dict()
+    return {core: sp.Rational(factor) for core, factor in found.items()}
+
+
+def angles(formulas: Iterable[sp.Expr], steps: Steps, kinds: Sequence[Any] = _CIRCULAR) -> Angles:
+    """The angles in formulas; with ``kinds=(sp.exp,)`` the exponents."""
+    found: dict[sp.Expr, int] = {}
+    for formula in (*formulas, *steps.values()):
+        for node in formula.atoms(*kinds):
+            for core, factor in combination(node.args[0], steps).items():
+                found[core] = lcm(found.get(core, 1), int(factor.q))
+    return found
+
+
+class Germs:
+    """Taylor series of formulas about one point.
+
+    Parameters
+    ----------
+    numbers : Numbers
+    variables : sequence of Symbol
+        In which the series are taken.
+    values : mapping of Symbol to number
+        Of the variables and of everything else that is constant.
+    circles : mapping of formula to (number, number)
+        Sine and cosine of every angle divided by its n of `angles`.
+    units : Angles
+        The n.
+    steps : mapping of Symbol to formula
+        Definitions.
+    order : int
+        Up to which the series are known.
+    seed : int
+        Of the numbers taken for transcendental values; one for each point.
+    """
+
+    def __init__(
+        self,
+        numbers: Numbers,
+        variables: Sequence[sp.Symbol],
+        values: Mapping[sp.Symbol, Any],
+        circles: Mapping[sp.Expr, tuple[Any, Any]],
+        units: Angles,
+        steps: Steps,
+        order: int,
+        seed: int = 0,
+    ) -> None:
+        self.numbers, self.order, self.steps = numbers, order, dict(steps)
+        self.values, self.circles, self.units = dict(values), dict(circles), dict(units)
+        self.variables = tuple(variables)
+        self.ring = numbers.ring([f"x{i}" for i, _ in enumerate(self.variables)])
+        self._known: dict[sp.Expr, Series] = {}
+        self._formal: dict[sp.Expr, Any] = {}
+        self._seed = seed
+
+    def constant(self, value: Any) -> Series:
+        """A number."""
+        return Series.constant(self.numbers, self.ring, value, self.order)
+
+    def series(self, formula: sp.Expr) -> Series:
+        """A formula.
+
+        Raises
+        ------
+        ZeroDivisionError
+            If it is singular at the point.
+        IrrationalError
+            If the numbers in use do not contain a root that occurs.
+        InputError
+            If a function occurs that is not known here.
+        """
+        found = self._known.get(formula)
+        if found is None:
+            found = self._known[formula] = self._computed(formula)
+        return found
+
+    def _computed(self, formula: sp.Expr) -> Series:
+        if formula.is_Rational:
+            return self.constant(self.numbers.number(formula))
+        if formula.is_Float:
+            return self.constant(self.numbers.number(exact_number(formula)))
+        if formula.is_Symbol:
+            return self._symbol(formula)
+        if formula.is_Add or formula.is_Mul:
+            first, *rest = (self.series(arg) for arg in formula.args)
+            for other in rest:
+                first = first + other if formula.is_Add else first * other
+            return first
+        if formula.is_Pow and formula.exp.is_Rational:
+            return self.series(formula.base).power(int(formula.exp.p), int(formula.exp.q))
+        if isinstance(formula, _CIRCULAR):
+            return self._circular(formula)
+        if isinstance(formula, sp.exp):
+            return self._exponential(formula)
+        if formula.func in _SLOPES:
+            return self._opaque(formula)
+        if formula.is_number:
+            # π, e, π^e: numbers of their own
+            return self.constant(self._formal_value(formula))
+        if isinstance(formula, (AppliedUndef, sp.Derivative)):
+            return self._unspecified(formula)
+        raise InputError(
+            f"{formula}: its derivatives at a point cannot be computed exactly; known are sums, "
+            "products, powers with rational exponents, sin, cos, tan, exp, log, asin, acos, atan"
+        )
+
+    def _symbol(self, symbol: sp.Symbol) -> Series:
+        if symbol in self.steps:
+            return self.series(self.steps[symbol])
+        if symbol not in self.values:
+            raise InputError(f"no value is given for {symbol}")
+        found = self.constant(self.values[symbol])
+        if symbol in self.variables and self.order:
+            found.parts[1] = self.ring.gens()[self.variables.index(symbol)]
+        return found
+
+    def _circular(self, formula: sp.Expr) -> Series:
+        one, zero = self.numbers.number(1), self.numbers.number(0)
+        total = (zero, one)
+        for core, factor in combination(formula.args[0], self.steps).items():
+            unit = self.circles[core]
+            total = turned(total, unit, int(factor * self.units[core]), (zero, one))
+        s, c = self.series(formula.args[0]).circle(*total)
+        return s if isinstance(formula, sp.sin) else c if isinstance(formula, sp.cos) else s / c
+
+    def _exponential(self, formula: sp.Expr) -> Series:
+        units = angles([formula], self.steps, (sp.exp,))
+        value = self.numbers.number(1)
+        for core, factor in combination(formula.args[0], self.steps).items():
+            # one number for e^(core/60), so that e^(x/2), e^(x/3), … of one point agree
+            multiple = factor * 60 * units[core]
+            whole = int(factor * 60) if multiple.is_Integer and 60 % units[core] == 0 else None
+            if whole is None:
+                raise InputError(f"{formula}: exponents may have denominators 1 to 6 only")
+            value = value * self._formal_value(sp.exp(core / 60)) ** whole
+        return self.series(formula.args[0]).exponential(value)
+
+    def _formal_value(self, formula: sp.Expr) -> Any:
+        """A number of its own for a transcendental value."""
+        if formula not in self._formal:
+            self._formal[formula] = self.numbers.drawn(random.Random(f"{self._seed} {formula}"))
+        return self._formal[formula]
+
+    def _opaque(self, formula: sp.Expr) -> Series:
+        argument = formula.args[0]
+        value = self._formal_value(formula)
+        return self.series(argument).primitive(value, self.series(_SLOPES[formula.func](argument)))
+
+    def _unspecified(self, formula: sp.Expr) -> Series:
+        """A function of some variables that nobody specified, or a derivative of it."""
+        function = formula.expr if isinstance(formula, sp.Derivative) else formula
+        orders = dict(formula.variable_count) if isinstance(formula, sp.Derivative) else {}
+        places = [self.variables.index(s) for s in function.args if s in self.variables]
+        if not isinstance(function, AppliedUndef) or len(places) != len(function.args):
+            raise InputError(f"{formula}: an unspecified function may depend on coordinates only")
+        gens = self.ring.gens()
+        parts = []
+        for degree in range(self.order + 1):
+            total = self.ring.constant(0)
+            for chosen in combinations_with_replacement(range(len(places)), degree):
+                powers = [chosen.count(i) for i, _ in enumerate(places)]
+                raised = [
+                    p + int(orders.get(s, 0)) for p, s in zip(powers, function.args, strict=True)
+                ]
+                value = self._formal_value(sp.Tuple(function, *raised))
+                for power in powers:
+                    value = value / factorial(power)
+                term = self.constant(value).parts[0]
+                for i in chosen:
+                    term = term * gens[places[i]]
+                total = total + term
+            parts.append(total)
+        return Series(self.numbers, self.ring, parts)
+
+
+def turned(
+    start: tuple[Any, Any], unit: tuple[Any, Any], times: int, none: tuple[Any, Any]
+) -> tuple[Any, Any]:
+    """Sine and cosine of an angle increased by a multiple of the unit."""
+    s, c = unit if times >= 0 else (none[0] - unit[0], unit[1])
+    found = start
+    for _ in range(abs(times)):
+        found = (found[0] * c + found[1] * s, found[1] * c - found[0] * s)
+    return found

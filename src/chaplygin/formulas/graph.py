@@ -1,0 +1,370 @@
+"""Formulas as one graph in which equal things are the same thing.
+
+SymPy is the language of formulas; here they become terms of a few operations, each made once
+(equal terms are one object), so that common parts are shared without being looked for.  Named
+intermediate quantities of a System are followed, never expanded.  Derivatives are terms as well.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+
+from ..core.system import System
+from ..core.vectors import explicit
+from ..errors import InputError
+
+__all__ = ["Graph", "Term", "of_system"]
+
+#: Functions of one variable that the machine code knows, by SymPy's name for them.
+FUNCTIONS: Mapping[Any, str] = {
+    sp.sin: "sin",
+    sp.cos: "cos",
+    sp.tan: "tan",
+    sp.asin: "asin",
+    sp.acos: "acos",
+    sp.atan: "atan",
+    sp.sinh: "sinh",
+    sp.cosh: "cosh",
+    sp.tanh: "tanh",
+    sp.exp: "exp",
+    sp.log: "log",
+    sp.Abs: "abs",
+    sp.sign: "sign",
+}
+
+
+class Term:
+    """A node of a graph: an operation and what it acts on; made by `Graph` alone.
+
+    Attributes
+    ----------
+    kind : str
+        ``"state"``, ``"parameter"`` (`args`: the index), ``"number"`` (a fraction), ``"add"``,
+        ``"sub"``, ``"mul"``, ``"neg"``, ``"recip"``, ``"sqrt"``, ``"atan2"``, ``"positive"``
+        (args a, x, y: x where a > 0, else y) or the name of a function.
+    args : tuple
+    graph : Graph
+    """
+
+    __slots__ = ("args", "graph", "kind")
+
+    def __init__(self, graph: Graph, kind: str, args: tuple[Any, ...]) -> None:
+        self.graph, self.kind, self.args = graph, kind, args
+
+    def __add__(self, other: Term) -> Term:
+        return self.graph.add(self, other)
+
+    def __sub__(self, other: Term) -> Term:
+        return self.graph.sub(self, other)
+
+    def __mul__(self, other: Term) -> Term:
+        return self.graph.mul(self, other)
+
+    def __truediv__(self, other: Term) -> Term:
+        return self.graph.mul(self, self.graph.recip(other))
+
+    def __neg__(self) -> Term:
+        return self.graph.neg(self)
+
+    @property
+    def number(self) -> Fraction | None:
+        """The value of a constant, None for anything else."""
+        return self.args[0] if self.kind == "number" else None
+
+    @property
+    def operands(self) -> tuple[Term, ...]:
+        """The terms it acts on."""
+        return () if self.kind in ("state", "parameter", "number") else self.args
+
+
+class Graph:
+    """Terms, each made once."""
+
+    def __init__(self) -> None:
+        self._made: dict[tuple[Any, ...], Term] = {}
+
+    def _term(self, kind: str, *args: Any) -> Term:
+        key = (kind, *(id(a) if isinstance(a, Term) else a for a in args))
+        found = self._made.get(key)
+        if found is None:
+            found = self._made[key] = Term(self, kind, args)
+        return found
+
+    def state(self, index: int) -> Term:
+        """A state variable, by its place in flat order."""
+        return self._term("state", index)
+
+    def parameter(self, index: int) -> Term:
+        """A parameter, by its place."""
+        return self._term("parameter", index)
+
+    def number(self, value: Fraction | int) -> Term:
+        """A constant."""
+        return self._term("number", Fraction(value))
+
+    def add(self, a: Term, b: Term) -> Term:
+        """a + b."""
+        if a.number is not None and b.number is not None:
+            return self.number(a.number + b.number)
+        if a.number == 0:
+            return b
+        if b.number == 0:
+            return a
+        if b.kind == "neg":
+            return self.sub(a, b.args[0])
+        if a.kind == "neg":
+            return self.sub(b, a.args[0])
+        return self._term("add", a, b)
+
+    def sub(self, a: Term, b: Term) -> Term:
+        """a − b."""
+        if a.number is not None and b.number is not None:
+            return self.number(a.number - b.number)
+        if b.number == 0:
+            return a
+        if a.number == 0:
+            return self.neg(b)
+        if a is b:
+            return self.number(0)
+        if b.kind == "neg":
+            return self.add(a, b.args[0])
+        return self._term("sub", a, b)
+
+    def mul(self, a: Term, b: Term) -> Term:
+        """a b."""
+        if a.number is not None and b.number is not None:
+            return self.number(a.number * b.number)
+        if b.number is not None:
+            a, b = b, a
+        if a.number == 0:
+            return a
+        if a.number == 1:
+            return b
+        if a.number == -1:
+            return self.neg(b)
+        if a.kind == "neg":
+            return self.neg(self.mul(a.args[0], b))
+        if b.kind == "neg":
+            return self.neg(self.mul(a, b.args[0]))
+        if self._made.get(("mul", id(b), id(a))) is not None:
+            a, b = b, a
+        return self._term("mul", a, b)
+
+    def neg(self, a: Term) -> Term:
+        """−a."""
+        if a.number is not None:
+            return self.number(-a.number)
+        if a.kind == "neg":
+            return self._operand(a)
+        if a.kind == "sub":
+            return self.sub(a.args[1], a.args[0])
+        return self._term("neg", a)
+
+    @staticmethod
+    def _operand(a: Term) -> Term:
+        inner: Term = a.args[0]
+        return inner
+
+    def recip(self, a: Term) -> Term:
+        """1/a."""
+        if a.number is not None and a.number != 0:
+            return self.number(1 / a.number)
+        if a.kind == "recip":
+            return self._operand(a)
+        return self._term("recip", a)
+
+    def power(self, a: Term, exponent: int) -> Term:
+        """a to an integer power, by squaring."""
+        if exponent < 0:
+            return self.power(self.recip(a), -exponent)
+        if exponent == 0:
+            return self.number(1)
+        half = self.power(a, exponent // 2)
+        square = self.mul(half, half)
+        return self.mul(square, a) if exponent % 2 else square
+
+    def call(self, name: str, *args: Term) -> Term:
+        """A function of terms."""
+        return self._term(name, *args)
+
+    def positive(self, test: Term, yes: Term, no: Term) -> Term:
+        """`yes` where `test` > 0, else `no`."""
+        return yes if yes is no else self._term("positive", test, yes, no)
+
+    # --- derivatives -----------------------------------------------------------------------
+
+    def along(self, terms: Sequence[Term], direction: Mapping[Term, Term]) -> list[Term]:
+        """The derivatives of terms when leaves change at the rates given by `direction`."""
+        zero, known = self.number(0), {}
+        for leaf, rate in direction.items():
+            known[id(leaf)] = rate
+        for node in ordered(terms):
+            if id(node) not in known:
+                changes = [known[id(a)] for a in node.operands]
+                known[id(node)] = self._change(node, changes) if changes else zero
+        return [known[id(term)] for term in terms]
+
+    def _change(self, node: Term, changes: Sequence[Term]) -> Term:
+        kind = node.kind
+        args: tuple[Term, ...] = node.args
+        if all(change.number == 0 for change in changes):
+            return self.number(0)
+        if kind == "add":
+            return changes[0] + changes[1]
+        if kind == "sub":
+            return changes[0] - changes[1]
+        if kind == "mul":
+            return args[1] * changes[0] + args[0] * changes[1]
+        if kind == "neg":
+            return -changes[0]
+        if kind == "positive":
+            return self.positive(args[0], changes[1], changes[2])
+        if kind == "atan2":
+            y, x = args
+            return (x * changes[0] - y * changes[1]) / (x * x + y * y)
+        return self._slope(node) * changes[0]
+
+    def _slope(self, node: Term) -> Term:
+        """The derivative of a function of one variable."""
+        one, (a,) = self.number(1), node.args
+        slopes: dict[str, Callable[[], Term]] = {
+            "recip": lambda: -(node * node),
+            "sqrt": lambda: self.number(Fraction(1, 2)) / node,
+            "sin": lambda: self.call("cos", a),
+            "cos": lambda: -self.call("sin", a),
+            "tan": lambda: one + node * node,
+            "asin": lambda: one / self.call("sqrt", one - a * a),
+            "acos": lambda: -(one / self.call("sqrt", one - a * a)),
+            "atan": lambda: one / (one + a * a),
+            "sinh": lambda: self.call("cosh", a),
+            "cosh": lambda: self.call("sinh", a),
+            "tanh": lambda: one - node * node,
+            "exp": lambda: node,
+            "log": lambda: one / a,
+            "abs": lambda: self.call("sign", a),
+            "sign": lambda: self.number(0),
+        }
+        return slopes[node.kind]()
+
+
+def ordered(terms: Iterable[Term], wanted: Callable[[Term], bool] = lambda _: True) -> list[Term]:
+    """All terms on which some depend, and these, operands first.
+
+    A term that is not `wanted` is left out, with those on which only it depends; each is asked
+    about once.
+    """
+    seen: set[int] = set()
+    found: list[Term] = []
+    for root in terms:
+        pending: list[tuple[Term, bool]] = [(root, False)]
+        while pending:
+            node, ready = pending.pop()
+            if ready:
+                found.append(node)
+            elif id(node) not in seen:
+                seen.add(id(node))
+                if wanted(node):
+                    pending.append((node, True))
+                    pending.extend((a, False) for a in reversed(node.operands))
+    return found
+
+
+class Reader:
+    """Formulas of one System as terms.
+
+    State variables are numbered in flat order, parameters in the order of
+    ``system.parameters``.
+    """
+
+    def __init__(self, system: System, graph: Graph) -> None:
+        self.graph = graph
+        self._known: dict[sp.Expr, Term] = {}
+        for i, symbol in enumerate(system.symbols):
+            self._known[symbol] = graph.state(i)
+        for i, parameter in enumerate(system.parameters):
+            self._known[parameter.symbol] = graph.parameter(i)
+        self._steps = dict(system.steps)
+
+    def __call__(self, formula: Any) -> Term:
+        """The term of a scalar formula."""
+        return self._visit(explicit(sp.sympify(formula)))
+
+    def _visit(self, node: sp.Expr) -> Term:
+        found = self._known.get(node)
+        if found is None:
+            step = self._steps.get(node)
+            found = self._known[node] = self._build(node) if step is None else self._visit(step)
+        return found
+
+    def _build(self, node: sp.Expr) -> Term:
+        graph = self.graph
+        if node.is_Rational:
+            return graph.number(Fraction(int(node.p), int(node.q)))
+        if node.is_Float:
+            return graph.number(Fraction(*map(int, sp.Rational(node).as_numer_denom())))
+        if node.is_number and not node.free_symbols:
+            number = sp.N(node, 50)
+            if not (number.is_real and number.is_finite):
+                raise InputError(f"{node}: a number in a formula must be real and finite")
+            return graph.number(Fraction(str(number)))
+        if node.is_Symbol:
+            raise InputError(f"{node}: neither a state variable, a definition nor a parameter")
+        if node.is_Add:
+            return self._sum(node)
+        if node.is_Mul:
+            return self._product(node)
+        if node.is_Pow:
+            return self._power(node)
+        if node.func is sp.atan2:
+            return graph.call("atan2", *map(self._visit, node.args))
+        name = FUNCTIONS.get(node.func)
+        if name is None:
+            raise InputError(f"{node}: the machine code has no function {node.func.__name__}")
+        return graph.call(name, self._visit(node.args[0]))
+
+    def _sum(self, node: sp.Expr) -> Term:
+        terms = [self._visit(a) for a in node.args]
+        # what is subtracted last, so that no sign has to be turned
+        terms.sort(key=lambda t: t.kind == "neg")
+        total = terms[0]
+        for term in terms[1:]:
+            total = total + term
+        return total
+
+    def _product(self, node: sp.Expr) -> Term:
+        above = [a for a in node.args if not _reciprocal(a)]
+        below = [self._visit(1 / a) for a in node.args if _reciprocal(a)]
+        total = self.graph.number(1)
+        for factor in above:
+            total = total * self._visit(factor)
+        if below:
+            under = below[0]
+            for factor in below[1:]:
+                under = under * factor
+            total = total / under
+        return total
+
+    def _power(self, node: sp.Expr) -> Term:
+        graph, (base, exponent) = self.graph, node.args
+        if base is sp.E:
+            return graph.call("exp", self._visit(exponent))
+        if exponent.is_Integer:
+            return graph.power(self._visit(base), int(exponent))
+        if exponent.is_Rational and exponent.q == 2:
+            return graph.power(graph.call("sqrt", self._visit(base)), int(exponent.p))
+        log = graph.call("log", self._visit(base))
+        return graph.call("exp", self._visit(exponent) * log)
+
+
+def _reciprocal(factor: sp.Expr) -> bool:
+    return bool(factor.is_Pow and factor.exp.is_number and factor.exp.is_negative)
+
+
+def of_system(system: System) -> tuple[Reader, list[Term]]:
+    """A reader of a system's formulas, and the rates of its state as terms."""
+    reader = Reader(system, Graph())
+    return reader, [reader(rate) for rate in system.rates]

@@ -1,0 +1,386 @@
+"""Formulas evaluated with their derivatives, in any of the fields of this package.
+
+A jet is a value with some directional derivatives.  Seeding the state with unit vectors gives
+partial derivatives, seeding it with the field gives time derivatives.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from ..core.laws import Rate
+from ..parsing.exact_decimals import exact_number
+from .errors import OutOfReachError, UnknownSymbolError
+
+__all__ = ["Evaluator", "Exchange", "Inversion", "Jet"]
+
+#: Multiples of an angle whose sine is written in the sine and cosine of the angle.
+MOST_MULTIPLES = 24
+
+#: Along the field of the system.
+ALONG = -1
+
+
+@dataclass(frozen=True)
+class Jet:
+    """A value and its derivatives in numbered directions; a missing one is zero."""
+
+    value: Any
+    slopes: Mapping[int, Any]
+
+    def __add__(self, other: Jet) -> Jet:
+        slopes = dict(self.slopes)
+        for i, slope in other.slopes.items():
+            slopes[i] = slopes[i] + slope if i in slopes else slope
+        return Jet(self.value + other.value, slopes)
+
+    def __mul__(self, other: Jet) -> Jet:
+        slopes = {i: slope * other.value for i, slope in self.slopes.items()}
+        for i, slope in other.slopes.items():
+            part = self.value * slope
+            slopes[i] = slopes[i] + part if i in slopes else part
+        return Jet(self.value * other.value, slopes)
+
+    def through(self, value: Any, derivative: Any) -> Jet:
+        """A function of this jet, by its value and derivative here."""
+        return Jet(value, {i: derivative * slope for i, slope in self.slopes.items()})
+
+
+@dataclass(frozen=True)
+class Exchange:
+    """A definition ``name = factor·parameter + rest`` read as one of the parameter.
+
+    The name becomes a generator, and what is divided by it stays short: with J = I + m r² one
+    computes with J, not with I.
+    """
+
+    name: sp.Symbol
+    parameter: sp.Symbol
+    factor: sp.Rational
+    rest: sp.Expr
+
+
+@dataclass(frozen=True)
+class Inversion:
+    """A symmetric tensor A = J⁻¹ read as J = A⁻¹, where J is exchanged: A is the generator.
+
+    Both as six symbols 11, 12, 13, 22, 23, 33.
+    """
+
+    name: tuple[sp.Symbol, ...]
+    of: tuple[sp.Symbol, ...]
+
+
+#: Where the entries of a symmetric matrix stand in its list of six.
+_SIX = ((0, 1, 2), (1, 3, 4), (2, 4, 5))
+
+
+class Evaluator:
+    """Evaluates formulas of one system in one field.
+
+    Parameters
+    ----------
+    field
+        One of `Fractions`, `Rationals`, `Balls`.
+    seed : callable
+        The jet of a generator (state, parameters); None for any other symbol.
+    steps : mapping of Symbol to formula
+        Definitions, evaluated when first needed.
+    exchanged : mapping of Symbol to Exchange
+        Definitions that are generators in place of a parameter.
+    zeros : collection of formulas
+        Values of unspecified functions that the conditions say are zero.
+    inverted : sequence of Inversion
+        Inverses of tensors that are generators in place of the tensors.
+    moving : bool
+        Whether the seeds carry time derivatives, so that `Rate` can be evaluated.
+    """
+
+    def __init__(
+        self,
+        field: Any,
+        seed: Callable[[sp.Symbol], Jet | None],
+        steps: Mapping[sp.Symbol, sp.Expr],
+        exchanged: Sequence[Exchange] = (),
+        zeros: Collection[sp.Expr] = (),
+        inverted: Sequence[Inversion] = (),
+        moving: bool = False,
+    ) -> None:
+        self.field = field
+        self.steps = dict(steps)
+        self.exchanged = tuple(exchanged)
+        self.zeros = tuple(zeros)
+        self.inverted = tuple(inverted)
+        self.moving = moving
+        self._inverse = {s: (i, n) for i in inverted for n, s in enumerate(i.name)}
+        self._inverted = {s: (i, n) for i in inverted for n, s in enumerate(i.of)}
+        self._by_name = {e.name: e for e in exchanged}
+        self._by_parameter = {e.parameter: e for e in exchanged}
+        self.seed = seed
+        self._seen: dict[Any, Jet] = {}
+
+    def with_steps(self, steps: Mapping[sp.Symbol, sp.Expr]) -> Evaluator:
+        """The same evaluation with further definitions."""
+        return Evaluator(
+            self.field,
+            self.seed,
+            {**self.steps, **steps},
+            self.exchanged,
+            self.zeros,
+            self.inverted,
+            self.moving,
+        )
+
+    def value(self, formula: Any) -> Any:
+        """Value alone."""
+        return self(formula).value
+
+    def slope(self, formula: Any, direction: int = ALONG) -> Any:
+        """One derivative."""
+        return self(formula).slopes.get(direction, self.field.zero)
+
+    def __call__(self, formula: Any) -> Jet:
+        """The jet of a formula."""
+        formula = sp.sympify(formula)
+        found = self._seen.get(formula)
+        if found is None:
+            found = self._evaluate(formula)
+            self._seen[formula] = found
+        return found
+
+    def _constant(self, number: Any) -> Jet:
+        return Jet(self.field.rational(number), {})
+
+    def _evaluate(self, formula: Any) -> Jet:
+        if formula.is_Symbol:
+            if formula in self._inverse:
+                return self._of_inverse(*self._inverse[formula])
+            if formula in self._inverted:
+                return self._of_inverted(*self._inverted[formula])
+            if formula in self._by_name:
+                rest = self(self._by_name[formula].rest)
+                return Jet(self.field.generator(str(formula)), rest.slopes)
+            if formula in self._by_parameter:
+                change = self._by_parameter[formula]
+                difference = self.value(change.name) - self.value(change.rest)
+                return Jet(difference * self.field.rational(1 / change.factor), {})
+            if formula in self.steps:
+                return self(self.steps[formula])
+            seeded = self.seed(formula)
+            if seeded is not None:
+                return seeded
+            raise UnknownSymbolError(str(formula))
+        if formula.is_Rational:
+            return self._constant(formula)
+        if formula.is_Float:
+            return self._constant(exact_number(formula))
+        if formula is sp.pi:
+            return Jet(self.field.pi(), {})
+        if formula is sp.E:
+            return Jet(self.field.exponential(self.field.one), {})
+        if formula.is_Add:
+            return self._fold(formula.args, Jet.__add__)
+        if formula.is_Mul:
+            return self._fold(formula.args, Jet.__mul__)
+        if formula.is_Pow:
+            return self._power(formula.base, formula.exp)
+        if isinstance(formula, sp.exp):
+            return self._exponential(formula)
+        if isinstance(formula, Rate):
+            if not self.moving:
+                raise OutOfReachError(f"the rate {formula} in a place where only values are known")
+            inner = self(formula.args[0])
+            return Jet(inner.slopes.get(ALONG, self.field.zero), {})
+        if isinstance(formula, AppliedUndef | sp.Derivative | sp.Subs):
+            return self._unspecified(formula)
+        return self._function(formula)
+
+    def _of_inverse(self, inversion: Inversion, number: int) -> Jet:
+        """An entry of A: a generator, with the slopes −A J̇ A."""
+        A = [self.field.generator(str(s)) for s in inversion.name]
+        rests = [self(self._by_name[s].rest) for s in inversion.of]
+        row, column = next((i, j) for i in range(3) for j in range(3) if _SIX[i][j] == number)
+        slopes = {}
+        for direction in {d for rest in rests for d in rest.slopes}:
+            total = self.field.zero
+            for i in range(3):
+                for j in range(3):
+                    slope = rests[_SIX[i][j]].slopes.get(direction)
+                    if slope is not None:
+                        total = total - A[_SIX[row][i]] * slope * A[_SIX[j][column]]
+            slopes[direction] = total
+        return Jet(A[number], slopes)
+
+    def _of_inverted(self, inversion: Inversion, number: int) -> Jet:
+        """An entry of J = A⁻¹."""
+        a, b, c, d, e, f = (self.field.generator(str(s)) for s in inversion.name)
+        minors = (
+            d * f - e * e,
+            c * e - b * f,
+            b * e - c * d,
+            a * f - c * c,
+            b * c - a * e,
+            a * d - b * b,
+        )
+        determinant = a * minors[0] + b * minors[1] + c * minors[2]
+        slopes = self(self._by_name[inversion.of[number]].rest).slopes
+        return Jet(minors[number] / determinant, slopes)
+
+    def _fold(self, parts: Any, combine: Callable[[Jet, Jet], Jet]) -> Jet:
+        result = self(parts[0])
+        for part in parts[1:]:
+            result = combine(result, self(part))
+        return result
+
+    def _power(self, base: Any, exponent: Any) -> Jet:
+        inner = self(base)
+        field = self.field
+        if exponent.is_Integer:
+            n = int(exponent)
+            if n < 0 and field.vanishes(inner.value):
+                raise ZeroDivisionError
+            if not inner.slopes:
+                return Jet(inner.value**n, {})
+            lower = inner.value ** (n - 1)
+            return inner.through(lower * inner.value, field.rational(n) * lower)
+        outer = self(exponent)
+        if outer.slopes:
+            raise OutOfReachError(f"the exponent {exponent} changes along the motion")
+        raised = self._raised(inner.value, exponent, outer.value)
+        if not inner.slopes:
+            return Jet(raised, {})
+        return inner.through(raised, outer.value * raised / inner.value)
+
+    def _raised(self, base: Any, exponent: Any, value: Any) -> Any:
+        """A power with an exponent that is rational, or becomes so on the level, or is symbolic."""
+        number = exponent if exponent.is_Rational else self.field.as_rational(value)
+        if number is not None:
+            return self.field.root(base, int(number.q)) ** int(number.p)
+        terms = (term.as_coeff_Mul() for term in sp.Add.make_args(sp.expand(exponent)))
+        return self.field.power(base, [(theta, number) for number, theta in terms], value)
+
+    def _exponential(self, formula: Any) -> Jet:
+        exponent = sp.expand(formula.args[0])
+        if exponent.is_Add:
+            return self._fold([sp.exp(term) for term in exponent.args], Jet.__mul__)
+        inner = self(exponent)
+        made = self.field.exponential(inner.value)
+        return inner.through(made, made)
+
+    def _unspecified(self, formula: Any) -> Jet:
+        """A value of an unspecified function, or of one of its derivatives."""
+        function, orders, places = _taken_apart(formula)
+        inner = [self(place) for place in places]
+        values = [jet.value for jet in inner]
+
+        def named(counts: tuple[int, ...]) -> Any:
+            if self._is_zero(function, counts, values):
+                return self.field.zero
+            return self.field.unspecified(function, counts, values)
+
+        slopes: dict[int, Any] = {}
+        for j, jet in enumerate(inner):
+            if jet.slopes:
+                raised = tuple(n + (i == j) for i, n in enumerate(orders))
+                partial = named(raised)
+                for i, slope in jet.slopes.items():
+                    part = partial * slope
+                    slopes[i] = slopes[i] + part if i in slopes else part
+        return Jet(named(orders), slopes)
+
+    def _is_zero(self, function: str, orders: tuple[int, ...], values: Sequence[Any]) -> bool:
+        """Whether the conditions say that a value of an unspecified function is zero."""
+        for zero in self.zeros:
+            other, counts, places = _taken_apart(zero)
+            if (other, counts) == (function, orders):
+                there = [self.value(place) for place in places]
+                if self.field.same(there, values):
+                    return True
+        return False
+
+    def _function(self, formula: Any) -> Jet:
+        field = self.field
+        if isinstance(formula, sp.sin | sp.cos):
+            return self._circular(formula)
+        if isinstance(formula, sp.tan | sp.cot | sp.sec | sp.csc):
+            return self(_as_ratio(formula))
+        if isinstance(formula, sp.sinh | sp.cosh | sp.tanh):
+            return self(formula.rewrite(sp.exp))
+        if not (formula.args and formula.is_Function):
+            raise OutOfReachError(f"{formula}, which is no real number or function of the state")
+        inner = [self(part) for part in formula.args]
+        values = [jet.value for jet in inner]
+        one = field.one
+        if isinstance(formula, sp.log):
+            return inner[0].through(field.known("log", values), one / values[0])
+        if isinstance(formula, sp.atan2):
+            upper, lower = inner
+            square = lower.value * lower.value + upper.value * upper.value
+            made = upper.through(field.known("atan2", values), lower.value / square)
+            return made + lower.through(field.zero, field.zero - upper.value / square)
+        x = values[0]
+        if isinstance(formula, sp.atan):
+            return inner[0].through(field.known("atan", values), one / (one + x * x))
+        if isinstance(formula, sp.asin | sp.acos):
+            rest = field.root(one - x * x, 2)
+            sign = one if isinstance(formula, sp.asin) else field.zero - one
+            return inner[0].through(field.known(type(formula).__name__, values), sign / rest)
+        if isinstance(formula, sp.Abs):
+            raise OutOfReachError("an absolute value; write it with a square root")
+        raise OutOfReachError(
+            f"the formula {formula} is of a kind ({type(formula).__name__}) unknown here"
+        )
+
+    def _circular(self, formula: Any) -> Jet:
+        angle = formula.args[0]
+        spread = sp.expand_trig(formula) if _few_multiples(angle) else formula
+        if spread != formula:
+            return self(spread)
+        inner = self(angle)
+        sine, cosine = self.field.circle(inner.value)
+        if isinstance(formula, sp.sin):
+            return inner.through(sine, cosine)
+        return inner.through(cosine, self.field.zero - sine)
+
+
+def _few_multiples(angle: Any) -> bool:
+    """Whether sine and cosine of the multiples in an angle are short polynomials."""
+    factors = (term.as_coeff_Mul()[0] for term in sp.Add.make_args(sp.expand(angle)))
+    return all(abs(factor) <= MOST_MULTIPLES for factor in factors)
+
+
+def _as_ratio(formula: Any) -> Any:
+    angle = formula.args[0]
+    sine, cosine = sp.sin(angle), sp.cos(angle)
+    return {
+        sp.tan: sine / cosine,
+        sp.cot: cosine / sine,
+        sp.sec: 1 / cosine,
+        sp.csc: 1 / sine,
+    }[type(formula)]
+
+
+def _taken_apart(formula: Any) -> tuple[str, tuple[int, ...], tuple[Any, ...]]:
+    """Name of an unspecified function, orders of its derivatives, and where it is taken."""
+    places: dict[Any, Any] = {}
+    inner = formula
+    while isinstance(inner, sp.Subs):
+        places = {**dict(zip(inner.variables, inner.point, strict=True)), **places}
+        inner = inner.expr
+    counted: dict[Any, int] = {}
+    if isinstance(inner, sp.Derivative):
+        for variable, count in inner.variable_count:
+            counted[variable] = counted.get(variable, 0) + int(count)
+        inner = inner.expr
+    if not isinstance(inner, AppliedUndef):
+        raise OutOfReachError(f"the derivative {formula} is not of a single unspecified function")
+    for variable in counted:
+        if inner.args.count(variable) != 1:
+            raise OutOfReachError(f"the derivative {formula} is not by one place of its function")
+    orders = tuple(counted.get(place, 0) for place in inner.args)
+    return type(inner).__name__, orders, tuple(p.xreplace(places) for p in inner.args)

@@ -1,0 +1,227 @@
+"""Zero relative to the size of its terms.
+
+A number that has a unit is neither small nor large by itself: 10⁻¹³ is a usual moment of inertia
+in kg m² for a ball of a millimetre.  So a sum is zero where it is small beside the terms that were
+summed up, and a start is on a level where what it misses is small beside those terms.  Everything
+here is the same in every system of units.
+
+Formulas are evaluated in pairs, the value and the size that it would have if nothing cancelled.
+What is rational is computed in fractions, without rounding: so decimals are taken at their word.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any
+
+import mpmath
+import sympy as sp
+from flint import arb, fmpq
+
+from ..core.vectors import Vector
+
+__all__ = ["GIVEN", "RESOLUTION", "ROUNDED", "Sized", "measured", "sized", "vanishes"]
+
+#: What is smaller than this, relative to its size, is zero: starts are read to fifty digits.
+RESOLUTION = fmpq(1, 10**40)
+#: What the rounding of doubles may leave of a sum that is zero, relative to its size.
+ROUNDED = fmpq(1, 10**12)
+#: What a start may miss of the constraints, relative to the sizes: it is then moved onto them.
+GIVEN = fmpq(1, 10**9)
+
+#: Digits of what is not rational.
+_DIGITS = 60
+
+
+def vanishes(ball: Any, size: Any, part: fmpq = RESOLUTION) -> bool:
+    """Whether a ball cannot be told from zero, `size` being what is not small.
+
+    Parameters
+    ----------
+    ball, size : arb
+    part : fmpq
+        What counts as nothing, relative to the size.
+    """
+    return bool(abs(ball).lower() <= arb(part) * abs(size).upper())
+
+
+@dataclass(frozen=True)
+class Sized:
+    """A number and the size of the terms that it was summed up from.
+
+    Attributes
+    ----------
+    value : Fraction or mpf
+    size : Fraction or mpf
+        Not negative, and zero only where all terms are.
+    """
+
+    value: Any
+    size: Any
+
+    def vanishes(self, part: fmpq = RESOLUTION) -> bool:
+        """Whether nothing is left of the terms but a `part` of them."""
+        share = Fraction(int(part.p), int(part.q))
+        value, limit = _alike(abs(self.value), _times(share, self.size))
+        return bool(value <= limit)
+
+    @property
+    def share(self) -> float:
+        """What is left of the terms, relative to them."""
+        if self.size == 0:
+            return 0.0
+        value, size = _alike(abs(self.value), self.size)
+        return float(value / size)
+
+    def __sub__(self, other: Sized) -> Sized:
+        minus = Sized(_times(Fraction(-1), other.value), other.size)
+        return _sum([self, minus])
+
+
+def measured(
+    state: Iterable[Any], symbols: Sequence[sp.Symbol], numbers: Sequence[Fraction]
+) -> dict[sp.Symbol, Sized]:
+    """The numbers of a state with their sizes: a component of a vector is as large as the vector.
+
+    So a component that is nothing but the rounding of the others counts as such.
+
+    Parameters
+    ----------
+    state : iterable of Vector or Symbol
+        The names of the state.
+    symbols : sequence of Symbol
+        The same in flat order; those beyond `numbers` are left out.
+    numbers : sequence of Fraction
+    """
+    known = dict(zip(symbols, numbers, strict=False))
+    found = {symbol: Sized(x, abs(x)) for symbol, x in known.items()}
+    for name in state:
+        if isinstance(name, Vector):
+            parts = [s for s in name.symbols if s in known]
+            size = max((abs(known[s]) for s in parts), default=Fraction(0))
+            found |= {s: Sized(known[s], size) for s in parts}
+    return found
+
+
+def sized(
+    formulas: Sequence[sp.Expr],
+    known: Mapping[sp.Symbol, Sized],
+    steps: Iterable[tuple[sp.Symbol, sp.Expr]] = (),
+) -> list[Sized]:
+    """Scalar formulas with their sizes.
+
+    Parameters
+    ----------
+    formulas : sequence of sympy.Expr
+    known : mapping of Symbol to Sized
+    steps : pairs of Symbol and formula, optional
+        Intermediate quantities, in order.
+
+    Raises
+    ------
+    ZeroDivisionError
+        If one of them has no value.
+    KeyError
+        If a symbol has none.
+    """
+    with mpmath.workdps(_DIGITS):
+        values: dict[Any, Sized] = dict(known)
+        for symbol, formula in steps:
+            values[symbol] = _evaluated(formula, values)
+        return [_evaluated(sp.sympify(formula), values) for formula in formulas]
+
+
+# --- arithmetic ----------------------------------------------------------------------------
+
+
+def _mpf(number: Any) -> Any:
+    if isinstance(number, Fraction):
+        return mpmath.mpf(number.numerator) / number.denominator
+    return number
+
+
+def _alike(*numbers: Any) -> tuple[Any, ...]:
+    """All of them fractions, or none."""
+    if all(isinstance(number, Fraction) for number in numbers):
+        return numbers
+    return tuple(_mpf(number) for number in numbers)
+
+
+def _times(one: Any, other: Any) -> Any:
+    first, second = _alike(one, other)
+    return first * second
+
+
+def _sum(terms: Sequence[Sized]) -> Sized:
+    values = _alike(*(term.value for term in terms))
+    sizes = _alike(*(term.size for term in terms))
+    return Sized(sum(values[1:], values[0]), sum(sizes[1:], sizes[0]))
+
+
+def _product(factors: Sequence[Sized]) -> Sized:
+    value, size = factors[0].value, factors[0].size
+    for factor in factors[1:]:
+        value, size = _times(value, factor.value), _times(size, factor.size)
+    return Sized(value, size)
+
+
+def _inverse(number: Sized) -> Sized:
+    value, size = _alike(number.value, number.size)
+    return Sized(1 / value, size / (value * value))
+
+
+def _root(number: Sized) -> Sized:
+    value, size = _mpf(number.value), _mpf(number.size)
+    root = mpmath.sqrt(value)
+    return Sized(root, size / abs(root) if root else mpmath.sqrt(size))
+
+
+def _power(base: Sized, exponent: Any) -> Sized | None:
+    """A whole or half power; None for another one."""
+    if not (exponent.is_Rational and exponent.q in (1, 2)):
+        return None
+    factor = base if exponent.q == 1 else _root(base)
+    if exponent == 0:
+        return Sized(Fraction(1), Fraction(1))
+    made = _product([factor] * abs(int(exponent.p)))
+    return made if exponent > 0 else _inverse(made)
+
+
+def _evaluated(formula: Any, known: dict[Any, Sized]) -> Sized:
+    """A formula, by its parts; what has been found is kept in `known`."""
+    if formula not in known:
+        known[formula] = _built(formula, known)
+    return known[formula]
+
+
+def _built(formula: Any, known: dict[Any, Sized]) -> Sized:
+    if formula.is_Rational:
+        value = Fraction(int(formula.p), int(formula.q))
+        return Sized(value, abs(value))
+    if formula.is_Float:
+        value = Fraction(str(formula))
+        return Sized(value, abs(value))
+    if formula.is_Symbol:
+        raise KeyError(formula)
+    parts = [_evaluated(part, known) for part in formula.args]
+    if formula.is_Add:
+        return _sum(parts)
+    if formula.is_Mul:
+        return _product(parts)
+    found = _power(parts[0], formula.exp) if formula.is_Pow else None
+    if found is not None:
+        return found
+    value = mpmath.mpmathify(_function(formula.func, len(parts))(*(_mpf(p.value) for p in parts)))
+    # its arguments have no unit: what they are summed up from is seen in its value
+    size = sum((_mpf(part.size) for part in parts), abs(value))
+    return Sized(value, size)
+
+
+@lru_cache(maxsize=64)
+def _function(of: Any, count: int) -> Any:
+    """A function of SymPy as one of mpmath."""
+    names = sp.symbols(f"x:{count}")
+    return sp.lambdify(names, of(*names), "mpmath")

@@ -1,0 +1,204 @@
+"""The density of a mechanism in closed form, by exact linear algebra at rational points."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import replace
+
+import sympy as sp
+from flint import fmpq, fmpq_mat
+
+from ..core.laws import Identity
+from ..core.system import System
+from ..formulas.expansion import expanded
+from ..formulas.taylor import IrrationalError, Rational
+from ..mechanics.constraints.distribution import Distribution
+from ..mechanics.constraints.exact_points import NoPointError, drawn
+from .lifted_fields import Lifted
+from .parameter_conditions import Level, settled
+from .positivity import Powers
+
+__all__ = ["fitted", "integrated"]
+
+SEED = 20080830
+POINTS = 6
+ATTEMPTS = 60
+SIMPLE = 4000
+"""Operations up to which a formula is factored."""
+
+
+def fitted(given: Lifted, jacobian: Powers, level: Level) -> tuple[Powers, Powers] | None:
+    """e^σ, and the density over coordinates and quasi-velocities, as products of powers.
+
+    Parameters
+    ----------
+    given : Lifted
+    jacobian : Powers
+        From momenta to quasi-velocities.
+    level : Level
+        Parameters are settled by it.
+
+    Returns
+    -------
+    pair of Powers, or None
+        None if the density is no product of powers of the factors of kinetic determinant and
+        1-form.
+    """
+    table = settled(level)
+    steps = {s: f.xreplace(table) for s, f in given.steps}
+    factors: dict[sp.Expr, sp.Rational] = {}
+    for base, exponent in jacobian:
+        for factor, power in _factors(base.xreplace(table)):
+            factors[factor] = factors.get(factor, sp.S.Zero) + power * exponent
+    theta = [f.xreplace(table) for f in given.theta]
+    bases = [f for f in factors if _moves(f, given)]
+    found = _exponents(given, level, theta, bases)
+    if found is None:
+        for f in theta:
+            below = sp.denom(sp.together(expanded(f, steps)))
+            bases += [b for b, _ in _factors(below) if _moves(b, given) and b not in bases]
+        found = _exponents(given, level, theta, bases)
+    if found is None:
+        return None
+    total = {
+        base: factors.get(base, sp.S.Zero) + exponent
+        for base, exponent in zip(bases, found, strict=True)
+    }
+    sigma = zip(bases, found, strict=True)
+    return (
+        tuple((base, exponent) for base, exponent in sigma if exponent != 0),
+        tuple((base, exponent) for base, exponent in total.items() if exponent != 0),
+    )
+
+
+def integrated(given: Lifted, powers: Powers, level: Level) -> tuple[System, Identity]:
+    """That σ has the derivatives θ along the admissible fields, on the configuration space.
+
+    Parameters
+    ----------
+    given : Lifted
+    powers : Powers
+        e^σ.
+    level : Level
+
+    Returns
+    -------
+    System
+        The coordinates at rest, with the definitions.
+    Identity
+    """
+    known = {p.symbol: p for p in given.parameters}
+    system = System(
+        name=given.base.name,
+        title=given.base.name,
+        field={x: sp.S.Zero for x in given.base.coordinates},
+        definitions=tuple((s, sp.expand_trig(f)) for s, f in given.steps),
+        parameters=tuple(known.values()),
+        relations=given.base.relations,
+    )
+    defects = []
+    for field, share in zip(given.base.frame, given.theta, strict=True):
+        slope = sp.Add(
+            *(
+                exponent * rate * sp.diff(base, x) / base
+                for base, exponent in powers
+                for x, rate in field.items()
+            )
+        )
+        defects.append(sp.expand_trig(share - slope))
+    law = Identity("integrated", tuple(defects), "the density has the derivatives required")
+    return system, replace(law, on=level)
+
+
+def _moves(factor: sp.Expr, given: Lifted) -> bool:
+    return bool(factor.free_symbols & set(given.base.coordinates))
+
+
+def _factors(formula: sp.Expr) -> list[tuple[sp.Expr, sp.Expr]]:
+    """Factors with exponents; one alone where factoring would take long."""
+    if sp.count_ops(formula) > SIMPLE:
+        return [(formula, sp.S.One)]
+    if formula.has(sp.sin, sp.cos):
+        formula = _in_cosines(sp.together(sp.expand_trig(formula)))
+    above, below = sp.fraction(sp.factor(sp.together(formula)))
+    return [
+        (base, sign * power)
+        for part, sign in ((above, 1), (below, -1))
+        for base, power in (factor.as_base_exp() for factor in sp.Mul.make_args(part))
+        if not base.is_number
+    ]
+
+
+def _in_cosines(formula: sp.Expr) -> sp.Expr:
+    """A fraction of polynomials in sines and cosines, with no even powers of sines."""
+    for sine in sorted(formula.atoms(sp.sin), key=str):
+        square = 1 - sp.cos(sine.args[0]) ** 2
+        parts = []
+        for part in sp.fraction(sp.together(formula)):
+            terms = sp.Poly(sp.expand(part), sine).terms() if part.has(sine) else [((0,), part)]
+            parts.append(sp.Add(*(c * sine ** (p % 2) * square ** (p // 2) for (p,), c in terms)))
+        formula = parts[0] / parts[1]
+    return formula
+
+
+def _exponents(
+    given: Lifted, level: Level, theta: list[sp.Expr], bases: list[sp.Expr]
+) -> list[sp.Rational] | None:
+    """Rational exponents with Σ e η_β(log b) = θ_β at several points; None if there are none."""
+    rows: list[list[fmpq]] = []
+    right: list[fmpq] = []
+    dice = random.Random(SEED)
+    home = _settled(given, level)
+    for _ in range(ATTEMPTS):
+        if len(right) >= POINTS * len(theta):
+            break
+        try:
+            made = _rows(home, theta, bases, dice)
+        except (NoPointError, IrrationalError, ZeroDivisionError):
+            continue
+        for row, value in made:
+            rows.append(row)
+            right.append(value)
+    if not right:
+        return None
+    width = len(bases)
+    entries = [e for row, v in zip(rows, right, strict=True) for e in (*row, v)]
+    reduced, rank = fmpq_mat(len(rows), width + 1, entries).rref()
+    solution = [fmpq(0)] * width
+    for i in range(rank):
+        pivot = next(j for j in range(width + 1) if reduced[i, j] != 0)
+        if pivot == width:
+            return None
+        solution[pivot] = reduced[i, width]
+    return [sp.Rational(int(x.p), int(x.q)) for x in solution]
+
+
+def _settled(given: Lifted, level: Level) -> Distribution:
+    """The admissible fields with the parameters that the level settles put in."""
+    table = settled(level)
+    return replace(
+        given.base,
+        frame=tuple({s: f.xreplace(table) for s, f in field.items()} for field in given.base.frame),
+        steps=tuple((s, f.xreplace(table)) for s, f in given.steps),
+        constants=tuple((s, v) for s, v in given.base.constants if s not in table),
+    )
+
+
+def _rows(
+    home: Distribution, theta: list[sp.Expr], bases: list[sp.Expr], dice: random.Random
+) -> list[tuple[list[fmpq], fmpq]]:
+    """One equation for each admissible field at a random point, with random parameters."""
+    free = tuple(s for s, _ in home.constants)
+    space = home.space(free, (*theta, *bases))
+    germs = drawn(space, Rational(), dice).germs(space, 1)
+    made = []
+    logs = []
+    for base in bases:
+        series = germs.series(base)
+        value = series.value
+        logs.append([series.derivative(i).value / value for i, _ in enumerate(home.coordinates)])
+    for field, share in zip(home.frame, theta, strict=True):
+        rates = [germs.series(field.get(x, sp.S.Zero)).value for x in home.coordinates]
+        row = [sum((a * b for a, b in zip(rates, log, strict=True)), fmpq(0)) for log in logs]
+        made.append((row, germs.series(share).value))
+    return made

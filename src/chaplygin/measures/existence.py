@@ -1,0 +1,65 @@
+"""Does a system keep a smooth measure whose density depends on the configuration alone? Decided.
+
+On the distribution of a system with linear constraints, with admissible fields η_β, momenta p_β
+and structure functions C projected orthogonally in the kinetic energy, div(e^σ v) = 0 reads
+
+    η_β(σ) = θ_β,      θ_β = −(div η_β + C^s_βs),
+
+so that a density e^σ(q) exists if and only if the functions θ_β are the derivatives of one function
+along the admissible fields (Fedorov, García-Naranjo, Marrero, *Unimodularity and preservation of
+volumes in nonholonomic mechanics*).  Potentials and gyrostats do not matter.
+"""
+
+from __future__ import annotations
+
+from functools import singledispatch
+from typing import Any
+
+from ..errors import InputError
+from ..mechanics.lagrangian.mechanism import Mechanism
+from ..mechanics.rolling.equations import Rolling
+from ..proof.fields.budget import EFFORT
+from .mechanisms import decide_mechanism
+from .result import Existence
+from .rolling_bodies import decide_body
+
+__all__ = ["Existence", "measure_exists"]
+
+
+@singledispatch
+def measure_exists(given: Any, name: str = "", *, effort: int = EFFORT) -> Existence:
+    """Decide whether an invariant measure exists whose density depends on the configuration alone.
+
+    Parameters
+    ----------
+    given : Rolling or Mechanism
+        A body that rolls on a plane or a sphere, with its numbers; or a mechanism whose
+        constraints are linear and homogeneous in the velocities, and do not depend on the time.
+    name : str
+        For the reader; by default that of the mechanism.
+    effort : int
+        Term operations that a single proof may take.
+
+    Returns
+    -------
+    Existence
+
+    Raises
+    ------
+    InputError
+        If something else is given, or the constraints are of another kind.
+    """
+    raise InputError(
+        f"measure_exists: {type(given).__name__} is neither a Rolling nor a Mechanism; the "
+        "question needs to know the constraints and the kinetic energy"
+    )
+
+
+@measure_exists.register
+def _(given: Rolling, name: str = "rolling-body", *, effort: int = EFFORT) -> Existence:
+    return decide_body(given, name, effort)
+
+
+@measure_exists.register
+def _(given: Mechanism, name: str = "", *, effort: int = EFFORT) -> Existence:
+    return decide_mechanism(given, name or given.name, effort)

@@ -1,0 +1,151 @@
+"""Rolling bodies: whether a measure exists, decided on the sphere of normals.
+
+The body's place and heading are of no account: where a density e^σ on the whole configuration
+space gives an invariant measure, σ does not change under the motions of the plane or the rotations
+of the sphere (docs/measures.md), so that nothing is lost by looking for σ(γ).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from ..core.laws import Measure
+from ..mechanics.rolling.equations import Rolling
+from ..mechanics.rolling.shapes import Disk, Implicit, Torus
+from ..proof.fields.budget import EFFORT
+from ..proof.prover import prove
+from ..proof.verdict import Verdict
+from .closed_form import closed_form, density
+from .implicit_shapes import log_density_on_surface
+from .known_families import Level, criterion, levels
+from .one_form import OneForm, Powers, one_form
+from .quadrature import log_density
+from .result import Existence
+
+__all__ = ["decide_body"]
+
+PATIENCE = EFFORT // 10
+"""Term operations for each attempt to prove the density as a law of the equations of motion."""
+POINTS_ALONE = 1
+"""Term operations that leave nothing for a proof."""
+
+
+def decide_body(rolling: Rolling, name: str, effort: int) -> Existence:
+    """Decide for a body with its numbers.
+
+    Parameters
+    ----------
+    rolling : Rolling
+    name : str
+        Of the system, for the reader.
+    effort : int
+        Term operations after which a proof is given up.
+    """
+    form = one_form(rolling)
+    theorem = criterion(rolling)
+    tried = tuple(levels(rolling, form.system.parameters))
+    # the last level fixes all numbers: what fails there fails for this body
+    numbers = tried[-1]
+    for law in form.conditions:
+        # points are tried before anything is proven
+        verdict = prove(form.system, replace(law, on=numbers), effort=POINTS_ALONE)
+        if verdict.decision == "refuted":
+            return Existence(
+                name,
+                "none",
+                obstruction=_obstruction(verdict, form),
+                criterion=theorem,
+                verdicts=(verdict,),
+            )
+    made = Existence(name, "exists", criterion=theorem)
+    powers = closed_form(rolling, form, numbers)
+    if powers is not None:
+        found = tuple(_integrated(form, powers, numbers, effort))
+        if all(found):
+            made = replace(made, verdicts=found)
+            return _with_density(made, rolling, powers, tried, effort)
+    for level in (numbers, *tried[:-1]):
+        found = tuple(_proofs(form, level, effort))
+        if all(found):
+            return _with_quadrature(replace(made, verdicts=found), rolling, form, level, effort)
+    return replace(made, decision="undecided", reason=found[-1].words, verdicts=found)
+
+
+def _proofs(form: OneForm, level: Level, effort: int) -> Iterator[Verdict]:
+    """Verdicts on the conditions, up to the first that is not proven."""
+    for law in form.conditions:
+        verdict = prove(form.system, replace(law, on=level), effort=effort)
+        yield verdict
+        if not verdict:
+            return
+
+
+def _obstruction(verdict: Verdict, form: OneForm) -> dict[str, object]:
+    what = (
+        "the 1-form is not closed"
+        if verdict.law == form.closed.name
+        else ("spinning about the normal changes the volume")
+    )
+    witness = verdict.witness or {}
+    own = {str(s) for s in form.system.symbols}
+    point = {name: value for name, value in witness["point"].items() if name in own}
+    return {"what": what, "point": point, "residual": witness["residual"]}
+
+
+def _integrated(form: OneForm, powers: Powers, level: Level, effort: int) -> Iterator[Verdict]:
+    """Verdicts on the spin and on dσ = θ, up to the first that is not proven."""
+    laws = [(form.system, form.spin)] if form.spin is not None else []
+    for system, law in (*laws, form.integrated(powers)):
+        verdict = prove(system, replace(law, on=level), effort=effort)
+        yield verdict
+        if not verdict:
+            return
+
+
+def _with_density(
+    made: Existence,
+    rolling: Rolling,
+    powers: Powers,
+    tried: tuple[Level, ...],
+    effort: int,
+) -> Existence:
+    """The measure as a law of the equations of motion, on the most general level proven.
+
+    That dσ = θ for the numbers of the body has been proven, from which it follows for these.
+    """
+    system = rolling.system(made.name)
+    law = Measure(
+        "configuration_measure",
+        density(rolling, powers),
+        meaning="density that depends on the configuration alone",
+    )
+    for level in tried:
+        again = replace(law, on=level)
+        verdict = prove(system, again, effort=min(effort, PATIENCE))
+        if verdict:
+            return replace(made, density=again, system=system, verdicts=(*made.verdicts, verdict))
+    return replace(made, density=replace(law, on=tried[-1]), system=system)
+
+
+def _with_quadrature(
+    made: Existence, rolling: Rolling, form: OneForm, level: Level, effort: int
+) -> Existence:
+    """The measure whose 1-form is closed, without a closed form of its density."""
+    if isinstance(rolling.body.shape, (Disk, Torus)):
+        # lying flat is outside their domain, a sphere without its poles
+        turned = prove(form.system, replace(form.period, on=level), effort=effort)
+        made = replace(made, verdicts=(*made.verdicts, turned))
+        if not turned:
+            return replace(
+                made,
+                decision="undecided",
+                reason="the 1-form is closed; its period about body axis 3 is not known to vanish",
+            )
+    return replace(
+        made,
+        reason="the 1-form is closed, and so exact on the sphere of normals",
+        log_density=log_density_on_surface(form)
+        if isinstance(rolling.body.shape, Implicit)
+        else log_density(form),
+    )

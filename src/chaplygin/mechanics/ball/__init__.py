@@ -1,0 +1,1 @@
+"""A homogeneous ball that rolls on a surface."""

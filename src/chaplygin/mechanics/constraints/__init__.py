@@ -1,0 +1,1 @@
+"""Constraints: whether they are integrable, growth vectors, reconstruction."""

@@ -1,0 +1,337 @@
+"""Exact points of a configuration space.
+
+Unit vectors, rows of a rotation matrix and angles are given rational numbers outright; what
+other relations there are is solved for one coordinate at a time, where it is linear or quadratic.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, TypeAlias
+
+import sympy as sp
+
+from ...errors import InputError
+from ...formulas.expansion import Angles, Germs, angles, expanded
+from ...formulas.taylor import IrrationalError, Numbers, Series
+from ...parsing.exact_decimals import exactly
+
+__all__ = ["NoPointError", "Place", "Space", "UnsolvedError", "at", "drawn"]
+
+ATTEMPTS = 60
+
+#: Orthogonal vectors of one length, by their components, and the square of the length.
+Block: TypeAlias = tuple[tuple[tuple[sp.Symbol, ...], ...], sp.Expr]
+
+
+class NoPointError(ArithmeticError):
+    """No point was found with the numbers in use."""
+
+
+class UnsolvedError(InputError):
+    """A relation that can be solved for none of its coordinates."""
+
+
+@dataclass(frozen=True)
+class Space:
+    """What the points have to satisfy, and what is to be evaluated there.
+
+    Parameters
+    ----------
+    coordinates : tuple of Symbol
+    relations : tuple of formula
+        Vanish.
+    steps : pairs (Symbol, formula)
+        Definitions.
+    formulas : tuple of formula
+        Everything that will be evaluated: it tells the angles.
+    constants : pairs (Symbol, number)
+        Parameters.
+    free : tuple of Symbol
+        Parameters without a value: any number.
+    """
+
+    coordinates: tuple[sp.Symbol, ...]
+    relations: tuple[sp.Expr, ...]
+    steps: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    formulas: tuple[sp.Expr, ...]
+    constants: tuple[tuple[sp.Symbol, Any], ...] = ()
+    free: tuple[sp.Symbol, ...] = ()
+
+    @cached_property
+    def units(self) -> Angles:
+        """The angles that occur, as of :func:`~chaplygin.formulas.expansion.angles`."""
+        return angles((*self.formulas, *self.relations), dict(self.steps))
+
+    @cached_property
+    def written(self) -> tuple[sp.Expr, ...]:
+        """The relations with the definitions written out."""
+        return tuple(expanded(r, dict(self.steps)) for r in self.relations)
+
+    @cached_property
+    def blocks(self) -> list[Block]:
+        """Spheres among the relations."""
+        return _blocks(self.written, set(self.coordinates))
+
+
+@dataclass(frozen=True)
+class Place:
+    """A point, as numbers.
+
+    Attributes
+    ----------
+    numbers : Numbers
+    values : mapping of Symbol to number
+        Coordinates and constants; for an angle, a number that is free of its sine and cosine.
+    circles : mapping of formula to (number, number)
+        Sines and cosines, as of :class:`~chaplygin.formulas.expansion.Germs`.
+    shown : mapping of Symbol to formula
+        The same for a reader; empty modulo a prime.
+    formal : bool
+        Whether a free number stands for a transcendental one.
+    seed : int
+        Of the numbers taken for other transcendental values.
+    """
+
+    numbers: Numbers
+    values: Mapping[sp.Symbol, Any]
+    circles: Mapping[sp.Expr, tuple[Any, Any]]
+    shown: Mapping[sp.Symbol, sp.Expr]
+    formal: bool
+    seed: int
+
+    def germs(self, space: Space, order: int) -> Germs:
+        """Taylor series of formulas about this point."""
+        return Germs(
+            self.numbers,
+            space.coordinates,
+            self.values,
+            self.circles,
+            space.units,
+            dict(space.steps),
+            order,
+            self.seed,
+        )
+
+
+def drawn(space: Space, numbers: Numbers, dice: random.Random) -> Place:
+    """A point at random.
+
+    Raises
+    ------
+    NoPointError
+        If none was found.
+    """
+    return _place(space, {}, numbers, dice)
+
+
+def at(
+    space: Space, point: Mapping[sp.Symbol, Any], numbers: Numbers, dice: random.Random
+) -> Place:
+    """The point given; coordinates that are not named are chosen at random.
+
+    Raises
+    ------
+    NoPointError
+        If the numbers in use do not contain the point.
+    InputError
+        If a relation does not hold at the point.
+    """
+    given = {s: exactly(v) for s, v in point.items()}
+    return _place(space, given, numbers, dice)
+
+
+def _place(
+    space: Space, given: Mapping[sp.Symbol, sp.Expr], numbers: Numbers, dice: random.Random
+) -> Place:
+    for _ in range(ATTEMPTS):
+        try:
+            return _tried(space, given, numbers, dice)
+        except (ZeroDivisionError, IrrationalError):
+            if set(space.coordinates) <= set(given):
+                break
+    raise NoPointError
+
+
+def _tried(
+    space: Space, given: Mapping[sp.Symbol, sp.Expr], numbers: Numbers, dice: random.Random
+) -> Place:
+    plain = Germs(numbers, (), {}, {}, {}, {}, 0)
+    values = {s: plain.series(_rational(v)).value for s, v in space.constants if s not in given}
+    circles: dict[sp.Expr, tuple[Any, Any]] = {}
+    shown: dict[sp.Symbol, sp.Expr] = {}
+    formal = False
+    for symbol, value in given.items():
+        if value.has(sp.pi):
+            values[symbol] = numbers.drawn(dice)
+        else:
+            values[symbol] = plain.series(value).value
+        shown[symbol] = value
+    for core, n in space.units.items():
+        circles[core], free = _circle(core, n, space, given, shown, plain, dice)
+        formal = formal or free
+    known = Germs(numbers, (), values, {}, {}, {}, 0)
+    for vectors, squared in space.blocks:
+        formula = _rational(squared)
+        if formula.free_symbols <= values.keys() and not any(
+            s in values for v in vectors for s in v
+        ):
+            values |= _rows(vectors, known.series(formula).value, numbers, dice)
+    trial = _Trial(space, numbers, values, circles, dice)
+    for relation in space.written:
+        trial.impose(relation)
+    for symbol in (*space.coordinates, *space.free):
+        trial.values.setdefault(symbol, numbers.drawn(dice))
+    trial.check(space.written, bool(given))
+    if numbers.exact:
+        for s in space.coordinates:
+            shown.setdefault(s, sp.Rational(int(trial.values[s].p), int(trial.values[s].q)))
+    return Place(numbers, trial.values, circles, shown if numbers.exact else {}, formal, trial.seed)
+
+
+def _rational(value: Any) -> sp.Expr:
+    return exactly(sp.sympify(value))
+
+
+def _circle(
+    core: sp.Expr,
+    n: int,
+    space: Space,
+    given: Mapping[sp.Symbol, sp.Expr],
+    shown: dict[sp.Symbol, sp.Expr],
+    plain: Germs,
+    dice: random.Random,
+) -> tuple[tuple[Any, Any], bool]:
+    """Sine and cosine of core/n, and whether they stand for transcendental numbers."""
+    constants = {s: _rational(v) for s, v in space.constants}
+    angle = core.xreplace({**constants, **given}) / n
+    if not angle.free_symbols:
+        turns = angle / sp.pi
+        if angle == 0 or turns.is_Rational:
+            exact = (sp.sin(angle), sp.cos(angle))
+            if not any(value.has(sp.sin, sp.cos) for value in exact):
+                return (plain.series(exact[0]).value, plain.series(exact[1]).value), False
+    t = plain.numbers.drawn(dice)
+    if core.is_Symbol and core not in constants and core not in given and plain.numbers.exact:
+        shown[core] = 2 * n * sp.atan(sp.Rational(int(t.p), int(t.q)))
+    below = 1 + t * t
+    return (2 * t / below, (1 - t * t) / below), not angle.free_symbols
+
+
+def _blocks(relations: Sequence[sp.Expr], coordinates: set[sp.Symbol]) -> list[Block]:
+    """Spheres among the relations, orthogonal ones together, with the square of the radius."""
+    spheres: dict[tuple[sp.Symbol, ...], sp.Expr] = {}
+    products: list[sp.Expr] = []
+    for relation in relations:
+        expression = sp.expand(relation)
+        own = sorted(expression.free_symbols & coordinates, key=str)
+        rest = expression - sp.Add(*(s**2 for s in own))
+        if len(own) > 1 and not rest.free_symbols & coordinates:
+            spheres[tuple(own)] = -rest
+        else:
+            products.append(expression)
+    groups: list[list[tuple[sp.Symbol, ...]]] = []
+    for vector in spheres:
+        for group in groups:
+            if len(vector) == 3 and _orthogonal(vector, group[0], products):
+                group.append(vector)
+                break
+        else:
+            groups.append([vector])
+    return [(tuple(group), spheres[group[0]]) for group in groups]
+
+
+def _orthogonal(
+    left: tuple[sp.Symbol, ...], right: tuple[sp.Symbol, ...], products: Sequence[sp.Expr]
+) -> bool:
+    product = sp.Add(*(a * b for a, b in zip(left, right, strict=False)))
+    return any(sp.expand(p - product) == 0 or sp.expand(p + product) == 0 for p in products)
+
+
+def _rows(
+    vectors: Sequence[tuple[sp.Symbol, ...]], squared: Any, numbers: Numbers, dice: random.Random
+) -> dict[sp.Symbol, Any]:
+    """Rational points of a sphere, or rows of a rational rotation."""
+    length = numbers.root(squared, 2)
+    if len(vectors[0]) == 3:
+        rows = _rotation(numbers, dice)
+        return {
+            s: length * x
+            for v, row in zip(vectors, rows, strict=False)
+            for s, x in zip(v, row, strict=True)
+        }
+    (own,) = vectors
+    free = [numbers.drawn(dice) for _ in own[1:]]
+    total = sum((x * x for x in free), numbers.number(0))
+    first = (1 - total) / (1 + total)
+    others = [2 * x / (1 + total) for x in free]
+    return {s: length * x for s, x in zip(own, (first, *others), strict=True)}
+
+
+def _rotation(numbers: Numbers, dice: random.Random) -> list[list[Any]]:
+    """The matrix of a quaternion drawn at random."""
+    w, x, y, z = (numbers.drawn(dice) for _ in range(4))
+    n = w * w + x * x + y * y + z * z
+    rows = [
+        [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
+    ]
+    return [[entry / n for entry in row] for row in rows]
+
+
+class _Trial:
+    """Coordinates settled so far."""
+
+    def __init__(
+        self,
+        space: Space,
+        numbers: Numbers,
+        values: dict[sp.Symbol, Any],
+        circles: Mapping[sp.Expr, tuple[Any, Any]],
+        dice: random.Random,
+    ) -> None:
+        self.space, self.numbers, self.values = space, numbers, values
+        self.circles, self.dice = circles, dice
+        self.seed = dice.randrange(2**32)
+
+    def _series(self, relation: sp.Expr, variables: Sequence[sp.Symbol], order: int) -> Series:
+        filled = {**self.values, **{s: self.numbers.number(0) for s in variables}}
+        return Germs(
+            self.numbers, variables, filled, self.circles, self.space.units, {}, order, self.seed
+        ).series(relation)
+
+    def impose(self, relation: sp.Expr) -> None:
+        """Solve a relation for a coordinate that is not settled, or else for a free parameter."""
+        free = relation.free_symbols - self.values.keys()
+        open_ = [s for s in (*self.space.free, *self.space.coordinates) if s in free]
+        if not open_:
+            return
+        degrees = {s: int(sp.degree(relation, s)) for s in open_ if relation.is_polynomial(s)}
+        if not degrees:
+            raise UnsolvedError(
+                f"the relation {relation} = 0 is a polynomial in none of its coordinates, so that "
+                "no point of it can be found; give a point"
+            )
+        moving = [s for s in reversed(open_) if s in degrees and s in self.space.coordinates]
+        main = min(moving or [s for s in open_ if s in degrees], key=lambda s: degrees[s])
+        for s in open_:
+            if s != main:
+                self.values[s] = self.numbers.drawn(self.dice)
+        parts = self._series(relation, (main,), degrees[main]).parts
+        self.values[main] = self.numbers.zero_of([self._coefficient(part) for part in parts])
+
+    def _coefficient(self, part: Any) -> Any:
+        return self.numbers.number(0) if part.is_zero() else self.numbers.number(part.coeffs()[0])
+
+    def check(self, relations: Sequence[sp.Expr], given: bool) -> None:
+        """Raise unless every relation holds."""
+        for relation in relations:
+            left = self._series(relation, (), 0).value
+            if left != 0:
+                if given and set(self.space.coordinates) & relation.free_symbols:
+                    raise InputError(f"the point does not lie on {relation} = 0")
+                raise ZeroDivisionError

@@ -1,0 +1,170 @@
+"""Values of a parameter at which constraints become less nonholonomic than at almost all others.
+
+At a fixed point, modulo a prime, the pivots of the elimination that tells the growth are rational
+functions of the parameter.  They are interpolated; a value at which the growth is less makes one
+of them vanish at every point, so that it is a common zero.  Each common zero that is rational is
+then tried.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import sympy as sp
+from flint import nmod, nmod_poly
+
+from ...errors import InputError
+from ...formulas.expansion import expanded
+from ...formulas.taylor import PRIMES, IrrationalError, Modular
+from ..lagrangian.mechanism import Mechanism
+from .bundle_sections import SingularError
+from .distribution import Distribution, distribution
+from .exact_points import NoPointError, Place, drawn
+from .growth import SEED, Filtration, generic, pivots_at
+
+__all__ = ["Exceptional", "exceptional"]
+
+POINTS = 3
+SAMPLES = 240
+"""Interpolation is given up where numerator and denominator have more coefficients."""
+
+
+@dataclass(frozen=True)
+class Exceptional:
+    """A value of a parameter and the growth there.
+
+    Attributes
+    ----------
+    parameter : Symbol
+    value : Rational
+    growth : tuple of int
+        At this value, at a generic point.
+    usual : tuple of int
+        At almost all values.
+    dimension : int
+        Of the configuration space.
+    """
+
+    parameter: sp.Symbol
+    value: sp.Rational
+    growth: tuple[int, ...]
+    usual: tuple[int, ...]
+    dimension: int
+
+
+def exceptional(
+    mechanism: Mechanism | Distribution, parameter: sp.Symbol
+) -> tuple[Exceptional, ...]:
+    """Rational values of a parameter, not zero, at which the growth is not the usual one.
+
+    The other parameters keep their values.
+
+    Raises
+    ------
+    InputError
+        If there is no such parameter, if the configuration space depends on it, or if it does
+        not enter rationally.
+    """
+    given = mechanism if isinstance(mechanism, Distribution) else distribution(mechanism)
+    names = [s for s, _ in given.constants]
+    if parameter not in names:
+        raise InputError(
+            f"{given.name} has no parameter {parameter}; its parameters are "
+            f"{', '.join(map(str, names)) or 'none'}"
+        )
+    if any(parameter in expanded(r, dict(given.steps)).free_symbols for r in given.relations):
+        raise InputError(f"{given.name}: the configuration space itself depends on {parameter}")
+    usual = generic(given, [parameter])
+    found = []
+    for value in _candidates(given, parameter):
+        there = _with(given, parameter, value)
+        if there is not None and there.growth != usual.growth:
+            found.append(Exceptional(parameter, value, there.growth, usual.growth, usual.dimension))
+    return tuple(sorted(found, key=lambda e: e.value))
+
+
+def _with(given: Distribution, parameter: sp.Symbol, value: sp.Rational) -> Filtration | None:
+    """The growth with another value of a parameter; None where constraints become dependent."""
+    constants = tuple((s, value if s == parameter else v) for s, v in given.constants)
+    try:
+        return generic(replace(given, constants=constants))
+    except InputError:
+        return None
+
+
+def _candidates(given: Distribution, parameter: sp.Symbol) -> list[sp.Rational]:
+    """Common zeros of the pivots at several points."""
+    numbers = Modular(PRIMES[0])
+    dice = random.Random(SEED)
+    common: Any = None
+    for _ in range(POINTS):
+        product = _vanishing(given, parameter, numbers, dice)
+        common = product if common is None else common.gcd(product)
+    zeros = [-f[0] / f[1] for f, _ in common.factor()[1] if f.degree() == 1]
+    fractions = [numbers.fraction(zero) for zero in zeros]
+    return [sp.Rational(f.numerator, f.denominator) for f in fractions if f]
+
+
+def _vanishing(
+    given: Distribution, parameter: sp.Symbol, numbers: Modular, dice: random.Random
+) -> Any:
+    """The product of the numerators of the pivots at a point."""
+    place = _place(given, parameter, numbers, dice)
+    samples: list[tuple[Any, tuple[Any, ...]]] = []
+    wanted = 8
+    while wanted <= SAMPLES:
+        while len(samples) < wanted:
+            value = numbers.drawn(dice)
+            samples.append((value, _pivots(given, place, parameter, value)))
+        numerators = [
+            _numerator([(p, row[i]) for p, row in samples], numbers.prime)
+            for i in range(len(samples[0][1]))
+        ]
+        if None not in numerators:
+            product = nmod_poly([1], numbers.prime)
+            for numerator in numerators:
+                product = product * numerator
+            return product
+        wanted *= 2
+    raise InputError(f"{given.name}: {parameter} does not enter the constraints rationally")
+
+
+def _place(
+    given: Distribution, parameter: sp.Symbol, numbers: Modular, dice: random.Random
+) -> Place:
+    try:
+        return drawn(given.space([parameter]), numbers, dice)
+    except NoPointError:
+        raise InputError(f"{given.name}: no point of its configuration space was found") from None
+
+
+def _pivots(given: Distribution, place: Place, parameter: sp.Symbol, value: Any) -> tuple[Any, ...]:
+    there = replace(place, values={**place.values, parameter: value})
+    try:
+        return pivots_at(given, there)
+    except (IrrationalError, SingularError, ZeroDivisionError):
+        raise InputError(
+            f"{given.name}: {parameter} does not enter the constraints rationally"
+        ) from None
+
+
+def _numerator(samples: Sequence[tuple[nmod, nmod]], prime: int) -> Any:
+    """The numerator of the rational function through the samples; None if they do not tell it."""
+    modulus, through = nmod_poly([1], prime), nmod_poly([0], prime)
+    for place, value in samples:
+        step = (value - through(place)) / modulus(place)
+        through = through + modulus * step
+        modulus = modulus * nmod_poly([-place, 1], prime)
+    before, last = modulus, through
+    factors = nmod_poly([0], prime), nmod_poly([1], prime)
+    # as soon as both degrees are small the fraction is the one sought
+    while last.degree() > len(samples) // 2 - 2:
+        quotient, rest = divmod(before, last)
+        before, last = last, rest
+        factors = factors[1], factors[0] - quotient * factors[1]
+    if last.degree() + factors[1].degree() > len(samples) - 4:
+        return None
+    return last

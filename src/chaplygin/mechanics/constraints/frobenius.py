@@ -1,0 +1,56 @@
+"""The criterion of Frobenius, decided as an identity."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import sympy as sp
+
+from ...formulas.expansion import expanded
+from .distribution import Distribution, Field, commutator
+from .zero_test import vanishes
+
+__all__ = ["involutive"]
+
+
+def involutive(given: Distribution) -> bool:
+    """Whether every commutator of admissible fields is a combination of them.
+
+    False also where that is not shown: if the frame was reduced by a group, or if no coordinate
+    moves with one of the fields alone.
+    """
+    if given.structure is not None:
+        return False
+    steps = dict(given.steps)
+    fields = [{q: expanded(v, steps) for q, v in field.items()} for field in given.fields]
+    own = [_own(fields, i) for i, _ in enumerate(fields)]
+    free = [q for q in own if q is not None]
+    return len(free) == len(fields) and all(
+        _combination(commutator(u, w), fields, free, given) for u, w in combinations(fields, 2)
+    )
+
+
+def _own(fields: list[dict[sp.Symbol, sp.Expr]], index: int) -> sp.Symbol | None:
+    """A coordinate that moves with one field alone, and with the velocity 1."""
+    others = [field for i, field in enumerate(fields) if i != index]
+    for q, value in fields[index].items():
+        if value == 1 and not any(q in field for field in others):
+            return q
+    return None
+
+
+def _combination(
+    bracket: Field,
+    fields: list[dict[sp.Symbol, sp.Expr]],
+    free: list[sp.Symbol],
+    given: Distribution,
+) -> bool:
+    factors = [bracket.get(q, sp.S.Zero) for q in free]
+    return all(
+        vanishes(
+            bracket.get(q, sp.S.Zero)
+            - sp.Add(*(c * f.get(q, sp.S.Zero) for c, f in zip(factors, fields, strict=True))),
+            given.relations,
+        )
+        for q in given.coordinates
+    )

@@ -1,0 +1,303 @@
+"""The growth of a distribution: its fields, their commutators with them, and so on, exactly.
+
+Fields are Taylor series about a point.  A commutator is first freed of the fields found before
+by multiplying these with functions, which changes no span of the following steps: a new direction
+counts, a remainder that vanishes at the point alone is kept for further commutators.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from math import comb
+from typing import Any
+
+import sympy as sp
+
+from ...errors import InputError
+from ...formulas.taylor import PRIMES, IrrationalError, Modular, Numbers, Rational
+from .bundle_sections import Bundle, Section, SingularError, Span
+from .distribution import Distribution, Field, spanned
+from .exact_points import NoPointError, Place, at, drawn
+
+__all__ = ["Filtration", "filtration", "generic", "growth"]
+
+SEED = 20080830
+RATIONAL_ATTEMPTS = 4
+ATTEMPTS = 40
+TERMS = 10000
+"""Terms that a series may have; they bound the steps at a singular point."""
+START = 3
+
+
+@dataclass(frozen=True)
+class Filtration:
+    """How the span of admissible fields grows with their commutators, at a point.
+
+    Attributes
+    ----------
+    growth : tuple of int
+        Dimensions, until they grow no more.
+    dimension : int
+        Of the configuration space.
+    words : tuple of tuple of str
+        The commutators that each step adds, such as ``[η1, [η1, η2]]``.
+    point : mapping of Symbol to formula
+        Where; empty for a point modulo a prime, which stands for a generic one.
+    exact : bool
+        Whether the dimensions were found by rational numbers at that very point; otherwise each
+        is certainly no less, and greater only with a probability below 10⁻¹⁰.
+    settled : bool
+        Whether all further commutators add nothing; at a singular point this may be left open.
+    """
+
+    growth: tuple[int, ...]
+    dimension: int
+    words: tuple[tuple[str, ...], ...]
+    point: Mapping[sp.Symbol, sp.Expr]
+    exact: bool
+    settled: bool
+
+    @property
+    def rank(self) -> int:
+        """Of the distribution itself."""
+        return self.growth[0]
+
+    @property
+    def final(self) -> int:
+        """The dimension reached."""
+        return self.growth[-1]
+
+
+def pivots_at(given: Distribution, place: Place) -> tuple[Any, ...]:
+    """The numbers on which the growth at a point rests: it is less where one of them vanishes.
+
+    Raises
+    ------
+    SingularError, ZeroDivisionError, IrrationalError
+        Where the constraints are dependent or singular, or contain an irrational root.
+    """
+    order = START
+    while True:
+        span = Span(place.numbers)
+        bundle = Bundle(given, place.germs(given.space(), order))
+        if _filled(given, place, bundle, span)[1] or order == _highest(len(given.coordinates)):
+            return (*bundle.leads, *span.leads)
+        order = min(2 * order, _highest(len(given.coordinates)))
+
+
+def _grown(given: Distribution, place: Place, order: int) -> tuple[Filtration, bool]:
+    """The filtration at a point by series of the order given, and whether it was enough."""
+    bundle = Bundle(given, place.germs(given.space(), order))
+    return _filled(given, place, bundle, Span(place.numbers))
+
+
+def _filled(
+    given: Distribution, place: Place, bundle: Bundle, span: Span
+) -> tuple[Filtration, bool]:
+    """The filtration, and whether the series are long enough; `span` is filled."""
+    basis = bundle.admissible()
+    fields = [bundle.section(section) for section in basis]
+    dimension = _dimension(given, bundle)
+    names = [f"η{i}" for i in range(1, len(fields) + 1)]
+    last: list[tuple[str, Section]] = []
+    words: list[tuple[str, ...]] = [()]
+    for name, field in zip(names, fields, strict=True):
+        added = span.add(field)
+        if added is not None:
+            last.append((name, added[0]))
+            words[0] += (name,) if added[1] else ()
+    counts = [len(span.pivots)]
+    generators = [section for _, section in last]
+    letters = [name for name, _ in last]
+    while last and counts[-1] < dimension:
+        if last[0][1][0].order == 0:
+            return _filtration(given, place, counts, dimension, words, False), False
+        found: list[tuple[str, Section]] = []
+        directions: tuple[str, ...] = ()
+        for i, (letter, field) in enumerate(zip(letters, generators, strict=True)):
+            for j, (word, other) in enumerate(last):
+                if len(counts) == 1 and j <= i:
+                    continue
+                added = span.add(bundle.bracket(field, other))
+                if added is not None:
+                    name = f"[{letter}, {word}]"
+                    found.append((name, added[0]))
+                    directions += (name,) if added[1] else ()
+        last = found
+        if last:
+            counts.append(len(span.pivots))
+            words.append(directions)
+    return _filtration(given, place, counts, dimension, words, True), True
+
+
+def _filtration(
+    given: Distribution,
+    place: Place,
+    counts: Sequence[int],
+    dimension: int,
+    words: Sequence[tuple[str, ...]],
+    settled: bool,
+) -> Filtration:
+    return Filtration(
+        tuple(counts),
+        dimension,
+        tuple(words),
+        {s: v for s, v in place.shown.items() if s in given.coordinates},
+        place.numbers.exact and not place.formal,
+        settled,
+    )
+
+
+def _dimension(given: Distribution, bundle: Bundle) -> int:
+    """Of the configuration space at the point."""
+    germs = bundle.germs
+    if germs.order == 0:
+        return len(given.coordinates)
+    slopes = []
+    for relation in given.relations:
+        series = germs.series(relation)
+        row = [series.derivative(q).value for q, _ in enumerate(given.coordinates)]
+        if bundle.constants is not None:
+            row = [
+                sum((value.value * row[q] for q, value in field.items()), germs.numbers.number(0))
+                for field in bundle.anchor
+            ]
+        slopes.append(row)
+    width = bundle.size
+    used = int(germs.numbers.matrix(slopes, width).rank()) if slopes else 0
+    return width - used
+
+
+def filtration(given: Distribution, point: Mapping[sp.Symbol, Any]) -> Filtration:
+    """The growth of a distribution at a point.
+
+    Parameters
+    ----------
+    given : Distribution
+    point : mapping of Symbol to exact number
+        Rational numbers, roots of them, and multiples of π for angles; what is not named is
+        chosen at random.  Parameters may be named, too.
+
+    Raises
+    ------
+    InputError
+        If the point does not lie on the relations, or the constraints become dependent there.
+    """
+    dice = random.Random(SEED)
+    final = generic(given).final
+
+    def there(numbers: Numbers) -> Filtration | None:
+        try:
+            place = at(given.space(), point, numbers, dice)
+            return None if numbers.exact and place.formal else _deepened(given, place, final)
+        except (NoPointError, IrrationalError):
+            return None
+        except (SingularError, ZeroDivisionError):
+            raise InputError(
+                f"{given.name}: the constraints are dependent or singular at this point, so that "
+                "the admissible velocities have no constant dimension about it"
+            ) from None
+
+    found = _confirmed(there)
+    if found is None:
+        raise InputError(f"{given.name}: the point has roots that cannot be computed with exactly")
+    return found
+
+
+def _confirmed(trial: Callable[[Numbers], Filtration | None]) -> Filtration | None:
+    """What is found modulo a prime; with rational numbers where that is the same."""
+    found: Filtration | None = None
+    for prime in PRIMES:
+        found = found or trial(Modular(prime))
+    for _ in range(RATIONAL_ATTEMPTS):
+        exact = trial(Rational()) if found else None
+        if found and exact and exact.growth == found.growth:
+            return exact
+    return found
+
+
+def _deepened(given: Distribution, place: Place, final: int = 0) -> Filtration:
+    """The filtration by series of as high an order as it takes to reach a dimension.
+
+    What vanishes up to an order at a singular point may still count beyond it.
+    """
+    order, highest = START, _highest(len(given.coordinates))
+    while True:
+        found, enough = _grown(given, place, order)
+        if enough and found.final >= final:
+            return found
+        if order == highest:
+            return replace(found, settled=False)
+        order = min(2 * order, highest)
+
+
+def _highest(variables: int) -> int:
+    """The order up to which series have no more than so many terms."""
+    order = START
+    while variables and comb(order + 1 + variables, variables) <= TERMS:
+        order += 1
+    return order
+
+
+def generic(given: Distribution, free: Sequence[sp.Symbol] = ()) -> Filtration:
+    """The growth at a generic point, and a rational one where it is the same if one is found.
+
+    Parameters
+    ----------
+    given : Distribution
+    free : sequence of Symbol
+        Parameters for which any value is taken instead of their own.
+
+    Raises
+    ------
+    InputError
+        If no point was found at all.
+    """
+    dice = random.Random(SEED)
+    space = given.space(free)
+    found = _confirmed(lambda numbers: _at_random(given, space, numbers, dice))
+    if found is None:
+        raise InputError(
+            f"{given.name}: no point was found at which the relations and position constraints "
+            "hold and the constraints are independent"
+        )
+    return found
+
+
+def _at_random(
+    given: Distribution, space: Any, numbers: Numbers, dice: random.Random
+) -> Filtration | None:
+    for _ in range(RATIONAL_ATTEMPTS if numbers.exact else ATTEMPTS):
+        try:
+            return _deepened(given, drawn(space, numbers, dice))
+        except NoPointError:
+            return None
+        except (IrrationalError, SingularError, ZeroDivisionError):
+            continue
+    return None
+
+
+def growth(
+    fields: Sequence[Field], coordinates: Sequence[sp.Symbol], point: Mapping[sp.Symbol, Any]
+) -> tuple[int, ...]:
+    """Dimensions of the span of fields, with their commutators, with those of these, and so on.
+
+    Parameters
+    ----------
+    fields : sequence of mapping from coordinate to component
+    coordinates : sequence of Symbol
+        They may be redundant; the fields are then tangent to the relations between them.
+    point : mapping of Symbol to exact number
+        Coordinates and constants.
+
+    Returns
+    -------
+    tuple of int
+        Until they grow no more.
+    """
+    own = set(coordinates)
+    constants = {s: v for s, v in point.items() if s not in own}
+    given = spanned("fields", fields, coordinates, constants=constants)
+    return filtration(given, {s: v for s, v in point.items() if s in own}).growth

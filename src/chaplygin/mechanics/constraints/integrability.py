@@ -1,0 +1,274 @@
+"""What constraints on velocities say of places: holonomic, nonholonomic, or in between (§2.1).
+
+The admissible fields span, together with all their commutators, a space of some dimension.  If
+it is that of the configuration space, any two configurations can be joined by an admissible
+motion and the constraints are completely nonholonomic; if it is the number of admissible fields,
+they are holonomic (Frobenius); in between, there are as many holonomic constraints as dimensions
+are missing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+from typing import Any, Literal
+
+import sympy as sp
+
+from ...core.vectors import Vector, dot
+from ...errors import InputError
+from ..lagrangian.mechanism import TIME, Mechanism
+from ..lagrangian.structure_functions import structure, written_frame
+from .distribution import Distribution, distribution
+from .exact_points import UnsolvedError
+from .frobenius import involutive
+from .growth import Filtration, filtration, generic
+from .holonomic import Constancy, constants
+
+__all__ = ["Nonholonomy", "Word", "nonholonomy", "nonholonomy_at"]
+
+Word = Literal["free", "holonomic", "in between", "completely nonholonomic"]
+
+
+@dataclass(frozen=True)
+class Nonholonomy:
+    """The verdict on the constraints of a mechanism.
+
+    Attributes
+    ----------
+    name : str
+    verdict : str
+        ``"free"`` without constraints, ``"holonomic"``, ``"in between"`` or ``"completely
+        nonholonomic"``.
+    proven : bool
+        Whether the verdict is exact: dimensions reached are certain, and that there are no
+        more is certain if as many integrals are known as dimensions are missing, or by the
+        criterion of Frobenius.
+    dimension : int
+        Of the configuration space, on which given position constraints hold.
+    rank : int
+        Number of admissible velocities.
+    growth : tuple of int
+        Dimensions spanned by the admissible fields, with their commutators, and so on.
+    words : tuple of tuple of str
+        The commutators that span each step, such as ``[η1, η2]``.
+    integrals : tuple of Constancy
+        F of the holonomic constraints F(q) = const, as many as were found.
+    point : mapping of Symbol to formula
+        A rational point (angles by arcs of rational tangent) at which the growth is this; empty
+        if it was found modulo a prime.
+    elsewhere : tuple of int
+        The growth for other values of the parameters, where it is another one.
+    timed : bool
+        Whether the time is one of the coordinates, since constraints are affine or depend on it.
+    almost : bool
+        Whether all of this is known for almost all values of the parameters, and not for the
+        present ones, since no point was found for them.
+    """
+
+    name: str
+    verdict: Word
+    proven: bool
+    dimension: int
+    rank: int
+    growth: tuple[int, ...]
+    words: tuple[tuple[str, ...], ...]
+    integrals: tuple[Constancy, ...]
+    point: Mapping[sp.Symbol, sp.Expr]
+    elsewhere: tuple[int, ...] = ()
+    timed: bool = False
+    almost: bool = False
+
+    @property
+    def holonomic(self) -> int:
+        """How many independent holonomic constraints there are."""
+        return self.dimension - self.growth[-1]
+
+    @property
+    def constraints(self) -> int:
+        """How many independent constraints there are."""
+        return self.dimension - self.rank
+
+    def __str__(self) -> str:
+        return " ".join(_sentences(self))
+
+
+def nonholonomy(mechanism: Mechanism | Distribution) -> Nonholonomy:
+    """Tell whether constraints are holonomic, nonholonomic or in between, and find their integrals.
+
+    Parameters
+    ----------
+    mechanism : Mechanism or Distribution
+        With constraints linear in the velocities; affine ones, and those that depend on the time,
+        are treated in the space of time and configuration.
+
+    Raises
+    ------
+    InputError
+        If a constraint is not linear, constraints contradict each other, the frame does not
+        span, or no point is found.
+    """
+    given = _given(mechanism)
+    symbols = [s for s, _ in given.constants]
+    almost = False
+    try:
+        here = generic(given)
+    except UnsolvedError:
+        # a relation may be solved for a parameter where it cannot be for a coordinate
+        here, almost = generic(given, symbols), True
+    _check_time(given, here, symbols if almost else ())
+    everywhere = generic(given, symbols) if symbols and not almost else here
+    special = everywhere.growth != here.growth
+    missing = here.dimension - here.final
+    found = () if special else constants(given, missing, symbols)
+    if len(found) < missing and symbols and not almost:
+        found = max(found, constants(given.fixed, missing), key=len)
+    certain = missing == 0 or (len(found) == missing and all(f.proven for f in found))
+    if not certain and not almost and _word(here) == "holonomic":
+        certain = involutive(given.fixed)
+    return Nonholonomy(
+        given.name,
+        _word(here),
+        certain,
+        here.dimension,
+        here.rank,
+        here.growth,
+        here.words,
+        found,
+        here.point,
+        everywhere.growth if special else (),
+        TIME in given.coordinates,
+        almost,
+    )
+
+
+def _given(mechanism: Mechanism | Distribution) -> Distribution:
+    """The admissible motions, of a frame that spans the configuration space."""
+    if isinstance(mechanism, Distribution):
+        return mechanism
+    structure(written_frame(mechanism), mechanism.name)
+    return distribution(mechanism)
+
+
+def _check_time(given: Distribution, here: Filtration, free: Sequence[sp.Symbol]) -> None:
+    """Refuse affine constraints that no velocity satisfies: they admit no motion in time."""
+    if TIME not in given.coordinates:
+        return
+    still = tuple(sp.S.One if field.get(TIME) == 1 else sp.S.Zero for field in given.frame)
+    if generic(replace(given, forms=(*given.forms, still)), free).rank == here.rank:
+        raise InputError(
+            f"{given.name}: the constraints contradict each other; no velocity satisfies all of "
+            "them at a generic configuration"
+        )
+
+
+def nonholonomy_at(
+    mechanism: Mechanism | Distribution, point: Mapping[sp.Symbol, Any]
+) -> Filtration:
+    """The growth at a point, which may be singular; see :func:`~.growth.filtration`."""
+    given = _given(mechanism)
+    return filtration(given, point)
+
+
+def _word(found: Filtration) -> Word:
+    if found.rank == found.dimension:
+        return "free"
+    if found.final == found.dimension:
+        return "completely nonholonomic"
+    return "holonomic" if found.final == found.rank else "in between"
+
+
+def _sentences(found: Nonholonomy) -> list[str]:
+    where = "space of time and configuration" if found.timed else "configuration space"
+    known = "time and configuration" if found.timed else "the configuration"
+    if found.verdict == "free":
+        return [
+            "There are no constraints on the velocities besides those that keep the "
+            f"{found.dimension}-dimensional configuration space."
+        ]
+    sentences = [
+        f"{_counted(found.constraints, 'constraint')} on {found.dimension} velocities "
+        f"{'leaves' if found.constraints == 1 else 'leave'} {found.rank}; with their commutators "
+        f"the admissible fields span {_listed(found.growth)} dimensions of the {where}."
+    ]
+    if found.verdict == "completely nonholonomic":
+        sentences.append(
+            f"The constraints are completely nonholonomic: no function of {known} is constant "
+            "along all admissible motions."
+        )
+    elif found.verdict == "holonomic":
+        sentences.append(
+            f"The constraints are holonomic: they confine the configuration to surfaces of "
+            f"dimension {found.rank}."
+        )
+    else:
+        sentences.append(
+            f"The constraints are nonholonomic, but {found.holonomic} of them "
+            f"{'is' if found.holonomic == 1 else 'are'} holonomic in effect."
+        )
+    if found.almost:
+        sentences.append("(For almost all values of the parameters; these were not tried.)")
+    return [*sentences, *_integrals(found), *_elsewhere(found)]
+
+
+def _integrals(found: Nonholonomy) -> list[str]:
+    if not found.holonomic:
+        return []
+    sentences = []
+    if found.integrals:
+        formulas = ", ".join(f"{_text(f.formula)} = const" for f in found.integrals)
+        sentences.append(f"Constant along every admissible motion: {formulas}.")
+    lacking = found.holonomic - len(found.integrals)
+    if lacking:
+        sentences.append(
+            f"{_counted(lacking, 'further function' if found.integrals else 'function')} of this "
+            f"kind {'exists' if lacking == 1 else 'exist'} locally; no formula was found."
+        )
+    if not found.proven:
+        sentences.append(
+            "(That the dimension is not greater was computed at random points, not proven.)"
+        )
+    return sentences
+
+
+def _elsewhere(found: Nonholonomy) -> list[str]:
+    if not found.elsewhere:
+        return []
+    return [
+        "This holds for the present values of the parameters only: for almost all others the "
+        f"dimensions are {_listed(found.elsewhere)}."
+    ]
+
+
+def _counted(number: int, noun: str) -> str:
+    return f"{number} {noun}{'' if number == 1 else 's'}"
+
+
+def _listed(numbers: Sequence[int]) -> str:
+    return ", ".join(map(str, numbers))
+
+
+def _text(formula: sp.Expr) -> str:
+    from ...printing.formula import text
+
+    return text(_paired(formula))
+
+
+def _paired(formula: sp.Expr) -> sp.Expr:
+    """A formula in which sums of products of components are scalar products."""
+    names = {str(s)[:-2] for s in formula.free_symbols if str(s)[-2:] in ("_1", "_2", "_3")}
+    found = sp.expand(formula)
+    factors = [sp.S.One, *sorted(formula.free_symbols, key=str)]
+    for left, right in combinations([Vector(name) for name in sorted(names)], 2):
+        product = sp.Add(*(a * b for a, b in zip(left, right, strict=True)))
+        for factor in factors:
+            number = found.coeff(factor * left.symbols[0] * right.symbols[0])
+            rest = sp.expand(found - number * factor * product)
+            if number.is_Number and _terms(rest) == _terms(found) - 3:
+                found = rest + number * factor * dot(left, right)
+    return found
+
+
+def _terms(formula: sp.Expr) -> int:
+    return len([term for term in sp.Add.make_args(formula) if term != 0])

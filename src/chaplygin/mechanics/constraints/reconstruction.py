@@ -1,0 +1,272 @@
+"""The whole configuration behind a frame that was reduced by a symmetry group.
+
+A frame with given structure functions leaves out coordinates that are of no account.  Those of
+rotations and of motions of space are put back, as direction cosines α, β, γ and the place R of
+the centre of mass, so that integrals of the constraints can be written down.
+
+On a sphere the rate of the normal γ that goes with ω holds along admissible motions alone: the
+commutators of the fields on the coordinates are not those that the structure functions tell.
+There attitude and contact point are the configuration, and the constraints are those among the
+spins.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, TypeAlias
+
+import sympy as sp
+
+from ...core.vectors import Vector, cross, dot, explicit
+from ...errors import InputError
+from ...formulas.expansion import Germs
+from ...formulas.taylor import PRIMES, IrrationalError, Modular, Series
+from ..lagrangian.mechanism import Frame, euclidean, rotations
+from ..lagrangian.structure_functions import structure
+from .exact_points import NoPointError, Space, drawn
+
+__all__ = ["Coefficients", "Field", "Whole", "along", "completed"]
+
+Field: TypeAlias = Mapping[sp.Symbol, sp.Expr]
+#: c_ij^k by (i, j, k), i < j.
+Coefficients: TypeAlias = Mapping[tuple[int, int, int], sp.Expr]
+Steps: TypeAlias = tuple[tuple[sp.Symbol, sp.Expr], ...]
+
+alpha, beta, gamma, zeta, place = (Vector(n) for n in ("alpha", "beta", "gamma", "zeta", "R"))
+SEED = 1911
+ATTEMPTS = 8
+
+
+def along(field: Field, function: sp.Expr) -> sp.Expr:
+    """A field applied to a function."""
+    return sp.Add(*(value * sp.diff(function, symbol) for symbol, value in field.items()))
+
+
+@dataclass(frozen=True)
+class Whole:
+    """Coordinates, relations, fields of a frame and its structure functions.
+
+    `structure` is None if the coordinates describe the whole configuration; `admissible` says
+    that the fields act as they should along admissible motions only.
+    """
+
+    coordinates: tuple[sp.Symbol, ...]
+    relations: tuple[sp.Expr, ...]
+    fields: tuple[Field, ...]
+    structure: Coefficients | None
+    admissible: bool = False
+
+
+def completed(
+    frame: Frame, formulas: Sequence[sp.Expr], steps: Steps, constants: Mapping[sp.Symbol, Any]
+) -> Whole:
+    """The whole configuration behind a frame.
+
+    Parameters
+    ----------
+    frame : Frame
+    formulas : sequence of formula
+        Constraints; coordinates on which neither they nor their rates depend are left out.
+    steps : pairs (Symbol, formula)
+        Definitions.
+    constants : mapping of Symbol to number
+        Parameters.
+
+    Raises
+    ------
+    InputError
+        If the rates of the coordinates contradict the structure functions.
+    """
+    if frame.structure is None:
+        return _whole(frame, None)
+    given = structure(frame)
+    if _full(frame, steps, constants):
+        return _whole(frame, None)
+    upright = set(gamma.symbols) & set(frame.coordinates)
+    needed = _needed(frame, [*formulas, *given.values(), *upright], steps)
+    bare = _whole(frame, given, needed)
+    taken = {*constants, *dict(steps), *frame.w}
+    for extra in _extras(frame, given, bare, steps, taken):
+        if _follows(extra, given, steps, constants):
+            return extra
+    if _follows(bare, given, steps, constants):
+        return bare
+    turned = _turned(frame, given, bare, taken)
+    if turned is None:
+        raise InputError(
+            "frame: the rates of the coordinates contradict the structure functions; the "
+            "commutators of the fields must be those that the structure functions tell"
+        )
+    return turned
+
+
+def _whole(frame: Frame, given: Coefficients | None, needed: set[sp.Symbol] | None = None) -> Whole:
+    kept = [q for q in frame.coordinates if needed is None or q in needed]
+    relations = [
+        r for r in frame.relations if not r.free_symbols & (set(frame.coordinates) - set(kept))
+    ]
+    fields = tuple(
+        {q: v for q, v in frame.field(i).items() if q in kept} for i in range(len(frame.w))
+    )
+    return Whole(tuple(kept), tuple(relations), fields, given)
+
+
+def _needed(frame: Frame, formulas: Sequence[sp.Expr], steps: Steps) -> set[sp.Symbol]:
+    """Coordinates on which formulas depend, with those on which their rates depend."""
+    uses = {q: rate.free_symbols for q, rate in zip(frame.coordinates, frame.qdot, strict=True)}
+    uses |= {s: value.free_symbols for s, value in steps}
+    waiting = {s for f in formulas for s in f.free_symbols}
+    found: set[sp.Symbol] = set()
+    while waiting:
+        symbol = waiting.pop()
+        found.add(symbol)
+        waiting |= uses.get(symbol, set()) - found
+        for relation in frame.relations:
+            if symbol in relation.free_symbols & set(frame.coordinates):
+                waiting |= relation.free_symbols & set(frame.coordinates) - found
+    return found
+
+
+def _spin(frame: Frame, given: Coefficients) -> tuple[Vector, Vector | None] | None:
+    """Angular and linear velocity, body axes, of rotations or motions in the frame.
+
+    Further velocities, such as those of wheels, commute with all.
+    """
+    names = [name for name in frame.velocities if isinstance(name, Vector)]
+    kinds: list[tuple[Vector, Vector | None]] = [(spin, None) for spin in names]
+    kinds += [(spin, speed) for spin in names for speed in names if spin != speed]
+    for spin, speed in kinds:
+        expected = rotations(spin) if speed is None else euclidean(spin, speed)
+        if structure(replace(frame, structure=expected)) == given:
+            return spin, speed
+    return None
+
+
+def _extras(
+    frame: Frame, given: Coefficients, bare: Whole, steps: Steps, taken: set[sp.Symbol]
+) -> list[Whole]:
+    """Direction cosines and the place put back; with less of them if that is all that fits."""
+    found = _spin(frame, given)
+    if found is None:
+        return []
+    spin, speed = found
+    free = [d for d in (alpha, beta) if not set(d.symbols) & taken]
+    known = {*bare.coordinates, *dict(steps)}
+    upright = set(gamma.symbols) <= known
+    cosines = free if len(free) == 2 and set(gamma.symbols) <= set(bare.coordinates) else []
+    rates = {d: explicit(cross(d, spin)) for d in cosines}
+    relations = [dot(d, d) - 1 for d in cosines]
+    if cosines:
+        relations += [dot(alpha, beta), dot(alpha, gamma), dot(beta, gamma)]
+    added = {s: rate for d, v in rates.items() for s, rate in zip(d.symbols, v, strict=True)}
+    if speed is not None and not set(place.symbols) & taken:
+        axes = [*cosines, *([gamma] if upright else [])]
+        for direction in axes:
+            axis = (alpha, beta, gamma).index(direction)
+            added[place.symbols[axis]] = explicit(dot(direction, speed))
+    new = {s: rate for s, rate in added.items() if s not in bare.coordinates}
+    return [_extended(frame, bare, new, relations)] if new else []
+
+
+def _extended(
+    frame: Frame, bare: Whole, new: Mapping[sp.Symbol, sp.Expr], relations: Sequence[sp.Expr]
+) -> Whole:
+    fields = []
+    for field, w in zip(bare.fields, frame.w, strict=True):
+        more = {s: sp.diff(rate, w) for s, rate in new.items()}
+        fields.append({**field, **{s: v for s, v in more.items() if v != 0}})
+    return replace(
+        bare,
+        coordinates=(*bare.coordinates, *new),
+        relations=tuple(dict.fromkeys((*bare.relations, *(explicit(r) for r in relations)))),
+        fields=tuple(fields),
+    )
+
+
+def _turned(frame: Frame, given: Coefficients, bare: Whole, taken: set[sp.Symbol]) -> Whole | None:
+    """The attitude, by direction cosines in space, beside the coordinates of the contact."""
+    found = _spin(frame, given)
+    rows = (alpha, beta, zeta)
+    if found is None or any(set(d.symbols) & {*taken, *bare.coordinates} for d in rows):
+        return None
+    spin, _ = found
+    rates = {
+        s: rate for d in rows for s, rate in zip(d.symbols, explicit(cross(d, spin)), strict=True)
+    }
+    relations = [dot(d, d) - 1 for d in rows]
+    relations += [dot(alpha, beta), dot(alpha, zeta), dot(beta, zeta)]
+    extended = _extended(frame, bare, rates, relations)
+    return replace(extended, structure=None, admissible=True)
+
+
+def _follows(
+    whole: Whole, given: Coefficients, steps: Steps, constants: Mapping[sp.Symbol, Any]
+) -> bool:
+    """Whether the commutators of the fields are those that the structure functions tell."""
+    formulas = [*(v for field in whole.fields for v in field.values()), *given.values()]
+    germs = _germs(whole, formulas, steps, constants)
+    return germs is not None and _commutes(whole, given, germs)
+
+
+def _full(frame: Frame, steps: Steps, constants: Mapping[sp.Symbol, Any]) -> bool:
+    """Whether the fields on the coordinates span all directions, so that nothing is left out."""
+    if len(frame.coordinates) < len(frame.w):
+        return False
+    whole = _whole(frame, None)
+    germs = _germs(whole, frame.qdot, steps, constants)
+    if germs is None:
+        return False
+    size = len(whole.coordinates)
+    rows = [
+        [germs.series(field.get(q, sp.S.Zero)).value for q in whole.coordinates]
+        for field in whole.fields
+    ]
+    normals = [[germs.series(r).derivative(q).value for q in range(size)] for r in whole.relations]
+    bound = int(germs.numbers.matrix(normals, size).rank()) if normals else 0
+    return int(germs.numbers.matrix(rows, size).rank()) == len(frame.w) == size - bound
+
+
+def _germs(
+    whole: Whole, formulas: Sequence[sp.Expr], steps: Steps, constants: Mapping[sp.Symbol, Any]
+) -> Germs | None:
+    """Series of first order about a generic point, if one is found."""
+    space = Space(
+        whole.coordinates, whole.relations, steps, tuple(formulas), tuple(constants.items())
+    )
+    dice = random.Random(SEED)
+    for prime in PRIMES * ATTEMPTS:
+        try:
+            germs = drawn(space, Modular(prime), dice).germs(space, 1)
+            for field in whole.fields:
+                for value in field.values():
+                    germs.series(value)
+        except (NoPointError, IrrationalError, ZeroDivisionError):
+            continue
+        return germs
+    return None
+
+
+def _commutes(whole: Whole, given: Coefficients, germs: Germs) -> bool:
+    number = {q: i for i, q in enumerate(whole.coordinates)}
+    fields = [{number[q]: germs.series(v) for q, v in field.items()} for field in whole.fields]
+    zero = germs.numbers.number(0)
+
+    def moved(by: Mapping[int, Series], entry: Series | None) -> Any:
+        if entry is None:
+            return zero
+        return sum((v.value * entry.derivative(q).value for q, v in by.items()), zero)
+
+    for i, first in enumerate(fields):
+        for j in range(i + 1, len(fields)):
+            second = fields[j]
+            for q in number.values():
+                left = moved(first, second.get(q)) - moved(second, first.get(q))
+                for k, third in enumerate(fields):
+                    c = given.get((i, j, k))
+                    if c is not None and q in third:
+                        left = left - germs.series(sp.sympify(c)).value * third[q].value
+                if left != 0:
+                    return False
+    return True

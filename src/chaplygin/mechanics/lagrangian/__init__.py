@@ -1,0 +1,1 @@
+"""Mechanisms: equations of motion from a Lagrangian in quasi-velocities."""

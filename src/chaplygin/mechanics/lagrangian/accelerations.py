@@ -1,0 +1,184 @@
+"""Accelerations and multipliers: the linear equations in ẇ and λ solved by named steps."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from graphlib import TopologicalSorter
+from typing import Any
+
+import sympy as sp
+
+from ...errors import InputError
+from .assembly import Balance
+from .generic_points import precisely, rank
+from .ldl import Factored, product
+
+__all__ = ["Solution", "solve"]
+
+
+@dataclass(frozen=True)
+class Solution:
+    """Accelerations and multipliers.
+
+    Attributes
+    ----------
+    rates : mapping of velocity to Expr
+        ẇ of the free velocities.
+    multipliers : tuple of (Symbol, Expr)
+        λ_μ in the order of the constraints, those of the positions last.
+    """
+
+    rates: Mapping[sp.Symbol, sp.Expr]
+    multipliers: tuple[tuple[sp.Symbol, sp.Expr], ...]
+
+
+@precisely
+def solve(parts: Balance) -> Solution:
+    """Solve the equations of motion for accelerations and multipliers.
+
+    Raises
+    ------
+    InputError
+        If the mass matrix is singular on the velocities that the constraints allow.
+    """
+    tape, w = parts.tape, parts.mechanism.frame.w
+    size = len(w)
+    # ẇ = Z u̇ + what is contained in the rate of p at fixed u
+    Z = [[tape.along(parts.by_velocity(s), w[i]) for s in parts.free] for i in range(size)]
+    h = [
+        tape.name(tape.short(push - tape.along(parts.time, p)))
+        for push, p in zip(parts.push, parts.momenta, strict=True)
+    ]
+    AZ = [
+        [product(parts.mass[i], [row[s] for row in Z]) for s in range(len(parts.free))]
+        for i in range(size)
+    ]
+    AZ = [[tape.name(tape.short(e)) for e in row] for row in AZ]
+
+    def projected(column: Sequence[sp.Expr], s: int) -> sp.Expr:
+        return tape.name(tape.short(product([row[s] for row in Z], column)))
+
+    count = range(len(parts.free))
+    mass = [
+        [projected([row[s] for row in AZ], r) if r <= s else sp.S.Zero for s in count]
+        for r in count
+    ]
+    mass = [[mass[min(r, s)][max(r, s)] for s in count] for r in count]
+    force = [projected(h, r) for r in count]
+    left = [i for i in range(len(parts.constraints)) if i not in parts.solved.values()]
+    C = [
+        [
+            tape.name(tape.short(tape.along(parts.by_velocity(s), parts.constraints[i])))
+            for s in parts.free
+        ]
+        for i in left
+    ]
+    b = [tape.name(tape.short(-tape.along(parts.time, parts.constraints[i]))) for i in left]
+    rates, lambdas = _with_multipliers(parts, mass, force, C, b)
+    return _numbered(parts, rates, dict(zip(left, lambdas, strict=True)), AZ, h)
+
+
+def _with_multipliers(
+    parts: Balance,
+    mass: list[list[sp.Expr]],
+    force: list[sp.Expr],
+    C: list[list[sp.Expr]],
+    b: list[sp.Expr],
+) -> tuple[list[sp.Expr], list[sp.Expr]]:
+    """u̇ and λ from A u̇ = h + Cᵀλ, C u̇ = b."""
+    tape = parts.tape
+    if _deficient(parts, mass):
+        # C u̇ = b may be added to the equations: A + CᵀC is regular where A is so on the
+        # velocities that the constraints allow, and the multipliers stay what they are
+        count = range(len(force))
+        mass = [
+            [
+                tape.name(tape.short(mass[r][s] + sp.Add(*(row[r] * row[s] for row in C))))
+                for s in count
+            ]
+            for r in count
+        ]
+        force = [
+            force[r] + sp.Add(*(row[r] * v for row, v in zip(C, b, strict=True))) for r in count
+        ]
+        _refuse_singular(parts, mass)
+    try:
+        solver = Factored(tape, mass)
+    except ZeroDivisionError:
+        raise InputError(
+            f"{parts.mechanism.name}: the mass matrix is not definite: a motion has no kinetic "
+            "energy, or a negative one"
+        ) from None
+    _refuse_negative(parts, solver)
+    bare = solver.solve(force)
+    if not C:
+        return bare, []
+    columns = [solver.solve(row) for row in C]
+    gram = [[tape.name(tape.short(product(row, x))) for x in columns] for row in C]
+    defect = [tape.name(tape.short(v - product(row, bare))) for v, row in zip(b, C, strict=True)]
+    lambdas = [tape.name(x) for x in Factored(tape, gram).solve(defect)]
+    total = [
+        tape.short(x + product(lambdas, [column[r] for column in columns]))
+        for r, x in enumerate(bare)
+    ]
+    return total, lambdas
+
+
+def _numbers(parts: Balance, matrix: Sequence[Sequence[sp.Expr]]) -> list[list[Any]]:
+    """A matrix at a generic configuration of the mechanism with its default parameters."""
+    point = parts.typical([e for row in matrix for e in row])
+    return [[point.value(e) for e in row] for row in matrix]
+
+
+def _deficient(parts: Balance, mass: Sequence[Sequence[sp.Expr]]) -> bool:
+    return bool(mass) and len(rank(_numbers(parts, mass))[0]) < len(mass)
+
+
+def _refuse_negative(parts: Balance, solver: Factored) -> None:
+    """Refuse a kinetic energy that is negative for some motion: a pivot is negative then."""
+    point = parts.typical(solver.pivots)
+    if any(point.value(pivot) < 0 for pivot in solver.pivots):
+        raise InputError(
+            f"{parts.mechanism.name}: the kinetic energy is negative for some motions that the "
+            "constraints allow; masses and moments of inertia must be positive"
+        )
+
+
+def _refuse_singular(parts: Balance, mass: Sequence[Sequence[sp.Expr]]) -> None:
+    chosen, _ = rank(_numbers(parts, mass))
+    w = parts.mechanism.frame.w
+    idle = [str(w[s]) for r, s in enumerate(parts.free) if r not in chosen]
+    if idle:
+        raise InputError(
+            f"{parts.mechanism.name}: the mass matrix is singular: the Lagrangian gives no inertia "
+            f"to {', '.join(idle)}, which no constraint decides"
+        )
+
+
+def _numbered(
+    parts: Balance,
+    rates: Sequence[sp.Expr],
+    known: Mapping[int, sp.Expr],
+    inertia: Sequence[Sequence[sp.Expr]],
+    force: Sequence[sp.Expr],
+) -> Solution:
+    """The multipliers of all constraints, those of solved velocities from their equations."""
+    tape, w = parts.tape, parts.mechanism.frame.w
+    symbols = parts.multipliers
+    values = dict(known)
+    place = {index: w.index(s) for s, index in parts.solved.items()}
+    # the equation of a solved velocity holds the multipliers of all constraints in which it stands
+    needs = {
+        index: {other for other in place if other != index and parts.slopes[other][i] != 0}
+        for index, i in place.items()
+    }
+    for index in TopologicalSorter(needs).static_order():
+        i = place[index]
+        others = [parts.slopes[other][i] * symbols[other] for other in (*known, *needs[index])]
+        total = product(inertia[i], rates) - force[i] - sp.Add(*others)
+        values[index] = tape.short(total / parts.slopes[index][i])
+    return Solution(
+        {w[s]: rate for s, rate in zip(parts.free, rates, strict=True)},
+        tuple((symbols[i], values[i]) for i in sorted(values)),
+    )

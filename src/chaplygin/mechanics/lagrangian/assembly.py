@@ -1,0 +1,232 @@
+"""The parts of which equations of motion are made: momenta, mass matrix, forces, constraints."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import sympy as sp
+
+from ...errors import InputError
+from ...formulas.tape import Derivation, Tape
+from .generic_points import Sample, defaults, negligible, precisely, samples
+from .independence import check_constraints, check_velocities
+from .mechanism import TIME, Mechanism
+from .structure_functions import Coefficients, structure, written_frame
+
+__all__ = ["Balance", "balance"]
+
+
+@dataclass(frozen=True)
+class Balance:
+    """The parts of the equations of motion, as formulas with names from a tape.
+
+    Attributes
+    ----------
+    mechanism : Mechanism
+    tape : Tape
+    points : tuple of Sample
+        Generic points of the configuration space.
+    coefficients : Coefficients
+        Structure functions.
+    constraints : tuple of Expr
+        All constraints on velocities; those that keep the positions, Ḟ = 0, come last.
+    solved : mapping of velocity to index
+        The velocities that a constraint gives, and which one.
+    free : tuple of int
+        Indices of the other velocities u.
+    momenta : tuple of Expr
+        p_i = ∂L/∂w_i.
+    mass : tuple of tuple of Expr
+        A_ij = ∂²L/∂w_i∂w_j.
+    slopes : tuple of tuple of Expr
+        ∂f_μ/∂w_i.
+    push : tuple of Expr
+        c_ji^k p_k w_j + E_i(L) + Q_i.
+    """
+
+    mechanism: Mechanism
+    tape: Tape
+    points: tuple[Sample, ...]
+    coefficients: Coefficients
+    constraints: tuple[sp.Expr, ...]
+    solved: Mapping[sp.Symbol, int]
+    free: tuple[int, ...]
+    momenta: tuple[sp.Expr, ...]
+    mass: tuple[tuple[sp.Expr, ...], ...]
+    slopes: tuple[tuple[sp.Expr, ...], ...]
+    push: tuple[sp.Expr, ...]
+
+    @cached_property
+    def multipliers(self) -> tuple[sp.Symbol, ...]:
+        """λ_μ, one for each constraint."""
+        return tuple(self.tape.fresh(f"lambda_{i + 1}") for i in range(len(self.constraints)))
+
+    @property
+    def time(self) -> Derivation:
+        """The rate of change along the motion, with the free velocities held."""
+        frame = self.mechanism.frame
+        return Derivation((*zip(frame.coordinates, frame.qdot, strict=True), (TIME, sp.S.One)))
+
+    def by_velocity(self, index: int) -> Derivation:
+        """∂/∂u for a free velocity, the solved ones following."""
+        return Derivation(((self.mechanism.frame.w[index], sp.S.One),))
+
+    def moves(self, formula: sp.Expr) -> bool:
+        """Whether a formula depends on velocities, solved or free."""
+        w = set(self.mechanism.frame.w)
+        values = (formula, *(v for _, v in self.tape.steps([formula])))
+        return any(value.free_symbols & w for value in values)
+
+    def at(self, formulas: Sequence[sp.Expr]) -> tuple[Sample, ...]:
+        """The generic points, the solved velocities as the constraints give them."""
+        steps = self.tape.steps(formulas)
+        free = [{s: v for s, v in p.point.items() if s not in self.solved} for p in self.points]
+        return tuple(Sample(point, steps) for point in free)
+
+    def typical(self, formulas: Sequence[sp.Expr]) -> Sample:
+        """A configuration with the default parameters."""
+        mechanism = self.mechanism
+        values = defaults(mechanism)
+        point = samples(mechanism.name, mechanism.frame, mechanism, values, many=1)[0].point
+        steps = self.tape.steps(formulas)
+        return Sample({s: v for s, v in point.items() if s not in self.solved}, steps)
+
+    def at_any(self, formulas: Sequence[sp.Expr]) -> tuple[Sample, ...]:
+        """The generic points with velocities that keep to no constraint."""
+        steps = self.tape.steps(formulas)
+        held = [(s, v) for s, v in steps if s not in self.solved]
+        return tuple(Sample(point.point, held) for point in self.points)
+
+
+@precisely
+def balance(mechanism: Mechanism) -> Balance:
+    """Momenta, mass matrix and forces of a mechanism.
+
+    Raises
+    ------
+    InputError
+        If the frame does not span, or the constraints are dependent or contradictory.
+    """
+    frame, name = mechanism.frame, mechanism.name
+    w = frame.w
+    parameters = [p.symbol for p in mechanism.parameters]
+    tape = Tape(mechanism.steps, (*mechanism.symbols, *parameters, TIME))
+    points = samples(name, frame, mechanism)
+    coefficients = structure(written_frame(mechanism), name)
+    _check_tangent(mechanism, tape, points)
+    here = Derivation((*zip(frame.coordinates, frame.qdot, strict=True), (TIME, sp.S.One)))
+    constraints = (*mechanism.f, *(tape.short(tape.along(here, F)) for F in mechanism.F))
+    along_w = [_only(w, i) for i in range(len(w))]
+    slopes = tuple(
+        tuple(tape.name(tape.short(tape.along(d, f))) for d in along_w) for f in constraints
+    )
+    check_constraints(mechanism, tape, points, constraints, slopes)
+    check_velocities(mechanism, tape, points, constraints, slopes)
+    momenta = tuple(
+        tape.name(tape.short(tape.along(d, mechanism.L)), f"p_{i}")
+        for i, d in enumerate(along_w, 1)
+    )
+    mass = _symmetric(tape, [[tape.along(d, p) for d in along_w] for p in momenta])
+    push = tuple(
+        sp.Add(
+            _turning(coefficients, momenta, w, i),
+            tape.along(_along_field(mechanism, i), mechanism.L),
+            mechanism.Q.get(s, sp.S.Zero),
+        )
+        for i, s in enumerate(w)
+    )
+    solved = _solve_velocities(mechanism, tape, constraints, slopes)
+    return Balance(
+        mechanism=mechanism,
+        tape=tape,
+        points=points,
+        coefficients=coefficients,
+        constraints=constraints,
+        solved=solved,
+        free=tuple(i for i, s in enumerate(w) if s not in solved),
+        momenta=momenta,
+        mass=mass,
+        slopes=slopes,
+        push=push,
+    )
+
+
+def _check_tangent(mechanism: Mechanism, tape: Tape, points: Sequence[Sample]) -> None:
+    for relation in mechanism.frame.relations:
+        for i, s in enumerate(mechanism.frame.w):
+            change = tape.along(_along_field(mechanism, i), relation)
+            steps = tape.steps([change])
+            if not negligible(change, [point.further(steps) for point in points]):
+                raise InputError(
+                    f"{mechanism.name}: the field of {s} is not tangent to the relation "
+                    f"{relation} = 0; a relation that moves with the velocities is a position "
+                    "constraint"
+                )
+
+
+def _only(w: Sequence[sp.Symbol], index: int) -> Derivation:
+    """∂/∂w_i with all other velocities held, solved ones included."""
+    return Derivation(tuple((s, sp.Integer(int(i == index))) for i, s in enumerate(w)))
+
+
+def _along_field(mechanism: Mechanism, index: int) -> Derivation:
+    """E_i, with the velocities held."""
+    frame = mechanism.frame
+    held = tuple((s, sp.S.Zero) for s in frame.w)
+    return Derivation((*frame.field(index).items(), *held))
+
+
+def _symmetric(tape: Tape, rows: list[list[sp.Expr]]) -> tuple[tuple[sp.Expr, ...], ...]:
+    size = len(rows)
+    found = [[sp.S.Zero] * size for _ in rows]
+    for i in range(size):
+        for j in range(i, size):
+            label = f"A_{i + 1}{j + 1}" if size < 10 else f"A_{i + 1}_{j + 1}"
+            found[i][j] = found[j][i] = tape.name(tape.short(rows[i][j]), label)
+    return tuple(map(tuple, found))
+
+
+def _turning(
+    coefficients: Coefficients, p: Sequence[sp.Expr], w: Sequence[sp.Symbol], index: int
+) -> sp.Expr:
+    """c_ji^k p_k w_j summed over j and k."""
+    terms = []
+    for (i, j, k), value in coefficients.items():
+        if j == index:
+            terms.append(value * p[k] * w[i])
+        if i == index:
+            terms.append(-value * p[k] * w[j])
+    return sp.Add(*terms)
+
+
+def _solve_velocities(
+    mechanism: Mechanism,
+    tape: Tape,
+    constraints: Sequence[sp.Expr],
+    slopes: Sequence[Sequence[sp.Expr]],
+) -> dict[sp.Symbol, int]:
+    """Velocities that constraints give, defined on the tape; each depends on free ones alone."""
+    w = mechanism.frame.w
+    solved: dict[sp.Symbol, int] = {}
+    for index, f in enumerate(constraints):
+        for s, slope in zip(w, slopes[index], strict=True):
+            if s in solved or not slope.is_Number or slope == 0:
+                continue
+            rest = f.xreplace({s: sp.S.Zero})
+            # the velocity must enter openly, not through a definition, and define itself in no way
+            if sp.diff(f, s) != slope or s in _uses(tape, rest):
+                continue
+            tape.define(s, tape.short(-rest / slope))
+            solved[s] = index
+            break
+    return solved
+
+
+def _uses(tape: Tape, value: sp.Expr) -> set[sp.Symbol]:
+    """All symbols on which a formula depends, through definitions."""
+    found = set(value.free_symbols)
+    for symbol, inner in tape.steps([value]):
+        found |= {symbol} | inner.free_symbols
+    return found

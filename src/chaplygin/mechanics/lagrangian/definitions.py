@@ -1,0 +1,132 @@
+"""Definitions as a reader wants them: few, numbered in order, vectors in one piece."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from graphlib import CycleError, TopologicalSorter
+from typing import Any
+
+import sympy as sp
+
+from ...core.system import flat
+from ...core.vectors import constant, explicit, scalar
+from ...formulas.tape import Step
+from .assembly import Balance
+from .mechanism import Name, Pairs
+
+__all__ = ["Named", "named"]
+
+SHORT = 12
+"""Operations up to which a value used once is put where it is used."""
+
+
+@dataclass(frozen=True)
+class Named:
+    """Definitions in order, and what became of the names that are gone.
+
+    Attributes
+    ----------
+    definitions : pairs
+    table : mapping of Symbol to Expr
+        Names that were replaced.
+    """
+
+    definitions: Pairs
+    table: Mapping[sp.Symbol, sp.Expr]
+
+    def __call__(self, formula: Any) -> Any:
+        """A formula in the names that are left."""
+        value = explicit(formula)
+        return formula if not value.free_symbols & self.table.keys() else value.xreplace(self.table)
+
+
+def named(parts: Balance, formulas: Sequence[Any]) -> Named:
+    """The definitions on which formulas depend.
+
+    What was named on the way and is used once and short is written where it is used; the rest is
+    numbered in order.  Vectors keep the form in which they were written where possible.
+    """
+    wanted = [explicit(f) for f in formulas]
+    steps = parts.tape.steps(wanted)
+    uses: Counter[sp.Symbol] = Counter()
+    for value in (*wanted, *(v for _, v in steps)):
+        uses.update(n for n in sp.preorder_traversal(value) if n.is_Symbol)
+    given = _own(parts)
+    table: dict[sp.Symbol, sp.Expr] = {}
+    kept: list[Step] = []
+    for symbol, value in steps:
+        written = value.xreplace(table)
+        if symbol not in given and uses[symbol] < 2 and sp.count_ops(written) <= SHORT:
+            table[symbol] = written
+        else:
+            kept.append((symbol, written))
+    numbered = _numbered(parts, [s for s, _ in kept if s not in given])
+    made = [(numbered.get(s, s), value.xreplace(numbered)) for s, value in kept]
+    gone = {s: value.xreplace(numbered) for s, value in table.items()}
+    return Named(_grouped(parts, made), {**gone, **numbered})
+
+
+def _own(parts: Balance) -> set[sp.Symbol]:
+    """Names that mean something to the reader."""
+    defined = {s for s, _ in parts.mechanism.steps}
+    return defined | {*parts.solved} | {*parts.multipliers}
+
+
+def _numbered(parts: Balance, symbols: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Symbol]:
+    """z_1, z_2, … in order, past the names of the mechanism's own."""
+    own = {s for s in symbols if str(s).startswith("z_")}
+    mechanism = parts.mechanism
+    parameters = {p.symbol for p in mechanism.parameters}
+    taken = parameters | {*mechanism.symbols} | _own(parts)
+    found: dict[sp.Symbol, sp.Symbol] = {}
+    number = 0
+    for symbol in symbols:
+        if symbol in own:
+            number += 1
+            while scalar(f"z_{number}") in taken:
+                number += 1
+            found[symbol] = scalar(f"z_{number}")
+    return found
+
+
+def _grouped(parts: Balance, steps: Sequence[Step]) -> Pairs:
+    """Scalar steps with the components of a vector put together, where their order allows it."""
+    mechanism = parts.mechanism
+    values = dict(steps)
+    groups: dict[Name, Any] = {
+        name: formula
+        for name, formula in mechanism.definitions
+        if not isinstance(name, sp.Symbol) and any(s in values for s in name.symbols)
+    }
+    for name in mechanism.frame.velocities:
+        if not isinstance(name, sp.Symbol) and all(s in values for s in name.symbols):
+            components = constant([values[s] for s in name.symbols])
+            groups[name] = _as_written(mechanism.constraints, name, components)
+    home: dict[sp.Symbol, Name] = {s: name for name in groups for s in flat((name,))}
+    graph: dict[Any, list[Any]] = {}
+    for node in dict.fromkeys(home.get(s, s) for s, _ in steps):
+        formula = explicit(groups[node]) if node in groups else values[node]
+        needs = dict.fromkeys(
+            home.get(s, s) for s in sorted(formula.free_symbols, key=str) if s in home | values
+        )
+        graph[node] = [n for n in needs if n != node]
+    try:
+        order = list(TopologicalSorter(graph).static_order())
+    except CycleError:
+        return tuple(steps)
+    return tuple((node, groups[node] if node in groups else values[node]) for node in order)
+
+
+def _as_written(constraints: Sequence[Any], name: Any, components: Any) -> Any:
+    """The vector formula of a constraint u + … = 0 solved for u, if it gives these components."""
+    for formula in constraints:
+        if not getattr(formula, "is_Matrix", False) or name not in formula.atoms(type(name)):
+            continue
+        for sign in (-1, 1):
+            rest = (sign * formula + name).doit()
+            same = explicit(rest) - components
+            if all(sp.expand(e) == 0 for e in same):
+                return rest
+    return components

@@ -1,0 +1,259 @@
+"""Generic points of a configuration space, and formulas evaluated there with many digits.
+
+What is decided at such points (ranks, whether a coefficient is a constant) only chooses the form
+in which equations are written; that they are right is for a proof to say.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import wraps
+from typing import Any, ParamSpec, TypeVar
+
+import mpmath
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from ...errors import InputError
+from .mechanism import TIME, Frame, Mechanism
+
+__all__ = ["ZERO", "Sample", "defaults", "generic", "negligible", "precisely", "rank", "samples"]
+
+DIGITS = 50
+SEED = 20080830
+POINTS = 3
+ATTEMPTS = 40
+NEWTON_STEPS = 60
+#: Below this a number of moderate size counts as zero.
+ZERO = mpmath.mpf(10) ** (-DIGITS // 2)
+P = ParamSpec("P")
+T = TypeVar("T")
+
+
+def precisely(function: Callable[P, T]) -> Callable[P, T]:
+    """Decorate a function that computes with the numbers of samples: with all their digits."""
+
+    @wraps(function)
+    def wrapped(*args: P.args, **kwargs: P.kwargs) -> T:
+        with mpmath.workdps(DIGITS):
+            return function(*args, **kwargs)
+
+    return wrapped
+
+
+Point = Mapping[sp.Symbol, Any]
+
+
+class Sample:
+    """A point, at which formulas are evaluated through definitions."""
+
+    def __init__(self, point: Point, steps: Sequence[tuple[sp.Symbol, sp.Expr]] = ()) -> None:
+        self.point = dict(point)
+        self._values = dict(point)
+        for symbol, value in steps:
+            self._values[symbol] = evaluated(value, self._values)
+
+    def value(self, formula: sp.Expr) -> Any:
+        """A formula as a number.
+
+        Raises
+        ------
+        ZeroDivisionError, ValueError
+            Where the formula is not defined, or not real.
+        """
+        return evaluated(formula, self._values)
+
+    def further(self, steps: Sequence[tuple[sp.Symbol, sp.Expr]]) -> Sample:
+        """The same point with further definitions."""
+        made = Sample(self.point)
+        made._values = dict(self._values)
+        for symbol, value in steps:
+            if symbol not in made._values:
+                made._values[symbol] = evaluated(value, made._values)
+        return made
+
+
+@precisely
+def evaluated(formula: sp.Expr, values: Mapping[sp.Symbol, Any]) -> Any:
+    """A formula at numbers, unspecified functions being replaced by generic ones."""
+    number = _number_of(_specified(formula), values, {})
+    if isinstance(number, mpmath.mpc):
+        if abs(number.imag) > ZERO:
+            raise ValueError(f"{formula} is not real here")
+        number = number.real
+    if not mpmath.isfinite(number):
+        raise ZeroDivisionError
+    return number
+
+
+def _number_of(node: sp.Expr, values: Mapping[sp.Symbol, Any], seen: dict[sp.Expr, Any]) -> Any:
+    """A formula at numbers, each of its parts once."""
+    if node in seen:
+        return seen[node]
+    if node.is_Symbol:
+        return values[node]
+    if node.is_Rational:
+        return mpmath.mpf(int(node.p)) / int(node.q)
+    parts = [_number_of(part, values, seen) for part in node.args]
+    match node:
+        case sp.Add():
+            found = mpmath.fsum(parts)
+        case sp.Mul():
+            found = mpmath.fprod(parts)
+        case sp.Pow():
+            found = parts[0] ** (int(node.exp) if node.exp.is_Integer else parts[1])
+        case _:
+            symbols = [sp.Dummy() for _ in parts]
+            plain = node.func(*symbols) if parts else node
+            found = sp.lambdify(symbols, plain, "mpmath")(*parts)
+    seen[node] = mpmath.mpmathify(found)
+    return seen[node]
+
+
+def _specified(formula: sp.Expr) -> sp.Expr:
+    """Unspecified functions as generic polynomials of their arguments."""
+    if not formula.has(AppliedUndef):
+        return formula
+
+    def polynomial(name: str, arguments: Sequence[sp.Expr]) -> sp.Expr:
+        dice = random.Random(name)
+        pairs = [x * y for i, x in enumerate(arguments) for y in arguments[i:]]
+        terms = [*arguments, *pairs, *(x**3 for x in arguments)]
+        numbers = [sp.Rational(dice.choice([-1, 1]) * dice.randint(20, 99), 100) for _ in terms]
+        return sp.Add(*(number * term for number, term in zip(numbers, terms, strict=True)))
+
+    kinds = {f.func for f in formula.atoms(AppliedUndef)}
+    for kind in kinds:
+        formula = formula.replace(kind, lambda *a, n=str(kind): polynomial(n, a))
+    return formula.doit()
+
+
+@precisely
+def generic(mechanism: Mechanism) -> dict[sp.Symbol, Any]:
+    """Parameters near their defaults, but of no special value."""
+    dice = random.Random(SEED)
+    return {
+        p.symbol: p.default * (1 + _number(dice) / 10) if p.default else _number(dice)
+        for p in mechanism.parameters
+    }
+
+
+@precisely
+def defaults(mechanism: Mechanism) -> dict[sp.Symbol, Any]:
+    """Parameters at their defaults."""
+    return {p.symbol: mpmath.mpf(repr(float(p.default))) for p in mechanism.parameters}
+
+
+@precisely
+def samples(
+    owner: str,
+    frame: Frame,
+    mechanism: Mechanism | None = None,
+    parameters: Point | None = None,
+    many: int = POINTS,
+) -> tuple[Sample, ...]:
+    """Points on the relations and position constraints, at random, with random velocities.
+
+    Parameters are generic unless given.
+
+    Raises
+    ------
+    InputError
+        If no point is found at which the relations hold and every formula has a value.
+    """
+    dice = random.Random(SEED)
+    relations = [*frame.relations, *(mechanism.F if mechanism else ())]
+    steps = mechanism.steps if mechanism else ()
+    constants = dict(parameters or (generic(mechanism) if mechanism else {}))
+    named = {*frame.coordinates, *frame.w, *constants, *(s for s, _ in steps), TIME}
+    loose = sorted(
+        {s for formula in (*frame.qdot, *relations) for s in formula.free_symbols} - named, key=str
+    )
+    constants |= {s: _number(dice) for s in loose}
+    used = [*frame.qdot]
+    if mechanism is not None:
+        used += [mechanism.L, *mechanism.f, *mechanism.Q.values()]
+    found: list[Sample] = []
+    for _ in range(ATTEMPTS):
+        try:
+            point = _on_relations(dice, frame.coordinates, relations, steps, constants)
+            velocities = {s: _number(dice) for s in frame.w}
+            sample = Sample({**point, **velocities}, steps)
+            for formula in used:
+                sample.value(formula)
+        except (ZeroDivisionError, ValueError):
+            continue
+        found.append(sample)
+        if len(found) == many:
+            return tuple(found)
+    raise InputError(
+        f"{owner}: no configuration was found where the relations and position constraints hold "
+        "and every formula has a real value"
+    )
+
+
+def _number(dice: random.Random) -> Any:
+    return mpmath.mpf(dice.randint(-999, 999)) / 1000 + mpmath.mpf(1) / 7001
+
+
+def _on_relations(
+    dice: random.Random,
+    coordinates: Sequence[sp.Symbol],
+    relations: Sequence[sp.Expr],
+    steps: Sequence[tuple[sp.Symbol, sp.Expr]],
+    constants: Point,
+) -> dict[sp.Symbol, Any]:
+    """A random point moved onto the relations by Newton's method (along the shortest way)."""
+    point = {**constants, TIME: _number(dice), **{q: _number(dice) for q in coordinates}}
+    written = [_written(relation, steps) for relation in relations]
+    slopes = [[sp.diff(f, q) for q in coordinates] for f in written]
+    for _ in range(NEWTON_STEPS if relations else 0):
+        values = mpmath.matrix([evaluated(f, point) for f in written])
+        defect = mpmath.norm(values)
+        if defect < mpmath.mpf(10) ** (5 - DIGITS):
+            return point
+        jacobian = mpmath.matrix([[evaluated(s, point) for s in row] for row in slopes])
+        # redundant relations make the rows dependent: a shift keeps the equations solvable
+        gram = jacobian * jacobian.T
+        for i in range(gram.rows):
+            gram[i, i] += defect**2 + ZERO**2
+        move = jacobian.T * mpmath.lu_solve(gram, values)
+        for q, change in zip(coordinates, move, strict=True):
+            point[q] -= change
+    if relations:
+        raise ValueError
+    return point
+
+
+def _written(formula: sp.Expr, steps: Sequence[tuple[sp.Symbol, sp.Expr]]) -> sp.Expr:
+    for symbol, value in reversed(steps):
+        formula = formula.xreplace({symbol: value})
+    return formula
+
+
+@precisely
+def negligible(formula: sp.Expr, points: Iterable[Sample]) -> bool:
+    """Whether a formula vanishes at all points, to the digits carried."""
+    if formula == 0:
+        return True
+    return all(abs(point.value(formula)) < ZERO for point in points)
+
+
+@precisely
+def rank(rows: Sequence[Sequence[Any]]) -> tuple[list[int], list[int]]:
+    """Rows and columns of a largest regular part of a matrix of numbers, the first rows first."""
+    left = [list(row) for row in rows]
+    chosen: list[int] = []
+    columns: list[int] = []
+    for index, row in enumerate(left):
+        column = max(range(len(row)), key=lambda j: abs(row[j]), default=None)
+        if column is None or abs(row[column]) < ZERO:
+            continue
+        chosen.append(index)
+        columns.append(column)
+        for other in left[index + 1 :]:
+            factor = other[column] / row[column]
+            for j, value in enumerate(row):
+                other[j] -= factor * value
+    return chosen, columns

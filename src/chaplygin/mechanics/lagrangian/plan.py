@@ -1,0 +1,147 @@
+"""What is drawn of a mechanism in the plane: its path, links, wheels and blades.
+
+Places are pairs of formulas (x, y); wheels, axles and blades have the angle of their heading with
+the axis x for a third.  All are formulas in the state lifted to space, definitions and parameters.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any, TypeAlias
+
+import numpy as np
+import sympy as sp
+
+from ...core.vectors import scalar
+from .mechanism import Mechanism
+
+__all__ = ["Place", "Plan", "Pose", "plan_of"]
+
+Place: TypeAlias = tuple[Any, Any]
+Pose: TypeAlias = tuple[Any, Any, Any]
+
+#: Frames of more coordinates are not inverted to find what stands on the ground.
+_MOST = 8
+#: Random places at which a length must be the same to be one.
+_PLACES = 6
+_SAME = 1e-9
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What is drawn of a mechanism in the plane.
+
+    Attributes
+    ----------
+    path : (x, y)
+        The place whose path is drawn.
+    links : tuple of (x, y, x, y)
+        Straight rods, from a place to another.
+    wheels, axles, blades : tuple of (x, y, heading)
+        A wheel seen from above, two wheels side by side, a blade.
+    points : tuple of (x, y)
+        Places to be marked by a ring, such as a centre of mass.
+    """
+
+    path: Place
+    links: tuple[tuple[Any, Any, Any, Any], ...] = ()
+    wheels: tuple[Pose, ...] = ()
+    axles: tuple[Pose, ...] = ()
+    blades: tuple[Pose, ...] = ()
+    points: tuple[Place, ...] = ()
+
+
+def plan_of(mechanism: Mechanism) -> Plan | None:
+    """What the constraints of a mechanism tell of its plan; None where it has no x and y.
+
+    A constraint that forbids a place to move sideways is drawn as a wheel there, where the place
+    lies at constant distances along headings from (x, y); rods lead to it.
+    """
+    x, y = scalar("x"), scalar("y")
+    coordinates = mechanism.frame.coordinates
+    if x not in coordinates or y not in coordinates or scalar("z") in coordinates:
+        return None
+    wheels: list[Pose] = []
+    links: list[tuple[Any, Any, Any, Any]] = []
+    for form in _forms(mechanism):
+        arms = _arms(mechanism, form)
+        if arms is None:
+            continue
+        joints: list[Place] = [(x, y)]
+        for angle, length in arms:
+            before = joints[-1]
+            joints.append((before[0] + length * sp.cos(angle), before[1] + length * sp.sin(angle)))
+        wheels.append((*joints[-1], sp.atan2(-form[x], form[y])))
+        rods = [(*first, *second) for first, second in pairwise(joints)]
+        links += [rod for rod in rods if rod not in links]
+    return Plan((x, y), tuple(links), tuple(wheels))
+
+
+def _forms(mechanism: Mechanism) -> list[dict[sp.Symbol, sp.Expr]]:
+    """Constraints linear in the velocities, by their coefficients of the coordinates' rates."""
+    frame = mechanism.frame
+    G = frame.matrix
+    if G.rows != G.cols or G.rows > _MOST:
+        return []
+    inverse = G.inv()
+    found = []
+    for constraint in mechanism.f:
+        formula = constraint
+        for name, value in reversed(mechanism.steps):
+            formula = formula.xreplace({name: value})
+        row = [sp.diff(formula, w) for w in frame.w]
+        if any(entry.free_symbols & set(frame.w) for entry in row):
+            continue
+        covector = sp.Matrix([row]) * inverse
+        found.append(dict(zip(frame.coordinates, covector, strict=True)))
+    return found
+
+
+def _arms(
+    mechanism: Mechanism, form: dict[sp.Symbol, sp.Expr]
+) -> list[tuple[sp.Symbol, float]] | None:
+    """Angles and lengths that lead from (x, y) to the place a constraint is about, in order.
+
+    With n the normal of the heading, the velocity of a place Σ a_θ (cos θ, sin θ) has the
+    component Σ a_θ θ̇ (n_y cos θ − n_x sin θ) along n.  None where no constant lengths do.
+    """
+    x, y = scalar("x"), scalar("y")
+    others = [q for q in mechanism.frame.coordinates if q not in (x, y)]
+    formulas = [form[q] for q in (x, y, *others)]
+    values = {p.symbol: p.default for p in mechanism.parameters}
+    names = [x, y, *others]
+    free = set().union(*(formula.free_symbols for formula in formulas)) - {*names, *values}
+    if free:
+        return None
+    function = sp.lambdify([*names, *values], formulas, "numpy")
+    places = np.random.default_rng(0).uniform(0.3, 2.8, (_PLACES, len(names)))
+    try:
+        rows = [np.array(function(*place, *values.values()), dtype=float) for place in places]
+    except (ArithmeticError, TypeError, ValueError):
+        return None
+    return _lengths(others, places, np.stack(rows))
+
+
+def _lengths(
+    angles: Sequence[sp.Symbol], places: Any, rows: Any
+) -> list[tuple[sp.Symbol, float]] | None:
+    """The lengths by the coefficients at some places, where they are constant."""
+    across = np.hypot(rows[:, 0], rows[:, 1])
+    if not np.all(np.isfinite(rows)) or np.any(across < _SAME):
+        return None
+    n_x, n_y = rows[:, 0] / across, rows[:, 1] / across
+    found = []
+    for number, angle in enumerate(angles, 2):
+        share = rows[:, number] / across
+        if np.all(np.abs(share) < _SAME):
+            continue
+        swing = n_y * np.cos(places[:, number]) - n_x * np.sin(places[:, number])
+        if np.any(np.abs(swing) < _SAME):
+            return None
+        lengths = share / swing
+        if np.ptp(lengths) > _SAME * np.max(np.abs(lengths)):
+            return None
+        found.append((angle, float(lengths[0])))
+    return found

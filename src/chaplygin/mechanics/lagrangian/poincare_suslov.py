@@ -1,0 +1,280 @@
+"""Poincaré–Suslov equations (1.9), closed: a Mechanism becomes a System.
+
+With p_i = ∂L/∂w_i and the constraints f_μ = 0, the equations
+
+    ṗ_i − c_ji^k p_k w_j − E_i(L) = Q_i + λ_μ ∂f_μ/∂w_i,      q̇ = G w
+
+(Chetaev's rule where a constraint is not linear) are linear in ẇ and λ.  Velocities that a
+constraint gives in terms of the others, with a number as coefficient, become definitions; the
+equations of the others follow by virtual displacements that keep to these constraints.  What is
+left of the multipliers follows from the rates of the remaining constraints.  In the frame of the
+coordinates themselves these are the equations of Ferrers, (1.3)–(1.5).
+
+Coordinates on which nothing depends are cyclic: the System does without them, and its motion
+reconstructs them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import sympy as sp
+
+from ...core.laws import Integral, Law
+from ...core.system import Motion, Observable, System, flat
+from ...core.vectors import constant, explicit
+from ...errors import InputError
+from ...printing.formula import text
+from .accelerations import Solution, solve
+from .assembly import Balance, balance
+from .definitions import named
+from .energy import EnergyTheorem, energy_theorem
+from .mechanism import TIME, Mechanism, Name, Pairs
+
+__all__ = ["Derived", "derive", "equations"]
+
+
+@dataclass(frozen=True)
+class Derived:
+    """The equations of motion of a mechanism before they are put into a System.
+
+    Attributes
+    ----------
+    parts : Balance
+    solution : Solution
+    energy : EnergyTheorem
+    """
+
+    parts: Balance
+    solution: Solution
+    energy: EnergyTheorem
+
+
+def derive(mechanism: Mechanism) -> Derived:
+    """Accelerations, multipliers and the energy theorem of a mechanism.
+
+    Raises
+    ------
+    InputError
+        If the frame does not span, constraints are dependent or contradictory, or the mass matrix
+        is singular on the velocities that the constraints allow.
+    """
+    parts = balance(mechanism)
+    solution = solve(parts)
+    for symbol, value in solution.multipliers:
+        parts.tape.define(symbol, value)
+    return Derived(parts, solution, energy_theorem(parts))
+
+
+def equations(mechanism: Mechanism) -> System:
+    """The closed equations of motion of a mechanism.
+
+    Returns
+    -------
+    System
+        State: the coordinates that matter and the velocities that no constraint gives, and the
+        time where it enters.  Relations: those of the frame, position constraints, and the
+        constraints that are not solved for a velocity.  The multipliers are observables, named
+        ``lambda_1``, … in the order of the constraints.  It claims the energy integral where
+        the hypotheses of Theorem 1 hold and the momenta of cyclic velocities, and records
+        ``energy`` and ``power`` where they do not.
+
+    Raises
+    ------
+    InputError
+        As :func:`derive`.
+    """
+    found = derive(mechanism)
+    parts = found.parts
+    kept = _kept(found)
+    lost = _lost(parts, kept)
+    laws = (*_energy_law(found), *_momenta(parts), *mechanism.laws)
+    observables = tuple(
+        replace(o, value=_opened(parts, lost, o.value))
+        for o in (*_recorded(found), *mechanism.observables)
+    )
+    relations = tuple(_opened(parts, lost, f) for f in (*mechanism.frame.relations, *mechanism.F))
+    following = {
+        name: _opened(parts, lost, rate) for name, rate in mechanism.frame.rates if name not in kept
+    }
+    unsolved = [f for i, f in enumerate(parts.constraints) if i not in parts.solved.values()]
+    rates = _velocity_rates(mechanism, found.solution)
+    names = named(
+        parts,
+        [
+            *(f for _, f in rates),
+            *(rate for name, rate in mechanism.frame.rates if name in kept),
+            *following.values(),
+            *(o.value for o in observables),
+            *(g.value for g in mechanism.guards),
+            *(law.value for law in laws if isinstance(law, Integral)),
+            *unsolved,
+            *relations,
+        ],
+    )
+    observables = tuple(replace(o, value=names(o.value)) for o in observables)
+    here = tuple(o for o in observables if not _depends(parts, [o.value], lost))
+    timed = _depends(parts, _driving(found), (TIME,))
+    if not (kept or rates or timed):
+        raise InputError(
+            f"{mechanism.name}: the constraints leave nothing free to move, and no place matters"
+        )
+    return System(
+        name=mechanism.name,
+        title=mechanism.title,
+        field=(
+            *((name, rate) for name, rate in mechanism.frame.rates if name in kept),
+            *((name, names(rate)) for name, rate in rates),
+            *(((TIME, sp.S.One),) if timed else ()),
+        ),
+        parameters=mechanism.parameters,
+        definitions=names.definitions,
+        relations=(
+            *(f for f in relations if not _depends(parts, [f], lost)),
+            *(names(f) for f in unsolved),
+        ),
+        laws=tuple(
+            replace(law, value=names(law.value)) if isinstance(law, Integral) else law
+            for law in laws
+        ),
+        observables=here,
+        guards=mechanism.guards,
+        motion=Motion(
+            field={name: names(rate) for name, rate in following.items()},
+            relations=tuple(f for f in relations if _depends(parts, [f], lost)),
+            observables=tuple(o for o in observables if o not in here),
+        )
+        if following
+        else None,
+        source=mechanism.source or "(1.9)",
+        summary=" ".join(filter(None, (mechanism.summary, *_warned(found.energy)))),
+    )
+
+
+# --- what matters --------------------------------------------------------------------------
+
+
+def _driving(found: Derived) -> list[sp.Expr]:
+    """Formulas that decide what belongs to the state."""
+    parts = found.parts
+    mechanism = parts.mechanism
+    values: list[Any] = [
+        *found.solution.rates.values(),
+        *(value for _, value in found.solution.multipliers),
+        explicit(found.energy.energy),
+        *parts.constraints,
+        *parts.solved,
+        *(explicit(g.value) for g in mechanism.guards),
+        *(
+            explicit(law.value)
+            for law in (*mechanism.laws, *_momenta(parts))
+            if isinstance(law, Integral)
+        ),
+    ]
+    return values
+
+
+def _uses(parts: Balance, formulas: Iterable[Any]) -> set[sp.Symbol]:
+    values = [explicit(f) for f in formulas]
+    symbols = {s for value in values for s in value.free_symbols}
+    for symbol, value in parts.tape.steps(values):
+        symbols |= {symbol} | value.free_symbols
+    return symbols
+
+
+def _depends(parts: Balance, formulas: Iterable[Any], symbols: Iterable[sp.Symbol]) -> bool:
+    return bool(_uses(parts, formulas) & set(symbols))
+
+
+def _kept(found: Derived) -> set[Name]:
+    """Coordinates (whole vectors) on which the motion depends."""
+    parts = found.parts
+    frame = parts.mechanism.frame
+    used = _uses(parts, _driving(found))
+    kept: set[Name] = set()
+    while True:
+        more = {n for n, _ in frame.rates if n not in kept and set(flat((n,))) & used}
+        if not more:
+            return kept
+        kept |= more
+        used |= _uses(parts, [rate for name, rate in frame.rates if name in more])
+
+
+def _lost(parts: Balance, kept: set[Name]) -> tuple[sp.Symbol, ...]:
+    return flat(name for name, _ in parts.mechanism.frame.rates if name not in kept)
+
+
+def _opened(parts: Balance, lost: Sequence[sp.Symbol], formula: Any) -> Any:
+    """A formula with the definitions written out that depend on coordinates that matter not."""
+    steps = parts.tape.steps([explicit(formula)])
+    far = {s: value for s, value in steps if _depends(parts, [value], lost)}
+    if not far:
+        return formula
+    written = explicit(formula)
+    while written.free_symbols & far.keys():
+        written = written.xreplace(far)
+    return written
+
+
+# --- laws and observables ------------------------------------------------------------------
+
+
+def _energy_law(found: Derived) -> tuple[Law, ...]:
+    if found.energy.broken:
+        return ()
+    return (Integral("energy", found.energy.energy, "energy", source="(3.3), Theorem 1", unit="J"),)
+
+
+def _warned(energy: EnergyTheorem) -> tuple[str, ...]:
+    """What the reader has to know of the energy."""
+    if not energy.broken:
+        return ()
+    return (f"Theorem 1 does not give an energy integral: {'; '.join(energy.broken)}.",)
+
+
+def _momenta(parts: Balance) -> tuple[Law, ...]:
+    """Momenta of velocities on which no force, reaction or turning of the frame acts."""
+    laws = []
+    for i, s in enumerate(parts.mechanism.frame.w):
+        idle = parts.push[i] == 0 and all(row[i] == 0 for row in parts.slopes)
+        if idle and parts.momenta[i] != 0:
+            meaning = f"momentum of {text(s)}"
+            laws.append(Integral(f"momentum_{s}", parts.momenta[i], meaning, source="(1.9)"))
+    return tuple(laws)
+
+
+def _recorded(found: Derived) -> tuple[Observable, ...]:
+    mechanism = found.parts.mechanism
+    constraints = (*mechanism.f, *mechanism.F)
+    shown = tuple(
+        Observable(str(symbol), symbol, f"multiplier of {text(f)} = 0", source="(1.9)")
+        for (symbol, _), f in zip(found.solution.multipliers, constraints, strict=True)
+    )
+    if not found.energy.broken:
+        return shown
+    symbols = [symbol for symbol, _ in found.solution.multipliers]
+    reactions = sp.Add(*(x * y for x, y in zip(symbols, found.energy.work, strict=True)))
+    forces = sp.Add(*(force * s for s, force in mechanism.Q.items()))
+    power = reactions + forces - sp.diff(mechanism.L, TIME)
+    return (
+        *shown,
+        Observable("energy", found.energy.energy, "energy, not conserved", "J", source="(3.3)"),
+        Observable("power", power, "rate of the energy", "W", source="(3.3)"),
+    )
+
+
+# --- the System ----------------------------------------------------------------------------
+
+
+def _velocity_rates(mechanism: Mechanism, solution: Solution) -> Pairs:
+    """Rates of the free velocities; a vector stays one where all of it is free."""
+    pairs: list[tuple[Any, Any]] = []
+    for name in mechanism.frame.velocities:
+        parts = [s for s in flat((name,)) if s in solution.rates]
+        if not isinstance(name, sp.Symbol) and len(parts) == len(name.symbols):
+            pairs.append((name, constant([solution.rates[s] for s in parts])))
+        else:
+            pairs.extend((s, solution.rates[s]) for s in parts)
+    return tuple(pairs)

@@ -1,0 +1,213 @@
+"""Structure functions of a frame, [E_i, E_j] = c_ij^k E_k (1.8)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import combinations
+from typing import Any
+
+import mpmath
+import sympy as sp
+
+from ...errors import InputError
+from ...formulas.tape import tidied
+from .generic_points import ZERO, Sample, negligible, precisely, rank, samples
+from .mechanism import Frame, Mechanism
+
+__all__ = ["Coefficients", "check_structure", "commutator", "structure", "written_frame"]
+
+#: c_ij^k by (i, j, k), for i < j; what is not named is zero.
+Coefficients = Mapping[tuple[int, int, int], sp.Expr]
+Field = Mapping[sp.Symbol, sp.Expr]
+
+DENOMINATOR = 1000
+"""Constants are recognised as fractions with denominators up to this."""
+
+
+def commutator(first: Field, second: Field) -> Field:
+    """[u, w] = uw − wu, without the components that are zero."""
+    found = {}
+    for q in {**first, **second}:
+        value = _along(first, second.get(q, sp.S.Zero)) - _along(second, first.get(q, sp.S.Zero))
+        if value != 0:
+            found[q] = value
+    return found
+
+
+def _along(field: Field, function: sp.Expr) -> sp.Expr:
+    return sp.Add(*(rate * sp.diff(function, q) for q, rate in field.items()))
+
+
+@precisely
+def structure(frame: Frame, owner: str = "frame") -> Coefficients:
+    """The structure functions of a frame.
+
+    Constants are recognised at generic points; others come from solving the equations of as
+    many coordinates as there are fields, and are tried on the rest at generic points.
+
+    Raises
+    ------
+    InputError
+        If the fields are dependent, if there are fewer than the configuration space has
+        dimensions, or if `Frame.structure` names no pair of velocities.
+    """
+    if frame.structure is not None:
+        return _given(frame, owner)
+    constant = all(entry.is_number for entry in frame.matrix) and frame.matrix.is_square
+    if constant and not frame.relations:
+        if frame.matrix.det() == 0:
+            raise InputError(f"{owner}: the frame does not span: its fields are dependent")
+        return {}
+    points = samples(owner, frame)
+    rows = _spanning(frame, points[0], owner)
+    fields = [frame.field(i) for i in range(len(frame.w))]
+    found: dict[tuple[int, int, int], sp.Expr] = {}
+    for i, first in enumerate(fields):
+        for j in range(i + 1, len(fields)):
+            bracket = commutator(first, fields[j])
+            if not bracket:
+                continue
+            column = [bracket.get(q, sp.S.Zero) for q in frame.coordinates]
+            solution = _constant(frame, points, rows, column)
+            if solution is None:
+                solution = _solved(frame, rows, column)
+                _check_span(frame, points, column, solution, owner)
+            for k, value in enumerate(solution):
+                if value != 0:
+                    found[i, j, k] = value
+    return found
+
+
+def written_frame(mechanism: Mechanism) -> Frame:
+    """The frame of a mechanism with its definitions written out, whose fields can be commuted."""
+    frame, steps = mechanism.frame, dict(mechanism.steps)
+    if frame.structure is not None or not any(r.free_symbols & steps.keys() for r in frame.qdot):
+        return frame
+    rates = dict(zip(frame.coordinates, frame.qdot, strict=True))
+    for symbol, value in reversed(mechanism.steps):
+        rates = {q: rate.xreplace({symbol: value}) for q, rate in rates.items()}
+    return Frame(rates, frame.velocities, frame.relations)
+
+
+@precisely
+def check_structure(frame: Frame, owner: str = "frame") -> None:
+    """Refuse structure functions that no frame with these rates can have.
+
+    Raises
+    ------
+    InputError
+        If they break the identity of Jacobi, or differ from the commutators on the coordinates.
+    """
+    given = _given(frame, owner)
+    points = samples(owner, frame)
+    size = range(len(frame.w))
+    fields = [frame.field(i) for i in size]
+
+    def c(i: int, j: int, k: int) -> sp.Expr:
+        return given.get((i, j, k), sp.S.Zero) if i < j else -given.get((j, i, k), sp.S.Zero)
+
+    for i, j in combinations(size, 2):
+        bracket = commutator(fields[i], fields[j])
+        for q, row in zip(frame.coordinates, frame.matrix.tolist(), strict=True):
+            span = sp.Add(*(c(i, j, k) * row[k] for k in size))
+            if not negligible(bracket.get(q, sp.S.Zero) - span, points):
+                raise InputError(
+                    f"{owner}: the commutator of {frame.w[i]} and {frame.w[j]} is not that of "
+                    f"their rates: they differ on the coordinate {q}"
+                )
+    for i, j, k in combinations(size, 3):
+        for n in size:
+            terms = [
+                sp.Add(*(c(a, b, s) * c(s, d, n) for s in size)) - _along(fields[d], c(a, b, n))
+                for a, b, d in ((i, j, k), (j, k, i), (k, i, j))
+            ]
+            if not negligible(sp.Add(*terms), points):
+                names = ", ".join(str(frame.w[s]) for s in (i, j, k))
+                raise InputError(
+                    f"{owner}: the commutators of {names} break the identity of Jacobi, so that "
+                    "no frame has them"
+                )
+
+
+def _given(frame: Frame, owner: str) -> Coefficients:
+    place = {s: i for i, s in enumerate(frame.w)}
+    found: dict[tuple[int, int, int], sp.Expr] = {}
+    for pair, row in frame.structure or ():
+        for s in (*pair, *(name for name, _ in row)):
+            if s not in place:
+                raise InputError(
+                    f"{owner}: the structure names {s}, which is no velocity; allowed: "
+                    f"{', '.join(map(str, frame.w))}"
+                )
+        i, j = (place[s] for s in pair)
+        sign = 1 if i < j else -1
+        for s, value in row:
+            found[min(i, j), max(i, j), place[s]] = sign * sp.sympify(value)
+    return found
+
+
+def _spanning(frame: Frame, point: Sample, owner: str) -> list[int]:
+    """Rows of G that are regular together; refused when the fields do not form a frame."""
+    numbers = [[point.value(e) for e in frame.matrix.row(i)] for i in range(len(frame.qdot))]
+    rows, _ = rank(numbers)
+    slopes = [[point.value(sp.diff(f, q)) for q in frame.coordinates] for f in frame.relations]
+    dimension = len(frame.coordinates) - len(rank(slopes)[0])
+    if len(rows) < len(frame.w):
+        raise InputError(
+            f"{owner}: the frame does not span: its {len(frame.w)} fields have rank {len(rows)} "
+            "only; drop a velocity, or give the structure functions if the frame is that of a "
+            "system reduced by a symmetry group"
+        )
+    if len(rows) < dimension:
+        raise InputError(
+            f"{owner}: the frame does not span: {len(frame.w)} velocities for a configuration "
+            f"space of dimension {dimension}; every direction needs one"
+        )
+    return rows
+
+
+def _constant(
+    frame: Frame, points: Sequence[Sample], rows: Sequence[int], column: Sequence[sp.Expr]
+) -> list[sp.Expr] | None:
+    """The coefficients of a commutator if they are the same fractions at all points."""
+    found: list[sp.Expr] | None = None
+    for point in points:
+        matrix = mpmath.matrix([[point.value(e) for e in frame.matrix.row(i)] for i in rows])
+        right = mpmath.matrix([point.value(column[i]) for i in rows])
+        solution = mpmath.lu_solve(matrix, right)
+        fractions = [_fraction(x) for x in solution]
+        if found is None:
+            if None in fractions:
+                return None
+            found = [f for f in fractions if f is not None]
+        if fractions != found:
+            return None
+    return found
+
+
+def _fraction(number: Any) -> sp.Rational | None:
+    near = sp.Rational(str(number)).limit_denominator(DENOMINATOR)
+    close = abs(mpmath.mpf(near.p) / near.q - number) < mpmath.sqrt(ZERO)
+    return near if close else None
+
+
+def _solved(frame: Frame, rows: Sequence[int], column: Sequence[sp.Expr]) -> list[sp.Expr]:
+    matrix = sp.Matrix([list(frame.matrix.row(i)) for i in rows])
+    right = sp.Matrix([column[i] for i in rows])
+    return [tidied(x) for x in matrix.LUsolve(right)]
+
+
+def _check_span(
+    frame: Frame,
+    points: Sequence[Sample],
+    column: Sequence[sp.Expr],
+    solution: Sequence[sp.Expr],
+    owner: str,
+) -> None:
+    for i, value in enumerate(column):
+        rest = value - sp.Add(*(g * c for g, c in zip(frame.matrix.row(i), solution, strict=True)))
+        if not negligible(rest, points):
+            raise InputError(
+                f"{owner}: a commutator of the frame's fields leaves their span in the coordinate "
+                f"{frame.coordinates[i]}; the frame does not belong to one configuration space"
+            )

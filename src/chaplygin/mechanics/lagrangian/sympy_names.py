@@ -1,0 +1,143 @@
+"""Names of a SymPy mechanics model as names of this package: plain symbols, parameters, inputs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+from sympy.physics.mechanics import dynamicsymbols
+
+from ...core.system import Parameter
+from ...core.vectors import scalar
+from ...errors import InputError
+from .mechanism import TIME
+
+__all__ = ["Renamed", "renamed"]
+
+
+@dataclass(frozen=True)
+class Renamed:
+    """A translation of formulas.
+
+    Attributes
+    ----------
+    name : str
+        The model's name, for messages.
+    table : mapping of SymPy objects to Expr
+        Functions of time, their rates, constants and the time, in the words of this package.
+    parameters : tuple of Parameter
+    """
+
+    name: str
+    table: Mapping[Any, sp.Expr]
+    parameters: tuple[Parameter, ...]
+
+    def __call__(self, formula: Any) -> sp.Expr:
+        """A formula with plain symbols only."""
+        made = sp.sympify(formula).xreplace(dict(self.table))
+        left = sorted(map(str, made.atoms(AppliedUndef)))
+        if left:
+            raise InputError(
+                f"{self.name}: {', '.join(left)} depends on the time and is neither a coordinate "
+                "nor a speed; give its formula in 'inputs'"
+            )
+        # the rate of an input
+        return made.doit() if made.has(sp.Derivative) else made
+
+    def all(self, formulas: Iterable[Any]) -> list[sp.Expr]:
+        """Several formulas."""
+        return [self(formula) for formula in formulas]
+
+
+def renamed(
+    name: str,
+    formulas: Sequence[Any],
+    moving: Sequence[Any],
+    rates: Mapping[Any, sp.Expr],
+    parameters: Mapping[Any, Any],
+    inputs: Mapping[Any, Any],
+) -> Renamed:
+    """The translation for a model.
+
+    Parameters
+    ----------
+    name : str
+    formulas : sequence of Expr
+        All formulas of the model; their constants become parameters.
+    moving : sequence of functions of time
+        Coordinates and speeds.
+    rates : mapping of derivative to Expr
+        Rates of the coordinates, in formulas of the model or plain symbols.
+    parameters : mapping of Symbol or name to number or Parameter
+        Defaults of the constants.
+    inputs : mapping of function of time or name to Expr
+        Formulas for functions of time that are neither coordinates nor speeds.
+
+    Raises
+    ------
+    InputError
+        If a constant has no default, or an input is not a function of the model.
+    """
+    time = dynamicsymbols._t
+    given = _inputs(name, formulas, moving, inputs)
+    used = {s for f in (*formulas, *given.values()) for s in sp.sympify(f).free_symbols} - {time}
+    constants = sorted(used, key=str)
+    chosen = _parameters(name, constants, parameters)
+    plain: dict[Any, sp.Expr] = {f: scalar(str(f.func)) for f in moving}
+    plain |= {s: p.symbol for s, p in zip(constants, chosen, strict=True)}
+    plain[time] = TIME
+    table = dict(plain)
+    # what the user writes in an input is in plain symbols already, or in those of the model
+    table |= {f: formula.xreplace(plain) for f, formula in given.items()}
+    table |= {rate: value.xreplace(table) for rate, value in rates.items()}
+    return Renamed(name, table, chosen)
+
+
+def _inputs(
+    name: str, formulas: Sequence[Any], moving: Sequence[Any], inputs: Mapping[Any, Any]
+) -> dict[Any, sp.Expr]:
+    functions = {f for formula in formulas for f in sp.sympify(formula).atoms(AppliedUndef)}
+    by_name = {str(f.func): f for f in sorted(functions - set(moving), key=str)}
+    found = {}
+    for key, value in inputs.items():
+        stem = str(getattr(key, "func", key))
+        if stem not in by_name:
+            known = ", ".join(by_name) or "none"
+            raise InputError(f"{name}: inputs: the model has no input {stem}; it has {known}")
+        found[by_name[stem]] = sp.sympify(value)
+    return found
+
+
+def _parameters(
+    name: str, constants: Sequence[sp.Symbol], parameters: Mapping[Any, Any]
+) -> tuple[Parameter, ...]:
+    given = {str(key): value for key, value in parameters.items()}
+    unknown = sorted(given.keys() - {str(s) for s in constants})
+    if unknown:
+        known = ", ".join(map(str, constants)) or "none"
+        raise InputError(
+            f"{name}: parameters: the model has no constant {', '.join(unknown)}; it has {known}"
+        )
+    missing = [str(s) for s in constants if str(s) not in given]
+    if missing:
+        raise InputError(
+            f"{name}: give a default for every constant; {', '.join(missing)} has none"
+        )
+    return tuple(_parameter(name, s, given[str(s)]) for s in constants)
+
+
+def _parameter(name: str, symbol: sp.Symbol, given: Any) -> Parameter:
+    if isinstance(given, Parameter):
+        if str(given.symbol) != str(symbol):
+            raise InputError(f"{name}: parameters: {symbol} is given as {given.symbol}")
+        return given
+    plain = scalar(str(symbol))
+    positive = (plain > 0,) if symbol.is_positive else ()
+    try:
+        default = float(given)
+    except (TypeError, ValueError):
+        raise InputError(f"{name}: parameters: {symbol} = {given} is not a number") from None
+    return Parameter(plain, f"constant {symbol} of the model", default, admissible=positive)

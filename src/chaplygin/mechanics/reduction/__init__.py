@@ -1,0 +1,1 @@
+"""Chaplygin's reduction and its reducing multiplier."""

@@ -1,0 +1,300 @@
+"""Generalised Chaplygin systems recognised, and the reducing multiplier (§4.3, Theorem 6).
+
+From a Lagrangian, a frame and constraints alone: the two coordinates in which the system moves by
+itself, on a level of its linear integrals where it needs them; the form (4.4) with S; whether the
+1-form d ln N = A₂ dq₁ − A₁ dq₂ is closed, and N; the bracket (4.6), the gyroscopic form S̄ and its
+integral over the base.  No multiplier is built in: everything follows by exact linear algebra at
+rational points, and is stated as laws that :mod:`chaplygin.proof` proves.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import sympy as sp
+
+from ...core.laws import Identity, Integral, Law
+from ...core.system import System
+from ...core.vectors import scalar
+from ...errors import InputError
+from ...parsing.exact_decimals import exact_number, exactly
+from ..lagrangian.mechanism import Mechanism
+from ..lagrangian.poincare_suslov import equations
+from ..lagrangian.substituted_parameters import settled
+from .base import Base, base
+from .canonical import canonical, canonical_law
+from .closed_form import Closed, closed_forms
+from .factors import Chart, natural_factors
+from .gyroscopic_form import Flux, flux, indefinite
+from .integrals import Linear, linear_integrals
+from .lift import Lift, Local, lift
+from .momenta import Motion, motion
+from .multiplier import Multiplier, Obstruction, closed, is_closed, multiplier, over_rational, poles
+from .quadratic_integral import balanced
+from .system import chaplygin_system, lifted, motion_law, with_base
+
+__all__ = ["ChaplyginForm", "chaplygin_form"]
+
+
+@dataclass(frozen=True)
+class ChaplyginForm:
+    """What Theorem 6 makes of a mechanism.
+
+    Attributes
+    ----------
+    original : System
+        The equations of motion of the mechanism, with its linear integrals as laws.
+    base : Base
+        The two coordinates.
+    integrals : tuple of (Expr, Linear)
+        The linear integrals on whose levels the system is reduced, after their values.
+    role : str
+        The integral that plays the part of the energy in L = E₂ − E₀.
+    closed : Closed
+        Metric, S and the lift, in closed form.
+    multiplier : Multiplier or None
+        N up to a constant factor.
+    obstruction : Obstruction or None
+        A point at which d ln N = A₂ dq₁ − A₁ dq₂ is not closed: there is no multiplier.
+    closed_form : bool
+        Whether the 1-form is closed, exactly.  Without `multiplier`, N is the exponential of its
+        integral, see :func:`chaplygin.mechanics.reduction.numerical.log_multiplier`.
+    singular : tuple of Expr
+        Factors of N that vanish somewhere on the sphere, at the default parameters.
+    flux : Flux or None
+        The integral of S̄, if there is a multiplier.
+    system : System
+        (4.7), with the laws of Theorem 6 and the way back to `original`.
+    gyroscopic : Expr or None
+        S̄ of (4.5), if there is a multiplier.
+    lifted : System or None
+        `system` with those coordinates of `original` that it does not need; it carries the way
+        back then.
+    hamiltonian : System or None
+        `system` in the time τ and canonical variables, where S̄ is exact in closed form.
+    local : Local
+        Evaluates (4.4) at points.
+    on : tuple of Expr
+        Expressions in the parameters that vanish for the numbers of the mechanism and are a case
+        of their own, with a multiplier or another than elsewhere.  They are settled in all
+        systems here.
+    """
+
+    original: System
+    base: Base
+    integrals: tuple[tuple[sp.Expr, Linear], ...]
+    role: str
+    closed: Closed
+    multiplier: Multiplier | None
+    obstruction: Obstruction | None
+    closed_form: bool
+    singular: tuple[sp.Expr, ...]
+    flux: Flux | None
+    system: System
+    gyroscopic: sp.Expr | None
+    lifted: System | None
+    hamiltonian: System | None
+    local: Local
+    on: tuple[sp.Expr, ...] = ()
+
+    def claims(self) -> Iterator[tuple[System, Law]]:
+        """All that is claimed, as pairs of a system and a law of it."""
+        for system in (self.original, self.system, self.lifted, self.hamiltonian):
+            if system is not None:
+                yield from ((system, law) for law in system.laws)
+
+    def __str__(self) -> str:
+        from .text import page
+
+        return page(self)
+
+
+def chaplygin_form(
+    mechanism: Mechanism, levels: Sequence[float | sp.Expr] | None = None
+) -> ChaplyginForm:
+    """Recognise a generalised Chaplygin system and find its reducing multiplier.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        With constraints linear and homogeneous in the velocities, and coefficients rational in
+        its coordinates, their sines and cosines.
+    levels : sequence of numbers or symbols, optional
+        Values of the linear integrals that the reduction needs, such as ``[0]``; by default they
+        are arbitrary constants.
+
+    Returns
+    -------
+    ChaplyginForm
+
+    Raises
+    ------
+    InputError
+        If the system is not of this kind: the sentence says in what it differs.
+    """
+    found = _reduced(mechanism, levels)
+    special = _special(mechanism, found)
+    if special is None:
+        return found
+    level, value = special
+    inner = chaplygin_form(settled(mechanism, value), levels)
+    return replace(inner, on=(level, *inner.on))
+
+
+def _special(
+    mechanism: Mechanism, found: ChaplyginForm
+) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]] | None:
+    """A level of the parameters that is a case of its own, and on which their numbers lie.
+
+    With the level comes the parameter that it gives.
+    """
+    numbers = {p.symbol: exact_number(p.default) for p in mechanism.parameters}
+    excepted = poles(found.multiplier) if found.multiplier is not None else ()
+    if found.obstruction is not None:
+        excepted = found.obstruction.vanishing
+    for factor in excepted:
+        if factor.xreplace(numbers) != 0:
+            continue
+        for symbol in sorted(factor.free_symbols & set(numbers), key=str):
+            slope = sp.diff(factor, symbol)
+            # linear, with a coefficient that does not vanish for the numbers at hand
+            if not slope.has(symbol) and slope.xreplace(numbers) != 0:
+                value = sp.cancel(symbol - factor / slope)
+                return symbol - value, {symbol: value}
+    return None
+
+
+def _reduced(mechanism: Mechanism, levels: Sequence[float | sp.Expr] | None) -> ChaplyginForm:
+    """The reduction for parameters near their numbers."""
+    moved = motion(mechanism)
+    here = base(mechanism, moved)
+    found = _integrals(mechanism, moved, here)
+    up = lift(here, found, _levels(mechanism, len(found), levels))
+    chosen = balanced(mechanism, moved, up)
+    local = Local(up, chosen.integral, mechanism.name)
+    chart = Chart.of(here.coordinates, local.symbols)
+    parameters = [p.symbol for p in mechanism.parameters]
+    forms = {here.motion.metric.as_immutable(): None}
+    forms[chosen.integral.slope.jacobian(here.motion.velocities).as_immutable()] = None
+    factors = natural_factors(up, list(forms), chart, parameters, mechanism.name)
+    N_found = multiplier(local, chart, factors, here.normal)
+    parts = closed_forms(local, chart, parameters, here.normal)
+    return _assembled(mechanism, here, up, local, chart, parts, N_found, chosen.words)
+
+
+def _assembled(
+    mechanism: Mechanism,
+    here: Base,
+    up: Lift,
+    local: Local,
+    chart: Chart,
+    parts: Closed,
+    found: Multiplier | None,
+    role: str,
+) -> ChaplyginForm:
+    potential = local.integral.potential
+    original = _original(mechanism, here, up)
+    made = chaplygin_system(mechanism, here, up.constants, parts, potential, found)
+    extended = lifted(made, here, parts, original)
+    way_back = motion_law(here, parts, original, up.levelled)
+    if extended is None:
+        made = made.with_laws(way_back)
+    else:
+        extended = replace(extended, laws=(way_back,))
+    monopole = hamiltonian = gyroscopic = None
+    if found is not None:
+        gyroscopic = over_rational(found, parts.b)
+        monopole = flux(mechanism, here, up.constants, found, parts.b)
+        made = made.with_laws(*_shape(monopole))
+        if monopole.potential is not None:
+            hamiltonian = canonical(made, here, parts, potential, found, monopole.potential)
+            made = made.with_laws(canonical_law(here, hamiltonian, monopole.potential))
+    obstruction = None if found else closed(local, chart, mechanism.parameters)
+    return ChaplyginForm(
+        original=original,
+        base=here,
+        integrals=tuple(zip(up.levels, up.integrals, strict=True)),
+        role=role,
+        closed=parts,
+        multiplier=found,
+        obstruction=obstruction,
+        closed_form=bool(found) or (obstruction is None and is_closed(local, chart)),
+        singular=() if found is None else indefinite(mechanism, here, found),
+        flux=monopole,
+        system=made,
+        gyroscopic=gyroscopic,
+        lifted=extended,
+        hamiltonian=hamiltonian,
+        local=local,
+    )
+
+
+def _original(mechanism: Mechanism, here: Base, up: Lift) -> System:
+    """The equations of motion with the linear integrals as laws."""
+    made = with_base(equations(mechanism), here)
+    names = [f"linear_{i + 1}" for i in range(len(up.integrals))]
+    return made.with_laws(
+        *(
+            Integral(name, each.value, "integral linear in the velocities")
+            for name, each in zip(names, up.integrals, strict=True)
+        )
+    )
+
+
+def _shape(monopole: Flux) -> tuple[Law, ...]:
+    """What the integral of S̄ rests on."""
+    if monopole.residual == 0:
+        return ()
+    return (
+        Identity(
+            "gyroscopic_form",
+            monopole.residual,
+            "S̄ over the irrational part of N: a solid angle and an exact form",
+            source="(4.5)",
+        ),
+    )
+
+
+def _levels(
+    mechanism: Mechanism, count: int, given: Sequence[float | sp.Expr] | None
+) -> list[sp.Expr]:
+    """The values of the linear integrals."""
+    if given is not None:
+        if len(given) != count:
+            raise InputError(
+                f"{mechanism.name}: {len(given)} levels are given, but it is reduced on levels of "
+                f"{count} linear integrals"
+            )
+        return [exactly(c) for c in given]
+    used = {p.symbol for p in mechanism.parameters} | set(mechanism.symbols)
+    used |= {s for s, _ in mechanism.steps}
+    names = ["c"] if count == 1 else [f"c_{i + 1}" for i in range(count)]
+    return [scalar(n) if scalar(n) not in used else scalar(f"level_{n}") for n in names]
+
+
+def _integrals(mechanism: Mechanism, moved: Motion, here: Base) -> list[Linear]:
+    free = len(moved.velocities) - moved.constraints.rows
+    needed = free - 2
+    if needed == 0:
+        return []
+    if moved.constraints.rows:
+        raise InputError(
+            f"{mechanism.name}: its constraints allow {free} velocities for two coordinates; "
+            "linear integrals that take the others are only sought where every constraint gives "
+            "a velocity with a number as coefficient"
+        )
+    found = linear_integrals(mechanism, moved, here)
+    if len(found) < needed:
+        raise InputError(
+            f"{mechanism.name}: its constraints allow {free} velocities for two coordinates, and "
+            f"{len(found) or 'no'} integral linear in the momenta, with coefficients up to degree "
+            "two in the coordinates, was found to take the others; it is not shown to be a "
+            "generalised Chaplygin system"
+            + (
+                " for general values of its parameters (put special values in as numbers)"
+                if mechanism.parameters
+                else ""
+            )
+        )
+    return found[:needed]

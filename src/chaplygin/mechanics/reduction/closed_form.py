@@ -1,0 +1,127 @@
+"""Exact fractions in tangents of half angles, written in the angles or in a unit vector."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from ...core.vectors import Vector
+from .factors import Chart, has_even_degrees, in_angles, on_sphere
+from .lift import Local
+from .rational_evaluation import Formulas, Quotient, inverse, product, quotients
+
+__all__ = ["Closed", "closed_forms", "written"]
+
+
+@dataclass(frozen=True)
+class Closed:
+    """The parts of (4.4) in closed form.
+
+    Attributes
+    ----------
+    metric : tuple of Expr
+        g₁₁, g₁₂, g₂₂ of E₂ = ½ g_ij q̇_i q̇_j.
+    inverse : tuple of Expr
+        h₁₁, h₁₂, h₂₂ of E₂ = ½ h_ij P_i P_j.
+    a : tuple of Expr
+        a₁, a₂ of S = a₁q̇₁ + a₂q̇₂ + b.
+    b : Expr
+    rest : Expr
+        E₀ without the given potential.
+    lifted : tuple of (Expr, Expr, Expr)
+        For every velocity u its factors of q̇₁ and q̇₂, and what is left.
+    """
+
+    metric: tuple[sp.Expr, sp.Expr, sp.Expr]
+    inverse: tuple[sp.Expr, sp.Expr, sp.Expr]
+    a: tuple[sp.Expr, sp.Expr]
+    b: sp.Expr
+    rest: sp.Expr
+    lifted: tuple[tuple[sp.Expr, sp.Expr, sp.Expr], ...]
+
+
+def closed_forms(
+    local: Local, chart: Chart, parameters: Sequence[sp.Symbol], vector: Vector | None
+) -> Closed:
+    """All parts of (4.4), with parameters and constants as symbols."""
+    lift, owner = local.lift, local.owner
+    one, names = quotients([*chart.variables, *parameters, *lift.constants])
+    place = {**names, **chart.point([names[t] for t in chart.variables])}
+    found = local.at(place, one)
+    u = lift.base.motion.velocities
+    size = len(u)
+    K = Formulas(list(lift.matrix), owner).at(place, one)
+    known = Formulas(list(lift.known), owner).at(place, one)
+    solve = inverse([K[i : i + size] for i in range(0, len(K), size)], one)
+    y = product(solve, known)
+    at_rest = {**place, **dict(zip(u, y, strict=True))}
+    (rest,) = Formulas([local.integral.value], owner).at(at_rest, one)
+
+    def plain(value: Quotient) -> sp.Expr:
+        return written(value, chart, vector)
+
+    (g11, g12), (_, g22) = found.metric
+    (h11, h12), (_, h22) = inverse(found.metric, one)
+    return Closed(
+        metric=(plain(g11), plain(g12), plain(g22)),
+        inverse=(plain(h11), plain(h12), plain(h22)),
+        a=(plain(found.a[0]), plain(found.a[1])),
+        b=plain(found.b),
+        rest=plain(rest),
+        lifted=tuple(
+            (plain(row[0]), plain(row[1]), plain(x)) for row, x in zip(solve, y, strict=True)
+        ),
+    )
+
+
+def written(value: Quotient, chart: Chart, vector: Vector | None) -> sp.Expr:
+    """A fraction in the angles, its factors in the unit vector where they are functions of it."""
+    if value.above == 0:
+        return sp.S.Zero
+    circles = [0, 0]
+    total = sp.S.One
+    for poly, sign in ((value.above, 1), (value.below, -1)):
+        content, parts = poly.factor()
+        total *= sp.Rational(int(content.p), int(content.q)) ** sign
+        odd: Any = None
+        for factor, power in parts:
+            e = int(power)
+            circle, sine = (_is(factor, chart, form) for form in ("{}^2 + 1", "{}"))
+            if circle is not None:
+                circles[circle] += sign * e
+            elif sine is not None:
+                # t/(1 + t²)
+                circles[sine] += sign * e
+                total *= (sp.sin(chart.coordinates[sine]) / 2) ** (sign * e)
+            elif has_even_degrees(factor, chart):
+                total *= _one(factor, chart, vector, circles, sign * e)
+            else:
+                odd = factor**e if odd is None else odd * factor**e
+        if odd is not None:
+            total *= _one(odd, chart, None, circles, sign)
+    for x, power in zip(chart.coordinates, circles, strict=True):
+        total *= (2 / (1 + sp.cos(x))) ** power
+    return total
+
+
+def _one(
+    factor: Any, chart: Chart, vector: Vector | None, circles: list[int], power: int
+) -> sp.Expr:
+    """A factor to a power, exactly; the powers of 1 + t² that it takes are recorded."""
+    for i in (0, 1):
+        if chart.angles[i]:
+            circles[i] += power * ((int(factor.degrees()[i]) + 1) // 2)
+    made = on_sphere(factor, chart, vector) if vector is not None else None
+    return (in_angles(factor, chart) if made is None else made) ** power
+
+
+def _is(factor: Any, chart: Chart, form: str) -> int | None:
+    """For which angle a factor has the given form in t."""
+    names = factor.context().names()
+    for i in (0, 1):
+        if chart.angles[i] and str(factor) == form.format(names[i]):
+            return i
+    return None

@@ -1,0 +1,362 @@
+"""The reducing multiplier: d ln N = A₂ dq₁ − A₁ dq₂ of Theorem 6, decided and integrated.
+
+ln N is sought among Σ e_j ln F_j for the natural factors F_j; the exponents e_j solve linear
+equations, one pair at each rational point.  Whether the 1-form is closed at all is seen from its
+derivatives, taken exactly along the coordinate lines through a rational point.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+from flint import fmpq
+
+from ...core.system import Parameter
+from ...core.vectors import Vector
+from .factors import Chart, has_even_degrees, in_angles, on_sphere
+from .lift import Local
+from .rational_evaluation import Quotient, Value, near, number, quotients, reduced
+
+__all__ = [
+    "Multiplier",
+    "Obstruction",
+    "as_positive",
+    "closed",
+    "curl",
+    "is_closed",
+    "multiplier",
+    "open_unless",
+    "over_rational",
+]
+
+SEED = 1961
+SPARE = 3
+"""Points more than exponents, at which the solution must hold as well."""
+
+
+@dataclass(frozen=True)
+class Multiplier:
+    """N as a product of powers.
+
+    Attributes
+    ----------
+    powers : tuple of (Expr, Expr)
+        Bases, in the coordinates q or in the unit vector, with their exponents.
+    """
+
+    powers: tuple[tuple[sp.Expr, sp.Expr], ...]
+
+    @property
+    def value(self) -> sp.Expr:
+        """N as one formula."""
+        return sp.Mul(*(base**exponent for base, exponent in self.powers))
+
+
+@dataclass(frozen=True)
+class Obstruction:
+    """A point at which the 1-form is not closed.
+
+    Attributes
+    ----------
+    point : mapping of str to str
+        Exact values of parameters, coordinates and constants; of an angle x, tan(x/2).
+    curl : fmpq
+        ∂A₂/∂q₂ + ∂A₁/∂q₁ there, exactly; it is not zero.
+    vanishing : tuple of Expr
+        Expressions in the parameters at whose zeros the form is closed, where some were found.
+    """
+
+    point: dict[str, str]
+    curl: Any
+    vanishing: tuple[sp.Expr, ...]
+
+
+def as_positive(parameters: Sequence[Parameter]) -> dict[sp.Symbol, sp.Symbol]:
+    """Parameters that must be positive, as positive symbols."""
+    return {
+        p.symbol: sp.Symbol(str(p.symbol), positive=True)
+        for p in parameters
+        if (p.symbol > 0) in p.admissible
+    }
+
+
+def _at(local: Local, chart: Chart, values: Sequence[Value], given: Any, like: Value) -> Any:
+    """The 1-form at a point of the chart."""
+    place = {**given, **chart.point([like * v for v in values])}
+    return local.at(place, like).form(like)
+
+
+def _parameters(local: Local, chart: Chart) -> list[sp.Symbol]:
+    moving = {*chart.coordinates, *chart.point([fmpq(2), fmpq(3)])}
+    return [s for s in local.symbols if s not in moving]
+
+
+# --- whether the form is closed ---------------------------------------------------------------
+
+
+def curl(
+    local: Local, chart: Chart, values: Sequence[fmpq], given: dict[sp.Symbol, Any], others: Any
+) -> Any:
+    """∂A₂/∂q₂ + ∂A₁/∂q₁ at a point; `others` are parameters to be kept as symbols."""
+    total: Any = None
+    for moved in (0, 1):
+        one, names = quotients([chart.variables[moved], *others])
+        place = {s: one * v for s, v in given.items()} | {s: names[s] for s in others}
+        at = [one * v for v in values]
+        at[moved] = names[chart.variables[moved]]
+        # the component of the other coordinate
+        component = _at(local, chart, at, place, one)[1 - moved]
+        rate = _derivative(component, 0) * chart.speed(moved, at[moved])
+        rate = _put(rate, str(chart.variables[moved]), values[moved])
+        term = rate if moved else -rate
+        total = term if total is None else _joined(total, term)
+    return total
+
+
+def _derivative(value: Quotient, index: int) -> Quotient:
+    name = value.above.context().names()[index]
+    above, below = value.above.derivative(name), value.below.derivative(name)
+    return Quotient(above * value.below - value.above * below, value.below**2)
+
+
+def _put(value: Quotient, name: str, at: fmpq) -> Quotient:
+    return Quotient(value.above.subs({name: at}), value.below.subs({name: at}))
+
+
+def _joined(first: Quotient, second: Quotient) -> sp.Expr:
+    """A sum of fractions from rings that differ in a variable neither uses any more."""
+    return sp.cancel(sp.together(first.formula() + second.formula()))
+
+
+def poles(found: Multiplier) -> tuple[sp.Expr, ...]:
+    """Factors in the parameters below the exponents of N: where one vanishes there is no such N."""
+    below = {
+        factor
+        for _, exponent in found.powers
+        for factor, _ in sp.factor_list(sp.denom(sp.together(exponent)))[1]
+    }
+    return tuple(sorted(below, key=str))
+
+
+def closed(local: Local, chart: Chart, parameters: Sequence[Parameter]) -> Obstruction | None:
+    """None if the form is closed at some rational points, else a point where it is not.
+
+    Parameters
+    ----------
+    local : Local
+    chart : Chart
+    parameters : sequence of Parameter
+        The point has values near their defaults; other constants are at random.
+    """
+    dice = random.Random(SEED)
+    defaults = {p.symbol: p.default for p in parameters}
+    for _ in range(2):
+        while True:
+            given = {s: near(defaults.get(s, 0.0), dice) for s in _parameters(local, chart)}
+            values = [number(dice), number(dice)]
+            try:
+                found = curl(local, chart, values, given, [])
+            except ZeroDivisionError:
+                continue
+            break
+        if found != 0:
+            exact = fmpq(int(found.p), int(found.q))
+            at = {**given, **dict(zip(chart.variables, values, strict=True))}
+            shown = {str(s): str(v) for s, v in at.items()}
+            return Obstruction(shown, exact, open_unless(local, chart, parameters))
+    return None
+
+
+def is_closed(local: Local, chart: Chart) -> bool:
+    """Whether the form is closed, with everything as symbols."""
+    one, names = quotients([*chart.variables, *_parameters(local, chart)])
+    at = [names[t] for t in chart.variables]
+    first, second = _at(local, chart, at, names, one)
+    change = _derivative(first, 1) * chart.speed(1, at[1])
+    return bool(change == _derivative(second, 0) * chart.speed(0, at[0]))
+
+
+def open_unless(local: Local, chart: Chart, known: Sequence[Parameter]) -> tuple[sp.Expr, ...]:
+    """Factors in the parameters that the curl has at every point, and that may vanish."""
+    dice = random.Random(SEED + 1)
+    parameters = _parameters(local, chart)
+    shared: Any = None
+    for _ in range(2):
+        values = [number(dice), number(dice)]
+        found = curl(local, chart, values, {}, parameters)
+        above = sp.fraction(sp.together(found))[0]
+        shared = above if shared is None else sp.gcd(shared, above)
+    factors = [base for base, _ in sp.factor_list(shared)[1]]
+    signs = as_positive(known)
+    return tuple(
+        f
+        for f in factors
+        if f.free_symbols & set(parameters) and f.xreplace(signs).is_zero is not False
+    )
+
+
+# --- integrating it ---------------------------------------------------------------------------
+
+
+def multiplier(
+    local: Local, chart: Chart, factors: Sequence[Any], vector: Vector | None
+) -> Multiplier | None:
+    """N as a product of powers of the factors; None if it is none.
+
+    The exponents are rational numbers, or rational functions of parameters.
+    """
+    parameters = _parameters(local, chart)
+    dice = random.Random(SEED)
+    given = {s: number(dice) for s in parameters}
+    found = _exponents(local, chart, factors, given, ())
+    if found is None:
+        return None
+    moving = []
+    for s in parameters:
+        other = _exponents(local, chart, factors, {**given, s: number(dice)}, ())
+        if other != found:
+            moving.append(s)
+    if moving:
+        rest = {s: v for s, v in given.items() if s not in moving}
+        symbolic = _exponents(local, chart, factors, rest, tuple(moving))
+        if symbolic is None:
+            return None
+        exponents = [sp.factor(x.formula()) for x in symbolic]
+    else:
+        exponents = [sp.Rational(int(x.p), int(x.q)) for x in found]
+    return Multiplier(_powers(chart, factors, exponents, vector))
+
+
+def _exponents(
+    local: Local,
+    chart: Chart,
+    factors: Sequence[Any],
+    given: dict[sp.Symbol, Any],
+    symbols: tuple[sp.Symbol, ...],
+) -> list[Any] | None:
+    """Exponents of the factors, then of 1 + t² for each angle."""
+    dice = random.Random(SEED + 2)
+    like: Any = fmpq(1)
+    place = dict(given)
+    if symbols:
+        like, names = quotients(symbols)
+        place = {s: like * v for s, v in given.items()} | dict(names)
+    count = len(factors) + sum(chart.angles)
+    rows: list[list[Value]] = []
+    right: list[Value] = []
+    while len(rows) < count + SPARE:
+        values = [number(dice), number(dice)]
+        try:
+            pair = _at(local, chart, values, place, like)
+            slopes = _slopes(chart, factors, values, place, like)
+        except ZeroDivisionError:
+            continue
+        rows += slopes
+        right += pair
+    return _solved(rows, right)
+
+
+def _slopes(
+    chart: Chart, factors: Sequence[Any], values: Sequence[fmpq], given: Any, like: Value
+) -> list[list[Value]]:
+    """Derivatives of ln F_j and ln(1 + t²) by both coordinates."""
+    at = {**given, **dict(zip(chart.variables, (like * v for v in values), strict=True))}
+    rows = []
+    for i in (0, 1):
+        speed = chart.speed(i, like * values[i])
+        row = []
+        for poly in factors:
+            name = poly.context().names()[i]
+            row.append(_value(poly.derivative(name), at, like) / _value(poly, at, like) * speed)
+        for j in (0, 1):
+            if chart.angles[j]:
+                # d ln(1 + t²)/dx = t
+                row.append(like * values[i] if i == j else like * 0)
+        rows.append(row)
+    return rows
+
+
+def _value(poly: Any, at: Any, like: Value) -> Value:
+    names = poly.context().names()
+    by_name = {str(s): v for s, v in at.items()}
+    total = like * 0
+    for exponents, c in poly.to_dict().items():
+        term = like * c
+        for name, e in zip(names, exponents, strict=True):
+            if e:
+                term = term * by_name[name] ** int(e)
+        total = total + term
+    return total
+
+
+def _solved(rows: list[list[Value]], right: list[Value]) -> list[Value] | None:
+    """The solution of an overdetermined system, None if there is none or more than one."""
+    left, pivots = reduced([[*row, x] for row, x in zip(rows, right, strict=True)])
+    if pivots != list(range(len(rows[0]))):
+        return None
+    return [row[-1] for row in left]
+
+
+def _powers(
+    chart: Chart, factors: Sequence[Any], exponents: Sequence[sp.Expr], vector: Vector | None
+) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
+    """The product with every factor back in the angles, or in the unit vector."""
+    found: list[tuple[sp.Expr, sp.Expr]] = []
+    own = list(exponents[: len(factors)])
+    circles = iter(exponents[len(factors) :])
+    rest = [next(circles) if angle else sp.S.Zero for angle in chart.angles]
+    groups: dict[sp.Expr, Any] = {}
+    for poly, exponent in zip(factors, own, strict=True):
+        if exponent == 0:
+            continue
+        for i in (0, 1):
+            if chart.angles[i]:
+                rest[i] += exponent * int(poly.degrees()[i]) / sp.Integer(2)
+        if has_even_degrees(poly, chart):
+            found.append((_base(poly, chart, vector), exponent))
+        else:
+            groups[exponent] = groups[exponent] * poly if exponent in groups else poly
+    for exponent, poly in groups.items():
+        if has_even_degrees(poly, chart):
+            found.append((_monic(in_angles(poly, chart)), exponent))
+        else:
+            found.append((_monic(in_angles(poly**2, chart)), exponent / 2))
+    for x, exponent in zip(chart.coordinates, rest, strict=True):
+        if sp.cancel(exponent) != 0:
+            found.append((1 + sp.cos(x), -sp.cancel(exponent)))
+    return tuple(found)
+
+
+def _base(poly: Any, chart: Chart, vector: Vector | None) -> sp.Expr:
+    known = on_sphere(poly, chart, vector) if vector is not None else None
+    return _monic(in_angles(poly, chart) if known is None else known)
+
+
+def _monic(base: sp.Expr) -> sp.Expr:
+    """Up to a number, without a minus sign in front."""
+    whole = sp.primitive(sp.expand(base))[1]
+    sign = -1 if whole.could_extract_minus_sign() else 1
+    if base.is_Add and not base.has(sp.cos, sp.sin):
+        number = sp.cancel(base / whole)
+        return sp.Add(*(sp.factor(sign * term / number) for term in base.args))
+    return sp.expand(sign * whole)
+
+
+def over_rational(found: Multiplier, b: sp.Expr) -> sp.Expr:
+    """N b with the factors that both share taken together."""
+    powers = dict(b.as_powers_dict())
+    rest = sp.S.One
+    for base, exponent in found.powers:
+        for other in [k for k in powers if not k.is_Symbol and k.free_symbols == base.free_symbols]:
+            ratio = sp.cancel(other / base)
+            if ratio.is_number:
+                rest *= ratio ** powers[other]
+                powers[base] = powers.pop(other) + exponent
+                break
+        else:
+            rest *= base**exponent
+    return rest * sp.Mul(*(base**power for base, power in powers.items()))

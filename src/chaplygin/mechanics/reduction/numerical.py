@@ -1,0 +1,113 @@
+"""Numbers of a reduction by quadrature: ln N along a way, and the integral of S̄."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+import sympy as sp
+
+from ...errors import InputError
+from .rational_evaluation import circle
+
+if TYPE_CHECKING:
+    from .chaplygin import ChaplyginForm
+
+__all__ = ["integral_of_gyroscopic", "log_multiplier"]
+
+Place = Sequence[float]
+NODES = (16, 24, 36, 54, 81, 122)
+"""Of Gauss and Legendre in cos θ, and twice as many equidistant ones in φ."""
+SMALL = 1e-13
+
+
+def log_multiplier(
+    form: ChaplyginForm,
+    start: Place,
+    end: Place,
+    values: Mapping[sp.Symbol, float] | None = None,
+) -> tuple[float, float]:
+    """∫ (A₂ dq₁ − A₁ dq₂) along the straight line from one place to another.
+
+    Where the 1-form is closed this is ln N(end) − ln N(start), with or without a closed form.
+
+    Parameters
+    ----------
+    form : ChaplyginForm
+    start, end : pair of float
+        q₁, q₂.
+    values : mapping of Symbol to float, optional
+        Parameters and constants, instead of their defaults.
+
+    Returns
+    -------
+    value, error : float
+        The error is an estimate from two orders of quadrature.
+    """
+    from scipy.integrate import quad
+
+    known = _known(form, values)
+    q = form.base.coordinates
+    step = [b - a for a, b in zip(start, end, strict=True)]
+
+    def slope(s: float) -> float:
+        here = [a + s * d for a, d in zip(start, step, strict=True)]
+        place = dict(known)
+        for x, value in zip(q, here, strict=True):
+            sine, cosine = circle(x)
+            place |= {x: value, sine: float(np.sin(value)), cosine: float(np.cos(value))}
+        first, second = form.local.at(place, 1.0).form(1.0)
+        return float(first * step[0] + second * step[1])
+
+    value, error = quad(slope, 0.0, 1.0, epsabs=SMALL, epsrel=SMALL)
+    return float(value), float(error)
+
+
+def integral_of_gyroscopic(
+    form: ChaplyginForm, values: Mapping[sp.Symbol, float] | None = None
+) -> tuple[float, float]:
+    """∫ S̄ dθ dφ over the sphere, with the change from the last refinement as its error.
+
+    Raises
+    ------
+    InputError
+        If the base is no sphere, or there is no multiplier.
+    """
+    if form.base.normal is None or form.gyroscopic is None:
+        raise InputError(
+            f"{form.system.name}: the integral of S̄ needs a multiplier and a sphere to integrate "
+            "over"
+        )
+    theta, phi = form.base.coordinates
+    formula = form.gyroscopic.xreplace(dict(form.base.place)) / sp.sin(theta)
+    known = _known(form, values)
+    density = sp.lambdify([theta, phi], formula.subs(known), "numpy")
+
+    def total(nodes: int) -> float:
+        heights, weights = np.polynomial.legendre.leggauss(nodes)
+        turns = (np.arange(2 * nodes) + 0.5) * np.pi / nodes
+        grid = density(np.arccos(heights)[:, None], turns[None, :])
+        rows = np.broadcast_to(grid, (nodes, 2 * nodes)).sum(axis=1)
+        return float(weights @ rows * np.pi / nodes)
+
+    for coarse, fine in pairwise(NODES):
+        value = total(fine)
+        error = abs(value - total(coarse))
+        if error <= SMALL * max(1.0, abs(value)):
+            break
+    return value, error
+
+
+def _known(form: ChaplyginForm, values: Mapping[sp.Symbol, float] | None) -> dict[sp.Symbol, float]:
+    known = {s: float(v) for s, v in form.system.defaults.items()}
+    given = {} if values is None else dict(values)
+    for symbol, value in given.items():
+        if symbol not in known:
+            raise InputError(
+                f"{form.system.name}: {symbol} is no parameter; its parameters are "
+                f"{', '.join(map(str, known))}"
+            )
+        known[symbol] = float(value)
+    return known

@@ -1,0 +1,115 @@
+"""An integral quadratic in the velocities without a part linear in those of the base.
+
+On a level of the linear integrals the energy may have such a part, and is then no E₂ + E₀ as the
+form (4.4) needs it.  Another integral, or a combination with it, may do instead.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+from flint import fmpq
+
+from ...core.vectors import Vector, normed, scalar
+from ...errors import InputError
+from ...printing.formula import text
+from ..lagrangian.mechanism import Mechanism
+from .integrals import quadratic_integrals, solutions
+from .lift import Lift, Local, Point, Quadratic, energy, in_momenta
+from .momenta import Motion
+from .rational_evaluation import Value, bare, point
+
+__all__ = ["Balanced", "balanced"]
+
+
+SEED = 2008
+
+
+@dataclass(frozen=True)
+class Balanced:
+    """The integral that plays the part of the energy.
+
+    Attributes
+    ----------
+    integral : Quadratic
+    words : str
+        What it is.
+    """
+
+    integral: Quadratic
+    words: str
+
+
+@dataclass(frozen=True)
+class _LinearParts:
+    """E₁ of several integrals at a point: one row for each coordinate of the base."""
+
+    locals: Sequence[Local]
+
+    @property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """What needs a value."""
+        return tuple(sorted({s for local in self.locals for s in local.symbols}, key=str))
+
+    def at(self, point: Point, like: Value) -> list[Value]:
+        """The values, row by row."""
+        columns = [local.at(point, like).linear for local in self.locals]
+        return [column[i] for i in (0, 1) for column in columns]
+
+
+def balanced(mechanism: Mechanism, motion: Motion, lift: Lift) -> Balanced:
+    """The energy where it has no linear part, else a combination with another integral.
+
+    Raises
+    ------
+    InputError
+        If there is none.
+    """
+    base, owner = lift.base, mechanism.name
+    first = energy(motion, base)
+    if solutions(mechanism, base, _LinearParts([Local(lift, first, owner)]), 1):
+        return Balanced(first, "the energy")
+    tied = base.motion.constraints.rows > 0
+    forms = [] if tied else quadratic_integrals(mechanism, motion, base)
+    others = [in_momenta(motion, base, form) for form in forms]
+    known = [first, *others]
+    parts = _LinearParts([Local(lift, each, owner) for each in known])
+    for chosen in solutions(mechanism, base, parts, len(known)):
+        combined = [known[i].scaled(factor) for i, factor in chosen.items()]
+        total = combined[0]
+        for each in combined[1:]:
+            total = total + each
+        if _regular(lift, total, owner):
+            return Balanced(total, _words(chosen, forms))
+    raise InputError(
+        f"{owner}: on the level of its linear integral the energy has a part linear in the "
+        "velocities of the base, and no integral with constant coefficients in the momenta "
+        "removes it; the system is not shown to be of the form (4.4)"
+    )
+
+
+def _regular(lift: Lift, integral: Quadratic, owner: str) -> bool:
+    """Whether E₂ is not degenerate."""
+    local = Local(lift, integral, owner)
+    place = point([*bare(local.symbols), *lift.base.coordinates], random.Random(SEED))
+    (a, b), (_, c) = local.at(place, fmpq(1)).metric
+    return bool(a * c != b * b)
+
+
+def _words(chosen: Mapping[int, sp.Expr], forms: Sequence[sp.Matrix]) -> str:
+    """The combination in the energy E and the momenta M."""
+    E, M = scalar("E"), Vector("M")
+    total = sp.S.Zero
+    for i, factor in chosen.items():
+        if i == 0:
+            total += factor * E
+        elif forms[i - 1] == 2 * sp.eye(3):
+            total += factor * normed(M)
+        else:
+            momenta = [scalar(f"M_{k + 1}") for k in range(forms[i - 1].rows)]
+            column = sp.Matrix(momenta)
+            total += factor * sp.expand((column.T * forms[i - 1] * column)[0] / 2)
+    return text(total)

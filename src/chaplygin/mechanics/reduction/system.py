@@ -1,0 +1,238 @@
+"""The equations (4.7) as a System, with what Theorem 6 says of them and the way back."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+import sympy as sp
+
+from ...core.laws import (
+    ConformallyHamiltonian,
+    Integral,
+    Isomorphism,
+    Law,
+    Measure,
+    PoissonStructure,
+)
+from ...core.system import Observable, Parameter, System
+from ...core.vectors import scalar
+from ..lagrangian.mechanism import Mechanism
+from .base import Base
+from .closed_form import Closed
+from .multiplier import Multiplier
+
+__all__ = [
+    "N",
+    "S",
+    "bracket",
+    "chaplygin_system",
+    "h_11",
+    "h_12",
+    "h_22",
+    "lifted",
+    "momenta",
+    "motion_law",
+    "placed",
+    "with_base",
+]
+
+N, S = scalar("N"), scalar("S")
+V = scalar("V")
+h_11, h_12, h_22 = (scalar(f"h_{i}") for i in ("11", "12", "22"))
+HALF = sp.Rational(1, 2)
+
+LEVEL = 0.8
+"""Default of the constant of a linear integral."""
+
+
+def momenta(base: Base) -> tuple[sp.Symbol, sp.Symbol]:
+    """P₁, P₂."""
+    first, second = (scalar(f"P_{q}") for q in base.coordinates)
+    return first, second
+
+
+def speeds(base: Base) -> tuple[sp.Symbol, sp.Symbol]:
+    """q̇₁, q̇₂."""
+    first, second = (scalar(f"{q}dot") for q in base.coordinates)
+    return first, second
+
+
+def chaplygin_system(
+    mechanism: Mechanism,
+    base: Base,
+    constants: tuple[sp.Symbol, ...],
+    closed: Closed,
+    potential: sp.Expr,
+    multiplier: Multiplier | None,
+) -> System:
+    """(4.7) in the coordinates of the base, with the laws of Theorem 6 where it applies.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+    base : Base
+    constants : tuple of Symbol
+        Constants of linear integrals; they become parameters.
+    closed : Closed
+    potential : Expr
+        The part of E₀ that `closed` leaves out.
+    multiplier : Multiplier or None
+    """
+    q, P, v = base.coordinates, momenta(base), speeds(base)
+    level = closed.rest + potential
+    hamiltonian = HALF * (h_11 * P[0] ** 2 + 2 * h_12 * P[0] * P[1] + h_22 * P[1] ** 2) + V
+    place = {} if base.normal is None else {base.normal: sp.Matrix(list(base.place.values()))}
+    kept = () if multiplier is None else multiplier.powers
+    definitions = {
+        **place,
+        **dict(zip((h_11, h_12, h_22), closed.inverse, strict=True)),
+        v[0]: h_11 * P[0] + h_12 * P[1],
+        v[1]: h_12 * P[0] + h_22 * P[1],
+        V: level,
+        S: _gyroscopic(base, closed, multiplier),
+        **({} if multiplier is None else {N: multiplier.value}),
+    }
+    force = [_by_place(base, closed, level, i) for i in (0, 1)]
+    return System(
+        name=f"{mechanism.name}-chaplygin",
+        title=f"{mechanism.title} as a generalised Chaplygin system",
+        summary=f"{mechanism.title} in the two coordinates that move by themselves.",
+        source="(4.7)",
+        parameters=(*mechanism.parameters, *map(_level, constants)),
+        definitions=definitions,
+        field={
+            q[0]: v[0],
+            q[1]: v[1],
+            P[0]: force[0] + v[1] * S,
+            P[1]: force[1] - v[0] * S,
+        },
+        laws=(
+            Integral("energy", hamiltonian, "energy of (4.4)", source="Theorem 1"),
+            *(_theorem_6(hamiltonian, kept) if multiplier is not None else ()),
+        ),
+        observables=(Observable("gyroscopic", S, "coefficient S of the gyroscopic forces"),),
+    )
+
+
+def _level(constant: sp.Symbol) -> Parameter:
+    return Parameter(constant, "value of the linear integral", LEVEL)
+
+
+def _gyroscopic(base: Base, closed: Closed, multiplier: Multiplier | None) -> sp.Expr:
+    """S; with a multiplier it is P₂ ∂ln N/∂q₁ − P₁ ∂ln N/∂q₂ + b."""
+    if multiplier is None:
+        v = speeds(base)
+        return closed.a[0] * v[0] + closed.a[1] * v[1] + closed.b
+    P = momenta(base)
+    slopes = []
+    for q in base.coordinates:
+        terms = []
+        for factor, exponent in multiplier.powers:
+            slope = sp.diff(placed(base, factor), q)
+            terms.append(exponent * slope / factor)
+        slopes.append(sp.Add(*terms))
+    return P[1] * slopes[0] - P[0] * slopes[1] + closed.b
+
+
+def placed(base: Base, formula: sp.Expr) -> sp.Expr:
+    """A formula in the coordinates of the base alone."""
+    return formula if base.normal is None else formula.xreplace(dict(base.place))
+
+
+def _by_place(base: Base, closed: Closed, level: sp.Expr, index: int) -> sp.Expr:
+    """−∂H/∂q_i."""
+    q, P = base.coordinates[index], momenta(base)
+    h11, h12, h22 = (sp.diff(placed(base, h), q) for h in closed.inverse)
+    square = h11 * P[0] ** 2 + 2 * h12 * P[0] * P[1] + h22 * P[1] ** 2
+    return -HALF * square - sp.diff(placed(base, level), q)
+
+
+def bracket() -> PoissonStructure:
+    """(4.6) in q, P: {q_i, P_j} = δ_ij/N, {P₁, P₂} = S/N."""
+    pair = sp.eye(2) / N
+    turn = sp.Matrix([[0, S], [-S, 0]]) / N
+    return PoissonStructure(
+        "bracket",
+        sp.zeros(2).row_join(pair).col_join((-pair).row_join(turn)),
+        rank=4,
+        meaning="canonical bracket of q and p = N P, with {p₁, p₂} = S̄",
+        source="(4.6)",
+    )
+
+
+def _theorem_6(hamiltonian: sp.Expr, powers: Iterable[tuple[sp.Expr, sp.Expr]]) -> tuple[Law, ...]:
+    structure = bracket()
+    return (
+        Measure(
+            "measure",
+            tuple(powers),
+            "measure whose density depends on the coordinates alone",
+            source="Theorem 6",
+        ),
+        structure,
+        ConformallyHamiltonian(
+            "form",
+            N,
+            structure,
+            hamiltonian,
+            "conformally Hamiltonian form, dτ = N dt",
+            source="Theorem 6",
+        ),
+    )
+
+
+def with_base(original: System, base: Base) -> System:
+    """The original system with those coordinates of the base that its velocities do not need."""
+    if original.motion is None:
+        return original
+    missing = [(x, rate) for x, rate in original.motion.field if x in base.coordinates]
+    return replace(original, field=(*missing, *original.field), motion=None)
+
+
+def _known(base: Base, closed: Closed) -> dict[sp.Symbol, sp.Expr]:
+    """Coordinates and velocities of the mechanism on the base."""
+    v = speeds(base)
+    known = dict(base.place)
+    for u, (first, second, rest) in zip(base.motion.velocities, closed.lifted, strict=True):
+        known[u] = first * v[0] + second * v[1] + rest
+    return known
+
+
+def lifted(form: System, base: Base, closed: Closed, original: System) -> System | None:
+    """(4.7) with further coordinates that the original system carries along; None without any."""
+    known = _known(base, closed)
+    missing = [s for s in original.symbols if s not in known]
+    if not missing:
+        return None
+    rates = dict(zip(original.symbols, original.rates, strict=True))
+    steps = original.needed([rates[s] for s in missing])
+    for symbol, value in steps:
+        known[symbol] = value.xreplace(known)
+    further = tuple((s, rates[s].xreplace(known)) for s in missing)
+    return replace(form, name=f"{form.name}-lifted", field=(*form.field, *further), laws=())
+
+
+def motion_law(
+    base: Base, closed: Closed, original: System, level: tuple[sp.Expr, ...]
+) -> Isomorphism:
+    """The motion of the original system, on a level of its linear integrals.
+
+    Parameters
+    ----------
+    base : Base
+    closed : Closed
+    original : System
+        In coordinates of the mechanism and velocities u.
+    level : tuple of Expr
+        What vanishes on the level, in the same coordinates and velocities.
+    """
+    known = _known(base, closed)
+    return Isomorphism(
+        "motion",
+        original,
+        {s: known.get(s, s) for s in original.symbols},
+        meaning="the motion of the original system",
+        onto=level,
+        source="(4.4)",
+    )

@@ -1,0 +1,66 @@
+"""Attitude as a unit quaternion (w, x, y, z) that turns body axes into space axes."""
+
+from __future__ import annotations
+
+import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
+
+from ...core.system import Observable
+from ...core.vectors import Vector, constant, explicit
+
+__all__ = ["attitude", "quaternion_rate", "rotation", "tie", "unit_length"]
+
+attitude = Vector("attitude", 4)
+
+_HALF = sp.Rational(1, 2)
+
+
+def quaternion_rate(omega: MatrixExpr) -> MatrixExpr:
+    """dq/dt = ½ q (0, ω) for the angular velocity ω in body axes."""
+    w, x, y, z = attitude.symbols
+    a, b, c = explicit(omega)
+    return constant(
+        [
+            -_HALF * (x * a + y * b + z * c),
+            _HALF * (w * a + y * c - z * b),
+            _HALF * (w * b + z * a - x * c),
+            _HALF * (w * c + x * b - y * a),
+        ]
+    )
+
+
+def rotation() -> sp.ImmutableDenseMatrix:
+    """The matrix that takes body components to space components, for a unit quaternion.
+
+    Its rows are α, β, γ of (1.10).
+    """
+    w, x, y, z = attitude.symbols
+    return constant(
+        [
+            [1 - 2 * (y**2 + z**2), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x**2 + z**2), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x**2 + y**2)],
+        ]
+    )
+
+
+def unit_length() -> sp.Expr:
+    """Vanishes for a unit quaternion."""
+    return sp.Add(*(s**2 for s in attitude.symbols)) - 1
+
+
+def tie(vertical: MatrixExpr) -> tuple[sp.Expr, ...]:
+    """Vanish when `vertical` (body axes) is the third space axis seen from the body."""
+    row = rotation().row(2)
+    return tuple(a - b for a, b in zip(row, explicit(vertical), strict=True))
+
+
+def attitude_observable() -> Observable:
+    """The quaternion itself, as it is recorded."""
+    return Observable(
+        "attitude",
+        attitude,
+        "attitude quaternion, body to space",
+        frame="quaternion",
+        source="(1.13)",
+    )

@@ -1,0 +1,117 @@
+"""A rigid body: mass, inertia, shape, gyrostat."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import sympy as sp
+
+from ...errors import InputError
+from .shapes import Shape
+
+__all__ = ["Body", "check_inertia", "check_mass", "rigid"]
+
+
+@dataclass(frozen=True)
+class Body:
+    """A rigid body, described in body axes with the centre of mass as origin.
+
+    Parameters
+    ----------
+    mass : float
+        m > 0.
+    inertia : 3 floats or 3×3 floats
+        Principal moments about the centre of mass, if the body axes are principal axes, or the
+        full symmetric inertia tensor in the body axes.
+    shape : Shape
+        Its surface, with the geometric centre relative to the centre of mass.
+    gyrostat : 3 floats
+        Constant momentum k of symmetric rotors, body axes; the total momentum is Iω + k.
+
+    Raises
+    ------
+    InputError
+        If the mass is not positive, or the inertia tensor is not symmetric, not positive
+        definite, or breaks the triangle inequality I₁ + I₂ ≥ I₃.
+    """
+
+    mass: float
+    inertia: tuple[float, float, float] | tuple[tuple[float, ...], ...]
+    shape: Shape
+    gyrostat: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        check_mass(self.mass)
+        check_inertia(self.inertia)
+        object.__setattr__(self, "inertia", _as_tuple(self.inertia))
+        object.__setattr__(self, "gyrostat", tuple(float(x) for x in self.gyrostat))
+        if len(self.gyrostat) != 3 or not all(map(math.isfinite, self.gyrostat)):
+            raise InputError(f"gyrostat {self.gyrostat}: it must be three finite numbers")
+
+    @property
+    def tensor(self) -> np.ndarray:
+        """The inertia tensor about the centre of mass, 3×3, body axes."""
+        array = np.asarray(self.inertia, dtype=float)
+        return np.diag(array) if array.ndim == 1 else array
+
+    @property
+    def principal(self) -> bool:
+        """Whether the body axes are principal axes of inertia."""
+        tensor = self.tensor
+        return bool(np.all(tensor == np.diag(np.diag(tensor))))
+
+
+def _as_tuple(inertia: Sequence[float] | Sequence[Sequence[float]]) -> tuple[object, ...]:
+    array = np.asarray(inertia, dtype=float)
+    return tuple(tuple(map(float, row)) if array.ndim == 2 else float(row) for row in array)
+
+
+def _numbers(inertia: Sequence[float] | Sequence[Sequence[float]]) -> np.ndarray:
+    """The entries as an array; an empty one if they do not form any."""
+    try:
+        return np.asarray(inertia, dtype=float)
+    except (TypeError, ValueError):
+        return np.empty(0)
+
+
+def rigid(moments: Sequence[sp.Symbol]) -> dict[sp.Symbol, tuple[sp.Basic, ...]]:
+    """What three moments of inertia about orthogonal axes must satisfy, for each of them.
+
+    They are positive, and none is greater than the sum of the others.
+    """
+    total = sp.Add(*moments)
+    return {moment: (moment > 0, moment <= total - moment) for moment in moments}
+
+
+def check_mass(mass: float) -> None:
+    """Raise InputError unless the mass is positive and finite."""
+    if not (math.isfinite(mass) and mass > 0):
+        raise InputError(f"mass {mass}: it must be a positive finite number")
+
+
+def check_inertia(inertia: Sequence[float] | Sequence[Sequence[float]]) -> None:
+    """Raise InputError unless `inertia` belongs to a rigid body.
+
+    Accepts three principal moments or a full symmetric 3×3 matrix.
+    """
+    array = _numbers(inertia)
+    if array.shape not in ((3,), (3, 3)) or not np.all(np.isfinite(array)):
+        raise InputError(
+            f"inertia {inertia}: it must be three principal moments or a symmetric 3x3 matrix"
+        )
+    rounding = 1e-12 * np.abs(array).max()
+    if array.ndim == 2 and not np.allclose(array, array.T, rtol=0, atol=rounding):
+        raise InputError(f"inertia {inertia}: the matrix must be symmetric")
+    moments = np.sort(array if array.ndim == 1 else np.linalg.eigvalsh(array))
+    shown = ", ".join(f"{x:.12g}" for x in moments)
+    if moments[0] <= 0:
+        raise InputError(f"inertia: principal moments {shown} must all be positive")
+    if moments[2] > (moments[0] + moments[1]) * (1 + 1e-12):
+        raise InputError(
+            f"inertia: principal moments {shown} break the triangle inequality "
+            f"({moments[2]:.12g} > {moments[0]:.12g} + {moments[1]:.12g}); each moment must be at "
+            "most the sum of the other two"
+        )

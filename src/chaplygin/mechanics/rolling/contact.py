@@ -1,0 +1,252 @@
+"""Kinematics of the contact: how the contact point and the normal move when a body rolls.
+
+Without slip the material point at the contact is at rest, so that the contact point wanders over
+the body (rate ṙ, body axes) as fast as over the surface.  On a sphere of signed radius a this
+reads γ̇ + ω×γ = ṙ/a for every shape; a plane is the limit a → ∞.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+from sympy.matrices.expressions import MatrixExpr
+
+from ...core.system import Guard, Parameter
+from ...core.vectors import Symmetric, Vector, constant, cross, dot, normed, scalar
+from ...errors import InputError
+from .shapes import (
+    IMPLICIT_GRADIENT,
+    IMPLICIT_HESSIAN,
+    IMPLICIT_POINT,
+    Ball,
+    GaussMap,
+    Implicit,
+    Shape,
+    convexity,
+)
+from .surfaces import Plane, Sphere, Surface
+
+__all__ = ["Contact", "contact"]
+
+Pairs = tuple[tuple[Any, Any], ...]
+
+omega = Vector("omega")
+gamma = Vector("gamma")
+r = Vector("r")
+rdot = Vector("rdot")
+gammadot = Vector("gammadot")
+a = scalar("a")
+
+
+@dataclass(frozen=True)
+class Contact:
+    """The contact of a body with a surface, as formulas in ω and the position.
+
+    Attributes
+    ----------
+    state : pairs
+        The variables that describe the position, with their rates.
+    relations : tuple of sympy.Expr
+        Vanish for every position.
+    parameters, definitions, guards
+        As in a :class:`~chaplygin.core.system.System`.
+    r, rdot, gammadot : MatrixExpr
+        Contact vector and rates of contact point and normal (body axes).
+    square : sympy.Expr
+        (r, r), with γ² = 1 used where it shortens.
+    height : sympy.Expr
+        −(r, γ), the height of the centre of mass above the tangent plane.
+    pull : callable
+        ∂U/∂γ ↦ the vector whose product γ× is the torque of a potential U(γ).
+    """
+
+    state: Pairs
+    relations: tuple[sp.Expr, ...]
+    parameters: tuple[Parameter, ...]
+    definitions: Pairs
+    guards: tuple[Guard, ...]
+    r: MatrixExpr
+    rdot: MatrixExpr
+    gammadot: MatrixExpr
+    square: sp.Expr
+    height: sp.Expr
+    pull: Callable[[MatrixExpr], MatrixExpr]
+
+
+def contact(shape: Shape, surface: Surface) -> Contact:
+    """The contact of `shape` with `surface`.
+
+    Raises
+    ------
+    InputError
+        If a ball does not fit into the sphere, or a hollow one not around it.  Where another
+        shape fits depends on the point of contact; there a guard watches.
+    """
+    if isinstance(shape, Implicit):
+        return _through_surface(shape, surface)
+    if isinstance(shape, Ball):
+        return _of_ball(shape, surface)
+    return _through_gauss_map(shape, shape.gauss(), surface)
+
+
+def _sphere_parameters(surface: Surface) -> tuple[Parameter, ...]:
+    if isinstance(surface, Plane):
+        return ()
+    meaning = "radius of the supporting sphere, negative inside"
+    return (Parameter(a, meaning, surface.radius, "m", (sp.Ne(a, 0),)),)
+
+
+def _fits(product: sp.Expr, total: sp.Expr) -> tuple[Guard, Guard]:
+    """Product and sum of 1 + R₁/a and 1 + R₂/a, up to positive factors: both are positive."""
+    happening = "the body does not fit into the sphere at the contact"
+    return Guard("fits", product, happening), Guard("fits", total, happening)
+
+
+def _check_ball(shape: Ball, surface: Surface) -> None:
+    """Refuse a ball larger than its bowl, and a hollow one that goes around nothing."""
+    around = surface.radius if isinstance(surface, Sphere) else None
+    if shape.hollow and (around is None or not 0 < around < shape.radius):
+        raise InputError(
+            f"hollow ball of radius {shape.radius:g}: it rolls around the outside of a sphere of "
+            "positive, smaller radius"
+        )
+    if not shape.hollow and around is not None and -shape.radius <= around < 0:
+        raise InputError(
+            f"ball of radius {shape.radius:g} in a bowl of radius {-around:g}: the bowl must be "
+            "the larger one"
+        )
+
+
+def _of_ball(shape: Ball, surface: Surface) -> Contact:
+    """A ball: γ̇ = k γ×ω with k = a/(a + R); ṙ stays a multiple of it, so that products shorten."""
+    _check_ball(shape, surface)
+    ball = shape.gauss()
+    c = shape.offset
+    definitions: Pairs = ()
+    rate, pull = cross(gamma, omega), lambda force: force
+    if isinstance(surface, Sphere):
+        k = scalar("k")
+        definitions = ((k, a / (a + ball.support)),)
+        rate, pull = k * rate, lambda force: k * force
+    reach, square = ball.reach, ball.determinant
+    if any(shape.centre):
+        definitions += ((r, c + ball.reach),)
+        reach, square = r, normed(r)
+    return Contact(
+        state=((gamma, rate),),
+        relations=(normed(gamma) - 1,),
+        parameters=ball.parameters + shape.offset_parameters + _sphere_parameters(surface),
+        definitions=definitions,
+        guards=(),
+        r=reach,
+        rdot=-ball.spread(rate),
+        gammadot=rate,
+        square=square,
+        height=ball.support - dot(c, gamma),
+        pull=pull,
+    )
+
+
+def _through_gauss_map(shape: Shape, body: GaussMap, surface: Surface) -> Contact:
+    """A shape with r(γ): γ̇ (E + W/a) = γ×ω on the tangent plane, where W has known invariants."""
+    swing = cross(gamma, omega)
+    definitions = (*body.definitions, (r, shape.offset + body.reach))
+    guards = body.guards
+    if isinstance(surface, Plane):
+        rate: MatrixExpr = swing
+        pull = lambda force: force  # noqa: E731
+    else:
+        # inverse of a symmetric operator of the plane by Cayley and Hamilton
+        area = scalar("A_a")
+        definitions += ((area, a**2 + a * body.trace + body.determinant),)
+        trace = scalar("tau")
+        definitions += ((trace, body.trace),)
+
+        def solve(vector: MatrixExpr) -> MatrixExpr:
+            return ((a**2 + a * trace) / area) * vector - (a / area) * body.spread(vector)
+
+        definitions += ((gammadot, solve(swing)),)
+        rate, pull = gammadot, solve
+        guards += _fits(area, 2 * a**2 + a * trace)
+    definitions += ((rdot, -body.spread(rate)),)
+    return Contact(
+        state=((gamma, rate),),
+        relations=(normed(gamma) - 1,),
+        parameters=body.parameters + shape.offset_parameters + _sphere_parameters(surface),
+        definitions=definitions,
+        guards=guards,
+        r=r,
+        rdot=rdot,
+        gammadot=rate,
+        square=normed(r),
+        height=body.support - dot(shape.offset, gamma),
+        pull=pull,
+    )
+
+
+def _through_surface(shape: Implicit, surface: Surface) -> Contact:
+    """A shape f(r − c) = 0 with r as state: (S + E/a) ṙ = −γ×ω, S the shape operator of f."""
+    x = IMPLICIT_POINT
+    coordinates = dict(zip(shape.coordinates, x.symbols, strict=True))
+    f = shape.surface.xreplace(coordinates)
+    slope, ell = IMPLICIT_GRADIENT, scalar("ell")
+    F, G = IMPLICIT_HESSIAN, Symmetric("G")
+    hessian = constant(sp.hessian(f, x.symbols))
+    mean, gauss = scalar("sigma"), scalar("kappa")
+    swing = cross(gamma, omega)
+    trace = sp.Add(*(F.entries[i, i] for i in range(3)))
+    definitions: Pairs = (
+        (x, r - shape.offset),
+        (slope, constant([sp.diff(f, s) for s in x.symbols])),
+        (ell, sp.sqrt(normed(slope))),
+        (gamma, -slope / ell),
+        (F, hessian),
+        (G, constant(F.entries.adjugate())),
+        (mean, (trace - dot(gamma, F * gamma)) / ell),
+        (gauss, dot(gamma, G * gamma) / ell**2),
+    )
+
+    def shape_operator(vector: MatrixExpr) -> MatrixExpr:
+        return (F * vector - dot(gamma, F * vector) * gamma) / ell
+
+    if isinstance(surface, Plane):
+        definitions += ((rdot, (shape_operator(swing) - mean * swing) / gauss),)
+        rate: MatrixExpr = swing
+        pull = lambda force: force  # noqa: E731
+        guards: tuple[Guard, ...] = ()
+    else:
+        area = scalar("A_a")
+        definitions += ((area, gauss + mean / a + 1 / a**2),)
+
+        def solve(vector: MatrixExpr) -> MatrixExpr:
+            """The inverse of S + E/a on tangent vectors."""
+            return (1 / area) * ((mean + 1 / a) * vector - shape_operator(vector))
+
+        definitions += ((rdot, -solve(swing)), (gammadot, swing + rdot / a))
+        rate = gammadot
+        pull = lambda force: force - solve(force - dot(gamma, force) * gamma) / a  # noqa: E731
+        guards = _fits(area * a**2, mean + 2 / a)
+    convex = convexity(gauss, mean)
+    return Contact(
+        state=((r, rdot),),
+        relations=(_on_surface(f, x, shape),),
+        parameters=shape.parameters + shape.offset_parameters + _sphere_parameters(surface),
+        definitions=definitions,
+        guards=(*convex, *guards),
+        r=r,
+        rdot=rdot,
+        gammadot=rate,
+        square=normed(r),
+        height=-dot(r, gamma),
+        pull=pull,
+    )
+
+
+def _on_surface(f: sp.Expr, x: Vector, shape: Implicit) -> sp.Expr:
+    """F as a function of the state r."""
+    offset = shape.offset
+    shift = (0, 0, 0) if not isinstance(offset, Vector) else offset.symbols
+    return f.xreplace({s: t - d for s, t, d in zip(x.symbols, r.symbols, shift, strict=True)})

@@ -1,0 +1,261 @@
+"""From an angular velocity and a normal to a state on the phase space.
+
+Everything here is computed with 50 digits and rounded once, so that a start is as good as the
+numbers in which it is given; a decimal such as 0.1 means one tenth at any precision.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import mpmath
+import numpy as np
+import sympy as sp
+
+from ...core.system import System
+from ...core.vectors import Vector, explicit
+from ...errors import InputError
+from .attitude import attitude
+from .gauss_map import touching
+
+__all__ = ["starting_state"]
+
+DIGITS = 50
+
+#: A start may miss a constraint by this much, relative to its size; more is refused.
+SLACK = 1e-12
+
+omega, gamma, zeta, r = Vector("omega"), Vector("gamma"), Vector("zeta"), Vector("r")
+place = Vector("place", 2)
+
+
+def starting_state(
+    system: System,
+    omega: Sequence[float],
+    gamma: Sequence[float],
+    *,
+    heading: float = 0.0,
+    normal: Sequence[float] = (0.0, 0.0, 1.0),
+    parameters: Mapping[sp.Symbol, Any] | None = None,
+) -> tuple[Any, ...]:
+    """The state of a system, lifted to space, that begins with given ω and γ.
+
+    Parameters
+    ----------
+    system : System
+    omega : 3 floats
+        Angular velocity, body axes.
+    gamma : 3 floats
+        Outward normal of the supporting surface at the contact, body axes; normalised here.
+    heading : float
+        Angle by which the body is turned about the normal, from the attitude that takes γ to
+        `normal` along the shortest way.
+    normal : 3 floats
+        The same normal in space axes; (0, 0, 1) on a plane.
+    parameters : mapping of Symbol to number, optional
+        Values that replace the system's defaults.
+
+    Returns
+    -------
+    tuple of mpmath.mpf
+        In flat order.  The contact point starts above or below the origin of space.
+
+    Raises
+    ------
+    InputError
+        If γ or the normal is zero or outside the domain of the equations (a body lying flat), or
+        ω breaks the constraint (ω, γ) = 0 of a rubber contact; the message then names the
+        nearest admissible ω.
+    """
+    with mpmath.workdps(DIGITS):
+        values = dict(system.defaults) | dict(parameters or {})
+        known = {s: _number(v) for s, v in values.items()}
+        spin = _vector(omega, "omega")
+        up = _direction(gamma, "gamma")
+        _check_spin(system, spin, up)
+        known |= dict(zip(_OMEGA, spin, strict=True)) | dict(zip(_GAMMA, up, strict=True))
+        if r in system.state:
+            known |= dict(zip(r.symbols, _contact_point(system, up, known), strict=True))
+        _check_domain(system, known)
+        turn = _attitude(up, _direction(normal, "normal"), _number(heading))
+        known |= dict(zip(attitude.symbols, turn, strict=True))
+        known |= dict(zip(zeta.symbols, _third_row(turn), strict=True))
+        known |= _evaluate(system, system.start, known)
+        known |= dict(zip(place.symbols, _place(system, known), strict=True))
+        lifted = system.lifted() if system.motion else system
+        missing = [str(s) for s in lifted.symbols if s not in known]
+        if missing:
+            raise InputError(
+                f"{system.name}: omega and gamma do not determine {', '.join(missing)}"
+            )
+        return tuple(known[s] for s in lifted.symbols)
+
+
+_OMEGA, _GAMMA = omega.symbols, gamma.symbols
+
+
+def _number(value: Any) -> Any:
+    return mpmath.mpf(repr(float(value))) if isinstance(value, (int, float)) else mpmath.mpf(value)
+
+
+def _vector(values: Sequence[float], name: str) -> list[Any]:
+    if len(values) != 3:
+        raise InputError(f"{name}: three numbers are needed, not {len(values)}")
+    numbers = [_number(x) for x in values]
+    if not all(mpmath.isfinite(x) for x in numbers):
+        raise InputError(f"{name} {tuple(values)}: all three numbers must be finite")
+    return numbers
+
+
+def _direction(values: Sequence[float], name: str) -> list[Any]:
+    numbers = _vector(values, name)
+    length = mpmath.sqrt(sum(x * x for x in numbers))
+    if length == 0:
+        raise InputError(f"{name} is zero: it must point along the normal")
+    return [x / length for x in numbers]
+
+
+def _check_spin(system: System, spin: list[Any], up: list[Any]) -> None:
+    """Remove a spin at rounding level; refuse a larger one."""
+    if not any(_is_no_spin(relation) for relation in system.relations):
+        return
+    excess = sum(x * y for x, y in zip(spin, up, strict=True))
+    size = max(abs(x) for x in spin)
+    nearest = [x - excess * y for x, y in zip(spin, up, strict=True)]
+    # what the working precision leaves of a spin along the normal is zero
+    nearest = [x if abs(x) > mpmath.mpf(10) ** (10 - DIGITS) * size else 0 * x for x in nearest]
+    if abs(excess) > SLACK * size:
+        shown = ", ".join(repr(float(x)) for x in nearest)
+        raise InputError(
+            f"omega: (omega, gamma) = {float(excess):.6g}, and a body that must not spin about "
+            f"the normal needs 0; the nearest admissible omega is [{shown}]"
+        )
+    spin[:] = nearest
+
+
+def _is_no_spin(relation: sp.Expr) -> bool:
+    product = sp.Add(*(x * y for x, y in zip(_OMEGA, _GAMMA, strict=True)))
+    return bool(explicit(relation) == product)
+
+
+def _check_domain(system: System, known: Mapping[sp.Symbol, Any]) -> None:
+    """Refuse a position outside the domain of the equations."""
+    for guard in system.guards:
+        if guard.lift_off:
+            continue
+        try:
+            value = evaluate(system, [explicit(guard.value)], known)[0]
+        except ZeroDivisionError:
+            value = mpmath.mpf(0)
+        if not value > 0:
+            raise InputError(f"gamma: this start is outside the domain; {guard.happening}")
+
+
+def _attitude(up: list[Any], normal: list[Any], heading: Any) -> list[Any]:
+    """The quaternion that takes `up` (body) to `normal` (space), turned by `heading` about it."""
+    cosine = sum(x * y for x, y in zip(up, normal, strict=True))
+    axis = _cross(up, normal)
+    if cosine < -1 + mpmath.mpf(10) ** -20:
+        # opposite: any half turn about a perpendicular axis will do; take the most lateral one
+        least = min(range(3), key=lambda i: abs(up[i]))
+        axis = _cross(up, [mpmath.mpf(int(i == least)) for i in range(3)])
+        short = [mpmath.mpf(0), *axis]
+    else:
+        short = [1 + cosine, *axis]
+    half = heading / 2
+    turn = [mpmath.cos(half), *(mpmath.sin(half) * x for x in normal)]
+    product = _times(turn, short)
+    length = mpmath.sqrt(sum(x * x for x in product))
+    return [x / length for x in product]
+
+
+def _cross(u: list[Any], v: list[Any]) -> list[Any]:
+    return [
+        u[1] * v[2] - u[2] * v[1],
+        u[2] * v[0] - u[0] * v[2],
+        u[0] * v[1] - u[1] * v[0],
+    ]
+
+
+def _times(p: list[Any], q: list[Any]) -> list[Any]:
+    scalar = p[0] * q[0] - sum(x * y for x, y in zip(p[1:], q[1:], strict=True))
+    vector = _cross(p[1:], q[1:])
+    return [
+        scalar,
+        *(p[0] * y + q[0] * x + z for x, y, z in zip(p[1:], q[1:], vector, strict=True)),
+    ]
+
+
+def _third_row(turn: list[Any]) -> list[Any]:
+    """The vertical of space seen from the body."""
+    w, x, y, z = turn
+    return [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]
+
+
+def _evaluate(system: System, pairs: Any, known: Mapping[sp.Symbol, Any]) -> dict[Any, Any]:
+    """Values of named formulas at known symbols."""
+    symbols = [s for name, _ in pairs for s in name.symbols]
+    formulas = [e for _, formula in pairs for e in explicit(formula)]
+    return dict(zip(symbols, evaluate(system, formulas, known), strict=True))
+
+
+def evaluate(
+    system: System, formulas: Sequence[sp.Expr], known: Mapping[sp.Symbol, Any]
+) -> list[Any]:
+    """Values of scalar formulas of a system, in the working precision of mpmath."""
+    if not formulas:
+        return []
+    steps = list(system.needed(formulas, given=known))
+    function = sp.lambdify(list(known), list(formulas), "mpmath", cse=lambda e: (steps, e))
+    return list(function(*known.values()))
+
+
+def _contact_point(system: System, up: list[Any], known: Mapping[sp.Symbol, Any]) -> list[Any]:
+    """The point r of an implicit surface f(r − c) = 0 whose outward normal is −γ.
+
+    A point good to double precision is polished by Newton's method for ∇f + ℓγ = 0, f = 0, with
+    the length ℓ of the gradient as fourth unknown.
+    """
+    surface, coordinates = explicit(system.relations[0]), r.symbols
+    values = {s: v for s, v in known.items() if s in surface.free_symbols}
+    centre = [known.get(s, mpmath.mpf(0)) for s in Vector("c").symbols]
+    shifted = surface.subs(values).subs(
+        {s: s + v for s, v in zip(coordinates, centre, strict=True)}, simultaneous=True
+    )
+    guess = touching(shifted, coordinates, np.array([[float(x) for x in up]]))[0]
+    local = sp.lambdify(
+        coordinates,
+        [shifted, *(shifted.diff(s) for s in coordinates), *sp.hessian(shifted, coordinates)],
+        "mpmath",
+    )
+    x = mpmath.matrix([mpmath.mpf(float(v)) for v in guess])
+    for _ in range(8):
+        f, *rest = local(*x)
+        slope, hessian = rest[:3], rest[3:]
+        length = mpmath.sqrt(sum(v * v for v in slope))
+        matrix = mpmath.matrix(
+            [[*hessian[3 * i : 3 * i + 3], up[i]] for i in range(3)] + [[*slope, 0]]
+        )
+        defect = mpmath.matrix([*(v + length * u for v, u in zip(slope, up, strict=True)), f])
+        try:
+            step = mpmath.lu_solve(matrix, -defect)
+        except ZeroDivisionError:
+            break
+        x = x + step[:3, 0]
+        if mpmath.norm(step[:3, 0]) < mpmath.mpf(10) ** (5 - DIGITS) * mpmath.norm(x):
+            return [v + shift for v, shift in zip(x, centre, strict=True)]
+    raise InputError(
+        "gamma: no contact point with this normal was found; the surface must be smooth and "
+        "strictly convex there"
+    )
+
+
+def _place(system: System, known: Mapping[sp.Symbol, Any]) -> list[Any]:
+    """The centre of mass that puts the contact point at the origin of the plane."""
+    zero = mpmath.mpf(0)
+    if system.motion is None or all(name != place for name, _ in system.motion.field):
+        return [zero, zero]
+    origin = {**known, **dict.fromkeys(place.symbols, zero)}
+    contact = next(o.value for o in system.motion.observables if o.name == "contact")
+    return [-x for x in evaluate(system, list(explicit(contact))[:2], origin)]

@@ -1,0 +1,125 @@
+"""A rolling body from first principles: the free body's Lagrangian with the contact's constraints.
+
+The quasi-velocities are ω and the velocity v of the centre of mass, both in body axes, with the
+brackets (1.12); the constraints are v + ω×r = 0 (1.14) and, for a rubber body, (ω, γ) = 0 (1.15).
+Place and heading are cyclic.  On a plane the height R₃ of the centre of mass stays a coordinate,
+so that the multipliers are the contact force itself, gravity apart; on a sphere the centre of mass
+X (body axes, from the centre of the sphere) does the same.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from ...core.system import Guard, Parameter, flat_pairs
+from ...core.vectors import Diagonal, Symmetric, Vector, cross, dot, explicit, normed, scalar
+from ..lagrangian.mechanism import Frame, Mechanism, Pairs, euclidean
+from .contact import contact as contact_of
+from .equations import Rolling
+from .surfaces import Plane
+
+__all__ = ["rolling_mechanism"]
+
+omega, v, gamma, zeta, X, k = (Vector(n) for n in ("omega", "v", "gamma", "zeta", "X", "k"))
+m, g, R_3, U = (scalar(name) for name in ("m", "g", "R_3", "U"))
+HALF = sp.Rational(1, 2)
+
+
+def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism:
+    """The mechanism of a rolling body.
+
+    Parameters
+    ----------
+    rolling : Rolling
+        Body, surface, contact model and field; the numbers become defaults of the parameters.
+    name : str
+
+    Returns
+    -------
+    Mechanism
+        Its equations are those of :func:`chaplygin.mechanics.rolling.equations.roll`.
+
+    Raises
+    ------
+    InputError
+        As :func:`chaplygin.mechanics.rolling.contact.contact`.
+    """
+    body, field = rolling.body, rolling.field
+    touch = contact_of(body.shape, rolling.surface)
+    place, swinging = _positions(touch.definitions)
+    inertia = Diagonal("I") if body.principal else Symmetric("I")
+    spin = inertia * omega
+    kinetic = HALF * m * normed(v) + HALF * dot(omega, spin)
+    if any(body.gyrostat):
+        kinetic = kinetic + dot(k, omega)
+    rates = {n: _written(rate, swinging) if swinging else rate for n, rate in touch.state}
+    potential: sp.Expr = sp.S.Zero
+    relations = touch.relations
+    if field.gravity and isinstance(rolling.surface, Plane):
+        rates[R_3] = dot(gamma, v)
+        potential = m * g * R_3
+    elif field.gravity:
+        rates[X] = cross(X, omega) + v
+        rates[zeta] = cross(zeta, omega)
+        relations = (*relations, normed(zeta) - 1)
+        potential = m * g * dot(X, zeta)
+    constraints: tuple[Any, ...] = (v + cross(omega, touch.r),)
+    if rolling.contact == "rubber":
+        constraints += (dot(omega, gamma),)
+    return Mechanism(
+        name=name,
+        title="Rolling body",
+        frame=Frame(rates, (omega, v), relations, euclidean(omega, v)),
+        lagrangian=kinetic - potential - field.potential,
+        constraints=constraints,
+        definitions=place,
+        parameters=_parameters(rolling, inertia, touch.parameters),
+        guards=tuple(_guard(guard, swinging) for guard in touch.guards),
+        source="(1.9), (1.14), (1.15)",
+    )
+
+
+def _positions(definitions: Pairs) -> tuple[Pairs, dict[sp.Symbol, sp.Expr]]:
+    """Definitions in the position alone, and the steps of those in the angular velocity."""
+    moving = set(omega.symbols)
+    place: list[tuple[Any, Any]] = []
+    swinging: dict[sp.Symbol, sp.Expr] = {}
+    for name, formula in definitions:
+        steps = flat_pairs(((name, formula),))
+        if any(value.free_symbols & moving for _, value in steps):
+            moving |= {s for s, _ in steps}
+            swinging |= dict(steps)
+        else:
+            place.append((name, formula))
+    return tuple(place), swinging
+
+
+def _written(formula: Any, swinging: dict[sp.Symbol, sp.Expr]) -> Any:
+    value = explicit(formula)
+    while value.free_symbols & swinging.keys():
+        value = value.xreplace(swinging)
+    return value
+
+
+def _guard(guard: Guard, swinging: dict[sp.Symbol, sp.Expr]) -> Guard:
+    return Guard(guard.name, _written(guard.value, swinging), guard.happening, guard.lift_off)
+
+
+def _parameters(
+    rolling: Rolling, inertia: Diagonal | Symmetric, touch: tuple[Parameter, ...]
+) -> tuple[Parameter, ...]:
+    body, field = rolling.body, rolling.field
+    found = [Parameter(m, "mass", body.mass, "kg", (m > 0,))]
+    for s, value in zip(inertia.symbols, inertia.independent(body.tensor), strict=True):
+        found.append(Parameter(s, "entry of the inertia tensor", float(value), "kg m^2"))
+    if any(body.gyrostat):
+        found += [
+            Parameter(s, "gyrostatic momentum, body axes", x, "kg m^2/s")
+            for s, x in zip(k.symbols, body.gyrostat, strict=True)
+        ]
+    if field.gravity:
+        found.append(Parameter(g, "acceleration of gravity", field.gravity, "m/s^2"))
+    found += [Parameter(s, "parameter of the potential", x, "SI") for s, x in field.values]
+    return (*found, *touch)

@@ -1,0 +1,44 @@
+"""What a body rolls on."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from ...errors import InputError
+
+__all__ = ["Plane", "Sphere", "Surface"]
+
+
+@dataclass(frozen=True)
+class Plane:
+    """The horizontal plane z = 0, with the body above it."""
+
+
+@dataclass(frozen=True)
+class Sphere:
+    """A fixed sphere about the origin of space.
+
+    Parameters
+    ----------
+    radius : float
+        Signed radius a: positive when the body rolls on its outside (a dome), negative when it
+        rolls on its inside (a bowl).
+
+    Raises
+    ------
+    InputError
+        If the radius is zero or not finite.
+    """
+
+    radius: float
+
+    def __post_init__(self) -> None:
+        if not math.isfinite(self.radius) or self.radius == 0:
+            raise InputError(
+                f"radius {self.radius} of the supporting sphere: it must be a finite number, "
+                "positive for rolling outside, negative for rolling inside"
+            )
+
+
+Surface = Plane | Sphere

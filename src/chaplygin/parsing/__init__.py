@@ -1,0 +1,99 @@
+"""Formulas typed by the user, read into SymPy without running any code of theirs.
+
+The language is small: decimal numbers, the names that the caller knows, ``pi``, the operators
+``+ - * / **``, parentheses and the functions of `FUNCTIONS`; ``γ₃²`` is read as ``gamma_3**2``.
+Decimal numbers become exact rationals (``0.3`` is 3/10), so that what is proved of a formula later
+is proved exactly.  Where vectors are known, ``dot(u, v)``, ``cross(u, v)`` and ``[a, b, c]`` may be
+used besides.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+
+import sympy
+
+from .grammar import CONSTANTS, FUNCTIONS, MAX_LENGTH, PRODUCTS, RESERVED
+from .paper_notation import spelt
+from .scalar import Scalars
+from .syntax import Source, nearest, syntax_tree
+from .vector import Formula, Named, Vectors
+
+__all__ = [
+    "CONSTANTS",
+    "FUNCTIONS",
+    "MAX_LENGTH",
+    "PRODUCTS",
+    "RESERVED",
+    "Formula",
+    "Named",
+    "nearest",
+    "parse",
+    "parse_formula",
+]
+
+
+def parse(text: str, names: Mapping[str, sympy.Symbol], where: str = "") -> sympy.Expr:
+    """Read a formula.
+
+    Parameters
+    ----------
+    text
+        The formula, such as ``"x**4 + y**4 + z**4 - 1"``; line breaks count as spaces.
+    names
+        The symbols that it may contain, by the name under which they are written.
+    where
+        Where the formula stands (file, line, key), put before the message of an error.
+
+    Returns
+    -------
+    sympy.Expr
+        A real, finite expression in those symbols whose numbers are exact.
+
+    Raises
+    ------
+    InputError
+        When the text is no formula of this language, contains an unknown name, has no real value
+        (``1/0``, ``sqrt(-1)``) or is absurdly large. The message is one sentence, followed by
+        the formula and a caret under the offending character.
+    """
+    source = Source(spelt(text), where, _in_order(names, RESERVED))
+    return Scalars(source, {**CONSTANTS, **names}).read(syntax_tree(source), 0)
+
+
+def _in_order(names: Iterable[str], reserved: Collection[str]) -> Collection[str]:
+    """Names first as they come, then functions and constants."""
+    return dict.fromkeys([*names, *sorted(reserved)])
+
+
+def parse_formula(text: str, names: Mapping[str, Named], where: str = "") -> Formula:
+    """Read a formula in which vectors may occur.
+
+    Parameters
+    ----------
+    text
+        The formula, such as ``"cross(gamma, omega)"`` or ``"dot(omega, I*omega)/2"``.
+    names
+        Scalars, vectors and diagonal tensors by name; the components of a vector, such as
+        ``gamma_1``, are known with it.
+    where
+        Where the formula stands, put before the message of an error.
+
+    Returns
+    -------
+    sympy.Expr or MatrixExpr
+        A scalar or vector formula as it is written: vector products are not expanded.
+
+    Raises
+    ------
+    InputError
+        As for `parse`, and where numbers and vectors are mixed up.
+    """
+    scalars = {str(s): s for name in names.values() for s in _components(name)}
+    words = _in_order([*names, *scalars], RESERVED | PRODUCTS)
+    source = Source(spelt(text), where, words, brackets=True)
+    return Vectors(source, {**CONSTANTS, **scalars}, names).read(syntax_tree(source), 0)
+
+
+def _components(named: Named) -> tuple[sympy.Symbol, ...]:
+    return (named,) if isinstance(named, sympy.Symbol) else tuple(named.symbols)

@@ -1,0 +1,179 @@
+"""Numbers and names put together to SymPy expressions, with every step checked."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+import sympy
+
+from ..errors import InputError
+from .grammar import (
+    DECIMALS,
+    FUNCTIONS,
+    MAX_BITS,
+    MAX_CONSTANT,
+    MAX_DEPTH,
+    MAX_DIGITS,
+    MAX_EXPONENT,
+    MAX_ROOT,
+)
+from .syntax import TOO_DEEP, Source, chain
+
+__all__ = ["Scalars"]
+
+# SymPy computes constants while it builds an expression, and where that is beyond its means it
+# fails in these ways (among them PrecisionExhausted, an ArithmeticError).
+_SYMPY_FAILURES = (ArithmeticError, AttributeError, RecursionError, TypeError, ValueError)
+
+
+@dataclass(frozen=True)
+class Scalars:
+    """Turns the syntax tree of one formula into SymPy.
+
+    Parameters
+    ----------
+    source : Source
+    names : mapping of str to Symbol
+        The scalars that it may contain.
+    vectors : collection of str
+        Names of vectors and tensors, which may stand only in calls of `products`.
+    products : mapping of str to callable
+        Further functions, which read their arguments themselves: (call, depth) ↦ value.
+    """
+
+    source: Source
+    names: Mapping[str, sympy.Expr]
+    vectors: Collection[str] = ()
+    products: Mapping[str, Callable[[ast.Call, int], sympy.Expr]] = field(default_factory=dict)
+
+    def error(self, message: str, node: ast.expr) -> InputError:
+        """Point at the first character of `node`."""
+        return self.source.at(message, node)
+
+    def read(self, node: ast.expr, depth: int) -> sympy.Expr:
+        """The value of `node`, checked to be real, finite and of a sensible size."""
+        if depth > MAX_DEPTH:
+            raise self.error(TOO_DEEP, node)
+        try:
+            value = self.build(node, depth)
+            self.check(value, node)
+        except InputError:
+            raise
+        except _SYMPY_FAILURES:
+            raise self.error(
+                "this is beyond exact computation; use simpler numbers", node
+            ) from None
+        return value
+
+    def build(self, node: ast.expr, depth: int) -> sympy.Expr:
+        """The value of `node`, whatever it is."""
+        match node:
+            case ast.Constant():
+                return self.number(node)
+            case ast.Name():
+                return self.name(node)
+            case ast.UnaryOp(op=ast.UAdd(), operand=operand):
+                return self.read(operand, depth + 1)
+            case ast.UnaryOp(op=ast.USub(), operand=operand):
+                return -self.read(operand, depth + 1)
+            case ast.BinOp(op=ast.Add() | ast.Sub()):
+                return self.sum(node, depth)
+            case ast.BinOp(op=ast.Mult() | ast.Div()):
+                return self.product(node, depth)
+            case ast.BinOp(op=ast.Pow()):
+                return self.power(node, depth)
+            case ast.BinOp():
+                raise self.error("of two slashes one is too many; division is written /", node)
+            case ast.Call():
+                return self.call(node, depth)
+            case _:
+                raise self.error("this is not part of a formula", node)
+
+    def number(self, node: ast.Constant) -> sympy.Expr:
+        """The exact value of a decimal number."""
+        text = self.source.text[node.col_offset - 1 : (node.end_col_offset or 0) - 1]
+        power_of_ten = re.search(r"[eE][+-]?(\d+)$", text)
+        if power_of_ten and int(power_of_ten.group(1)) > MAX_DIGITS:
+            raise self.error("the power of ten of this number is too large", node)
+        fraction = Fraction(text)
+        return sympy.Rational(fraction.numerator, fraction.denominator)
+
+    def name(self, node: ast.Name) -> sympy.Expr:
+        """The symbol or constant that a name stands for."""
+        if node.id in self.vectors:
+            message = f"a number is wanted here, and '{node.id}' is none"
+            raise self.error(f"{message}; of a vector write a component or dot(u, v)", node)
+        if node.id not in self.names:
+            raise self.error(f"'{node.id}' is a function; write {node.id}(...)", node)
+        return self.names[node.id]
+
+    def sum(self, node: ast.BinOp, depth: int) -> sympy.Expr:
+        """A whole chain ``a + b - c`` at once: term by term SymPy would sort it anew each time."""
+        terms = []
+        for operator, operand in chain(node, (ast.Add, ast.Sub)):
+            value = self.read(operand, depth + 1)
+            terms.append(-value if isinstance(operator, ast.Sub) else value)
+        return sympy.Add(*terms)
+
+    def product(self, node: ast.BinOp, depth: int) -> sympy.Expr:
+        """A whole chain ``a * b / c`` at once."""
+        factors = []
+        for operator, operand in chain(node, (ast.Mult, ast.Div)):
+            value = self.read(operand, depth + 1)
+            if isinstance(operator, ast.Div):
+                if value.is_zero:
+                    raise self.error("division by zero", operand)
+                value = 1 / value
+            factors.append(value)
+        return sympy.Mul(*factors)
+
+    def power(self, node: ast.BinOp, depth: int) -> sympy.Expr:
+        """A power, when the numbers in its exponent keep within bounds."""
+        exponent = self.read(node.right, depth + 1)
+        self.check_exponent(exponent, node.right)
+        value = sympy.Pow(self.read(node.left, depth + 1), exponent)
+        for power in value.atoms(sympy.Pow):  # (x**100)**100 has become x**10000
+            self.check_exponent(power.exp, node.right)
+        return value
+
+    def call(self, node: ast.Call, depth: int) -> sympy.Expr:
+        """The value of a function."""
+        name = node.func.id if isinstance(node.func, ast.Name) else ""
+        if name in self.products:
+            return self.products[name](node, depth)
+        if name not in FUNCTIONS or name in self.names:
+            raise self.error("only functions can be called", node)
+        wanted = 2 if name == "atan2" else 1
+        if len(node.args) != wanted or node.keywords:
+            raise self.error(f"{name} takes {wanted} argument{'s' * (wanted - 1)}", node)
+        arguments = [self.read(argument, depth + 1) for argument in node.args]
+        if name == "exp":
+            self.check_exponent(arguments[0], node)
+        return FUNCTIONS[name](*arguments)
+
+    def check_exponent(self, exponent: sympy.Expr, node: ast.expr) -> None:
+        """Refuse numbers of which SymPy, computing exactly, would make astronomic ones."""
+        for number in exponent.atoms(sympy.Rational):
+            if abs(number) > MAX_EXPONENT:
+                message = f"this exponent is too large; up to {MAX_EXPONENT} is allowed"
+                raise self.error(message, node)
+            if number.q > MAX_ROOT:
+                raise self.error(f"this exponent has more than {DECIMALS} decimals", node)
+
+    def check(self, value: sympy.Expr, node: ast.expr) -> None:
+        """Refuse a constant without a real value, or one so large that SymPy might not return."""
+        if value.has(sympy.zoo, sympy.nan, sympy.oo, -sympy.oo):
+            raise self.error("this has no finite value", node)
+        if value.is_Rational:
+            if max(value.p.bit_length(), value.q.bit_length()) > MAX_BITS:
+                raise self.error("this number is too large", node)
+        elif not value.free_symbols:
+            approximation = sympy.N(value)
+            if not approximation.is_real:
+                raise self.error("this is not a real number", node)
+            if abs(approximation) > MAX_CONSTANT:
+                raise self.error(f"this number is larger than {MAX_CONSTANT:.0e}", node)

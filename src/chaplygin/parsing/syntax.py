@@ -1,0 +1,193 @@
+"""A formula as text: its words, what binds to what, and where a mistake stands."""
+
+from __future__ import annotations
+
+import ast
+import difflib
+import re
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from ..errors import InputError
+from .grammar import FUNCTIONS, MAX_DEPTH, MAX_DIGITS, MAX_LENGTH, PRODUCTS
+
+__all__ = ["TOO_DEEP", "Source", "chain", "nearest", "syntax_tree"]
+
+_TOKEN = re.compile(
+    r"(?P<space>\s+)"
+    r"|(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)"
+    r"|(?P<name>[A-Za-z_]\w*)"
+    r"|(?P<operator>\*\*|[-+*/(),])"
+    r"|(?P<bracket>[\[\]])",
+    re.ASCII,
+)
+_HINTS = MappingProxyType({"^": "a power is written **", "=": "write a formula, not an equation"})
+_MEANT = MappingProxyType(
+    {
+        **dict.fromkeys(("E", "e"), "; Euler's number is written exp(1)"),
+        **dict.fromkeys(("Pi", "PI", "π"), "; the half turn is written pi"),
+        **dict.fromkeys(("oo", "inf", "nan", "zoo"), "; only finite numbers stand in formulas"),
+    }
+)
+"""Ends of sentences about names that other languages have."""
+_CLOSING = MappingProxyType({")": "(", "]": "["})
+_SHAPE = MappingProxyType({"(": "parenthesis", "[": "bracket"})
+_EXCERPT = 72
+
+TOO_DEEP = "the formula is nested too deeply"
+
+
+def nearest(name: str, known: Iterable[str]) -> str:
+    """End a sentence about an unknown name: the likeliest intention, and all that is allowed.
+
+    Parameters
+    ----------
+    name
+        The unknown name.
+    known
+        The names that would have been accepted.
+    """
+    allowed = list(known)
+    close = difflib.get_close_matches(name, allowed, n=1)
+    guess = f", did you mean '{close[0]}'?" if close else ";"
+    return f"{guess} allowed: {', '.join(allowed) or 'none'}"
+
+
+@dataclass(frozen=True)
+class Source:
+    """A formula as typed, and where it stands.
+
+    Parameters
+    ----------
+    text, where : str
+    words : collection of str
+        Every name that may occur in it, functions among them.
+    brackets : bool
+        Whether it may contain vectors written by their components, ``[a, b, c]``.
+    """
+
+    text: str
+    where: str
+    words: Collection[str]
+    brackets: bool = False
+
+    def error(self, message: str, position: int) -> InputError:
+        """Point at the character `position` of the formula."""
+        start = max(0, position - _EXCERPT // 2)
+        window = self.text[start : start + _EXCERPT]
+        excerpt = "".join(char if char.isprintable() else " " for char in window)
+        return InputError(f"{message}\n    {excerpt}\n    {' ' * (position - start)}^", self.where)
+
+    def at(self, message: str, node: ast.expr) -> InputError:
+        """Point at the first character of `node`."""
+        return self.error(message, node.col_offset - 1)
+
+
+@dataclass(frozen=True)
+class _Token:
+    """A number, name or operator, and the place of its first character."""
+
+    kind: str
+    word: str
+    position: int
+
+
+def syntax_tree(source: Source) -> ast.expr:
+    """Let Python's own grammar decide what binds to what; nothing is run.
+
+    The parentheses put around the formula make blanks before it harmless and columns in the
+    tree one too large.
+
+    Raises
+    ------
+    InputError
+        If the text is too long, contains an unknown word or is no formula.
+    """
+    if len(source.text) > MAX_LENGTH:
+        raise InputError(
+            f"the formula has {len(source.text)} characters; at most {MAX_LENGTH} are allowed",
+            source.where,
+        )
+    tokens = _tokens(source)
+    _check_words(source, tokens)
+    _check_parentheses(source, tokens)
+    line = re.sub(r"\s", " ", source.text, flags=re.ASCII).rstrip()
+    try:
+        return ast.parse(f"({line})", mode="eval").body
+    except SyntaxError as error:
+        position = (error.offset or 2) - 2
+        message = "the formula cannot be read from here on"
+        raise source.error(message, min(max(position, 0), len(line))) from None
+    except (RecursionError, MemoryError):
+        raise source.error(TOO_DEEP, 0) from None
+
+
+def _tokens(source: Source) -> list[_Token]:
+    """Cut the formula into words."""
+    tokens = []
+    position = 0
+    while position < len(source.text):
+        match = _TOKEN.match(source.text, position)
+        if match is None or (match.lastgroup == "bracket" and not source.brackets):
+            char = source.text[position]
+            hint = _HINTS.get(char, "allowed: names, numbers, + - * / ** ( ) and commas")
+            raise source.error(f"the character {char!r} has no meaning here; {hint}", position)
+        if match.lastgroup != "space":
+            tokens.append(_Token(str(match.lastgroup), match.group(), position))
+        position = match.end()
+    if not tokens:
+        raise source.error("the formula is empty", 0)
+    return tokens
+
+
+def _check_words(source: Source, tokens: Sequence[_Token]) -> None:
+    """Refuse unknown names, endless numbers and values with no operator between them."""
+    previous = ""
+    for token in tokens:
+        if _value_meets_value(source, previous, token.word):
+            message = "an operator is missing here; multiplication is written *"
+            raise source.error(message, token.position)
+        if token.kind == "name" and token.word not in source.words:
+            known = _MEANT.get(token.word) or nearest(token.word, source.words)
+            raise source.error(f"unknown name '{token.word}'{known}", token.position)
+        if token.kind == "number" and len(token.word) > MAX_DIGITS:
+            raise source.error(f"this number has more than {MAX_DIGITS} digits", token.position)
+        previous = token.word
+
+
+def _check_parentheses(source: Source, tokens: Sequence[_Token]) -> None:
+    """Refuse parentheses that do not pair, or pair too often."""
+    opened: list[_Token] = []
+    for token in tokens:
+        if token.word in _SHAPE:
+            opened.append(token)
+        elif token.word in _CLOSING:
+            partner = _CLOSING[token.word]
+            if not opened or opened[-1].word != partner:
+                raise source.error(f"this {_SHAPE[partner]} closes none", token.position)
+            opened.pop()
+        if len(opened) > MAX_DEPTH:
+            raise source.error(TOO_DEEP, token.position)
+    if opened:
+        last = opened[-1]
+        raise source.error(f"this {_SHAPE[last.word]} is never closed", last.position)
+
+
+def _value_meets_value(source: Source, previous: str, word: str) -> bool:
+    """Whether two values follow each other without an operator: ``2x``, ``x (y + 1)``."""
+    if word == "(" and (previous in FUNCTIONS or (source.brackets and previous in PRODUCTS)):
+        return False
+    ends_value = previous != "" and (previous[-1].isalnum() or previous[-1] in "_).]")
+    return ends_value and (word[0].isalnum() or word[0] in "_(.[")
+
+
+def chain(node: ast.BinOp, operators: tuple[type, ...]) -> list[tuple[ast.operator, ast.expr]]:
+    """The operands of a left-nested chain in order, each with the operator before it."""
+    links: list[tuple[ast.operator, ast.expr]] = []
+    left: ast.expr = node
+    while isinstance(left, ast.BinOp) and isinstance(left.op, operators):
+        links.append((left.op, left.right))
+        left = left.left
+    first = ast.Add() if ast.Add in operators else ast.Mult()
+    return [(first, left), *reversed(links)]

@@ -1,0 +1,135 @@
+"""What of a system belongs on its page: the equations, what their letters stand for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from ..core.vectors import Diagonal, Gradient, Symmetric, Vector, explicit
+from .laws import formulas
+
+if TYPE_CHECKING:
+    from ..core.system import System
+
+__all__ = ["Page", "Pairs", "motion_of", "page_of"]
+
+Pairs = tuple[tuple[Any, Any], ...]
+
+
+@dataclass(frozen=True)
+class Page:
+    """The formulas of a system as a reader needs them.
+
+    Attributes
+    ----------
+    field : pairs
+        State and rates; a rate that is only a name (γ̇) is replaced by its definition, and left
+        out where it belongs to the state itself, as its name says all.
+    where : pairs
+        Tensors and vectors of parameters by components, then the definitions that the field
+        needs, in order.
+    further : pairs
+        The same for what laws and relations need besides.
+    """
+
+    field: Pairs
+    where: Pairs
+    further: Pairs
+
+
+def page_of(system: System) -> Page:
+    """The formulas of a system, each once, in the order in which a reader needs them.
+
+    What is defined to vanish is left out of the formulas of the motion.
+    """
+    found = _page_of(system)
+    zeros = {
+        name: sp.S.Zero for name, value in found.where if isinstance(name, sp.Symbol) and value == 0
+    }
+
+    def short(pairs: Pairs) -> Pairs:
+        return tuple((name, _without(zeros, value)) for name, value in pairs)
+
+    return replace(found, field=short(found.field), where=short(found.where))
+
+
+def _without(zeros: dict[sp.Symbol, Any], value: Any) -> Any:
+    """A scalar formula of scalars without what vanishes; others stay as they are written."""
+    plain = isinstance(value, sp.Expr) and not value.atoms(Vector, Diagonal, Symmetric)
+    return value.xreplace(zeros) if plain and value.free_symbols & zeros.keys() else value
+
+
+def _page_of(system: System) -> Page:
+    field, spelt_out = _spelt_out(system, system.field)
+    needed = _needed(system, [formula for _, formula in system.field])
+    where = tuple(pair for pair in needed if pair[0] not in spelt_out)
+    claims = [formula for law in system.laws for formula in formulas(law)]
+    claims += system.relations
+    extra = tuple(pair for pair in _needed(system, claims) if pair not in needed)
+    given = _given(system, [formula for _, formula in (*field, *where)])
+    given_too = _given(system, [*claims, *(formula for _, formula in extra)])
+    return Page(
+        field=field,
+        where=given + where,
+        further=tuple(pair for pair in given_too if pair not in given) + extra,
+    )
+
+
+def motion_of(system: System) -> Page:
+    """The equations of the lift to space, with the definitions that the other page lacks."""
+    field, spelt_out = _spelt_out(system, system.motion.field if system.motion else ())
+    page = page_of(system)
+    shown = {s for name in spelt_out for s in _scalars(name)}
+    shown |= {s for name, _ in (*page.where, *page.further) for s in _scalars(name)}
+    steps = system.needed(formula for _, formula in field)
+    return Page(field, tuple(pair for pair in steps if pair[0] not in shown), ())
+
+
+def _spelt_out(system: System, field: Pairs) -> tuple[Pairs, set[Any]]:
+    """Rates, those that are only names put in or left out, and the names put in."""
+    definitions = dict(system.definitions)
+    found, names = [], set()
+    for name, formula in field:
+        named = str(formula) == f"{name}dot"
+        if named and formula in system.state:
+            continue
+        trivial = named and formula in definitions
+        found.append((name, definitions[formula] if trivial else formula))
+        if trivial:
+            names.add(formula)
+    return tuple(found), names
+
+
+def _scalars(name: Any) -> set[sp.Symbol]:
+    return {name} if isinstance(name, sp.Symbol) else set(name.symbols)
+
+
+def _mentioned(formula: Any) -> set[sp.Symbol]:
+    """Symbols on which a formula depends or whose name it shows, as ∂U/∂γ shows U."""
+    shown: set[sp.Symbol] = {gradient.args[2] for gradient in formula.atoms(Gradient)}
+    return shown.union(explicit(formula).free_symbols)
+
+
+def _needed(system: System, formulas: Iterable[Any]) -> Pairs:
+    """The definitions on which formulas depend, in order."""
+    wanted = set().union(*map(_mentioned, formulas))
+    chosen = []
+    for name, formula in reversed(system.definitions):
+        if wanted & _scalars(name):
+            chosen.append((name, formula))
+            wanted |= _mentioned(formula)
+    return tuple(reversed(chosen))
+
+
+def _given(system: System, formulas: Iterable[Any]) -> Pairs:
+    """Tensors and vectors made of parameters, by their components."""
+    known = {name for name, _ in system.field} | {name for name, _ in system.definitions}
+    atoms = set().union(*(formula.atoms(Vector, Diagonal, Symmetric) for formula in formulas))
+    found = []
+    for name in sorted(atoms - known, key=str):
+        entries = explicit(name) if isinstance(name, Vector) else name.entries
+        found.append((name, entries))
+    return tuple(found)

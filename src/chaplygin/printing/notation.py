@@ -1,0 +1,361 @@
+"""How the pieces of a formula look, in Unicode and in LaTeX."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from abc import ABC, abstractmethod
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import Any, ClassVar
+
+import sympy as sp
+
+from .symbol_names import GREEK, Letter
+
+__all__ = ["LATEX", "UNICODE", "Level", "Notation", "Piece"]
+
+
+class Level(IntEnum):
+    """How strongly a piece of a formula holds together, loosest first."""
+
+    SUM = 0
+    RATIO = 1
+    CROSS = 2
+    PRODUCT = 3
+    POWER = 4
+    ATOM = 5
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A formula written, and how strongly it holds together."""
+
+    text: str
+    level: Level = Level.ATOM
+
+
+class Notation(ABC):
+    """How the pieces of a formula look; :data:`UNICODE` and :data:`LATEX` are the two."""
+
+    minus: str
+    cross: str
+    dyad: str
+    relations: ClassVar[Mapping[str, str]]
+    constants: ClassVar[Mapping[Any, str]]
+
+    def guard(self, piece: Piece, level: Level) -> str:
+        """`piece` as it stands where at least `level` is needed: in brackets if it is looser."""
+        return piece.text if piece.level >= level else self.brackets(piece.text)
+
+    @abstractmethod
+    def brackets(self, inner: str) -> str:
+        """(inner), also the scalar product when inner is "u, v"."""
+
+    @abstractmethod
+    def norm(self, inner: str) -> Piece:
+        """|inner|, the length of a vector or the absolute value of a scalar."""
+
+    @abstractmethod
+    def letter(self, letter: Letter, bold: bool) -> Piece:
+        """A name."""
+
+    @abstractmethod
+    def number(self, value: sp.Float) -> Piece:
+        """A positive decimal number."""
+
+    @abstractmethod
+    def product(
+        self,
+        coefficient: tuple[int, int],
+        above: Sequence[Piece],
+        below: Sequence[Piece],
+        vector: Piece | None,
+    ) -> Piece:
+        """(p/q) · above / below · vector."""
+
+    @abstractmethod
+    def power(self, base: Piece, exponent: str) -> Piece:
+        """The exponent is a formula in this notation."""
+
+    @abstractmethod
+    def root(self, inner: Piece) -> Piece:
+        """The square root."""
+
+    @abstractmethod
+    def call(self, function: str, arguments: Sequence[str], exponent: int = 1) -> Piece:
+        """A function of its arguments, raised to a power."""
+
+    @abstractmethod
+    def transpose(self, base: Piece) -> Piece:
+        """The transposed tensor."""
+
+    @abstractmethod
+    def gradient(self, value: str, variable: str) -> Piece:
+        """∂value/∂variable."""
+
+    @abstractmethod
+    def quotient(self, above: str, below: str) -> Piece:
+        """A derivative: what is above the line and what is below, both written."""
+
+    @abstractmethod
+    def partial(self, name: str, order: int, above: bool = False) -> str:
+        """∂²U above the line of a derivative, ∂x² below it."""
+
+    @abstractmethod
+    def matrix(self, rows: Sequence[Sequence[str]]) -> Piece:
+        """All entries, row by row."""
+
+    @abstractmethod
+    def fallback(self, formula: Any) -> str:
+        """What the rules here do not cover."""
+
+
+_RAISED = str.maketrans("0123456789-−", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁻")
+_LOWERED = {
+    **dict(zip("0123456789", "₀₁₂₃₄₅₆₇₈₉", strict=True)),
+    **dict(zip("aehijklmnoprstuv", "ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥ", strict=True)),
+    ",": ",",
+}
+_ACCENTS = {
+    "dot": "\N{COMBINING DOT ABOVE}",
+    "ddot": "\N{COMBINING DIAERESIS}",
+    "tilde": "\N{COMBINING TILDE}",
+    "hat": "\N{COMBINING CIRCUMFLEX ACCENT}",
+    "bar": "\N{COMBINING MACRON}",
+}
+#: Greek letters that LaTeX draws by another name in the shape that plain text has: φ, not ϕ.
+_GREEK = {"omicron": "o", "phi": r"\varphi", "epsilon": r"\varepsilon"}
+_FRACTIONS = {(1, 2): "½", (1, 3): "⅓", (2, 3): "⅔", (1, 4): "¼", (3, 4): "¾", (1, 8): "⅛"}
+
+
+class _Unicode(Notation):
+    minus = "−"
+    cross = " × "
+    dyad = " ⊗ "
+    relations: ClassVar[Mapping[str, str]] = {
+        "==": "=",
+        "!=": "≠",
+        "<": "<",
+        "<=": "≤",
+        ">": ">",
+        ">=": "≥",
+    }
+    constants: ClassVar[Mapping[Any, str]] = {sp.pi: "π", sp.E: "e"}
+
+    def brackets(self, inner: str) -> str:
+        return f"({inner})"
+
+    def norm(self, inner: str) -> Piece:
+        return Piece(f"|{inner}|")
+
+    def letter(self, letter: Letter, bold: bool) -> Piece:
+        base = GREEK.get(letter.base, letter.base)
+        marks = "".join(_ACCENTS[accent] for accent in letter.accents)
+        if len(base) == 1 or not marks:
+            head = unicodedata.normalize("NFC", base + marks)
+        else:
+            # an accent over a word would sit on its last letter
+            order = sum(2 if accent == "ddot" else 1 for accent in letter.accents)
+            power = {1: "", 2: "²", 3: "³"}.get(order, f"^{order}")
+            head = f"d{power}({base})/dt{power}"
+        sub = ",".join(GREEK.get(part, part) for part in letter.subscript.split(","))
+        if all(character in _LOWERED for character in sub):
+            sub = "".join(_LOWERED[character] for character in sub)
+        else:
+            sub = f"_{sub}"
+        return Piece(head + "′″‴"[letter.primes - 1 : letter.primes] + sub)
+
+    def number(self, value: sp.Float) -> Piece:
+        return Piece(f"{float(value):.15g}")
+
+    def product(
+        self,
+        coefficient: tuple[int, int],
+        above: Sequence[Piece],
+        below: Sequence[Piece],
+        vector: Piece | None,
+    ) -> Piece:
+        p, q = coefficient
+        factors = [self.guard(piece, Level.PRODUCT) for piece in above]
+        if not below and coefficient in _FRACTIONS:
+            factors.insert(0, _FRACTIONS[coefficient])
+            p, q = 1, 1
+        if p != 1 or not (factors or vector):
+            factors.insert(0, str(p))
+        divisors = [self.guard(piece, Level.POWER) for piece in below]
+        if q != 1:
+            divisors.insert(0, str(q))
+        level = Level.PRODUCT
+        if vector:
+            factors.append(self.guard(vector, Level.CROSS))
+            level = min(level, max(vector.level, Level.CROSS))
+        head = " ".join(factors)
+        if not divisors:
+            return Piece(head, level)
+        tail = divisors[0] if len(divisors) == 1 else self.brackets(" ".join(divisors))
+        return Piece(f"{head} / {tail}", Level.RATIO)
+
+    def power(self, base: Piece, exponent: str) -> Piece:
+        head = self.guard(base, Level.ATOM)
+        if re.fullmatch(r"−?\d+", exponent):
+            return Piece(head + exponent.translate(_RAISED), Level.POWER)
+        simple = re.fullmatch(r"\w", exponent)
+        return Piece(f"{head}^{exponent if simple else self.brackets(exponent)}", Level.POWER)
+
+    def root(self, inner: Piece) -> Piece:
+        return Piece(f"√{self.guard(inner, Level.ATOM)}", Level.POWER)
+
+    def call(self, function: str, arguments: Sequence[str], exponent: int = 1) -> Piece:
+        raised = "" if exponent == 1 else str(exponent).translate(_RAISED)
+        return Piece(f"{function}{raised}({', '.join(arguments)})", Level.POWER)
+
+    def transpose(self, base: Piece) -> Piece:
+        return Piece(self.guard(base, Level.ATOM) + "ᵀ", Level.POWER)
+
+    def gradient(self, value: str, variable: str) -> Piece:
+        return Piece(f"∂{value}/∂{variable}", Level.PRODUCT)
+
+    def quotient(self, above: str, below: str) -> Piece:
+        return Piece(f"{above}/{self.brackets(below) if ' ' in below else below}", Level.PRODUCT)
+
+    def partial(self, name: str, order: int, above: bool = False) -> str:
+        raised = "" if order == 1 else str(order).translate(_RAISED)
+        return f"∂{raised}{name}" if above else f"∂{name}{raised}"
+
+    def matrix(self, rows: Sequence[Sequence[str]]) -> Piece:
+        if all(len(row) == 1 for row in rows):
+            return Piece(f"({', '.join(row[0] for row in rows)})")
+        return Piece(f"[{'; '.join(', '.join(row) for row in rows)}]")
+
+    def fallback(self, formula: Any) -> str:
+        return str(sp.sstr(formula))
+
+
+class _Latex(Notation):
+    minus = "-"
+    cross = r" \times "
+    dyad = r" \otimes "
+    relations: ClassVar[Mapping[str, str]] = {
+        "==": "=",
+        "!=": r"\neq",
+        "<": "<",
+        "<=": r"\leq",
+        ">": ">",
+        ">=": r"\geq",
+    }
+    constants: ClassVar[Mapping[Any, str]] = {sp.pi: r"\pi", sp.E: "e"}
+
+    #: A vector whose components take more characters is written as a column.
+    _longest_list = 200
+
+    _functions = frozenset({"sin", "cos", "tan", "cot", "sinh", "cosh", "tanh", "log", "exp"}) | {
+        "arcsin",
+        "arccos",
+        "arctan",
+    }
+
+    def brackets(self, inner: str) -> str:
+        return rf"\left({inner}\right)"
+
+    def norm(self, inner: str) -> Piece:
+        return Piece(rf"\left|{inner}\right|")
+
+    def letter(self, letter: Letter, bold: bool) -> Piece:
+        head = self._symbol(letter.base)
+        if bold and letter.base in GREEK:
+            head = rf"\boldsymbol{{{head}}}"
+        elif bold and len(letter.base) == 1:
+            head = rf"\mathbf{{{head}}}"
+        if len(letter.base) > 1 and letter.base not in GREEK:
+            for _ in letter.accents:
+                head = rf"\frac{{d\,{head}}}{{dt}}"
+        else:
+            for accent in letter.accents:
+                head = rf"\{accent}{{{head}}}"
+        if letter.subscript:
+            parts = (self._symbol(part) for part in letter.subscript.split(","))
+            head += f"_{{{','.join(parts)}}}"
+        if letter.primes:
+            head += "^{" + r"\prime" * letter.primes + "}"
+        return Piece(head, Level.POWER if letter.primes else Level.ATOM)
+
+    @staticmethod
+    def _symbol(name: str) -> str:
+        if name in GREEK:
+            return _GREEK.get(name, rf"\{name}")
+        return name if len(name) == 1 or name.isdigit() else rf"\text{{{name}}}"
+
+    def number(self, value: sp.Float) -> Piece:
+        mantissa, _, exponent = f"{float(value):.15g}".partition("e")
+        if not exponent:
+            return Piece(mantissa)
+        return Piece(rf"{mantissa} \cdot 10^{{{int(exponent)}}}", Level.PRODUCT)
+
+    def product(
+        self,
+        coefficient: tuple[int, int],
+        above: Sequence[Piece],
+        below: Sequence[Piece],
+        vector: Piece | None,
+    ) -> Piece:
+        p, q = coefficient
+        divisors = [str(q)] if q != 1 else []
+        alone = len(below) == 1 and not divisors
+        divisors += [self.guard(x, Level.SUM if alone else Level.PRODUCT) for x in below]
+        first = [str(p)] if p != 1 else []
+        # a bare rational coefficient stands before the factors, not above them
+        lifted = bool(divisors) and (bool(below) or not (above or vector))
+        alone = lifted and len(above) == 1 and not first
+        factors = [self.guard(x, Level.SUM if alone else Level.PRODUCT) for x in above]
+        level = Level.PRODUCT
+        if lifted:
+            head = [rf"\frac{{{' '.join(first + factors) or '1'}}}{{{' '.join(divisors)}}}"]
+        elif divisors:
+            head = [rf"\frac{{{p}}}{{{divisors[0]}}}", *factors]
+        else:
+            head = first + factors
+        if vector:
+            head.append(self.guard(vector, Level.CROSS))
+            level = min(level, max(vector.level, Level.CROSS))
+        return Piece(" ".join(head) or "1", level)
+
+    def power(self, base: Piece, exponent: str) -> Piece:
+        return Piece(f"{self.guard(base, Level.ATOM)}^{{{exponent}}}", Level.POWER)
+
+    def root(self, inner: Piece) -> Piece:
+        return Piece(rf"\sqrt{{{inner.text}}}", Level.POWER)
+
+    def call(self, function: str, arguments: Sequence[str], exponent: int = 1) -> Piece:
+        known = function in self._functions
+        name = rf"\{function}" if known else rf"\operatorname{{{function}}}"
+        raised = "" if exponent == 1 else f"^{{{exponent}}}"
+        return Piece(f"{name}{raised}{self.brackets(', '.join(arguments))}", Level.POWER)
+
+    def transpose(self, base: Piece) -> Piece:
+        return self.power(base, r"\top")
+
+    def gradient(self, value: str, variable: str) -> Piece:
+        return Piece(rf"\frac{{\partial {value}}}{{\partial {variable}}}", Level.PRODUCT)
+
+    def quotient(self, above: str, below: str) -> Piece:
+        return Piece(rf"\frac{{{above}}}{{{below}}}", Level.PRODUCT)
+
+    def partial(self, name: str, order: int, above: bool = False) -> str:
+        raised = "" if order == 1 else f"^{{{order}}}"
+        return rf"\partial{raised} {name}" if above else rf"\partial {name}{raised}"
+
+    def matrix(self, rows: Sequence[Sequence[str]]) -> Piece:
+        listed = r",\, ".join(row[0] for row in rows)
+        if len(rows[0]) == 1 and len(listed) <= self._longest_list:
+            return Piece(self.brackets(listed))
+        body = r" \\ ".join(" & ".join(row) for row in rows)
+        return Piece(rf"\begin{{pmatrix}} {body} \end{{pmatrix}}")
+
+    def fallback(self, formula: Any) -> str:
+        return str(sp.latex(formula))
+
+
+UNICODE: Notation = _Unicode()
+LATEX: Notation = _Latex()

@@ -1,0 +1,166 @@
+"""What a human would write first: the order of terms and factors, signs, fractions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+from sympy.matrices.expressions import Identity, MatAdd, MatMul
+
+from ..core.vectors import Diagonal, Dot, Gradient, Symmetric, Vector
+from .symbol_names import GREEK, letter_of
+
+__all__ = [
+    "Factors",
+    "along_axis",
+    "common_fraction",
+    "factors_of",
+    "is_negative",
+    "negated",
+    "ordered",
+    "vector_of",
+]
+
+#: Mass and gravity stand first in a product: m g R.
+_FIRST = {"m": 0, "g": 1}
+
+
+def _weight(formula: Any) -> int:
+    """The length of a term as the eye sees it, by which terms are ordered."""
+    match formula:
+        case sp.Number() | sp.NumberSymbol() | Diagonal() | Symmetric() | Identity():
+            return 0
+        case sp.Symbol() | Vector():
+            return 1
+        case Gradient():
+            return 2
+        case sp.Pow() if formula.exp.is_Integer:
+            # a division is as long as a factor more
+            power = int(formula.exp)
+            return abs(power) * _weight(formula.base) + (power < 0)
+        case sp.MatrixBase():
+            return 1 + sum(map(_weight, formula))
+    return sum(map(_weight, formula.args))
+
+
+def _term_key(term: Any) -> tuple[int, int, bool, str]:
+    """Short terms first; before them ½ (M, ω), and a negative number after all."""
+    negative = is_negative(term)
+    place = 1
+    if isinstance(term, sp.Number) and negative:
+        place = 2
+    elif isinstance(term, (sp.Mul, Dot)) and isinstance(term.as_coeff_Mul()[1], Dot):
+        place = 1 if negative else 0
+    return place, _weight(term), negative, str(sp.sstr(term))
+
+
+def is_negative(term: Any) -> bool:
+    """Whether a term is written with a minus sign."""
+    if isinstance(term, (sp.Add, MatAdd)):
+        return all(map(is_negative, term.args))
+    if isinstance(term, sp.Number):
+        return bool(term.is_negative)
+    if isinstance(term, (sp.Mul, MatMul)):
+        return sum(map(is_negative, term.args)) % 2 == 1
+    return False
+
+
+def negated(tensor: Any) -> Any:
+    """Minus a vector or tensor, sums term by term."""
+    if isinstance(tensor, MatAdd):
+        return MatAdd(*(-1 * term for term in tensor.args))
+    return -1 * tensor
+
+
+def along_axis(formula: Any) -> Any:
+    """A column with a single entry c other than 0 and 1 as c e_i; anything else as it is."""
+    if isinstance(formula, sp.MatrixBase) and formula.shape[1] == 1:
+        present = [i for i, entry in enumerate(formula) if entry != 0]
+        if len(present) == 1 and formula[present[0]] != 1:
+            axis = [int(i == present[0]) for i in range(formula.shape[0])]
+            return MatMul(formula[present[0]], sp.ImmutableDenseMatrix(axis))
+    return formula
+
+
+def ordered(terms: Iterable[Any]) -> list[Any]:
+    """Terms in the order of `_term_key`, but a positive one at the head if there is one."""
+    found = sorted(terms, key=_term_key)
+    head = next((term for term in found if not is_negative(term)), found[0])
+    return [head, *(term for term in found if term is not head)]
+
+
+def common_fraction(formula: Any) -> sp.Rational:
+    """The fraction that every term of a sum has for a number, which stands before brackets."""
+    if not isinstance(formula, sp.Add):
+        return sp.S.One
+    shares = {abs(term.as_coeff_Mul()[0]) for term in formula.args}
+    share = shares.pop()
+    return share if not shares and share.is_Rational and share.q != 1 else sp.S.One
+
+
+def _factor_key(factor: Any) -> tuple[int, int, str]:
+    """Latin letters, Greek ones, derivatives; then scalar products, functions, roots, sums."""
+    base = factor.base if isinstance(factor, sp.Pow) else factor
+    if isinstance(base, sp.Symbol):
+        letter = letter_of(str(base))
+        kind = 4 if letter.accents or letter.primes else 3 if letter.base in GREEK else 2
+        return 0, _FIRST.get(str(base), kind), str(base).casefold()
+    rank = 3 if isinstance(base, sp.Add) else 1 if isinstance(base, Dot) else 2
+    return 0 if base.is_number else rank, 0, str(sp.sstr(factor))
+
+
+def vector_of(symbols: Sequence[Any]) -> Vector | None:
+    """The vector whose three components these are, if they are."""
+    if len(symbols) < 3 or not isinstance(symbols[0], sp.Symbol):
+        return None
+    vector = Vector(str(symbols[0]).removesuffix("_1"))
+    return vector if tuple(symbols) == vector.symbols else None
+
+
+@dataclass(frozen=True)
+class Factors:
+    """A product: its sign and number p/q, factors above and below the line, tensors in order."""
+
+    negative: bool
+    coefficient: tuple[int, int]
+    above: tuple[Any, ...]
+    below: tuple[Any, ...]
+    tensors: tuple[Any, ...]
+
+
+def factors_of(formula: Any) -> Factors:
+    """A product taken apart."""
+    if isinstance(formula, MatMul):
+        scalar, tensors = formula.as_coeff_matrices()
+    else:
+        scalar, tensors = formula, ()
+    negative = False
+    coefficient = sp.S.One
+    above: list[Any] = []
+    below: list[Any] = []
+    for signed in sp.Mul.make_args(scalar):
+        minus = is_negative(signed)
+        negative ^= minus
+        factor = -signed if minus else signed
+        if isinstance(factor, sp.Rational):
+            coefficient = coefficient * factor
+        elif isinstance(factor, sp.Pow) and is_negative(factor.exp):
+            below.append(sp.Pow(factor.base, -factor.exp))
+        else:
+            above.append(factor)
+    found = []
+    for tensor in tensors:
+        minus = is_negative(tensor)
+        negative ^= minus
+        found.append(negated(tensor) if minus else tensor)
+    if len(found) > 1:
+        found = [tensor for tensor in found if not isinstance(tensor, Identity)] or found[:1]
+    return Factors(
+        negative,
+        (int(coefficient.p), int(coefficient.q)),
+        tuple(sorted(above, key=_factor_key)),
+        tuple(sorted(below, key=_factor_key)),
+        tuple(found),
+    )

@@ -1,0 +1,389 @@
+"""A System as a page of paper: plain text for a terminal, LaTeX, and HTML with MathML.
+
+Formulas themselves are written by :mod:`chaplygin.printing.formula`, whose :func:`text` and
+:func:`latex` are offered here as well.
+"""
+
+from __future__ import annotations
+
+import html
+import re
+import textwrap
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
+
+from .formula import LATEX, UNICODE, Notation, latex, rate, signed_terms, text, width
+from .laws import caption, equation, heading, sides
+from .layout import Page, Pairs, motion_of, page_of
+from .mathml import mathml, width_of
+from .numerals import number, unit
+
+if TYPE_CHECKING:
+    from ..core.laws import Integral, Law
+    from ..core.system import System
+
+__all__ = [
+    "claims_html",
+    "displayed",
+    "field_text",
+    "latex",
+    "law_html",
+    "law_latex",
+    "laws_text",
+    "mathml",
+    "motion_html",
+    "motion_text",
+    "system_html",
+    "system_latex",
+    "system_text",
+    "text",
+]
+
+#: Columns of a terminal page, and of a displayed equation before it is broken.
+WIDTH = 100
+LINE = 84
+
+_INDENT = "    "
+
+
+# --- plain text ----------------------------------------------------------------------------
+
+
+def system_text(system: System) -> str:
+    """A system for a terminal, at most 100 columns wide.
+
+    Returns
+    -------
+    str
+        Title and summary, equations of motion, what their letters stand for, phase space,
+        parameters, laws and source.
+    """
+    page = page_of(system)
+    blocks = [[system.title, *_paragraph(system.summary)]]
+    blocks.append(["Equations of motion", *_field_lines(page)])
+    if page.where:
+        blocks[-1] += ["where", *_equations(_written(page.where))]
+    if system.relations:
+        sides = [tuple(map(text, equation(zero))) for zero in system.relations]
+        blocks[-1] += ["on the phase space", *_equations(sides)]
+    if system.parameters:
+        rows = [
+            (text(p.symbol), number(p.default), unit(p.unit), p.meaning) for p in system.parameters
+        ]
+        blocks.append(["Parameters", *_table(rows)])
+    blocks += _law_blocks(system)
+    if system.source:
+        blocks.append([f"Source: {system.source}"])
+    return "\n\n".join("\n".join(block) for block in blocks)
+
+
+def laws_text(system: System) -> str:
+    """The laws of a system alone, as `system_text` has them; empty without any."""
+    return "\n\n".join("\n".join(block) for block in _law_blocks(system))
+
+
+def _law_blocks(system: System) -> list[list[str]]:
+    """The laws, and what their letters stand for."""
+    blocks = []
+    if system.integrals:
+        laws = [row for law in system.integrals for row in _law_rows(law, system)]
+        blocks.append(["Constant along the motion", *_table(laws)])
+    blocks += [_law_lines(law, system) for law in _others(system)]
+    if further := page_of(system).further:
+        blocks.append(["In the laws", *_equations(_written(further))])
+    return blocks
+
+
+def field_text(system: System) -> list[str]:
+    """The equations of motion alone, as indented lines at most 100 columns wide."""
+    return _field_lines(page_of(system))
+
+
+def motion_text(system: System) -> list[str]:
+    """The equations of the lift to space, as indented lines; none without a lift."""
+    page = motion_of(system)
+    return _field_lines(page) + _equations(_written(page.where))
+
+
+def _field_lines(page: Page) -> list[str]:
+    return _equations((rate(name, UNICODE), text(formula)) for name, formula in page.field)
+
+
+def _written(pairs: Pairs) -> list[tuple[str, str]]:
+    return [(text(name), text(formula)) for name, formula in pairs]
+
+
+def _paragraph(words: str) -> list[str]:
+    return textwrap.wrap(words, WIDTH)
+
+
+def _equations(sides: Iterable[tuple[str, ...]]) -> list[str]:
+    lines: list[str] = []
+    for left, right in sides:
+        head = f"{_INDENT}{left} = "
+        lines += _broken(head, right)
+    return lines
+
+
+def _law_rows(law: Integral, system: System) -> list[tuple[str, str]]:
+    return [(law.name, text(law.value)), ("", caption(law, system, text))]
+
+
+def _others(system: System) -> list[Law]:
+    """The laws besides the integrals."""
+    return [law for law in system.laws if law not in system.integrals]
+
+
+def _law_lines(law: Law, system: System) -> list[str]:
+    """A law of any kind: what it is, its equations, its caption."""
+    lines = [heading(law)]
+    for left, right in sides(law, system, UNICODE):
+        head = f"{_INDENT}{left} = " if left else _INDENT * 2
+        lines += _broken(head, right if isinstance(right, str) else text(right))
+    told = caption(law, system, text)
+    return [*lines, *(textwrap.indent(line, _INDENT) for line in textwrap.wrap(told, WIDTH - 4))]
+
+
+def _table(rows: Sequence[tuple[str, ...]]) -> list[str]:
+    """Columns as wide as they must be; the last one is broken into lines."""
+    columns = [max(map(width, column)) for column in zip(*rows, strict=True)][:-1]
+    lines: list[str] = []
+    for *cells, last in rows:
+        padded = (
+            cell + " " * (room - width(cell)) for cell, room in zip(cells, columns, strict=True)
+        )
+        lines += _broken(_INDENT + "".join(f"{cell}  " for cell in padded), last)
+    return lines
+
+
+def _broken(head: str, formula: str) -> list[str]:
+    """`head` and a formula, continued under the formula at the best places to break."""
+    lines = []
+    indent = " " * width(head)
+    while width(head) + width(formula) > WIDTH:
+        cut = _best_break(formula, WIDTH - width(head))
+        if cut is None:
+            break
+        lines.append(head + formula[:cut])
+        head, formula = indent, formula[cut + 1 :]
+    return [*lines, (head + formula).rstrip()]
+
+
+def _best_break(formula: str, room: int) -> int | None:
+    """The space at which to break so that `room` columns are kept: outside brackets, before ±."""
+    best: tuple[float, int] | None = None
+    depth = 0
+    used = 0
+    for index, character in enumerate(formula):
+        used += width(character)
+        if used > room + 1:
+            break
+        depth += (character in "([") - (character in ")]")
+        if character != " " or index == 0:
+            continue
+        before, after = formula[index - 1], formula[index + 1 : index + 2]
+        if after in "+−":
+            cost = 0.0
+        elif before in ";,":
+            cost = -0.5 if before == ";" else 0.5
+        elif before in "+−×⊗/" or after in "×⊗/":
+            cost = 8.0
+        else:
+            cost = 4.0
+        if best is None or depth + cost <= best[0]:
+            best = (depth + cost, index)
+    return best[1] if best else None
+
+
+# --- LaTeX ---------------------------------------------------------------------------------
+
+
+def system_latex(system: System) -> str:
+    r"""The equations of motion and what their letters stand for, as an ``aligned`` environment.
+
+    Returns
+    -------
+    str
+        LaTeX for math mode; long sums are broken into several lines.
+    """
+    page = page_of(system)
+    rows = _aligned_rows((rate(name, LATEX), formula) for name, formula in page.field)
+    if page.where:
+        rows.append(r"\text{where} \quad &")
+        rows += _aligned_rows((latex(name), formula) for name, formula in page.where)
+    return _aligned(rows)
+
+
+def _aligned(rows: Sequence[str]) -> str:
+    return "\\begin{aligned}\n" + " \\\\\n".join(rows) + "\n\\end{aligned}"
+
+
+def _aligned_rows(sides: Iterable[tuple[str, Any]]) -> list[str]:
+    rows = []
+    for left, formula in sides:
+        first, *others = _lines(formula, LATEX)
+        rows.append(f"{left} &= {first}")
+        rows += [rf"&\quad {{}} {line}" for line in others]
+    return rows
+
+
+def _lines(formula: Any, notation: Notation) -> list[str]:
+    """A sum as lines of about `LINE` columns each."""
+    lines: list[str] = []
+    used = 0
+    measured = signed_terms(formula, UNICODE)
+    for (sign, term), (_, plain) in zip(signed_terms(formula, notation), measured, strict=True):
+        signed = f"{sign} {term}".strip()
+        if lines and used + width(plain) <= LINE:
+            lines[-1] += f" {signed}"
+            used += width(plain) + 3
+        else:
+            lines.append(signed)
+            used = width(plain)
+    return lines
+
+
+# --- HTML ----------------------------------------------------------------------------------
+
+_STYLE = """\
+<style>
+.chaplygin-system table { border-collapse: collapse; margin: 0.3em 0 0.8em; }
+.chaplygin-system th, .chaplygin-system td
+  { padding: 0.15em 0.8em 0.15em 0; text-align: left; vertical-align: baseline; }
+.chaplygin-system th { font-weight: normal; opacity: 0.65; }
+.chaplygin-system .formula { overflow: auto hidden; margin: 0.4em 0 0.4em 1.5em; }
+.chaplygin-system .formula math { font-size: clamp(0.7em, calc(44em / var(--width)), 1.04em); }
+</style>"""
+
+
+def system_html(system: System) -> str:
+    """A system as a self-contained HTML fragment with MathML, for notebooks and reports.
+
+    Returns
+    -------
+    str
+        One ``<section class="chaplygin-system">`` with title, equations, what their letters
+        stand for, phase space, parameters, laws and source.
+    """
+    page = page_of(system)
+    parts = [_STYLE, f"<h3>{html.escape(system.title)}</h3>"]
+    if system.summary:
+        parts.append(f"<p>{html.escape(system.summary)}</p>")
+    field = _aligned_rows((rate(name, LATEX), formula) for name, formula in page.field)
+    parts += ["<h4>Equations of motion</h4>", _display(field)]
+    if page.where:
+        parts += ["<p>where</p>", _display(_defining_rows(page.where))]
+    if system.relations:
+        sides = [equation(zero) for zero in system.relations]
+        rows = [f"{latex(left)} &= {latex(right)}" for left, right in sides]
+        parts += ["<p>on the phase space</p>", _display(rows)]
+    if system.parameters:
+        parts += ["<h4>Parameters</h4>", _parameter_table(system)]
+    if system.integrals:
+        parts += ["<h4>Constant along the motion</h4>", _law_table(system)]
+    parts += [law_html(law, system) for law in _others(system)]
+    if page.further:
+        parts += ["<h4>In the laws</h4>", _display(_defining_rows(page.further))]
+    if system.source:
+        parts.append(f"<p>Source: {html.escape(system.source)}</p>")
+    return '<section class="chaplygin-system">\n' + "\n".join(parts) + "\n</section>"
+
+
+def motion_html(system: System) -> str:
+    """The equations of the lift to space as HTML; empty without a lift."""
+    page = motion_of(system)
+    rows = _aligned_rows((rate(name, LATEX), formula) for name, formula in page.field)
+    return _display(rows + _defining_rows(page.where)) if rows else ""
+
+
+def law_html(law: Law, system: System) -> str:
+    """A law of any kind as HTML: what it is, its equations in MathML, its caption."""
+    parts = [f"<h4>{html.escape(heading(law))}</h4>", _display(_law_rows_latex(law, system))]
+    told = _caption_html(law, system)
+    if told:
+        parts.append(f'<p class="caption">{told}</p>')
+    return "\n".join(parts)
+
+
+def claims_html(system: System) -> str:
+    """All laws of a system, integrals too, and what their letters stand for; empty without any."""
+    parts = [law_html(law, system) for law in system.laws]
+    further = page_of(system).further
+    if parts and further:
+        parts += ["<h4>In the laws</h4>", _display(_defining_rows(further))]
+    return "\n".join(parts)
+
+
+def law_latex(law: Law, system: System) -> str:
+    """The equations of a law as an ``aligned`` environment; of an integral its formula alone."""
+    if law in system.integrals:
+        return latex(law.value)
+    return _aligned(_law_rows_latex(law, system))
+
+
+def _law_rows_latex(law: Law, system: System) -> list[str]:
+    rows = []
+    for left, right in sides(law, system, LATEX):
+        if isinstance(right, str):
+            rows.append(f"{left} &= {right}" if left else rf"&\quad {right}")
+        else:
+            rows += _aligned_rows([(left, right)])
+    return rows
+
+
+def _caption_html(law: Law, system: System) -> str:
+    """The caption of a law; the formulas of its level in MathML."""
+    kept: list[str] = []
+
+    def mark(formula: Any) -> str:
+        kept.append(mathml(latex(formula)))
+        return f"\0{len(kept) - 1}\0"
+
+    told = html.escape(caption(law, system, mark))
+    return re.sub(r"\0(\d+)\0", lambda match: kept[int(match[1])], told)
+
+
+def _defining_rows(pairs: Pairs) -> list[str]:
+    return _aligned_rows((latex(name), formula) for name, formula in pairs)
+
+
+def _display(rows: Sequence[str]) -> str:
+    return displayed(_aligned(rows))
+
+
+def displayed(formula: str) -> str:
+    """LaTeX on a line of its own as HTML; what is wider than the line is made to fit by it.
+
+    The width in em is there as ``--width``, for style sheets that shrink what would be cut.
+    """
+    written = mathml(formula)
+    return f'<div class="formula" style="--width: {width_of(written):.0f}">{written}</div>'
+
+
+def _html_table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    head = "".join(f"<th>{cell}</th>" for cell in header)
+    body = "\n".join("<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows)
+    return f"<table>\n<tr>{head}</tr>\n{body}\n</table>"
+
+
+def _parameter_table(system: System) -> str:
+    return _html_table(
+        ("symbol", "default", "unit", "meaning"),
+        (
+            (
+                mathml(latex(p.symbol)),
+                number(p.default),
+                html.escape(unit(p.unit)),
+                html.escape(p.meaning),
+            )
+            for p in system.parameters
+        ),
+    )
+
+
+def _law_table(system: System) -> str:
+    rows = (
+        (html.escape(law.name), mathml(latex(law.value)), _caption_html(law, system))
+        for law in system.integrals
+    )
+    return _html_table(("name", "formula", "meaning"), rows)

@@ -1,0 +1,186 @@
+"""Certificates: what another program needs in order to check a verdict.
+
+A certificate of a proof holds the claim in full, a ring with what its generators stand for, every
+residual as a fraction of polynomials, and a tree of identities by which the numerators vanish; a
+certificate of a refutation holds a point.  The format is that of :mod:`chaplygin.check`, which
+shares no code with this; every certificate passes its check before it is handed out.
+"""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import Any
+
+from ...check import FORMAT, BadInputError, CheckError, check
+from ...check.claim.claim import Claim as CheckedClaim
+from ...check.claim.claim import read_claim
+from ...check.claim.formulas import name, parse_condition
+from ...check.witness import located
+from ...core.laws import Law
+from ...core.system import System
+from ...formulas.errors import NoRealValueError, OutOfReachError
+from ...formulas.number_fields import precise
+from ..claim_text import claim_text
+from ..fields.budget import EFFORT, Budget
+from ..fields.unreduced_fields import Unreduced, UnreducedFormal
+from ..level.alternatives import alternatives
+from ..level.level_set import Ground
+from ..level.polynomial_problems import standing
+from ..prover import prove
+from ..random_test import trials
+from ..symbolic_proof import MOST_RUNS, turned
+from ..verdict import Verdict
+from ..witness_points import place
+from .identities import Excluded, Made, proof_text
+
+__all__ = ["certified"]
+
+Text = dict[str, Any]
+
+
+def certified(system: System, law: Law, effort: int = EFFORT) -> Verdict:
+    """Prove or refute a law, with a certificate that checks.
+
+    Parameters
+    ----------
+    system : System
+    law : Law
+    effort : int
+        Term operations allowed for the verdict, and as many again for the certificate.
+
+    Returns
+    -------
+    Verdict
+        Without a certificate where the law is undecided, or where none can be made: then
+        `uncertified` says why.
+
+    Raises
+    ------
+    InputError
+        As for :func:`chaplygin.proof.prover.prove`.
+    """
+    verdict = prove(system, law, effort=effort)
+    if verdict.decision == "undecided":
+        return verdict
+    try:
+        made = _certificate(system, law, verdict, effort)
+        check(made)
+    except OutOfReachError as reason:
+        return replace(verdict, uncertified=str(reason))
+    except (BadInputError, CheckError) as reason:
+        return replace(verdict, uncertified=f"the certificate does not check: {reason}")
+    return replace(verdict, certificate=made)
+
+
+def _certificate(system: System, law: Law, verdict: Verdict, effort: int) -> Text:
+    claim = claim_text(system, law)
+    content = {"format": FORMAT, "verdict": verdict.decision, "claim": claim}
+    if verdict.decision == "refuted":
+        return content | {"witness": _witness(verdict)}
+    if verdict.decision == "proven where":
+        content["conditions"] = list(_asked(verdict))
+    read = read_claim(claim, "the claim")
+    with precise():
+        sample = _sample(system, law, read)
+    content["sample"] = sample
+    return content | {"proofs": _proofs(system, law, read, sample, verdict, Budget(effort=effort))}
+
+
+def _witness(verdict: Verdict) -> Text:
+    witness = verdict.witness or {}
+    if "place" not in witness:
+        raise OutOfReachError(
+            "what is refuted is no formula that fails at a point, but a dimension on "
+            "the whole level"
+        )
+    return {
+        "point": witness["place"],
+        "what": witness["what"],
+        "index": witness["index"],
+        "residual": witness["value"],
+    }
+
+
+def _asked(verdict: Verdict) -> tuple[str, ...]:
+    if not verdict.formulas or not all(verdict.formulas):
+        raise OutOfReachError("its conditions are not those of single formulas")
+    return verdict.formulas
+
+
+def _sample(system: System, law: Law, read: CheckedClaim) -> Text:
+    """A point of the level at which the law is defined, as a certificate gives it."""
+    for alternative in alternatives(system, law):
+        claim = standing(alternative.system, alternative.law)[-1]
+        for ground in Ground(claim.system, claim.law.on).components:
+            points = replace(ground, inner=True) if ground.parent else ground
+            for trial in trials(claim.law, points):
+                made = None if trial.witness else place(claim, points, trial.values)
+                if made is not None and _is_located(read, made):
+                    return made
+    raise OutOfReachError("no point of its level was found with coordinates that can be written")
+
+
+def _is_located(read: CheckedClaim, made: Text) -> bool:
+    try:
+        located(read, made)
+    except CheckError:
+        return False
+    return True
+
+
+# --- proofs --------------------------------------------------------------------------------------
+
+
+def _proofs(
+    system: System,
+    law: Law,
+    read: CheckedClaim,
+    sample: Mapping[str, Any],
+    verdict: Verdict,
+    budget: Budget,
+) -> list[Text]:
+    ground = Ground(system, law.on)
+    numbers = located(read, sample)
+    point = {str(s): float(numbers(name(str(s))).mid()) for s in ground.generators}
+    asked = [(words, parse_condition(words, "a condition")[0][0]) for words in verdict.formulas]
+
+    def excluded(made: Made, poly: Any) -> str | None:
+        """The condition of the verdict that excludes the zeros of a polynomial."""
+        return next((words for words, formula in asked if made.states(formula, poly)), None)
+
+    def written(kind: type[Unreduced], signs: Mapping[str, int]) -> Made:
+        return Made(kind, read, law, ground, point, budget, signs)
+
+    first = written(Unreduced, {})
+    if not first.field.decisions:
+        return [proof_text(first, excluded, decided=False)]
+    with contextlib.suppress(OutOfReachError):
+        formal = written(UnreducedFormal, {})
+        if not formal.field.decisions:
+            return [proof_text(formal, excluded, decided=False)]
+    return _by_signs(first, written, excluded)
+
+
+def _by_signs(
+    first: Made, written: Callable[[type[Unreduced], Mapping[str, int]], Made], excluded: Excluded
+) -> list[Text]:
+    """A proof for every choice of signs for which the law is defined and holds."""
+    found = [proof_text(first, excluded, decided=True)]
+    waiting = turned(first.field, 0)
+    runs = 1
+    while waiting:
+        signs, size, _ = waiting.pop()
+        runs += 1
+        if runs > MOST_RUNS:
+            raise OutOfReachError(f"its roots have signs in more than {MOST_RUNS} ways")
+        try:
+            made = written(Unreduced, signs)
+        except (NoRealValueError, ZeroDivisionError):
+            continue
+        # where the law needs a sign, the check finds that a condition asks for it
+        with contextlib.suppress(OutOfReachError):
+            found.append(proof_text(made, excluded, decided=True))
+        waiting += turned(made.field, size)
+    return found

@@ -1,0 +1,140 @@
+"""Small Gröbner bases whose elements are known as combinations of the equations."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Any
+
+from flint import Ordering, fmpq_mpoly_ctx
+
+from ..fields.budget import Budget
+
+__all__ = ["Basis"]
+
+Poly = Any
+#: Polynomials by the number of the equation with which they are multiplied.
+Multiples = dict[int, Poly]
+
+MOST_ELEMENTS = 90
+MOST_TERMS = 300
+
+
+@dataclass(frozen=True)
+class _Element:
+    """Σ multiple · equation, with its leading exponents."""
+
+    poly: Poly
+    by: Multiples
+    lead: tuple[int, ...]
+
+
+class Basis:
+    """A Gröbner basis, by Buchberger's algorithm, as far as it is needed and not too large.
+
+    Parameters
+    ----------
+    ring : fmpq_mpoly_ctx
+    equations : sequence of polynomials
+    budget : Budget
+    """
+
+    def __init__(self, ring: Any, equations: Sequence[Poly], budget: Budget) -> None:
+        self._given = ring
+        self._ring = fmpq_mpoly_ctx.get(ring.names(), Ordering.degrevlex)
+        self._budget = budget
+        self._elements: list[_Element] = []
+        for i, equation in enumerate(equations):
+            self._add(self._inside(equation), {i: self._ring.constant(1)})
+        self._waiting = list(combinations(range(len(self._elements)), 2))
+
+    def _grow(self, size: int) -> None:
+        """Add elements until there are so many, or the basis is complete."""
+        waiting = self._waiting
+        while waiting and len(self._elements) < size:
+            waiting.sort(key=self._degree, reverse=True)
+            first, second = waiting.pop()
+            if self._apart(first, second) or self._bridged(first, second, waiting):
+                continue
+            rest, by = self._reduced(*self._difference(first, second))
+            if rest and len(rest) <= MOST_TERMS:
+                self._add(rest, by)
+                last = len(self._elements) - 1
+                waiting += [(i, last) for i in range(last)]
+
+    def quotients(self, poly: Poly) -> Multiples | None:
+        """A polynomial as Σ quotient · equation; None where the basis does not show one."""
+        rest, by = self._reduced(self._inside(poly), {})
+        while rest and self._waiting and len(self._elements) < MOST_ELEMENTS:
+            self._grow(len(self._elements) + 10)
+            rest, by = self._reduced(rest, by)
+        if rest:
+            return None
+        return {i: -self._given.from_dict(part.to_dict()) for i, part in by.items() if part}
+
+    def _inside(self, poly: Poly) -> Poly:
+        return self._ring.from_dict(poly.to_dict())
+
+    def _add(self, poly: Poly, by: Multiples) -> None:
+        if poly:
+            lead = tuple(map(int, poly.monoms()[0]))
+            self._elements.append(_Element(poly, by, lead))
+
+    def _degree(self, pair: tuple[int, int]) -> int:
+        return sum(self._common(*pair))
+
+    def _common(self, first: int, second: int) -> tuple[int, ...]:
+        a, b = self._elements[first].lead, self._elements[second].lead
+        return tuple(map(max, a, b))
+
+    def _apart(self, first: int, second: int) -> bool:
+        a, b = self._elements[first].lead, self._elements[second].lead
+        return not any(x and y for x, y in zip(a, b, strict=True))
+
+    def _bridged(self, first: int, second: int, waiting: Sequence[tuple[int, int]]) -> bool:
+        """Whether a third element, whose pairs with both are done, makes a pair superfluous."""
+        common, left = self._common(first, second), set(waiting)
+        return any(
+            k not in (first, second)
+            and all(n <= c for n, c in zip(element.lead, common, strict=True))
+            and (min(first, k), max(first, k)) not in left
+            and (min(second, k), max(second, k)) not in left
+            for k, element in enumerate(self._elements)
+        )
+
+    def _difference(self, first: int, second: int) -> tuple[Poly, Multiples]:
+        """What is left when the leading terms of two elements cancel."""
+        common = self._common(first, second)
+        total: Poly = self._ring.constant(0)
+        by: Multiples = {}
+        for number, sign in ((first, 1), (second, -1)):
+            element = self._elements[number]
+            shift = tuple(c - n for c, n in zip(common, element.lead, strict=True))
+            factor = self._ring.from_dict({shift: sign / element.poly.leading_coefficient()})
+            total = total + factor * element.poly
+            self._gather(by, element.by, factor)
+        return total, by
+
+    def _gather(self, by: Multiples, more: Mapping[int, Poly], factor: Poly) -> None:
+        for i, part in more.items():
+            self._budget.foresee(factor, part)
+            product = factor * part
+            by[i] = by[i] + product if i in by else product
+
+    def _reduced(self, poly: Poly, by: Multiples) -> tuple[Poly, Multiples]:
+        """The remainder of Σ by · equation, in the same form."""
+        by = dict(by)
+        while poly:
+            before = poly
+            for element in self._elements:
+                quotient, rest = divmod(poly, element.poly)
+                if quotient:
+                    self._budget.foresee(quotient, element.poly)
+                    self._gather(by, element.by, -quotient)
+                    poly = rest
+                if not poly:
+                    break
+            if poly == before:
+                break
+        return poly, by

@@ -1,0 +1,160 @@
+"""Systems, laws and polynomials as the text of a certificate."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import sympy as sp
+
+from ..core.laws import (
+    ConformallyHamiltonian,
+    Identity,
+    Integral,
+    Isomorphism,
+    Law,
+    Measure,
+    PoissonStructure,
+    Reduction,
+    Symmetry,
+)
+from ..core.system import System
+from ..core.vectors import explicit
+from .level.named_formulas import scalars
+
+__all__ = ["admissible", "claim_text", "guards", "powers_text", "terms_text"]
+
+Text = dict[str, Any]
+
+
+def claim_text(system: System, law: Law) -> Text:
+    """A law of a system, with everything that it means written out."""
+    return {"system": _system(system), "law": {"kind": type(law).__name__, **_law(system, law)}}
+
+
+def _system(system: System) -> Text:
+    return {
+        "name": system.name,
+        "state": [str(s) for s in system.symbols],
+        "rates": [str(rate) for rate in system.rates],
+        "definitions": [[str(s), str(value)] for s, value in system.steps],
+        "parameters": [str(p.symbol) for p in system.parameters],
+        "relations": _formulas(system.relations),
+        "guards": [str(formula) for formula in guards(system)],
+        "admissible": [str(relation) for relation in admissible(system)],
+    }
+
+
+def guards(system: System) -> tuple[sp.Expr, ...]:
+    """What is positive inside the domain, apart from conditions on parameters."""
+    declared = [explicit(guard.value) for guard in system.guards if not guard.lift_off]
+    assumed = [s for s in system.symbols if s.is_positive]
+    assumed += [-s for s in system.symbols if s.is_negative]
+    return (*declared, *assumed)
+
+
+def admissible(system: System) -> tuple[Any, ...]:
+    """What is asked of parameters: relations, none of which is a conjunction."""
+    found: list[Any] = []
+    for parameter in system.parameters:
+        for condition in parameter.admissible:
+            found += sp.And.make_args(sp.sympify(condition))
+        symbol = parameter.symbol
+        for known, relation in (
+            (symbol.is_positive, symbol > 0),
+            (symbol.is_negative, symbol < 0),
+            (symbol.is_nonnegative, symbol >= 0),
+            (symbol.is_nonpositive, symbol <= 0),
+            (symbol.is_nonzero, sp.Ne(symbol, 0)),
+        ):
+            # the strongest that is known says it all
+            if known and relation not in (sp.true, sp.false):
+                found.append(relation)
+                break
+    return tuple(r for r in dict.fromkeys(found) if r not in (sp.true, True))
+
+
+# --- laws ----------------------------------------------------------------------------------------
+
+
+def _law(system: System, law: Law) -> Text:
+    return {"name": law.name, "on": _formulas(law.on), **_content(system, law)}
+
+
+def _content(system: System, law: Law) -> Text:
+    if isinstance(law, Integral):
+        return {"value": str(explicit(law.value))}
+    if isinstance(law, Measure):
+        density = [[str(explicit(base)), str(sp.sympify(power))] for base, power in law.density]
+        return {"density": density}
+    if isinstance(law, Symmetry):
+        return {"field": _pairs(law.field)}
+    if isinstance(law, PoissonStructure):
+        return _bracket(law)
+    if isinstance(law, ConformallyHamiltonian):
+        return {
+            "multiplier": str(explicit(law.multiplier)),
+            "hamiltonian": str(explicit(law.hamiltonian)),
+            "structure": {"name": law.structure.name, **_bracket(law.structure)},
+        }
+    if isinstance(law, Isomorphism):
+        return {
+            "target": _system(law.target),
+            "map": _pairs(law.map),
+            "time": str(explicit(law.time)),
+            "constants": _pairs(law.constants),
+            "onto": [str(_there(system, law, condition)) for condition in law.onto],
+        }
+    if isinstance(law, Reduction):
+        quantities = _pairs(law.quantities)
+        return {"quantities": quantities, "equations": _formulas(law.equations)}
+    assert isinstance(law, Identity)
+    return {"quantities": _pairs(law.quantities), "value": [str(f) for f in scalars(law.value)]}
+
+
+def _there(system: System, law: Isomorphism, condition: Any) -> Any:
+    """A condition on the image, without definitions of the source that the target has not."""
+    target = law.target
+    theirs = {*target.symbols, *target.defaults, *(s for s, _ in target.steps)}
+    steps = {s: value for s, value in system.steps if s not in theirs}
+    formula = explicit(condition)
+    while formula.free_symbols & steps.keys():
+        formula = formula.xreplace(steps)
+    return formula
+
+
+def _bracket(law: PoissonStructure) -> Text:
+    size = law.matrix.shape[0]
+    return {
+        "matrix": [[str(law.matrix[i, j]) for j in range(size)] for i in range(size)],
+        "casimirs": _formulas(law.casimirs),
+        "rank": None if law.rank is None else int(law.rank),
+    }
+
+
+def _formulas(formulas: Iterable[Any]) -> list[str]:
+    return [str(explicit(formula)) for formula in formulas]
+
+
+def _pairs(pairs: Iterable[tuple[Any, Any]]) -> list[list[str]]:
+    found = []
+    for name, formula in pairs:
+        names = (name,) if isinstance(name, sp.Symbol) else name.symbols
+        found += [[str(n), str(f)] for n, f in zip(names, scalars(formula), strict=True)]
+    return found
+
+
+# --- polynomials ---------------------------------------------------------------------------------
+
+
+def terms_text(poly: Any, places: Sequence[int | None]) -> list[Any]:
+    """A polynomial as a list of terms; `places` says where its generators stand in the ring."""
+    return [
+        [str(number), [x for i, n in enumerate(exponents) if n for x in (places[i], int(n))]]
+        for exponents, number in poly.to_dict().items()
+    ]
+
+
+def powers_text(powers: Iterable[tuple[Any, int]], places: Sequence[int | None]) -> list[Any]:
+    """A product of powers of polynomials."""
+    return [[terms_text(poly, places), power] for poly, power in powers]

@@ -1,0 +1,141 @@
+"""What a law divides by and what stands under its roots, as elements of a field.
+
+The check of certificates finds these formulas by itself; a certificate says of each which product
+of polynomials it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+
+import sympy as sp
+
+from ..check.claim.claim import Claim as CheckedClaim
+from ..check.claim.domain import GRAM, domain
+from ..check.claim.formulas import Formula, parse
+from ..core.laws import Identity, Isomorphism, Law, Rate, Reduction
+from ..formulas.errors import OutOfReachError, UnknownSymbolError
+from ..formulas.jets import Evaluator, Jet
+from .fields.quotient_ring import Element
+from .fields.unreduced_fields import Unreduced
+from .level.level_set import Ground
+from .level.named_formulas import named
+from .level.time_derivatives import without_second_rates
+from .residuals import arrived
+
+__all__ = ["Divisor", "divisors", "read"]
+
+#: Formula, where it stands ("own" or "target"), its value, and whether it must be positive.
+Divisor = tuple[str, str, Element, bool]
+_Value = Callable[[Formula], tuple[str, Element]]
+
+
+def divisors(claim: CheckedClaim, law: Law, ground: Ground, made: Unreduced) -> Iterator[Divisor]:
+    """All divisors and radicands of a law, apart from those that have no value in the field."""
+    settled = {str(s): parse(str(v), "a settled parameter") for s, v in ground.settled.items()}
+    found = domain(claim, settled)
+    positive = dict.fromkeys([*((where, f) for where, f, _ in found.positive), *found.logarithms])
+    places = {"own": _own(law, ground, made), "target": _target(law, ground, made)}
+    for where, formula in dict.fromkeys([*found.nonzero, *positive]):
+        seen = set()
+        for place in places[where]:
+            try:
+                written, value = place(formula)
+            except (OutOfReachError, UnknownSymbolError, ZeroDivisionError):
+                continue
+            form = str(value.poly), tuple(sorted(value.powers.items()))
+            if value.poly and form not in seen:
+                seen.add(form)
+                yield written, where, value, (where, formula) in positive
+            if (where, formula) in positive:
+                break
+    if found.gram:
+        for value in _volumes(ground, made):
+            yield GRAM, "own", value, False
+
+
+def _own(law: Law, ground: Ground, made: Unreduced) -> list[_Value]:
+    """Values with derivatives along the motion, and without, which may be written otherwise."""
+    quantities = named(law, ground) if isinstance(law, Reduction | Identity) else {}
+    evaluators = (ground.along(made), ground.evaluator(made), ground.partial(made))
+    return [_value(ground, quantities, e.with_steps(quantities)) for e in evaluators]
+
+
+def _value(ground: Ground, quantities: Mapping[sp.Symbol, sp.Expr], evaluate: Evaluator) -> _Value:
+    table = {**ground.named, **{str(s): s for s in quantities}}
+
+    def value(formula: Formula) -> tuple[str, Element]:
+        made_of = read(formula, table)
+        return str(made_of), evaluate.value(without_second_rates(made_of, ground, quantities))
+
+    return value
+
+
+def _target(law: Law, ground: Ground, made: Unreduced) -> list[_Value]:
+    if not isinstance(law, Isomorphism):
+        return []
+    along = ground.along(made)
+    given = {s: Jet(jet.value, {}) for s, jet in arrived(law, ground, along).items()}
+    there = Evaluator(made, given.get, dict(law.target.steps))
+    table = {str(s): s for s in (*given, *(s for s, _ in law.target.steps))}
+
+    def value(formula: Formula) -> tuple[str, Element]:
+        made_of = read(formula, table)
+        return str(made_of), there.value(made_of)
+
+    return [value]
+
+
+def _volumes(ground: Ground, made: Unreduced) -> Iterator[Element]:
+    """The leading minors of the Gram matrix of the conditions."""
+    partial = ground.partial(made)
+    symbols = ground.system.symbols
+    normals = [[partial.value(sp.diff(c, s)) for s in symbols] for c in ground.moving]
+    rows = [[_dot(made, a, b) for b in normals] for a in normals]
+    for size in range(1, len(rows) + 1):
+        yield _determinant(made, [row[:size] for row in rows[:size]])
+
+
+def _dot(made: Unreduced, first: Sequence[Element], second: Sequence[Element]) -> Element:
+    total = made.zero
+    for a, b in zip(first, second, strict=True):
+        total = total + a * b
+    return total
+
+
+def _determinant(made: Unreduced, rows: Sequence[Sequence[Element]]) -> Element:
+    if not rows:
+        return made.one
+    total = made.zero
+    for j, entry in enumerate(rows[0]):
+        minor = [[x for i, x in enumerate(row) if i != j] for row in rows[1:]]
+        part = entry * _determinant(made, minor)
+        total = total + part if j % 2 == 0 else total - part
+    return total
+
+
+def read(formula: Formula, table: Mapping[str, sp.Symbol]) -> sp.Expr:
+    """A formula of the check as one of SymPy."""
+    parts = [read(part, table) for part in formula.parts]
+    if formula.kind == "number":
+        return sp.Rational(formula.word.numerator, formula.word.denominator)
+    if formula.kind == "name":
+        constants = {"pi": sp.pi, "E": sp.E}
+        word = formula.word
+        found = table[word] if word in table else constants[word]
+        return found
+    if formula.kind == "sum":
+        return sp.Add(*parts)
+    if formula.kind == "product":
+        return sp.Mul(*parts)
+    if formula.kind == "power":
+        return sp.Pow(*parts)
+    if formula.kind == "call":
+        return Rate(*parts) if formula.word == "Rate" else getattr(sp, formula.word)(*parts)
+    word, orders = formula.word
+    function = sp.Function(word)
+    if not any(orders):
+        return function(*parts)
+    places = [sp.Symbol(f"place_{i}", real=True) for i in range(len(parts))]
+    counted = [(p, n) for p, n in zip(places, orders, strict=True) if n]
+    return sp.Subs(sp.Derivative(function(*places), *counted), places, parts)

@@ -1,0 +1,372 @@
+"""The field in which laws are proved: fractions with roots, powers and functions.
+
+Every root and every symbolic power is an auxiliary symbol, roots with the relation they satisfy;
+sines and cosines come in pairs with s² + c² = 1; an unspecified function is a symbol for each of
+its derivatives.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
+
+import sympy as sp
+from flint import fmpq
+
+from ...formulas.errors import NoRealValueError, OutOfReachError, SpareNeededError
+from .budget import Budget
+from .quotient_ring import Element, Quotients
+from .signs import Sign, Signs
+
+__all__ = ["Fractions", "power_of_zero"]
+
+Poly = Any
+
+#: Denominator of the exponents that symbolic powers may have: base^(θ/4) is the generator.
+FINENESS = 4
+
+#: Ratios of arguments that make one exponential a power of another.
+MULTIPLES = tuple(
+    fmpq(sign * above, below)
+    for above, below in ((1, 1), (2, 1), (3, 1), (4, 1), (1, 2), (3, 2), (1, 3), (1, 4))
+    for sign in (1, -1)
+)
+
+
+def power_of_zero(exponents: Iterable[tuple[Any, Any]]) -> Exception:
+    """Why a power of zero with fractional or symbolic exponents is not to be had.
+
+    A root of zero is real, so that the level has such points, but it has no derivative there.
+    """
+    if any(theta == 1 and number < 0 for theta, number in exponents):
+        return ZeroDivisionError()
+    return OutOfReachError("a root is taken of what vanishes here, where it has no derivative")
+
+
+class Fractions(Quotients):
+    """Fractions in named generators and in auxiliary symbols, modulo relations.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Generators, highest first; a relation's main variable must be its highest.
+    spare : int
+        Room for auxiliary symbols, which come before all others.
+    sample : mapping of str to float
+        A point of the phase space, where signs under roots are taken that nothing else tells.
+    budget : Budget
+    choices : mapping of str to int
+        Signs of factors under roots to be taken in place of those at the sample point.
+    """
+
+    def __init__(
+        self,
+        names: Sequence[str],
+        spare: int = 12,
+        sample: Mapping[str, float] | None = None,
+        budget: Budget | None = None,
+        choices: Mapping[str, int] | None = None,
+    ) -> None:
+        prefix = "aux"
+        while any(name.startswith(prefix) for name in names):
+            prefix += "_"
+        self._auxiliaries = tuple(f"{prefix}{i}" for i in range(spare))
+        super().__init__((*reversed(self._auxiliaries), *names), budget)
+        self.spare = spare
+        self.sample: dict[str, float] | None = None if sample is None else dict(sample)
+        self.meanings: dict[str, str] = {}
+        #: What is known of signs; set by the level on which the field is used.
+        self.signs = Signs(self.ring, {})
+        #: Signs of factors under roots that nothing known tells, as they were taken.
+        self.decisions: dict[str, tuple[Poly, int]] = {}
+        self._choices = dict(choices or {})
+        self._implied: dict[str, int] = {}
+        #: What a root raised to its degree is: content, factors with powers; and the degree.
+        self._root_of: dict[int, tuple[fmpq, tuple[tuple[int, int], ...], int]] = {}
+        self._roots: dict[str, tuple[Poly, int]] = {}
+        self._auxiliary: dict[Any, Any] = {}
+        self._circles: set[str] = set()
+        self._arguments: list[tuple[Element, str]] = []
+        self._exponentials: list[tuple[Element, Element]] = []
+
+    def _new(
+        self, key: Any, meaning: str, value: Callable[[], float], positive: bool = False
+    ) -> Poly:
+        """The auxiliary generator that stands for `key`, made when first asked for."""
+        if key not in self._auxiliary:
+            taken = len(self._auxiliary)
+            if taken == self.spare:
+                raise SpareNeededError(self.spare)
+            name = self._auxiliaries[taken]
+            self._auxiliary[key] = self.generators[name]
+            self.meanings[name] = meaning
+            if positive:
+                self.signs = self.signs.with_positive(name)
+            if self.sample is not None:
+                self.sample[name] = _number_or(value)
+        return self._auxiliary[key]
+
+    def shown(self, poly: Poly) -> str:
+        """A polynomial for a reader, with what its auxiliary symbols stand for."""
+        words = str(poly)
+        while used := [n for n in self.meanings if re.search(rf"\b{n}\b", words)]:
+            words = re.sub(rf"\b{used[-1]}\b", lambda _: f"({self.meanings[used[-1]]})", words)
+        return words
+
+    def tidied(self, element: Element) -> Element:
+        """Powers of a root written as powers of what it is a root of, where they are."""
+        if not any(n in self._root_of for n in element.powers):
+            return element
+        poly, powers = element.poly, dict(element.powers)
+        for number in [n for n in powers if n in self._root_of]:
+            content, factors, degree = self._root_of[number]
+            whole = int(powers[number] / degree)
+            powers[number] -= whole * degree
+            for n, power in factors:
+                powers[n] = powers.get(n, 0) + whole * power
+            poly = poly * content**whole
+        return Element(self, poly, {n: p for n, p in powers.items() if p})
+
+    def at_sample(self, poly: Poly) -> float:
+        """Value of a polynomial at the sample point, which settles signs."""
+        if self.sample is None:
+            return 1.0
+        values = [self.sample.get(name, 1.0) for name in self.names]
+        total = 0.0
+        for exponents, number in poly.to_dict().items():
+            term = float(number.p) / float(number.q)
+            for value, exponent in zip(values, exponents, strict=True):
+                if exponent:
+                    term *= value ** int(exponent)
+            total += term
+        return total
+
+    def value_at_sample(self, element: Element) -> float:
+        """Value of an element at the sample point."""
+        value = self.at_sample(element.poly)
+        for number, power in element.powers.items():
+            value *= self.at_sample(self.factors[number]) ** power
+        return value
+
+    def _positive_parts(
+        self, element: Element, exponents: Sequence[tuple[Any, Any]]
+    ) -> tuple[fmpq, list[tuple[Poly, int]]]:
+        """Content and factors with powers of what is raised to a power, all of them positive.
+
+        What is raised is positive itself wherever the power is real and smooth.
+        """
+        content, parts = self.factorised(self.reduce(element.poly))
+        total: dict[int, int] = dict(element.powers)
+        for number, power in parts:
+            total[number] = total.get(number, 0) + power
+        signed = []
+        overall = 1 if content > 0 else -1
+        odd: Poly | None = None
+        for number, power in total.items():
+            poly = self.factors[number]
+            if not power:
+                continue
+            if all(
+                theta == 1 and (sp.Rational(n) * power / 2).is_Integer for theta, n in exponents
+            ):
+                signed.append((poly, power))
+                continue
+            sign = self._known_sign(poly)
+            if not sign and power % 2 and odd is None:
+                # its sign will follow from those of the others
+                odd = poly
+            sign = sign or (1 if odd is poly else self._decided(poly))
+            if power % 2:
+                overall *= sign
+            signed.append((poly if sign > 0 else -poly, power))
+        if overall < 0:
+            if odd is None:
+                raise NoRealValueError
+            signed = [(-poly if poly is odd else poly, power) for poly, power in signed]
+        if odd is not None:
+            self._implied[str(odd)] = overall
+        return abs(content), signed
+
+    def _known_sign(self, poly: Poly) -> int:
+        """The sign of a factor of something positive, if known or taken before; 0 otherwise."""
+        key = str(poly)
+        if key in self._implied:
+            return self._implied[key]
+        if key in self.decisions:
+            return self.decisions[key][1]
+        found = self.signs.of(poly)
+        return 0 if found is Sign.UNKNOWN else (1 if found > 0 else -1)
+
+    def _decided(self, poly: Poly) -> int:
+        """The sign that is taken for a factor, here and wherever it stands under a root."""
+        key = str(poly)
+        sign = self._choices.get(key) or (-1 if self.at_sample(poly) < 0 else 1)
+        self.decisions[key] = poly, sign
+        return sign
+
+    def root(self, element: Element, degree: int) -> Element:
+        """The root that is positive at the sample point."""
+        if degree == 1:
+            return element
+        return self.power(element, ((sp.S.One, sp.Rational(1, degree)),), None)
+
+    def power(
+        self, element: Element, exponents: Iterable[tuple[Any, Any]], value: Element | None
+    ) -> Element:
+        """The product of element^(number · θ) over pairs (θ, number); θ = 1 or symbolic."""
+        exponents = tuple(exponents)
+        if self.vanishes(element):
+            raise power_of_zero(exponents)
+        content, parts = self._positive_parts(element, exponents)
+        bases: list[tuple[Poly, int]] = [*parts]
+        for prime, power in sp.factorrat(sp.Rational(int(content.p), int(content.q))).items():
+            if prime != 1:
+                bases.append((self.ring.constant(int(prime)), int(power)))
+        result = self.one
+        for theta, number in exponents:
+            for base, power in bases:
+                result = result * self._one_power(base, theta, sp.Rational(number) * power)
+        return result
+
+    def as_rational(self, element: Element) -> sp.Rational | None:
+        """The number that an element is, if it is one."""
+        poly = self.reduce(element.poly)
+        if element.powers or not poly.is_constant():
+            return None
+        value = poly.leading_coefficient() if poly else fmpq(0)
+        return sp.Rational(int(value.p), int(value.q))
+
+    def _one_power(self, base: Poly, theta: Any, exponent: Any) -> Element:
+        if str(base) in self._roots:
+            inner, degree = self._roots[str(base)]
+            return self._one_power(inner, theta, exponent / degree)
+        if theta == 1:
+            whole = exponent.p // exponent.q
+            result = self.integer_power(Element(self, base, {}), int(whole))
+            part = exponent - whole
+            return result * self._root(base, int(part.q)) ** int(part.p) if part else result
+        fine = exponent * FINENESS
+        if fine.q != 1:
+            raise OutOfReachError(
+                f"the exponent {exponent}·{theta} is not a multiple of 1/{FINENESS}"
+            )
+        value = self.at_sample(base)
+        made = self._new(
+            ("power", str(base), theta),
+            f"({base})^({theta}/{FINENESS})",
+            lambda: abs(value) ** 0.37,
+            positive=True,
+        )
+        return self.integer_power(Element(self, made, {}), int(fine.p))
+
+    def _root(self, base: Poly, degree: int) -> Element:
+        if base.is_one():
+            return self.one
+        for known in sorted(k[2] for k in self._auxiliary if k[:2] == ("root", str(base))):
+            if known % degree == 0:
+                made = Element(self, self._auxiliary["root", str(base), known], {})
+                return self.integer_power(made, known // degree)
+        value = self.at_sample(base)
+        key = ("root", str(base), degree)
+        made = self._new(
+            key, f"({base})^(1/{degree})", lambda: abs(value) ** (1 / degree), positive=True
+        )
+        self.impose(str(made), made**degree - base)
+        self._roots[str(made)] = (base, degree)
+        if not base.is_constant():
+            lead = base.leading_coefficient()
+            self._root_of[self.named(made)] = (lead, ((self.named(base / lead), 1),), degree)
+        return Element(self, made, {})
+
+    def exponential(self, element: Element) -> Element:
+        """The exponential; those of whole multiples of one argument are powers of each other."""
+        if self.vanishes(element):
+            return self.one
+        for argument, known in self._exponentials:
+            for ratio in MULTIPLES:
+                if self.vanishes(element - self.rational(ratio) * argument):
+                    return self.root(known, int(ratio.q)) ** int(ratio.p)
+        made = self.known("exp", [element])
+        self._exponentials.append((element, made))
+        return made
+
+    def circle(self, angle: Element) -> tuple[Element, Element]:
+        """Sine and cosine."""
+        key = self._key(angle)
+        value = self.value_at_sample(angle)
+        sine = self._new(("sin", key), f"sin({key})", lambda: math.sin(value))
+        cosine = self._new(("cos", key), f"cos({key})", lambda: math.cos(value))
+        if key not in self._circles:
+            self._circles.add(key)
+            upper, lower = sorted((sine, cosine), key=lambda p: self.names.index(str(p)))
+            self.impose(str(upper), upper**2 + lower**2 - 1)
+        return Element(self, sine, {}), Element(self, cosine, {})
+
+    def pi(self) -> Element:
+        """The number π, as a symbol: it is transcendental."""
+        made = self._new(("pi",), "pi", lambda: math.pi, positive=True)
+        return Element(self, made, {})
+
+    def known(self, name: str, arguments: Sequence[Element]) -> Element:
+        """A value of a function such as the logarithm, of which only derivatives are known."""
+        keys = tuple(map(self._key, arguments))
+        value = getattr(math, name)
+        made = self._new(
+            ("known", name, *keys),
+            f"{name}({', '.join(keys)})",
+            lambda: float(value(*map(self.value_at_sample, arguments))),
+            positive=name == "exp",
+        )
+        return Element(self, made, {})
+
+    def unspecified(
+        self, function: str, orders: Sequence[int], arguments: Sequence[Element]
+    ) -> Element:
+        """A value of an unspecified function, or of one of its partial derivatives."""
+        keys = tuple(map(self._key, arguments))
+        label = derivative_name(function, orders)
+        made = self._new(
+            ("unspecified", function, tuple(orders), *keys),
+            f"{label}({', '.join(keys)})",
+            lambda: 0.7,
+        )
+        return Element(self, made, {})
+
+    def same(self, first: Sequence[Element], second: Sequence[Element]) -> bool:
+        """Whether a function has one value at two places."""
+        return all(self.vanishes(a - b) for a, b in zip(first, second, strict=True))
+
+    def _key(self, element: Element) -> str:
+        """A name that equal elements share."""
+        poly, powers = self.reduce(element.poly), dict(element.powers)
+        for number in sorted(powers):
+            while powers[number] > 0:
+                poly = self.product(poly, self.factors[number])
+                powers[number] -= 1
+            while powers[number] < 0:
+                quotient, rest = divmod(poly, self.factors[number])
+                if rest:
+                    break
+                poly, powers[number] = quotient, powers[number] + 1
+        below = "".join(f"/({self.factors[n]})^{-p}" for n, p in sorted(powers.items()) if p)
+        name = f"{poly}{below}"
+        for known, shared in self._arguments:
+            if shared == name or self.vanishes(known - element):
+                return shared
+        self._arguments.append((element, name))
+        return name
+
+
+def derivative_name(function: str, orders: Sequence[int]) -> str:
+    """A partial derivative of an unspecified function, for a reader."""
+    return f"D{list(orders)} {function}" if any(orders) else function
+
+
+def _number_or(value: Callable[[], float], otherwise: float = 0.7) -> float:
+    """A number, or another one where it is not real or too large: it serves for signs alone."""
+    try:
+        return value()
+    except (ValueError, OverflowError, ZeroDivisionError):
+        return otherwise

@@ -1,0 +1,169 @@
+"""Fields in which residuals are written for a certificate: nothing is reduced by the level.
+
+A certificate compares its residuals with the law at points off the level.  So numerators stay as
+they come; only what holds everywhere is used, the relations of roots and circles.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from .formal_roots import FormalRoots
+from .function_field import Fractions
+from .quotient_ring import Element
+
+__all__ = ["Meaning", "Unreduced", "UnreducedFormal"]
+
+Poly = Any
+
+
+@dataclass(frozen=True)
+class Meaning:
+    """What an auxiliary symbol stands for.
+
+    Attributes
+    ----------
+    kind : str
+        ``"root"``, ``"formal root"``, ``"power"``, ``"sin"``, ``"cos"``, ``"pi"``, ``"known"`` or
+        ``"function"``.
+    of : tuple of Element
+        What it is a root, a power or a function of.
+    name : str
+        Of a function.
+    number : int
+        Degree of a root.
+    orders : tuple of int
+        How often an unspecified function is differentiated by each of its places.
+    exponent : sympy.Expr, optional
+        Of a symbolic power, the base being raised to a quarter of it.
+    whole : tuple of (polynomial, int)
+        What is taken out of a formal root.
+    """
+
+    kind: str
+    of: tuple[Element, ...] = ()
+    name: str = ""
+    number: int = 0
+    orders: tuple[int, ...] = ()
+    exponent: Any = None
+    whole: tuple[tuple[Poly, int], ...] = ()
+
+    def agrees(self, other: Meaning) -> bool:
+        """Whether it is the same function, whatever its arguments."""
+        mine = (self.kind, self.name, self.number, self.orders, self.exponent, len(self.of))
+        theirs = (other.kind, other.name, other.number, other.orders, other.exponent)
+        return mine == (*theirs, len(other.of))
+
+
+class Unreduced(Fractions):
+    """Fractions modulo the relations of roots and circles alone, with what each symbol means."""
+
+    def __init__(self, *given: Any) -> None:
+        super().__init__(*given)
+        #: Meaning of each auxiliary symbol, in the order in which they were made.
+        self.record: dict[str, Meaning] = {}
+        self._pending: list[Meaning] = []
+
+    def _noted(self, meaning: Meaning, task: Callable[[], Any]) -> Any:
+        self._pending.append(meaning)
+        try:
+            return task()
+        finally:
+            self._pending.pop()
+
+    def _new(
+        self, key: Any, meaning: str, value: Callable[[], float], positive: bool = False
+    ) -> Poly:
+        fresh = key not in self._auxiliary
+        made = super()._new(key, meaning, value, positive)
+        if fresh:
+            self.record[str(made)] = self._meant(key)
+        return made
+
+    def _meant(self, key: Any) -> Meaning:
+        kind = key[0]
+        pending = self._pending[-1] if self._pending else Meaning("")
+        if kind == "pi":
+            return Meaning("pi")
+        if kind in ("sin", "cos"):
+            return Meaning(kind, pending.of)
+        if kind == "root":
+            return Meaning("root", (pending.of[0],), number=key[2])
+        if kind == "power":
+            return Meaning("power", (pending.of[0],), exponent=key[2])
+        return pending
+
+    def circle(self, angle: Element) -> tuple[Element, Element]:
+        """Sine and cosine."""
+        made: tuple[Element, Element] = self._noted(
+            Meaning("", (angle,)), lambda: super(Unreduced, self).circle(angle)
+        )
+        return made
+
+    def known(self, name: str, arguments: Sequence[Element]) -> Element:
+        """A value of a function of which only derivatives are known."""
+        made: Element = self._noted(
+            Meaning("known", tuple(arguments), name),
+            lambda: super(Unreduced, self).known(name, arguments),
+        )
+        return made
+
+    def unspecified(
+        self, function: str, orders: Sequence[int], arguments: Sequence[Element]
+    ) -> Element:
+        """A value of an unspecified function."""
+        meaning = Meaning("function", tuple(arguments), function, orders=tuple(orders))
+        made: Element = self._noted(
+            meaning, lambda: super(Unreduced, self).unspecified(function, orders, arguments)
+        )
+        return made
+
+    def _root(self, base: Poly, degree: int) -> Element:
+        made: Element = self._noted(
+            Meaning("", (Element(self, base, {}),)),
+            lambda: super(Unreduced, self)._root(base, degree),
+        )
+        return made
+
+    def _one_power(self, base: Poly, theta: Any, exponent: Any) -> Element:
+        made: Element = self._noted(
+            Meaning("", (Element(self, base, {}),)),
+            lambda: super(Unreduced, self)._one_power(base, theta, exponent),
+        )
+        return made
+
+
+class UnreducedFormal(Unreduced, FormalRoots):
+    """The same with roots that are not split."""
+
+    def _root_made(self, element: Element, degree: int) -> Element:
+        content, parts = self.factorised(self.reduce(element.poly))
+        powers = dict(element.powers)
+        for number, power in parts:
+            powers[number] = powers.get(number, 0) + power
+        inner = self.ring.constant(content)
+        for number, power in powers.items():
+            inner = inner * self.factors[number] ** (power % degree)
+        whole = tuple((self.factors[n], p // degree) for n, p in powers.items() if p // degree)
+        meaning = Meaning("formal root", (Element(self, inner, {}),), number=degree, whole=whole)
+        made: Element = self._noted(
+            meaning, lambda: super(UnreducedFormal, self)._root_made(element, degree)
+        )
+        return made
+
+    def _meant(self, key: Any) -> Meaning:
+        if key[0] == "formal root":
+            return next(m for m in reversed(self._pending) if m.kind == "formal root")
+        if key[0] == "formal power":
+            (power,) = (m for m in self._pending[-1:] if m.kind == "power")
+            return power
+        return super()._meant(key)
+
+    def _power_made(self, element: Element, theta: Any) -> Element:
+        meaning = Meaning("power", (element,), exponent=theta)
+        made: Element = self._noted(
+            meaning, lambda: super(UnreducedFormal, self)._power_made(element, theta)
+        )
+        return made

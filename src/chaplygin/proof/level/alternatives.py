@@ -1,0 +1,104 @@
+"""Conditions with functions that are products: one alternative for each factor.
+
+A condition such as y sin x = 0 or f(x) y = 0 says that one of its factors vanishes.  Conditions
+that are polynomials are decomposed exactly, see :mod:`chaplygin.proof.level.components`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import product
+
+import sympy as sp
+
+from ...core.laws import Law, Measure
+from ...core.system import System
+from ...core.vectors import explicit
+from ...formulas.errors import OutOfReachError
+
+__all__ = ["Alternative", "alternatives"]
+
+MOST = 32
+"""Alternatives that are followed."""
+
+
+@dataclass(frozen=True)
+class Alternative:
+    """A part of a level on which certain factors of its conditions vanish.
+
+    Attributes
+    ----------
+    system : System
+    law : Law
+        With factors in place of the conditions they are factors of.
+    chosen : tuple of sympy.Expr
+        The factors, of those conditions that have several.
+    """
+
+    system: System
+    law: Law
+    chosen: tuple[sp.Expr, ...] = ()
+
+
+def alternatives(system: System, law: Law) -> tuple[Alternative, ...]:
+    """The parts of the level of a law that its conditions with functions distinguish."""
+    conditions = [explicit(c) for c in (*system.relations, *law.on)]
+    factors = [_factors(condition) for condition in conditions]
+    if all(len(made) == 1 for made in factors):
+        return (Alternative(system, law),)
+    split = len(system.relations)
+    found = []
+    for choice in _first(product(*factors)):
+        there = replace(law, on=choice[split:], as_printed=None)
+        if isinstance(there, Measure):
+            there = _among(there, conditions, choice)
+        found.append(
+            Alternative(
+                replace(system, relations=choice[:split], laws=()),
+                there,
+                tuple(c for c, made in zip(choice, factors, strict=True) if len(made) > 1),
+            )
+        )
+    return tuple(found)
+
+
+def _among(law: Measure, conditions: list[sp.Expr], choice: tuple[sp.Expr, ...]) -> Measure:
+    """A measure for the volume that factors cut out in place of the conditions.
+
+    Where f = 0 is a part of f g = 0, the volume that f g cuts out is 1/|g| times that of f.
+    """
+    ratios = [sp.cancel(c / factor) for c, factor in zip(conditions, choice, strict=True)]
+    more = tuple((g**2, -sp.Rational(1, 2)) for g in ratios if g.free_symbols)
+    return replace(law, density=(*law.density, *more))
+
+
+def _first(choices: Iterator[tuple[sp.Expr, ...]]) -> Iterator[tuple[sp.Expr, ...]]:
+    for number, choice in enumerate(choices):
+        if number == MOST:
+            raise OutOfReachError(f"the level falls into more than {MOST} parts")
+        yield choice
+
+
+def _factors(condition: sp.Expr) -> tuple[sp.Expr, ...]:
+    """The factors of a condition that holds functions; the condition itself if it is polynomial."""
+    functions = condition.atoms(sp.Function, sp.Derivative, sp.Subs)
+    roots = any(not power.exp.is_Integer for power in condition.atoms(sp.Pow))
+    if not functions and not roots:
+        return (condition,)
+    # functions and roots are symbols here: they are factored with, not into
+    names = {
+        part: sp.Dummy(real=True)
+        for part in sp.preorder_traversal(condition)
+        if isinstance(part, sp.Function | sp.Derivative | sp.Subs)
+        or (part.is_Pow and not part.exp.is_Integer)
+    }
+    above, _ = sp.fraction(sp.together(condition.xreplace(names)))
+    back = {symbol: part for part, symbol in names.items()}
+    found = []
+    for part in sp.Mul.make_args(sp.factor(above)):
+        factor = part.xreplace(back)
+        base = factor.base if factor.is_Pow and factor.exp.is_positive else factor
+        if not base.is_number and not isinstance(base, sp.exp):
+            found.append(base)
+    return tuple(dict.fromkeys(found)) or (condition,)

@@ -1,0 +1,198 @@
+"""Whether the equations of a reduction are closed: whether they determine the rates.
+
+The unknowns are the rates of all variables in the equations; where an equation holds a second rate,
+the first one is a variable too.  Each equation, differentiated where it holds no rate, gives a row:
+its derivatives by the unknowns at the motion itself.  So do the conditions between the variables
+and the formulas of quantities that are functions of the other variables.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from ...core.laws import Rate, Reduction
+from ...core.vectors import explicit
+from ...errors import InputError
+from .level_set import Ground
+from .named_formulas import named
+from .time_derivatives import without_second_rates
+
+__all__ = ["closing", "up_to_time"]
+
+
+@dataclass(frozen=True)
+class _Rates:
+    """The equations of a reduction, with symbols for the rates.
+
+    Attributes
+    ----------
+    equations : tuple of sympy.Expr
+        Without definitions.
+    meaning : mapping of Symbol to Rate
+        What the symbols stand for.
+    unknowns : tuple of Symbol
+        The highest rate of every variable.
+    first : mapping of Symbol to Symbol
+        The unknowns that are first rates, by their variables.
+    """
+
+    equations: tuple[sp.Expr, ...]
+    meaning: dict[sp.Symbol, sp.Expr]
+    unknowns: tuple[sp.Symbol, ...]
+    first: dict[sp.Symbol, sp.Symbol]
+
+    @property
+    def homogeneous(self) -> bool:
+        """Whether the equations leave the time open: each is homogeneous in first rates."""
+        return (
+            len(self.unknowns) > 1
+            and len(self.first) == len(self.unknowns) == len(self.meaning)
+            and all(_homogeneous(equation, self.unknowns) for equation in self.equations)
+        )
+
+
+def up_to_time(law: Reduction, ground: Ground) -> bool:
+    """Whether the equations speak of paths alone: they are homogeneous in the rates."""
+    return _rates(law, ground).homogeneous
+
+
+def closing(
+    law: Reduction, ground: Ground, field: Any
+) -> tuple[list[list[Any]], list[list[Any]], int]:
+    """What determines the rates: rows of the equations, rows of what holds anyway, and unknowns.
+
+    Raises
+    ------
+    InputError
+        If the equations hold nothing that moves.
+    """
+    rates = _rates(law, ground)
+    quantities = named(law, ground)
+    evaluate = ground.along(field).with_steps(quantities)
+
+    def value(formula: sp.Expr) -> Any:
+        restored = sp.sympify(formula).xreplace(rates.meaning)
+        return evaluate.value(without_second_rates(restored, ground, quantities))
+
+    stated = [[value(slope) for slope in row] for row in _stated(rates)]
+    known = [[value(slope) for slope in row] for row in _known(rates, quantities, ground)]
+    return stated, known, len(rates.unknowns)
+
+
+def _rates(law: Reduction, ground: Ground) -> _Rates:
+    quantities = named(law, ground)
+    variables = {*ground.system.symbols, *quantities}
+    meaning: dict[sp.Symbol, sp.Expr] = {}
+    symbols: dict[sp.Expr, sp.Symbol] = {}
+
+    def symbol_of(rate: sp.Expr) -> sp.Symbol:
+        if rate not in symbols:
+            symbols[rate] = sp.Dummy(str(rate), real=True)
+            meaning[symbols[rate]] = rate
+        return symbols[rate]
+
+    def rate_of(formula: sp.Expr) -> sp.Expr:
+        """By the chain rule; ∂/∂x ẋ for every variable and every rate of one."""
+        moving = [s for s in formula.free_symbols if s in variables or s in meaning]
+        return sp.Add(
+            *(
+                sp.diff(formula, s) * symbol_of(Rate(s.xreplace(meaning)))
+                for s in sorted(moving, key=str)
+            )
+        )
+
+    def written(formula: sp.Expr) -> sp.Expr:
+        """With symbols for the rates, the innermost first."""
+        while rates := [r for r in formula.atoms(Rate) if not r.args[0].has(Rate)]:
+            formula = formula.xreplace({r: rate_of(r.args[0]) for r in rates})
+        return formula
+
+    equations = tuple(written(ground.expanded(explicit(e))) for e in law.equations)
+    seen = {s for e in equations for s in e.free_symbols}
+    moving = {s for s in seen if s in variables}
+    # a rate that occurs alone stands for its variable
+    moving |= {r for r in _below(meaning[s] for s in seen if s in meaning) if r in variables}
+    if not moving:
+        raise InputError(f"the equations of the law {law.name!r} hold nothing that moves")
+    first, unknowns = {}, []
+    for variable in sorted(moving, key=str):
+        top = Rate(variable)
+        while Rate(top) in symbols:
+            top = Rate(top)
+        unknowns.append(symbol_of(top))
+        if top == Rate(variable):
+            first[variable] = symbols[top]
+    return _Rates(equations, meaning, tuple(unknowns), first)
+
+
+def _below(rates: Iterable[sp.Expr]) -> Iterator[sp.Expr]:
+    """What the rates are rates of."""
+    for rate in rates:
+        inner = rate
+        while isinstance(inner, Rate):
+            inner = inner.args[0]
+        yield inner
+
+
+def _stated(rates: _Rates) -> Iterator[list[sp.Expr]]:
+    for equation in rates.equations:
+        if equation.free_symbols & set(rates.unknowns):
+            yield [sp.diff(equation, u) for u in rates.unknowns]
+        else:
+            yield _differentiated(equation, rates)
+
+
+def _known(
+    rates: _Rates, quantities: dict[sp.Symbol, sp.Expr], ground: Ground
+) -> Iterator[list[sp.Expr]]:
+    """From the formulas of the quantities and from the conditions."""
+    own = {s for rate in rates.meaning.values() for s in rate.free_symbols}
+    own |= {s for e in rates.equations for s in e.free_symbols} - set(rates.meaning)
+    for symbol, formula in quantities.items():
+        if symbol in own:
+            written = ground.expanded(_without(formula, quantities, own))
+            if _within(written, own, quantities, ground):
+                yield _differentiated(symbol - written, rates)
+    for condition in ground.moving:
+        if _within(condition, own, quantities, ground):
+            yield _differentiated(condition, rates)
+
+
+def _differentiated(formula: sp.Expr, rates: _Rates) -> list[sp.Expr]:
+    back = {unknown: variable for variable, unknown in rates.first.items()}
+    return [sp.diff(formula, back[u]) if u in back else sp.S.Zero for u in rates.unknowns]
+
+
+def _without(
+    formula: sp.Expr, quantities: dict[sp.Symbol, sp.Expr], kept: set[sp.Symbol]
+) -> sp.Expr:
+    """A formula in which the quantities that the equations do not hold are written out."""
+    gone = {s: f for s, f in quantities.items() if s not in kept}
+    while formula.free_symbols & gone.keys():
+        formula = formula.xreplace(gone)
+    return formula
+
+
+def _within(
+    formula: sp.Expr,
+    own: set[sp.Symbol],
+    quantities: dict[sp.Symbol, sp.Expr],
+    ground: Ground,
+) -> bool:
+    """Whether a formula moves with the variables of the equations alone."""
+    moving: set[sp.Symbol] = formula.free_symbols & {*ground.system.symbols, *quantities}
+    return moving <= own
+
+
+def _homogeneous(equation: sp.Expr, unknowns: tuple[sp.Symbol, ...]) -> bool:
+    if not equation.free_symbols & set(unknowns):
+        return True
+    try:
+        poly = sp.Poly(sp.fraction(sp.together(equation))[0], *unknowns)
+    except sp.PolynomialError:
+        return False
+    return bool(poly.is_homogeneous)

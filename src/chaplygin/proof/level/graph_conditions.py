@@ -1,0 +1,180 @@
+"""Conditions that hold functions but are linear in a variable: the phase space as a graph.
+
+Where a relation or a level is not polynomial, such as z = f(x, y) or (ω, ∇f) = 0, but linear in a
+state variable on which none of its functions depends, that variable is expressed by the others and
+leaves the state.  That its own rate agrees with this is proved along with the law.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from ...core.laws import Identity, Integral, Isomorphism, Law, Measure, Rate, Reduction
+from ...core.system import System
+from ...core.vectors import explicit
+from ...formulas.errors import OutOfReachError, SpareNeededError
+from ...formulas.jets import Evaluator, Jet
+from ..fields.function_field import Fractions
+from ..fields.signs import Signs
+from .components import Decomposition
+from .triangular_set import numerator
+
+__all__ = ["Graph", "graph"]
+
+#: Laws that speak of functions on the phase space alone, or of its volume.
+KINDS = (Identity, Integral, Isomorphism, Measure, Reduction)
+
+
+@dataclass(frozen=True)
+class Graph:
+    """A system and a law without the variables that conditions express.
+
+    Attributes
+    ----------
+    system : System
+    law : Law
+    consistency : Identity
+        That the variables that are gone move as their expressions do.
+    excluded : tuple of sympy.Expr
+        Factors of these variables that could vanish on a part of the level that is not in the
+        closure of the rest.
+    """
+
+    system: System
+    law: Law
+    consistency: Identity
+    excluded: tuple[sp.Expr, ...] = ()
+
+
+def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None:
+    """Express variables by conditions that are not polynomial, or None where there are none.
+
+    Parameters
+    ----------
+    system : System
+    law : Law
+    tame : tuple of type
+        Functions that are no obstacle in a condition.
+    """
+    if not isinstance(law, KINDS):
+        return None
+    steps = dict(system.steps)
+    gone: dict[sp.Symbol, sp.Expr] = {}
+    factors: list[sp.Expr] = []
+    left: list[sp.Expr] = []
+    for condition in (*system.relations, *law.on):
+        formula = explicit(condition)
+        choice = None
+        if not _polynomial(_written(formula, steps), tame):
+            choice = _linear(formula, [s for s in system.symbols if s not in gone], steps, gone)
+        if choice is None:
+            left.append(formula)
+            continue
+        symbol, value, factor = choice
+        gone[symbol] = value
+        factors.append(factor)
+    if not gone:
+        return None
+    rates = dict(zip(system.symbols, system.rates, strict=True))
+    made = replace(
+        system,
+        field={s: rate for s, rate in rates.items() if s not in gone},
+        definitions=_ordered({**steps, **gone}),
+        relations=tuple(left),
+        laws=(),
+        observables=(),
+        motion=None,
+        start=(),
+    )
+    changed: dict[str, Any] = {"on": (), "as_printed": None}
+    if isinstance(law, Measure):
+        # the volume d^n x divided by the differentials of the conditions
+        changed["density"] = (*law.density, *((factor, -sp.S.One) for factor in factors))
+    agreement = tuple(Rate(s) - rates[s] for s in gone)
+    consistency = Identity("the conditions are kept", agreement)
+    excluded = _excluded(system, (*system.relations, *law.on), factors)
+    return Graph(made, replace(law, **changed), consistency, excluded)
+
+
+def _excluded(
+    system: System, conditions: Iterable[Any], factors: Iterable[sp.Expr]
+) -> tuple[sp.Expr, ...]:
+    """Factors whose zeros could hold a component of the level.
+
+    Values of functions are variables here like any other: what holds for all their values holds
+    for those that the functions have.
+    """
+    factors = [factor for factor in factors if not factor.is_number]
+    spare = 8
+    while factors:
+        try:
+            return tuple(f for f in factors if not _thin(system, tuple(conditions), f, spare))
+        except SpareNeededError:
+            spare *= 2
+        except OutOfReachError:
+            return tuple(factors)
+    return ()
+
+
+def _thin(system: System, conditions: tuple[Any, ...], factor: sp.Expr, spare: int) -> bool:
+    symbols = (*system.symbols, *(p.symbol for p in system.parameters))
+    draft = Fractions([str(s) for s in symbols], spare)
+    seeds = {s: Jet(draft.generator(str(s)), {}) for s in symbols}
+    evaluate = Evaluator(draft, seeds.get, dict(system.steps))
+    equations = [numerator(draft, evaluate.value(explicit(c))) for c in conditions]
+    lead = numerator(draft, evaluate.value(factor))
+    equations += [poly for _, poly, _ in draft.relations]
+    made = Decomposition(
+        draft, draft.names, {str(s) for s in system.symbols}, Signs(draft.ring, {})
+    )
+    parts = [part for part, _ in lead.factor()[1]]
+    return all(made.within((*equations, part), len(equations) + 1) for part in parts)
+
+
+def _written(formula: sp.Expr, steps: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    while formula.free_symbols & steps.keys():
+        formula = formula.xreplace(dict(steps))
+    return formula
+
+
+def _polynomial(formula: sp.Expr, tame: tuple[type, ...]) -> bool:
+    """Whether no function or root occurs, but for tame ones; or it is a value of one alone."""
+    if isinstance(formula, AppliedUndef):
+        return True
+    functions = formula.atoms(sp.Function, sp.Derivative, sp.Subs)
+    whole = all(p.exp.is_Integer for p in formula.atoms(sp.Pow))
+    return whole and all(isinstance(f, tame) for f in functions)
+
+
+def _linear(
+    formula: sp.Expr,
+    symbols: Iterable[sp.Symbol],
+    steps: Mapping[sp.Symbol, sp.Expr],
+    gone: Mapping[sp.Symbol, sp.Expr],
+) -> tuple[sp.Symbol, sp.Expr, sp.Expr] | None:
+    """A variable in which a condition is linear, its value, and its factor."""
+    known = {**steps, **gone}
+    for symbol in reversed(list(symbols)):
+        if symbol not in formula.free_symbols:
+            continue
+        factor = sp.diff(formula, symbol)
+        rest = formula.xreplace({symbol: sp.S.Zero})
+        slope = _written(factor, known)
+        if slope != 0 and symbol not in slope.free_symbols | _written(rest, known).free_symbols:
+            return symbol, -rest / factor, factor
+    return None
+
+
+def _ordered(steps: Mapping[sp.Symbol, sp.Expr]) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+    """Definitions in an order in which each can be computed."""
+    done: dict[sp.Symbol, sp.Expr] = {}
+    waiting = dict(steps)
+    while waiting:
+        ready = [s for s, e in waiting.items() if not e.free_symbols & waiting.keys()]
+        done |= {s: waiting.pop(s) for s in ready}
+    return tuple(done.items())

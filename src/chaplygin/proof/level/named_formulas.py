@@ -1,0 +1,67 @@
+"""Named formulas of a law as scalar symbols with scalar formulas."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import sympy as sp
+
+from ...core.laws import Identity, Reduction
+from ...core.vectors import explicit
+from ...errors import InputError
+from .level_set import Ground
+from .time_derivatives import without_rates
+
+__all__ = ["components", "named", "scalars"]
+
+
+def scalars(value: Any) -> list[sp.Expr]:
+    """The scalar formulas of a scalar, vector, matrix or tuple of these."""
+    if isinstance(value, (tuple, list)):
+        return [scalar for part in value for scalar in scalars(part)]
+    made = explicit(sp.sympify(value))
+    return list(made) if isinstance(made, sp.MatrixBase) else [made]
+
+
+def components(pairs: Sequence[tuple[Any, Any]], ground: Ground) -> dict[sp.Symbol, sp.Expr]:
+    """Pairs (name, formula) as scalar symbols with scalar formulas, rates written out."""
+    found: dict[sp.Symbol, sp.Expr] = {}
+    for name, formula in pairs:
+        symbols = (name,) if isinstance(name, sp.Symbol) else name.symbols
+        formulas = (without_rates(scalar, ground) for scalar in scalars(formula))
+        found.update(zip(symbols, formulas, strict=True))
+    return found
+
+
+def named(law: Reduction | Identity, ground: Ground) -> dict[sp.Symbol, sp.Expr]:
+    """The quantities of a law, each in terms of the system and of earlier ones.
+
+    Raises
+    ------
+    InputError
+        If a quantity has the name of something else, or uses itself or a later one.
+    """
+    found = components(law.quantities, ground)
+    system = ground.system
+    kinds = {
+        "a state variable": set(system.symbols),
+        "a definition": {s for s, _ in system.steps},
+        "a parameter": {p.symbol for p in system.parameters},
+    }
+    for symbol in found:
+        for kind, taken in kinds.items():
+            if symbol in taken:
+                raise InputError(
+                    f"the law {law.name!r} names a quantity {symbol}, which is {kind} of "
+                    f"{system.name}; it needs a name of its own"
+                )
+    waiting = set(found)
+    for symbol, formula in found.items():
+        if ahead := sorted(map(str, formula.free_symbols & waiting)):
+            raise InputError(
+                f"the law {law.name!r}: the formula of {symbol} uses {', '.join(ahead)}; a "
+                "quantity may use those named before it"
+            )
+        waiting.remove(symbol)
+    return found

@@ -1,0 +1,85 @@
+"""What has to be proved of a law, on phase spaces whose conditions are polynomials."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import sympy as sp
+from sympy.functions.elementary.trigonometric import TrigonometricFunction
+
+from ...core.laws import Law
+from ...core.system import System
+from ...formulas.errors import OutOfReachError
+from .graph_conditions import Graph, graph
+from .trigonometric import Circles, circles, formulas_of
+
+__all__ = ["Claim", "standing"]
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A law of a system whose conditions are polynomials.
+
+    Attributes
+    ----------
+    system : System
+    law : Law
+    excluded : tuple of sympy.Expr
+        Formulas whose zeros the claim leaves aside.
+    circles : tuple of (angle, sine, cosine, unit)
+        Angles whose multiples by their unit have become sine and cosine.
+    expressed : tuple of (Symbol, Expr)
+        Variables that conditions give in terms of others.
+    """
+
+    system: System
+    law: Law
+    excluded: tuple[Any, ...] = ()
+    circles: tuple[tuple[sp.Symbol, sp.Symbol, sp.Symbol, sp.Expr], ...] = ()
+    expressed: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
+
+
+def standing(system: System, law: Law) -> tuple[Claim, ...]:
+    """What has to be proved of a law, on phase spaces whose conditions are polynomial.
+
+    Raises
+    ------
+    OutOfReachError
+        If there is no such phase space.
+    """
+    # conditions with sines and cosines go best with circles, others with graphs
+    made = graph(system, law, tame=(TrigonometricFunction,))
+    try:
+        base = _on_circles(system, law, made)
+    except OutOfReachError:
+        made = graph(system, law)
+        if made is None:
+            raise
+        base = Claim(made.system, made.law, expressed=_expressed(system, made))
+    if made is None:
+        return (base,)
+    return (
+        replace(
+            _on_circles(made.system, made.consistency, None), expressed=_expressed(system, made)
+        ),
+        replace(base, excluded=made.excluded),
+    )
+
+
+def _on_circles(system: System, law: Law, made: Graph | None) -> Claim:
+    expressed: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
+    if made is not None:
+        expressed = _expressed(system, made)
+        system, law = made.system, made.law
+    changed: Circles | None = circles(system, law.on, formulas_of(law))
+    if changed is None:
+        return Claim(system, law, expressed=expressed)
+    lost = tuple((angle, *circle) for angle, circle in changed.lost.items())
+    return Claim(changed.system, changed.law(law), circles=lost, expressed=expressed)
+
+
+def _expressed(system: System, made: Graph) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+    """The variables that a graph takes from the state, with their formulas."""
+    gone = set(system.symbols) - set(made.system.symbols)
+    return tuple((s, value) for s, value in made.system.steps if s in gone)

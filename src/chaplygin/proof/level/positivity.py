@@ -1,0 +1,131 @@
+"""What must be positive for a law to make sense.
+
+A formula is positive on a whole level, or the law makes sense only where it is.  What is positive
+by its form wherever it is real is left out: roots, exponentials, positive numbers, and squares in
+denominators.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import sympy as sp
+
+from ...core.laws import Isomorphism, Law, Measure
+from ...core.vectors import explicit
+from ...printing.formula import text
+from .level_set import Ground
+from .time_derivatives import without_rates
+
+__all__ = ["orienting", "positives", "unmet"]
+
+Named = tuple[str, sp.Expr]
+
+
+def positives(law: Law, ground: Ground) -> tuple[Named, ...]:
+    """What a law needs to be positive: each in words, and as a formula.
+
+    Of an isomorphism it is dτ/dt; of a measure every base of its density that stands under a root,
+    so that the density is real.
+
+    Parameters
+    ----------
+    law : Law
+    ground : Ground
+
+    Returns
+    -------
+    tuple of (str, sympy.Expr)
+        Formulas in state, definitions and parameters whose signs their forms do not settle; one
+        that is a number is negative or zero.
+        Where all of them are positive the law makes sense, provided that its formulas are real.
+    """
+    found: list[Named] = []
+    match law:
+        case Isomorphism():
+            found = [("dτ/dt", _plain(law.time, ground))]
+        case Measure():
+            found = [
+                (f"the base {text(base)} of the density", formula)
+                for base, formula, power in _bases(law, ground)
+                if not power.is_Integer
+            ]
+    settled = ((what, _unsettled(formula, ground)) for what, formula in found)
+    return tuple((what, formula) for what, formula in settled if formula != 1)
+
+
+def orienting(law: Law, ground: Ground) -> tuple[Named, ...]:
+    """What decides whether a density is positive: its bases with odd exponents.
+
+    Where the product of all of them has one sign, the density or its negative is positive; where it
+    has either sign, the measure is a signed one.
+    """
+    if not isinstance(law, Measure):
+        return ()
+    found = (
+        (f"the base {text(base)} of the density", _unsettled(formula, ground))
+        for base, formula, power in _bases(law, ground)
+        if power.is_Integer and power % 2
+    )
+    return tuple((what, formula) for what, formula in found if not formula.is_number)
+
+
+def unmet(law: Law, ground: Ground, field: Any) -> tuple[tuple[str, Any], ...]:
+    """What is not positive at a point though a law needs it, with the value there.
+
+    Parameters
+    ----------
+    law : Law
+    ground : Ground
+    field : Rationals or Balls
+
+    Raises
+    ------
+    NotExactError
+        If a value is not rational, in `Rationals`.
+    ZeroDivisionError
+        If a formula has no value at the point, or if a ball leaves the sign open.
+    """
+    evaluate = ground.evaluator(field)
+    found = []
+    for what, formula in positives(law, ground):
+        value = evaluate.value(formula)
+        if value > 0:
+            continue
+        if not field.exact and not value <= 0:
+            raise ZeroDivisionError
+        found.append((what, value))
+    return tuple(found)
+
+
+def _bases(law: Measure, ground: Ground) -> Iterator[tuple[Any, sp.Expr, sp.Expr]]:
+    """Base as given, base without rates, and exponent on the level; none of exponent zero."""
+    for base, exponent in law.density:
+        power = ground.expanded(sp.sympify(exponent))
+        if power != 0:
+            yield base, _plain(base, ground), power
+
+
+def _plain(formula: Any, ground: Ground) -> sp.Expr:
+    return without_rates(explicit(sp.sympify(formula)), ground)
+
+
+def _unsettled(formula: sp.Expr, ground: Ground) -> sp.Expr:
+    """The factors whose signs count: a formula that is positive where the given one is."""
+    steps = ground.steps
+    left = []
+    for factor in sp.Mul.make_args(sp.sympify(formula)):
+        if factor.is_positive:
+            continue
+        base, exponent = factor.as_base_exp()
+        # with an exponent that is no number, as with a root, it is positive where it is real
+        if (
+            not exponent.is_Rational
+            or exponent.q % 2 == 0
+            or (exponent < 0 and exponent.p % 2 == 0)
+        ):
+            continue
+        elif base not in steps or _unsettled(steps[base], ground) != 1:
+            left.append(base if exponent == -1 else factor)
+    return sp.Mul(*left)

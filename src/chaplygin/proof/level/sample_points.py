@@ -1,0 +1,125 @@
+"""Points of a phase space: rational where possible, else balls around real numbers."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+from flint import arb, fmpq, fmpq_poly
+
+from ...formulas.errors import NotExactError
+from ...formulas.number_fields import exact_root
+from .triangular_set import Terms
+
+__all__ = ["broad", "far", "near", "on_sphere", "shown", "solved"]
+
+
+def near(default: float | None, generator: random.Random, signed: bool = False) -> fmpq:
+    """A random rational number, near the default of a parameter; not 1, whose powers are alike."""
+    if default is None or default == 0:
+        reach = generator.choice([17, 17, 60])
+        sign, above = generator.choice([-1, 1]), generator.randint(3, reach)
+        below = generator.randint(11, 19)
+        return fmpq(sign * above, below + (above == below))
+    near = Fraction(repr(float(default))) * Fraction(generator.randint(90, 115), 100)
+    return fmpq(near.numerator, near.denominator)
+
+
+def far(default: float | None, generator: random.Random, signed: bool = False) -> fmpq:
+    """A random rational number of any size, with small whole numbers among them.
+
+    Of either sign, unless the default has the only sign that is admissible.
+    """
+    if default and generator.random() < (0.5 if signed else 0.2):
+        return near(default, generator)
+    if not default and generator.random() < 0.3:
+        return fmpq(generator.choice([-3, -2, -1, 1, 2, 3]))
+    scale = Fraction(repr(float(default or 1.0)))
+    value = scale * Fraction(generator.randint(1, 24), generator.randint(4, 9))
+    if not signed:
+        value *= generator.choice([-1, 1])
+    return fmpq(value.numerator, value.denominator)
+
+
+def broad(default: float | None, generator: random.Random, signed: bool = False) -> fmpq:
+    """A random rational number of any order of magnitude, for quantities in whatever units."""
+    value = far(default, generator, signed)
+    power = generator.randint(-13, 13)
+    return value * fmpq(10) ** power if default is None else value
+
+
+def on_sphere(
+    main: str, terms: Terms, taken: set[str], generator: random.Random
+) -> dict[str, Any] | None:
+    """A rational point of x² + y² + … = c, if the relation is one and c is a square."""
+    members, constant, scale = [], fmpq(0), None
+    for named, number in terms.items():
+        present = [(n, p) for n, p in named if p]
+        if not present:
+            constant = number
+        elif len(present) == 1 and present[0][1] == 2 and scale in (None, number):
+            members.append(present[0][0])
+            scale = number
+        else:
+            return None
+    if scale is None or len(members) < 2 or taken & set(members):
+        return None
+    try:
+        radius = exact_root(-constant / scale, 2)
+    except NotExactError:
+        return None
+    shares = [fmpq(generator.randint(-9, 9), generator.randint(7, 13)) for _ in members[1:]]
+    square = sum((s * s for s in shares), fmpq(0))
+    point = [2 * s / (1 + square) for s in shares] + [(square - 1) / (1 + square)]
+    if any(x == 0 for x in point):
+        raise ZeroDivisionError
+    return {n: radius * x for n, x in zip(sorted(members), point, strict=True)}
+
+
+def solved(main: str, terms: Terms, values: Mapping[str, Any], generator: random.Random) -> Any:
+    """A real value of the main variable, the others being given."""
+    coefficients: dict[int, Any] = {}
+    for named, number in terms.items():
+        total: Any = number
+        degree = 0
+        for name, power in named:
+            if name == main:
+                degree = power
+            elif power:
+                total = values[name] ** power * total
+        coefficients[degree] = coefficients.get(degree, fmpq(0)) + total
+    top = max(coefficients)
+    c = [coefficients.get(i, fmpq(0)) for i in range(top + 1)]
+    if top == 1:
+        return _divided(-c[0], c[1])
+    if top == 2:
+        square = c[1] * c[1] - 4 * c[0] * c[2]
+        if not square > 0:
+            raise ZeroDivisionError
+        sign = generator.choice([-1, 1])
+        try:
+            if not isinstance(square, fmpq):
+                raise NotExactError
+            root: Any = exact_root(square, 2)
+        except NotExactError:
+            root = arb(square).sqrt()
+        return _divided(sign * root - c[1], 2 * c[2])
+    if all(isinstance(x, fmpq) for x in c):
+        roots: Any = fmpq_poly(c).complex_roots()
+        real = [z.real for z, _ in roots if z.imag == 0]
+        if real:
+            return generator.choice(real)
+    raise ZeroDivisionError
+
+
+def shown(value: Any) -> str:
+    """A number for a reader."""
+    return str(value) if isinstance(value, fmpq) else str(value.str(20))
+
+
+def _divided(above: Any, below: Any) -> Any:
+    if below == 0 or (not isinstance(below, fmpq) and 0 in below):
+        raise ZeroDivisionError
+    return above / below

@@ -1,0 +1,53 @@
+"""Time derivatives in formulas, written out where an evaluation needs more than their values."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from ...core.laws import Rate
+from .level_set import Ground
+
+__all__ = ["without_rates", "without_second_rates"]
+
+Quantities = Mapping[sp.Symbol, sp.Expr]
+
+
+def without_rates(
+    formula: sp.Expr, ground: Ground, quantities: Quantities | None = None
+) -> sp.Expr:
+    """A formula in which every rate is written out as a formula in the state.
+
+    Parameters
+    ----------
+    formula : sympy.Expr
+    ground : Ground
+    quantities : mapping of Symbol to formula, optional
+        Further names that may stand under a rate.
+    """
+    while rates := formula.atoms(Rate):
+        innermost = [rate for rate in rates if not rate.args[0].has(Rate)]
+        formula = formula.xreplace(
+            {rate: _written(rate.args[0], ground, quantities or {}) for rate in innermost}
+        )
+    return formula
+
+
+def without_second_rates(
+    formula: sp.Expr, ground: Ground, quantities: Quantities | None = None
+) -> sp.Expr:
+    """A formula in which rates stand under no other rate: the inner ones are written out."""
+    deep = {rate for rate in formula.atoms(Rate) if rate.args[0].has(Rate)}
+    outermost = {r for r in deep if not any(r in o.args[0].atoms(Rate) for o in deep - {r})}
+    return formula.xreplace(
+        {r: Rate(without_rates(r.args[0], ground, quantities)) for r in outermost}
+    )
+
+
+def _written(formula: sp.Expr, ground: Ground, quantities: Quantities) -> sp.Expr:
+    while formula.free_symbols & set(quantities):
+        formula = formula.xreplace(dict(quantities))
+    formula = ground.expanded(formula)
+    rates = zip(ground.system.symbols, ground.system.rates, strict=True)
+    return sp.Add(*(sp.diff(formula, s) * rate for s, rate in rates))

@@ -1,0 +1,124 @@
+"""Laws tried at points: where a residual is not zero, a law is refuted."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+from ..core.laws import Isomorphism, Law
+from ..formulas.errors import NotExactError, OutOfReachError
+from ..formulas.number_fields import Balls, Rationals
+from .level.level_set import Draw, Ground
+from .level.positivity import unmet
+from .level.sample_points import broad, far, near
+from .rank import shortfall
+from .residuals import preserved, residuals
+
+__all__ = ["Trial", "backwards", "everything", "trials"]
+
+ATTEMPTS = 400
+"""Points looked at, for one inside the domain at which the law is defined."""
+SEED = 20080830
+
+
+@dataclass(frozen=True)
+class Trial:
+    """A law at a point of its level.
+
+    Attributes
+    ----------
+    field : Rationals or Balls
+        The numbers at the point.
+    values : mapping of str to number
+        The generators there, rational where they are.
+    witness : tuple of (str, number), optional
+        The first residual that is not zero there, with its name.
+    lack : tuple of (str, Any), optional
+        What the law lacks in rank there, and what it has: a hint, since the point may be special.
+    """
+
+    field: Rationals | Balls
+    values: Mapping[str, Any]
+    witness: tuple[str, Any] | None = None
+    lack: tuple[str, Any] | None = None
+
+
+def everything(law: Law, ground: Ground, field: Any) -> Iterator[tuple[str, Any]]:
+    """All residuals: of the level being invariant, and of the law."""
+    yield from preserved(ground, field)
+    yield from residuals(law, ground, field)
+
+
+def trials(
+    law: Law, ground: Ground, draws: Sequence[Draw] = (near, near, far, far, far, far)
+) -> Iterator[Trial]:
+    """A law at random points of the domain; fewer than asked for where there are not enough.
+
+    Parameters
+    ----------
+    law : Law
+    ground : Ground
+        A component of its level.
+    draws : sequence of callable
+        How the free numbers of each point are drawn.
+    """
+    generator = random.Random(SEED)
+    compute = partial(_at, law, ground)
+    for draw in draws:
+        found = _first(compute, ground, generator, draw) or _first(
+            compute, ground, generator, broad
+        )
+        if found is None:
+            return
+        yield found
+
+
+def backwards(law: Law, ground: Ground) -> Trial | None:
+    """A point of the domain at which the time of an isomorphism does not run forward."""
+    if not isinstance(law, Isomorphism):
+        return None
+
+    def at(field: Any, values: Mapping[str, Any]) -> Trial:
+        (witness, *_) = unmet(law, ground, field) or (None,)
+        return Trial(field, values, witness)
+
+    return _first(at, ground, random.Random(SEED), near)
+
+
+def _first(
+    compute: Callable[[Any, Mapping[str, Any]], Trial],
+    ground: Ground,
+    generator: random.Random,
+    draw: Draw,
+) -> Trial | None:
+    for _ in range(ATTEMPTS):
+        try:
+            values, exact = ground.point(generator, draw)
+        except OutOfReachError:
+            return None
+        if not ground.inside(values, exact):
+            continue
+        for rational in (True, False) if exact else (False,):
+            try:
+                return compute(ground.numbers(values, rational), values)
+            except NotExactError:
+                continue
+            except ZeroDivisionError:
+                break
+    return None
+
+
+def _at(law: Law, ground: Ground, field: Any, values: Mapping[str, Any]) -> Trial:
+    if unmet(law, ground, field):
+        # the law makes no sense here
+        raise ZeroDivisionError
+    for what, residual in everything(law, ground, field):
+        if not field.vanishes(residual):
+            return Trial(field, values, (what, residual))
+    try:
+        return Trial(field, values, lack=shortfall(law, ground, field))
+    except OutOfReachError as reason:
+        return Trial(field, values, lack=(str(reason), "not certain"))

@@ -1,0 +1,246 @@
+"""Ranks: what a law claims of dimensions.
+
+A map onto another system must be a local diffeomorphism, a bracket must have its rank, equations
+must determine the rates they speak of.  Evaluated at a point (exact rationals or balls) a rank that
+is attained is attained at almost every point; one that is not attained may be the fault of the
+point.  Evaluated symbolically (`Fractions`), where only what vanishes modulo the relations counts
+as zero, a rank is the one at a generic point, and what falls short of it falls short everywhere.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import singledispatch
+from itertools import combinations
+from typing import Any
+
+import sympy as sp
+
+from ..core.laws import (
+    ConformallyHamiltonian,
+    Identity,
+    Isomorphism,
+    Law,
+    PoissonStructure,
+    Reduction,
+    Separation,
+)
+from ..core.vectors import explicit
+from ..formulas.errors import OutOfReachError
+from ..formulas.jets import Evaluator, Jet
+from .level.alternatives import alternatives
+from .level.closedness import closing, up_to_time
+from .level.level_set import Ground
+from .level.named_formulas import components
+from .level.separability import of_separation
+from .level.time_derivatives import without_rates
+from .residuals import arrived, pfaffian
+
+__all__ = ["DIMENSION", "pfaffians", "rank", "shortfall"]
+
+Row = Sequence[Any]
+
+DIMENSION = "the dimension of the level"
+"""Lacking at a point where all conditions are independent: no hint, but certain."""
+
+
+def rank(field: Any, matrix: Sequence[Row]) -> int:
+    """Rank of a matrix over a field; with balls, the rank that is certain."""
+    rows = [list(row) for row in matrix]
+    found = 0
+    for column in range(len(rows[0]) if rows else 0):
+        candidates = [i for i in range(found, len(rows)) if not field.vanishes(rows[i][column])]
+        if not candidates:
+            continue
+        rows[found], rows[candidates[0]] = rows[candidates[0]], rows[found]
+        head = rows[found]
+        for i in range(found + 1, len(rows)):
+            factor = rows[i][column] / head[column]
+            rows[i] = [x - factor * y for x, y in zip(rows[i], head, strict=True)]
+        found += 1
+    return found
+
+
+@singledispatch
+def shortfall(law: Law, ground: Ground, field: Any) -> tuple[str, Any] | None:
+    """What a law lacks in rank, or None.
+
+    Parameters
+    ----------
+    law : Law
+    ground : Ground
+    field
+        Numbers at a point: None settles the matter at almost every point of the level, a shortfall
+        is a hint.  Fractions: a shortfall settles it too.
+
+    Returns
+    -------
+    (str, Any) or None
+        What lacks rank, and how much it has.
+
+    Raises
+    ------
+    OutOfReachError
+        If balls leave it open.
+    """
+    return None
+
+
+# --- brackets ------------------------------------------------------------------------------
+
+
+def pfaffians(law: Law, ground: Ground, field: Any) -> Iterator[tuple[str, Any]]:
+    """The Pfaffians of the size of the rank claimed, of a bracket or of the form that uses one.
+
+    The rank is attained where one of them is not zero; it is attained nowhere if all of them vanish
+    on the level.  A law that claims no rank, or rank zero, has none.
+    """
+    structure = law.structure if isinstance(law, ConformallyHamiltonian) else law
+    if not isinstance(structure, PoissonStructure) or not structure.rank:
+        return
+    values = _entries(structure, ground, field)
+    for rows in combinations(range(len(values)), structure.rank):
+        yield f"Pfaffian of {rows}", pfaffian(field, values, rows)
+
+
+def _entries(law: PoissonStructure, ground: Ground, field: Any) -> list[list[Any]]:
+    plain = ground.evaluator(field)
+    size = len(ground.system.symbols)
+    return [
+        [plain.value(without_rates(law.matrix[i, j], ground)) for j in range(size)]
+        for i in range(size)
+    ]
+
+
+@shortfall.register
+def _(law: PoissonStructure, ground: Ground, field: Any) -> tuple[str, Any] | None:
+    if not law.rank:
+        return None
+    found = rank(field, _entries(law, ground, field))
+    return _lacking("the rank of the bracket", found, law.rank, field)
+
+
+@shortfall.register
+def _(law: ConformallyHamiltonian, ground: Ground, field: Any) -> tuple[str, Any] | None:
+    multiplier = ground.evaluator(field).value(explicit(law.multiplier))
+    if field.vanishes(multiplier):
+        if not field.exact:
+            raise OutOfReachError("with balls it is not certain that the multiplier is not zero")
+        return "the multiplier", "0"
+    return shortfall(law.structure, ground, field)
+
+
+# --- isomorphisms --------------------------------------------------------------------------
+
+
+@shortfall.register
+def _(law: Isomorphism, ground: Ground, field: Any) -> tuple[str, Any] | None:
+    """The map must be a local diffeomorphism from the level onto the target's phase space.
+
+    The level is where the conditions hold and the constants have fixed values; the phase space is
+    cut out by the relations of the target and by `onto`, the constants being put in.
+    """
+    partial = ground.partial(field)
+    size = len(ground.system.symbols)
+
+    def rows(formulas: Sequence[sp.Expr]) -> list[Row]:
+        made = [partial(formula).slopes for formula in formulas]
+        return [[slopes.get(i, field.zero) for i in range(size)] for slopes in made if slopes]
+
+    constants = rows(list(components(law.constants, ground).values()))
+    bounds = [*rows(ground.moving), *constants]
+    images = rows(list(components(law.map, ground).values()))
+    total = rank(field, [*bounds, *images])
+    lacking = _lacking("the rank of the map with the conditions", total, size, field)
+    if lacking is not None:
+        return lacking
+    return _too_large(law, ground, field, size, bounds)
+
+
+def _too_large(
+    law: Isomorphism, ground: Ground, field: Any, size: int, bounds: list[Row]
+) -> tuple[str, Any] | None:
+    """Whether the target has directions that no motion of the source takes."""
+    target = law.target
+    number = {s: i for i, s in enumerate(target.symbols)}
+    given = {s: jet.value for s, jet in arrived(law, ground, ground.evaluator(field)).items()}
+
+    def seed(symbol: sp.Symbol) -> Jet | None:
+        if symbol not in given:
+            return None
+        return Jet(given[symbol], {number[symbol]: field.one} if symbol in number else {})
+
+    there = Evaluator(field, seed, dict(target.steps))
+
+    def normals(conditions: Sequence[sp.Expr]) -> list[Row]:
+        slopes = [there(c).slopes for c in conditions]
+        return [[s.get(i, field.zero) for i in range(len(number))] for s in slopes if s]
+
+    bound = rank(field, bounds)
+    here = size - bound
+    relations = normals(Ground(target, law.onto).conditions)
+    cut = rank(field, relations)
+    if here != len(number) - cut:
+        # the conditions may be products, whose differentials vanish where two factors do
+        relations = normals(_around(law, field, there))
+        cut = rank(field, relations)
+    beyond = len(number) - cut
+    if here == beyond:
+        # ranks that are only certain from below: the conditions may cut out less than it seems,
+        # never more than one dimension each
+        if field.exact or bound == len(bounds):
+            return None
+        raise OutOfReachError("with balls the dimension of the level is not certain")
+    if not field.exact and (bound < len(bounds) or cut < len(relations)):
+        raise OutOfReachError("with balls the dimensions of level and target are not certain")
+    regular = bound == len(bounds) and cut == len(relations)
+    return DIMENSION if regular else "the dimension found", f"{here} instead of {beyond}"
+
+
+def _around(law: Isomorphism, field: Any, there: Evaluator) -> tuple[sp.Expr, ...]:
+    """The equations of the component of the target's phase space on which the image lies.
+
+    Raises
+    ------
+    OutOfReachError
+        If it is not found.
+    """
+    whole = Identity("phase space", sp.S.Zero, on=law.onto)
+    for alternative in alternatives(law.target, whole):
+        for part in Ground(alternative.system, alternative.law.on).components:
+            if not part.parent and all(field.vanishes(there.value(c)) for c in part.conditions):
+                return part.conditions
+    raise OutOfReachError("the component of the target to which the map leads is not known")
+
+
+# --- reductions ----------------------------------------------------------------------------
+
+
+@shortfall.register
+def _(law: Reduction, ground: Ground, field: Any) -> tuple[str, Any] | None:
+    """The equations must determine all rates, or the ratios of two independent ones at least."""
+    stated, known, unknowns = closing(law, ground, field)
+    wanted = unknowns
+    if up_to_time(law, ground):
+        tied = rank(field, known)
+        if not field.exact and tied < len(known):
+            raise OutOfReachError("with balls it is not certain how many variables are independent")
+        wanted -= unknowns - tied > 1
+    found = rank(field, [*stated, *known])
+    return _lacking("the rank of the equations in the rates", found, wanted, field)
+
+
+@shortfall.register
+def _(law: Separation, ground: Ground, field: Any) -> tuple[str, Any] | None:
+    """The quantities that separate must be independent on a level of the constants."""
+    bounds, quantities = of_separation(law, ground, field)
+    found = rank(field, [*bounds, *quantities]) - rank(field, bounds)
+    return _lacking("the number of independent quantities", found, len(quantities), field)
+
+
+def _lacking(what: str, found: int, wanted: int, field: Any) -> tuple[str, Any] | None:
+    if found >= wanted:
+        return None
+    if not field.exact:
+        raise OutOfReachError(f"{what} is at least {found}, but {wanted} is not certain with balls")
+    return what, f"{found} instead of {wanted}"

@@ -1,0 +1,57 @@
+"""What to add to the verdict on a law that holds: that it says little, or how it is meant."""
+
+from __future__ import annotations
+
+from functools import singledispatch
+from typing import Any
+
+from ..core.laws import Integral, Law, Reduction, Symmetry
+from ..core.vectors import explicit
+from .level.closedness import up_to_time
+from .level.level_set import Ground
+from .level.named_formulas import components
+from .level.time_derivatives import without_rates
+from .rank import rank
+
+__all__ = ["remark"]
+
+
+@singledispatch
+def remark(law: Law, ground: Ground, field: Any) -> str:
+    """A few words on a law that holds, or nothing.
+
+    Parameters
+    ----------
+    law : Law
+    ground : Ground
+    field
+        Numbers at a point: nothing found there settles that there is nothing to say.  Fractions
+        settle the rest.
+    """
+    return ""
+
+
+@remark.register
+def _(law: Integral, ground: Ground, field: Any) -> str:
+    """Whether the function is constant: no motion is told from another by it."""
+    partial = ground.partial(field)
+    size = len(ground.system.symbols)
+    formulas = [*ground.moving, without_rates(explicit(law.value), ground)]
+    slopes = [partial(formula).slopes for formula in formulas]
+    rows = [[s.get(i, field.zero) for i in range(size)] for s in slopes]
+    same = rank(field, rows) == rank(field, rows[:-1])
+    return "a constant on the whole level" if same else ""
+
+
+@remark.register
+def _(law: Symmetry, ground: Ground, field: Any) -> str:
+    """Whether the field is zero."""
+    evaluate = ground.evaluator(field)
+    values = [evaluate.value(formula) for formula in components(law.field, ground).values()]
+    return "the zero field" if all(map(field.vanishes, values)) else ""
+
+
+@remark.register
+def _(law: Reduction, ground: Ground, field: Any) -> str:
+    """Whether the equations leave the time open."""
+    return "up to the time" if up_to_time(law, ground) else ""

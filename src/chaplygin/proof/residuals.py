@@ -1,0 +1,333 @@
+"""What must vanish for a law to hold, evaluated in any field.
+
+Every function yields pairs (what, value): the law holds where all values are zero.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import singledispatch
+from itertools import combinations
+from typing import Any, TypeAlias
+
+import sympy as sp
+
+from ..core.laws import (
+    ConformallyHamiltonian,
+    Identity,
+    Integral,
+    Isomorphism,
+    Law,
+    Measure,
+    PoissonStructure,
+    Rate,
+    Reduction,
+    Separation,
+    Symmetry,
+)
+from ..core.vectors import explicit
+from ..errors import InputError
+from ..formulas.jets import Evaluator, Jet
+from ..printing.formula import text
+from .level.level_set import Ground
+from .level.named_formulas import components, named, scalars
+from .level.separability import separated
+from .level.time_derivatives import without_rates, without_second_rates
+
+__all__ = ["arrived", "pfaffian", "preserved", "residuals"]
+
+Residuals: TypeAlias = Iterator[tuple[str, Any]]
+
+
+@singledispatch
+def residuals(law: Law, ground: Ground, field: Any) -> Residuals:
+    """What must vanish for `law` to hold on `ground`, evaluated in `field`."""
+    raise InputError(f"a law of kind {type(law).__name__} cannot be proved")
+
+
+def preserved(ground: Ground, field: Any) -> Residuals:
+    """Rates of the conditions: they vanish when the phase space and the level are invariant."""
+    along = ground.along(field)
+    for condition in ground.moving:
+        yield f"invariance of {text(condition)} = 0", along.slope(condition)
+
+
+# --- integrals, identities, reductions -----------------------------------------------------
+
+
+@residuals.register
+def _(law: Integral, ground: Ground, field: Any) -> Residuals:
+    yield "v(F)", ground.along(field).slope(without_rates(explicit(law.value), ground))
+
+
+@residuals.register
+def _(law: Identity, ground: Ground, field: Any) -> Residuals:
+    quantities = named(law, ground)
+    formulas = [without_second_rates(f, ground, quantities) for f in scalars(law.value)]
+    if not formulas:
+        raise InputError(f"the law {law.name!r} states nothing: it has no formula")
+    rated = any(f.has(Rate) for f in formulas)
+    evaluate = (ground.along(field) if rated else ground.evaluator(field)).with_steps(quantities)
+    for i, formula in enumerate(formulas, 1):
+        yield f"component {i}", evaluate.value(formula)
+
+
+@residuals.register
+def _(law: Reduction, ground: Ground, field: Any) -> Residuals:
+    quantities = named(law, ground)
+    evaluate = ground.along(field).with_steps(quantities)
+    for i, equation in enumerate(law.equations, 1):
+        formula = without_second_rates(explicit(equation), ground, quantities)
+        yield f"equation {i}", evaluate.value(formula)
+
+
+@residuals.register
+def _(law: Separation, ground: Ground, field: Any) -> Residuals:
+    yield from residuals.dispatch(Reduction)(law, ground, field)
+    evaluate = ground.evaluator(field).with_steps(named(law, ground))
+    for what, formula in separated(law, ground):
+        yield what, evaluate.value(formula)
+
+
+# --- invariant measure ---------------------------------------------------------------------
+
+
+@residuals.register
+def _(law: Measure, ground: Ground, field: Any) -> Residuals:
+    partial = ground.partial(field)
+    rates = [partial(rate) for rate in ground.system.rates]
+    total = field.zero
+    for i, rate in enumerate(rates):
+        total = total + _slope(field, rate, i)
+    for base, exponent in law.density:
+        inner, power = partial(without_rates(explicit(base), ground)), partial(sp.sympify(exponent))
+        if power.slopes:
+            raise InputError(
+                f"the law {law.name!r}: the exponent {exponent} of a density must not depend on "
+                "the state"
+            )
+        if field.vanishes(inner.value):
+            raise ZeroDivisionError
+        total = total + power.value * _along(field, inner, rates) / inner.value
+    yield "div(ρv)/ρ", total - _transverse(ground, field, partial, rates)
+
+
+def _slope(field: Any, jet: Jet, direction: int) -> Any:
+    return jet.slopes.get(direction, field.zero)
+
+
+def _along(field: Any, jet: Jet, rates: Sequence[Jet]) -> Any:
+    """Derivative of a function along a vector field, from its partial derivatives."""
+    total = field.zero
+    for i, slope in jet.slopes.items():
+        total = total + slope * rates[i].value
+    return total
+
+
+def _transverse(ground: Ground, field: Any, partial: Evaluator, rates: Sequence[Jet]) -> Any:
+    """The part of the divergence that points out of the phase space.
+
+    With v(F_i) = Σ C_ij F_j for the conditions F it is the trace of C.
+    """
+    symbols = ground.system.symbols
+    normals, drifts = [], []
+    for condition in ground.moving:
+        slopes = [partial(sp.diff(condition, s)) for s in symbols]
+        drift = Jet(field.zero, {})
+        for slope, rate in zip(slopes, rates, strict=True):
+            drift = drift + slope * rate
+        normals.append([slope.value for slope in slopes])
+        drifts.append([_slope(field, drift, i) for i in range(len(symbols))])
+    moving = [i for i, row in enumerate(drifts) if not all(field.vanishes(x) for x in row)]
+    if not moving:
+        return field.zero
+    gram = [[_product(field, a, b) for b in normals] for a in normals]
+    total = field.zero
+    for i in moving:
+        right = [_product(field, drifts[i], normal) for normal in normals]
+        total = total + _solution(field, gram, right)[i]
+    return total
+
+
+def _product(field: Any, first: Sequence[Any], second: Sequence[Any]) -> Any:
+    total = field.zero
+    for a, b in zip(first, second, strict=True):
+        total = total + a * b
+    return total
+
+
+def _solution(field: Any, matrix: Sequence[Sequence[Any]], right: Sequence[Any]) -> list[Any]:
+    """Solution of a small linear system with a Gram matrix, by Gauss and Jordan.
+
+    The pivots of a Gram matrix, taken in order, are the squared distances of each vector from the
+    span of those before it: none is zero where the vectors are independent.  So no rows are
+    exchanged, and a zero pivot says that the gradients of the conditions depend on each other,
+    where the volume that the conditions cut out is not defined.
+    """
+    rows = [[*row, value] for row, value in zip(matrix, right, strict=True)]
+    for i in range(len(rows)):
+        if field.vanishes(rows[i][i]):
+            raise ZeroDivisionError
+        rows[i] = [x / rows[i][i] for x in rows[i]]
+        for j in range(len(rows)):
+            if j != i:
+                factor = rows[j][i]
+                rows[j] = [x - factor * y for x, y in zip(rows[j], rows[i], strict=True)]
+    return [row[-1] for row in rows]
+
+
+# --- symmetry fields -----------------------------------------------------------------------
+
+
+@residuals.register
+def _(law: Symmetry, ground: Ground, field: Any) -> Residuals:
+    partial = ground.partial(field)
+    given = components(law.field, ground)
+    symbols = ground.system.symbols
+    rates = [partial(rate) for rate in ground.system.rates]
+    if strange := set(given) - set(symbols):
+        raise InputError(
+            f"the law {law.name!r} gives a component along {', '.join(sorted(map(str, strange)))}, "
+            f"which is no state variable of {ground.system.name}"
+        )
+    push = [partial(given.get(s, sp.S.Zero)) for s in symbols]
+    for condition in ground.moving:
+        yield f"u({condition})", _along(field, partial(condition), push)
+    for symbol, rate, shift in zip(symbols, rates, push, strict=True):
+        yield f"[u, v] in {symbol}", _along(field, rate, push) - _along(field, shift, rates)
+
+
+# --- Poisson structures --------------------------------------------------------------------
+
+
+@residuals.register
+def _(law: PoissonStructure, ground: Ground, field: Any) -> Residuals:
+    partial = ground.partial(field)
+    size = len(ground.system.symbols)
+    if law.matrix.shape != (size, size):
+        raise InputError(
+            f"the law {law.name!r}: its matrix is {law.matrix.shape[0]}×{law.matrix.shape[1]}, "
+            f"but the state has {size} variables"
+        )
+    entries = [
+        [partial(without_rates(law.matrix[i, j], ground)) for j in range(size)] for i in range(size)
+    ]
+    values = [[entry.value for entry in row] for row in entries]
+    for i in range(size):
+        for j in range(i, size):
+            yield f"J[{i + 1},{j + 1}] + J[{j + 1},{i + 1}]", values[i][j] + values[j][i]
+    for condition in ground.moving:
+        yield from _casimir(field, f"{{·, {condition}}}", partial(condition), values)
+    for i, j, k in combinations(range(size), 3):
+        total = field.zero
+        for a, b, c in ((i, j, k), (j, k, i), (k, i, j)):
+            for number, slope in entries[b][c].slopes.items():
+                total = total + values[a][number] * slope
+        yield f"Jacobi identity {i + 1}, {j + 1}, {k + 1}", total
+    for casimir in law.casimirs:
+        yield from _casimir(
+            field, f"{{·, {casimir}}}", partial(without_rates(explicit(casimir), ground)), values
+        )
+    if law.rank is not None:
+        for rows in combinations(range(size), law.rank + 2):
+            yield f"Pfaffian of {rows}", pfaffian(field, values, rows)
+
+
+def _casimir(field: Any, name: str, function: Jet, values: Sequence[Sequence[Any]]) -> Residuals:
+    for i, row in enumerate(values, 1):
+        total = field.zero
+        for j, slope in function.slopes.items():
+            total = total + row[j] * slope
+        yield f"{name}, component {i}", total
+
+
+def pfaffian(field: Any, matrix: Sequence[Sequence[Any]], rows: tuple[int, ...]) -> Any:
+    """Pfaffian of a principal submatrix; all of one size vanish when the rank is below it."""
+    if not rows:
+        return field.one
+    first, *rest = rows
+    total = field.zero
+    for position, other in enumerate(rest):
+        remaining = tuple(r for r in rest if r != other)
+        part = matrix[first][other] * pfaffian(field, matrix, remaining)
+        total = total + part if position % 2 == 0 else total - part
+    return total
+
+
+@residuals.register
+def _(law: ConformallyHamiltonian, ground: Ground, field: Any) -> Residuals:
+    yield from residuals(law.structure, ground, field)
+    partial = ground.partial(field)
+    size = len(ground.system.symbols)
+    gradient = partial(without_rates(explicit(law.hamiltonian), ground)).slopes
+    multiplier = partial.value(explicit(law.multiplier))
+    for i, rate in enumerate(ground.system.rates):
+        total = field.zero
+        for j in range(size):
+            if j in gradient:
+                total = total + partial.value(law.structure.matrix[i, j]) * gradient[j]
+        name = ground.system.symbols[i]
+        yield f"v − N J dH in {name}", partial.value(rate) - multiplier * total
+
+
+# --- isomorphisms --------------------------------------------------------------------------
+
+
+@residuals.register
+def _(law: Isomorphism, ground: Ground, field: Any) -> Residuals:
+    along = ground.along(field)
+    target = law.target
+    images = components(law.map, ground)
+    for symbol, formula in components(law.constants, ground).items():
+        yield f"rate of {symbol}", along.slope(formula)
+    given = {s: Jet(jet.value, {}) for s, jet in arrived(law, ground, along).items()}
+    there = Evaluator(field, given.get, dict(target.steps))
+    for relation in target.relations:
+        yield f"{relation} in {target.name}", there.value(explicit(relation))
+    for condition in law.onto:
+        yield f"{condition} in {target.name}", there.value(explicit(condition))
+    speed = along.value(explicit(law.time))
+    for symbol, rate in zip(target.symbols, target.rates, strict=True):
+        yield f"rate of {symbol}", along.slope(images[symbol]) - speed * there.value(rate)
+
+
+def arrived(law: Isomorphism, ground: Ground, evaluate: Evaluator) -> dict[sp.Symbol, Jet]:
+    """State and parameters of the target, as this system gives them, and what `onto` needs.
+
+    Raises
+    ------
+    InputError
+        If the law leaves one of them open.
+    """
+    target = law.target
+    images, constants = components(law.map, ground), components(law.constants, ground)
+    missing = set(target.symbols) - set(images)
+    if missing:
+        raise InputError(
+            f"the law {law.name!r} does not say what {', '.join(sorted(map(str, missing)))} of "
+            f"{target.name} is"
+        )
+    own = {p.symbol for p in ground.system.parameters}
+    for parameter in target.parameters:
+        symbol = parameter.symbol
+        if symbol in constants:
+            continue
+        if symbol not in own:
+            moving = symbol in ground.system.symbols
+            but = f", but {ground.system.name} has a state variable of this name" if moving else ""
+            raise InputError(
+                f"the law {law.name!r} does not say what the parameter {symbol} of {target.name} "
+                f"is{but}"
+            )
+        constants[symbol] = symbol
+    theirs = {*images, *constants, *(s for s, _ in target.steps)}
+    state = set(ground.system.symbols)
+    beside = {s for condition in law.onto for s in explicit(condition).free_symbols} - theirs
+    if turning := {s for s in beside if ground.expanded(s).free_symbols & state}:
+        raise InputError(
+            f"the law {law.name!r}: its level of {target.name} uses "
+            f"{', '.join(sorted(map(str, turning)))}, which depends on the state of "
+            f"{ground.system.name}; it may use what {target.name} has, and constants"
+        )
+    given = {**{s: s for s in beside}, **constants, **images}
+    return {s: evaluate(formula) for s, formula in given.items()}

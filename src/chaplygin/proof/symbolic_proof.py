@@ -1,0 +1,170 @@
+"""Residuals computed symbolically on a component, for every choice of signs under roots.
+
+Where a product stands under a root, the root is split into roots of its factors, and the proof
+takes a sign for each of them.  Signs that nothing known settles are decisions: the proof is run
+again with each of them turned around, so that in the end it holds whatever the signs, or names
+those that it needs.  Before that it is tried with roots of which no sign is used.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from dataclasses import field as dataclass_field
+from typing import Any
+
+from ..core.laws import Law
+from ..formulas.errors import EffortSpentError, NoRealValueError, OutOfReachError, SpareNeededError
+from .fields.budget import Budget
+from .fields.formal_roots import FormalRoots
+from .fields.function_field import Fractions
+from .level.level_set import Ground
+from .random_test import everything
+from .rank import shortfall
+
+__all__ = ["MOST_RUNS", "Proof", "proof", "turned"]
+
+MOST_RUNS = 48
+"""Choices of signs that are followed."""
+
+
+@dataclass(frozen=True)
+class Proof:
+    """What the symbolic computation came to on one component.
+
+    Attributes
+    ----------
+    residuals : int
+        How many residuals are zero; 0 where the law is defined nowhere.
+    conditions : tuple of str
+        Signs that the proof needs, as inequalities.
+    failure : str
+        What does not reduce to zero, or cannot be computed; empty for a proof.
+    lack : tuple of (str, Any), optional
+        What the law lacks in rank at every point of the component, and what it has.
+    """
+
+    residuals: int
+    conditions: tuple[str, ...] = ()
+    failure: str = ""
+    lack: tuple[str, Any] | None = None
+
+
+@dataclass
+class _Run:
+    """One run, with the signs it decided on in words, in order."""
+
+    field: Fractions
+    residuals: int = 0
+    failure: str = ""
+    void: bool = False
+    words: dict[str, str] = dataclass_field(default_factory=dict)
+
+
+def proof(
+    law: Law,
+    ground: Ground,
+    sample: Mapping[str, float] | None,
+    budget: Budget,
+    attained: bool,
+) -> Proof:
+    """The residuals of a law on a component of its level, over fractions.
+
+    Parameters
+    ----------
+    law : Law
+    ground : Ground
+    sample : mapping of str to float, optional
+        A point of the component, whose signs are tried first.
+    budget : Budget
+    attained : bool
+        Whether the law is known to have the rank it claims.
+    """
+    first = _run(Fractions, law, ground, sample, budget, {})
+    if first.failure:
+        return Proof(first.residuals, failure=first.failure)
+    if not (attained or first.void):
+        try:
+            lack = shortfall(law, ground, first.field)
+        except (OutOfReachError, SpareNeededError) as reason:
+            return Proof(first.residuals, failure=f"{reason}")
+        if lack is not None:
+            return Proof(first.residuals, lack=lack)
+    if first.field.decisions:
+        formal = _run(FormalRoots, law, ground, sample, budget, {})
+        if formal.residuals and not formal.failure and not formal.field.decisions:
+            return Proof(formal.residuals)
+    proven = [] if first.void else [first]
+    failed: set[str] = set()
+    # (signs to take, how many of them are fixed, the first decision that was turned around)
+    waiting = turned(first.field, 0)
+    runs = 1
+    while waiting:
+        signs, size, origin = waiting.pop()
+        if origin in failed:
+            continue
+        runs += 1
+        made = _run(Fractions, law, ground, sample, budget, signs) if runs <= MOST_RUNS else None
+        if made is None or made.failure:
+            failed.add(origin)
+            continue
+        if not made.void:
+            proven.append(made)
+        waiting += [(more, count, origin) for more, count, _ in turned(made.field, size)]
+    if not proven:
+        return Proof(0)
+    conditions = tuple(first.words[key] for key in first.words if key in failed)
+    return Proof(proven[0].residuals, conditions)
+
+
+def turned(field: Fractions, size: int) -> list[tuple[dict[str, int], int, str]]:
+    """Signs for runs in which a decision beyond the first `size` of a field is turned around.
+
+    Each with the number of signs that are fixed by it, and the decision that is turned.
+    """
+    signs = {key: sign for key, (_, sign) in field.decisions.items()}
+    keys = list(signs)
+    return [
+        ({**{k: signs[k] for k in keys[:i]}, keys[i]: -signs[keys[i]]}, i + 1, keys[i])
+        for i in range(size, len(keys))
+    ]
+
+
+def _run(
+    kind: type[Fractions],
+    law: Law,
+    ground: Ground,
+    sample: Mapping[str, float] | None,
+    budget: Budget,
+    signs: Mapping[str, int],
+) -> _Run:
+    spare = 8
+    while True:
+        made = ground.fractions(kind, spare, sample, budget, signs)
+        run = _Run(made)
+        try:
+            run.residuals, run.failure = _reduced(law, ground, made)
+        except SpareNeededError:
+            spare *= 2
+            continue
+        except (NoRealValueError, ZeroDivisionError):
+            run.void = True
+        except EffortSpentError:
+            raise
+        except OutOfReachError as reason:
+            run.failure = str(reason)
+        for key, (poly, sign) in made.decisions.items():
+            run.words[key] = f"{made.shown(poly if sign > 0 else -poly)} > 0"
+        return run
+
+
+def _reduced(law: Law, ground: Ground, made: Fractions) -> tuple[int, str]:
+    count = 0
+    for what, residual in everything(law, ground, made):
+        if not made.vanishes(residual):
+            return count, (
+                f"{what} vanishes at the points tried, but does not reduce to zero: a "
+                f"polynomial of {len(residual.poly):,} terms remains"
+            )
+        count += 1
+    return count, ""

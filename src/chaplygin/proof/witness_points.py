@@ -1,0 +1,103 @@
+"""Points as a certificate gives them: rational numbers, roots, and formulas for what is left."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+from flint import fmpq
+
+from ..check import CheckError
+from ..check.claim.claim import Claim as CheckedClaim
+from ..check.witness import failing
+from ..formulas.errors import NotExactError
+from ..formulas.number_fields import Rationals
+from .level.level_set import Ground
+from .level.polynomial_problems import Claim
+
+__all__ = ["Witness", "place", "witness"]
+
+
+def place(claim: Claim, ground: Ground, values: Mapping[str, Any]) -> dict[str, Any] | None:
+    """State and parameters of the system that a claim is made of, or None if one has no formula.
+
+    Parameters
+    ----------
+    claim : Claim
+        In the variables of the proof.
+    ground : Ground
+        One of its components.
+    values : mapping of str to number
+        The generators at the point, rational where they are.
+    """
+    rational = Rationals({n: v for n, v in values.items() if isinstance(v, fmpq)})
+    evaluate = ground.evaluator(rational)
+    found: dict[sp.Symbol, Any] = {}
+    for symbol in ground.symbols:
+        if isinstance(values.get(str(symbol)), fmpq):
+            found[symbol] = str(values[str(symbol)])
+            continue
+        # what hangs on numbers that are not rational has no value here
+        with contextlib.suppress(KeyError, NotExactError, ZeroDivisionError):
+            found[symbol] = str(evaluate.value(symbol))
+    by_name = {str(s): s for s in ground.symbols}
+    roots = ground.roots(values)
+    for name, root in roots.items():
+        if name in by_name and by_name[name] not in found:
+            found[by_name[name]] = {"root": root}
+    for symbol in ground.symbols:
+        if symbol not in found and symbol in ground.settled:
+            found[symbol] = {"formula": str(ground.settled[symbol])}
+    if set(ground.symbols) - set(found):
+        return None
+    return _original(claim, found)
+
+
+def _original(claim: Claim, found: Mapping[sp.Symbol, Any]) -> dict[str, Any] | None:
+    """The point in the variables of the system, with angles and expressed variables."""
+    made = dict(found)
+    for angle, sine, cosine, unit in claim.circles:
+        s, c = made.pop(sine), made.pop(cosine)
+        if not (isinstance(s, str) and isinstance(c, str)):
+            return None
+        made[angle] = {"formula": f"atan2({s}, {c})/({unit})"}
+    for symbol, formula in claim.expressed:
+        made[symbol] = {"formula": str(formula)}
+    # roots of one polynomial may be needed by another: rational numbers first
+    ordered = sorted(made.items(), key=lambda pair: not isinstance(pair[1], str))
+    return {str(symbol): value for symbol, value in ordered}
+
+
+@dataclass(frozen=True)
+class Witness:
+    """A point at which a law fails, as its check found.
+
+    Attributes
+    ----------
+    place : mapping
+        The point as a certificate gives it.
+    index : int
+        The number of the first residual that is not zero there.
+    value : str
+        That residual.
+    """
+
+    place: dict[str, Any]
+    index: int
+    value: str
+
+
+def witness(
+    read: CheckedClaim, claim: Claim, ground: Ground, values: Mapping[str, Any]
+) -> Witness | None:
+    """A point at which a law fails by the check of certificates, or None where it does not."""
+    made = place(claim, ground, values)
+    if made is None:
+        return None
+    try:
+        return Witness(made, *failing(read, made))
+    except CheckError:
+        return None

@@ -1,0 +1,205 @@
+"""Figures as files, and as text for web pages."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import pickle
+import re
+from pathlib import Path as FilePath
+from xml.sax.saxutils import quoteattr
+
+import matplotlib as mpl
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.legend import Legend
+from matplotlib.text import Text
+from matplotlib.ticker import AutoLocator
+
+from ...errors import InputError
+from ...experiment.files import completed
+from .style import ALARM, COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE
+
+FORMATS: dict[str, dict[str, None]] = {
+    ".png": {"Software": None},
+    ".svg": {"Date": None, "Creator": None, "Format": None, "Type": None},
+    ".pdf": {"CreationDate": None, "Creator": None, "Producer": None},
+}
+"""Kinds of file `save` writes, each with the notes on time and program it leaves out."""
+
+PAGE_COLOURS = {
+    "ink": INK,
+    "quiet": QUIET,
+    "faint": FAINT,
+    "alarm": ALARM,
+    "paper": "#ffffff",
+    **{f"curve-{colour[1:]}": colour for colour in (*COMPONENTS, *SERIES) if colour != ALARM},
+}
+"""Colours of figures that a page may change, by the names of its style sheet."""
+
+NARROW = 3.65
+"""Width in inches of a figure on a telephone."""
+
+_LONG = 40
+"""Characters of a line of a key that is too long for a telephone."""
+
+_PROLOG = '<?xml version="1.0" encoding="utf-8"?>\n'
+
+
+def save(figure: Figure, path: str | FilePath) -> FilePath:
+    """Write a figure to a file, in the format its name ends with; the same bits every time.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+    path : str or Path
+        Name ending in .png, .svg or .pdf.
+
+    Returns
+    -------
+    pathlib.Path
+        The file.
+
+    Raises
+    ------
+    InputError
+        If the ending is another one, or the file cannot be written.
+    """
+    target = FilePath(path)
+    suffix = target.suffix.lower()
+    if suffix not in FORMATS:
+        raise InputError(
+            f"{target}: a figure is written as {', '.join(FORMATS)}; the file name must end so"
+        )
+    with completed(target) as place:
+        if suffix == ".svg":
+            place.write_text(f"{_PROLOG}{svg_text(figure)}\n", encoding="utf-8")
+        else:
+            with mpl.rc_context(STYLE):
+                figure.savefig(place, format=suffix[1:], dpi=220, metadata=FORMATS[suffix])
+    return target
+
+
+def svg_text(figure: Figure) -> str:
+    """A figure as an SVG element to be put into an HTML page.
+
+    No prolog, no style sheet that would reach the rest of the page, text as shapes, and ids that
+    belong to this figure alone; the same text every time.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        Its label becomes the description for those who cannot see it.
+    """
+    stream = io.StringIO()
+    with mpl.rc_context(STYLE):
+        figure.savefig(stream, format="svg", metadata=FORMATS[".svg"])
+    text = stream.getvalue()
+    text = text[text.index("<svg") :]
+    text = re.sub(r"<metadata>.*?</metadata>|<style.*?</style>|<!--.*?-->", "", text, flags=re.S)
+    description = str(figure.get_label())
+    text = text.replace(
+        "<svg ",
+        f'<svg role="img" aria-label={quoteattr(description)} '
+        'style="stroke-linejoin: round; stroke-linecap: butt" ',
+        1,
+    )
+    text = re.sub(r' d="[^"]*"', _rounded, text)
+    return _own_ids(re.sub(r"\n\s*", "\n", text.strip()))
+
+
+def page_svg(figure: Figure, narrow: bool = False) -> str:
+    """A figure as SVG for a page with light and dark colours; see :func:`svg_text`.
+
+    The colours of paper, ink and curves are left to the style sheet, which may set them by name:
+    ``--ink``, ``--paper`` and so on, those of :data:`PAGE_COLOURS`; each has itself as default.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        It is left as it is.
+    narrow : bool
+        For the screen of a telephone: charts are drawn anew at its width, in pictures the letters
+        are larger.
+    """
+    shown: Figure = pickle.loads(pickle.dumps(figure)) if narrow else figure
+    if narrow:
+        _make_narrow(shown)
+    text = svg_text(shown)
+    for name, colour in PAGE_COLOURS.items():
+        text = re.sub(rf"(?<=[ :]){colour}(?=[;\"])", f"var(--{name}, {colour})", text)
+    return text
+
+
+def _make_narrow(figure: Figure) -> None:
+    """Fit a figure to the width of a telephone."""
+    wide, high = figure.get_size_inches()
+    if figure.get_layout_engine() is None:
+        larger = min(wide / NARROW, 1.5)
+        for text in figure.findobj(Text):
+            text.set_fontsize(text.get_fontsize() * larger)
+        if figure.legends:
+            _widen_margins(figure, larger)
+        for axes in figure.axes:
+            if axes.axison and axes.name == "rectilinear":
+                axes.locator_params(nbins=4)
+        return
+    panels = [axes for axes in figure.axes if axes.axison]
+    columns = {spec.colspan.start for axes in panels if (spec := axes.get_subplotspec())}
+    if len(columns) > 1 or (len(panels) == 1 and _is_long(figure, panels[0])):
+        # what stands side by side, or has a long key, would be crowded out: it stays as it is
+        return
+    figure.set_size_inches(NARROW, high if len(panels) < 6 else 1.3 * high)
+    for axes in panels:
+        if axes.get_xscale() == "linear" and isinstance(
+            axes.xaxis.get_major_locator(), AutoLocator
+        ):
+            axes.locator_params(axis="x", nbins=4)
+        legend = axes.get_legend()
+        if legend is not None and _share(figure, axes, legend) < 1.0:
+            legend.set_ncols(1 if len(legend.get_texts()) < 3 else 2)
+
+
+def _widen_margins(figure: Figure, larger: float) -> None:
+    """Give labels, and a key below the axes, room for larger letters."""
+    wide, high = figure.get_size_inches()
+    (axes,) = figure.axes
+    box = axes.get_position()
+    left, foot = larger * box.x0 * wide, larger * box.y0 * high
+    tall = high + foot - box.y0 * high
+    figure.set_size_inches(wide, tall)
+    axes.set_position((left / wide, foot / tall, box.x1 - left / wide, box.height * high / tall))
+
+
+def _is_long(figure: Figure, axes: Axes) -> bool:
+    """Whether axes have a key of so many or so long lines that it needs the width of a page."""
+    legend = axes.get_legend() or next(iter(figure.legends), None)
+    lines = [] if legend is None else [text.get_text() for text in legend.get_texts()]
+    return max(map(len, lines), default=0) > _LONG
+
+
+def _share(figure: Figure, axes: Axes, legend: Legend) -> float:
+    """How much of a legend's width its axes have, 1 at most."""
+    figure.draw_without_rendering()
+    room = axes.get_window_extent().width
+    return min(1.0, float(room / legend.get_window_extent().width))
+
+
+def _rounded(path: re.Match[str]) -> str:
+    """Coordinates of a path to a hundredth of a point, finer than any paper."""
+    return re.sub(
+        r"-?\d+\.\d{3,}", lambda number: f"{float(number[0]):.2f}", path[0].replace("\n", "")
+    )
+
+
+def _own_ids(svg: str) -> str:
+    """Drop ids nothing refers to, and prefix the others with a mark of the whole text."""
+    mark = "f" + hashlib.sha256(svg.encode()).hexdigest()[:10]
+    used = set(re.findall(r'href="#([^"]+)"|url\(#([^)]+)\)', svg))
+    names = {first or second for first, second in used}
+
+    def renamed(found: re.Match[str]) -> str:
+        return f' id="{mark}-{found[1]}"' if found[1] in names else ""
+
+    svg = re.sub(r' id="([^"]*)"', renamed, svg)
+    return re.sub(r'(href="#|url\(#)', rf"\1{mark}-", svg)

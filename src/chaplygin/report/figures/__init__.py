@@ -1,0 +1,178 @@
+"""Figures of a trajectory: the rolling body, its paths, its motion in time, its conserved laws.
+
+Every figure is a function of a trajectory's dataset (and, for the drawn body, of its outline and
+of what it rolls on) and returns a `matplotlib.figure.Figure`; nothing global is touched. Needed
+variables that the dataset lacks are an `InputError`; `all_figures` leaves such figures out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
+
+from ..drawing.dataset_access import NEEDED, title_of
+from ..drawing.files import FORMATS, page_svg, save, svg_text
+from ..drawing.geometry import Ground, Outline
+from ..drawing.style import STYLE
+from ..scenes.ball import ball_scene
+from ..scenes.implicit_surface import SurfaceGround
+from ..scenes.plan import plan_view
+from ..scenes.rolling_body import scene
+from .bifurcation import draw as bifurcation_diagram
+from .closed_form import closed_form
+from .paths import contact_path, normal_on_sphere
+from .state import state
+from .time_series import (
+    angular_velocity,
+    attitude,
+    drift,
+    drifts,
+    friction_ratio,
+    needed_friction,
+    normal_force,
+    presses,
+    relative_drift,
+)
+
+__all__ = [
+    "FORMATS",
+    "STYLE",
+    "all_figures",
+    "angular_velocity",
+    "attitude",
+    "ball_figures",
+    "ball_scene",
+    "bifurcation_diagram",
+    "closed_form",
+    "contact_path",
+    "drift",
+    "friction_ratio",
+    "normal_force",
+    "normal_on_sphere",
+    "page_svg",
+    "plan_view",
+    "relative_drift",
+    "save",
+    "scene",
+    "state",
+    "state_figures",
+    "svg_text",
+]
+
+
+def all_figures(
+    dataset: xr.Dataset,
+    drawn: tuple[Outline, Ground] | None = None,
+    weight: float | None = None,
+) -> dict[str, Figure]:
+    """Every figure the trajectory has the variables for.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+    drawn : tuple of Outline and PlaneGround or SphereGround, optional
+        Shape of the body and what it rolls on; without them there is neither scene nor path of
+        the contact point.
+    weight : float, optional
+        Weight of the body, for comparison with the normal force.
+
+    Returns
+    -------
+    dict
+        Figures by the names of the functions that make them: `scene`, `contact_path`,
+        `normal_on_sphere`, `attitude`, `angular_velocity`, `normal_force`, `friction_ratio`,
+        `drift`, in this order.  There is no normal force where the surface never presses or pulls,
+        and no friction ratio without a weight.
+    """
+    possible = {name for name, needed in NEEDED.items() if all(item in dataset for item in needed)}
+    figures: dict[str, Figure] = {}
+    if "scene" in possible and drawn is not None:
+        figures["scene"] = scene(dataset, *drawn)
+    if "contact_path" in possible and drawn is not None:
+        figures["contact_path"] = contact_path(dataset, drawn[1])
+    if "normal_on_sphere" in possible:
+        figures["normal_on_sphere"] = normal_on_sphere(dataset)
+    if "attitude" in possible:
+        figures["attitude"] = attitude(dataset)
+    if "angular_velocity" in possible:
+        figures["angular_velocity"] = angular_velocity(dataset)
+    figures |= _forces(dataset, weight)
+    if drifts(dataset):
+        figures["drift"] = drift(dataset)
+    return figures
+
+
+def _forces(dataset: xr.Dataset, weight: float | None) -> dict[str, Figure]:
+    """What the surface does to the body, where it does anything."""
+    figures: dict[str, Figure] = {}
+    if "normal_force" in dataset and presses(dataset):
+        figures["normal_force"] = normal_force(dataset, weight)
+        if weight and "friction_force" in dataset and np.isfinite(needed_friction(dataset)).any():
+            figures["friction_ratio"] = friction_ratio(dataset)
+    return figures
+
+
+def state_figures(
+    dataset: xr.Dataset, names: Sequence[str], recorded: Sequence[str] = ()
+) -> dict[str, Figure]:
+    """The figures of a system that is no body with ω and γ: its state in time, and the drift.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+    names : sequence of str
+        The variables of the state.
+    recorded : sequence of str, optional
+        Further variables, for a figure of their own.
+
+    Returns
+    -------
+    dict
+        Figures by the names of the functions that make them: `state`, `drift`, in this order;
+        between them `recorded`, if there is anything to draw in it.
+    """
+    figures = {"state": state(dataset, names)}
+    if recorded:
+        figures["recorded"] = state(dataset, recorded)
+        figures["recorded"].set_label(f"Recorded against time: {title_of(dataset)}")
+    if drifts(dataset):
+        figures["drift"] = drift(dataset)
+    return figures
+
+
+def ball_figures(
+    dataset: xr.Dataset,
+    outline: Outline,
+    ground: SurfaceGround,
+    names: Sequence[str],
+    weight: float | None = None,
+) -> dict[str, Figure]:
+    """The figures of a homogeneous ball on a surface, whose state is given in space axes.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+    outline : Outline
+        The ball.
+    ground : SurfaceGround
+        What carries it.
+    names : sequence of str
+        The variables of the state.
+    weight : float, optional
+        Weight of the ball, for comparison with the normal force.
+
+    Returns
+    -------
+    dict
+        Figures by the names of the functions that make them, but the picture as `scene`, then
+        `state`, `normal_force`, `drift`.
+    """
+    return {
+        "scene": ball_scene(dataset, outline, ground),
+        "attitude": attitude(dataset),
+        **_forces(dataset, weight),
+        **state_figures(dataset, names),
+    }

@@ -1,0 +1,119 @@
+"""The state of any system against time."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import groupby
+
+import matplotlib as mpl
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from ...core.vectors import Vector, scalar
+from ...errors import InputError
+from ...printing.formula import latex
+from ..drawing.dataset_access import require_all, times_of, title_of, unit_of, values_of, with_unit
+from ..drawing.geometry import FloatArray
+from ..drawing.style import COMPONENTS, FAINT, SERIES, STYLE, WIDTH
+from .time_series import marker, time_label, widen
+
+_TALL = 5
+"""So many panels stand in one column; more in two."""
+
+_PAGE = 8.6
+"""Inches that panels take together at most: they fit on a page."""
+
+
+def state(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
+    """Variables of the state against time, one panel for each, on a page at most.
+
+    Vectors are drawn by their components; scalars that follow each other and have one letter and
+    one unit, as k₁₂ and k₁₃, share a panel.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+    names : sequence of str
+        The variables, from top to bottom.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Raises
+    ------
+    InputError
+        If there are no variables, or the dataset lacks one.
+    """
+    if not names:
+        raise InputError("the figure state needs at least one variable")
+    require_all(dataset, "state", names)
+    groups = [list(same) for _, same in groupby(names, lambda name: _kind(dataset, name))]
+    times = times_of(dataset)
+    with mpl.rc_context(STYLE):
+        columns = 1 if len(groups) <= _TALL else 2
+        rows = -(-len(groups) // columns)
+        height = min(1.35, _PAGE / rows)
+        figure = Figure(figsize=(WIDTH, 0.5 + height * rows), layout="constrained")
+        figure.set_label(f"The state against time: {title_of(dataset)}")
+        # down the first column, then down the second
+        panels = figure.subplots(rows, columns, squeeze=False).T.ravel()
+        for axes, group in zip(panels, groups, strict=False):
+            _panel(axes, dataset, group)
+            if times[-1] > times[0]:
+                axes.set_xlim(times[0], times[-1])
+            axes.tick_params(labelbottom=False)
+        for axes in panels[len(groups) :]:
+            axes.set_axis_off()
+        for last in (*panels[rows - 1 : len(groups) : rows], panels[len(groups) - 1]):
+            last.set_xlabel(time_label(dataset))
+            last.tick_params(labelbottom=True)
+        figure.align_ylabels(list(panels))
+    return figure
+
+
+def _kind(dataset: xr.Dataset, name: str) -> tuple[str, str]:
+    """What scalars of one panel have in common; a vector has nothing with any other variable."""
+    if dataset[name].ndim > 1:
+        return name, ""
+    letter, bar, _ = name.partition("_")
+    return f"{letter}{bar}", unit_of(dataset, name)
+
+
+def _panel(axes: Axes, dataset: xr.Dataset, group: Sequence[str]) -> None:
+    """The curves of one panel, with a legend if there are several."""
+    times = times_of(dataset)
+    curves = [curve for name in group for curve in _curves(dataset, name)]
+    colours = COMPONENTS if len(curves) <= len(COMPONENTS) else SERIES
+    for number, (label, values) in enumerate(curves):
+        colour = colours[number % len(colours)]
+        axes.plot(times, values, color=colour, marker=marker(times), label=f"${label}$")
+    axes.grid(axis="y", color=FAINT, linewidth=0.4)
+    axes.set_axisbelow(True)
+    axes.set_ylabel(with_unit(f"${_symbol(dataset, group)}$", unit_of(dataset, group[0])))
+    widen(axes, np.concatenate([values for _, values in curves]))
+    if len(curves) > 1:
+        axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=len(curves))
+
+
+def _curves(dataset: xr.Dataset, name: str) -> list[tuple[str, FloatArray]]:
+    """Label and values of each component."""
+    values = values_of(dataset, name)
+    if values.ndim == 1:
+        return [(latex(scalar(name)), values)]
+    dim = next(str(d) for d in dataset[name].dims if d != "time")
+    indices = dataset[dim].values if dim in dataset.coords else range(1, values.shape[1] + 1)
+    return [
+        (latex(scalar(f"{name}_{index}")), column)
+        for index, column in zip(indices, values.T, strict=True)
+    ]
+
+
+def _symbol(dataset: xr.Dataset, group: Sequence[str]) -> str:
+    """What stands at the axis: the vector, the scalar, or the letter that scalars share."""
+    name = group[0]
+    if dataset[name].ndim > 1:
+        return latex(Vector(name))
+    return latex(scalar(name if len(group) == 1 else name.partition("_")[0]))

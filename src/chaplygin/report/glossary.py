@@ -1,0 +1,110 @@
+"""What the letters of the equations of a body mean, in words."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import sympy as sp
+from sympy.matrices.expressions import Inverse, MatPow
+
+from ..core.system import System
+from ..core.vectors import Diagonal, Symmetric, Vector
+from ..printing.formula import text
+
+__all__ = ["glossary"]
+
+#: Letters of every body, in body axes.
+_BODY = {
+    "omega": "angular velocity",
+    "M": "angular momentum",
+    "gamma": "unit vector fixed in space",
+    "zeta": "upward vertical",
+    "I": "inertia tensor",
+    "X": "torque but for that of the constraints",
+    "U": "potential",
+    "k": "momentum of the rotors",
+}
+
+#: Those of a body that touches a surface.
+_TOUCHING = {
+    **_BODY,
+    "M": "momentum about the contact point",
+    "gamma": "outward normal of the surface at the contact",
+    "I": "inertia tensor about the centre of mass",
+    "J": "inertia tensor about the contact point, plus m r ⊗ r with the arm r of the contact",
+    "r": "from the centre of mass to the contact point",
+    "c": "from the centre of mass to the geometric centre",
+    "N": "contact force",
+    "B": "tensor of the squared semi-axes",
+    "s": "height of the geometric centre above the tangent plane",
+    "p": "height of the geometric centre above the tangent plane",
+    "pprime": "its derivative by γ₃",
+    "pprime2": "its second derivative",
+    "gammatilde": "angular acceleration by a unit torque about the normal",
+    "A_a": "(a + ρ₁)(a + ρ₂) with the principal radii of curvature ρ of the body",
+    "tau": "ρ₁ + ρ₂",
+    "x": "from the geometric centre to the contact point",
+    "nu": "gradient of f at the contact",
+    "F": "second derivatives of f there",
+    "ell": "length of ν",
+}
+
+#: A scalar k is no momentum of rotors.
+_RATIO = "ratio of the radii"
+
+
+def glossary(system: System, touching: bool, besides: Mapping[str, str] | None = None) -> str:
+    """What the letters of the equations mean, in the order in which they are met.
+
+    Parameters
+    ----------
+    system : System
+    touching : bool
+        Whether the body touches a surface, or else turns about a fixed point.
+    besides : mapping of str to str, optional
+        Meanings that this system alone has.
+    """
+    known = (_TOUCHING if touching else _BODY) | dict(besides or {})
+    observed = {item.value: item.meaning for item in system.observables if _named(item.value)}
+    told: dict[str, str] = {}
+    for letter in _letters(system):
+        if words := _meaning(letter, system, known, observed):
+            told[str(letter)] = f"{text(letter)} {words}"
+    return f"In body axes: {', '.join(told.values())}; E is the unit tensor."
+
+
+def _letters(system: System) -> tuple[Any, ...]:
+    """The names in the equations of motion, and in the definitions that these need."""
+    written = dict(system.definitions)
+    # a component stands for its vector
+    whole = {s: v for v in (*system.state, *written) if isinstance(v, Vector) for s in v.symbols}
+    found: dict[Any, None] = {}
+    waiting = [part for pair in reversed(system.field) for part in reversed(pair)]
+    while waiting:
+        formula = waiting.pop()
+        for name in sorted(formula.atoms(Vector, Diagonal, Symmetric, sp.Symbol), key=str):
+            letter = whole.get(name, name)
+            if letter not in found:
+                found[letter] = None
+                waiting += [written[letter]] if letter in written else []
+    return tuple(found)
+
+
+def _named(value: Any) -> bool:
+    return isinstance(value, (sp.Symbol, Vector))
+
+
+def _meaning(
+    letter: Any, system: System, known: Mapping[str, str], observed: Mapping[Any, str]
+) -> str:
+    """Meaning of one letter; nothing of a parameter or a rate, which tell it themselves."""
+    label = str(letter)
+    if letter in {parameter.symbol for parameter in system.parameters}:
+        return ""
+    written = dict(system.definitions).get(letter)
+    if isinstance(written, (Inverse, MatPow)):
+        return f"inverse of {text(written.args[0])}"
+    if isinstance(letter, sp.Symbol) and label == "k":
+        return _RATIO
+    return known.get(label) or observed.get(letter, "")

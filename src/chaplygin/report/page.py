@@ -1,0 +1,296 @@
+"""The report of a study: one HTML page that needs no network, made to be read and printed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import jinja2
+import xarray as xr
+from markupsafe import Markup
+from matplotlib.figure import Figure
+
+from .._version import __version__
+from ..analysis.classification.facts import Patience
+from ..analysis.classification.place import Place, place
+from ..analysis.classification.text import rows
+from ..core.laws import Law
+from ..core.vectors import Vector, scalar
+from ..errors import RunError
+from ..experiment.ball import setting as ball_setting
+from ..experiment.closed_form import section
+from ..experiment.file.models import BallExperiment
+from ..experiment.study import Study, shape_name
+from ..explicit.base.solution import Solution
+from ..flow.integrator import Trajectory
+from ..mechanics.rolling.surfaces import Plane
+from ..printing.laws import heading
+from ..printing.numerals import number, signed, unit
+from ..printing.system import claims_html, displayed, latex, mathml, motion_html, system_html, text
+from ..proof.fields.budget import EFFORT
+from . import figures
+from .derivation import is_described, told
+from .summary import drift, legend
+
+__all__ = ["render"]
+
+#: Term operations that the proof of one law may take, and those of all together: the first unless
+#: more is asked for, the second so many times the first.
+PATIENCE = EFFORT // 20
+TIMES = 4
+
+#: Pictures whose colours stay as they are: shades, and the colours of time.
+PICTURES = ("scene", "plan_view", "contact_path", "normal_on_sphere", "bifurcation")
+
+#: Figures in the order in which the page shows them, with heading and caption.
+PLATES = {
+    "plan_view": (
+        "Path in the plane",
+        "To scale, coloured by time from the ring; the mechanism at times, dark at the end.",
+    ),
+    "contact_path": (
+        "Path of the contact point",
+        "On the surface, coloured by time; the ring marks the start, the dot the end.",
+    ),
+    "state": ("The state", "The variables of the state against time."),
+    "recorded": ("Recorded besides", "Multipliers of the constraints and other quantities."),
+    "normal_on_sphere": (
+        "The unit vector γ on its sphere",
+        "In body axes: the direction from which the body sees the surface it rolls on.",
+    ),
+    "attitude": (
+        "Attitude",
+        "Three angles of the body's axes against space, whole turns counted on.",
+    ),
+    "angular_velocity": ("Angular velocity ω", "Components along the body axes."),
+    "normal_force": (
+        "Normal force",
+        "Where it falls below zero, a body held by nothing but the surface would lift off.",
+    ),
+    "friction_ratio": (
+        "Friction over normal force",
+        "The coefficient of friction that rolling needs: where it is larger than that of the "
+        "materials, a real body would slip.",
+    ),
+    "drift": (
+        "Drift of the known integrals",
+        "How far each wanders from its first value, relative to that value.",
+    ),
+}
+
+
+def render(
+    study: Study,
+    trajectory: Trajectory,
+    dataset: xr.Dataset,
+    pictures: Mapping[str, Figure],
+    patience: Patience,
+    failure: RunError | None = None,
+    solution: Solution | None = None,
+) -> str:
+    """The page as text.
+
+    Parameters
+    ----------
+    study : Study
+    trajectory : Trajectory
+        What was computed.
+    dataset : xarray.Dataset
+        The same, as it is stored.
+    pictures : mapping of str to Figure
+        By name, as :func:`chaplygin.report.figures.all_figures` returns them.
+    patience : Patience
+        For the proofs of its laws and of its place among all systems.
+    failure : RunError, optional
+        Why the run ended early, if it failed.
+    solution : Solution, optional
+        The same motion in closed form, where one is known.
+
+    Returns
+    -------
+    str
+        HTML with formulas in MathML and figures as inline SVG.
+    """
+    environment = jinja2.Environment(
+        loader=jinja2.PackageLoader("chaplygin.report", "templates"),
+        autoescape=True,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        undefined=jinja2.StrictUndefined,
+    )
+    system = trajectory.system
+    verdicts = patience.verdicts(study.system)
+    stands = place(study.system, verdicts, patience, study.mechanism or study.rolling)
+    drawn = {name: _drawn(name, figure) for name, figure in pictures.items()}
+    return environment.get_template("report.html").render(
+        signed=signed,
+        title=study.system.title,
+        lead=_setting(study) if study.own else study.system.summary,
+        setting="" if study.own else _setting(study),
+        start=_start(study, dataset),
+        scene=drawn.get("scene"),
+        plates=[
+            {
+                "name": name,
+                "heading": heading,
+                "caption": f"{_caption(study, name, caption)} {_remark(study, name)}",
+                "svg": drawn[name],
+            }
+            for name, (heading, caption) in PLATES.items()
+            if name in drawn
+        ],
+        still=bool(system.integrals) and "drift" not in drawn,
+        energy_changes="energy" in dataset and not system.integrals,
+        equations=Markup(system_html(replace(study.system, laws=()))),
+        legend=legend(study),
+        reconstruction=Markup(motion_html(study.system) if is_described(study) else ""),
+        told=told(study),
+        laws=[
+            {
+                "name": law.name,
+                "meaning": law.meaning,
+                "formula": Markup(displayed(latex(law.value))),
+                "source": law.source,
+                "verdict": verdicts[law.name],
+                "value": number(float(trajectory.recorded[f"law_{law.name}"][0]), 12),
+                "unit": unit(law.unit),
+                "drift": number(drift(trajectory.recorded[f"law_{law.name}"]), 2),
+            }
+            for law in system.integrals
+        ],
+        closed=None if solution is None else section(solution, trajectory),
+        closed_figure=drawn.get("closed_form"),
+        diagram=drawn.get("bifurcation"),
+        claims=Markup(claims_html(replace(study.system, laws=_unobserved(study)))),
+        proofs=[
+            (law.name, _named(law), law.source, verdicts[law.name]) for law in _unobserved(study)
+        ],
+        places=[_section(part) for part in (stands, *stands.levels)],
+        uncounted=stands.uncounted_by_reason,
+        linked={law.name for law in study.system.laws},
+        undecided=[
+            (name, signed(verdict.reason))
+            for name, verdict in verdicts.items()
+            if verdict.reason and not verdict.untried
+        ],
+        happenings=[signed(str(happening)) for happening in trajectory.happenings],
+        remarks=[signed(remark) for remark in study.remarks],
+        failure=signed(str(failure)) if failure else None,
+        facts=_facts(study, trajectory),
+        experiment=dataset.attrs["experiment"],
+        versions=dataset.attrs["versions"],
+        version=__version__,
+    )
+
+
+def _drawn(name: str, figure: Figure) -> Markup:
+    """A figure for wide and for narrow screens."""
+    kind = "picture" if name in PICTURES else "chart"
+    wide, narrow = figures.page_svg(figure), figures.page_svg(figure, narrow=True)
+    return Markup(
+        f'<div class="{kind} on-wide">{wide}</div><div class="{kind} on-narrow">{narrow}</div>'
+    )
+
+
+def _start(study: Study, dataset: xr.Dataset) -> list[dict[str, object]]:
+    """The start as given, by name: letter, value, unit and meaning."""
+    rows: list[dict[str, object]] = []
+    for name, value in study.given.items():
+        numbers = value if isinstance(value, (tuple, list)) else (value,)
+        letter = Vector(name) if len(numbers) == 3 else scalar(name)
+        known = dataset[name].attrs if name in dataset else {}
+        meaning, units = study.variables.get(name, ("", ""))
+        units = units or str(known.get("units", ""))
+        words = meaning or str(known.get("long_name", ""))
+        shown = ", ".join(number(float(x), 9) for x in numbers)
+        rows.append(
+            {
+                "symbol": Markup(mathml(latex(letter))),
+                "value": f"({shown})" if len(numbers) > 1 else shown,
+                "unit": "" if units in ("1", "unknown") else unit(units),
+                "meaning": "" if words in (name, text(letter)) else words,
+            }
+        )
+    return rows
+
+
+def _section(part: Place) -> dict[str, object]:
+    """A place in the hierarchy, as the page shows it."""
+    return {"level": part.level, "rows": [row for row in rows(part) if row[1]]}
+
+
+def _named(law: Law) -> str:
+    """Kind and meaning of a law."""
+    meaning = str(getattr(law, "meaning", ""))
+    return f"{heading(law)}: {meaning}" if meaning else heading(law)
+
+
+def _unobserved(study: Study) -> tuple[Law, ...]:
+    """The laws that are no integrals observed along this motion."""
+    return tuple(law for law in study.system.laws if law not in study.watched.laws)
+
+
+def _caption(study: Study, name: str, caption: str) -> str:
+    """What a figure shows; without a surface γ is another vector."""
+    if name == "normal_on_sphere" and study.rolling is None and not study.letters:
+        return "In body axes: the unit vector fixed in space, as the body sees it."
+    return caption
+
+
+def _remark(study: Study, name: str) -> str:
+    """What a figure needs to be said besides, for this study."""
+    if name == "drift" and study.experiment.run.precision == "double":
+        return "Rounding of double precision is at 1.1 × 10⁻¹⁶."
+    if name == "normal_force" and _two_sided(study):
+        return "Without gravity the contact is taken as two-sided, and the sign is not watched."
+    return ""
+
+
+def _two_sided(study: Study) -> bool:
+    """Whether nothing but the contact acts, so that the surface holds from both sides."""
+    if study.ball is not None:
+        return not study.ball.loaded
+    return study.rolling is not None and not study.rolling.field.gravity
+
+
+def _setting(study: Study) -> str:
+    """What rolls on what, in one line."""
+    rolling, experiment = study.rolling, study.experiment
+    if study.ball is not None and isinstance(experiment, BallExperiment):
+        return ball_setting(experiment, study.ball)
+    if study.by_state:
+        return ""
+    if rolling is None:
+        return ""
+    shape = shape_name(rolling)
+    surface = rolling.surface
+    ground = "a horizontal plane"
+    if not isinstance(surface, Plane):
+        side = "outside" if surface.radius > 0 else "inside"
+        ground = f"a sphere of radius {abs(surface.radius):g}, {side}"
+    manner = "without slipping"
+    if rolling.contact == "rubber":
+        manner = "with neither slipping nor spinning"
+    gravity = rolling.field.gravity
+    field = f"gravity {number(gravity, 6)} m/s²" if gravity else "no gravity"
+    if rolling.field.potential != 0:
+        field += ", a potential U(γ)"
+    if any(rolling.body.gyrostat):
+        field += "; with rotors"
+    return f"{shape} on {ground}, {manner}; {field}"
+
+
+#: What computed a motion, by the word that chooses it.
+METHODS = {"taylor": "Taylor series", "gauss": "Gauss–Legendre collocation"}
+
+
+def _facts(study: Study, trajectory: Trajectory) -> list[tuple[str, str]]:
+    run, statistics = study.experiment.run, trajectory.statistics
+    first, last = float(trajectory.times[0]), float(trajectory.times[-1])
+    return [
+        ("time", f"{first:g} … {last:.10g}, {len(trajectory.times)} samples"),
+        ("method", f"{METHODS[run.method]} of order {statistics.order}, {statistics.steps} steps"),
+        ("tolerance", f"{number(statistics.tolerance, 3)}, {run.precision} precision"),
+        ("corrections", f"{statistics.corrections} returns to the phase space at rounding level"),
+        ("integrals", "kept by projection" if run.keep_integrals else "left free, as a check"),
+    ]

@@ -1,0 +1,207 @@
+"""The picture of a homogeneous ball on a surface of any kind."""
+
+from __future__ import annotations
+
+import matplotlib as mpl
+import numpy as np
+import xarray as xr
+from matplotlib.colors import to_rgb
+from matplotlib.figure import Figure
+
+from ..drawing.canvas import Sheet, blank_axes, fit_height, time_bar
+from ..drawing.dataset_access import CURVE_POINTS, time_shares, title_of
+from ..drawing.geometry import BoolArray, FloatArray, Outline, View, runs, smooth_curve
+from ..drawing.style import GROUND_DARK, GROUND_LIGHT, INK, LINES, QUIET, STYLE, WIDTH
+from .implicit_surface import Crossings, SurfaceGround, crossings, frame_of
+from .rolling_body import Track, across, draw_body, track_of
+
+__all__ = ["ball_scene"]
+
+_COLUMNS = 720
+"""Width of the drawn surface in dots."""
+
+_GLASS = np.array(to_rgb("#8fa6bb"))
+_GLASS_SHARE = 0.2
+"""Colour and opacity of walls seen from behind."""
+
+_SHORTEST = CURVE_POINTS // 50
+"""Stretches of the path with fewer points are not taken for hidden."""
+
+_LINE_STEPS = (1.0, 2.0, 5.0)
+"""The lines on the surface lie this far apart, times a power of ten."""
+
+
+def ball_scene(dataset: xr.Dataset, outline: Outline, ground: SurfaceGround) -> Figure:
+    """The ball on its surface at the end, and the path of its contact point.
+
+    Lines on the surface are its cuts with planes x, y, z = const.  Walls between the reader and
+    the ball are drawn as of glass, where their back is seen.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        Needs `contact`, `centre`, `attitude` and `gamma`.
+    outline : Outline
+        The ball, body axes.
+    ground : SurfaceGround
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Raises
+    ------
+    InputError
+        If the dataset lacks a variable or has no sample.
+    """
+    track = track_of(dataset, None)
+    normals = ground.normals(track.contact)
+    view = _view(track, normals)
+    extent = float(np.max(np.ptp(track.contact, axis=0)))
+    # nothing of the ball may be cut off
+    around = np.concatenate([track.contact, track.centre[-1:]])
+    margin = 0.75 * outline.diameter + extent * np.array([0.15, 0.15, 0.05])
+    box = frame_of(around, margin, ground)
+    seen = crossings(ground, box, view, _COLUMNS)
+    body = outline.placed(track.rotation[-1], track.centre[-1])
+    with mpl.rc_context(STYLE):
+        figure = Figure(figsize=(WIDTH, WIDTH))
+        figure.set_label(f"The ball and the path of its contact point: {title_of(dataset)}")
+        sheet = Sheet(blank_axes(figure), view)
+        _paint(sheet, seen, track, outline, body)
+        fit_height(figure, sheet.axes, WIDTH, 5.0)
+        time_bar(figure, dataset, (track.times[0], track.times[-1]), (0.12, 0.16))
+    return figure
+
+
+def _view(track: Track, normals: FloatArray) -> View:
+    """From the side to which the surface is turned where the ball is."""
+    facing = normals[-1] + 0.4 * normals.mean(axis=0)
+    if np.hypot(facing[0], facing[1]) < 0.35:
+        return View(across(track.contact) + 0.3, 0.5)
+    return View(float(np.arctan2(facing[1], facing[0])) + 0.4, 0.42)
+
+
+def _paint(sheet: Sheet, seen: Crossings, track: Track, outline: Outline, body: Outline) -> None:
+    """Surface, path and ball, from the farthest to the nearest."""
+    times, path = smooth_curve(track.times, track.contact, CURVE_POINTS)
+    fractions = time_shares(times)
+    ball = float(sheet.view.depth(track.centre[-1]))
+    radius = outline.diameter / 2
+    behind, before = seen.depth <= ball, seen.depth > ball
+    hidden = _hidden(sheet.view, seen, path, 0.12 * radius)
+    near = sheet.view.depth(path) > ball
+    colours = _colours(seen, sheet.view, track.centre[-1], radius)
+    # what is opaque is painted twice, lest a seam be seen where both parts meet
+    _image(sheet, seen, colours, behind | _opaque(seen, sheet.view))
+    _strokes(sheet, path, fractions, ~hidden & ~near, 2.0, 1.0)
+    if not near[0]:
+        _mark_start(sheet, path[0], bool(hidden[0]))
+    draw_body(sheet, body, track)
+    _image(sheet, seen, colours, before)
+    _strokes(sheet, path, fractions, ~hidden & near, 2.0, 1.0)
+    _strokes(sheet, path, fractions, hidden, 0.9, 0.45)
+    if near[0]:
+        _mark_start(sheet, path[0], bool(hidden[0]))
+
+
+def _mark_start(sheet: Sheet, place: FloatArray, hidden: bool) -> None:
+    """A ring, pale where the surface stands before it."""
+    sheet.dot(place, "none" if hidden else "white", QUIET if hidden else INK, 4.5)
+
+
+def _strokes(
+    sheet: Sheet,
+    path: FloatArray,
+    fractions: FloatArray,
+    chosen: BoolArray,
+    width: float,
+    alpha: float,
+) -> None:
+    for run in runs(chosen[1:] | chosen[:-1]):
+        sheet.timed(path[run], fractions[run], width, alpha)
+
+
+def _hidden(view: View, seen: Crossings, path: FloatArray, slack: float) -> BoolArray:
+    """Whether the surface stands before each point of a curve (n, 3) on it, opaque."""
+    left, right, bottom, top = seen.extent
+    rows, columns = seen.depth.shape[1:]
+    x, y = view.project(path).T
+    column = np.clip(((x - left) / (right - left) * columns).astype(int), 0, columns - 1)
+    row = np.clip(((y - bottom) / (top - bottom) * rows).astype(int), 0, rows - 1)
+    opaque = _opaque(seen, view)[:, row, column]
+    nearer = seen.depth[:, row, column] > view.depth(path) + slack
+    return _steady(np.any(opaque & nearer, axis=0))
+
+
+def _steady(marked: BoolArray) -> BoolArray:
+    """The same without short stretches: along a border of the surface the dots decide by chance."""
+    kept = np.zeros_like(marked)
+    for run in runs(marked[1:] & marked[:-1]):
+        kept[run] = run.stop - run.start > _SHORTEST
+    return kept
+
+
+def _opaque(seen: Crossings, view: View) -> BoolArray:
+    """Where the side on which the ball rolls is seen."""
+    return np.asarray(seen.met & view.faces_reader(seen.normals), dtype=np.bool_)
+
+
+def _colours(seen: Crossings, view: View, centre: FloatArray, radius: float) -> FloatArray:
+    """Colour of the ball's side at every crossing, with the shadow of the ball and lines."""
+    shape = seen.depth.shape
+    light = 0.5 + 0.5 * np.clip(seen.normals @ view.light, -1.0, 1.0)
+    colours = GROUND_DARK + light[..., None] ** 0.8 * (GROUND_LIGHT - GROUND_DARK)
+    lines = _lines(seen)[..., None]
+    colours = (1.0 - 0.75 * lines) * colours + 0.75 * lines * np.array(to_rgb(LINES))
+    away = centre - np.nan_to_num(seen.points)
+    lamp = view.light + np.array([0.0, 0.0, 0.9])
+    lamp = lamp / np.linalg.norm(lamp)
+    along = away @ lamp
+    aside = np.sqrt(np.clip(np.sum(away**2, axis=-1) - along**2, 0.0, None))
+    soft = np.clip((1.15 * radius - aside) / (0.45 * radius), 0.0, 1.0)
+    soft = soft * np.clip(1.0 - along / (6.0 * radius), 0.0, 1.0)
+    shade = np.where(along > 0.0, soft, 0.0).reshape(shape)
+    return np.asarray(colours * (1.0 - 0.35 * shade[..., None]), dtype=np.float64)
+
+
+def _lines(seen: Crossings) -> FloatArray:
+    """Strength from 0 to 1 of the cuts with planes x, y, z = const at every crossing."""
+    found = np.zeros(seen.depth.shape)
+    if not np.any(seen.met):
+        return found
+    sizes = np.ptp(seen.points[seen.met], axis=0)
+    spacing = _round_step(float(np.max(sizes)) / 12.0)
+    for axis in range(3):
+        place = seen.points[..., axis] / spacing
+        with np.errstate(invalid="ignore"):
+            width = np.maximum(*(np.abs(np.gradient(place, axis=a)) for a in (1, 2)))
+            off = np.abs(place - np.round(place))
+            line = np.clip(1.2 - off / np.clip(width, 1e-9, 0.5), 0.0, 1.0)
+            line = np.where(width < 0.4, line, 0.0)
+        # where the surface runs along such a plane the cut would be a blot
+        slant = np.clip((0.98 - np.abs(seen.normals[..., axis])) / 0.1, 0.0, 1.0)
+        found = np.maximum(found, np.nan_to_num(line) * slant)
+    return found
+
+
+def _round_step(size: float) -> float:
+    power = 10.0 ** np.floor(np.log10(size))
+    return float(min(s for s in (*_LINE_STEPS, 10.0) if s * power >= size * (1 - 1e-9)) * power)
+
+
+def _image(sheet: Sheet, seen: Crossings, colours: FloatArray, chosen: BoolArray) -> None:
+    """Paint the chosen crossings, from the farthest to the nearest."""
+    rows, columns = seen.depth.shape[1:]
+    paint, cover = np.zeros((rows, columns, 3)), np.zeros((rows, columns, 1))
+    opaque = _opaque(seen, sheet.view)
+    for layer in reversed(range(len(seen.depth))):
+        share = np.where(opaque[layer], 1.0, _GLASS_SHARE) * (chosen[layer] & seen.met[layer])
+        share = share[..., None]
+        colour = np.where(opaque[layer][..., None], colours[layer], _GLASS)
+        total = share + cover * (1.0 - share)
+        mixed = share * colour + (1.0 - share) * cover * paint
+        # where there is nothing, the colour counts for the soft border of what there is
+        paint = np.where(total > 0.0, mixed / np.where(total > 0.0, total, 1.0), GROUND_LIGHT)
+        cover = total
+    sheet.image(np.concatenate([paint, cover], axis=-1), seen.extent)

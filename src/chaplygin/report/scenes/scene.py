@@ -1,0 +1,95 @@
+"""What is to be drawn of a study: the body's outline and what it rolls on."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import sympy as sp
+
+from ...core.vectors import Vector
+from ...experiment.study import Study
+from ...mechanics.ball.ball import RollingBall
+from ...mechanics.rolling.gauss_map import contact_points
+from ...mechanics.rolling.surfaces import Plane
+from ..drawing.geometry import (
+    FloatArray,
+    Ground,
+    Outline,
+    PlaneGround,
+    SphereGround,
+    outline_from_contact,
+)
+from .implicit_surface import SurfaceGround
+
+__all__ = ["BallScene", "Scene", "ball_scene_of", "scene_of", "weight_of"]
+
+
+class Scene(NamedTuple):
+    """The drawn body and its ground."""
+
+    outline: Outline
+    surface: Ground
+
+
+class BallScene(NamedTuple):
+    """The drawn ball and the surface that carries it."""
+
+    outline: Outline
+    surface: SurfaceGround
+
+
+def scene_of(study: Study) -> Scene | None:
+    """The scene of a study; None where nothing rolls."""
+    if study.rolling is None:
+        return None
+    surface = study.rolling.surface
+    ground = PlaneGround() if isinstance(surface, Plane) else SphereGround(surface.radius)
+    return Scene(outline_from_contact(contact_points(study.rolling.body.shape)), ground)
+
+
+def weight_of(study: Study) -> float | None:
+    """m g, with which the normal force is compared; None without gravity."""
+    if study.ball is not None:
+        return study.ball.mass * study.ball.gravity or None
+    if study.rolling is None or not study.rolling.field.gravity:
+        return None
+    return study.rolling.body.mass * study.rolling.field.gravity
+
+
+def ball_scene_of(ball: RollingBall) -> BallScene:
+    """The scene of a homogeneous ball on a surface."""
+    radius = ball.radius
+    return BallScene(outline_from_contact(lambda gamma: -radius * gamma), _ground(ball))
+
+
+def _ground(ball: RollingBall) -> SurfaceGround:
+    """The surface that carries the ball, by its own equation where it has one."""
+    symbols = Vector("x").symbols
+    numbers = {p.symbol: p.default for p in ball.surface.parameters}
+    shift = 0.0 if ball.carrier == "support" else ball.radius
+    below = ball.surface.equation(symbols, -sp.Float(shift)) if shift else ball.carrying
+    f = (ball.carrying if below is None else below).subs(numbers)
+
+    def values(formula: sp.Expr) -> Any:
+        function = sp.lambdify(symbols, formula, "numpy")
+
+        def at(points: FloatArray) -> FloatArray:
+            found = np.asarray(function(*points.T), dtype=np.float64)
+            return np.broadcast_to(found, points.shape[:1])
+
+        return at
+
+    slopes = [values(f.diff(s)) for s in symbols]
+    level, guards = values(f), [values(g.value) for g in ball.surface.domain(symbols)]
+
+    def bounded(points: FloatArray) -> FloatArray:
+        """f, where there is any surface."""
+        valid = np.all([guard(points) > 0.0 for guard in guards], axis=0)
+        return np.where(valid, level(points), np.nan)
+
+    return SurfaceGround(
+        bounded,
+        lambda points: np.stack([slope(points) for slope in slopes], axis=-1),
+        shift if below is None else 0.0,
+    )

@@ -1,0 +1,119 @@
+"""A study on disk: trajectory, experiment file, figures and report in one folder."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Protocol
+
+import xarray as xr
+from matplotlib.figure import Figure
+
+from ..analysis.classification.facts import Patience
+from ..errors import InterruptionError, RunError
+from ..experiment.closed_form import diagram_if_known, solved_if_known
+from ..experiment.dataset import write
+from ..experiment.files import completed
+from ..experiment.plan import PlanMotion, plan_motion
+from ..experiment.study import Study, dataset_of
+from ..explicit.base.solution import Solution
+from ..flow.integrator import Trajectory
+from . import figures, page
+from .derivation import recorded_of, variables_of
+from .folder_check import begin, end
+from .scenes.scene import ball_scene_of, scene_of, weight_of
+
+__all__ = ["write_study"]
+
+#: Points through which curves are drawn, at least.
+SMOOTH = 3000
+
+
+class Report(Protocol):
+    """To be told what is being done, and how much of it is."""
+
+    def __call__(self, done: float, /) -> None:
+        """Say how much is done, from 0 to 1."""
+
+    def say(self, what: str) -> None:
+        """Say what is being done."""
+
+
+def write_study(
+    study: Study, folder: Path, force: bool, patience: Patience, report: Report
+) -> tuple[Trajectory, RunError | None]:
+    """Integrate and write everything; a failed run is written as far as it went.
+
+    Parameters
+    ----------
+    study : Study
+    folder : Path
+        New, or that of the same study, which was interrupted.
+    force : bool
+        Whether files of another study may be replaced.
+    patience : Patience
+        For the proofs.
+    report : Report
+
+    Returns
+    -------
+    Trajectory, RunError or None
+        What was computed, and why it ended early if it failed.
+
+    Raises
+    ------
+    InputError
+        If the folder cannot be written, or holds another study.
+    InterruptionError
+        If the integration is interrupted.
+    """
+    failure: RunError | None = None
+    begin(folder, study.complete_toml(), force)
+    # curves are drawn through more points than the file is to have
+    pieces = -(-SMOOTH // (study.experiment.run.samples - 1))
+    try:
+        trajectory = study.trajectory(report, pieces)
+    except RunError as error:
+        if isinstance(error, InterruptionError) or not isinstance(error.partial, Trajectory):
+            raise
+        trajectory, failure = error.partial, error
+    smooth = dataset_of(study, trajectory, complete=failure is None)
+    plan = None if study.plan is None else plan_motion(study.plan, trajectory)
+    trajectory = trajectory.thinned(pieces)
+    dataset = dataset_of(study, trajectory, complete=failure is None)
+    # what is there is of this study, or may be replaced
+    write(dataset, folder / "trajectory.nc", force=True)
+    with completed(folder / "experiment.toml") as temporary:
+        temporary.write_text(study.complete_toml(), encoding="utf-8")
+    report.say("looking for a closed form")
+    solution = solved_if_known(study)
+    report.say("drawing")
+    pictures = _drawn(study, smooth, plan, solution)
+    for name, figure in pictures.items():
+        for suffix in ("svg", "png"):
+            figures.save(figure, folder / "figures" / f"{name}.{suffix}")
+    text = page.render(study, trajectory, dataset, pictures, patience, failure, solution)
+    with completed(folder / "report.html") as temporary:
+        temporary.write_text(text, encoding="utf-8")
+    end(folder)
+    return trajectory, failure
+
+
+def _drawn(
+    study: Study, smooth: xr.Dataset, plan: PlanMotion | None, solution: Solution | None
+) -> dict[str, Figure]:
+    """The figures of a study, by name."""
+    names = variables_of(study)
+    if study.ball is not None:
+        scene = ball_scene_of(study.ball)
+        pictures = figures.ball_figures(smooth, *scene, names, weight_of(study))
+    elif study.by_state:
+        drawn = {} if plan is None else {"plan_view": figures.plan_view(smooth, plan)}
+        pictures = drawn | figures.state_figures(smooth, names, recorded_of(study))
+    else:
+        pictures = figures.all_figures(smooth, scene_of(study), weight_of(study))
+    if solution is not None and solution.form.ovals:
+        pictures["closed_form"] = figures.closed_form(study.system.title, solution.form)
+        placed = diagram_if_known(study)
+        if placed is not None:
+            pictures["bifurcation"] = figures.bifurcation_diagram(*placed)
+    return pictures

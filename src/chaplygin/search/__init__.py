@@ -1,0 +1,18 @@
+"""The search for laws: integrals, measures and symmetries that nobody has told.
+
+A question names an ansatz; its linear algebra is done modulo a large prime at random points of
+the phase space, and what is found there becomes a formula in the parameters and is proven.
+
+>>> from chaplygin.catalogue import from_catalogue
+>>> from chaplygin.search import ask, integrals
+>>> for found in integrals(ask(from_catalogue("veselova"))):
+...     print(found.formula, found.verdict.decision)
+"""
+
+from .integrals import integrals
+from .measures import measures
+from .request import ask
+from .result import Finding, Question
+from .symmetries import symmetries
+
+__all__ = ["Finding", "Question", "ask", "integrals", "measures", "symmetries"]

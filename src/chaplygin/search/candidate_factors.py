@@ -1,0 +1,88 @@
+"""Polynomials that suggest themselves: denominators of a field, (γ, Jγ), determinants."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from sympy.matrices.expressions import Inverse, MatPow
+
+from ..core.vectors import Diagonal, Symmetric, dot, explicit
+from .modular_jets import Integers, inverse, prime
+from .vector_invariants import Vocabulary
+
+__all__ = ["natural_bases", "natural_divisors"]
+
+_POINTS = 12
+
+
+def natural_divisors(vocabulary: Vocabulary) -> tuple[sp.Expr, ...]:
+    """Functions of the coordinates by which integrals are often divided.
+
+    These are the factors of denominators, the principal values of tensors that vary, and
+    (γ, Jγ), (γ, J⁻¹γ) for the constant tensors; none is constant along all motions, no two are
+    proportional.
+    """
+    return tuple(_distinct(vocabulary, _candidates(vocabulary), _places(vocabulary)))
+
+
+def natural_bases(vocabulary: Vocabulary) -> tuple[sp.Expr, ...]:
+    """Functions of whose powers densities are often made: the divisors, and single variables."""
+    symbols = vocabulary.stage.system.symbols
+    named = {n for n, _ in vocabulary.stage.system.definitions if isinstance(n, sp.Symbol)}
+    singles = [s for s in symbols if s in vocabulary.stage.system.state]
+    singles += [s for s in sorted(named, key=str) if s in vocabulary.table]
+    everything = (*_candidates(vocabulary), *vocabulary.ansatz.coordinates, *singles)
+    return tuple(_distinct(vocabulary, everything, set(symbols)))
+
+
+def _places(vocabulary: Vocabulary) -> set[sp.Symbol]:
+    return {s for c in vocabulary.ansatz.coordinates for s in c.free_symbols}
+
+
+def _distinct(
+    vocabulary: Vocabulary, candidates: Iterable[sp.Expr], allowed: set[sp.Symbol]
+) -> Iterator[sp.Expr]:
+    """Those that vary, depend on what is allowed alone, and are not proportional to another."""
+    stage = vocabulary.stage
+    sample = stage.sample(_POINTS, 7, common=True)
+    others = [i for i, s in enumerate(stage.system.symbols) if s not in allowed]
+    seen: list[Integers] = []
+    for formula in candidates:
+        jet = sample(formula)
+        if not jet.value.all() or not sample.along(jet).any() or np.any(jet.slope[others]):
+            continue
+        if not any(_proportional(jet.value, other) for other in seen):
+            seen.append(jet.value)
+            yield formula
+
+
+def _proportional(left: Integers, right: Integers) -> bool:
+    ratio = left * inverse(right) % prime()
+    return bool((ratio == ratio[0]).all())
+
+
+def _candidates(vocabulary: Vocabulary) -> Iterator[sp.Expr]:
+    for pair in vocabulary.tensors:
+        for tensor in pair:
+            if tensor is not None:
+                for vector in vocabulary.coordinates:
+                    yield dot(vector, tensor * vector)
+    system = vocabulary.stage.system
+    for _, formula in (*system.field, *system.definitions):
+        yield from _denominators(formula)
+
+
+def _denominators(formula: Any) -> Iterator[sp.Expr]:
+    for node in sp.preorder_traversal(formula):
+        if isinstance(node, (Inverse, MatPow)):
+            tensor = node.args[0]
+            if isinstance(tensor, Diagonal):
+                yield from tensor.symbols
+            elif isinstance(tensor, Symmetric):
+                yield explicit(tensor).det(method="berkowitz")
+        elif isinstance(node, sp.Pow) and node.exp.is_negative:
+            for factor in sp.Mul.make_args(node.base):
+                yield factor.base if isinstance(factor, sp.Pow) else factor

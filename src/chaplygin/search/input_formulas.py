@@ -1,0 +1,178 @@
+"""Formulas as a user types them for a search: ``M·γ``, ``(γ, J γ) - 1``, ``k = -1``."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import sympy as sp
+
+from ..core.system import System
+from ..core.vectors import Diagonal, Symmetric, Vector, dot
+from ..errors import InputError
+from ..parsing import nearest, parse
+
+__all__ = ["condition", "formula", "quantities", "spelt"]
+
+_WORD = r"[A-Za-z_]\w*"
+_OPERAND = rf"{_WORD}(?:(?:\s*\*?\s+|\s*\*\s*){_WORD})*"
+_PRODUCT = re.compile(
+    rf"(?:\bdot\s*)?\(\s*(?P<a>{_OPERAND})\s*,\s*(?P<b>{_OPERAND})\s*\)"
+    rf"|(?P<c>{_WORD})\s*·\s*(?P<d>{_WORD})"
+    rf"|(?P<e>{_WORD})\s*(?:\*\*\s*2|\^\s*2)(?!\d)",
+    re.ASCII,
+)
+#: A comma outside parentheses.
+_COMMA = re.compile(r",(?![^()]*\))")
+_PLAIN = str.maketrans(
+    {**{chr(0x2080 + i): f"_{i}" for i in range(10)}, "²": "**2", "³": "**3", "−": "-", "⋅": "·"}
+)
+
+
+def spelt(text: str) -> str:
+    """The same text with Greek letters, indices and powers as they are spelt in code."""
+    words = []
+    for character in text.translate(_PLAIN):
+        name = unicodedata.name(character, "")
+        greek = re.fullmatch(r"GREEK (SMALL|CAPITAL) LETTER (\w+)", name)
+        if greek is None:
+            words.append(character)
+        else:
+            word = greek[2].lower().replace("lamda", "lambda")
+            words.append(word if greek[1] == "SMALL" else word.capitalize())
+    return "".join(words)
+
+
+def _named(system: System) -> dict[str, Any]:
+    """Vectors and tensors by name."""
+    found: dict[str, Any] = {}
+    for name, value in (*system.field, *system.definitions):
+        if not isinstance(name, sp.Symbol):
+            found[name.name] = name
+        for atom in value.atoms(Vector, Diagonal, Symmetric):
+            found.setdefault(atom.name, atom)
+    return found
+
+
+def _scalars(system: System) -> dict[str, sp.Symbol]:
+    symbols = (
+        *(p.symbol for p in system.parameters),
+        *system.symbols,
+        *(s for s, _ in system.steps),
+    )
+    return {str(s): s for s in symbols}
+
+
+def _operand(words: Iterable[str], named: Mapping[str, Any], where: str) -> Any:
+    """Tensors applied to a vector, such as ``J gamma``."""
+    *tensors, last = words
+    for word in (*tensors, last):
+        if word not in named:
+            raise InputError(f"no vector or tensor {word!r}{nearest(word, named)}", where)
+    result = named[last]
+    if not isinstance(result, Vector):
+        raise InputError(f"{last} is a tensor, not a vector: write ({last} u, v)", where)
+    for word in reversed(tensors):
+        if isinstance(named[word], Vector):
+            raise InputError(f"{word} is a vector; only tensors multiply a vector", where)
+        result = named[word] * result
+    return result
+
+
+def _read(text: str, system: System, names: Mapping[str, sp.Symbol], where: str) -> sp.Expr:
+    named = _named(system)
+    products: dict[str, sp.Expr] = {}
+    prefix = "product"
+    while any(name.startswith(prefix) for name in names):
+        prefix += "_"
+
+    def replaced(match: re.Match[str]) -> str:
+        if match["e"] is not None:
+            if not isinstance(named.get(match["e"]), Vector):
+                return match[0]
+            sides = (match["e"], match["e"])
+        else:
+            sides = (match["a"] or match["c"], match["b"] or match["d"])
+        left, right = (_operand(re.findall(_WORD, side, re.ASCII), named, where) for side in sides)
+        symbol = f"{prefix}{len(products)}"
+        products[symbol] = dot(left, right)
+        return f" {symbol} "
+
+    plain = _PRODUCT.sub(replaced, spelt(text))
+    left, _, right = plain.partition("=")
+    known = {**names, **{name: sp.Symbol(name, real=True) for name in products}}
+    made = parse(left, known, where)
+    if right.strip():
+        made = made - parse(right, known, where)
+    return made.xreplace({known[name]: value for name, value in products.items()})
+
+
+def formula(text: str, system: System, where: str = "") -> sp.Expr:
+    """A scalar formula in state, definitions and parameters; ``F = G`` stands for F − G.
+
+    Parameters
+    ----------
+    text : str
+        Such as ``"M·γ"``, ``"(γ, J γ)"``, ``"M²"`` or ``"gamma_3 = 1/2"``.
+    system : System
+    where : str
+        Put before the message of an error.
+
+    Raises
+    ------
+    InputError
+        If it is no formula or mentions an unknown name.
+    """
+    return _read(text, system, _scalars(system), where)
+
+
+def condition(text: str, system: System, where: str = "") -> sp.Expr:
+    """A condition on the parameters, such as ``"k = -1"`` or ``"I_1 = I_2"``.
+
+    Raises
+    ------
+    InputError
+        If it is no formula or mentions what is not constant.
+    """
+    fixed = {p.symbol for p in system.parameters}
+    for symbol, value in system.steps:
+        if value.free_symbols <= fixed:
+            fixed.add(symbol)
+    made = _read(text, system, {str(s): s for s in sorted(fixed, key=str)}, where)
+    if not made.free_symbols & fixed:
+        raise InputError(f"{text!r} is no condition: it mentions no parameter", where)
+    return made
+
+
+def quantities(names: str, system: System, where: str = "") -> tuple[sp.Expr, ...]:
+    """The scalars of vectors and scalars given by name, and formulas, separated by commas.
+
+    Parameters
+    ----------
+    names : str
+        Such as ``"M, gamma_3"`` or ``"x, log(x)"``.
+    system : System
+    where : str
+        Put before the message of an error.
+
+    Raises
+    ------
+    InputError
+        If a name is unknown, or what is no name is no formula.
+    """
+    scalars, named = _scalars(system), _named(system)
+    vectors = {name: v for name, v in named.items() if isinstance(v, Vector)}
+    found: list[sp.Expr] = []
+    for name in filter(None, (part.strip() for part in _COMMA.split(spelt(names)))):
+        if name in vectors:
+            found += vectors[name].symbols
+        elif name in scalars:
+            found.append(scalars[name])
+        elif not re.fullmatch(_WORD, name, re.ASCII):
+            found.append(formula(name, system, where))
+        else:
+            allowed = [*vectors, *(s for s in scalars if s.rpartition("_")[0] not in named)]
+            raise InputError(f"unknown variable {name!r}{nearest(name, allowed)}", where)
+    return tuple(dict.fromkeys(found))

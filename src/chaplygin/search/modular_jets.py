@@ -1,0 +1,298 @@
+"""Formulas evaluated at many points at once in the integers modulo a large prime.
+
+A `Jet` holds the values of a formula at N points and its derivatives there.  Arithmetic modulo
+a prime below 2³¹ is exact and fits 64-bit integers, so that NumPy does all points in one stroke;
+what holds at random points of a field so large holds identically, but for a chance of one in
+millions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+import sympy as sp
+
+from ..core.vectors import Dot, explicit
+from ..errors import InputError
+from ..parsing.exact_decimals import exact_number
+
+__all__ = [
+    "PRIMES",
+    "Evaluator",
+    "Integers",
+    "Jet",
+    "inverse",
+    "modulo",
+    "power",
+    "prime",
+    "square_root",
+]
+
+PRIMES = (2_147_483_647, 2_147_483_587, 2_147_483_579, 2_147_483_563)
+"""Moduli; they leave the remainder 3 on division by 4, which makes square roots easy."""
+
+_MODULUS = ContextVar("modulus", default=PRIMES[0])
+_SIMPLE = 1000
+"""Operations up to which the argument of a logarithm is factored."""
+_WILD = 1_234_567  # prime to the order of the multiplicative group
+
+Integers: TypeAlias = npt.NDArray[np.int64]
+Truths: TypeAlias = npt.NDArray[np.bool_]
+
+
+def prime() -> int:
+    """The modulus of all arithmetic here."""
+    return _MODULUS.get()
+
+
+@contextmanager
+def modulo(number: int) -> Iterator[None]:
+    """Compute modulo another of the primes for a while."""
+    token = _MODULUS.set(number)
+    try:
+        yield
+    finally:
+        _MODULUS.reset(token)
+
+
+def power(base: Integers, exponent: int) -> Integers:
+    """base^exponent modulo the prime, for an exponent ≥ 0, elementwise."""
+    result = np.ones_like(base)
+    while exponent:
+        if exponent & 1:
+            result = result * base % prime()
+        base = base * base % prime()
+        exponent >>= 1
+    return result
+
+
+def inverse(values: Integers) -> Integers:
+    """The reciprocals modulo the prime; 0 is carried to 0."""
+    return power(values, prime() - 2)
+
+
+def square_root(values: Integers) -> tuple[Integers, Truths]:
+    """A square root modulo the prime, and where there is one."""
+    root = power(values, (prime() + 1) // 4)
+    return root, root * root % prime() == values
+
+
+@dataclass(frozen=True)
+class Jet:
+    """Values at N points and derivatives in D directions, all reduced modulo the prime.
+
+    Attributes
+    ----------
+    value : array of int64, shape (N,)
+    slope : array of int64, shape (D, N)
+    """
+
+    value: Integers
+    slope: Integers
+
+    def __add__(self, other: Jet) -> Jet:
+        return Jet((self.value + other.value) % prime(), (self.slope + other.slope) % prime())
+
+    def __sub__(self, other: Jet) -> Jet:
+        return Jet((self.value - other.value) % prime(), (self.slope - other.slope) % prime())
+
+    def __mul__(self, other: Jet) -> Jet:
+        slope = (self.slope * other.value % prime() + other.slope * self.value) % prime()
+        return Jet(self.value * other.value % prime(), slope)
+
+    def chained(self, value: Integers, derivative: Integers) -> Jet:
+        """f(self), given f and f′ at the values."""
+        return Jet(value, self.slope * derivative % prime())
+
+    def along(self, direction: Iterable[Integers]) -> Integers:
+        """The derivative in a direction with the given components, shape (N,)."""
+        total = np.zeros_like(self.value)
+        for part, component in zip(self.slope, direction, strict=True):
+            total = (total + part * component) % prime()
+        return total
+
+
+def _factors(formula: sp.Expr) -> dict[sp.Expr, sp.Expr]:
+    """Factors with their exponents, of numbers the primes; signs are left out."""
+    if sp.count_ops(formula) <= _SIMPLE:
+        formula = sp.factor(formula)
+    found: dict[sp.Expr, sp.Expr] = {}
+    for base, exponent in formula.as_powers_dict().items():
+        if base.is_Rational and base != 0:
+            primes = sp.factorint(abs(base))
+            parts = {sp.Integer(p): exponent * k for p, k in primes.items()}
+        else:
+            parts = {base: exponent}
+        for part, power_ in parts.items():
+            found[part] = found.get(part, sp.S.Zero) + power_
+    return found
+
+
+class Evaluator:
+    """Formulas in given symbols, evaluated once each.
+
+    Parameters
+    ----------
+    known : mapping of Symbol to Jet
+    points, directions : int
+        The shape of all jets.
+    definitions : mapping of Symbol to sympy.Expr
+        Further symbols, each evaluated when a formula asks for it.
+
+    Attributes
+    ----------
+    good : array of bool, shape (N,)
+        Where no division by zero and no root of a non-square was met.
+    """
+
+    def __init__(
+        self,
+        known: Mapping[sp.Symbol, Jet],
+        points: int,
+        directions: int,
+        definitions: Mapping[sp.Symbol, sp.Expr],
+    ) -> None:
+        self._jets: dict[sp.Basic, Jet] = dict(known)
+        self._definitions = definitions
+        self._points = points
+        self._directions = directions
+        self.good: Truths = np.ones(points, dtype=bool)
+
+    def constant(self, number: int) -> Jet:
+        """The jet of an integer."""
+        return Jet(
+            np.full(self._points, number % prime(), dtype=np.int64),
+            np.zeros((self._directions, self._points), dtype=np.int64),
+        )
+
+    def __call__(self, formula: Any) -> Jet:
+        """The jet of a scalar formula.
+
+        Raises
+        ------
+        InputError
+            If it is not algebraic in its symbols.
+        """
+        found = self._jets.get(formula)
+        if found is None:
+            found = self._jets[formula] = self._fresh(formula)
+        return found
+
+    def _fresh(self, formula: sp.Basic) -> Jet:
+        match formula:
+            case sp.Symbol() if formula in self._definitions:
+                return self(self._definitions[formula])
+            case Dot():
+                return self(explicit(formula))
+            case sp.NumberSymbol():
+                # transcendental: any number will do that has roots
+                return self.constant(pow(int(1000 * sp.N(formula)), 2 * _WILD, prime()))
+            case sp.Rational():
+                return self.constant(int(formula.p) * pow(int(formula.q), -1, prime()))
+            case sp.Float():
+                return self(exact_number(formula))
+            case sp.Add():
+                total = self(formula.args[0])
+                for term in formula.args[1:]:
+                    total = total + self(term)
+                return total
+            case sp.Mul():
+                product = self(formula.args[0])
+                for factor in formula.args[1:]:
+                    product = product * self(factor)
+                return product
+            case sp.Pow() if formula.exp.is_Integer:
+                return self._raised(self(formula.base), int(formula.exp))
+            case sp.Pow() if formula.exp.is_Rational and formula.exp.q.bit_count() == 1:
+                root = self(formula.base)
+                for _ in range(formula.exp.q.bit_length() - 1):
+                    root = self._root(root)
+                return self._raised(root, int(formula.exp.p))
+            case sp.Pow() if not formula.exp.is_Rational:
+                return self._symbolic_power(formula.base, formula.exp)
+            case sp.exp():
+                inner = self(formula.args[0])
+                value = power(inner.value, _WILD)
+                return inner.chained(value, value)
+            case sp.log():
+                return self._logarithm(formula.args[0])
+            case sp.sin() | sp.cos():
+                return self._circular(formula)
+            case sp.tan():
+                return self(sp.sin(formula.args[0]) / sp.cos(formula.args[0]))
+            case sp.cot():
+                return self(sp.cos(formula.args[0]) / sp.sin(formula.args[0]))
+        raise InputError(
+            "the search needs formulas of +, −, ×, /, powers, square roots, exp, log, sines and "
+            "cosines; "
+            f"{formula} is not one"
+        )
+
+    def _logarithm(self, argument: sp.Expr) -> Jet:
+        """log |f|: a sum over the factors of f of functions that depend on them wildly."""
+        total = self.constant(0)
+        for base, exponent in _factors(self._written_out(argument)).items():
+            jet = self(base)
+            self.good &= jet.value != 0
+            # even, as a factor is known up to its sign alone
+            value = power(jet.value * jet.value % prime(), _WILD)
+            total = total + self(exponent) * jet.chained(value, inverse(jet.value))
+        return total
+
+    def _written_out(self, formula: sp.Expr) -> sp.Expr:
+        """A formula without definitions."""
+        formula = explicit(formula)
+        while used := formula.free_symbols & set(self._definitions):
+            formula = formula.xreplace({s: explicit(self._definitions[s]) for s in used})
+        return formula
+
+    def _circular(self, formula: sp.Expr) -> Jet:
+        """Sine or cosine of an angle: a point of the circle that depends on the angle wildly."""
+        expanded = sp.expand_trig(formula)
+        if expanded != formula:
+            return self(expanded)
+        angle = self(formula.args[0])
+        half = power(angle.value, _WILD)
+        square = half * half % prime()
+        self.good &= square != prime() - 1
+        below = inverse((1 + square) % prime())
+        sine, cosine = 2 * half * below % prime(), (1 - square) * below % prime()
+        if isinstance(formula, sp.sin):
+            return angle.chained(sine, cosine)
+        return angle.chained(cosine, -sine % prime())
+
+    def _symbolic_power(self, base: sp.Expr, exponent: sp.Expr) -> Jet:
+        """Powers with exponents such as 2 − 1/k: wild functions of base and exponent."""
+        product = self.constant(1)
+        for term in sp.Add.make_args(sp.expand(exponent)):
+            number, letters = term.as_coeff_Mul()
+            if letters == 1:
+                product = product * self(base**number)
+                continue
+            inner, theta = self(base), self(letters / number.q)
+            wild = power((inner.value + theta.value) % prime(), _WILD)
+            slope = theta.value * wild % prime() * inverse(inner.value) % prime()
+            product = product * self._raised(inner.chained(wild, slope), int(number.p))
+        return product
+
+    def _raised(self, base: Jet, exponent: int) -> Jet:
+        if exponent < 0:
+            return self._raised(self._reciprocal(base), -exponent)
+        below = power(base.value, max(exponent - 1, 0))
+        return base.chained(below * base.value % prime(), below * exponent % prime())
+
+    def _reciprocal(self, jet: Jet) -> Jet:
+        self.good &= jet.value != 0
+        value = inverse(jet.value)
+        return jet.chained(value, (prime() - value) * value % prime())
+
+    def _root(self, jet: Jet) -> Jet:
+        root, exists = square_root(jet.value)
+        self.good &= exists & (root != 0)
+        return jet.chained(root, inverse(2 * root % prime()))

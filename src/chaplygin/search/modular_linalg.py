@@ -1,0 +1,106 @@
+"""Linear algebra modulo the prime, by FLINT, and the way back to rational numbers."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from math import isqrt
+
+import numpy as np
+from flint import nmod_mat
+
+from .modular_jets import Integers, prime
+
+__all__ = ["combination", "independent_columns", "nullspace", "product", "rank", "rational"]
+
+_MARGIN = 12
+
+
+def _matrix(values: Integers) -> nmod_mat:
+    rows, columns = values.shape
+    return nmod_mat(rows, columns, values.ravel().tolist(), prime())
+
+
+def _pivots(reduced: nmod_mat, rank_: int) -> list[int]:
+    pivots: list[int] = []
+    column = 0
+    for row in range(rank_):
+        while int(reduced[row, column]) == 0:
+            column += 1
+        pivots.append(column)
+        column += 1
+    return pivots
+
+
+def independent_columns(values: Integers) -> list[int]:
+    """Indices of the columns that do not depend linearly on those before them."""
+    if 0 in values.shape:
+        return []
+    return _pivots(*_matrix(values).rref())
+
+
+def rank(values: Integers) -> int:
+    """Rank modulo the prime."""
+    return 0 if 0 in values.shape else int(_matrix(values).rank())
+
+
+def nullspace(values: Integers) -> Integers:
+    """A basis of the null space, one vector a row, each with an entry 1 that the others lack.
+
+    Parameters
+    ----------
+    values : array of int64, shape (rows, columns)
+
+    Returns
+    -------
+    array of int64, shape (dimension, columns)
+    """
+    columns = values.shape[1]
+    if values.shape[0] == 0:
+        return np.eye(columns, dtype=np.int64)
+    reduced, rank_ = _matrix(values).rref()
+    pivots = _pivots(reduced, rank_)
+    free = sorted(set(range(columns)) - set(pivots))
+    basis = np.zeros((len(free), columns), dtype=np.int64)
+    for index, column in enumerate(free):
+        basis[index, column] = 1
+        for row, pivot in enumerate(pivots):
+            if pivot > column:
+                break
+            basis[index, pivot] = -int(reduced[row, column]) % prime()
+    return basis
+
+
+def product(left: Integers, right: Integers) -> Integers:
+    """The matrix product modulo the prime."""
+    total = np.zeros((left.shape[0], right.shape[1]), dtype=np.int64)
+    for index in range(left.shape[1]):
+        total = (total + left[:, index, None] * right[index]) % prime()
+    return total
+
+
+def combination(columns: Integers, target: Integers) -> list[int] | None:
+    """Coefficients with columns · c = target modulo the prime; None where there are none."""
+    stacked = np.concatenate([columns, target[:, None]], axis=1)
+    kernel = nullspace(stacked)
+    hits = [vector for vector in kernel if vector[-1]]
+    if not hits:
+        return None
+    scale = pow(-int(hits[-1][-1]), -1, prime())
+    return [int(entry) * scale % prime() for entry in hits[-1][:-1]]
+
+
+def rational(residue: int, modulus: int) -> Fraction | None:
+    """The fraction with this residue whose numerator and denominator are small for the modulus.
+
+    Both are at most √(modulus/4096), so that a residue taken at random rarely has one; None
+    where there is none.
+    """
+    bound = isqrt(modulus >> _MARGIN)
+    r_0, r_1, t_0, t_1 = modulus, residue % modulus, 0, 1
+    while r_1 > bound:
+        quotient = r_0 // r_1
+        r_0, r_1 = r_1, r_0 - quotient * r_1
+        t_0, t_1 = t_1, t_0 - quotient * t_1
+    if t_1 == 0 or abs(t_1) > bound:
+        return None
+    return Fraction(r_1, t_1)

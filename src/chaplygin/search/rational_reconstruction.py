@@ -1,0 +1,205 @@
+"""From solutions modulo a prime to formulas in the parameters.
+
+A law is a sum of parts (functions of state and parameters) whose coefficients are polynomials in
+the parameters.  Written out in monomials of the parameters its coefficients are plain rational
+numbers, the same for all values of the parameters: they solve one linear system whose equations
+are taken at points with parameters of their own.  Weights split it into small ones.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from itertools import combinations_with_replacement
+from typing import TypeAlias
+
+import numpy as np
+import sympy as sp
+
+from .modular_jets import PRIMES, Integers, modulo, prime
+from .modular_linalg import independent_columns, nullspace, rational
+from .scaling import Weight, total
+
+__all__ = ["LARGEST", "Draw", "Part", "Plan", "Scalars", "Solution", "lifted", "plan"]
+
+LARGEST = 1000
+"""The largest number of unknowns of one linear system; of more, the simplest are taken."""
+_SPARE = 24
+
+Product: TypeAlias = tuple[int, ...]
+"""Indices of scalars."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """A function that may occur in a law, with a coefficient in the parameters.
+
+    Attributes
+    ----------
+    formula : sympy expression or tuple of them
+        What stands behind the coefficient.
+    weight : Weight
+    effort : int
+        How complicated it looks; simple parts are preferred.
+    """
+
+    formula: sp.Expr | tuple[tuple[str, sp.Expr], ...]
+    weight: Weight
+    effort: int
+
+
+@dataclass(frozen=True)
+class Scalars:
+    """Quantities made of parameters alone, with their weights."""
+
+    formulas: tuple[sp.Expr, ...]
+    weights: tuple[Weight, ...]
+
+    @cached_property
+    def efforts(self) -> tuple[int, ...]:
+        """How complicated each looks."""
+        return tuple(1 + int(sp.count_ops(formula)) for formula in self.formulas)
+
+    def effort(self, chosen: Sequence[int]) -> int:
+        """How complicated a product of some of them looks."""
+        return sum(1 + self.efforts[i] for i in chosen)
+
+
+@dataclass(frozen=True)
+class Plan:
+    """The linear systems to be solved: lists of (index of part, indices of scalars)."""
+
+    blocks: tuple[tuple[tuple[int, Product], ...], ...]
+
+    @property
+    def widest(self) -> int:
+        """The largest number of unknowns of a block."""
+        return max((len(block) for block in self.blocks), default=0)
+
+
+@dataclass(frozen=True)
+class Solution:
+    """A law: rational numbers in front of products of scalars and a part."""
+
+    terms: tuple[tuple[Fraction, Product, int], ...]
+    effort: int
+
+
+@dataclass(frozen=True)
+class Draw:
+    """The parts and what must vanish at some points, modulo the present prime.
+
+    Attributes
+    ----------
+    value, condition : arrays of int64, shape (parts, rows, points)
+        The parts themselves, and what must vanish, linear in the coefficients.
+    numbers : array of int64, shape (scalars, points)
+    """
+
+    value: Integers
+    condition: Integers
+    numbers: Integers
+
+
+@dataclass(frozen=True)
+class _Kernel:
+    """One solution modulo a prime, or several together."""
+
+    terms: tuple[tuple[int, Product], ...]
+    residues: tuple[int, ...]
+
+
+def plan(parts: Sequence[Part], scalars: Scalars, degree: int) -> Plan:
+    """Sort products of a part and at most `degree` scalars by their weight."""
+    zero = tuple(0 for _ in parts[0].weight)
+    products = [
+        (chosen, total(zero, *(scalars.weights[i] for i in chosen)))
+        for size in range(degree + 1)
+        for chosen in combinations_with_replacement(range(len(scalars.formulas)), size)
+    ]
+    blocks: dict[Weight, list[tuple[int, Product]]] = defaultdict(list)
+    for index, part in enumerate(parts):
+        for chosen, weight in products:
+            blocks[total(weight, part.weight)].append((index, chosen))
+    for block in blocks.values():
+        block.sort(key=lambda item: parts[item[0]].effort + scalars.effort(item[1]))
+    return Plan(tuple(tuple(block[:LARGEST]) for block in blocks.values()))
+
+
+def lifted(
+    parts: Sequence[Part], scalars: Scalars, degree: int, draw: Callable[[int], Draw]
+) -> list[Solution]:
+    """Laws with coefficients up to a degree in the scalars, the simplest first.
+
+    Parameters
+    ----------
+    parts : sequence of Part
+        At least one.
+    scalars : Scalars
+    degree : int
+    draw : callable
+        Number of points ↦ Draw, modulo the prime that is then in force.
+
+    Returns
+    -------
+    list of Solution
+        Fractions that are too large for one prime are found with several.
+    """
+    made = plan(parts, scalars, degree)
+    points = made.widest + _SPARE
+    found, modulus = list(_kernels(made, draw(points))), prime()
+    for extra in PRIMES[1:]:
+        if all(rational(r, modulus) is not None for kernel in found for r in kernel.residues):
+            break
+        with modulo(extra):
+            others = list(_kernels(made, draw(points)))
+        if [k.terms for k in others] != [k.terms for k in found]:
+            break
+        found = [_joined(a, b, modulus, extra) for a, b in zip(found, others, strict=True)]
+        modulus *= extra
+    solved = (_solution(kernel, modulus, parts, scalars) for kernel in found)
+    return sorted((s for s in solved if s is not None), key=lambda solution: solution.effort)
+
+
+def _kernels(made: Plan, drawn: Draw) -> Iterator[_Kernel]:
+    """Laws among the sums of products, each block by itself."""
+    for block in made.blocks:
+        few = len(block) + _SPARE
+        columns, rows = [], []
+        for index, chosen in block:
+            factor = np.ones_like(drawn.value[0, 0, :few])
+            for scalar in chosen:
+                factor = factor * drawn.numbers[scalar, :few] % prime()
+            columns.append((drawn.value[index, :, :few] * factor % prime()).ravel())
+            rows.append((drawn.condition[index, :, :few] * factor % prime()).ravel())
+        kept = independent_columns(np.array(columns).T)
+        for vector in nullspace(np.array(rows)[kept].T):
+            yield _Kernel(tuple(block[i] for i in kept), tuple(map(int, vector)))
+
+
+def _joined(left: _Kernel, right: _Kernel, modulus: int, extra: int) -> _Kernel:
+    """Residues modulo a product, by the Chinese remainder theorem."""
+    step = pow(modulus, -1, extra)
+    residues = (
+        a + modulus * ((b - a) * step % extra)
+        for a, b in zip(left.residues, right.residues, strict=True)
+    )
+    return _Kernel(left.terms, tuple(residues))
+
+
+def _solution(
+    kernel: _Kernel, modulus: int, parts: Sequence[Part], scalars: Scalars
+) -> Solution | None:
+    terms = []
+    effort = 0
+    for residue, (index, chosen) in zip(kernel.residues, kernel.terms, strict=True):
+        if residue:
+            number = rational(residue, modulus)
+            if number is None:
+                return None
+            terms.append((number, chosen, index))
+            effort += 3 + parts[index].effort + scalars.effort(chosen)
+    return Solution(tuple(terms), effort)

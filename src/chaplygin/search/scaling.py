@@ -1,0 +1,144 @@
+"""Scalings under which a system keeps its form: its physical dimensions, found by themselves.
+
+A weight is a tuple of exponents, one for each independent scaling.  An integral splits into
+parts of pure weight, each an integral; this makes the linear algebra of a search small.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from math import lcm
+from typing import Any, TypeAlias
+
+import sympy as sp
+from flint import fmpq, fmpq_mat
+
+from .phase_space import Stage
+
+__all__ = ["Weight", "total", "weight_of", "weights"]
+
+Weight: TypeAlias = tuple[int, ...]
+Form: TypeAlias = dict[Any, Fraction]
+
+_TIME = "time"
+
+
+def _plus(left: Form, right: Form, factor: Fraction) -> Form:
+    found = dict(left)
+    for key, value in right.items():
+        found[key] = found.get(key, Fraction(0)) + factor * value
+    return {key: value for key, value in found.items() if value}
+
+
+@dataclass
+class _Walk:
+    """Weights of formulas as linear forms in the weights of base symbols, and what ties these."""
+
+    forms: dict[sp.Basic, Form]
+    ties: list[Form] = field(default_factory=list)
+
+    def equate(self, left: Form | None, right: Form | None) -> None:
+        """Two weights must agree; None fits everything."""
+        if left is not None and right is not None:
+            self.ties.append(_plus(left, right, Fraction(-1)))
+
+    def __call__(self, formula: sp.Basic) -> Form | None:
+        """The weight of a formula; None for zero, which has every weight."""
+        if formula == 0:
+            return None
+        found = self.forms.get(formula)
+        if found is None:
+            found = self.forms[formula] = self._fresh(formula)
+        return found
+
+    def _fresh(self, formula: sp.Basic) -> Form:
+        if isinstance(formula, sp.Add):
+            first, *others = [self(arg) for arg in formula.args]
+            for other in others:
+                self.equate(first, other)
+            return first or {}
+        if isinstance(formula, sp.Mul):
+            product: Form = {}
+            for arg in formula.args:
+                product = _plus(product, self(arg) or {}, Fraction(1))
+            return product
+        if isinstance(formula, sp.Pow) and formula.exp.is_Rational:
+            return _plus({}, self(formula.base) or {}, Fraction(int(formula.exp.p), formula.exp.q))
+        for arg in formula.args:
+            self.equate(self(arg), {})
+        return {}
+
+
+def weights(made: Stage) -> dict[sp.Symbol, Weight]:
+    """Weights of all states, parameters and definitions of a system.
+
+    Every scaling of these symbols and of time that keeps field, definitions, relations, level
+    and conditions on the parameters is a combination of the scalings returned.
+    """
+    system = made.system
+    steps = (*made.substitutions, *system.needed([*system.rates, *made.relations]))
+    # what is zero has every weight
+    empty = [symbol for symbol, formula in steps if formula == 0]
+    bases: list[Any] = [*made.free, *system.symbols, *empty, _TIME]
+    walk = _Walk({symbol: {symbol: Fraction(1)} for symbol in bases})
+    symbols = [*made.free, *system.symbols, *empty]
+    for symbol, formula in ((s, f) for s, f in steps if f != 0):
+        walk.forms[symbol] = walk(formula) or {}
+        symbols.append(symbol)
+    for symbol, rate in zip(system.symbols, system.rates, strict=True):
+        walk.equate(walk(rate), {symbol: Fraction(1), _TIME: Fraction(-1)})
+    for relation in made.relations:
+        walk(relation)
+    scalings = _solutions(walk.ties, bases)
+    exact = {symbol: _weight(walk.forms[symbol], scalings) for symbol in symbols}
+    common = lcm(*(w.denominator for weight in exact.values() for w in weight))
+    return {symbol: tuple(int(w * common) for w in weight) for symbol, weight in exact.items()}
+
+
+def _weight(form: Form, scalings: Iterable[Mapping[Any, Fraction]]) -> tuple[Fraction, ...]:
+    return tuple(
+        sum((value * scaling[key] for key, value in form.items()), Fraction(0))
+        for scaling in scalings
+    )
+
+
+def total(*weights: Weight) -> Weight:
+    """The weight of a product."""
+    return tuple(sum(parts) for parts in zip(*weights, strict=True))
+
+
+def weight_of(
+    factors: Sequence[sp.Expr], powers: Sequence[int], table: Mapping[sp.Symbol, Weight]
+) -> Weight:
+    """The weight of a product of powers; what has no weight of its own is a pure number."""
+    zero = tuple(0 for _ in next(iter(table.values())))
+    return total(
+        zero,
+        *(
+            tuple(exponent * w for w in table.get(factor, zero))
+            for factor, exponent in zip(factors, powers, strict=True)
+        ),
+    )
+
+
+def _solutions(ties: list[Form], bases: list[Any]) -> list[dict[Any, Fraction]]:
+    """A basis of the weights of base symbols that satisfy all ties."""
+    distinct = {tuple(sorted((bases.index(k), v) for k, v in tie.items())) for tie in ties}
+    rows = [tie for tie in distinct if tie]
+    matrix = fmpq_mat(max(len(rows), 1), len(bases))
+    for i, row in enumerate(rows):
+        for j, value in row:
+            matrix[i, j] = fmpq(value.numerator, value.denominator)
+    reduced, rank = matrix.rref()
+    pivots = [next(j for j in range(len(bases)) if reduced[i, j] != 0) for i in range(rank)]
+    found = []
+    for column in (j for j in range(len(bases)) if j not in pivots):
+        scaling = {base: Fraction(0) for base in bases}
+        scaling[bases[column]] = Fraction(1)
+        for i, pivot in enumerate(pivots):
+            entry = reduced[i, column]
+            scaling[bases[pivot]] = -Fraction(int(entry.p), int(entry.q))
+        found.append(scaling)
+    return found

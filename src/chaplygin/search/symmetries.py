@@ -1,0 +1,186 @@
+"""The search for symmetry fields with polynomial components."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+import sympy as sp
+
+from ..core.laws import Integral, Symmetry
+from ..core.vectors import constant
+from ..proof.prover import prove
+from .ansatz import Exponents, Table, table
+from .integrals import integrals
+from .modular_jets import Integers, prime
+from .modular_linalg import independent_columns, nullspace, product
+from .phase_space import Sample
+from .rational_reconstruction import Draw, Part, Scalars, Solution, lifted
+from .result import Finding, Progress, Question, silent
+from .scaling import Weight, weight_of, weights
+from .vector_invariants import component_scalars
+
+__all__ = ["symmetries"]
+
+_SPARE = 24
+_SEED = 20080830
+
+
+def symmetries(question: Question, progress: Progress = silent) -> Iterator[Finding]:
+    """Polynomial vector fields u with [u, v] = 0, tangent to the phase space.
+
+    v itself, and what follows from known symmetries on multiplication with integrals, is left
+    out.
+
+    Parameters
+    ----------
+    question : Question
+    progress : callable
+
+    Raises
+    ------
+    InputError
+        If the ansatz does not fit into memory or the field is not algebraic.
+    """
+    question.ansatz.check(len(question.stage.system.symbols))
+    progress(0.0, "integrals")
+    laws = [f.law for f in integrals(question) if isinstance(f.law, Integral)]
+    progress(0.3, "fields")
+    search = _Search(question, [law.value for law in laws])
+    yield from search.findings(progress)
+    progress(1.0, "")
+
+
+class _Search:
+    """One search: all fields of the ansatz at the points of one sample."""
+
+    def __init__(self, question: Question, formulas: Sequence[sp.Expr]) -> None:
+        self.question = question
+        self.stage = question.stage
+        self.symbols = question.stage.system.symbols
+        self.weights: dict[sp.Symbol, Weight] = weights(self.stage)
+        self.sample = self.stage.sample(question.ansatz.size + _SPARE, _SEED, common=True)
+        factors = [np.ones_like(self.sample.field[0])]
+        factors += [self.sample(f).value for f in formulas]
+        factors += [a * b % prime() for i, a in enumerate(factors[1:]) for b in factors[i + 1 :]]
+        self.factors = factors
+        self.spanned: list[Integers] = []
+        self._span(np.array(self.sample.field))
+        self.count = 0
+
+    def _span(self, field: Integers) -> None:
+        """Take note of a symmetry, by its components at the points, shape (n, N)."""
+        self.spanned += [(field * factor % prime()).ravel() for factor in self.factors]
+
+    def findings(self, progress: Progress) -> Iterator[Finding]:
+        """All symmetries of the ansatz, the simplest first."""
+        monomials: Table = table(self.question.ansatz, self.sample)
+        kept = independent_columns(monomials.value.T)
+        exponents = [monomials.exponents[i] for i in kept]
+        value, condition = _fields(
+            self.stage.relations, self.sample, monomials.value[kept], monomials.rate[kept]
+        )
+        kernel = nullspace(condition.reshape(len(condition), -1).T)
+        found = product(kernel, value.reshape(len(value), -1))
+        vectors = sorted(
+            zip(kernel, found, strict=True), key=lambda pair: np.count_nonzero(pair[0])
+        )
+        for number, (vector, field) in enumerate(vectors):
+            progress(0.5 + 0.5 * number / len(vectors), "fields")
+            if not self._fresh(field):
+                continue
+            yield self._lifted(vector, exponents)
+            self._span(field.reshape(len(self.symbols), -1))
+
+    def _fresh(self, field: Integers) -> bool:
+        stacked = np.array([*self.spanned, field]).T
+        return independent_columns(stacked)[-1] == len(self.spanned)
+
+    def _lifted(self, vector: Integers, exponents: Sequence[Exponents]) -> Finding:
+        """The field as a formula: on the monomials that occur, with unknown coefficients."""
+        variables = (*self.question.ansatz.momenta, *self.question.ansatz.coordinates)
+        parts = []
+        for index in np.flatnonzero(vector):
+            component, monomial = divmod(int(index), len(exponents))
+            powers = exponents[monomial]
+            formula = sp.Mul(*(s**e for s, e in zip(variables, powers, strict=True)))
+            own = self.symbols[component]
+            weight = weight_of((*variables, own), (*powers, -1), self.weights)
+            parts.append(Part(((str(self.symbols[component]), formula),), weight, sum(powers)))
+        scalars = component_scalars(self.stage, self.weights)
+        for size in range(self.question.parameter_degree + 1):
+            found = self._simplest(parts, scalars, size)
+            if found is not None:
+                return self._finding(found, parts, scalars)
+        return Finding(
+            "symmetry",
+            None,
+            None,
+            remark=f"a field of {len(parts)} terms, whose coefficients have a degree above "
+            f"{self.question.parameter_degree} in the parameters",
+        )
+
+    def _simplest(self, parts: Sequence[Part], scalars: Scalars, size: int) -> Solution | None:
+        """A symmetry with coefficients up to a degree in the parameters."""
+        names = [str(s) for s in self.symbols]
+        places = []
+        formulas = []
+        for part in parts:
+            ((name, formula),) = part.formula
+            places.append(names.index(name))
+            formulas.append(formula)
+
+        def draw(points: int) -> Draw:
+            sample = self.stage.sample(points, _SEED + 1, common=False)
+            jets = [sample(formula) for formula in formulas]
+            value = np.array([jet.value for jet in jets])
+            rate = np.array([sample.along(jet) for jet in jets])
+            values, conditions = _fields(self.stage.relations, sample, value, rate)
+            chosen = [place * len(parts) + i for i, place in enumerate(places)]
+            return Draw(values[chosen], conditions[chosen], sample.table(scalars.formulas))
+
+        found = lifted(parts, scalars, size, draw)
+        return found[0] if found else None
+
+    def _finding(self, found: Solution, parts: Sequence[Part], scalars: Scalars) -> Finding:
+        components = {s: sp.S.Zero for s in self.symbols}
+        names = {str(s): s for s in self.symbols}
+        for number, chosen, index in found.terms:
+            ((name, formula),) = parts[index].formula
+            factor = sp.Mul(*(scalars.formulas[i] for i in chosen))
+            components[names[name]] += (
+                sp.Rational(number.numerator, number.denominator) * factor * formula
+            )
+        field = []
+        for name in self.stage.system.state:
+            if isinstance(name, sp.Symbol):
+                field.append((name, components[name]))
+            else:
+                field.append((name, constant([components[s] for s in name.symbols])))
+        self.count += 1
+        law = Symmetry(f"u_{self.count}", tuple(field), on=self.stage.on)
+        return Finding("symmetry", law, prove(self.stage.system, law, effort=self.question.effort))
+
+
+def _fields(
+    relations: Sequence[sp.Expr], sample: Sample, value: Integers, rate: Integers
+) -> tuple[Integers, Integers]:
+    """All fields with one monomial in one component, and what must vanish for a symmetry.
+
+    Returns
+    -------
+    values : array of int64, shape (n · monomials, n, points)
+    conditions : array of int64, shape (n · monomials, n + relations, points)
+        The components of [u, v] and the rates u(R).
+    """
+    n, (many, points) = len(sample.field), value.shape
+    values = np.zeros((n, many, n, points), dtype=np.int64)
+    conditions = np.zeros((n, many, n + len(relations), points), dtype=np.int64)
+    slopes = [*(r.slope for r in sample.rates), *(sample(r).slope for r in relations)]
+    for component in range(n):
+        values[component, :, component] = value
+        for row, slope in enumerate(slopes):
+            conditions[component, :, row] = value * slope[component] % prime()
+        conditions[component, :, component] -= rate
+    shape = (n * many, -1, points)
+    return values.reshape(shape), conditions.reshape(shape) % prime()

@@ -1,0 +1,277 @@
+"""The vector formulas of which laws are made: products of (u, v), (u, Jv), (Ju, Jv) and others.
+
+The equations of a rolling body do not prefer any axes: turning the body's axes turns vectors and
+tensors alike.  Their laws are then scalars made of these vectors and tensors.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations_with_replacement, islice
+from typing import Any
+
+import sympy as sp
+from sympy.matrices.expressions import MatAdd, MatMul
+
+from ..core.vectors import Diagonal, Symmetric, Vector, dot, explicit
+from .ansatz import Ansatz
+from .phase_space import Stage
+from .rational_reconstruction import Part, Scalars
+from .scaling import Weight, total, weight_of
+
+__all__ = ["Vocabulary", "component_scalars"]
+
+_MOMENTA = ("M", "omega")
+_GROUPS = 4
+
+
+def _parameters(made: Stage, table: dict[sp.Symbol, Weight]) -> list[sp.Symbol]:
+    """Free parameters, and definitions that are numbers' worth of them and not tensors."""
+    return [s for s in made.free if s in table]
+
+
+def component_scalars(made: Stage, table: dict[sp.Symbol, Weight]) -> Scalars:
+    """The free parameters one by one, principal moments at the contact instead of at the centre."""
+    formulas: list[sp.Expr] = _parameters(made, table)
+    scalars = [s for s in _numbers(made) if s in table]
+    found = [*formulas, *scalars]
+    return Scalars(tuple(found), tuple(table[s] for s in found))
+
+
+def _numbers(made: Stage) -> list[sp.Symbol]:
+    """Scalar definitions that depend on parameters alone, such as k = a/(a + R)."""
+    named = {name for name, _ in made.system.definitions if isinstance(name, sp.Symbol)}
+    return [s for s, value in made.constants.items() if s in named and value.free_symbols]
+
+
+@dataclass(frozen=True)
+class _Atom:
+    """A scalar product and its degrees in momenta and coordinates."""
+
+    formula: sp.Expr
+    momenta: int
+    coordinates: int
+    effort: int
+    weight: Weight
+
+
+@dataclass(frozen=True)
+class Vocabulary:
+    """What formulas about a system are made of.
+
+    Parameters
+    ----------
+    stage : Stage
+    ansatz : Ansatz
+        Says which vectors are momenta and which are coordinates.
+    table : dict
+        Weights of all symbols.
+    """
+
+    stage: Stage
+    ansatz: Ansatz
+    table: dict[sp.Symbol, Weight]
+
+    @cached_property
+    def _names(self) -> tuple[Any, ...]:
+        """All vectors and tensors that the equations mention."""
+        system = self.stage.system
+        found: dict[Any, None] = {}
+        for name, formula in (*system.field, *system.definitions):
+            if not isinstance(name, sp.Symbol):
+                found[name] = None
+            for atom in sorted(formula.atoms(Vector, Diagonal, Symmetric), key=str):
+                found[atom] = None
+        return tuple(name for name in found if set(name.symbols) <= set(self.table))
+
+    @cached_property
+    def _fixed(self) -> set[sp.Symbol]:
+        return {p.symbol for p in self.stage.system.parameters} | set(self.stage.constants)
+
+    def _vectors(self) -> list[Vector]:
+        return [n for n in self._names if isinstance(n, Vector) and n.shape[0] == 3]
+
+    @cached_property
+    def momenta(self) -> tuple[Vector, ...]:
+        """The vectors in the momenta of the ansatz, and M and ω."""
+        chosen = set(self.ansatz.momenta)
+        return tuple(
+            v
+            for v in self._vectors()
+            if set(v.symbols) <= chosen
+            or (v.name in _MOMENTA and not set(v.symbols) & set(self.ansatz.coordinates))
+        )
+
+    @cached_property
+    def coordinates(self) -> tuple[Vector, ...]:
+        """The vectors in the coordinates of the ansatz, and those that are linear in them."""
+        chosen = set(self.ansatz.coordinates)
+        steps = dict(self.stage.system.steps)
+        written = dict(self.stage.system.definitions)
+        found = []
+        for vector in self._vectors():
+            symbols = set(vector.symbols)
+            if symbols <= chosen or (vector.name == "r" and symbols <= set(steps)):
+                found.append(vector)
+            elif isinstance(written.get(vector), MatAdd) and not symbols <= self._fixed:
+                values = [steps[s] for s in vector.symbols]
+                reached = set().union(*(v.free_symbols for v in values))
+                if reached <= chosen | self._fixed and all(
+                    v.is_polynomial(*chosen) and sp.total_degree(v, *chosen) == 1 for v in values
+                ):
+                    found.append(vector)
+        return tuple(found)
+
+    @cached_property
+    def constants(self) -> tuple[Vector, ...]:
+        """Vectors of parameters."""
+        parameters = {p.symbol for p in self.stage.system.parameters}
+        return tuple(v for v in self._vectors() if set(v.symbols) <= parameters)
+
+    @cached_property
+    def tensors(self) -> tuple[tuple[Any, Any], ...]:
+        """Constant tensors, each with its inverse where the equations name it.
+
+        Where a tensor and its inverse are named, others differ from it by a multiple of E.
+        """
+        constant = [
+            n
+            for n in self._names
+            if isinstance(n, (Diagonal, Symmetric)) and set(n.symbols) <= self._fixed
+        ]
+        definitions = dict(self.stage.system.definitions)
+        pairs = [(t, n) for t in constant for n in constant if definitions.get(n) == t**-1]
+        return tuple(pairs[:1]) or tuple((t, None) for t in constant[:1])
+
+    def _weight(self, vector: Any) -> Weight:
+        return self.table[vector.symbols[0]]
+
+    def _pairings(self, u: Vector, v: Vector) -> Iterator[tuple[sp.Expr, Weight, int]]:
+        """(u, v), (u, Jv), (u, Av), (Ju, Jv), (Au, Av), as far as others do not express them."""
+        base = total(self._weight(u), self._weight(v))
+        yield dot(u, v), base, 1
+        if {u, v} & self._derived:
+            return
+        for pair in self.tensors:
+            for number, tensor in enumerate(t for t in pair if t is not None):
+                by = self._weight(tensor)
+                once = total(base, by)
+                yield dot(u, tensor * v), once, 2 + number
+                if not {u, v} & self._images:
+                    yield dot(tensor * u, tensor * v), total(once, by), 3 + number
+
+    @cached_property
+    def _derived(self) -> set[Vector]:
+        """Vectors that are sums of others, such as r = c − Rγ."""
+        chosen = set(self.ansatz.coordinates)
+        return {v for v in self.coordinates if not set(v.symbols) <= chosen}
+
+    @cached_property
+    def _images(self) -> set[Vector]:
+        """Momenta that are tensors applied to another one: M beside ω."""
+        others = {v for v in self.momenta if v.name != "omega"}
+        return others if len(others) < len(self.momenta) else set()
+
+    @cached_property
+    def _atoms(self) -> tuple[_Atom, ...]:
+        graded: list[tuple[Vector, int, int]] = [
+            *((v, 1, 0) for v in self.momenta),
+            *((v, 0, 1) for v in self.coordinates),
+            *((v, 0, 0) for v in self.constants),
+        ]
+        found = []
+        for (u, m, c), (v, n, d) in combinations_with_replacement(graded, 2):
+            if m + n + c + d:
+                found += [
+                    _Atom(formula, m + n, c + d, effort, weight)
+                    for formula, weight, effort in self._pairings(u, v)
+                ]
+        return tuple(self._useful(found))
+
+    def _useful(self, atoms: Iterable[_Atom]) -> Iterator[_Atom]:
+        """Those that are not constant on the phase space."""
+        sample = self.stage.sample(8, 5, common=True)
+        for atom in atoms:
+            values = sample(atom.formula).value
+            if (values != values[0]).any():
+                yield atom
+
+    @cached_property
+    def scalars(self) -> Scalars:
+        """Parameters that are no components, traces, determinants, products of constant vectors."""
+        parts = {s for n in self._names for s in n.symbols}
+        found: list[tuple[sp.Expr, Weight]] = [
+            (s, self.table[s])
+            for s in (*_parameters(self.stage, self.table), *_numbers(self.stage))
+            if s not in parts and s in self.table and s in self._mentioned
+        ]
+        for group in self._groups({s for s, _ in found}):
+            product = sp.Mul(*(base**exponent for base, exponent in group.items()))
+            weight = weight_of(tuple(group), tuple(group.values()), self.table)
+            found.append((product, weight))
+        for tensor, _ in self.tensors:
+            weight = self._weight(tensor)
+            entries = explicit(tensor)
+            found.append((sp.trace(entries), weight))
+            found.append((entries.det(method="berkowitz"), tuple(3 * w for w in weight)))
+        for u, v in combinations_with_replacement(self.constants, 2):
+            found += [(formula, weight) for formula, weight, _ in self._pairings(u, v)]
+        return Scalars(tuple(f for f, _ in found), tuple(w for _, w in found))
+
+    @cached_property
+    def _mentioned(self) -> set[sp.Symbol]:
+        """Scalars that enter the equations outside the constant tensors."""
+        system = self.stage.system
+        solved = dict(self.stage.substitutions)
+        found: set[sp.Symbol] = set()
+        for name, formula in (*system.field, *system.definitions):
+            if isinstance(name, (sp.Symbol, Vector)) or not set(name.symbols) <= self._fixed:
+                found |= {s for s in formula.free_symbols if isinstance(s, sp.Symbol)}
+        return found | {s for symbol in found & set(solved) for s in solved[symbol].free_symbols}
+
+    def _groups(self, scalars: set[sp.Expr]) -> list[dict[sp.Symbol, int]]:
+        """Products of parameters in which they enter the equations together, such as m R²."""
+        system = self.stage.system
+        found: list[dict[sp.Symbol, int]] = []
+        for _, formula in (*system.field, *system.definitions):
+            for node in sp.preorder_traversal(formula):
+                if isinstance(node, (sp.Mul, MatMul)):
+                    factor = sp.Mul(*(a for a in node.args if not getattr(a, "is_Matrix", False)))
+                    group = {
+                        base: int(exponent)
+                        for base, exponent in factor.as_powers_dict().items()
+                        if base in scalars and exponent.is_Integer
+                    }
+                    if sum(map(abs, group.values())) > 1 and group not in found:
+                        found.append(group)
+        return found[:_GROUPS]
+
+    def parts(self, degree: int, gamma_degree: int, most: int) -> tuple[Part, ...]:
+        """Products of scalar products up to the given degrees in momenta and coordinates.
+
+        The degree in the coordinates is lowered until there are no more than `most`.
+        """
+        zero = tuple(0 for _ in next(iter(self.table.values())))
+        one = Part(sp.S.One, zero, 0)
+        for places in range(gamma_degree, -1, -1):
+            found = tuple(islice(self._products(one, self._atoms, degree, places), most + 1))
+            if len(found) <= most:
+                return found
+        return ()
+
+    def _products(
+        self, below: Part, atoms: Sequence[_Atom], degree: int, gamma_degree: int
+    ) -> Iterator[Part]:
+        yield below
+        for index, atom in enumerate(atoms):
+            if atom.momenta <= degree and atom.coordinates <= gamma_degree:
+                product = Part(
+                    below.formula * atom.formula,
+                    total(below.weight, atom.weight),
+                    below.effort + atom.effort + 1,
+                )
+                yield from self._products(
+                    product, atoms[index:], degree - atom.momenta, gamma_degree - atom.coordinates
+                )

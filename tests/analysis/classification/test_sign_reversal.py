@@ -1,0 +1,54 @@
+"""Reversible equations."""
+
+from __future__ import annotations
+
+import pytest
+
+from analysis.backwards import runs_backwards
+from chaplygin.analysis.classification.facts import Patience
+from chaplygin.analysis.classification.place import place
+from chaplygin.analysis.classification.sign_reversal import reversal
+from chaplygin.catalogue import entry
+from chaplygin.core.system import System
+from chaplygin.core.vectors import scalar
+from chaplygin.proof.fields.budget import EFFORT
+from chaplygin.proof.prover import prove
+
+
+@pytest.mark.parametrize(
+    ("name", "flipped"),
+    [
+        ("rattleback", ["M"]),
+        ("unbalanced-rubber-ball", ["omega"]),
+        ("chaplygin-sleigh", ["v", "Omega"]),
+        ("chaplygin-ball-gyrostat", []),
+    ],
+)
+def test_known_systems(name: str, flipped: list[str]) -> None:
+    assert list(map(str, reversal(entry(name).system()))) == flipped
+
+
+def test_the_prover_agrees() -> None:
+    system = entry("chaplygin-sleigh").system()
+    chosen = {str(name) for name in reversal(system)}
+    signs = {s: -1 for s in system.symbols if str(s) in chosen}
+    assert prove(system, runs_backwards(system, signs))
+    assert not prove(system, runs_backwards(system, {}))
+
+
+def test_parities_follow_through_definitions() -> None:
+    x, y, f, g = map(scalar, "xyfg")
+    even = System("even", "Even", {x: y, y: f * g + 1}, definitions={f: y**3, g: x * y})
+    assert reversal(even) == (y,)
+    mixed = System("mixed", "Mixed", {x: y + 1, y: f}, definitions={f: x + y})
+    assert reversal(mixed) == ()
+
+
+def test_what_it_means_is_told() -> None:
+    patience = Patience(EFFORT // 10)
+    system = entry("rattleback").system()
+    standing = place(system, patience.verdicts(system), patience)
+    assert standing.reversal == ("M",)
+    assert "to every attracting set there belongs a repelling" in str(standing)
+    ball = entry("chaplygin-ball").system()
+    assert "repelling" not in str(place(ball, patience.verdicts(ball), patience))

@@ -1,0 +1,38 @@
+"""Verdicts that rest on others."""
+
+from __future__ import annotations
+
+import pytest
+
+from chaplygin.borisov_mamaev.methods.conclusion import concluded
+from chaplygin.catalogue import from_catalogue
+from chaplygin.core.laws import Integral
+from chaplygin.core.vectors import normed, vectors
+from chaplygin.proof.verdict import Verdict
+
+(M,) = vectors("M")
+PROVEN = Verdict("first", "proven", shown="x", terms=7, seconds=2.0)
+
+
+def test_a_conclusion_is_proven_when_all_it_rests_on_is():
+    ball = from_catalogue("chaplygin-ball")
+    found = concluded("both", "what follows", (PROVEN, (ball, Integral("square", normed(M)))))
+    assert found.decision == "proven"
+    assert found.shown == "what follows"
+    assert not found.reason
+    assert found.seconds >= 2.0 and found.terms >= 7
+
+
+@pytest.mark.parametrize(
+    ("premiss", "words"),
+    [
+        (Verdict("second", "undecided", reason="too large"), "second: too large"),
+        (Verdict("second", "proven where", conditions=("x > 0",)), "second: proven where, x > 0"),
+        (Verdict("second", "refuted", shown="a point"), "second: refuted"),
+    ],
+)
+def test_a_premiss_that_is_not_proven_leaves_it_undecided(premiss, words):
+    found = concluded("both", "what follows", (PROVEN, premiss))
+    assert found.decision == "undecided"
+    assert found.reason == words
+    assert not found.shown

@@ -1,0 +1,117 @@
+"""The audit as a whole: every claim says what it is, is judged, and is put right where it fails."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+from chaplygin.borisov_mamaev import claims, remarks
+from chaplygin.borisov_mamaev.audit import TITLES, audit, counts, judge
+from chaplygin.printing.mathml import mathml
+from chaplygin.proof.verdict import Verdict
+
+CLAIMS = claims()
+NUMBERS = pytest.mark.parametrize(
+    "number", range(len(CLAIMS)), ids=lambda n: f"{n} {CLAIMS[n][1].source}"
+)
+DOLLARS = re.compile(r"\$\$(.+?)\$\$|\$(.+?)\$", flags=re.S)
+
+
+def check_text(text: str) -> None:
+    """Words with formulas between dollar signs that a browser can show."""
+    assert text == text.strip()
+    assert "$" not in DOLLARS.sub("", text), text
+    assert "\\" not in DOLLARS.sub("", text), text
+    for display, inline in DOLLARS.findall(text):
+        formula = display or inline
+        assert formula.count("{") == formula.count("}"), formula
+        assert formula.count(r"\left") - formula.count(r"\leftrightarrow") == formula.count(
+            r"\right"
+        ) - formula.count(r"\rightarrow"), formula
+        shown = mathml(formula)
+        assert "\\" not in shown, formula
+        assert shown.startswith("<math ") and shown.endswith("</math>")
+
+
+@NUMBERS
+def test_a_claim_says_what_it_is(number):
+    section, claim = CLAIMS[number]
+    assert section in TITLES
+    assert claim.source and claim.statement
+    for text in (claim.statement, claim.correction, claim.note):
+        check_text(text)
+    # what is not true may be put right in words alone; a form is always told
+    if claim.corrected is not None:
+        assert claim.correction and claim.note
+
+
+@pytest.mark.parametrize("remark", remarks(), ids=lambda r: r.source)
+def test_a_remark_says_why_it_was_not_computed(remark):
+    assert remark.source and remark.reason
+    for text in (remark.statement, remark.reason):
+        check_text(text)
+
+
+def test_claims_are_told_apart():
+    """A verdict is kept under source and statement."""
+    found = Counter((claim.source, claim.statement) for _, claim in CLAIMS)
+    assert max(found.values()) == 1
+
+
+def test_every_section_has_claims_in_reading_order():
+    sections = [section for section, _ in CLAIMS]
+    assert sections == sorted(sections)
+    assert set(sections) == set(TITLES)
+
+
+def check_verdict(verdict: Verdict) -> None:
+    if verdict.decision == "undecided":
+        assert verdict.reason
+    else:
+        assert verdict.shown and not verdict.reason
+    assert bool(verdict.conditions) == (verdict.decision == "proven where")
+
+
+@NUMBERS
+def test_a_claim_is_judged_and_put_right(number):
+    _, claim = CLAIMS[number]
+    printed, corrected = judge(number, None)
+    check_verdict(printed)
+    if corrected is not None:
+        check_verdict(corrected)
+        assert printed.decision == "refuted"
+        assert corrected.decision in ("proven", "proven where"), corrected
+    elif printed.decision == "refuted":
+        assert claim.note, "a refuted claim without a correction says why"
+
+
+def test_counts_are_those_of_the_judgements():
+    section = min(TITLES, key=lambda n: len(claims(n)))
+    judgements, left = audit(section, workers=1)
+    assert left == 0
+    assert [(j.section, j.claim.source) for j in judgements] == [
+        (n, claim.source) for n, claim in claims(section)
+    ]
+    table = counts(judgements)
+    assert sum(table["printed"].values()) == len(judgements)
+    assert sum(table["corrected"].values()) == sum(
+        c.corrected is not None for _, c in claims(section)
+    )
+    for judgement in judgements:
+        record = judgement.record()
+        assert record["source"] == judgement.claim.source
+        assert record["printed"] == judgement.printed.decision
+        assert ("corrected" in record) == ("verdict" in record) == (judgement.corrected is not None)
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/proofs.md"])
+def test_the_numbers_of_claims_in_the_documentation(page):
+    """Each printed form either holds or is put right; the test above judges them one by one."""
+    text = " ".join((Path(__file__).parents[2] / page).read_text().split())
+    total, wrong = len(CLAIMS), sum(claim.corrected is not None for _, claim in CLAIMS)
+    assert f"{total} claims" in text
+    assert f"{total - wrong} hold as printed" in text
+    assert re.search(rf"{wrong} are (misprinted|refuted)", text)

@@ -1,0 +1,127 @@
+"""What is kept on disk goes by the text of every module that can matter."""
+
+from __future__ import annotations
+
+import ast
+import shutil
+from pathlib import Path
+
+import pytest
+
+import chaplygin
+from chaplygin.core.source_digest import APART, core, module_digests, text_digest, whole
+
+HOME = Path(chaplygin.__file__).parent
+
+
+@pytest.fixture
+def copy(tmp_path: Path) -> Path:
+    """The package in a folder of its own."""
+    ignored = shutil.ignore_patterns("__pycache__")
+    return shutil.copytree(HOME, tmp_path / "package", ignore=ignored)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "vectors.py",
+        "statements.py",
+        "system.py",
+        "terms.py",
+        "notation.py",
+        "admissible.py",
+        "proof/level/level_set.py",
+        "measures/one_form.py",
+        "search/modular_jets.py",
+        "mechanics/rolling/equations.py",
+        "catalogue/rates.py",
+        "explicit/one_degree/uniformisation.py",
+        "flow/kernel/runge_kutta.py",
+        "flow/kernel/arithmetic.py",
+        "analysis/classification/classes.py",
+    ],
+)
+def test_a_change_of_any_module_that_computes_changes_the_digest(copy: Path, name: str) -> None:
+    assert text_digest(module_digests(copy), APART) == core()
+    with (copy / name).open("a") as stream:
+        stream.write("# mended\n")
+    assert text_digest(module_digests(copy), APART) != core()
+    assert text_digest(module_digests(copy)) != whole()
+
+
+def test_a_module_that_comes_goes_or_moves_changes_the_digest(copy: Path) -> None:
+    seen = {text_digest(module_digests(copy), APART)}
+    (copy / "laws" / "new.py").write_text("")
+    seen.add(text_digest(module_digests(copy), APART))
+    (copy / "laws" / "new.py").rename(copy / "flow" / "new.py")
+    seen.add(text_digest(module_digests(copy), APART))
+    (copy / "flow" / "new.py").unlink()
+    (copy / "flow" / "dice.py").unlink()
+    seen.add(text_digest(module_digests(copy), APART))
+    assert len(seen) == 4
+
+
+def test_claims_and_reports_change_only_the_digest_of_the_whole(copy: Path) -> None:
+    before = text_digest(module_digests(copy))
+    with (copy / "paper" / "section_12.py").open("a") as stream:
+        stream.write("# mended\n")
+    assert text_digest(module_digests(copy), APART) == core()
+    assert text_digest(module_digests(copy)) != before
+
+
+def imported(path: Path) -> set[str]:
+    """The rooms of the package that a module imports, types alone aside."""
+    tree = ast.parse(path.read_text())
+    skipped = {
+        inner
+        for node in ast.walk(tree)
+        if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"
+        for inner in ast.walk(node)
+    }
+    found = set()
+    for node in ast.walk(tree):
+        if node in skipped:
+            continue
+        if isinstance(node, ast.ImportFrom):
+            parts = path.relative_to(HOME).parts[:-1]
+            base = parts[: len(parts) - node.level + 1] if node.level else ("absolute",)
+            place = (*base, *(node.module or "").split("."))
+            absolute = (node.module or "").split(".") if not node.level else []
+            names = [alias.name for alias in node.names]
+            if absolute[:1] == ["chaplygin"]:
+                found |= {*absolute[1:2], *names}
+            elif node.level:
+                found |= {next(filter(None, place), ""), *(names if not any(place) else ())}
+        elif isinstance(node, ast.Import):
+            found |= {a.name.split(".")[1] for a in node.names if a.name.startswith("chaplygin.")}
+    return found
+
+
+def test_what_computes_imports_nothing_that_is_left_apart() -> None:
+    modules = [p for p in HOME.rglob("*.py") if p.relative_to(HOME).parts[0] not in APART]
+    assert len(modules) > 300
+    assert imported(HOME / "cli" / "study.py") >= {"study"}
+    assert imported(HOME / "study" / "audit.py") >= {"paper"}
+    wrong = {str(p) for p in modules if imported(p) & set(APART)}
+    assert wrong == set()
+
+
+@pytest.mark.parametrize("place", ["laws.memory", "flow.cache", "study.audit"])
+def test_names_on_disk_hold_the_digest(place: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    from chaplygin.borisov_mamaev import claims
+    from chaplygin.borisov_mamaev.audit import _name
+    from chaplygin.catalogue import entry
+    from chaplygin.flow.kernel import code_cache as cache
+    from chaplygin.proof.verdict_cache import fingerprint
+
+    system = entry("veselova").system()
+    name = {
+        "laws.memory": lambda: fingerprint(system, system.laws[0]),
+        "flow.cache": lambda: cache.digest("formulas"),
+        "study.audit": lambda: _name(claims(12)[0][1], "printed"),
+    }[place]
+    before = name()
+    assert name() == before
+    digest = "whole" if place == "study.audit" else "core"
+    monkeypatch.setattr(f"chaplygin.{place}.{digest}", lambda: "mended")
+    assert name() != before

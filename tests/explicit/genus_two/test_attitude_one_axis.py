@@ -1,0 +1,141 @@
+"""The turn about the one direction that stays in space."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import flint
+import mpmath
+import numpy as np
+import pytest
+import sympy as sp
+
+from chaplygin.core.vectors import explicit, scalar, vectors
+from chaplygin.explicit.genus_two.attitude_one_axis import (
+    Reference,
+    farthest,
+    quaternion,
+    rate,
+    references,
+    spinning,
+    stated,
+    triad,
+    turned,
+)
+from chaplygin.explicit.genus_two.separation import nu, nuprime
+from chaplygin.explicit.separations.ball_sphere import hollow_ball
+from chaplygin.explicit.separations.bruns import veselova_in_bruns_field
+from chaplygin.flow.integrator import integrate
+from chaplygin.proof.prover import prove
+
+BALL, BRUNS = hollow_ball(), veselova_in_bruns_field()
+AXES = {f"{of.name} {i}": (of, references(of)[i]) for of in (BALL, BRUNS) for i in (1, 2, 3)}
+
+
+@pytest.mark.parametrize("name", AXES)
+def test_the_rate_about_a_body_axis_is_proven(name):
+    of, reference = AXES[name]
+    assert prove(of.system, stated(of, reference)).decision == "proven"
+
+
+@pytest.mark.slow
+def test_the_rate_by_the_normal_is_proven():
+    assert prove(BALL.system, stated(BALL, references(BALL)[0])).decision == "proven"
+
+
+def test_a_wrong_velocity_is_refuted():
+    law = stated(BALL, Reference(nu, nuprime / BALL.clock))
+    assert prove(BALL.system, law).decision == "refuted"
+
+
+def test_a_vector_that_moves_is_refuted():
+    law = stated(replace(BALL, fixed=(BALL.direction,)), references(BALL)[1])
+    assert prove(BALL.system, law).decision == "refuted"
+
+
+#: A body, and a start with (AM, γ) = 0.
+PARAMETERS = {"m": "1", "R": "1", "a": "0.5", "I_1": "1.5", "I_2": "1", "I_3": "2.1"}
+NORMAL = ("0.48", "-0.64", "0.6")
+LEVER = ("1.3", "1.8", "0.7")
+
+
+def test_the_attitude_of_a_motion():
+    psi = scalar("psi")
+    system = BALL.system
+    known = {nu: BALL.direction, nuprime: BALL.turning}
+    formula = spinning(BALL, references(BALL)[0]).subs(
+        [
+            pair
+            for name, value in known.items()
+            for pair in zip(name.symbols, explicit(value), strict=True)
+        ]
+    )
+    lifted = replace(system.lifted(), observables=())
+    measured = replace(lifted, field=(*lifted.field, (psi, formula)))
+    with mpmath.workdps(34):
+        a, b, c = (mpmath.mpf(x) * mpmath.mpf(y) for x, y in zip(LEVER, NORMAL, strict=True))
+        M = mpmath.mpf("0.9"), mpmath.mpf("-0.7")
+        start = (*M, -(a * M[0] + b * M[1]) / c, *map(mpmath.mpf, NORMAL), 0.5, 0.5, -0.5, 0.5, 0)
+        motion = integrate(
+            measured,
+            [mpmath.nstr(mpmath.mpf(x), 36) for x in start],
+            (0, 3, 8),
+            parameters=PARAMETERS,
+            precision="quad",
+        )
+        rows = [[mpmath.mpf(str(x)) for x in row] for row in motion.states]
+    with flint.ctx.workdps(40):
+        states = [[flint.arb(mpmath.nstr(x, 36)) for x in row] for row in rows]
+        body = triad(states[0][:3], states[0][3:6])
+        w, x, y, z = states[0][6:10]
+        matrix = (
+            (1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
+            (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
+            (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
+        )
+        space = [
+            [sum((m * v for m, v in zip(row, vector, strict=True)), flint.arb(0)) for row in matrix]
+            for vector in body
+        ]
+        for state in states:
+            angle = state[10]
+            found = quaternion(
+                turned(space, angle.cos(), angle.sin()), triad(state[:3], state[3:6])
+            )
+            overlap = sum((p * q for p, q in zip(found, state[6:10], strict=True)), flint.arb(0))
+            sign = 1 if overlap > 0 else -1
+            for p, q in zip(found, state[6:10], strict=True):
+                assert abs(p - sign * q) < 1e-27
+
+
+def test_arrays_and_formulas_give_the_same():
+    generator = np.random.default_rng(7)
+    fixed, e, w = generator.normal(size=(3, 3, 5))
+    fixed /= np.linalg.norm(fixed, axis=0)
+    names = [vectors(name)[0].symbols for name in ("kappa", "e", "w")]
+    formula = sp.lambdify([s for name in names for s in name], rate(*names))
+    assert np.allclose(rate(fixed, e, w), formula(*fixed, *e, *w), rtol=1e-13)
+    one, two, three = np.array(triad(fixed, e))
+    assert np.allclose(np.cross(one, two, axis=0), three)
+    assert np.allclose(np.sum(two * fixed, axis=0), 0)
+
+
+def test_the_farthest_reference():
+    angles = np.linspace(0, 2 * np.pi, 40, endpoint=False)
+    circle = 3 * np.array([np.cos(angles), np.sin(angles), 0 * angles])
+    axes = [np.eye(3)[:, [i]] for i in range(3)]
+    assert farthest(circle, axes) == 2
+    across = np.array([-np.sin(angles), np.cos(angles), 0.1 + 0 * angles])
+    assert farthest(circle + np.array([[0], [0], [5]]), [*axes[:2], across]) == 2
+
+
+def test_no_reference_is_needed_beside_the_normal():
+    """(AM, n) = 0 with A > 0 keeps n away from ±M, by Kantorovich's inequality."""
+    generator = np.random.default_rng(3)
+    A = np.array([1.8, 1.3, 0.7])
+    n = generator.normal(size=(3, 2000))
+    n /= np.linalg.norm(n, axis=0)
+    M = np.cross(A[:, None] * n, generator.normal(size=(3, 2000)), axis=0)
+    M /= np.linalg.norm(M, axis=0)
+    sine = np.sqrt(1 - np.sum(M * n, axis=0) ** 2)
+    assert sine.min() >= 2 * np.sqrt(A.max() * A.min()) / (A.max() + A.min()) - 1e-12

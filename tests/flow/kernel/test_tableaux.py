@@ -1,0 +1,104 @@
+"""Coefficients of the methods: what defines each of them, in exact arithmetic."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+
+import pytest
+
+from chaplygin.flow.kernel.tableaux import Explicit, explicit, explicit_fine, gauss
+
+STAGES = pytest.mark.parametrize("stages", [1, 2, 4, 8, 16])
+
+#: The tables have 240 bits.
+SMALL = Fraction(1, 10**65)
+
+
+@STAGES
+def test_weights_and_nodes_integrate_powers(stages: int) -> None:
+    """To the degree 2s − 1, and not one more."""
+    method = gauss(stages)
+    for power in range(2 * stages):
+        total = sum(b * c**power for b, c in zip(method.b, method.c, strict=True))
+        assert abs(total - Fraction(1, power + 1)) < SMALL
+    power = 2 * stages
+    total = sum(b * c**power for b, c in zip(method.b, method.c, strict=True))
+    assert abs(total - Fraction(1, power + 1)) > Fraction(1, 10**25)
+
+
+@STAGES
+def test_rows_integrate_to_each_node(stages: int) -> None:
+    method = gauss(stages)
+    for c, row in zip(method.c, method.a, strict=True):
+        for power in range(stages):
+            total = sum(a * x**power for a, x in zip(row, method.c, strict=True))
+            assert abs(total - c ** (power + 1) / (power + 1)) < SMALL
+
+
+@STAGES
+def test_rows_ahead_extrapolate(stages: int) -> None:
+    """The polynomial of one step at the nodes of the next: powers go on; large factors occur."""
+    method = gauss(stages)
+    for c, row in zip(method.c, method.ahead, strict=True):
+        for power in range(stages):
+            total = sum(e * x**power for e, x in zip(row, method.c, strict=True))
+            assert abs(total - (1 + c) ** power) < SMALL * 10**20
+
+
+@STAGES
+def test_the_highest_coefficient(stages: int) -> None:
+    """Of the Legendre polynomials on [0, 1], whose leading coefficient is (2k)!/k!²."""
+    method = gauss(stages)
+    for power in range(stages - 1):
+        total = sum(t * x**power for t, x in zip(method.top, method.c, strict=True))
+        assert abs(total) < SMALL
+    leading = Fraction(1)
+    for k in range(1, stages):
+        leading = leading * (2 * k - 1) * 2 / k
+    total = sum(t * x ** (stages - 1) for t, x in zip(method.top, method.c, strict=True))
+    assert abs(total - 1 / leading) < SMALL
+
+
+@STAGES
+def test_the_method_is_symmetric_and_symplectic(stages: int) -> None:
+    """c and b are the same from both ends; b_i a_ij + b_j a_ji = b_i b_j."""
+    method = gauss(stages)
+    b, a = method.b, method.a
+    assert all(abs(b[i] - b[-1 - i]) < SMALL for i in range(stages))
+    assert all(abs(method.c[i] + method.c[-1 - i] - 1) < SMALL for i in range(stages))
+    for i in range(stages):
+        for j in range(stages):
+            assert abs(b[i] * a[i][j] + b[j] * a[j][i] - b[i] * b[j]) < SMALL
+
+
+def test_two_stages_as_printed() -> None:
+    """Hairer, Nørsett, Wanner: a₁₂ = 1/4 − √3/6."""
+    method = gauss(2)
+    entry = Fraction(1, 4) - method.a[0][1]
+    assert abs(entry**2 - Fraction(1, 12)) < SMALL
+    assert abs(method.a[0][0] - Fraction(1, 4)) < SMALL
+    assert all(abs(b - Fraction(1, 2)) < SMALL for b in method.b)
+
+
+@pytest.mark.parametrize("table", [explicit, explicit_fine])
+def test_the_explicit_method_is_explicit(table: Callable[[], Explicit]) -> None:
+    """Row i has i entries; results and estimates are of the same stages; sums to one and zero."""
+    method = table()
+    assert [len(row) for row in method.a] == list(range(12))
+    assert len(method.b) == len(method.e3) == len(method.e5) == 12
+    assert method.order == 8
+    assert abs(sum(method.b) - 1) < Fraction(1, 10**14)
+    assert abs(sum(method.e3)) < Fraction(1, 10**14)
+    assert abs(sum(method.e5)) < Fraction(1, 10**14)
+
+
+def test_the_fine_table_rounds_to_the_short_one() -> None:
+    for fine, short in zip(explicit_fine().a, explicit().a, strict=True):
+        for x, y in zip(fine, short, strict=True):
+            assert abs(x - y) <= abs(y) * Fraction(1, 10**14) + Fraction(1, 10**16)
+
+
+def test_tables_are_made_once() -> None:
+    assert gauss(4) is gauss(4)
+    assert explicit() is explicit()

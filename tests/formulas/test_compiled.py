@@ -1,0 +1,45 @@
+"""Formulas as one NumPy function."""
+
+from __future__ import annotations
+
+import numpy as np
+import sympy as sp
+
+from chaplygin.core.system import Parameter, System
+from chaplygin.core.vectors import scalar
+from chaplygin.formulas.compiled import Compiled, Sheet
+
+x, y, a = (scalar(name) for name in ["x", "y", "a"])
+SYSTEM = System("trial", "Trial", {x: y, y: -a * x}, (Parameter(a, "stiffness", 2.0),))
+FORMULAS = (
+    a * x**2 / (1 + y**2),
+    sp.atan2(y, x),
+    sp.sqrt(x + 3) * sp.exp(-y) + sp.log(x + 4),
+    sp.sin(x) * sp.cos(y) - sp.tan(x / 4) + sp.asin(x / 5) + sp.acos(y / 5) + sp.atan(x),
+    sp.sinh(x) + sp.cosh(y) + sp.tanh(x) + sp.Abs(y) + sp.sign(x),
+    sp.Rational(1, 3),
+)
+POINTS = np.random.default_rng(2).uniform(-2, 2, (2, 30))
+
+
+def test_values() -> None:
+    sheet = Sheet(SYSTEM)
+    found = Compiled([sheet.read(f) for f in FORMULAS])(POINTS, np.array([1.7]))
+    for row, formula in zip(found, FORMULAS, strict=True):
+        wanted = sp.lambdify((x, y, a), formula)(*POINTS, 1.7)
+        assert np.allclose(row, wanted, rtol=1e-14)
+
+
+def test_slopes() -> None:
+    sheet = Sheet(SYSTEM)
+    slopes = sheet.slopes([sheet.read(FORMULAS[0])])[0]
+    found = Compiled(slopes)(POINTS, np.array([1.7]))
+    for row, symbol in zip(found, (x, y), strict=True):
+        wanted = sp.lambdify((x, y, a), FORMULAS[0].diff(symbol))(*POINTS, 1.7)
+        assert np.allclose(row, wanted, rtol=1e-14)
+    assert sheet.depends(slopes) == {0, 1}
+
+
+def test_no_real_value() -> None:
+    sheet = Sheet(SYSTEM)
+    assert np.isnan(Compiled([sheet.read(sp.sqrt(x))])(np.array([[-1.0], [0.0]]), np.ones(1))).all()

@@ -1,0 +1,75 @@
+"""Values of parameters at which constraints become integrable, or nearly so."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from chaplygin import Ball, Body, Ellipsoid, Field, Plane, Rolling, Sphere
+from chaplygin.core.system import Parameter
+from chaplygin.core.vectors import scalar
+from chaplygin.errors import InputError
+from chaplygin.mechanics.constraints.exceptional_parameters import exceptional
+from chaplygin.mechanics.lagrangian.mechanism import Mechanism, coordinates
+from chaplygin.mechanics.rolling.mechanism import rolling_mechanism
+
+x, y, z, k = (scalar(name) for name in "xyzk")
+PLAIN = coordinates(x, y, z)
+u, v, w = PLAIN.w
+
+
+def found(constraint):
+    made = Mechanism(
+        "planted", PLAIN, sp.S.Zero, (constraint,), parameters=(Parameter(k, "k", 0.7),)
+    )
+    return {e.value: e.growth for e in exceptional(made, k)}
+
+
+@pytest.mark.parametrize(
+    ("constraint", "values"),
+    [
+        (w - k * x * v - y * u, {1: (2,)}),
+        (w - (k**2 - 2) * x * v - 2 * y * u, {-2: (2,), 2: (2,)}),
+        (w - x * v / (k - 4) - y * u, {5: (2,)}),
+        (w - x * v - k * x * y * u, {}),
+        ((k - 3) * (w - x * v) + (k - 3) * y * u, {3: (3,)}),
+        (w - (k - 2) * sp.exp(x) * v - (k - 2) * sp.log(y) * u, {2: (2,)}),
+        (w - (2 * k - 1) * (k**2 + 1) * sp.sin(x) * v, {sp.Rational(1, 2): (2,)}),
+    ],
+    ids=str,
+)
+def test_planted_values(constraint, values):
+    assert found(constraint) == values
+
+
+def ball(contact, radius=2.0):
+    body = Body(1.0, (0.3, 0.4, 0.5), Ball(0.8))
+    return rolling_mechanism(Rolling(body, Sphere(radius), contact, Field(gravity=9.81)))
+
+
+@pytest.mark.parametrize("radius", [2.0, 0.8, -2.0])
+def test_rubber_balls_of_equal_radii_are_the_only_exception(radius):
+    (only,) = exceptional(ball("rubber", radius), scalar("a"))
+    assert (only.value, only.growth, only.usual) == (sp.Rational(4, 5), (2,), (2, 3, 5))
+
+
+def test_a_marble_ball_on_a_sphere_has_no_exceptional_ratio():
+    assert exceptional(ball("marble"), scalar("a")) == ()
+
+
+def test_mistakes():
+    with pytest.raises(InputError, match="has no parameter b; its parameters are"):
+        exceptional(ball("rubber"), scalar("b"))
+    body = Body(1.0, (0.3, 0.4, 0.5), Ellipsoid((1.0, 0.8, 0.6)))
+    with pytest.raises(InputError, match="does not enter the constraints rationally"):
+        exceptional(rolling_mechanism(Rolling(body, Plane(), "marble")), scalar("b_1"))
+    made = Mechanism(
+        "circle",
+        PLAIN,
+        sp.S.Zero,
+        (w - x * v,),
+        positions=(x**2 + y**2 - k**2,),
+        parameters=(Parameter(k, "k", 0.7),),
+    )
+    with pytest.raises(InputError, match="configuration space itself depends on k"):
+        exceptional(made, k)

@@ -1,0 +1,178 @@
+"""Kinematics of the contact: for every shape on every surface, at random states."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+
+from chaplygin.core.vectors import constant
+from chaplygin.errors import InputError
+from chaplygin.mechanics.rolling.body import Body
+from chaplygin.mechanics.rolling.contact import contact
+from chaplygin.mechanics.rolling.equations import roll
+from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
+from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
+from mechanics.bodies import COMBINATIONS, FULL, SHAPES, SURFACES, portrait, state_of
+from mechanics.compare import GAMMA, XYZ
+from mechanics.portrait import Portrait, coordinates, directions
+
+X, Y, Z = XYZ
+
+every_contact = pytest.mark.parametrize(("shape", "surface"), COMBINATIONS)
+random_states = given(omega=coordinates, gamma=directions, zeta=directions)
+few = settings(max_examples=20, deadline=None)
+
+
+def close(found, expected, size=0.0):
+    return np.abs(found - expected).max() < 1e-11 * (1 + size + np.abs(expected).max())
+
+
+def standing(shape, gamma):
+    """Disks and tori are looked at on their edges."""
+    return shape not in ("disk", "torus") or np.hypot(gamma[0], gamma[1]) > 0.1
+
+
+@every_contact
+@random_states
+@few
+def test_contact_point_wanders_as_fast_over_the_body_as_over_the_surface(
+    shape, surface, omega, gamma, zeta
+):
+    assume(standing(shape, gamma))
+    one = portrait(shape, surface, "marble")
+    state = state_of(one, omega, gamma, zeta)
+    here, rates = one.at(state), one.along(state)
+    curvature = 0 if surface == "plane" else 1 / SURFACES[surface].radius
+    normal, gammadot, rdot = here["gamma"], here["touch gammadot"], here["touch rdot"]
+    size = np.abs(rdot).max()
+    assert close(gammadot + np.cross(here["omega"], normal), curvature * rdot, size)
+    assert close(rates["touch r"], rdot)
+    assert close(rates["gamma"], gammadot, size)
+    assert abs(rdot @ normal) < 1e-11 * (1 + size)
+
+
+@every_contact
+@random_states
+@few
+def test_lengths_of_the_contact_vector(shape, surface, omega, gamma, zeta):
+    assume(standing(shape, gamma))
+    one = portrait(shape, surface, "rubber")
+    here = one.at(state_of(one, omega, gamma, zeta))
+    r = here["touch r"]
+    assert here["square"][0] == pytest.approx(r @ r, rel=1e-13)
+    assert here["height"][0] == pytest.approx(-r @ here["gamma"], rel=1e-12, abs=1e-13)
+
+
+@every_contact
+@random_states
+@few
+def test_torque_of_a_potential_takes_its_energy(shape, surface, omega, gamma, zeta):
+    """The power of the torque gamma x pull(dU) is -dU/dt, for whatever gradient."""
+    assume(standing(shape, gamma))
+    one = pulled(shape, surface)
+    here = one.at(state_of(one, omega, gamma, zeta))
+    power = np.cross(here["gamma"], here["pull"]) @ here["omega"]
+    size = 1 + np.abs(here["gammadot of contact"]).max()
+    assert abs(power + SLOPE @ here["gammadot of contact"]) < 1e-11 * size
+
+
+SLOPE = np.array([0.7, -0.3, 0.5])
+PULLED: dict[tuple[str, str], Portrait] = {}
+
+
+def pulled(shape, surface):
+    """A body without field, with the pull of a constant gradient told."""
+    if (shape, surface) not in PULLED:
+        touch = contact(SHAPES[shape], SURFACES[surface])
+        further = {
+            "pull": touch.pull(constant(SLOPE.tolist())),
+            "gammadot of contact": touch.gammadot,
+        }
+        system = roll(Body(1.3, FULL, SHAPES[shape]), SURFACES[surface], "marble")
+        PULLED[shape, surface] = Portrait(system, further)
+    return PULLED[shape, surface]
+
+
+# ---------------------------------------------------------------------------------------------
+# A plane is a sphere of infinite radius
+
+
+@pytest.mark.parametrize("contact_model", ["marble", "rubber"])
+@pytest.mark.parametrize("shape", [name for name in SHAPES if name != "hollow ball"])
+@given(omega=coordinates, gamma=directions)
+@settings(max_examples=10, deadline=None)
+def test_large_sphere_is_a_plane(shape, contact_model, omega, gamma):
+    assume(standing(shape, gamma))
+    plane, sphere = (portrait(shape, name, contact_model) for name in ("plane", "outside"))
+    flat = plane.at(state_of(plane, omega, gamma, gamma))
+    omega, upright = flat["omega"], flat["gamma"]
+    curved = {
+        radius: sphere.at(
+            sphere.state(
+                {"a": radius}, omega=omega, gamma=upright, r=flat["touch r"], zeta=upright
+            ),
+            {"a": radius},
+        )
+        for radius in (1e9, -1e9)
+    }
+    for name in ("omegadot", "N", "touch rdot", "touch gammadot"):
+        for told in curved.values():
+            assert np.abs(told[name] - flat[name]).max() < 1e-6 * (1 + np.abs(flat[name]).max())
+
+
+# ---------------------------------------------------------------------------------------------
+# Which bodies fit
+
+
+HOLLOW = "rolls around the outside of a sphere of positive, smaller radius"
+
+
+@pytest.mark.parametrize("surface", [Plane(), Sphere(-1.0), Sphere(2.0), Sphere(3.0)])
+def test_hollow_ball_goes_around_a_smaller_sphere(surface):
+    with pytest.raises(InputError, match=f"hollow ball of radius 2: it {HOLLOW}"):
+        contact(Ball(2.0, hollow=True), surface)
+
+
+@pytest.mark.parametrize("radius", [-0.5, -1.0])
+def test_ball_rolls_in_a_larger_bowl(radius):
+    message = f"ball of radius 1 in a bowl of radius {-radius:g}: the bowl must be the larger one"
+    with pytest.raises(InputError, match=message):
+        contact(Ball(1.0), Sphere(radius))
+
+
+LARGE = {
+    "ellipsoid": Ellipsoid((1.0, 1.2, 0.9)),
+    "revolution": Revolution(1 + GAMMA[2] ** 2 / 10),
+    "implicit": Implicit(X**2 + 2 * Y**2 + Z**2 - 1),
+}
+
+
+@pytest.mark.parametrize("shape", LARGE.values(), ids=LARGE)
+def test_body_larger_than_its_bowl_is_refused_at_the_start(shape):
+    """Both radii of curvature exceed that of the bowl, so that their product alone looks right."""
+    system = roll(Body(1.0, (1.0, 1.0, 1.0), shape), Sphere(-0.4))
+    with pytest.raises(InputError, match="the body does not fit into the sphere at the contact"):
+        starting_state(system, (1.0, 0.0, 0.0), (0.3, 0.2, 0.9))
+
+
+@pytest.mark.parametrize("shape", [Disk(1.0), Torus(0.8, 0.2)], ids=["disk", "torus"])
+@pytest.mark.parametrize(("lean", "fits"), [(0.3, False), (0.7, True)])
+def test_edge_in_a_bowl_fits_where_it_stands_steeply(shape, lean, fits):
+    """The edge touches all around where the sine of its lean is R/(|a| - rho): here 1/2."""
+    tube = getattr(shape, "tube", 0.0)
+    system = roll(Body(1.0, (1.0, 1.0, 1.0), shape), Sphere(-(2 * shape.radius + tube)))
+    values = [guard.value for guard in system.guards if guard.name == "fits"]
+    one = Portrait(system, {f"fits {i}": value for i, value in enumerate(values)})
+    gamma = np.array([lean, 0.0, np.sqrt(1 - lean**2)])
+    here = one.at(one.state(gamma=gamma))
+    assert (here["fits 0"][0] > 0 and here["fits 1"][0] > 0) == fits
+
+
+@pytest.mark.parametrize("surface", SURFACES)
+@pytest.mark.parametrize("shape", ["ball", "ellipsoid", "implicit"])
+def test_radius_of_the_sphere_is_a_parameter(shape, surface):
+    touch = contact(SHAPES[shape], SURFACES[surface])
+    radii = [p.default for p in touch.parameters if str(p.symbol) == "a"]
+    assert radii == ([] if surface == "plane" else [SURFACES[surface].radius])

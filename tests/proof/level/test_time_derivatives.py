@@ -1,0 +1,34 @@
+"""Rates in laws: of first and second order, in maps, quantities and integrals."""
+
+from __future__ import annotations
+
+import pytest
+
+from chaplygin.core.laws import Identity, Integral, Isomorphism, Rate, Reduction
+from chaplygin.core.system import System
+from chaplygin.core.vectors import scalar
+from chaplygin.proof.prover import prove
+
+x, y, q, v = (scalar(name) for name in "xyqv")
+energy = scalar("energy")
+
+OSCILLATOR = System("oscillator", "oscillator", field={x: energy, y: -x}, definitions={energy: y})
+TARGET = System("target", "target", field={q: v, v: -q})
+
+LAWS = {
+    "map": (Isomorphism("law", TARGET, {q: x, v: Rate(x)}), "proven"),
+    "wrong map": (Isomorphism("law", TARGET, {q: x, v: -Rate(x)}), "refuted"),
+    "integral": (Integral("law", Rate(x) ** 2 + x**2), "proven"),
+    "wrong integral": (Integral("law", Rate(x) ** 2 - x**2), "refuted"),
+    "second": (Identity("law", Rate(Rate(x)) + x), "proven"),
+    "wrong second": (Identity("law", Rate(Rate(x)) - x), "refuted"),
+    "third": (Identity("law", Rate(Rate(Rate(x))) + Rate(x)), "proven"),
+    "quantity": (Reduction("law", {q: Rate(x)}, (Rate(q) + x, Rate(Rate(q)) + q)), "proven"),
+    "wrong quantity": (Reduction("law", {q: Rate(x)}, (Rate(q) - x,)), "refuted"),
+}
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_rates_are_taken_wherever_they_stand(name):
+    law, decision = LAWS[name]
+    assert prove(OSCILLATOR, law).decision == decision

@@ -1,0 +1,47 @@
+"""The letters of equations in words."""
+
+from __future__ import annotations
+
+import pytest
+
+from catalogue import built
+from chaplygin.report.summary import legend
+
+
+def test_a_body_about_a_fixed_point_touches_nothing() -> None:
+    words = legend(built.study("veselova"))
+    assert "γ unit vector fixed in space" in words
+    assert "contact" not in words
+    assert "surface" not in words
+    assert "λ₀ torque about the vertical" in words
+    assert "A inverse of I" in words
+
+
+def test_a_ball_under_a_constraint_of_its_own() -> None:
+    words = legend(built.study("chaplygin-suslov-ball"))
+    for part in ("p angular acceleration by a unit torque about e", "q the same by one about γ"):
+        assert part in words
+    assert "γ outward normal of the plane at the contact" in words
+
+
+def test_a_rolling_body() -> None:
+    words = legend(built.study("rubber-body"))
+    for part in (
+        "J inertia tensor about the contact point, plus m r ⊗ r",
+        "X torque but for that of the constraints",
+        "λ₀ torque about the normal",
+        "r from the centre of mass to the contact point",
+    ):
+        assert part in words
+
+
+@pytest.mark.parametrize("name", [*built.ROLLING, "suslov", "veselova-spinning"])
+def test_every_letter_of_the_equations_has_words(name: str) -> None:
+    """But for parameters, which have a table of their own, and rates with a dot."""
+    system = built.system(name)
+    words = legend(built.study(name))
+    told = {part.split()[0] for part in words.removeprefix("In body axes: ").split(", ")}
+    for letter in ("ω", "γ", "J", "A", "X", "p", "q", "λ₀"):
+        shown = str(system).partition("Parameters")[0]
+        if f"    {letter} = " in shown:
+            assert letter in told, (name, letter)
