@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import argparse
 
+from chaplygin.analysis.classification.classifier import place
 from chaplygin.analysis.classification.facts import Patience
-from chaplygin.analysis.classification.place import Place, place
+from chaplygin.analysis.classification.place import Place
 from chaplygin.catalogue import CATALOGUE, entry
 from chaplygin.proof.fields.budget import EFFORT
 

@@ -20,7 +20,7 @@ import numpy as np
 from flint import ctx
 
 from chaplygin.catalogue import from_catalogue
-from chaplygin.core.laws import Isomorphism
+from chaplygin.core.isomorphism import Isomorphism
 from chaplygin.core.system import System, flat_pairs
 from chaplygin.core.vectors import explicit
 from chaplygin.explicit.genus_two.separation import Separable

@@ -17,17 +17,17 @@ from typing import TYPE_CHECKING, Any
 from ._version import __version__
 
 if TYPE_CHECKING:
-    from .analysis.classification.place import place
+    from .analysis.classification.classifier import place
     from .analysis.lyapunov.compute import spectrum
     from .analysis.orbits.reversing_symmetries import reversors
     from .analysis.orbits.rotation import rotation_number
     from .borisov_mamaev.audit import audit
     from .catalogue import CATALOGUE, from_catalogue
+    from .core.isomorphism import Isomorphism
     from .core.laws import (
         ConformallyHamiltonian,
         Identity,
         Integral,
-        Isomorphism,
         Measure,
         PoissonStructure,
         Rate,
@@ -78,7 +78,7 @@ _HOME = {
     "Implicit": "mechanics.rolling.shapes",
     "InputError": "errors",
     "Integral": "core.laws",
-    "Isomorphism": "core.laws",
+    "Isomorphism": "core.isomorphism",
     "Measure": "core.laws",
     "Mechanism": "mechanics.lagrangian.mechanism",
     "Parameter": "core.system",
@@ -116,7 +116,7 @@ _HOME = {
     "measure_exists": "measures.existence",
     "mechanism_from_sympy": "mechanics.lagrangian.sympy_import",
     "nonholonomy": "mechanics.constraints.integrability",
-    "place": "analysis.classification.place",
+    "place": "analysis.classification.classifier",
     "precise": "flow.gauss",
     "prepare": "experiment.study",
     "prove": "proof.prover",

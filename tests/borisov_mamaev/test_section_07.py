@@ -25,7 +25,7 @@ from chaplygin.catalogue.chaplygin_ball.chaplygin_ball_angles import (
     theta,
 )
 from chaplygin.catalogue.chaplygin_ball.chaplygin_bracket import hamiltonian_form
-from chaplygin.core.laws import Isomorphism
+from chaplygin.core.isomorphism import Isomorphism
 from chaplygin.core.system import System
 from chaplygin.core.vectors import Diagonal, Vector, explicit
 from evaluation import numeric

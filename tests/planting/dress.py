@@ -9,11 +9,11 @@ from typing import Any
 
 import sympy as sp
 
+from chaplygin.core.isomorphism import Isomorphism
 from chaplygin.core.laws import (
     ConformallyHamiltonian,
     Identity,
     Integral,
-    Isomorphism,
     Law,
     Measure,
     PoissonStructure,

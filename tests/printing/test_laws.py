@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
+from chaplygin.core.isomorphism import Isomorphism
 from chaplygin.core.laws import (
     ConformallyHamiltonian,
     Identity,
     Integral,
-    Isomorphism,
     Law,
     Measure,
     PoissonStructure,

@@ -9,11 +9,11 @@ import pytest
 import sympy as sp
 
 from chaplygin.catalogue import from_catalogue
+from chaplygin.core.isomorphism import Isomorphism
 from chaplygin.core.laws import (
     ConformallyHamiltonian,
     Identity,
     Integral,
-    Isomorphism,
     Law,
     Measure,
     PoissonStructure,

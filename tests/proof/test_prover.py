@@ -12,11 +12,11 @@ from hypothesis import strategies as st
 
 from chaplygin.catalogue import from_catalogue
 from chaplygin.catalogue.e3 import lie_poisson
+from chaplygin.core.isomorphism import Isomorphism
 from chaplygin.core.laws import (
     ConformallyHamiltonian,
     Identity,
     Integral,
-    Isomorphism,
     Measure,
     PoissonStructure,
     Rate,

@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from chaplygin.core.laws import Identity, Integral, Isomorphism, Rate, Reduction, Symmetry
+from chaplygin.core.isomorphism import Isomorphism
+from chaplygin.core.laws import Identity, Integral, Rate, Reduction, Symmetry
 from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import scalar
 from chaplygin.proof.prover import prove

@@ -9,7 +9,8 @@ from typing import Any
 import pytest
 
 from chaplygin.catalogue import entry
-from chaplygin.core.laws import Integral, Isomorphism
+from chaplygin.core.isomorphism import Isomorphism
+from chaplygin.core.laws import Integral
 from chaplygin.core.system import Guard, Parameter, System
 from chaplygin.core.vectors import scalar
 from chaplygin.proof import verdict_cache as memory

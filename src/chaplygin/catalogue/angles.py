@@ -11,7 +11,7 @@ from dataclasses import replace
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ..core.laws import Isomorphism
+from ..core.isomorphism import Isomorphism
 from ..core.system import System
 from ..core.vectors import constant, explicit, scalar, vectors
 

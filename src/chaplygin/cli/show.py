@@ -33,7 +33,7 @@ def command(
     if laws and (form != "text" or json):
         raise InputError("--laws prints a text: leave out --as and --json, which has all laws")
     study = study_of(what, overrides)
-    from ..analysis.classification.place import standing_of
+    from ..analysis.classification.classifier import standing_of
     from ..printing.system import motion_text
     from ..report.derivation import is_described, told
     from ..report.summary import legend

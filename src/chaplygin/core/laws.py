@@ -11,22 +11,18 @@ claims nothing at points where one of its formulas has no real value.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import sympy as sp
 
 from ..errors import InputError
 
-if TYPE_CHECKING:
-    from .system import System
-
 __all__ = [
     "ConformallyHamiltonian",
     "Identity",
     "Integral",
-    "Isomorphism",
     "Law",
     "Measure",
     "PoissonStructure",
@@ -50,23 +46,23 @@ class Rate(sp.Function):
     nargs = 1
 
 
-def _pairs(mapping: Mapping[Any, Any] | Pairs) -> Pairs:
+def pairs(mapping: Mapping[Any, Any] | Pairs) -> Pairs:
     return tuple(mapping.items()) if isinstance(mapping, Mapping) else tuple(mapping)
 
 
-def _scalar_names(pairs: Pairs) -> list[sp.Symbol]:
+def scalar_names(pairs: Pairs) -> list[sp.Symbol]:
     """The names of pairs (named quantity, formula), one for each scalar component."""
     names = ((name,) if isinstance(name, sp.Symbol) else name.symbols for name, _ in pairs)
     return [symbol for symbols in names for symbol in symbols]
 
 
-def _repeated(names: Sequence[sp.Symbol]) -> sp.Symbol | None:
+def repeated(names: Sequence[sp.Symbol]) -> sp.Symbol | None:
     """A name that occurs more than once, or None."""
     return next((name for i, name in enumerate(names) if name in names[:i]), None)
 
 
 def _check_named(law: str, quantities: Pairs) -> None:
-    if twice := _repeated(_scalar_names(quantities)):
+    if twice := repeated(scalar_names(quantities)):
         raise InputError(
             f"the law {law!r} names two quantities {twice}; each needs a name of its own"
         )
@@ -145,7 +141,7 @@ class Measure(Law):
     meaning: str = ""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "density", _pairs(self.density))
+        object.__setattr__(self, "density", pairs(self.density))
 
     @property
     def value(self) -> sp.Expr:
@@ -169,7 +165,7 @@ class Symmetry(Law):
     meaning: str = ""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "field", _pairs(self.field))
+        object.__setattr__(self, "field", pairs(self.field))
 
 
 @dataclass(frozen=True)
@@ -245,67 +241,6 @@ class ConformallyHamiltonian(Law):
 
 
 @dataclass(frozen=True)
-class Isomorphism(Law):
-    """A change of variables and time that carries the field onto another system's.
-
-    A level is where the conditions of this system hold (its relations and `on`) and all
-    `constants` that depend on the state have fixed values.  On almost all of every level the map
-    is a local diffeomorphism onto the phase space of the target, which is cut out by the relations
-    of the target and by `onto`: its differential is injective, and both have one dimension.
-    dτ/dt is real and positive.
-
-    Parameters
-    ----------
-    name : str
-    target : System
-    map : mapping or pairs of target state name to formula
-        The new variables, as functions on the phase space of this system.
-    time : sympy.Expr
-        dτ/dt, for the time τ of the target.
-    constants : mapping or pairs of target parameter to formula
-        Values of the target's parameters: functions of the parameters, or integrals of this
-        system (their constancy is proved along with the rest).  Parameters that are not named
-        keep their symbol, which must be that of a parameter of this system.
-    onto : tuple of sympy.Expr
-        Formulas in the state and the parameters of the target that vanish where the map leads;
-        empty if it leads to all of its phase space.  A symbol that the target does not have is a
-        parameter of this system, or a definition that does not depend on the state.
-    meaning : str
-
-    Raises
-    ------
-    InputError
-        If `map` or `constants` name something that the target does not have.
-    """
-
-    target: System
-    map: Declared
-    time: sp.Expr = sp.S.One
-    constants: Declared = ()
-    meaning: str = ""
-    onto: tuple[sp.Expr, ...] = ()
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "map", _pairs(self.map))
-        object.__setattr__(self, "constants", _pairs(self.constants))
-        parameters = [p.symbol for p in self.target.parameters]
-        self._must_be_among("map", self.map, self.target.symbols, "state variable")
-        self._must_be_among("constants", self.constants, parameters, "parameter")
-
-    def _must_be_among(
-        self, part: str, pairs: Pairs, known: Iterable[sp.Symbol], kind: str
-    ) -> None:
-        named = _scalar_names(pairs)
-        if strange := sorted(map(str, set(named) - set(known))):
-            raise InputError(
-                f"the law {self.name!r}: its {part} names {', '.join(strange)}, which is no {kind} "
-                f"of {self.target.name}"
-            )
-        if twice := _repeated(named):
-            raise InputError(f"the law {self.name!r}: its {part} names {twice} twice")
-
-
-@dataclass(frozen=True)
 class Reduction(Law):
     """Closed equations that some quantities satisfy by themselves along every motion.
 
@@ -339,7 +274,7 @@ class Reduction(Law):
     meaning: str = ""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "quantities", _pairs(self.quantities))
+        object.__setattr__(self, "quantities", pairs(self.quantities))
         object.__setattr__(self, "equations", tuple(self.equations))
         _check_named(self.name, self.quantities)
         if not self.equations:
@@ -387,5 +322,5 @@ class Identity(Law):
     quantities: Declared = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "quantities", _pairs(self.quantities))
+        object.__setattr__(self, "quantities", pairs(self.quantities))
         _check_named(self.name, self.quantities)

@@ -8,12 +8,12 @@ from typing import Any
 
 import numpy as np
 
+from ..core.arrays import FloatArray
 from ..core.system import System
 from ..flow.integrator import Trajectory
 from ..formulas.evaluate import values
 from ..mechanics.lagrangian.mechanism import TIME, Mechanism
 from ..mechanics.lagrangian.plan import Plan, plan_of
-from ..report.drawing.geometry import FloatArray
 from .file.mechanism_tables import PlanTable
 from .file.models import OwnExperiment
 from .file.names import Names

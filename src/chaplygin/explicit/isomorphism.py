@@ -14,7 +14,8 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
-from ..core.laws import Identity, Isomorphism
+from ..core.isomorphism import Isomorphism
+from ..core.laws import Identity
 from ..core.system import System, flat_pairs
 from ..core.vectors import Vector, constant, explicit, normed, scalar
 from ..errors import InputError

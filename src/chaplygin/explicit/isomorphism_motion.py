@@ -15,7 +15,7 @@ import numpy as np
 import sympy as sp
 from numpy.polynomial import chebyshev
 
-from ..core.laws import Isomorphism
+from ..core.isomorphism import Isomorphism
 from ..core.system import System, flat_pairs
 from ..core.vectors import explicit
 from ..errors import InputError

@@ -21,7 +21,7 @@ from flint import arb, ctx, fmpq
 
 from ..catalogue import entry
 from ..catalogue.entry import bruns_factor
-from ..core.laws import Isomorphism
+from ..core.isomorphism import Isomorphism
 from ..core.system import System, flat_pairs
 from ..core.vectors import explicit, scalar
 from ..formulas.balls import ball, evaluated

@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import sympy as sp
 
+from ..core.isomorphism import Isomorphism
 from ..core.laws import (
     ConformallyHamiltonian,
     Identity,
     Integral,
-    Isomorphism,
     Law,
     Measure,
     PoissonStructure,

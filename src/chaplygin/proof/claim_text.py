@@ -7,11 +7,11 @@ from typing import Any
 
 import sympy as sp
 
+from ..core.isomorphism import Isomorphism
 from ..core.laws import (
     ConformallyHamiltonian,
     Identity,
     Integral,
-    Isomorphism,
     Law,
     Measure,
     PoissonStructure,

@@ -13,7 +13,8 @@ import sympy as sp
 from ..check.claim.claim import Claim as CheckedClaim
 from ..check.claim.domain import GRAM, domain
 from ..check.claim.formulas import Formula, parse
-from ..core.laws import Identity, Isomorphism, Law, Rate, Reduction
+from ..core.isomorphism import Isomorphism
+from ..core.laws import Identity, Law, Rate, Reduction
 from ..formulas.errors import OutOfReachError, UnknownSymbolError
 from ..formulas.jets import Evaluator, Jet
 from .fields.quotient_ring import Element

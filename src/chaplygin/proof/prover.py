@@ -25,7 +25,8 @@ from ..check.claim.claim import read_claim
 from ..check.claim.errors import UndefinedError
 from ..check.witness import located
 from ..core.admissible import conditions, satisfied
-from ..core.laws import Isomorphism, Law, Measure, PoissonStructure, Separation
+from ..core.isomorphism import Isomorphism
+from ..core.laws import Law, Measure, PoissonStructure, Separation
 from ..core.system import System
 from ..core.vectors import explicit
 from ..errors import InputError

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from ..core.laws import Isomorphism, Law
+from ..core.isomorphism import Isomorphism
+from ..core.laws import Law
 from ..formulas.errors import NotExactError, OutOfReachError
 from ..formulas.number_fields import Balls, Rationals
 from .level.level_set import Draw, Ground

@@ -16,10 +16,10 @@ from typing import Any
 
 import sympy as sp
 
+from ..core.isomorphism import Isomorphism
 from ..core.laws import (
     ConformallyHamiltonian,
     Identity,
-    Isomorphism,
     Law,
     PoissonStructure,
     Reduction,

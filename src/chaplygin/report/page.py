@@ -11,9 +11,9 @@ from markupsafe import Markup
 from matplotlib.figure import Figure
 
 from .._version import __version__
+from ..analysis.classification.classifier import place
 from ..analysis.classification.facts import Patience
-from ..analysis.classification.place import Place, place
-from ..analysis.classification.text import rows
+from ..analysis.classification.place import Place, rows
 from ..core.laws import Law
 from ..core.vectors import Vector, scalar
 from ..errors import RunError

@@ -362,7 +362,7 @@ def _check_level(made: Stage) -> None:
     if not made.level:
         return
     shown = ", ".join(f"{text(e)} = 0" for e in made.level)
-    if not has_real_points(made):
+    if not has_real_points(made.system, made.relations, made.free, made.substitutions):
         raise InputError(f"the level {shown} is empty: no real point lies on it")
     sample = made.sample(_PROBE, 1, common=False)
     if any(sample.along(sample(formula)).any() for formula in made.level):

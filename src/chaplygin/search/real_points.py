@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import sympy as sp
 
-if TYPE_CHECKING:
-    from .phase_space import Stage
+from ..core.system import System
 
 __all__ = ["has_real_points"]
 
@@ -16,20 +16,35 @@ _TRIES = 24
 _RESIDUAL = 1e-8
 
 
-def has_real_points(made: Stage) -> bool:
-    """Whether a real point of the level is found at the default parameters.
+def has_real_points(
+    system: System,
+    relations: Sequence[sp.Expr],
+    free: Sequence[sp.Symbol],
+    substitutions: Sequence[tuple[sp.Symbol, sp.Expr]],
+) -> bool:
+    """Whether a real point of a level is found at the default parameters.
 
     Newton's method, from several random starts; the level counts as empty when all fail.
+
+    Parameters
+    ----------
+    system : System
+    relations : sequence of sympy.Expr
+        What vanishes on the level.
+    free : sequence of Symbol
+        Parameters that have their default values.
+    substitutions : sequence of (Symbol, sympy.Expr)
+        Parameters that are formulas in these.
     """
     from scipy.optimize import least_squares
 
-    defaults = made.system.defaults
-    numbers = {s: sp.Float(defaults[s]) for s in made.free}
-    numbers |= {s: sp.N(value.xreplace(numbers)) for s, value in made.substitutions}
-    formulas = list(made.relations)
-    for symbol, value in reversed(made.system.needed(formulas)):
+    defaults = system.defaults
+    numbers = {s: sp.Float(defaults[s]) for s in free}
+    numbers |= {s: sp.N(value.xreplace(numbers)) for s, value in substitutions}
+    formulas = list(relations)
+    for symbol, value in reversed(system.needed(formulas)):
         formulas = [f.xreplace({symbol: value}) for f in formulas]
-    residual = sp.lambdify(made.system.symbols, [f.xreplace(numbers) for f in formulas], "numpy")
+    residual = sp.lambdify(system.symbols, [f.xreplace(numbers) for f in formulas], "numpy")
 
     def function(x: Any) -> Any:
         with np.errstate(all="ignore"):
@@ -37,7 +52,7 @@ def has_real_points(made: Stage) -> bool:
 
     rng = np.random.default_rng(0)
     for _ in range(_TRIES):
-        start = rng.normal(size=len(made.system.symbols))
+        start = rng.normal(size=len(system.symbols))
         # roots and logarithms may have no value there, but where all is positive
         for chosen in (start, np.abs(start)):
             try:

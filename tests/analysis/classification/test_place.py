@@ -9,12 +9,14 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
+from chaplygin.analysis.classification.classifier import place
 from chaplygin.analysis.classification.conserved_covectors import sources
 from chaplygin.analysis.classification.facts import Patience
 from chaplygin.analysis.classification.lie_theorem import fields, lie
-from chaplygin.analysis.classification.place import Place, Uncounted, place
+from chaplygin.analysis.classification.place import Place
 from chaplygin.analysis.classification.ranks import Standing
 from chaplygin.analysis.classification.sign_test import sign
+from chaplygin.analysis.classification.statements import Uncounted
 from chaplygin.catalogue import entry
 from chaplygin.core.laws import (
     ConformallyHamiltonian,

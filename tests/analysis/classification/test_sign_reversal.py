@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from analysis.backwards import runs_backwards
+from chaplygin.analysis.classification.classifier import place
 from chaplygin.analysis.classification.facts import Patience
-from chaplygin.analysis.classification.place import place
 from chaplygin.analysis.classification.sign_reversal import reversal
 from chaplygin.catalogue import entry
 from chaplygin.core.system import System

@@ -6,7 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from chaplygin.core.laws import Isomorphism
+from chaplygin.core.isomorphism import Isomorphism
 from chaplygin.core.vectors import Vector, gradient
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.ball.equations import ball_parameters, centred, equations_of_motion

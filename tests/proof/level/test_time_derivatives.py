@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from chaplygin.core.laws import Identity, Integral, Isomorphism, Rate, Reduction
+from chaplygin.core.isomorphism import Isomorphism
+from chaplygin.core.laws import Identity, Integral, Rate, Reduction
 from chaplygin.core.system import System
 from chaplygin.core.vectors import scalar
 from chaplygin.proof.prover import prove

@@ -7,11 +7,11 @@ import sympy as sp
 
 from chaplygin import prove
 from chaplygin.check import check
+from chaplygin.core.isomorphism import Isomorphism
 from chaplygin.core.laws import (
     ConformallyHamiltonian,
     Identity,
     Integral,
-    Isomorphism,
     Measure,
     PoissonStructure,
     Rate,

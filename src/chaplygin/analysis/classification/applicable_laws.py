@@ -11,8 +11,8 @@ from ...core.vectors import explicit
 from ...printing.formula import text
 from ...printing.laws import level
 from ...proof.verdict import Verdict
-from .place import Uncounted
 from .ranks import Standing
+from .statements import Uncounted
 
 __all__ = ["Sorted", "sorted_laws"]
 

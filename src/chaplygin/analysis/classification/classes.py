@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from .facts import Fact
-from .place import Bracket, Density, Kind, Statement
+from .statements import Bracket, Density, Kind, Statement
 
 __all__ = ["Found", "classified"]
 

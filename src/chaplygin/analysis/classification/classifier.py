@@ -7,7 +7,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from ...core.laws import ConformallyHamiltonian, Integral, Isomorphism, Law, Measure, Reduction
+from ...core.isomorphism import Isomorphism
+from ...core.laws import ConformallyHamiltonian, Integral, Law, Measure, Reduction
 from ...core.system import System
 from ...core.vectors import scalar
 from ...errors import InputError
@@ -16,6 +17,7 @@ from ...mechanics.lagrangian.mechanism import Mechanism
 from ...mechanics.rolling.equations import Rolling
 from ...printing.formula import text
 from ...printing.laws import heading, level
+from ...proof.fields.budget import EFFORT
 from ...proof.level.trigonometric import circles, without_angles
 from ...proof.verdict import Verdict
 from .applicable_laws import sorted_laws
@@ -25,12 +27,17 @@ from .facts import Fact, Patience, fact_of
 from .hamiltonian_forms import Forms, hamiltonian, measures
 from .lie_theorem import fields, lie
 from .measure_absence import Decided, decided
-from .place import Kind, Place
+from .place import Place
 from .ranks import Standing, at_present, present
 from .sign_reversal import reversal
+from .statements import Kind
 from .via_isomorphism import There, followed
 
-__all__ = ["counted"]
+__all__ = ["place", "standing_of"]
+
+#: Term operations for the proof of one law, and for all, where the place must be there at once.
+PATIENCE = EFFORT // 50
+ALTOGETHER = EFFORT // 25
 
 
 def counted(
@@ -39,7 +46,7 @@ def counted(
     patience: Patience,
     given: Rolling | Mechanism | None,
 ) -> Place:
-    """The place of a system; see :func:`chaplygin.analysis.classification.place.place`."""
+    """The place of a system; see :func:`place`."""
     try:
         whole = _without_angles(system)
         place = _counted(whole, verdicts, patience, given)
@@ -197,3 +204,39 @@ def _placed(
 def _told(law: Law) -> Fact:
     meaning = str(getattr(law, "meaning", ""))
     return Fact(law.name, f"{heading(law)}: {meaning}" if meaning else heading(law), law.source)
+
+
+def place(
+    system: System,
+    verdicts: Mapping[str, Verdict] | None = None,
+    patience: Patience | None = None,
+    given: Rolling | Mechanism | None = None,
+) -> Place:
+    """The place of a system in the hierarchy of dynamics.
+
+    Parameters
+    ----------
+    system : System
+        Its parameters count with their present values (their defaults), taken as exact decimals.
+    verdicts : mapping of str to Verdict
+        On its laws, by name; a law without a verdict does not count.  By default what can
+        be proven with `patience`.
+    patience : Patience, optional
+        For the proofs needed besides: that symmetries leave the integrals alone, that integrals
+        are in involution, laws of the targets of isomorphisms, laws restricted to a level.
+    given : Rolling or Mechanism, optional
+        What moves, with its numbers.  Where no measure is proven of its equations, it is then
+        decided whether there is one whose density depends on the configuration alone.
+
+    Returns
+    -------
+    Place
+    """
+    patience = patience or Patience(PATIENCE, ALTOGETHER)
+    known = patience.verdicts(system) if verdicts is None else verdicts
+    return counted(system, known, patience, given)
+
+
+def standing_of(system: System, given: Rolling | Mechanism | None = None) -> Place:
+    """The place of a system by what can be proven with little effort, in a few seconds."""
+    return place(system, given=given)

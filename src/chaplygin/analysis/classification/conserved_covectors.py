@@ -13,7 +13,8 @@ from typing import Any
 
 import sympy as sp
 
-from ...core.laws import ConformallyHamiltonian, Integral, Isomorphism, Law, Rate, Reduction
+from ...core.isomorphism import Isomorphism
+from ...core.laws import ConformallyHamiltonian, Integral, Law, Rate, Reduction
 from ...core.vectors import explicit
 from ...proof.level.time_derivatives import without_rates
 from .facts import Fact, fact_of

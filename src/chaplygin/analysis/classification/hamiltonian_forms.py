@@ -15,9 +15,9 @@ from ...printing.formula import text
 from ...proof.rank import rank
 from .conserved_covectors import casimirs
 from .facts import HERE, Fact, Patience, fact_of
-from .place import Bracket, Density
 from .ranks import Standing, View, settled
 from .sign_test import sign
+from .statements import Bracket, Density
 
 __all__ = ["Forms", "density", "hamiltonian", "measures"]
 

@@ -17,7 +17,7 @@ from ...mechanics.rolling.equations import Rolling
 from ...parsing.exact_decimals import exact_number
 from ...printing.formula import text
 from .facts import HERE, Fact, Patience
-from .place import Density
+from .statements import Density
 
 __all__ = ["Decided", "decided"]
 

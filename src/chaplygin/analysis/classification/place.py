@@ -9,96 +9,30 @@ ones satisfy the condition exactly.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+import textwrap
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass
 from typing import Any
 
-from ...core.system import System
-from ...mechanics.lagrangian.mechanism import Mechanism
-from ...mechanics.rolling.equations import Rolling
-from ...proof.fields.budget import EFFORT
-from ...proof.verdict import Verdict
-from .facts import Fact, Patience
+from .facts import HERE, Fact
+from .statements import Bracket, Density, Kind, Statement, Uncounted
 
-__all__ = ["Bracket", "Density", "Kind", "Place", "Statement", "Uncounted", "place", "standing_of"]
-
-#: Term operations for the proof of one law, and for all, where the place must be there at once.
-PATIENCE = EFFORT // 50
-ALTOGETHER = EFFORT // 25
+__all__ = ["Place", "listed", "rows"]
 
 
-@dataclass(frozen=True)
-class Statement:
-    """A sentence with the facts on which it rests."""
+WIDTH = 100
+COLUMN = 16
 
-    text: str
-    by: tuple[Fact, ...] = ()
-
-
-@dataclass(frozen=True)
-class Kind:
-    """A class of systems to which this one belongs.
-
-    Attributes
-    ----------
-    name : str
-        ``"curves"``, ``"lie"``, ``"euler-jacobi"``, ``"liouville"``, ``"hamiltonian"``,
-        ``"conformally hamiltonian"`` or ``"none known"``.
-    text : str
-        What that means here.
-    by : tuple of Fact
-    """
-
-    name: str
-    text: str
-    by: tuple[Fact, ...] = ()
-
-
-@dataclass(frozen=True)
-class Density:
-    """An invariant measure: its law, and whether its density stays positive and finite.
-
-    `sign` is ``"kept"`` where that is shown everywhere, ``"changes"`` where the density vanishes
-    or is infinite somewhere, ``"unknown"`` where neither is decided.
-    """
-
-    law: Fact
-    sign: str
-
-
-@dataclass(frozen=True)
-class Bracket:
-    """A (conformally) Hamiltonian form.
-
-    Attributes
-    ----------
-    law : Fact
-    rank : int
-        Of the Poisson structure, at a generic point of the level.
-    casimirs : tuple of str
-        Casimir functions that are proven, besides the relations of the phase space.
-    closed : bool
-        Whether these are all, so that the symplectic leaves are their common levels (§3.4).
-    conformal : bool
-        Whether the form needs a reducing multiplier, a change of time.
-    sign : str
-        As for `Density`, of the multiplier.
-    """
-
-    law: Fact
-    rank: int
-    casimirs: tuple[str, ...]
-    closed: bool
-    conformal: bool
-    sign: str
-
-
-@dataclass(frozen=True)
-class Uncounted:
-    """A law that does not count, and why."""
-
-    law: str
-    why: str
+_DENSITIES = {
+    "kept": "density positive and finite everywhere",
+    "changes": "density vanishes or is infinite somewhere",
+    "unknown": "sign of the density not decided everywhere",
+}
+_MULTIPLIERS = {
+    "kept": "multiplier without zeros",
+    "changes": "multiplier vanishes or is infinite somewhere",
+    "unknown": "sign of the multiplier not decided everywhere",
+}
 
 
 @dataclass(frozen=True)
@@ -180,50 +114,134 @@ class Place:
     @property
     def record(self) -> dict[str, Any]:
         """Everything, ready for JSON."""
-        from .text import record
-
         return record(self)
 
     def __str__(self) -> str:
-        from .text import told
-
         return told(self)
 
 
-def place(
-    system: System,
-    verdicts: Mapping[str, Verdict] | None = None,
-    patience: Patience | None = None,
-    given: Rolling | Mechanism | None = None,
-) -> Place:
-    """The place of a system in the hierarchy of dynamics.
-
-    Parameters
-    ----------
-    system : System
-        Its parameters count with their present values (their defaults), taken as exact decimals.
-    verdicts : mapping of str to Verdict
-        On its laws, by name; a law without a verdict does not count.  By default what can
-        be proven with `patience`.
-    patience : Patience, optional
-        For the proofs needed besides: that symmetries leave the integrals alone, that integrals
-        are in involution, laws of the targets of isomorphisms, laws restricted to a level.
-    given : Rolling or Mechanism, optional
-        What moves, with its numbers.  Where no measure is proven of its equations, it is then
-        decided whether there is one whose density depends on the configuration alone.
-
-    Returns
-    -------
-    Place
-    """
-    # the parts are built from the values that this module declares
-    from .classifier import counted
-
-    patience = patience or Patience(PATIENCE, ALTOGETHER)
-    known = patience.verdicts(system) if verdicts is None else verdicts
-    return counted(system, known, patience, given)
+def listed(facts: Iterable[Fact]) -> str:
+    """Facts by name and source, each once."""
+    return "; ".join(dict.fromkeys(map(str, facts)))
 
 
-def standing_of(system: System, given: Rolling | Mechanism | None = None) -> Place:
-    """The place of a system by what can be proven with little effort, in a few seconds."""
-    return place(system, given=given)
+def rows(place: Place) -> list[tuple[str, list[Statement]]]:
+    """What is counted: headings with statements."""
+    if place.reason:
+        return [("class", [Statement(kind.text, kind.by) for kind in place.kinds])]
+    return [
+        ("phase space", [Statement(_space(place))]),
+        ("integrals", _integrals(place)),
+        ("measure", _measures(place)),
+        ("Poisson", [_bracket(b) for b in place.brackets] or [_NO_FORM]),
+        ("symmetry", [_symmetry(place)]),
+        ("equivalent", [Statement(f.words, (f,)) for f in place.reductions]),
+        ("class", [Statement(kind.text, kind.by) for kind in place.kinds]),
+        ("motions", list(place.dynamics)),
+    ]
+
+
+_NO_FORM = Statement("no Hamiltonian form proven")
+
+
+def _space(place: Place) -> str:
+    told = f"{place.dimension}-dimensional: {place.variables} variables"
+    if place.conditions:
+        what = "condition" if place.conditions == 1 else "conditions"
+        told += f", {place.conditions} independent {what}"
+    return told
+
+
+def _integrals(place: Place) -> list[Statement]:
+    if not place.count:
+        return [Statement("none proven")]
+    told = f"{place.count} independent, common levels of dimension {place.remaining}"
+    found = [Statement(told, place.integrals)]
+    if place.dependent:
+        found.append(Statement("not independent of these where it was tried", place.dependent))
+    return found
+
+
+def _measures(place: Place) -> list[Statement]:
+    if place.measures:
+        return [Statement(_measure(d), (d.law,)) for d in place.measures]
+    if place.brackets:
+        return [Statement("that of the Hamiltonian form, on its symplectic leaves (§3.3)")]
+    if place.absence:
+        told = "none whose density depends on the configuration alone exists"
+        return [Statement(f"{told}: {place.absence}")]
+    return [Statement("none proven")]
+
+
+def _measure(density: Density) -> str:
+    known = _DENSITIES[density.sign]
+    return f"{density.law.words}; {known}" if density.law.source == HERE else known
+
+
+def _bracket(bracket: Bracket) -> Statement:
+    form = "conformally Hamiltonian" if bracket.conformal else "Hamiltonian"
+    told = f"{form}, rank {bracket.rank}"
+    if bracket.casimirs:
+        told += f", Casimir functions {', '.join(bracket.casimirs)}"
+    return Statement(
+        f"{told}; {_MULTIPLIERS[bracket.sign]}" if bracket.conformal else told, (bracket.law,)
+    )
+
+
+def _symmetry(place: Place) -> Statement:
+    count = len(place.symmetries)
+    if not count:
+        return Statement("no field proven")
+    told = "one field" if count == 1 else f"{count} independent fields"
+    return Statement(f"{told} besides the motion itself", place.symmetries)
+
+
+def told(place: Place) -> str:
+    """The place as text, lines of at most 100 characters."""
+    lines = ["Place in the hierarchy of dynamics"]
+    lines += _lines(place)
+    for part in place.levels:
+        lines += ["", f"  {part.level}".rstrip(), *_lines(part)]
+    if place.uncounted:
+        lines += [""]
+        entries = [f"{', '.join(laws)}: {why}" for why, laws in place.uncounted_by_reason]
+        lines += _entry("not counted", entries)
+    return "\n".join(lines)
+
+
+def _lines(place: Place) -> list[str]:
+    lines: list[str] = []
+    for name, entries in rows(place):
+        write = _named if name in ("class", "motions") else _sourced
+        lines += _entry(name, map(write, entries))
+    return lines
+
+
+def _sourced(statement: Statement) -> str:
+    return f"{statement.text} [{listed(statement.by)}]" if statement.by else statement.text
+
+
+def _named(statement: Statement) -> str:
+    names = ", ".join(dict.fromkeys(fact.law for fact in statement.by))
+    return f"{statement.text} [{names}]" if names else statement.text
+
+
+def _entry(name: str, entries: Iterable[str]) -> list[str]:
+    lines: list[str] = []
+    for number, text in enumerate(entries):
+        head = f"    {name if number == 0 else '':<{COLUMN - 4}}"
+        lines += textwrap.wrap(
+            text, WIDTH, initial_indent=head, subsequent_indent=" " * (COLUMN + 2)
+        )
+    return lines
+
+
+def record(place: Place) -> dict[str, Any]:
+    """The place for another program: plain lists and mappings."""
+    levels = [record(part) for part in place.levels]
+    return {
+        **asdict(place),
+        "dimension": place.dimension,
+        "remaining": place.remaining,
+        "levels": levels,
+    }

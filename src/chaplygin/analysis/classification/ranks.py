@@ -11,7 +11,8 @@ from typing import Any, TypeVar
 import sympy as sp
 from flint import arb
 
-from ...core.laws import Isomorphism, Law
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Law
 from ...core.system import System
 from ...core.vectors import explicit
 from ...formulas.errors import NotExactError, OutOfReachError

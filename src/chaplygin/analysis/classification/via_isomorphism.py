@@ -13,7 +13,8 @@ from typing import Any
 import sympy as sp
 
 from ...catalogue import CATALOGUE
-from ...core.laws import Isomorphism, Law, Measure
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Law, Measure
 from ...core.system import System
 from ...formulas.errors import OutOfReachError
 from ...proof.level.named_formulas import components
@@ -21,9 +22,9 @@ from .applicable_laws import sorted_laws
 from .conserved_covectors import Source, carried, sources
 from .facts import Fact, Patience
 from .hamiltonian_forms import density, hamiltonian
-from .place import Bracket, Density
 from .ranks import Standing, View, present
 from .sign_test import sign
+from .statements import Bracket, Density
 
 __all__ = ["There", "followed"]
 

@@ -7,7 +7,8 @@ from itertools import combinations, product
 
 import sympy as sp
 
-from ...core.laws import Identity, Integral, Isomorphism, Measure, PoissonStructure, Rate
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Identity, Integral, Measure, PoissonStructure, Rate
 from ...core.system import Guard, System
 from ...proof.prover import prove
 from ...proof.verdict import Verdict

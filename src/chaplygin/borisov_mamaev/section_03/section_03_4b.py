@@ -7,7 +7,8 @@ import sympy as sp
 from ...catalogue import CATALOGUE
 from ...catalogue.fixed_point import suslov_bracket
 from ...catalogue.fixed_point.suslov_bracket import d, gamma_1, gamma_2, gamma_3, p_1, p_2
-from ...core.laws import Isomorphism, PoissonStructure
+from ...core.isomorphism import Isomorphism
+from ...core.laws import PoissonStructure
 from ...core.system import System
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim

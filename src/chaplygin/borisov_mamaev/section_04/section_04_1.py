@@ -6,15 +6,8 @@ import sympy as sp
 
 from ...catalogue import CATALOGUE
 from ...catalogue.fixed_point.lagrange_top import I_1, I_3, p_phi, p_psi, phi, psi, theta
-from ...core.laws import (
-    ConformallyHamiltonian,
-    Identity,
-    Integral,
-    Isomorphism,
-    Measure,
-    PoissonStructure,
-    Rate,
-)
+from ...core.isomorphism import Isomorphism
+from ...core.laws import ConformallyHamiltonian, Identity, Integral, Measure, PoissonStructure, Rate
 from ...core.system import System
 from ...parsing.exact_decimals import exact_number
 from ...proof.prover import prove

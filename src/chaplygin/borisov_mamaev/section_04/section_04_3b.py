@@ -8,7 +8,8 @@ import sympy as sp
 
 from ...catalogue.chaplygin_ball import generalised_chaplygin as chaplygin
 from ...catalogue.chaplygin_ball.generalised_chaplygin import P_1, P_2, S, q_1, q_2
-from ...core.laws import Identity, Isomorphism, PoissonStructure, Rate, Reduction
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Identity, PoissonStructure, Rate, Reduction
 from ...core.system import Guard, System
 from ..claim import Case, Claim
 from ..methods.named import named

@@ -9,7 +9,8 @@ import sympy as sp
 from ...catalogue.angles import NORMAL, phi, phidot, theta, thetadot
 from ...catalogue.fixed_point import veselova as catalogue
 from ...catalogue.rates import rate
-from ...core.laws import ConformallyHamiltonian, Identity, Isomorphism, PoissonStructure, Rate
+from ...core.isomorphism import Isomorphism
+from ...core.laws import ConformallyHamiltonian, Identity, PoissonStructure, Rate
 from ...core.system import System
 from ...core.vectors import Diagonal, constant, cross, dot, explicit, scalar, vectors
 from ..claim import Case, Claim, Remark

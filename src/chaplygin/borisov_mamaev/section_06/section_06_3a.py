@@ -14,7 +14,8 @@ from ...catalogue import e3
 from ...catalogue.e3 import Gamma, I, M
 from ...catalogue.fixed_point import veselova as catalogue
 from ...catalogue.fixed_point import veselova_geodesic as geodesic
-from ...core.laws import Identity, Integral, Isomorphism, PoissonStructure
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Identity, Integral, PoissonStructure
 from ...core.system import System
 from ...core.vectors import constant, dot, explicit, normed, scalar, vectors
 from ...proof.prover import prove

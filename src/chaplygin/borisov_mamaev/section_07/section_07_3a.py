@@ -28,7 +28,8 @@ from ...catalogue.chaplygin_ball.chaplygin_ball_angles import (
     y,
 )
 from ...catalogue.chaplygin_ball.chaplygin_bracket import PARAMETERS, TENSORS, A, D, I, R, m
-from ...core.laws import Identity, Integral, Isomorphism, Law, Measure, Rate
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Identity, Integral, Law, Measure, Rate
 from ...core.system import System
 from ...core.vectors import constant, dot, explicit, scalar
 from ..claim import Case, Claim, Remark

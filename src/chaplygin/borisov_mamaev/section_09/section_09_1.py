@@ -6,7 +6,8 @@ import sympy as sp
 
 from ...catalogue.ball_on_sphere import rubber_ball_ratio as ratio
 from ...catalogue.fixed_point import veselova
-from ...core.laws import Identity, Integral, Isomorphism, Rate
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Identity, Integral, Rate
 from ...core.system import System
 from ...core.vectors import (
     Diagonal,

@@ -24,7 +24,8 @@ from ...catalogue.ball_on_sphere.rubber_ball_separated import (
     v,
 )
 from ...catalogue.ball_on_sphere.rubber_ball_sphero_conical import cubic
-from ...core.laws import Identity, Integral, Isomorphism, Rate
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Identity, Integral, Rate
 from ...core.system import System
 from ...core.vectors import constant, cross, dot, gradient, normed, scalar, vectors, zero
 from ...proof.verdict import Verdict

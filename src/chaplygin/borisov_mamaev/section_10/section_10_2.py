@@ -10,7 +10,8 @@ from sympy.matrices.expressions import MatrixExpr
 from ...catalogue import from_catalogue
 from ...catalogue.bodies import unbalanced_rubber_ball_centred as centred
 from ...catalogue.fixed_point import veselova
-from ...core.laws import Identity, Integral, Isomorphism, Law
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Identity, Integral, Law
 from ...core.system import System
 from ...core.vectors import Diagonal, Vector, cross, dot, normed, zero
 from ...proof.prover import prove

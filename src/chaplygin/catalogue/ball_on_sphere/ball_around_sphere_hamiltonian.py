@@ -14,7 +14,8 @@ from typing import Any
 
 import sympy as sp
 
-from ...core.laws import Integral, Isomorphism
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Integral
 from ...core.system import Guard, Parameter, System
 from ...core.vectors import Diagonal, dot, explicit, identity, normed, scalar, zero
 from ..e3 import Gamma, M, e3_system

@@ -6,7 +6,8 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ...core.laws import Integral, Isomorphism, Law, Measure
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Integral, Law, Measure
 from ...core.system import System
 from ...core.vectors import Diagonal, Symmetric, dot, normed, scalar, vectors
 from ...mechanics.rolling.body import Body

@@ -17,7 +17,8 @@ from dataclasses import replace
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ...core.laws import Identity, Integral, Isomorphism, Law, Measure, Rate
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Identity, Integral, Law, Measure, Rate
 from ...core.system import Observable, System
 from ...core.vectors import (
     Components,

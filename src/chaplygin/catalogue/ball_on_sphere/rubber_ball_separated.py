@@ -11,15 +11,8 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ...core.laws import (
-    ConformallyHamiltonian,
-    Identity,
-    Integral,
-    Isomorphism,
-    Law,
-    Rate,
-    Separation,
-)
+from ...core.isomorphism import Isomorphism
+from ...core.laws import ConformallyHamiltonian, Identity, Integral, Law, Rate, Separation
 from ...core.system import Guard, System
 from ...core.vectors import constant, cross, dot, normed, scalar, vectors
 from ...errors import InputError

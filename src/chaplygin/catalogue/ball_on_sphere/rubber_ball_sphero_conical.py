@@ -11,7 +11,8 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ...core.laws import ConformallyHamiltonian, Integral, Isomorphism, Measure, PoissonStructure
+from ...core.isomorphism import Isomorphism
+from ...core.laws import ConformallyHamiltonian, Integral, Measure, PoissonStructure
 from ...core.system import Guard, System
 from ...core.vectors import Components, constant, cross, scalar, vectors
 from ...errors import InputError

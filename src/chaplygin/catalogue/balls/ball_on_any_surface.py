@@ -16,7 +16,8 @@ from typing import Any
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ...core.laws import Identity, Integral, Isomorphism, Law, Measure, Rate
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Identity, Integral, Law, Measure, Rate
 from ...core.system import Parameter, System
 from ...core.vectors import constant, cross, dot, explicit, gradient, normed, scalar, vectors, zero
 from ...mechanics.ball.equations import (

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from ...core.laws import Integral, Isomorphism, Law
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Integral, Law
 from ...core.system import Parameter, System
 from ...core.vectors import Diagonal, dot, explicit, gradient, normed, scalar, vectors
 from ...mechanics.ball.ball import RollingBall

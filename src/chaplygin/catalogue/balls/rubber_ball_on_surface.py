@@ -17,7 +17,8 @@ from typing import Any
 
 import sympy as sp
 
-from ...core.laws import Identity, Integral, Isomorphism, Law
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Identity, Integral, Law
 from ...core.system import Parameter, System
 from ...core.vectors import constant, cross, dot, scalar, unit, vectors
 from ...mechanics.ball.ball import RollingBall

@@ -7,7 +7,8 @@ from dataclasses import replace
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ...core.laws import Integral, Isomorphism, Law, Measure, Rate, Reduction, Symmetry
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Integral, Law, Measure, Rate, Reduction, Symmetry
 from ...core.system import System
 from ...core.vectors import dot, normed, scalar, vectors
 from ...mechanics.rolling.body import Body

@@ -10,14 +10,8 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ...core.laws import (
-    ConformallyHamiltonian,
-    Integral,
-    Isomorphism,
-    Law,
-    Measure,
-    PoissonStructure,
-)
+from ...core.isomorphism import Isomorphism
+from ...core.laws import ConformallyHamiltonian, Integral, Law, Measure, PoissonStructure
 from ...core.system import System
 from ...core.vectors import Diagonal, dot, explicit, normed, scalar, vectors, zero
 from ...mechanics.rolling.body import Body

@@ -11,7 +11,8 @@ from dataclasses import replace
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ...core.laws import ConformallyHamiltonian, Identity, Integral, Isomorphism, PoissonStructure
+from ...core.isomorphism import Isomorphism
+from ...core.laws import ConformallyHamiltonian, Identity, Integral, PoissonStructure
 from ...core.system import Guard, Observable, Parameter, System
 from ...core.vectors import Components, constant, cross, dot, explicit, scalar, vectors, zero
 from ..entry import Entry, Numbers, Start

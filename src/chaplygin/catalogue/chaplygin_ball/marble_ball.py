@@ -11,7 +11,8 @@ from typing import Any
 
 import sympy as sp
 
-from ...core.laws import Identity, Integral, Isomorphism, Law
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Identity, Integral, Law
 from ...core.system import Observable, Parameter, System
 from ...core.vectors import constant, cross, dot, normed, scalar, unit, vectors
 from ...mechanics.rolling.body import check_inertia, check_mass

@@ -6,7 +6,8 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ...core.laws import Integral, Isomorphism, Law, Measure
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Integral, Law, Measure
 from ...core.system import System
 from ...core.vectors import Diagonal, cross, dot, normed, vectors, zero
 from ...mechanics.rolling.equations import Field, Rolling

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from ...core.laws import Isomorphism, Law
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Law
 from ...core.system import System
 from ...mechanics.rolling.equations import Field, Rolling
 from ..entry import Entry, Numbers, bruns_factor

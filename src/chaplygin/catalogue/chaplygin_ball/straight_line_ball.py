@@ -15,7 +15,8 @@ from __future__ import annotations
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ...core.laws import Integral, Isomorphism, Measure, Symmetry
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Integral, Measure, Symmetry
 from ...core.system import Observable, Parameter, System
 from ...core.vectors import Components, Diagonal, cross, dot, scalar, vectors
 from ...mechanics.rolling.attitude import attitude, quaternion_rate, rotation, unit_length

@@ -10,7 +10,8 @@ from __future__ import annotations
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ...core.laws import Integral, Isomorphism, Law, Measure
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Integral, Law, Measure
 from ...core.system import Motion, Observable, Parameter, System
 from ...core.vectors import constant, cross, dot, gradient, normed, scalar, unit, vectors
 from ...errors import InputError

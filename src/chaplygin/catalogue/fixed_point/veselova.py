@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import sympy as sp
 
+from ...core.isomorphism import Isomorphism
 from ...core.laws import (
     ConformallyHamiltonian,
     Integral,
-    Isomorphism,
     Law,
     Measure,
     PoissonStructure,

@@ -6,7 +6,8 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ...core.laws import Integral, Isomorphism
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Integral
 from ...core.system import Parameter, System
 from ...core.vectors import constant, dot, explicit, normed, scalar
 from ...mechanics.rolling.body import check_inertia

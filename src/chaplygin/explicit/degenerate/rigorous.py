@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from flint import acb, arb, ctx
@@ -24,11 +24,9 @@ from ..one_degree.chebyshev_integrals import Integrals, integrals, working_bits
 from ..revolution import balls_of, needed
 from .analytic_formula import analytic, root, triad, velocity
 from .exact_start import exact_ball
+from .motion import DegenerateMotion
 from .quaternion import cross, dot, product, quaternion
 from .theta_motion import Asymptotic
-
-if TYPE_CHECKING:
-    from .solution import Degenerate
 
 __all__ = ["rigorous_state"]
 
@@ -44,12 +42,12 @@ SMALLEST = 0.02
 PLACES = 8
 
 
-def rigorous_state(solution: Degenerate, time: Any, digits: int) -> tuple[Any, ...]:
+def rigorous_state(solution: DegenerateMotion, time: Any, digits: int) -> tuple[Any, ...]:
     """The lifted state at one time as balls that contain the exact one.
 
     Parameters
     ----------
-    solution : Degenerate
+    solution : DegenerateMotion
     time : float, int, str, Fraction or arb
     digits : int
 
@@ -100,11 +98,11 @@ class Rigorous:
 
     Attributes
     ----------
-    solution : Degenerate
+    solution : DegenerateMotion
     digits : int
     """
 
-    solution: Degenerate
+    solution: DegenerateMotion
     digits: int
 
     # --- formulas --------------------------------------------------------------------------

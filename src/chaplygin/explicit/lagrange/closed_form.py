@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import sympy as sp
 
@@ -11,9 +11,7 @@ from ...core.vectors import scalar
 from ..base.solution import ClosedForm, Figure
 from ..one_degree import Course, Steady
 from ..one_degree.uniformisation import Asymptotic, Chart
-
-if TYPE_CHECKING:
-    from .solution import Top
+from .top import Top
 
 __all__ = ["form_of"]
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from math import ceil, log10
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from flint import arb, ctx
 
@@ -17,9 +17,7 @@ from .branch_formula import Branch, direction
 from .quadrature import RigorousQuadrature, bits_for, quadratures, speed_of
 from .reconstruction import Pair, PathRates, Turn, path_rates
 from .theta import numerators_at
-
-if TYPE_CHECKING:
-    from ..genus_two_solution import GenusTwo
+from .torus_motion import TorusMotion
 
 __all__ = ["RigorousMotion", "rigorous_motion", "rigorous_state"]
 
@@ -37,7 +35,7 @@ class RigorousMotion:
 
     Attributes
     ----------
-    solution : GenusTwo
+    solution : TorusMotion
         The same motion in double precision.
     prepared : Prepared
         Constants, curve and torus at the precision that is needed.
@@ -48,7 +46,7 @@ class RigorousMotion:
         The largest |τ|.
     """
 
-    solution: GenusTwo
+    solution: TorusMotion
     prepared: Prepared
     clock: RigorousQuadrature
     digits: int
@@ -144,12 +142,12 @@ class RigorousMotion:
             return (*reduced, *self._lifted(tau, there, rough))
 
 
-def rigorous_motion(solution: GenusTwo, digits: int, until: Any) -> RigorousMotion:
+def rigorous_motion(solution: TorusMotion, digits: int, until: Any) -> RigorousMotion:
     """Prepare a motion for evaluation with error bounds.
 
     Parameters
     ----------
-    solution : GenusTwo
+    solution : TorusMotion
     digits : int
         Decimal places after the point that are wanted.
     until : number
@@ -173,7 +171,7 @@ def rigorous_motion(solution: GenusTwo, digits: int, until: Any) -> RigorousMoti
     return RigorousMotion(solution, exact, clock, digits, reach)
 
 
-def _turns(solution: GenusTwo, time: Any) -> float:
+def _turns(solution: TorusMotion, time: Any) -> float:
     """Turns of the phases up to a time."""
     latest = number(ball(time))
     pace = solution.pace
@@ -184,12 +182,12 @@ def _turns(solution: GenusTwo, time: Any) -> float:
     return abs(latest) * pace
 
 
-def rigorous_state(solution: GenusTwo, time: Any, digits: int) -> tuple[Any, ...]:
+def rigorous_state(solution: TorusMotion, time: Any, digits: int) -> tuple[Any, ...]:
     """The lifted state of a motion at one time as balls that contain the exact one.
 
     Parameters
     ----------
-    solution : GenusTwo
+    solution : TorusMotion
     time : float, int, str, Fraction or arb
     digits : int
         Decimal places aimed at; the radii of the balls say what was reached.
@@ -206,7 +204,7 @@ def rigorous_state(solution: GenusTwo, time: Any, digits: int) -> tuple[Any, ...
 class _Itself:
     """A solution, equal to itself alone."""
 
-    def __init__(self, solution: GenusTwo) -> None:
+    def __init__(self, solution: TorusMotion) -> None:
         self.solution = solution
 
     def __hash__(self) -> int:

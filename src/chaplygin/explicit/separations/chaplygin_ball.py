@@ -22,7 +22,8 @@ import sympy as sp
 from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_ball_clebsch import DET_I, K, beta
 from ...catalogue.chaplygin_ball.chaplygin_bracket import DET_IQ, DET_J, A, D, I
-from ...core.laws import Identity, Isomorphism, Law
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Identity, Law
 from ...core.system import System
 from ...core.vectors import cross, dot, normed, scalar, vectors
 from ..genus_two.poles import gaps

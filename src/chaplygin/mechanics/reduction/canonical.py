@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ...core.laws import ConformallyHamiltonian, Integral, Isomorphism, PoissonStructure
+from ...core.isomorphism import Isomorphism
+from ...core.laws import ConformallyHamiltonian, Integral, PoissonStructure
 from ...core.system import System
 from ...core.vectors import scalar
 from .base import Base

@@ -7,14 +7,8 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ...core.laws import (
-    ConformallyHamiltonian,
-    Integral,
-    Isomorphism,
-    Law,
-    Measure,
-    PoissonStructure,
-)
+from ...core.isomorphism import Isomorphism
+from ...core.laws import ConformallyHamiltonian, Integral, Law, Measure, PoissonStructure
 from ...core.system import Observable, Parameter, System
 from ...core.vectors import scalar
 from ..lagrangian.mechanism import Mechanism

@@ -7,9 +7,10 @@ from collections.abc import Callable, Sequence
 import numpy as np
 import sympy as sp
 
+from ...core.arrays import FloatArray
 from ...core.vectors import Vector, explicit
 from ...errors import InputError
-from .rays import Array, directions
+from .rays import directions
 from .shapes import Ball, Implicit, Shape
 
 __all__ = ["centre_outside", "contact_points", "touching"]
@@ -21,7 +22,7 @@ _ITERATIONS = 200
 PLANES = 2000
 
 
-def contact_points(shape: Shape) -> Callable[[Array], Array]:
+def contact_points(shape: Shape) -> Callable[[FloatArray], FloatArray]:
     """The function γ ↦ r of a shape, for unit vectors (n, 3) in body axes.
 
     r runs from the centre of mass to the point of the surface whose outward normal is −γ.
@@ -47,9 +48,9 @@ def contact_points(shape: Shape) -> Callable[[Array], Array]:
         cse=lambda formulas: (steps, formulas),
     )
 
-    def points(gamma: Array) -> Array:
+    def points(gamma: FloatArray) -> FloatArray:
         columns = reach(*np.asarray(gamma, dtype=float).T, *values.values())
-        found: Array = centre + np.stack(np.broadcast_arrays(*columns), axis=1)
+        found: FloatArray = centre + np.stack(np.broadcast_arrays(*columns), axis=1)
         return found
 
     return points
@@ -75,7 +76,7 @@ def centre_outside(shape: Shape) -> bool:
             return bool((heights < 0).any())
 
 
-def touching(f: sp.Expr, coordinates: Sequence[sp.Symbol], gamma: Array) -> Array:
+def touching(f: sp.Expr, coordinates: Sequence[sp.Symbol], gamma: FloatArray) -> FloatArray:
     """Points of the surface f = 0 whose outward normals are −γ.
 
     Solves ∇f + ℓγ = 0, ℓ = |∇f|, by damped Newton iteration from the points below the origin of
@@ -105,7 +106,7 @@ def touching(f: sp.Expr, coordinates: Sequence[sp.Symbol], gamma: Array) -> Arra
         "numpy",
     )
 
-    def at(x: Array) -> tuple[Array, Array, Array]:
+    def at(x: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         rows = [np.broadcast_to(row, len(x)) for row in numbers(x.T)]
         return rows[0], np.stack(rows[1:4], axis=1), np.stack(rows[4:], axis=1).reshape(-1, 3, 3)
 
@@ -130,7 +131,7 @@ def touching(f: sp.Expr, coordinates: Sequence[sp.Symbol], gamma: Array) -> Arra
     return x
 
 
-def _radius(level: Callable[[Array], Array], count: int) -> Array:
+def _radius(level: Callable[[FloatArray], FloatArray], count: int) -> FloatArray:
     """Distance from the centre at which a ray leaves the body, by bisection."""
     near, far = np.zeros(count), np.ones(count)
     for _ in range(80):

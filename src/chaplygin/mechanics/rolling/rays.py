@@ -8,17 +8,16 @@ from collections.abc import Callable
 
 import numpy as np
 
+from ...core.arrays import FloatArray
 from ...errors import InputError
 
-__all__ = ["Array", "directions", "require_closed"]
+__all__ = ["directions", "require_closed"]
 
 #: Rays along which a surface is looked at, and powers of two up to which.
 RAYS, FARTHEST = 1000, 80
 
-Array = np.ndarray[tuple[int, ...], np.dtype[np.float64]]
 
-
-def directions(count: int) -> Array:
+def directions(count: int) -> FloatArray:
     """Unit vectors spread evenly over the sphere, (count, 3): along a spiral of golden angles."""
     heights = 1 - (2 * np.arange(count) + 1) / count
     turns = np.pi * (3 - math.sqrt(5)) * np.arange(count)
@@ -26,7 +25,7 @@ def directions(count: int) -> Array:
     return np.stack([widths * np.cos(turns), widths * np.sin(turns), heights], axis=1)
 
 
-def require_closed(name: str, level: Callable[..., Array]) -> None:
+def require_closed(name: str, level: Callable[..., FloatArray]) -> None:
     """Refuse a surface that some ray from the geometric centre never meets.
 
     Parameters

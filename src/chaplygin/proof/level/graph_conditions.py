@@ -14,7 +14,8 @@ from typing import Any
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-from ...core.laws import Identity, Integral, Isomorphism, Law, Measure, Rate, Reduction
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Identity, Integral, Law, Measure, Rate, Reduction
 from ...core.system import System
 from ...core.vectors import explicit
 from ...formulas.errors import OutOfReachError, SpareNeededError

@@ -12,7 +12,8 @@ from typing import Any
 
 import sympy as sp
 
-from ...core.laws import Isomorphism, Law, Measure
+from ...core.isomorphism import Isomorphism
+from ...core.laws import Law, Measure
 from ...core.vectors import explicit
 from ...printing.formula import text
 from .level_set import Ground

@@ -15,8 +15,9 @@ from matplotlib.figure import Figure
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
+from ...core.arrays import BoolArray, FloatArray
 from .dataset_access import unit_of
-from .geometry import BoolArray, Facets, FloatArray, SurfaceCurve, View, runs, shaded, sphere_shades
+from .geometry import Facets, SurfaceCurve, View, runs, shaded, sphere_shades
 from .style import GROUND_DARK, GROUND_LIGHT, INK, QUIET, TIME_COLOURS
 
 _SHADES = 160

@@ -10,11 +10,11 @@ import numpy as np
 import xarray as xr
 from matplotlib.mathtext import MathTextParser
 
+from ...core.arrays import FloatArray
 from ...core.vectors import scalar
 from ...errors import InputError
 from ...printing.formula import latex
 from ...printing.symbol_names import GREEK
-from .geometry import FloatArray
 
 NEEDED = {
     "scene": ("contact", "centre", "attitude", "gamma"),

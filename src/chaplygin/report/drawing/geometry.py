@@ -16,12 +16,9 @@ from itertools import pairwise
 from typing import TypeAlias
 
 import numpy as np
-import numpy.typing as npt
 from scipy.interpolate import CubicSpline
 
-FloatArray: TypeAlias = npt.NDArray[np.float64]
-IntArray: TypeAlias = npt.NDArray[np.int64]
-BoolArray: TypeAlias = npt.NDArray[np.bool_]
+from ...core.arrays import BoolArray, FloatArray, IntArray
 
 _POLE_OFFSET = 1e-6
 """Angle kept from the poles of the direction grid, where a flat face has no single point."""

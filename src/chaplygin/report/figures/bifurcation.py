@@ -13,9 +13,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...explicit.bifurcation import Boundary, Diagram, Region
-from ..drawing.geometry import FloatArray
 from ..drawing.style import COMPONENTS, FAINT, INK, QUIET, STYLE, WIDTH
 from .bifurcation_layout import Grid, Heights, Window, heights, places, window
 

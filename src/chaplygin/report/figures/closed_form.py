@@ -9,9 +9,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...explicit.base.solution import ClosedForm
-from ..drawing.geometry import FloatArray
 from ..drawing.style import COMPONENTS, FAINT, INK, QUIET, STYLE, WIDTH
 
 __all__ = ["closed_form"]

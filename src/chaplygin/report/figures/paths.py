@@ -7,6 +7,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
+from ...core.arrays import FloatArray
 from ...errors import InputError
 from ..drawing.canvas import Sheet, blank_axes, fit_height, mark_ends, time_bar, timed_on_surface
 from ..drawing.dataset_access import (
@@ -21,7 +22,6 @@ from ..drawing.dataset_access import (
     with_unit,
 )
 from ..drawing.geometry import (
-    FloatArray,
     Ground,
     PlaneGround,
     SphereGround,

@@ -16,9 +16,9 @@ from matplotlib.colors import Normalize, to_rgba_array
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from ...core.arrays import FloatArray
 from ...errors import InputError
 from ..drawing.dataset_access import readable, title_of, typeset, unit_of, with_unit
-from ..drawing.geometry import FloatArray
 from ..drawing.style import FAINT, QUIET, SERIES, STYLE, WIDTH
 
 __all__ = ["draw"]

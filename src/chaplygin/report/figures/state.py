@@ -11,11 +11,11 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ...core.arrays import FloatArray
 from ...core.vectors import Vector, scalar
 from ...errors import InputError
 from ...printing.formula import latex
 from ..drawing.dataset_access import require_all, times_of, title_of, unit_of, values_of, with_unit
-from ..drawing.geometry import FloatArray
 from ..drawing.style import COMPONENTS, FAINT, SERIES, STYLE, WIDTH
 from .time_series import marker, time_label, widen
 

@@ -11,8 +11,8 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 
+from ...core.arrays import FloatArray
 from ..drawing.dataset_access import title_of, typeset, unit_of, with_unit
-from ..drawing.geometry import FloatArray
 from ..drawing.style import FAINT, SERIES, STYLE, WIDTH
 from .time_series import time_label
 

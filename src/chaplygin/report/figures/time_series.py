@@ -8,6 +8,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ...core.arrays import FloatArray
 from ...errors import InputError
 from ..drawing.dataset_access import (
     NOTHING,
@@ -19,7 +20,7 @@ from ..drawing.dataset_access import (
     values_of,
     with_unit,
 )
-from ..drawing.geometry import FloatArray, rotation_matrices
+from ..drawing.geometry import rotation_matrices
 from ..drawing.style import ALARM, COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 
 _MOST = 0.995

@@ -8,9 +8,10 @@ import xarray as xr
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
+from ...core.arrays import BoolArray, FloatArray
 from ..drawing.canvas import Sheet, blank_axes, fit_height, time_bar
 from ..drawing.dataset_access import CURVE_POINTS, time_shares, title_of
-from ..drawing.geometry import BoolArray, FloatArray, Outline, View, runs, smooth_curve
+from ..drawing.geometry import Outline, View, runs, smooth_curve
 from ..drawing.style import GROUND_DARK, GROUND_LIGHT, INK, LINES, QUIET, STYLE, WIDTH
 from .implicit_surface import Crossings, SurfaceGround, crossings, frame_of
 from .rolling_body import Track, across, draw_body, track_of

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.colors import to_hex, to_rgb
 
+from ...core.arrays import FloatArray
 from ..drawing.canvas import Sheet, shown
 from ..drawing.geometry import (
-    FloatArray,
     Ground,
     PlaneGround,
     SurfaceCurve,

@@ -13,7 +13,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy.ndimage import map_coordinates
 
-from ..drawing.geometry import BoolArray, FloatArray, View, unit
+from ...core.arrays import BoolArray, FloatArray
+from ..drawing.geometry import View, unit
 
 __all__ = ["Crossings", "SurfaceGround", "crossings", "frame_of"]
 

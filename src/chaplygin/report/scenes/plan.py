@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.figure import Figure
 
+from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...experiment.plan import PlanMotion
 from ..drawing.canvas import Sheet, time_bar
@@ -23,7 +24,7 @@ from ..drawing.dataset_access import (
     unit_of,
     with_unit,
 )
-from ..drawing.geometry import FloatArray, View, smooth_curve
+from ..drawing.geometry import View, smooth_curve
 from ..drawing.style import FAINT, INK, STYLE, TIME_COLOURS, WIDTH
 
 __all__ = ["plan_view"]

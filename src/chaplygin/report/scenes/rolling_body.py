@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
+from ...core.arrays import FloatArray
 from ...errors import InputError
 from ..drawing.canvas import (
     Sheet,
@@ -29,7 +30,6 @@ from ..drawing.dataset_access import (
     values_of,
 )
 from ..drawing.geometry import (
-    FloatArray,
     Ground,
     Outline,
     PlaneGround,

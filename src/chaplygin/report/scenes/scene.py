@@ -7,19 +7,13 @@ from typing import Any, NamedTuple
 import numpy as np
 import sympy as sp
 
+from ...core.arrays import FloatArray
 from ...core.vectors import Vector
 from ...experiment.study import Study
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.rolling.gauss_map import contact_points
 from ...mechanics.rolling.surfaces import Plane
-from ..drawing.geometry import (
-    FloatArray,
-    Ground,
-    Outline,
-    PlaneGround,
-    SphereGround,
-    outline_from_contact,
-)
+from ..drawing.geometry import Ground, Outline, PlaneGround, SphereGround, outline_from_contact
 from .implicit_surface import SurfaceGround
 
 __all__ = ["BallScene", "Scene", "ball_scene_of", "scene_of", "weight_of"]

@@ -1,0 +1,83 @@
+"""What is said of a system in its place in the hierarchy, with the facts behind it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .facts import Fact
+
+__all__ = ["Bracket", "Density", "Kind", "Statement", "Uncounted"]
+
+
+@dataclass(frozen=True)
+class Statement:
+    """A sentence with the facts on which it rests."""
+
+    text: str
+    by: tuple[Fact, ...] = ()
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A class of systems to which this one belongs.
+
+    Attributes
+    ----------
+    name : str
+        ``"curves"``, ``"lie"``, ``"euler-jacobi"``, ``"liouville"``, ``"hamiltonian"``,
+        ``"conformally hamiltonian"`` or ``"none known"``.
+    text : str
+        What that means here.
+    by : tuple of Fact
+    """
+
+    name: str
+    text: str
+    by: tuple[Fact, ...] = ()
+
+
+@dataclass(frozen=True)
+class Density:
+    """An invariant measure: its law, and whether its density stays positive and finite.
+
+    `sign` is ``"kept"`` where that is shown everywhere, ``"changes"`` where the density vanishes
+    or is infinite somewhere, ``"unknown"`` where neither is decided.
+    """
+
+    law: Fact
+    sign: str
+
+
+@dataclass(frozen=True)
+class Bracket:
+    """A (conformally) Hamiltonian form.
+
+    Attributes
+    ----------
+    law : Fact
+    rank : int
+        Of the Poisson structure, at a generic point of the level.
+    casimirs : tuple of str
+        Casimir functions that are proven, besides the relations of the phase space.
+    closed : bool
+        Whether these are all, so that the symplectic leaves are their common levels (§3.4).
+    conformal : bool
+        Whether the form needs a reducing multiplier, a change of time.
+    sign : str
+        As for `Density`, of the multiplier.
+    """
+
+    law: Fact
+    rank: int
+    casimirs: tuple[str, ...]
+    closed: bool
+    conformal: bool
+    sign: str
+
+
+@dataclass(frozen=True)
+class Uncounted:
+    """A law that does not count, and why."""
+
+    law: str
+    why: str

@@ -1,0 +1,75 @@
+"""Isomorphisms: laws that speak of two systems."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..errors import InputError
+from .laws import Declared, Law, Pairs, pairs, repeated, scalar_names
+from .system import System
+
+__all__ = ["Isomorphism"]
+
+
+@dataclass(frozen=True)
+class Isomorphism(Law):
+    """A change of variables and time that carries the field onto another system's.
+
+    A level is where the conditions of this system hold (its relations and `on`) and all
+    `constants` that depend on the state have fixed values.  On almost all of every level the map
+    is a local diffeomorphism onto the phase space of the target, which is cut out by the relations
+    of the target and by `onto`: its differential is injective, and both have one dimension.
+    dτ/dt is real and positive.
+
+    Parameters
+    ----------
+    name : str
+    target : System
+    map : mapping or pairs of target state name to formula
+        The new variables, as functions on the phase space of this system.
+    time : sympy.Expr
+        dτ/dt, for the time τ of the target.
+    constants : mapping or pairs of target parameter to formula
+        Values of the target's parameters: functions of the parameters, or integrals of this
+        system (their constancy is proved along with the rest).  Parameters that are not named
+        keep their symbol, which must be that of a parameter of this system.
+    onto : tuple of sympy.Expr
+        Formulas in the state and the parameters of the target that vanish where the map leads;
+        empty if it leads to all of its phase space.  A symbol that the target does not have is a
+        parameter of this system, or a definition that does not depend on the state.
+    meaning : str
+
+    Raises
+    ------
+    InputError
+        If `map` or `constants` name something that the target does not have.
+    """
+
+    target: System
+    map: Declared
+    time: sp.Expr = sp.S.One
+    constants: Declared = ()
+    meaning: str = ""
+    onto: tuple[sp.Expr, ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "map", pairs(self.map))
+        object.__setattr__(self, "constants", pairs(self.constants))
+        parameters = [p.symbol for p in self.target.parameters]
+        self._must_be_among("map", self.map, self.target.symbols, "state variable")
+        self._must_be_among("constants", self.constants, parameters, "parameter")
+
+    def _must_be_among(
+        self, part: str, pairs: Pairs, known: Iterable[sp.Symbol], kind: str
+    ) -> None:
+        named = scalar_names(pairs)
+        if strange := sorted(map(str, set(named) - set(known))):
+            raise InputError(
+                f"the law {self.name!r}: its {part} names {', '.join(strange)}, which is no {kind} "
+                f"of {self.target.name}"
+            )
+        if twice := repeated(named):
+            raise InputError(f"the law {self.name!r}: its {part} names {twice} twice")

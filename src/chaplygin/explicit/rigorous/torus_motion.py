@@ -1,0 +1,39 @@
+"""What bounds need to know of a motion on a torus."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Protocol
+
+import sympy as sp
+
+from ..genus_two.separated_motion import Prepared
+
+__all__ = ["TorusMotion"]
+
+
+class TorusMotion(Protocol):
+    """A motion on a two-dimensional torus; see :class:`chaplygin.explicit.GenusTwo`."""
+
+    @property
+    def prepared(self) -> Prepared:
+        """Constants, curve and torus."""
+
+    @property
+    def parameters(self) -> Mapping[sp.Symbol, Any]:
+        """Values of the parameters."""
+
+    @property
+    def start(self) -> tuple[Any, ...]:
+        """The lifted state at t = 0, as given."""
+
+    @property
+    def pace(self) -> float:
+        """How fast the phases grow with time, in turns."""
+
+    @property
+    def left_open(self) -> str:
+        """What of the state has no bounds, and why; or nothing."""
+
+    def states(self, times: Any) -> Any:
+        """Lifted states (n, size) at `times` (n,), in double precision."""
