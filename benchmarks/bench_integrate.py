@@ -17,6 +17,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 import chaplygin
+from chaplygin import lambdify
 from chaplygin.core.system import System
 from chaplygin.mechanics.rolling.initial_state import starting_state
 
@@ -39,7 +40,7 @@ def reduced(name: str) -> tuple[System, list[float]]:
 
 def methods(system: System, start: list[float], until: float) -> dict[str, Method]:
     """Final state as a function of the tolerance, for each method."""
-    field = system.lambdify("numpy")
+    field = lambdify(system, "numpy")
 
     def taylor(tolerance: float) -> np.ndarray:
         run = chaplygin.integrate(system, start, [0.0, until], tolerance=max(tolerance, 1e-16))

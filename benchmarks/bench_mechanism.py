@@ -22,6 +22,7 @@ import numpy as np
 import sympy as sp
 from kane_bicycle import kane_bicycle
 
+from chaplygin import lambdify
 from chaplygin.core.system import System
 from chaplygin.flow.linear_stability import linearise
 from chaplygin.mechanics.lagrangian.poincare_suslov import equations
@@ -57,7 +58,7 @@ def taken_in() -> System:
 
 def own_rate(system: System) -> Callable[[], Any]:
     """One evaluation of the rates at straight running."""
-    field = system.lambdify("numpy")
+    field = lambdify(system, "numpy")
     state = {name: float(x) for name, x in whipple_bicycle.upright(SPEED).items()}
     point = np.array([state.get(str(s), 0.0) for s in system.symbols])
     parameters = np.array([VALUES[str(p.symbol)] for p in system.parameters])

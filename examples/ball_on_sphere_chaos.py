@@ -23,8 +23,9 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from chaplygin.analysis.lyapunov.compute import Spectrum, spectrum
+from chaplygin.analysis.lyapunov.compute import spectrum
 from chaplygin.analysis.lyapunov.indicators import Exponent, Megno
+from chaplygin.analysis.lyapunov.report import Spectrum
 from chaplygin.analysis.scans.grid import axis, plane
 from chaplygin.analysis.scans.scan_task import Chart, chart
 from chaplygin.catalogue.ball_on_sphere.ball_on_sphere_equations import M, equations, k, n
@@ -32,7 +33,7 @@ from chaplygin.core.laws import Integral
 from chaplygin.core.system import System
 from chaplygin.core.vectors import dot, explicit
 from chaplygin.flow.batch import Section, lanes
-from chaplygin.flow.ensemble.task import compute
+from chaplygin.flow.ensemble.compute import compute
 from chaplygin.flow.level_projection import projected
 from chaplygin.formulas.batch import Formulas
 from chaplygin.report.drawing.style import COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE, WIDTH

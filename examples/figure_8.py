@@ -25,7 +25,7 @@ from chaplygin.catalogue import entry
 from chaplygin.core.vectors import explicit
 from chaplygin.experiment.poincare import coordinates_of
 from chaplygin.flow.batch import section
-from chaplygin.flow.ensemble.task import compute
+from chaplygin.flow.ensemble.compute import compute
 from chaplygin.flow.level_projection import projected
 from chaplygin.flow.sampling.draw import draw as drawn
 from chaplygin.flow.sections.poincare_dataset import section_task

@@ -23,8 +23,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from chaplygin.analysis.lyapunov.compute import Spectrum, spectrum
-from chaplygin.analysis.lyapunov.report import remarks
+from chaplygin.analysis.lyapunov.compute import spectrum
+from chaplygin.analysis.lyapunov.report import Spectrum, remarks
 from chaplygin.analysis.orbits.reversing_symmetries import Reversor, reversors
 from chaplygin.core.system import System
 from chaplygin.errors import RunError

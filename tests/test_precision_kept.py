@@ -12,7 +12,7 @@ import mpmath
 import pytest
 
 import chaplygin
-from chaplygin import measure_exists, nonholonomy, prove
+from chaplygin import measure_exists, nonholonomy, prove, solve
 from chaplygin.borisov_mamaev.methods.limit_cycle import displacement
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.vectors import scalar
@@ -52,8 +52,8 @@ CALLS: dict[str, Callable[[], object]] = {
     "reduction": lambda: chaplygin_form(knife()),
     "proof": lambda: prove(from_catalogue("chaplygin-sleigh-reduced"))[:1],
     "search": lambda: next(integrals(ask(from_catalogue("chaplygin-sleigh-reduced"), degree=2))),
-    "closed form": lambda: (
-        from_catalogue("lagrange-top").solve((1, 2, 3, 0, 0.6, 0.8)).states([1.0])
+    "closed form": lambda: solve(from_catalogue("lagrange-top"), (1, 2, 3, 0, 0.6, 0.8)).states(
+        [1.0]
     ),
 }
 

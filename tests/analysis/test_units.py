@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from chaplygin.analysis.lyapunov.compute import Spectrum, spectrum
+from chaplygin.analysis.lyapunov.compute import spectrum
 from chaplygin.analysis.lyapunov.indicators import Alignment, Fastest, Megno, Total
+from chaplygin.analysis.lyapunov.report import Spectrum
 from chaplygin.analysis.lyapunov.zero_exponents import vanish
 from chaplygin.catalogue import from_catalogue
 from chaplygin.flow.state_scales import sizes_at

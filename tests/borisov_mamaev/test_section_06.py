@@ -7,6 +7,7 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
+from chaplygin import lambdify
 from chaplygin.borisov_mamaev.methods.veselova_in_angles import T_0, psi, psidot
 from chaplygin.borisov_mamaev.section_06.section_06_2 import s_printed, s_right
 from chaplygin.catalogue import CATALOGUE, from_catalogue
@@ -45,7 +46,7 @@ def accelerations():
 
 def test_the_multiplier_gives_the_same_accelerations():
     system = in_angles(from_catalogue("veselova", **MOMENTS))
-    rates = system.lambdify()(0.0, np.array(STATE))
+    rates = lambdify(system)(0.0, np.array(STATE))
     assert rates[2:] == pytest.approx(accelerations()[:2], rel=1e-12)
 
 
@@ -66,7 +67,7 @@ def test_the_veselova_system_moves_as_the_neumann_system():
     gamma = np.array([2.0, -3.0, 6.0]) / 7
     omega = np.array([0.9, -0.5, -0.55])
     omega -= (omega @ gamma) * gamma
-    field = system.lambdify()
+    field = lambdify(system)
 
     def density(normal):
         return np.sqrt(normal**2 @ (1 / inertia))
@@ -81,7 +82,7 @@ def test_the_veselova_system_moves_as_the_neumann_system():
     target = CATALOGUE["neumann"].system({**MOMENTS, "c": strength})
     first = np.concatenate([density(gamma) * omega, gamma])
     own = solve_ivp(
-        target.lambdify(),
+        lambdify(target),
         (0.0, motion.y[6, -1]),
         first,
         t_eval=motion.y[6],

@@ -135,7 +135,7 @@ def test_interrupted(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
         progress(0.25)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("chaplygin.flow.ensemble.task.compute", interrupted)
+    monkeypatch.setattr("chaplygin.flow.ensemble.compute.compute", interrupted)
     code, out, err = ask(*BALL, "-o", "ball.zarr")
     assert (code, out) == (130, "")
     sentence = "interrupted: 25% is computed; the same command goes on with what is in ball.zarr\n"

@@ -12,6 +12,7 @@ import pytest
 import sympy as sp
 from flint import arb
 
+from chaplygin import solve
 from chaplygin.analysis.classification.facts import Patience
 from chaplygin.core.system import System
 from chaplygin.errors import InputError
@@ -184,7 +185,7 @@ def test_no_closed_form_no_section() -> None:
 def test_a_study_is_solved_as_its_system_is() -> None:
     study = prepare(loads('[system]\nname = "neumann"\n'))
     solution = solved(study)
-    direct = study.system.solve(study.start)
+    direct = solve(study.system, study.start)
     assert solution.states([3.0]).tolist() == direct.states([3.0]).tolist()
 
 

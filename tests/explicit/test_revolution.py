@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from flint import arb, ctx
 
+from chaplygin import lambdify
 from chaplygin.catalogue import CATALOGUE
 from chaplygin.errors import InputError
 from chaplygin.explicit.base.solution import Solution
@@ -112,7 +113,7 @@ def rate_error(solution: Solution, time: float, step: float = 5e-4) -> float:
     times = time + step * np.array([-2.0, -1.0, 0.0, 1.0, 2.0])
     states = solution.states(times)
     slope = np.array([1.0, -8.0, 0.0, 8.0, -1.0]) @ states / (12 * step)
-    field = solution.system.lambdify()
+    field = lambdify(solution.system)
     parameters = np.array([float(x) for x in solution.parameters.values()])
     return float(np.abs(slope - field(time, states[2], parameters)).max())
 

@@ -12,6 +12,7 @@ import pytest
 import sympy as sp
 from flint import acb, acb_mat, arb, ctx
 
+from chaplygin import solve
 from chaplygin.catalogue import from_catalogue
 from chaplygin.errors import InputError
 from chaplygin.explicit.genus_two.separated_motion import Prepared, chain, prepared
@@ -307,7 +308,7 @@ def test_without_fixed_directions_there_are_bounds_of_the_reduced_state_alone() 
     solution = solved(separable, values, start)
     with pytest.raises(InputError, match=r"no direction is known.*give a start without attitude"):
         solution.rigorous(30.0, 8)
-    balls = separable.system.solve(start[:6]).rigorous(30.0, 8)
+    balls = solve(separable.system, start[:6]).rigorous(30.0, 8)
     assert max(float(x.rad()) for x in balls) < 1e-8
     rough = solution.states(np.array([30.0]))[0, :6]
     for ball, number in zip(balls, rough, strict=True):
@@ -317,9 +318,9 @@ def test_without_fixed_directions_there_are_bounds_of_the_reduced_state_alone() 
 def test_a_place_that_is_left_open_is_said_to_be() -> None:
     system = from_catalogue("rubber-chaplygin-ball-bruns")
     start = starting_state(system, (1.0, 0.5, 0.0), (0.0, 0.0, 1.0))
-    solution = system.solve(start)
+    solution = solve(system, start)
     assert "one direction alone is known that stays in space" in solution.left_open
-    assert from_catalogue("veselova").solve(start[:10]).left_open == ""
+    assert solve(from_catalogue("veselova"), start[:10]).left_open == ""
 
 
 @pytest.mark.parametrize("time", ["1e300", "-1e61"])

@@ -16,6 +16,7 @@ from typing import Any
 import mpmath
 import numpy as np
 
+from chaplygin import solve
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import System
 from chaplygin.core.vectors import Vector
@@ -148,7 +149,7 @@ class Motion:
     def solved(self, units: Units) -> Any:
         """The closed form, in other units."""
         start, parameters = self.told(units)
-        return self.system.solve(start, parameters)
+        return solve(self.system, start, parameters)
 
     def states(self, units: Units, times: Sequence[float]) -> Any:
         """States in kg, m and s at times in s, by the closed form in other units.

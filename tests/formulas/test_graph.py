@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from chaplygin import lambdify
 from chaplygin.catalogue import CATALOGUE
 from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import cross, dot, vectors
@@ -177,7 +178,7 @@ def test_rates_of_the_catalogue(name: str) -> None:
     SymPy's formulas round in an order of their own; balls of 40 bits hold what doubles make.
     """
     system = CATALOGUE[name].system()
-    field = system.lambdify()
+    field = lambdify(system)
     _, rates = of_system(system)
     rng = np.random.default_rng(3)
     parameters = {("parameter", i): p.default for i, p in enumerate(system.parameters)}

@@ -20,7 +20,7 @@ from chaplygin.catalogue import CATALOGUE
 from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import scalar
 from chaplygin.errors import InputError
-from chaplygin.printing.code import LANGUAGES, TARGETS, function, source
+from chaplygin.printing.code import LANGUAGES, TARGETS, lambdify, source_code
 from every_system import CASES, bare, laden
 
 Array = npt.NDArray[np.float64]
@@ -66,19 +66,19 @@ def test_numpy_agrees_with_many_digits(case: tuple[str, str, str]) -> None:
     system = laden(*case)
     x = states(system, 1)[:, 0]
     # a contact near the end of its domain magnifies rounding
-    assert close(function(system)(0.0, x), exact(system, x), 1e3)
+    assert close(lambdify(system)(0.0, x), exact(system, x), 1e3)
 
 
 def test_the_lifted_system_agrees_too() -> None:
     system = CATALOGUE["rattleback"].system().lifted()
     x = states(system, 1)[:, 0]
-    assert close(function(system)(0.0, x), exact(system, x), 1e3)
+    assert close(lambdify(system)(0.0, x), exact(system, x), 1e3)
 
 
 @pytest.mark.parametrize("case", FEW, ids="-".join)
 def test_many_states_at_once(case: tuple[str, str, str]) -> None:
     system = laden(*case)
-    f, x = function(system, "numpy"), states(system, 5)
+    f, x = lambdify(system, "numpy"), states(system, 5)
     together = f(0.0, x)
     assert together.shape == x.shape
     for column, rates in zip(x.T, together.T, strict=True):
@@ -90,8 +90,8 @@ def test_many_states_at_once(case: tuple[str, str, str]) -> None:
 def test_targets_agree(target: str, case: tuple[str, str, str]) -> None:
     system = laden(*case)
     x, p = states(system, 1)[:, 0], defaults(system)
-    wanted = function(system, "numpy")(0.0, x)
-    f = function(system, target)
+    wanted = lambdify(system, "numpy")(0.0, x)
+    f = lambdify(system, target)
     factor = 1.0
     if target == "jax":
         import jax
@@ -100,7 +100,7 @@ def test_targets_agree(target: str, case: tuple[str, str, str]) -> None:
     assert close(np.asarray(f(0.0, x)), wanted, factor)
     assert close(np.asarray(f(0.0, x, p)), wanted, factor)
     changed = p * 1.01
-    assert close(np.asarray(f(0.0, x, changed)), function(system, "numpy")(0.0, x, changed), factor)
+    assert close(np.asarray(f(0.0, x, changed)), lambdify(system, "numpy")(0.0, x, changed), factor)
 
 
 def decay() -> System:
@@ -136,18 +136,18 @@ DECAY = np.array([0.3, 5.0, 6.0, 0.7])
 
 @pytest.mark.parametrize("target", [name for name in TARGETS if name != "jax"])
 def test_clashing_names_and_constant_rates(target: str) -> None:
-    found = function(decay(), target)(0.0, DECAY)
+    found = lambdify(decay(), target)(0.0, DECAY)
     assert found.dtype == np.float64
     assert close(found, np.array(decay_by_hand(0.3, 0.7)))
 
 
 def test_numpy_keeps_the_shape_of_constant_rates() -> None:
     many = np.repeat(DECAY[:, None], 3, axis=1)
-    assert function(decay())(0.0, many).shape == (4, 3)
+    assert lambdify(decay())(0.0, many).shape == (4, 3)
 
 
 def test_wrong_lengths_are_refused() -> None:
-    f = function(decay())
+    f = lambdify(decay())
     with pytest.raises(InputError, match=r"x has 3 entries; it needs 4, in the order of"):
         f(0.0, DECAY[:3])
     with pytest.raises(InputError, match=r"p has 2 entries; it needs 3"):
@@ -156,10 +156,10 @@ def test_wrong_lengths_are_refused() -> None:
 
 def test_unknown_target_and_language_are_refused() -> None:
     with pytest.raises(InputError) as target:
-        function(decay(), "torch")
+        lambdify(decay(), "torch")
     assert str(target.value) == "target 'torch': it must be one of 'numpy', 'jax', 'numba'"
     with pytest.raises(InputError) as language:
-        source(decay(), "fortran")
+        source_code(decay(), "fortran")
     assert str(language.value) == "language 'fortran': it must be one of 'c', 'julia'"
 
 
@@ -167,7 +167,7 @@ def test_unknown_target_and_language_are_refused() -> None:
 def test_missing_package_is_named(target: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, target, None)
     with pytest.raises(InputError) as error:
-        function(decay(), target)
+        lambdify(decay(), target)
     assert str(error.value) == (
         f"the target {target!r} needs the package {target}: pip install {target}"
     )
@@ -178,7 +178,7 @@ def test_missing_package_is_named(target: str, monkeypatch: pytest.MonkeyPatch) 
 
 def by_julia(system: System, x: Array) -> Array:
     """Carry out Julia text line by line; the assignments are Python but for a few signs."""
-    lines = source(system, "julia").splitlines()
+    lines = source_code(system, "julia").splitlines()
     start = next(i for i, line in enumerate(lines) if line.startswith("function "))
     assert lines[-2:] == ["    return nothing", "end"]
     # arrays counted from 1
@@ -203,7 +203,7 @@ def by_julia(system: System, x: Array) -> Array:
 def test_julia_text_computes_the_same(case: tuple[str, str, str]) -> None:
     system = laden(*case)
     x = states(system, 1)[:, 0]
-    assert close(by_julia(system, x), function(system)(0.0, x))
+    assert close(by_julia(system, x), lambdify(system)(0.0, x))
 
 
 def test_julia_text_of_clashing_names() -> None:
@@ -213,7 +213,7 @@ def test_julia_text_of_clashing_names() -> None:
 def by_c(system: System, x: Array, folder: Path) -> Array:
     """Compile C text without a warning and call it."""
     code, library = folder / "system.c", folder / "system.so"
-    code.write_text(source(system, "c"), encoding="utf-8")
+    code.write_text(source_code(system, "c"), encoding="utf-8")
     strict = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-shared", "-fPIC"]
     assert COMPILER is not None
     subprocess.run([COMPILER, *strict, "-o", library, code, "-lm"], check=True)
@@ -232,7 +232,7 @@ def test_c_text_computes_the_same(case: tuple[str, str, str], tmp_path: Path) ->
     system = laden(*case)
     x = states(system, 1)[:, 0]
     if COMPILER:
-        assert close(by_c(system, x, tmp_path), function(system)(0.0, x))
+        assert close(by_c(system, x, tmp_path), lambdify(system)(0.0, x))
     assert_c_is_complete(system)
 
 
@@ -244,7 +244,7 @@ def test_c_text_of_clashing_names(tmp_path: Path) -> None:
 
 def assert_c_is_complete(system: System) -> None:
     """Every name is declared once, before its use, and every rate is stored once, in order."""
-    text = source(system, "c")
+    text = source_code(system, "c")
     body = text[text.index("{") + 1 : text.rindex("}")]
     known = {"x", "p", "dx", "const", "double"}
     known |= {"sqrt", "pow", "sin", "cos", "fabs", "atan2", "exp"}
@@ -262,26 +262,26 @@ def assert_c_is_complete(system: System) -> None:
 
 
 def test_header_says_what_a_reader_needs() -> None:
-    text = source(bare("ball", "plane", "marble"), "c")
+    text = source_code(bare("ball", "plane", "marble"), "c")
     assert "//     Ṁ = M × ω\n" in text
     assert "// Source: (1.17), (10.1)\n" in text
     assert "//   x[3] = gamma_1\n" in text
     assert "//   p[0] = m = 1.0 kg: mass\n" in text
     assert "\nvoid rolling_body(double t, const double *x, const double *p, double *dx)\n" in text
-    text = source(bare("ball", "plane", "marble"), "julia")
+    text = source_code(bare("ball", "plane", "marble"), "julia")
     assert "#   x[4] = gamma_1\n" in text
     assert "\nfunction rolling_body!(dx, x, p, t)\n" in text
 
 
 def test_comments_stay_comments() -> None:
     for language, mark in zip(sorted(LANGUAGES), ("//", "#"), strict=True):
-        head = source(decay(), language).split("#include" if mark == "//" else "function")[0]
+        head = source_code(decay(), language).split("#include" if mark == "//" else "function")[0]
         assert all(line.startswith(mark) for line in head.splitlines())
         assert f"{mark} Decay\n" in head
         assert "0.5 1/s: rate of decay" in head
 
 
 def test_definitions_are_computed_once() -> None:
-    text = source(bare("ellipsoid", "plane", "marble"), "c")
+    text = source_code(bare("ellipsoid", "plane", "marble"), "c")
     assert text.count("const double s = ") == 1
     assert "lambda_0" not in text

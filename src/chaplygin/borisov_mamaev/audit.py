@@ -21,7 +21,7 @@ from typing import Any
 
 from .._version import __version__
 from ..core.source_digest import whole
-from ..flow.ensemble.zarr_store import UnfinishedError
+from ..flow.ensemble.task import UnfinishedError
 from ..printing.mathml import mathml
 from ..proof.fields.budget import EFFORT
 from ..proof.prover import prove

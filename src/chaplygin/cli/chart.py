@@ -66,7 +66,7 @@ def command(
     from ..analysis.scans.grid import axis
     from ..analysis.scans.scan_task import chart
     from ..experiment.scan import chart_of
-    from ..flow.ensemble.task import compute
+    from ..flow.ensemble.compute import compute
     from ..report.drawing.files import save
     from ..report.figures.scan import chart as drawn
 

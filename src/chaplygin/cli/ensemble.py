@@ -54,8 +54,8 @@ def command(
     from dataclasses import replace
 
     from ..experiment.without_lift import followed
+    from ..flow.ensemble.compute import compute
     from ..flow.ensemble.run import SHARES, ensemble_task
-    from ..flow.ensemble.task import compute
 
     task = ensemble_task(
         followed(study),

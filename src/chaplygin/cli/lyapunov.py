@@ -15,7 +15,7 @@ from .stores import level_of
 
 if TYPE_CHECKING:
     from ..analysis.lyapunov.averages import Average
-    from ..analysis.lyapunov.compute import Spectrum
+    from ..analysis.lyapunov.report import Spectrum
 
 __all__ = ["command"]
 
@@ -56,8 +56,8 @@ def command(
         raise InputError(f"--until {until:g}: it must be positive and finite")
     numbers = None if level is None else level_of(level)
     study = study_of(what, overrides)
-    from ..analysis.lyapunov.compute import Spectrum, spectrum
-    from ..analysis.lyapunov.report import record
+    from ..analysis.lyapunov.compute import spectrum
+    from ..analysis.lyapunov.report import Spectrum, record
     from ..analysis.orbits.reversing_symmetries import reversors
     from ..experiment.without_lift import followed
     from ..flow.sampling.draw import draw

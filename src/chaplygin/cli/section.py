@@ -93,7 +93,7 @@ def command(
 
     from ..errors import RunError
     from ..experiment.poincare import Place, Starts, section_of
-    from ..flow.ensemble.task import compute
+    from ..flow.ensemble.compute import compute
     from ..report.drawing.files import save
     from ..report.figures.poincare import draw
 

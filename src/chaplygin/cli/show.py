@@ -34,6 +34,7 @@ def command(
         raise InputError("--laws prints a text: leave out --as and --json, which has all laws")
     study = study_of(what, overrides)
     from ..analysis.classification.classifier import standing_of
+    from ..printing.code import source_code
     from ..printing.system import motion_text
     from ..report.derivation import is_described, told
     from ..report.summary import legend
@@ -87,8 +88,8 @@ def command(
     texts = {
         "text": lambda: str(system),
         "latex": system.latex,
-        "julia": lambda: system.source_code("julia"),
-        "c": lambda: system.source_code("c"),
+        "julia": lambda: source_code(system, "julia"),
+        "c": lambda: source_code(system, "c"),
         "toml": study.complete_toml,
     }
     typer.echo(texts[form]().rstrip())

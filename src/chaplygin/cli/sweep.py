@@ -63,8 +63,8 @@ def command(
 
     from ..errors import InputError
     from ..experiment.without_lift import followed
+    from ..flow.ensemble.compute import compute
     from ..flow.ensemble.run import SHARES, ensemble_task, grid, one
-    from ..flow.ensemble.task import compute
     from ..report.drawing.files import save
     from ..report.figures.sweep import sweep as drawn
 

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import sympy as sp
 
 from ..errors import InputError
+from .display import Displayed
 from .laws import Integral, Law
 from .vectors import Diagonal, Symmetric, Vector, explicit
-
-if TYPE_CHECKING:
-    from ..explicit.base.solution import Solution
 
 __all__ = [
     "Guard",
@@ -168,7 +166,7 @@ def _assumed(symbol: sp.Symbol) -> str:
 
 
 @dataclass(frozen=True)
-class System:
+class System(Displayed):
     """A vector field on a phase space, with what is claimed of it.
 
     Parameters
@@ -331,65 +329,3 @@ class System:
             observables=self.observables + motion.observables,
             motion=None,
         )
-
-    # --- motion in closed form ---------------------------------------------------------------
-
-    def solve(
-        self,
-        start: Mapping[str, Any] | Sequence[Any],
-        parameters: Mapping[Any, Any] | None = None,
-    ) -> Solution:
-        """The motion from a start in closed form, at any time; see :mod:`chaplygin.explicit`.
-
-        Parameters
-        ----------
-        start : sequence of numbers, or mapping of str to number or numbers
-            State at time 0; see :func:`chaplygin.explicit.solver.solve`.
-        parameters : mapping of Symbol or name to number, optional
-            Values that replace the defaults.
-
-        Raises
-        ------
-        InputError
-            If start or parameters cannot be used; and if no closed form is known, when the
-            message says what is.
-        """
-        from ..explicit.solver import solve
-
-        return solve(self, start, parameters)
-
-    # --- other tools and print -------------------------------------------------------------
-
-    def lambdify(self, target: str = "numpy") -> Callable[..., Any]:
-        """The field as a function ``f(t, x, p)`` for ``"numpy"``, ``"jax"`` or ``"numba"``.
-
-        See :func:`chaplygin.printing.code.function`.
-        """
-        from ..printing.code import function
-
-        return function(self, target)
-
-    def source_code(self, language: str) -> str:
-        """The field as source text in ``"julia"`` or ``"c"``."""
-        from ..printing.code import source
-
-        return source(self, language)
-
-    def latex(self) -> str:
-        """The equations of motion as a LaTeX ``aligned`` environment."""
-        from ..printing.system import system_latex
-
-        return system_latex(self)
-
-    def __str__(self) -> str:
-        from ..printing.system import system_text
-
-        return system_text(self)
-
-    def _repr_latex_(self) -> str:
-        return f"$\\displaystyle {self.latex()}$"
-
-    def _repr_html_(self) -> str:
-        from ..printing.system import system_html
-
-        return system_html(self)

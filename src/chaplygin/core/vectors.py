@@ -25,6 +25,8 @@ from sympy.matrices.expressions import (
 from sympy.printing.latex import LatexPrinter
 from sympy.printing.precedence import PRECEDENCE
 
+from .display import formula_latex
+
 __all__ = [
     "Cross",
     "Diagonal",
@@ -103,7 +105,7 @@ class Vector(sp.MatrixSymbol):
         return iter(self.symbols)
 
     def _latex(self, printer: LatexPrinter) -> str:
-        return _as_on_paper(self)
+        return formula_latex(self)
 
 
 class _Tensor(sp.MatrixSymbol):
@@ -115,7 +117,7 @@ class _Tensor(sp.MatrixSymbol):
         return self
 
     def _latex(self, printer: LatexPrinter) -> str:
-        return _as_on_paper(self)
+        return formula_latex(self)
 
 
 class Diagonal(_Tensor):
@@ -174,7 +176,7 @@ class Cross(MatrixExpr):
         return self
 
     def _latex(self, printer: LatexPrinter) -> str:
-        return _as_on_paper(self)
+        return formula_latex(self)
 
 
 class Dot(sp.Expr):
@@ -190,7 +192,7 @@ class Dot(sp.Expr):
         return made
 
     def _latex(self, printer: LatexPrinter) -> str:
-        return _as_on_paper(self)
+        return formula_latex(self)
 
 
 class Gradient(MatrixExpr):
@@ -211,14 +213,7 @@ class Gradient(MatrixExpr):
         return self
 
     def _latex(self, printer: LatexPrinter) -> str:
-        return _as_on_paper(self)
-
-
-def _as_on_paper(formula: sp.Basic) -> str:
-    """LaTeX for SymPy's own printer, which notebooks call for a formula of its own."""
-    from ..printing.formula import latex
-
-    return latex(formula)
+        return formula_latex(self)
 
 
 def vectors(names: str) -> tuple[Vector, ...]:

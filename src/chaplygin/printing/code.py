@@ -24,13 +24,13 @@ from .system import field_text
 if TYPE_CHECKING:
     from ..core.system import System
 
-__all__ = ["LANGUAGES", "TARGETS", "function", "source"]
+__all__ = ["LANGUAGES", "TARGETS", "lambdify", "source_code"]
 
 Field = Callable[..., Any]
 Assignments = list[tuple[sp.Symbol, sp.Expr]]
 
 
-def function(system: System, target: str = "numpy") -> Field:
+def lambdify(system: System, target: str = "numpy") -> Field:
     """The time derivative of the flat state as a function.
 
     Parameters
@@ -61,7 +61,7 @@ def function(system: System, target: str = "numpy") -> Field:
     return TARGETS[target](system)
 
 
-def source(system: System, language: str) -> str:
+def source_code(system: System, language: str) -> str:
     """The time derivative of the flat state as readable source text.
 
     Parameters

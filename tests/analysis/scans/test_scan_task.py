@@ -13,7 +13,7 @@ from chaplygin.analysis.scans.scan_task import Chart, chart
 from chaplygin.catalogue import entry
 from chaplygin.core.system import Guard, Observable, Parameter, System
 from chaplygin.errors import InputError
-from chaplygin.flow.ensemble.task import compute
+from chaplygin.flow.ensemble.compute import compute
 
 x, y, c = sp.symbols("x y c", real=True)
 

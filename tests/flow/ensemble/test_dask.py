@@ -21,8 +21,8 @@ import pytest
 import xarray as xr
 
 from chaplygin.errors import InputError
-from chaplygin.flow.ensemble.task import Task, Variable, compute
-from chaplygin.flow.ensemble.zarr_store import UnfinishedError
+from chaplygin.flow.ensemble.compute import compute
+from chaplygin.flow.ensemble.task import Task, UnfinishedError, Variable
 from counted import deadly, mistaken, task
 
 

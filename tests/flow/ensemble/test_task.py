@@ -21,8 +21,9 @@ import zarr
 
 import counted
 from chaplygin.errors import InputError
-from chaplygin.flow.ensemble.task import Task, Variable, compute
-from chaplygin.flow.ensemble.zarr_store import UnfinishedError, read
+from chaplygin.flow.ensemble.compute import compute
+from chaplygin.flow.ensemble.task import Task, UnfinishedError, Variable
+from chaplygin.flow.ensemble.zarr_store import read
 from counted import task
 
 

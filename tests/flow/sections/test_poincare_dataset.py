@@ -18,7 +18,8 @@ from chaplygin.catalogue import entry
 from chaplygin.core.vectors import explicit
 from chaplygin.errors import InputError
 from chaplygin.flow.batch import section
-from chaplygin.flow.ensemble.task import Task, compute
+from chaplygin.flow.ensemble.compute import compute
+from chaplygin.flow.ensemble.task import Task
 from chaplygin.flow.sampling.draw import draw
 from chaplygin.flow.sections import poincare_dataset as section_points
 from chaplygin.flow.sections.poincare_dataset import Quantity, section_task

@@ -12,7 +12,8 @@ from chaplygin.core.vectors import dot, explicit, scalar
 from chaplygin.errors import InputError
 from chaplygin.mechanics.lagrangian.mechanism import TIME, Mechanism, coordinates
 from chaplygin.mechanics.reduction.base import base
-from chaplygin.mechanics.reduction.chaplygin import ChaplyginForm, chaplygin_form
+from chaplygin.mechanics.reduction.chaplygin import chaplygin_form
+from chaplygin.mechanics.reduction.form import ChaplyginForm
 from chaplygin.mechanics.reduction.integrals import Linear
 from chaplygin.mechanics.reduction.lift import lift
 from chaplygin.mechanics.reduction.momenta import motion

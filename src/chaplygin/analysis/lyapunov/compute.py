@@ -9,8 +9,6 @@ a motion of finite length and has an error; it is *observed*, never proven.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -23,14 +21,15 @@ from ...flow.state_scales import sizes_along
 from ...flow.tangent_space import propagate
 from ...flow.validation import require_on_phase_space
 from ...formulas.evaluate import parameter_rows, relation_terms
-from .averages import Average, average, batched, resolution
-from .divergence import NODES, Followed, Volume, volume
-from .zero_exponents import Forced, Removed, forced
+from .averages import average, resolution
+from .divergence import NODES, Followed, volume
+from .report import Spectrum
+from .zero_exponents import Forced, forced
 
 if TYPE_CHECKING:
-    import xarray as xr
+    pass
 
-__all__ = ["Spectrum", "Volume", "kaplan_yorke", "spectrum"]
+__all__ = ["spectrum"]
 
 Array: TypeAlias = Any
 Values: TypeAlias = Mapping[Any, Any] | None
@@ -44,142 +43,6 @@ LEAST, MOST = 100, 2_000_000
 #: Logarithm of the ratio of lengths that deviations may reach in an interval: at first, and later.
 APART = (12.0, 28.0)
 FIRST = 8
-#: Draws of the bootstrap, and its seed.
-DRAWS, SEED = 400, 20080830
-
-
-@dataclass(frozen=True)
-class Spectrum:
-    """The Lyapunov exponents of one motion.
-
-    Attributes
-    ----------
-    system : System
-    parameters : dict of str to float
-    start : (size,) array
-    until, interval : float
-        Length of the motion, and of the intervals after which deviations are made orthonormal.
-    began : float
-        Before this time nothing is counted.
-    exponents : tuple of Average
-        The genuine ones, the largest first.
-    removed : tuple of (Removed, float or None)
-        What was removed, with the rate at which it was seen to grow, which is to vanish; None for
-        relations.
-    dependent : tuple of str
-        Integrals and symmetries that force nothing at this start.
-    fading : tuple of str
-        What would force a zero if it kept its size, and does not: the flow of a motion that comes
-        to rest.  It is not removed.
-    total : Average
-        The sum of the genuine exponents.
-    volume : Volume
-    growth : (intervals, exponents) array
-        Logarithms of the growth in each interval, from the start on.
-    tolerance : float
-    """
-
-    system: System
-    parameters: dict[str, float]
-    start: Array
-    until: float
-    interval: float
-    began: float
-    exponents: tuple[Average, ...]
-    removed: tuple[tuple[Removed, float | None], ...]
-    dependent: tuple[str, ...]
-    fading: tuple[str, ...]
-    total: Average
-    volume: Volume
-    growth: Array
-    tolerance: float
-
-    @property
-    def settled(self) -> bool:
-        """Whether every exponent agrees in both halves of the motion."""
-        return all(item.settled for item in self.exponents)
-
-    @property
-    def values(self) -> Array:
-        """The genuine exponents."""
-        return np.array([item.value for item in self.exponents])
-
-    @property
-    def errors(self) -> Array:
-        """Their errors."""
-        return np.array([item.error for item in self.exponents])
-
-    @property
-    def chaotic(self) -> bool:
-        """Whether the largest exponent is settled and positive beyond its error: observed."""
-        return bool(
-            self.exponents
-            and self.exponents[0].settled
-            and self.exponents[0].value > self.exponents[0].error
-        )
-
-    @property
-    def within(self) -> int:
-        """Zeros that belong to directions within the levels of the integrals."""
-        return sum(r.kind in ("flow", "symmetry", "quadrature") for r, _ in self.removed)
-
-    @cached_property
-    def dimension(self) -> tuple[float, float]:
-        """The Kaplan–Yorke dimension on the level of the integrals, and its error.
-
-        The error is the standard deviation over bootstrap draws of the batches.
-        """
-        began = round(self.began / self.interval)
-        means = batched(self.growth[began:]) / self.interval
-        draws = np.random.default_rng(SEED).integers(len(means), size=(DRAWS, len(means)))
-        zeros = np.zeros(self.within)
-        found = [kaplan_yorke(np.append(means[draw].mean(axis=0), zeros)) for draw in draws]
-        return kaplan_yorke(np.append(self.values, zeros)), float(np.std(found))
-
-    @property
-    def symmetric(self) -> bool:
-        """Whether the exponents come in pairs of opposite sign, within their errors."""
-        pairs = self.values + self.values[::-1]
-        return bool(np.all(np.abs(pairs) <= self.errors + self.errors[::-1]))
-
-    @property
-    def times(self) -> Array:
-        """The ends of the intervals."""
-        return self.interval * np.arange(1, len(self.growth) + 1)
-
-    @property
-    def running(self) -> Array:
-        """What each exponent would have been if the motion had ended earlier.
-
-        (intervals, exponents); not a number before anything is counted.
-        """
-        began = round(self.began / self.interval)
-        found = np.full(self.growth.shape, np.nan)
-        count = np.arange(1, len(found) - began + 1)[:, None]
-        found[began:] = np.cumsum(self.growth[began:], axis=0) / (self.interval * count)
-        return found
-
-    def dataset(self) -> xr.Dataset:
-        """Exponents, errors and the way they settled, with what they are of."""
-        from .report import dataset
-
-        return dataset(self)
-
-
-def kaplan_yorke(exponents: Sequence[float] | Array) -> float:
-    """The dimension of an attractor with given exponents (Kaplan and Yorke 1979).
-
-    With the exponents in falling order, j is the largest number of them whose sum is not
-    negative; the dimension is j + (λ_1 + … + λ_j)/|λ_{j+1}|, and the number of exponents where
-    all sums are not negative.
-    """
-    ordered = np.sort(np.asarray(exponents, dtype=np.float64))[::-1]
-    sums = np.cumsum(ordered)
-    count = int(np.argmax(sums < 0)) if (sums < 0).any() else len(ordered)
-    if count == len(ordered):
-        return float(count)
-    rest = sums[count - 1] if count else 0.0
-    return float(count + rest / abs(ordered[count]))
 
 
 def spectrum(

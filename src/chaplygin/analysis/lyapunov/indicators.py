@@ -18,6 +18,7 @@ from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 
+from ...core.parameters import Parameters
 from ...core.system import System
 from ...core.vectors import explicit
 from ...errors import InputError
@@ -25,7 +26,6 @@ from ...flow.batch import lanes
 from ...flow.level_projection import picked
 from ...flow.state_scales import sizes_along
 from ...flow.tangent_space import TangentSpace, orthonormal
-from ..scans.observables import Parameters
 
 __all__ = [
     "Alignment",

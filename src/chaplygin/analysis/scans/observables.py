@@ -13,15 +13,15 @@ from typing import Any, ClassVar
 import numpy as np
 import sympy as sp
 
+from ...core.parameters import Parameters
 from ...core.system import System
 from ...flow.batch import Lanes, lanes
 from ...flow.level_projection import picked
 from ...formulas.evaluate import values
 from ..orbits.rotation import average
 
-__all__ = ["Duration", "Frequency", "Highest", "Lowest", "Mean", "Parameters", "Watched", "watched"]
+__all__ = ["Duration", "Frequency", "Highest", "Lowest", "Mean", "Watched", "watched"]
 
-Parameters = Mapping[Any, Any]
 
 #: States of a motion that are kept at a time.
 KEPT = 128

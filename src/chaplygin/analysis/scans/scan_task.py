@@ -94,7 +94,7 @@ class Chart:
 
 
 def chart(made: Chart, attributes: Mapping[str, Any] | None = None) -> Task:
-    """The task that computes a chart; see :func:`chaplygin.flow.ensemble.task.compute`.
+    """The task that computes a chart; see :func:`chaplygin.flow.ensemble.compute.compute`.
 
     Parameters
     ----------

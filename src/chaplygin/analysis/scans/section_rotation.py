@@ -8,11 +8,11 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from ...core.parameters import Parameters
 from ...core.system import System
 from ...flow.batch import Section
 from ...flow.sections.poincare_map import SectionMap
 from ..orbits.return_map import rotations
-from .observables import Parameters
 
 __all__ = ["Winding"]
 

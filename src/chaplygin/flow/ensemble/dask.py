@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...errors import InputError
-from .task import Arrays, Divisible, Work
+from .task import Arrays, Divisible, UnfinishedError, Work
 
 if TYPE_CHECKING:
     from distributed import Client, Future
@@ -63,8 +63,6 @@ def results(
         raise InputError(
             "a computation on a cluster needs Dask: pip install cloudpickle dask distributed"
         ) from None
-    from .zarr_store import UnfinishedError
-
     if not blocks:
         return
     with _connected(client) as connected:

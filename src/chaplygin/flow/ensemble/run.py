@@ -20,8 +20,9 @@ from ..cost import TooMuchError
 from ..kernel.runge_kutta import ENDS
 from ..metadata import FRAMES, LABELS, told_of
 from ..validation import moments
+from .compute import compute
 from .members import Members, drawn, grid, listed, one
-from .task import Coordinate, Progress, Task, Variable, compute
+from .task import Coordinate, Progress, Task, Variable
 from .work import Motions, recorded
 
 if TYPE_CHECKING:
@@ -71,7 +72,8 @@ def ensemble(
     block : int, optional
         Members computed, written and lost at once; chosen by their size unless given.
     where, client, progress
-        A store on disk, a cluster, who is told; see :func:`~chaplygin.flow.ensemble.task.compute`.
+        A store on disk, a cluster, who is told; see
+        :func:`~chaplygin.flow.ensemble.compute.compute`.
 
     Returns
     -------

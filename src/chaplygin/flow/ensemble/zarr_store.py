@@ -23,35 +23,21 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...core.source_digest import core
-from ...errors import InputError, RunError
+from ...errors import InputError
 from ...formulas.digest import digest, parts
+from .task import Arrays, Task, UnfinishedError
 
 if TYPE_CHECKING:
     import xarray as xr
     import zarr
 
-    from .task import Arrays, Task
-
-__all__ = ["Store", "UnfinishedError", "open_store", "read"]
+__all__ = ["Store", "open_store", "read"]
 
 #: The array that says which blocks are complete.
 DONE = "done"
 
 #: Written into every store, so that ours are known from others.
 FORMAT = "chaplygin blocks 1"
-
-
-class UnfinishedError(RunError):
-    """A computation in blocks that stopped before its end; what was written stays."""
-
-    def __init__(self, reason: str) -> None:
-        super().__init__(reason, float("nan"))
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.reason,)
-
-    def __str__(self) -> str:
-        return self.reason
 
 
 @dataclass

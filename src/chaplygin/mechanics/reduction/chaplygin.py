@@ -9,8 +9,8 @@ rational points, and is stated as laws that :mod:`chaplygin.proof` proves.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import replace
 
 import sympy as sp
 
@@ -26,88 +26,16 @@ from .base import Base, base
 from .canonical import canonical, canonical_law
 from .closed_form import Closed, closed_forms
 from .factors import Chart, natural_factors
+from .form import ChaplyginForm
 from .gyroscopic_form import Flux, flux, indefinite
 from .integrals import Linear, linear_integrals
 from .lift import Lift, Local, lift
 from .momenta import Motion, motion
-from .multiplier import Multiplier, Obstruction, closed, is_closed, multiplier, over_rational, poles
+from .multiplier import Multiplier, closed, is_closed, multiplier, over_rational, poles
 from .quadratic_integral import balanced
 from .system import chaplygin_system, lifted, motion_law, with_base
 
-__all__ = ["ChaplyginForm", "chaplygin_form"]
-
-
-@dataclass(frozen=True)
-class ChaplyginForm:
-    """What Theorem 6 makes of a mechanism.
-
-    Attributes
-    ----------
-    original : System
-        The equations of motion of the mechanism, with its linear integrals as laws.
-    base : Base
-        The two coordinates.
-    integrals : tuple of (Expr, Linear)
-        The linear integrals on whose levels the system is reduced, after their values.
-    role : str
-        The integral that plays the part of the energy in L = E₂ − E₀.
-    closed : Closed
-        Metric, S and the lift, in closed form.
-    multiplier : Multiplier or None
-        N up to a constant factor.
-    obstruction : Obstruction or None
-        A point at which d ln N = A₂ dq₁ − A₁ dq₂ is not closed: there is no multiplier.
-    closed_form : bool
-        Whether the 1-form is closed, exactly.  Without `multiplier`, N is the exponential of its
-        integral, see :func:`chaplygin.mechanics.reduction.numerical.log_multiplier`.
-    singular : tuple of Expr
-        Factors of N that vanish somewhere on the sphere, at the default parameters.
-    flux : Flux or None
-        The integral of S̄, if there is a multiplier.
-    system : System
-        (4.7), with the laws of Theorem 6 and the way back to `original`.
-    gyroscopic : Expr or None
-        S̄ of (4.5), if there is a multiplier.
-    lifted : System or None
-        `system` with those coordinates of `original` that it does not need; it carries the way
-        back then.
-    hamiltonian : System or None
-        `system` in the time τ and canonical variables, where S̄ is exact in closed form.
-    local : Local
-        Evaluates (4.4) at points.
-    on : tuple of Expr
-        Expressions in the parameters that vanish for the numbers of the mechanism and are a case
-        of their own, with a multiplier or another than elsewhere.  They are settled in all
-        systems here.
-    """
-
-    original: System
-    base: Base
-    integrals: tuple[tuple[sp.Expr, Linear], ...]
-    role: str
-    closed: Closed
-    multiplier: Multiplier | None
-    obstruction: Obstruction | None
-    closed_form: bool
-    singular: tuple[sp.Expr, ...]
-    flux: Flux | None
-    system: System
-    gyroscopic: sp.Expr | None
-    lifted: System | None
-    hamiltonian: System | None
-    local: Local
-    on: tuple[sp.Expr, ...] = ()
-
-    def claims(self) -> Iterator[tuple[System, Law]]:
-        """All that is claimed, as pairs of a system and a law of it."""
-        for system in (self.original, self.system, self.lifted, self.hamiltonian):
-            if system is not None:
-                yield from ((system, law) for law in system.laws)
-
-    def __str__(self) -> str:
-        from .text import page
-
-        return page(self)
+__all__ = ["chaplygin_form"]
 
 
 def chaplygin_form(

@@ -13,7 +13,7 @@ from ...errors import InputError
 from .rational_evaluation import circle
 
 if TYPE_CHECKING:
-    from .chaplygin import ChaplyginForm
+    from .form import ChaplyginForm
 
 __all__ = ["integral_of_gyroscopic", "log_multiplier"]
 

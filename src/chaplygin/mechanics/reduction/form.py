@@ -1,20 +1,24 @@
-"""A reduction as a page for a terminal."""
+"""A generalised Chaplygin system in its reduced form, and as a page for a terminal."""
 
 from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from dataclasses import dataclass
 
 import sympy as sp
 
+from ...core.laws import Law
+from ...core.system import System
 from ...printing.formula import text
-from .multiplier import poles
+from .base import Base
+from .closed_form import Closed
+from .gyroscopic_form import Flux
+from .integrals import Linear
+from .lift import Local
+from .multiplier import Multiplier, Obstruction, poles
 
-if TYPE_CHECKING:
-    from .chaplygin import ChaplyginForm
-
-__all__ = ["page"]
+__all__ = ["ChaplyginForm"]
 
 WIDTH = 100
 MARGIN = 16
@@ -27,6 +31,77 @@ OPEN = (
     "undecided: A₂ dq₁ − A₁ dq₂ is closed at the points tried, but N is no product of powers of "
     "the factors that the system brings along"
 )
+
+
+@dataclass(frozen=True)
+class ChaplyginForm:
+    """What Theorem 6 makes of a mechanism.
+
+    Attributes
+    ----------
+    original : System
+        The equations of motion of the mechanism, with its linear integrals as laws.
+    base : Base
+        The two coordinates.
+    integrals : tuple of (Expr, Linear)
+        The linear integrals on whose levels the system is reduced, after their values.
+    role : str
+        The integral that plays the part of the energy in L = E₂ − E₀.
+    closed : Closed
+        Metric, S and the lift, in closed form.
+    multiplier : Multiplier or None
+        N up to a constant factor.
+    obstruction : Obstruction or None
+        A point at which d ln N = A₂ dq₁ − A₁ dq₂ is not closed: there is no multiplier.
+    closed_form : bool
+        Whether the 1-form is closed, exactly.  Without `multiplier`, N is the exponential of its
+        integral, see :func:`chaplygin.mechanics.reduction.numerical.log_multiplier`.
+    singular : tuple of Expr
+        Factors of N that vanish somewhere on the sphere, at the default parameters.
+    flux : Flux or None
+        The integral of S̄, if there is a multiplier.
+    system : System
+        (4.7), with the laws of Theorem 6 and the way back to `original`.
+    gyroscopic : Expr or None
+        S̄ of (4.5), if there is a multiplier.
+    lifted : System or None
+        `system` with those coordinates of `original` that it does not need; it carries the way
+        back then.
+    hamiltonian : System or None
+        `system` in the time τ and canonical variables, where S̄ is exact in closed form.
+    local : Local
+        Evaluates (4.4) at points.
+    on : tuple of Expr
+        Expressions in the parameters that vanish for the numbers of the mechanism and are a case
+        of their own, with a multiplier or another than elsewhere.  They are settled in all
+        systems here.
+    """
+
+    original: System
+    base: Base
+    integrals: tuple[tuple[sp.Expr, Linear], ...]
+    role: str
+    closed: Closed
+    multiplier: Multiplier | None
+    obstruction: Obstruction | None
+    closed_form: bool
+    singular: tuple[sp.Expr, ...]
+    flux: Flux | None
+    system: System
+    gyroscopic: sp.Expr | None
+    lifted: System | None
+    hamiltonian: System | None
+    local: Local
+    on: tuple[sp.Expr, ...] = ()
+
+    def claims(self) -> Iterator[tuple[System, Law]]:
+        """All that is claimed, as pairs of a system and a law of it."""
+        for system in (self.original, self.system, self.lifted, self.hamiltonian):
+            if system is not None:
+                yield from ((system, law) for law in system.laws)
+
+    def __str__(self) -> str:
+        return page(self)
 
 
 def page(form: ChaplyginForm) -> str:

@@ -1,0 +1,52 @@
+"""How systems and formulas are shown.
+
+The printers stand above this room, since they know what a system is.  They are looked up by name
+when something is first shown, so that no import leads up from here.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Protocol, cast
+
+import sympy as sp
+
+__all__ = ["Displayed", "formula_latex"]
+
+
+class _Printer(Protocol):
+    def system_text(self, system: Displayed) -> str: ...
+
+    def system_latex(self, system: Displayed) -> str: ...
+
+    def system_html(self, system: Displayed) -> str: ...
+
+
+class _FormulaPrinter(Protocol):
+    def latex(self, formula: sp.Basic) -> str: ...
+
+
+def _printer() -> _Printer:
+    return cast(_Printer, import_module("chaplygin.printing.system"))
+
+
+def formula_latex(formula: sp.Basic) -> str:
+    """LaTeX of a formula, for SymPy's own printer, which notebooks call."""
+    return cast(_FormulaPrinter, import_module("chaplygin.printing.formula")).latex(formula)
+
+
+class Displayed:
+    """What is shown as on paper: as text, in LaTeX, and in a notebook."""
+
+    def latex(self) -> str:
+        """The equations of motion as a LaTeX ``aligned`` environment."""
+        return _printer().system_latex(self)
+
+    def __str__(self) -> str:
+        return _printer().system_text(self)
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self.latex()}$"
+
+    def _repr_html_(self) -> str:
+        return _printer().system_html(self)

@@ -1,0 +1,124 @@
+"""Tasks computed: in memory or streamed to a store, here or on a cluster."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..cost import Pace, require_room
+from .dask import results
+from .task import Arrays, Progress, Task
+from .zarr_store import open_store, read
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["compute"]
+
+
+def compute(
+    task: Task,
+    where: str | Path | None = None,
+    *,
+    client: Any = None,
+    progress: Progress | None = None,
+) -> xr.Dataset:
+    """Carry out a task.
+
+    Parameters
+    ----------
+    task : Task
+    where : path, optional
+        Folder of the Zarr store that is to hold the result, usually called ``….zarr``: written
+        block by block, and begun or gone on with, as it is found.  Without it everything is kept
+        in memory.
+    client : dask.distributed.Client, str or int, optional
+        Who computes: a Dask client, the address of a scheduler (``"tcp://host:8786"``), a number
+        of processes of this machine, or ``"local"`` for as many as it has processors.  Without
+        it this process does.
+    progress : callable, optional
+        Told how much is done, from 0 to 1.
+
+    Returns
+    -------
+    xarray.Dataset
+        In memory; or, where there is a store, read from it when it is used.
+
+    Raises
+    ------
+    InputError
+        If the store cannot be written, is none of ours, or holds another experiment; if the
+        cluster cannot be reached.
+    UnfinishedError
+        If the disk is full, or a block brings down the workers; what was written stays.
+    """
+    told = progress if progress is not None else _silent
+    _require_room(task, where)
+    return _in_memory(task, client, told) if where is None else _stored(task, where, client, told)
+
+
+def _require_room(task: Task, where: str | Path | None) -> None:
+    """Refuse a task whose result finds no room where it is to be; what is there takes none."""
+    sizes = [
+        (task.size * math.prod(variable.shape), np.dtype(variable.dtype).itemsize)
+        for variable in task.variables.values()
+    ]
+    folder = None if where is None else Path(where)
+    if folder is None or not folder.exists():
+        what = f"the {sum(count for count, _ in sizes):,} numbers of the result"
+        require_room(sum(count * size for count, size in sizes), folder, what)
+
+
+def _silent(done: float) -> None:
+    """Progress of which nobody wants to hear."""
+
+
+def _results(
+    task: Task, blocks: Sequence[int], client: Any, progress: Progress
+) -> Iterator[tuple[int, Arrays]]:
+    """The blocks asked for as they come, each with its number."""
+    progress(1 - len(blocks) / task.blocks)
+    pace = Pace()
+    if client is None:
+        pairs: Iterator[tuple[int, Arrays]] = (
+            (block, task.work(*task.members(block))) for block in blocks
+        )
+    else:
+        pairs = results(client, task.work, {block: task.members(block) for block in blocks})
+    for count, (block, arrays) in enumerate(pairs, 1):
+        yield block, task.checked(arrays, *task.members(block))
+        pace.check(count / len(blocks), f"{task.size:,} {task.member}s")
+        progress(1 - (len(blocks) - count) / task.blocks)
+
+
+def _in_memory(task: Task, client: Any, progress: Progress) -> xr.Dataset:
+    import xarray as xr
+
+    whole = {
+        name: np.empty((task.size, *variable.shape), variable.dtype)
+        for name, variable in task.variables.items()
+    }
+    for block, arrays in _results(task, range(task.blocks), client, progress):
+        for name, array in arrays.items():
+            whole[name][slice(*task.members(block))] = array
+    placed = {
+        name: xr.Variable((task.member, *variable.dimensions), whole[name], variable.attributes)
+        for name, variable in task.variables.items()
+    }
+    known = {
+        name: xr.Variable(item.dimensions, item.values, item.attributes)
+        for name, item in task.coordinates.items()
+    }
+    of_members = [name for name, variable in task.variables.items() if variable.coordinate]
+    return xr.Dataset(placed, known, task.attributes).set_coords(of_members)
+
+
+def _stored(task: Task, where: str | Path, client: Any, progress: Progress) -> xr.Dataset:
+    with open_store(task, Path(where)) as store:
+        for block, arrays in _results(store.task, store.missing, client, progress):
+            store.write(block, arrays)
+    return read(where)
