@@ -24,7 +24,7 @@ def test_the_steps_run(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_files_and_links_are_there() -> None:
-    for name in re.findall(r"`(flow/\w+\.py)`", PAGE):
+    for name in re.findall(r"`((?:flow|formulas)/[\w/]+\.py)`", PAGE):
         assert (ROOT / "src" / "chaplygin" / name).exists(), name
     for target in re.findall(r"\]\(([^)#:]+)\)", PAGE):
         assert (ROOT / "docs" / target).exists(), target

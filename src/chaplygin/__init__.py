@@ -62,6 +62,7 @@ if TYPE_CHECKING:
     from .mechanics.rolling.mechanism import rolling_mechanism
     from .mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
     from .mechanics.rolling.surfaces import Plane, Sphere
+    from .printing.code import lambdify, source_code
     from .proof.prover import prove
     from .proof.verdict import Verdict
 

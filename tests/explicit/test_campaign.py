@@ -66,7 +66,7 @@ def bare(separable: Separable) -> Separable:
 @cache
 def told(module: str, function: str) -> Separable:
     """A separation by the place where it is told of."""
-    return bare(getattr(import_module(f"chaplygin.explicit.{module}"), function)())
+    return bare(getattr(import_module(f"chaplygin.explicit.separations.{module}"), function)())
 
 
 def body(separable: Separable, generator: random.Random) -> dict[sp.Symbol, Fraction]:

@@ -23,6 +23,7 @@ import pytest
 import sympy as sp
 
 import chaplygin
+import chaplygin.core.arrays
 import chaplygin.core.laws
 import chaplygin.core.system
 import chaplygin.core.vectors
@@ -41,8 +42,8 @@ from mechanics.compare import (
 )
 from spread import spread
 
-FOLDER = Path(chaplygin.__file__).parent / "mechanics"
-CHANGED = ("attitude", "shapes", "contact", "rolling")
+FOLDER = Path(chaplygin.__file__).parent / "mechanics" / "rolling"
+CHANGED = ("attitude", "shapes", "contact", "equations")
 LOADED = (
     "surfaces",
     "rays",
@@ -50,11 +51,11 @@ LOADED = (
     "body",
     "contact",
     "attitude",
-    "points",
-    "rolling",
-    "start",
+    "gauss_map",
+    "equations",
+    "initial_state",
 )
-SHARED = ("errors", "statements", "system", "vectors")
+SHARED = ("errors", "core.arrays", "core.laws", "core.system", "core.vectors")
 
 #: Changes are tried in so many parts, of which one is no slow test.
 PARTS = 10
@@ -260,23 +261,23 @@ def package(change: Change | None, used: set[tuple[str, str]]) -> Package:
     """The mechanics rebuilt, with one change or none; notes in `used` what is called."""
     for name in [name for name in sys.modules if name.split(".")[0] == "mutant"]:
         del sys.modules[name]
-    for name in ("mutant", "mutant.mechanics"):
+    for name in ("mutant", "mutant.core", "mutant.mechanics", "mutant.mechanics.rolling"):
         module = types.ModuleType(name)
         module.__path__ = []
         sys.modules[name] = module
     for name in SHARED:
         sys.modules[f"mutant.{name}"] = sys.modules[f"chaplygin.{name}"]
     for name in LOADED:
-        module = types.ModuleType(f"mutant.mechanics.{name}")
-        module.__package__ = "mutant.mechanics"
+        module = types.ModuleType(f"mutant.mechanics.rolling.{name}")
+        module.__package__ = "mutant.mechanics.rolling"
         module.CALLED = used
         sys.modules[module.__name__] = module
         changed = change is not None and name == change.module
         exec(compile(change.tree(), f"{name}.py", "exec") if changed else code(name), vars(module))
     return Package(
         *(
-            sys.modules[f"mutant.mechanics.{name}"]
-            for name in ("body", "shapes", "surfaces", "rolling", "start")
+            sys.modules[f"mutant.mechanics.rolling.{name}"]
+            for name in ("body", "shapes", "surfaces", "equations", "initial_state")
         )
     )
 
@@ -306,7 +307,7 @@ class Witness:
 
     def uses(self, change: Change) -> bool:
         """Whether the changed function is called for this body, or is none but a module."""
-        name = f"mutant.mechanics.{change.module}"
+        name = f"mutant.mechanics.rolling.{change.module}"
         return not change.function or (name, change.function) in self.used
 
     def _told(self, changed: Package) -> dict[str, np.ndarray]:

@@ -33,7 +33,7 @@ def reduced(made: Separable) -> Separable:
 
 SYSTEMS: dict[str, Separable] = {}
 for _place in SEPARABLE:
-    _module = __import__(f"chaplygin.explicit.{_place.module}", fromlist=[_place.function])
+    _module = __import__(f"chaplygin.explicit.separations.{_place.module}", fromlist=[_place.function])
     SYSTEMS[f"{_place.module}.{_place.function}"] = reduced(getattr(_module, _place.function)())
 
 #: Those whose state is a formula of ν, ν′ and the parameters alone.

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 import sympy as sp
-from laws.test_prove import FAR, RIGHT, TOP, WRONG
+from proof.test_prover import FAR, RIGHT, TOP, WRONG
 
 from chaplygin.catalogue import from_catalogue
 from chaplygin.check import BadInputError, CheckError, check
