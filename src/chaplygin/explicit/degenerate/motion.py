@@ -6,6 +6,7 @@ from typing import Any, Protocol
 
 from ..genus_two.separation import Separable
 from .exact_start import Beginning
+from .quadratures import Quadratures, Window
 from .theta_motion import Asymptotic, Periodic
 
 __all__ = ["DegenerateMotion"]
@@ -37,3 +38,10 @@ class DegenerateMotion(Protocol):
     @property
     def pace(self) -> float:
         """How fast the phase grows with time, in turns."""
+
+    @property
+    def clock(self) -> Quadratures | Window:
+        """t and places in space as functions of τ."""
+
+    def states(self, times: Any) -> Any:
+        """Lifted states (n, size) at `times` (n,), in double precision."""
