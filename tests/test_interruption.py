@@ -92,6 +92,7 @@ sys.exit(130)
     )
 
 
+@pytest.mark.slow
 def test_results_that_machine_code_holds_up_are_printed() -> None:
     script = block("""
 with concluding("the results are about to be printed"):

@@ -302,6 +302,7 @@ def test_rubber_chaplygin_ball_is_the_veselova_system():
 # --- limits -----------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("side", [1, -1], ids=["outside", "inside"])
 @pytest.mark.parametrize("contact", ["marble", "rubber"])
 def test_a_very_large_sphere_is_a_plane(contact, side):

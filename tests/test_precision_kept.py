@@ -94,6 +94,7 @@ def _assigned(tree: ast.AST) -> Iterator[tuple[str, int]]:
                         yield base, node.lineno
 
 
+@pytest.mark.slow
 def test_no_module_sets_the_precision_of_others() -> None:
     found = {
         f"{path.relative_to(SOURCE)}:{line}: {base}"

@@ -56,6 +56,7 @@ ALL_KINDS = [
 # Random cases: what every motion keeps
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("shape", "support", "contact"), ALL_KINDS)
 def test_random_motion_keeps_energy_and_constraints(shape, support, contact):
     case = random_case(np.random.default_rng(11), shape, support, contact)
@@ -80,6 +81,7 @@ def test_random_motion_keeps_energy_and_constraints(shape, support, contact):
         assert np.abs(motion["spin_torque"]).max() > 1e-3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("shape", "support", "contact"),
     [
@@ -111,6 +113,7 @@ def test_reversed_motion_returns():
     np.testing.assert_allclose(back["omega"][0], -case.start["omega"], rtol=0, atol=1e-11)
 
 
+@pytest.mark.slow
 def test_random_case_is_admissible_and_reproducible():
     cases = [
         random_case(np.random.default_rng(8), "revolution", "inside", "rubber", kind)
@@ -295,6 +298,7 @@ TWINS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("surface", [Plane(), Sphere(2.0), Sphere(-3.0)])
 @pytest.mark.parametrize("contact", CONTACTS)
 @pytest.mark.parametrize("name", TWINS)

@@ -75,6 +75,7 @@ def check_verdict(verdict: Verdict) -> None:
     assert bool(verdict.conditions) == (verdict.decision == "proven where")
 
 
+@pytest.mark.slow(every=4)
 @NUMBERS
 def test_a_claim_is_judged_and_put_right(number):
     _, claim = CLAIMS[number]

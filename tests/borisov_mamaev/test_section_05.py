@@ -94,6 +94,7 @@ def test_nutation_and_rotation_follow_from_the_quadratures(name, spin):
     assert np.sign(found.y[1, -1]) == np.sign(spin)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PROFILES)
 def test_volumes_with_the_density_ba_are_kept(name):
     B, square, _ = PROFILES[name]

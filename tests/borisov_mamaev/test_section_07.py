@@ -165,6 +165,7 @@ def by_reducing_multiplier(velocity: tuple[float, float]) -> float:
     return value(total.subs(dict(zip((dtheta, dphi), velocity, strict=True))))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("velocity", [(0.35, -0.6), (1.2, 0.9), (-2.0, 0.1)])
 def test_the_gyroscopic_term_follows_from_the_reducing_multiplier(velocity):
     derived = by_reducing_multiplier(velocity)
@@ -172,6 +173,7 @@ def test_the_gyroscopic_term_follows_from_the_reducing_multiplier(velocity):
     assert abs(value(gyroscopic(-k)) - derived) > MOVED * abs(derived)
 
 
+@pytest.mark.slow
 def test_the_bracket_with_rotors_follows_from_that_of_theorem_9():
     """{L_i, L_j} by (7.14), with the opposite sign, is ε_ijk u_k of the catalogue's bracket."""
     momenta = sp.Matrix(explicit(MOMENTUM)).subs(N, RHO)

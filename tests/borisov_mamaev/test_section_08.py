@@ -84,6 +84,7 @@ def test_the_separated_equations_hold_on_the_rolled_ball(state):
     np.testing.assert_allclose(nearest, left, rtol=1e-6, atol=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("state", states(4, seed=6).T)
 def test_the_flow_on_e3_is_that_of_the_rolled_ball(state):
     """m = −𝒩 (M − Bn (n, M)/(n, Bn)), differentiated along the ball by a central difference."""

@@ -178,6 +178,7 @@ def on_the_level(angle):
     return np.concatenate([omega / np.sqrt(square), gamma, [0.0]])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("angle", [0.4, 2.5])
 def test_volume_shrinks_along_motions_of_the_torus(angle):
     """Along every quasi-periodic motion with an invariant density it would stay bounded."""

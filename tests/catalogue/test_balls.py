@@ -46,6 +46,7 @@ MARBLE = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("case", "names"), MARBLE.items(), ids=map("-".join, MARBLE))
 @pytest.mark.parametrize("side", ["outside", "inside"])
 @pytest.mark.parametrize("axis", ["x", "z"])
@@ -60,6 +61,7 @@ def test_what_is_known_of_a_marble_ball_is_proven(case, names, side, axis):
         assert {prove(system, law).decision for law in laws} <= {"proven"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("side", ["outside", "inside"])
 @pytest.mark.parametrize("name", SURFACES)
 def test_what_is_known_of_a_rubber_ball_is_proven(name, side):
@@ -102,6 +104,7 @@ def test_a_rubber_ball_in_a_pipe_falls():
     np.testing.assert_allclose(centre[:, 2], -9.81 / 1.4 * times**2 / 2, atol=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BALLS)
 def test_the_ball_stays_in_touch_and_on_its_surface(name):
     found = trajectory(name)

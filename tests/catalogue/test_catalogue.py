@@ -57,6 +57,7 @@ def test_defaults_are_admissible(name):
         assert system.defaults[sp.Symbol(symbol, real=True)] == value
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_the_example_runs_to_its_end(name):
     item = CATALOGUE[name]
@@ -68,6 +69,7 @@ def test_the_example_runs_to_its_end(name):
     assert np.ptp(motion.states[:, :size], axis=0).max() > 0.1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_only_a_rolling_body_has_a_rolling(name):
     item = CATALOGUE[name]

@@ -94,6 +94,7 @@ def example(name: str) -> tuple[System, Any]:
     return made.system, made.start
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", spread(range(SEEDS), SEEDS))
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_integrals_of_the_catalogue(name, seed):
@@ -208,6 +209,7 @@ VARIANTS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(len(NORMALS)))
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_laws_that_the_catalogue_knows_of_other_bodies(variant, seed):

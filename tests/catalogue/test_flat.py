@@ -56,6 +56,7 @@ def follow(made: Study, until: float, samples: int = 201) -> Trajectory:
     return motion
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_every_integral_is_flat_along_the_example(name):
     motion = follow(example(name), CATALOGUE[name].start.until if name in CHARTS else 100.0)
@@ -75,6 +76,7 @@ def test_chaplygin_ball_at_a_hundred_thousand():
     assert max(drifts(follow(example("chaplygin-ball"), 1e5)).values()) < 1e-12
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", spread(range(3), 3))
 @pytest.mark.parametrize("name", ROLLING)
 def test_every_integral_is_flat_for_random_bodies(name, seed):
@@ -111,6 +113,7 @@ def wrong_forms(formula: sp.Expr, system: System) -> Iterator[tuple[str, sp.Expr
             yield f"exponent of {node}", formula.xreplace({node: raised})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ROLLING)
 def test_a_planted_error_shows(name):
     entry, rng = CATALOGUE[name], np.random.default_rng(crc32(name.encode()))

@@ -10,6 +10,7 @@ from chaplygin.proof.prover import prove
 PRINTED = tuple(c for c in CLAIMED if c.law.as_printed is not None)
 
 
+@pytest.mark.slow(every=4)
 @pytest.mark.parametrize("claimed", CLAIMED, ids=str)
 def test_a_law_is_proven(claimed):
     verdict = prove(claimed.system, claimed.law)
@@ -18,6 +19,7 @@ def test_a_law_is_proven(claimed):
     assert verdict.shown and not verdict.reason and verdict.witness is None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("claimed", PRINTED, ids=str)
 def test_a_misprint_is_refuted(claimed):
     printed = claimed.law.as_printed

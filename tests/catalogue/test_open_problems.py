@@ -167,6 +167,7 @@ def divergence(turn: float) -> float:
     return float(total)
 
 
+@pytest.mark.slow
 def test_a_steady_spin_of_the_rattleback_admits_no_smooth_measure() -> None:
     """A smooth density would make the divergence vanish at fixed points; turned axes forbid it."""
     straight = divergence(0.0)

@@ -71,6 +71,7 @@ def test_every_slip_is_refuted(claimed, forgotten):
     assert found == {decision: slips for decision, slips in expected.items() if slips}
 
 
+@pytest.mark.slow
 def test_slips_of_every_kind_fall_on_every_kind_of_law():
     falls = Counter(
         (type(claimed.law).__name__, *slip.split(maxsplit=1))

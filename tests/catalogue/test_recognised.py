@@ -147,6 +147,7 @@ CASES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_laws_of_an_experiment(name):
     case = CASES[name]
@@ -159,6 +160,7 @@ def test_laws_of_an_experiment(name):
         assert drift(motion.recorded[f"law_{law.name}"]) < 1e-13, law.name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_all_that_is_said_of_an_experiment_is_proven(name):
     system = study(**CASES[name].changes).system
@@ -209,6 +211,7 @@ ELSEWHERE = (
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", ELSEWHERE, ids=lambda c: f"{c.home} {c.law}")
 def test_a_law_is_not_claimed_where_it_fails(case):
     """The law, written for the other body, is not constant there: it is left out with reason."""

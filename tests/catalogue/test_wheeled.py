@@ -87,6 +87,7 @@ def rate(values, times):
     return (values[:-4] - 8 * values[1:-3] + 8 * values[3:-1] - values[4:]) / (12 * step)
 
 
+@pytest.mark.slow
 def test_the_axles_of_the_trailers_do_not_slip_in_space():
     times, q, p = run("trailers")
     heading = q["theta"]

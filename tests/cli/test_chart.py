@@ -70,6 +70,7 @@ def test_store_picture_and_table(ask: Ask, tmp_path: Path) -> None:
     assert np.isfinite(found["lyapunov_error"].values).sum() == 4
 
 
+@pytest.mark.slow
 def test_the_record(ask: Ask) -> None:
     code, out, _ = ask(*SMALL, "-o", "chart.zarr", "--figure", "other.svg", "--json")
     assert code == 0
@@ -103,6 +104,7 @@ def test_what_is_there_is_gone_on_with_and_nothing_else_touched(ask: Ask, tmp_pa
     assert (tmp_path / "foreign.zarr" / "letter.txt").read_text() == "mine"
 
 
+@pytest.mark.slow
 def test_interrupted(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
     from chaplygin.analysis.scans.scan_task import Chart
 

@@ -51,6 +51,7 @@ def test_list_names_every_system(ask: Ask) -> None:
     assert [item["name"] for item in json.loads(out)] == list(CATALOGUE)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_equations_fit_a_terminal(name: str) -> None:
     assert max(map(len, str(built.system(name)).splitlines())) <= 100
@@ -124,6 +125,7 @@ def test_the_stored_experiment_makes_the_same_bits(ask: Ask, tmp_path: Path) -> 
     assert read("first.nc").identical(read("second.nc"))
 
 
+@pytest.mark.slow
 def test_normalising_gamma_is_said(ask: Ask) -> None:
     _, _, err = ask("run", EXAMPLES / "egg.toml", "-o", "egg.nc", "--set", "run.until=0.1")
     assert "start.gamma has length 0.98" in err

@@ -79,6 +79,7 @@ def test_plain_values(ask: Ask) -> None:
     assert not holding["M_1 gamma_1"]
 
 
+@pytest.mark.slow
 def test_a_file_with_the_way_it_settled(ask: Ask, tmp_path: Path) -> None:
     code, _, err = ask("suslov", "--until", 50, "-o", "found.nc")
     assert code == 0

@@ -15,6 +15,7 @@ __all__ = ["ask"]
 CYCLE = ("orbit", "unbalanced-rubber-ball-centred", "--on", "gamma_1", "--hold", "energy")
 
 
+@pytest.mark.slow
 def test_a_limit_cycle_and_its_branch(ask: Ask) -> None:
     found = ("--after", "60", "--follow", "quadratic=0.96", "--figure", "branch.png")
     code, out, err = ask(*CYCLE, *found, "-o", "cycle.nc")

@@ -125,6 +125,7 @@ def test_a_picture_that_was_named_is_not_replaced_unasked(ask: Ask, tmp_path: Pa
     assert (tmp_path / "mine.png").read_text() == "mine"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "arguments",
     [
@@ -178,6 +179,7 @@ def test_a_reader_that_leaves_is_no_failure(tmp_path: Path) -> None:
         assert (run.returncode, err) == (0, b"")
 
 
+@pytest.mark.slow
 def test_tables_are_not_cut_in_a_pipe(tmp_path: Path) -> None:
     out, _ = program("list", folder=tmp_path).communicate()
     (line,) = (line for line in out.decode().splitlines() if "rubber-ball-on-surface " in line)

@@ -18,6 +18,7 @@ from cli.test_cli import ask
 __all__ = ["ask"]
 
 
+@pytest.mark.slow
 def test_prove_prints_a_verdict_for_every_law(ask):
     code, out, _ = ask("prove", "veselova")
     assert code == 0
@@ -97,6 +98,7 @@ def test_audit_of_one_section(ask, tmp_path):
     assert "$" not in page.split("</style>")[1]
 
 
+@pytest.mark.slow
 def test_audit_as_json(ask):
     code, out, _ = ask("audit", "--section", "6", "--json", "--workers", "1")
     assert code == 0

@@ -217,8 +217,8 @@ def test_another_version_of_a_library_makes_other_names(monkeypatch: pytest.Monk
 
 WRITER = """
 import sys
-from chaplygin.flow import cache
-from chaplygin.proof import memory
+from chaplygin.flow.kernel import code_cache as cache
+from chaplygin.proof import verdict_cache as memory
 from chaplygin.proof.verdict import Verdict
 cache._version = lambda path: object()
 for turn in range(60):
@@ -235,6 +235,7 @@ for turn in range(60):
 """
 
 
+@pytest.mark.slow
 def test_six_processes_write_at_once(place: Path) -> None:
     """Each finds what it kept, whole, whoever wrote it last; nothing is left behind."""
     processes = [
@@ -277,8 +278,8 @@ def test_a_disk_that_fills_while_a_file_is_closed(
 
 READER = """
 import os
-from chaplygin.flow import cache
-from chaplygin.proof import memory
+from chaplygin.flow.kernel import code_cache as cache
+from chaplygin.proof import verdict_cache as memory
 from chaplygin.proof.verdict import Verdict
 if os.geteuid() == 0:  # to whom permissions mean nothing
     os.setgid(12345)

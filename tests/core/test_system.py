@@ -225,6 +225,7 @@ def test_every_case_has_a_ceiling() -> None:
     assert set(CEILINGS) == set(CASES)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES, ids="-".join)
 def test_equations_do_not_swell(case: tuple[str, str, str]) -> None:
     plain, full = CEILINGS[case]

@@ -181,6 +181,7 @@ def longer(shorter: st.SearchStrategy[Case]) -> st.SearchStrategy[Case]:
 CASES = st.recursive(st.sampled_from(LEAVES), longer, max_leaves=6)
 
 
+@pytest.mark.slow
 @settings(max_examples=150, deadline=None, derandomize=True)
 @given(CASES, CASES)
 def test_explicit_agrees_with_matrices(left: Case, right: Case) -> None:

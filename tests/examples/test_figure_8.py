@@ -57,6 +57,7 @@ def test_a_cycle_attracts_and_its_reverse_repels(example, cycle):
     assert (example.PLACES(repelling)[:, 2] > 0).all()
 
 
+@pytest.mark.slow
 def test_points_lie_on_a_surface(example, paths):
     level = example.KEPT(paths.reshape(-1, 6))
     assert np.abs(level - [0.0, *example.LEVEL.values()]).max() < 1e-8
@@ -67,6 +68,7 @@ def test_points_lie_on_a_surface(example, paths):
     assert example.thickness(example.in_space(paths[:, ::5].reshape(-1, 6))) < 0.1
 
 
+@pytest.mark.slow
 def test_departures_stay_on_the_level(example, cycle):
     start = example.departure(example.reversed_of(cycle.points[-1]), 4)
     assert np.abs(example.KEPT(start[None]) - [0.0, *example.LEVEL.values()]).max() < 1e-12

@@ -25,6 +25,7 @@ def table() -> Iterator[ModuleType]:
         sys.path.remove(str(ROOT / "examples"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name", ["rattleback", "suslov", "heavy-disk", "chaplygin-ball", "veselova", "unbalanced-ball"]
 )

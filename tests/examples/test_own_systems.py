@@ -47,6 +47,7 @@ def test_there_are_examples() -> None:
     assert len(OWN) >= 8
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", [*OWN, BALL], ids=lambda path: path.stem)
 def test_every_example_runs_and_its_laws_are_proven(path: Path) -> None:
     made = study(path, "run.samples=7")

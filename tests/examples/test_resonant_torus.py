@@ -36,6 +36,7 @@ def test_resonance(example, story):
     assert 0.1 < story.root < 0.8
 
 
+@pytest.mark.slow
 def test_periods_differ_in_the_physical_time(story):
     periods = [orbit.period for orbit in story.orbits]
     assert float(max(periods, key=float) - min(periods, key=float)) > 0.02

@@ -36,6 +36,7 @@ def itself(disc: ModuleType) -> System:
     return equations(disc.mechanism())
 
 
+@pytest.mark.slow
 def test_sympy_with_multipliers_gives_the_equations_of_the_disc(disc: ModuleType, itself: System):
     assert disc.same(disc.with_multipliers(), itself, {}).decision == "proven"
 

@@ -38,6 +38,7 @@ def test_a_rattleback_is_attracted(found):
     assert [item.name for item, _ in stone.removed] == ["γ² = 1", "energy", "flow"]
 
 
+@pytest.mark.slow
 def test_reversal_of_velocities(found):
     for each in found:
         turned = [" ".join(map(str, r.odd)) for r in each.reversors]

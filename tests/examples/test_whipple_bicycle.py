@@ -40,6 +40,7 @@ def test_eigenvalues_of_the_benchmark_at_five_metres_a_second(bicycle: ModuleTyp
     assert found == pytest.approx(published, abs=2e-14, rel=1e-13)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("speed", range(11))
 def test_eigenvalues_agree_with_the_equations_by_hand(bicycle: ModuleType, speed: int):
     assert bicycle.difference(speed) < 1e-18
@@ -52,6 +53,7 @@ def test_critical_speeds_of_the_benchmark(bicycle: ModuleType):
     assert capsize == pytest.approx(6.02426201538837, abs=1e-12)
 
 
+@pytest.mark.slow
 def test_json(bicycle: ModuleType, capsys: pytest.CaptureFixture[str], monkeypatch):
     monkeypatch.setattr(sys, "argv", ["whipple_bicycle.py", "--json"])
     bicycle.main()
@@ -64,6 +66,7 @@ def test_json(bicycle: ModuleType, capsys: pytest.CaptureFixture[str], monkeypat
     )
 
 
+@pytest.mark.slow
 def test_a_stable_bicycle_rights_itself_and_keeps_its_energy(bicycle: ModuleType):
     run = bicycle.pushed(seconds=4.0)
     energy = run.recorded["law_energy"]

@@ -108,6 +108,7 @@ def test_names_of_sympy_have_no_meaning(name, hint):
     assert hint in str(error.value)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name", ["E", "I", "S", "N", "gamma", "beta", "zeta", "Q", "O", "oo", "re"]
 )

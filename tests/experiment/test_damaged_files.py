@@ -83,6 +83,7 @@ def test_many_damaged_experiments_made_ready(seed: int) -> None:
     read_experiments(seed, 60, further=True)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("value", VALUES)
 def test_every_key_with_a_strange_value(value: str) -> None:
     for text in TEXTS[::5]:

@@ -62,6 +62,7 @@ def fine() -> xr.Dataset:
 # --- contents --------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ROLLING)
 def test_a_rolling_body_has_all_of_its_variables(name):
     made = short(name)

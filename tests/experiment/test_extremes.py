@@ -76,6 +76,7 @@ def same_at_every_scale(shape: str, contact: str, bowl: bool) -> None:
         assert np.abs(found - expected).max() < 1e-11, name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("shape", "contact", "bowl"), [("ball", "rubber", True)])
 def test_a_motion_is_the_same_in_all_units(shape: str, contact: str, bowl: bool) -> None:
     same_at_every_scale(shape, contact, bowl)
@@ -159,6 +160,7 @@ CASES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_an_answer_or_one_sentence(name: str, capfd: pytest.CaptureFixture[str]) -> None:
     """An answer is finite everywhere and keeps the integrals; what takes long says so."""

@@ -174,6 +174,7 @@ def test_datasets_tell_what_is_known_of_each_variable() -> None:
     assert prepare(loads(data.attrs["experiment"])).start == made.start
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", spread(item.name for item in ENTRIES))
 def test_the_report_shows_the_state_in_time_and_no_rolling_body(name: str, tmp_path: Path) -> None:
     made = study(name)

@@ -105,6 +105,7 @@ SHAPES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", SHAPES)
 def test_every_shape_is_made_and_rolls(kind):
     table, shape, title = SHAPES[kind]
@@ -174,6 +175,7 @@ def test_a_potential_acts():
 # --- the catalogue ---------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_a_name_is_enough(name):
     made = built.study(name)
@@ -245,6 +247,7 @@ def test_backward_in_time():
     assert made.trajectory().times[-1] == -2.0
 
 
+@pytest.mark.slow
 def test_the_wishes_of_run_are_granted():
     wishes = {
         "precision = 'quad'\ntolerance = 1e-25": lambda motion: motion.states.dtype != float,
@@ -281,6 +284,7 @@ def test_a_dense_trajectory_on_request():
 # --- the complete file -----------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", spread(CATALOGUE))
 def test_the_complete_file_of_the_catalogue_makes_the_same_study(name):
     made = built.study(name)

@@ -135,11 +135,13 @@ def _consistent(diagram):
             assert abs(below - above) == circles[column, rank]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_tori_end_in_circles(diagrams, name):
     _consistent(diagrams[name])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(6))
 @pytest.mark.parametrize("name", ["neumann", "veselova-bruns", "chaplygin-ball-area"])
 def test_tori_end_in_circles_for_other_bodies(name, seed):

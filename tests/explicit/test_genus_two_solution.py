@@ -32,6 +32,7 @@ def test_random_bodies_in_any_order_of_the_moments(seed: int) -> None:
     assert np.max(miss(solution(veselova(), omega, gamma, numbers), [3.0, 50.0])) < 1e-13
 
 
+@pytest.mark.slow
 def test_a_path_in_space() -> None:
     moments = np.array([1.0, 1.5, 2.1])
     made = solution(chaplygin_ball(), without(OMEGA, GAMMA, moments), GAMMA)

@@ -219,6 +219,7 @@ def test_a_reduced_start_gives_the_reduced_motion() -> None:
     assert np.abs(whole.states([3.0])[:, :6] - reduced.states([3.0])).max() < 1e-14
 
 
+@pytest.mark.slow
 def test_parameters_may_be_given_by_name() -> None:
     system, start = veselova_start()
     other = from_catalogue("veselova", I_2=1.4)

@@ -157,6 +157,7 @@ def test_far_times_are_as_exact_as_near_ones() -> None:
     assert np.abs(shape - exact).max() < 1e-12
 
 
+@pytest.mark.slow
 def test_error_bars_hold_the_integrated_state() -> None:
     state = starting_state(DISK.system(), (0.0, 0.1, 8.0), (1.0, 0.0, 0.0))
     trajectory = integrate(DISK.system(), state, [0.0, 3.0], precision="quad", tolerance=1e-32)

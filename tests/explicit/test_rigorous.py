@@ -220,6 +220,7 @@ def test_next_to_a_separatrix_there_are_no_bounds() -> None:
 # --- quadratures ---------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_quadrature_agrees_with_gauss(quadrature: RigorousQuadrature) -> None:
     assert abs(quadrature.at(3) - summed(quadrature, 3)) < 1e-21
 
@@ -246,6 +247,7 @@ def test_inverse_contains_where_it_came_from(quadrature: RigorousQuadrature, tau
     assert found.rad() < 1e-20
 
 
+@pytest.mark.slow
 def test_odd_functions_are_integrated_on_the_same_grid(motion: Prepared) -> None:
     (found,) = quadratures(motion.torus, Branch(nu.symbols[:1], {}), 22, 10.0)
     assert any(found.shift)

@@ -60,6 +60,7 @@ def test_balls_are_as_narrow_in_other_units() -> None:
     assert max(radii) < 1e-19
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["chaplygin-ball equal moments", "veselova equal moments"])
 @pytest.mark.parametrize("units", [SI, SMALL, LARGE], ids=lambda units: units.name)
 def test_moments_are_known_to_all_digits(kind: str, units: Units) -> None:

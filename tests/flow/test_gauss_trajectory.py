@@ -38,6 +38,7 @@ def test_what_is_recorded_is_what_taylor_series_give(name: str) -> None:
         assert np.abs(gauss.recorded[quantity] - values).max() < 1e-10 * (1 + np.abs(values).max())
 
 
+@pytest.mark.slow
 def test_thirty_digits_are_those_of_the_reference() -> None:
     system = from_catalogue("veselova")
     start = starting_state(system, (0.7, 0.4, -0.0215053763440860), (0.2, -0.3, 0.93))

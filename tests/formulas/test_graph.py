@@ -171,6 +171,7 @@ SYSTEMS = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_rates_of_the_catalogue(name: str) -> None:
     """The graph's rates and SymPy's own numbers at states drawn at random.

@@ -34,6 +34,7 @@ def test_derivatives_are_those_of_the_expanded_formula(rates: tuple[tuple, ...])
     assert sp.N((found - expected).xreplace(at), 30) == pytest.approx(0, abs=1e-25)
 
 
+@pytest.mark.slow
 def test_nothing_is_expanded() -> None:
     """A chain of definitions costs as many operations as it has links, not 2 to their number."""
     links = [scalar(f"c_{i}") for i in range(1, 31)]
@@ -64,6 +65,7 @@ def test_small_formulas_are_tidied() -> None:
     assert tidied(sp.exp(s) * (s**2 + k**2)) in (sp.exp(s), sp.exp(s) * (s**2 + k**2))
 
 
+@pytest.mark.slow
 @given(st.integers(0, 10**6), st.integers(2, 5))
 @settings(max_examples=20, deadline=None)
 def test_linear_equations_are_solved(seed: int, size: int) -> None:

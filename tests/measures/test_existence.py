@@ -194,6 +194,7 @@ class TestEllipsoid:
         assert not measure_exists(rolling(Ellipsoid(self.AXES), moments))
         assert not measure_exists(rolling(Ellipsoid(self.AXES), moments, contact="marble"))
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("surface", [PLANE, SPHERE])
     def test_marble_with_shifted_squares(self, surface):
         moments = tuple(4.0 + b**2 for b in self.AXES)
@@ -359,6 +360,7 @@ def test_veselova():
     assert sp.cancel(base / inverse).free_symbols <= set(I.symbols)
 
 
+@pytest.mark.slow
 def test_chaplygin_ball_from_its_lagrangian():
     I, m, R = Diagonal("I"), scalar("m"), scalar("R")
     frame = Frame(

@@ -219,6 +219,7 @@ def surface(radius):
     return Plane() if radius is None else Sphere(float(radius))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("normal", spread(NORMALS))
 @pytest.mark.parametrize(("tensor", "rotors"), [(PRINCIPAL, NONE), (FULL, ROTORS)])
 @pytest.mark.parametrize("contact", ["marble", "rubber"])

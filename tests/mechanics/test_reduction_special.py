@@ -65,6 +65,7 @@ def test_a_normal_that_does_not_move_is_refused(rubber):
         chaplygin_form(on_sphere(sp.S.Zero, rubber))
 
 
+@pytest.mark.slow
 def test_the_normal_does_not_move_for_the_number_of_a_parameter():
     with pytest.raises(InputError, match="gamma does not move freely under the constraints"):
         chaplygin_form(with_default(on_sphere(ratio, rubber=True), ratio, 0.0))

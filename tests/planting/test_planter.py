@@ -29,6 +29,7 @@ def known(formula, point):
     return not (formula.atoms(AppliedUndef) or formula.free_symbols - set(point))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SETTINGS)
 def test_points_are_on_the_level_and_show_what_fails(name):
     for draw in range(DRAWS):
@@ -93,12 +94,14 @@ def test_mechanisms_keep_their_relations(name):
             assert value(mechanism.rate(condition), point) == 0
 
 
+@pytest.mark.slow
 def test_the_same_seed_plants_the_same():
     first = [(c.family, c.truth, c.why) for c in planted(3, 120)]
     assert first == [(c.family, c.truth, c.why) for c in planted(3, 120)]
     assert first != [(c.family, c.truth, c.why) for c in planted(4, 120)]
 
 
+@pytest.mark.slow
 def test_as_much_is_true_as_false_and_every_family_takes_part():
     count = 2 * len(FAMILIES) + 200
     cases = [planted_case(5, number) for number in range(count)]

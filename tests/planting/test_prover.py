@@ -33,6 +33,7 @@ def grave(seed, numbers):
     ]
 
 
+@pytest.mark.slow
 def test_planted_laws_are_judged_rightly():
     assert grave(1, range(COUNT)) == []
 
@@ -43,6 +44,7 @@ def test_thousands_of_planted_laws_are_judged_rightly(block):
     assert grave(2, range(block * BLOCK, (block + 1) * BLOCK)) == []
 
 
+@pytest.mark.slow
 @settings(max_examples=len(FAMILIES), deadline=None, derandomize=True)
 @given(st.integers(3, 10**6), st.integers(0, 10**4))
 def test_laws_planted_from_any_seed_are_judged_rightly(seed, number):

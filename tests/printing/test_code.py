@@ -61,6 +61,7 @@ def close(found: Array, wanted: Array, factor: float = 1.0) -> bool:
 # --- functions -----------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES, ids="-".join)
 def test_numpy_agrees_with_many_digits(case: tuple[str, str, str]) -> None:
     system = laden(*case)
@@ -85,6 +86,7 @@ def test_many_states_at_once(case: tuple[str, str, str]) -> None:
         assert close(rates, f(0.0, column))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", FEW, ids="-".join)
 @pytest.mark.parametrize("target", TARGETS)
 def test_targets_agree(target: str, case: tuple[str, str, str]) -> None:
@@ -199,6 +201,7 @@ def by_julia(system: System, x: Array) -> Array:
     return np.array(found[1:])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES, ids="-".join)
 def test_julia_text_computes_the_same(case: tuple[str, str, str]) -> None:
     system = laden(*case)

@@ -339,6 +339,7 @@ def well_formed(fragment: str) -> ET.Element:
     return ET.fromstring(fragment)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES, ids="-".join)
 def test_latex_becomes_mathml(case: tuple[str, str, str]) -> None:
     system = laden(*case)

@@ -467,6 +467,7 @@ def test_trivial_laws_are_told():
 # --- the catalogue -------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "law"),
     [

@@ -68,6 +68,7 @@ def test_centre_of_mass_ahead(energy, blade, ahead, signed):
     assert found.density.density == ()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ahead", [sp.Rational(3, 10), sp.Integer(1), sp.Rational(-2, 7)])
 @pytest.mark.parametrize("written", ["energy", "constraint"])
 def test_a_number_in_place_of_the_parameter(ahead, written):
@@ -123,6 +124,7 @@ class TestPositive:
         powers = ((cosine + 1, -HALF), (cosine - 1, -HALF), (sine, sp.S.One))
         assert positive(powers, self.S) == ((), ())
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("seed", range(12))
     def test_the_density_is_real_and_the_same_up_to_a_constant(self, seed):
         dice = random.Random(seed)

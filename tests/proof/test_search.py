@@ -358,6 +358,7 @@ def test_the_energy_of_a_rattleback() -> None:
     assert len(set(ratio.value.tolist())) == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("options", "words"),
     [

@@ -35,6 +35,7 @@ def test_a_rolling_body() -> None:
         assert part in words
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [*built.ROLLING, "suslov", "veselova-spinning"])
 def test_every_letter_of_the_equations_has_words(name: str) -> None:
     """But for parameters, which have a table of their own, and rates with a dot."""

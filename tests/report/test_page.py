@@ -50,6 +50,7 @@ def test_contents_lead_to_headings(name: str, page: Callable[[str], str]) -> Non
     assert set(links) <= set(re.findall(r'<h2 id="([\w-]+)"', text))
 
 
+@pytest.mark.slow
 def test_the_start_is_a_table(page: Callable[[str], str]) -> None:
     (table,) = re.findall(r'<table id="start">.*?</table>', page("sleigh.toml"), re.S)
     rows = re.findall(r'<td class="number">(.*?)</td><td>(.*?)</td><td>(.*?)</td>', table)

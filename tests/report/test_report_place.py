@@ -43,6 +43,7 @@ def test_links_lead_to_verdicts(name: str, report: Callable[[str], str]) -> None
     assert {dict(anchors)[link] for link in links} == {"proven"}
 
 
+@pytest.mark.slow
 def test_a_level_has_its_own_table(report: Callable[[str], str]) -> None:
     page = report("chaplygin-ball")
     assert "Place in the hierarchy of dynamics" in page

@@ -86,11 +86,13 @@ def test_known_systems(name: str, dimension: int, count: int, classes: list[str]
     assert kinds(standing) == classes
 
 
+@pytest.mark.slow
 def test_without_a_measure_attractors_are_not_excluded() -> None:
     assert "strange attractors are not excluded" in motions(of("rattleback"))
     assert "No attracting sets" not in motions(of("rattleback"))
 
 
+@pytest.mark.slow
 def test_surfaces_without_a_measure_have_limit_cycles_but_no_chaos() -> None:
     told = motions(of("unbalanced-rubber-ball"))
     assert "no chaos" in told
@@ -121,6 +123,7 @@ def test_a_density_is_shown_to_be_positive_or_to_change_sign() -> None:
 # --- what counts ---------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_what_is_undecided_or_unknown_does_not_count() -> None:
     late = Verdict("momentum", "undecided", reason="not proven within 1 s")
     standing = found(entry("chaplygin-ball").system(), momentum=late)
@@ -180,6 +183,7 @@ def test_a_level_has_a_place_of_its_own() -> None:
     assert {fact.law for fact in level.reductions} >= {"clebsch_case", "fedorov"}
 
 
+@pytest.mark.slow
 def test_linear_equations_give_integrals() -> None:
     standing = of("heavy-disk")
     assert [(f.law, f.functions) for f in standing.integrals] == [("energy", 1), ("momenta", 2)]

@@ -41,6 +41,7 @@ def _removed(found: Spectrum) -> list[str]:
 # --- known exponents -------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_lorenz(butterfly: Spectrum) -> None:
     first, second = butterfly.exponents
     assert first.error < 0.03
@@ -80,6 +81,7 @@ def test_hyperbolic_linear_system() -> None:
     assert found.dependent == ("flow",)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["chaplygin-ball", "rubber-chaplygin-ball", "veselova", "clebsch"])
 def test_integrable_systems_have_only_zeros(name: str) -> None:
     system, start = _start(name)

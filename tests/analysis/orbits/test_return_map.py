@@ -32,6 +32,7 @@ def test_integrals_are_those_that_hold(k, names):
     assert returns(k).integrals.names == names
 
 
+@pytest.mark.slow
 def test_slopes_keep_integrals_and_agree_with_differences():
     made = returns(1.0)
     point = np.array([[0.3, 0.0, 0.4, -0.8, 0.0, 0.6]])

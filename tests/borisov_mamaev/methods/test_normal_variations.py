@@ -66,5 +66,6 @@ def test_there_is_an_invariant_line_for_equal_eigenvalues_alone(third, reducible
     assert (abs(np.trace(whole) - 2) < 1e-6) == reducible
 
 
+@pytest.mark.slow
 def test_the_verdict():
     assert no_second_integral().decision == "proven"

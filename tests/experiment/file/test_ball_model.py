@@ -68,6 +68,7 @@ def on(surface, contact):
     return text.replace("[2.0, 0.0, 0.0]", contact).replace("[0.0, 1.0, -12.0]", "[0.1, 0.2, 0.0]")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("surface", KINDS)
 def test_every_kind_of_surface_is_read_and_run(surface):
     contact, height = KINDS[surface]

@@ -23,6 +23,7 @@ def refused(text: str, *overrides: str) -> str:
     return str(refusal.value)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "parts"),
     [

@@ -179,6 +179,7 @@ def _rotation(name, axis, tilt):
     return system, np.concatenate([(inertia + D) * omega - D * (omega @ gamma) * gamma, gamma])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("axis", [1, 2, 3])
 @pytest.mark.parametrize(
     ("plane", "name", "tilt"),

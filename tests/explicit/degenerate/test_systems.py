@@ -33,7 +33,9 @@ def reduced(made: Separable) -> Separable:
 
 SYSTEMS: dict[str, Separable] = {}
 for _place in SEPARABLE:
-    _module = __import__(f"chaplygin.explicit.separations.{_place.module}", fromlist=[_place.function])
+    _module = __import__(
+        f"chaplygin.explicit.separations.{_place.module}", fromlist=[_place.function]
+    )
     SYSTEMS[f"{_place.module}.{_place.function}"] = reduced(getattr(_module, _place.function)())
 
 #: Those whose state is a formula of ν, ν′ and the parameters alone.
@@ -54,6 +56,7 @@ def slip(made: Separable, start: Any, kind: type) -> float:
     return float(np.abs(found.states(np.array(TIMES)) - run.states.astype(float)).max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("axis", [0, 1, 2])
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_one_component_vanishes(name: str, axis: int) -> None:
@@ -64,6 +67,7 @@ def test_one_component_vanishes(name: str, axis: int) -> None:
     assert slip(SYSTEMS[name], start.tolist(), Periodic) < 1e-13
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PLAIN)
 def test_separatrix_through_a_focal_point(name: str) -> None:
     made = SYSTEMS[name]

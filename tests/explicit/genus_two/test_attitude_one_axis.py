@@ -32,6 +32,7 @@ BALL, BRUNS = hollow_ball(), veselova_in_bruns_field()
 AXES = {f"{of.name} {i}": (of, references(of)[i]) for of in (BALL, BRUNS) for i in (1, 2, 3)}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", AXES)
 def test_the_rate_about_a_body_axis_is_proven(name):
     of, reference = AXES[name]
@@ -43,11 +44,13 @@ def test_the_rate_by_the_normal_is_proven():
     assert prove(BALL.system, stated(BALL, references(BALL)[0])).decision == "proven"
 
 
+@pytest.mark.slow
 def test_a_wrong_velocity_is_refuted():
     law = stated(BALL, Reference(nu, nuprime / BALL.clock))
     assert prove(BALL.system, law).decision == "refuted"
 
 
+@pytest.mark.slow
 def test_a_vector_that_moves_is_refuted():
     law = stated(replace(BALL, fixed=(BALL.direction,)), references(BALL)[1])
     assert prove(BALL.system, law).decision == "refuted"

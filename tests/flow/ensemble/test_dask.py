@@ -55,6 +55,7 @@ def test_a_scheduler_by_its_address(cluster: distributed.LocalCluster) -> None:
     xr.testing.assert_identical(compute(task()), compute(task(), client=cluster.scheduler_address))
 
 
+@pytest.mark.slow
 def test_processes_of_this_machine(tmp_path: Path) -> None:
     here = compute(task(), tmp_path / "a.zarr")
     xr.testing.assert_identical(here.load(), compute(task(), client=1))
@@ -146,6 +147,7 @@ def test_no_scheduler(address: str, monkeypatch: pytest.MonkeyPatch) -> None:
         compute(task(), client=address)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("client", [0, -1, 2.5, False, np.int64(0), ["local"]], ids=repr)
 def test_no_cluster(client: Any) -> None:
     with pytest.raises(InputError) as told:

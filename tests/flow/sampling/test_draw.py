@@ -260,6 +260,7 @@ REFUSED = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", spread(CATALOGUE))
 def test_the_catalogue(name: str) -> None:
     system = from_catalogue(name)

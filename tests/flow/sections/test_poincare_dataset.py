@@ -83,8 +83,8 @@ def test_blocks_and_pieces_change_no_bit(
 SCRIPT = """
 import sys
 sys.path[:0] = [{folder!r}]
-import test_section_points as points
-from chaplygin.flow import section_points
+import test_poincare_dataset as points
+from chaplygin.flow.sections import poincare_dataset as section_points
 section_points.BLOCK = 60_000
 points.compute(points.task(60, 200), {store!r})
 """

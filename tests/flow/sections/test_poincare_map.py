@@ -132,6 +132,7 @@ def _growth(back: SectionMap, points: Any, count: int) -> float:
     return float(np.abs(back.derivative(points, count).matrices).max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BODIES)
 def test_the_derivative_is_a_difference(name: str) -> None:
     system, back = body(name), map_of(name, tolerance=1e-15)

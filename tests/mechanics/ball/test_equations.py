@@ -45,6 +45,7 @@ def test_the_equations_follow_from_the_lagrangian(contact):
     assert prove(derived, same).decision == "proven"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("contact", CONTACTS)
 @pytest.mark.parametrize("radius", [None, 2.0, -2.0])
 def test_it_moves_as_a_rolling_body_does(contact, radius):
@@ -83,6 +84,7 @@ def test_both_ways_to_give_a_surface_agree(name, side, contact):
         np.testing.assert_allclose(first[observed], second[observed], atol=1e-9, rtol=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("contact", CONTACTS)
 @pytest.mark.parametrize("carrier", ["support", "centre"])
 @pytest.mark.parametrize("name", [n for n in SURFACES if n != "waves"])

@@ -95,6 +95,7 @@ def squares(weights: list[sp.Expr]) -> sp.Expr:
 # --- rediscovered -----------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_sleigh_has_no_multiplier_unless_its_centre_is_beside_the_blade() -> None:
     form = chaplygin_form(sleigh())
     assert form.multiplier is None
@@ -286,6 +287,7 @@ def test_another_exponent_is_refuted() -> None:
     assert prove(form.system, wrong).decision == "refuted"
 
 
+@pytest.mark.slow
 def test_another_gyroscopic_force_is_no_motion_of_the_ball() -> None:
     form = of_ball()
     S = scalar("S")

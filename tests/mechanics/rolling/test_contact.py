@@ -34,6 +34,7 @@ def standing(shape, gamma):
     return shape not in ("disk", "torus") or np.hypot(gamma[0], gamma[1]) > 0.1
 
 
+@pytest.mark.slow
 @every_contact
 @random_states
 @few
@@ -53,6 +54,7 @@ def test_contact_point_wanders_as_fast_over_the_body_as_over_the_surface(
     assert abs(rdot @ normal) < 1e-11 * (1 + size)
 
 
+@pytest.mark.slow
 @every_contact
 @random_states
 @few
@@ -65,6 +67,7 @@ def test_lengths_of_the_contact_vector(shape, surface, omega, gamma, zeta):
     assert here["height"][0] == pytest.approx(-r @ here["gamma"], rel=1e-12, abs=1e-13)
 
 
+@pytest.mark.slow
 @every_contact
 @random_states
 @few

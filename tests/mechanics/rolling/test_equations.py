@@ -122,6 +122,7 @@ def test_torus_that_comes_to_lie_on_a_dome_ends_there():
 # Whatever rolls: what every motion keeps
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("contact", reference.CONTACTS)
 @pytest.mark.parametrize(("shape", "surface"), bodies.COMBINATIONS)
 @given(omega=coordinates, gamma=directions, zeta=directions)
@@ -176,6 +177,7 @@ AXES_TURNS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("contact", reference.CONTACTS)
 @pytest.mark.parametrize("surface", SURFACES)
 @pytest.mark.parametrize("name", AXES_TURNS)

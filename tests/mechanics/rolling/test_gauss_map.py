@@ -27,6 +27,7 @@ NORMALS = np.random.default_rng(2).normal(size=(40, 3))
 NORMALS /= np.linalg.norm(NORMALS, axis=1)[:, None]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", reference.SHAPES)
 def test_points_are_those_of_the_reference(name):
     case = draw(name, "outside", "marble", "principal", seed=1)

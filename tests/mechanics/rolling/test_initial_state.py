@@ -61,6 +61,7 @@ def floats(numbers):
 # On the phase space
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("contact", ["marble", "rubber"])
 @pytest.mark.parametrize("surface", SURFACES)
 @pytest.mark.parametrize("shape", ["ball", "ellipsoid", "revolution", "implicit"])
@@ -112,6 +113,7 @@ def test_parameters_replace_the_defaults():
 # In space
 
 
+@pytest.mark.slow
 @given(gamma=directions, normal=directions)
 @settings(max_examples=15, deadline=None)
 def test_attitude_carries_the_normal_and_heading_turns_about_it(gamma, normal):
@@ -158,6 +160,7 @@ def test_contact_on_a_sphere_begins_at_the_normal():
 # Spin
 
 
+@pytest.mark.slow
 @given(omega=coordinates, gamma=directions)
 @settings(max_examples=25, deadline=None)
 def test_nearest_admissible_omega_is_named_and_accepted(omega, gamma):

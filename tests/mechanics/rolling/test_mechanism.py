@@ -164,6 +164,7 @@ def test_contact_vector_moves_as_the_contact_says(shape: str, surface: str) -> N
     assert verdict.decision == "proven", verdict
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("shape", "surface", "model"),
     [

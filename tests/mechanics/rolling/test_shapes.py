@@ -204,6 +204,7 @@ def assert_same(one, other, names=TOLD, tolerance=1e-11):
         assert np.abs(other[name] - one[name]).max() < tolerance * scale, name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("contact", ["marble", "rubber"])
 @pytest.mark.parametrize("surface", SURFACES)
 @pytest.mark.parametrize("twins", TWINS.values(), ids=TWINS)
@@ -236,6 +237,7 @@ def test_twins_move_alike(twins, surface, contact):
     compare()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("contact", ["marble", "rubber"])
 @pytest.mark.parametrize("surface", SURFACES)
 @given(omega=coordinates, gamma=directions, zeta=directions)

@@ -9,7 +9,6 @@ from typing import Any
 
 import pytest
 import sympy as sp
-from proof.test_prover import FAR, RIGHT, TOP, WRONG
 
 from chaplygin.catalogue import from_catalogue
 from chaplygin.check import BadInputError, CheckError, check
@@ -18,6 +17,7 @@ from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import scalar
 from chaplygin.proof.certificates.certificate import certified
 from check.corrupted import corrupted, put
+from proof.test_prover import FAR, RIGHT, TOP, WRONG
 
 Certificate = dict[str, Any]
 

@@ -20,6 +20,7 @@ M, gamma, omega = vectors("M gamma omega")
 I_1, I_2, I_3, R, a, m = (scalar(n) for n in ("I_1", "I_2", "I_3", "R", "a", "m"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_points_lie_on_the_phase_space(name):
     system = built.system(name)

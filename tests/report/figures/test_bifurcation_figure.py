@@ -47,6 +47,7 @@ def test_regions_and_boundaries_are_named(diagrams, name):
     assert len(key) == len({(b.words, b.circles, b.stable) for b in diagram.boundaries})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_nothing_is_cut_off_or_written_over(diagrams, name):
     figure = draw(diagrams[name], MOTIONS[name])

@@ -563,6 +563,7 @@ def test_meaning_that_is_no_formula_is_written_as_it_stands(data):
 # Files
 
 
+@pytest.mark.slow
 def test_svg_is_an_element_with_ids_of_its_own(data):
     first = figures.svg_text(figures.angular_velocity(data))
     second = figures.svg_text(figures.normal_on_sphere(data))

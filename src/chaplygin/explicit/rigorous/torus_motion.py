@@ -13,7 +13,7 @@ __all__ = ["TorusMotion"]
 
 
 class TorusMotion(Protocol):
-    """A motion on a two-dimensional torus; see :class:`chaplygin.explicit.GenusTwo`."""
+    """A motion on a two-dimensional torus, as bounds need it."""
 
     @property
     def prepared(self) -> Prepared:
