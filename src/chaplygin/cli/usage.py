@@ -26,7 +26,7 @@ def sentence(error: TyperException) -> str:
         of the wrong kind.
     """
     context: Any = getattr(error, "ctx", None)
-    command = context.command_path.partition(" ")[2] if context else ""
+    command = str(context.info_name) if context and context.parent else ""
     option, parameter = getattr(error, "option_name", ""), getattr(error, "param", None)
     if hasattr(error, "possibilities"):
         known = [max(p.opts, key=len) for p in context.command.params if p.opts[0][0] == "-"]
@@ -42,7 +42,7 @@ def sentence(error: TyperException) -> str:
         for words, allowed in _ALLOWED.items():
             wrong = f"it must be {allowed}" if words in wrong else wrong
         return f"{_written(parameter)}: {wrong}"
-    if match := re.fullmatch(r"No such command '(.*)'\.", error.message, re.DOTALL):
+    if match := re.match(r"No such command '(.*)'\.", error.message, re.DOTALL):
         known = list(context.command.commands)
         return f"{match[1]}: there is no such command{nearest(match[1], known)}"
     if match := re.fullmatch(r"Got unexpected extra .*\((.*)\)", error.message, re.DOTALL):
