@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
+from ..arguments import Parameters, Start, arguments_checked
 from ..errors import EarlyEndError, InputError, InterruptionError, RunError
 from ..flow.given import require_on_phase_space
 from ..flow.lanes import Lanes, lanes
@@ -182,10 +183,11 @@ def kaplan_yorke(exponents: Sequence[float] | Array) -> float:
     return float(count + rest / abs(ordered[count]))
 
 
+@arguments_checked
 def spectrum(
     system: System,
-    start: Mapping[str, Any] | Sequence[float],
-    parameters: Values = None,
+    start: Start,
+    parameters: Parameters = None,
     *,
     until: float,
     intervals: int = INTERVALS,

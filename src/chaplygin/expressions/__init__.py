@@ -13,10 +13,11 @@ from collections.abc import Collection, Iterable, Mapping
 
 import sympy
 
+from ..errors import nearest
 from .language import CONSTANTS, FUNCTIONS, MAX_LENGTH, PRODUCTS, RESERVED
 from .scalars import Scalars
 from .spelling import spelt
-from .syntax import Source, nearest, syntax_tree
+from .syntax import Source, syntax_tree
 from .vectors import Formula, Named, Vectors
 
 __all__ = [

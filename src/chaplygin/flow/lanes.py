@@ -20,6 +20,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from ..arguments import arguments_checked
 from ..errors import InputError
 from ..system import System
 from . import native
@@ -399,6 +400,7 @@ def spread(part: Any, number: int, threads: int) -> None:
 
 
 @lru_cache(maxsize=64)
+@arguments_checked
 def lanes(
     system: System,
     *,

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
+from ..arguments import arguments_checked
 from ..errors import InputError
 from ..expressions.exact import exact_number, exactly
 from ..statements import Identity, Integral, Law
@@ -118,6 +119,7 @@ class ChaplyginForm:
         return page(self)
 
 
+@arguments_checked
 def chaplygin_form(
     mechanism: Mechanism, levels: Sequence[float | sp.Expr] | None = None
 ) -> ChaplyginForm:

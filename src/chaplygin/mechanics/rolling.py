@@ -23,6 +23,7 @@ import numpy as np
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
+from ..arguments import arguments_checked
 from ..errors import InputError
 from ..statements import Integral
 from ..system import Guard, Motion, Observable, Parameter, System
@@ -66,6 +67,7 @@ place = Vector("place", 2)
 m, g, a, U, lambda_0 = (scalar(name) for name in ("m", "g", "a", "U", "lambda_0"))
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Field:
     """The forces that act besides the contact.
@@ -92,6 +94,7 @@ class Field:
             raise InputError(f"gravity {self.gravity}: it must be finite and not negative")
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Rolling:
     """What rolls on what: a body, a surface, a contact model and a field, with their numbers."""
@@ -122,6 +125,7 @@ class _Balance:
     vertical: MatrixExpr
 
 
+@arguments_checked
 def roll(
     body: Body,
     surface: Surface = Plane(),  # noqa: B008  (immutable)

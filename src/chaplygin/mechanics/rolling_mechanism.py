@@ -13,6 +13,7 @@ from typing import Any
 
 import sympy as sp
 
+from ..arguments import arguments_checked
 from ..system import Guard, Parameter, flat_pairs
 from ..vectors import (
     Diagonal,
@@ -36,6 +37,7 @@ m, g, R_3, U = (scalar(name) for name in ("m", "g", "R_3", "U"))
 HALF = sp.Rational(1, 2)
 
 
+@arguments_checked
 def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism:
     """The mechanism of a rolling body.
 

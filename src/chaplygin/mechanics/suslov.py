@@ -22,6 +22,7 @@ from typing import Any
 
 import sympy as sp
 
+from ..arguments import arguments_checked
 from ..errors import InputError
 from ..notation import text
 from ..statements import Integral, Law
@@ -68,6 +69,7 @@ def derive(mechanism: Mechanism) -> Derived:
     return Derived(parts, solution, energy_theorem(parts))
 
 
+@arguments_checked
 def equations(mechanism: Mechanism) -> System:
     """The closed equations of motion of a mechanism.
 

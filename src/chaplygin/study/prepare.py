@@ -12,9 +12,11 @@ import numpy as np
 import sympy as sp
 import xarray as xr
 
+from ..arguments import arguments_checked
 from ..errors import InputError
 from ..expressions import parse
 from ..flow.demands import TooMuchError
+from ..flow.record import require_pieces
 from ..flow.trajectory import Trajectory, integrate
 from ..mechanics.ball_start import ball_state
 from ..mechanics.body import Body
@@ -176,6 +178,7 @@ class Study:
             tables["system"]["parameters"] = entry(table.name).numbers(table.parameters)
         return type(self.experiment).model_validate(tables).toml()
 
+    @arguments_checked
     def trajectory(
         self,
         progress: Callable[[float], None] | None = None,
@@ -200,6 +203,7 @@ class Study:
         RunError
             If the integration fails; it carries the trajectory so far.
         """
+        require_pieces(pieces)
         run = self.experiment.run
         start = self.start
         with _at(self.experiment, "start"):
@@ -264,6 +268,7 @@ def _at(experiment: Experiment, *key: str) -> Iterator[None]:
         raise InputError(error.message, experiment.where(*key)) from None
 
 
+@arguments_checked
 def prepare(experiment: Experiment) -> Study:
     """Make an experiment ready.
 
