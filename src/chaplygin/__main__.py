@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import threading
 
 from .interruption import CODE, GRACE, watched
@@ -24,6 +25,9 @@ def main() -> None:
             timer.daemon = True
             timer.start()
         raise
+    finally:
+        # all is said and written: the interpreter needs a moment to end
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 if __name__ == "__main__":

@@ -142,6 +142,11 @@ def watched() -> Iterator[None]:
         if end.code == CODE:
             _conclude()
         raise
+    except Exception:
+        # compiled libraries turn what is raised in a function they call into an error of theirs
+        if _STATE.reached:
+            _conclude()
+        raise
     finally:
         over.set()
         signal.set_wakeup_fd(before)

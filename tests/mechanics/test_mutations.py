@@ -23,6 +23,8 @@ import pytest
 import sympy as sp
 
 import chaplygin
+import chaplygin.arguments
+import chaplygin.core.admissible
 import chaplygin.core.laws
 import chaplygin.core.system
 import chaplygin.core.vectors
@@ -54,7 +56,7 @@ LOADED = (
     "rolling",
     "start",
 )
-SHARED = ("errors", "statements", "system", "vectors")
+SHARED = ("admissible", "arguments", "errors", "statements", "system", "vectors")
 
 #: Changes are tried in so many parts, of which one is no slow test.
 PARTS = 10

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import sympy as sp
 
+from ..arguments import Declared, Formula, Formulas, arguments_checked
 from ..errors import InputError
 
 if TYPE_CHECKING:
@@ -37,8 +38,6 @@ __all__ = [
 ]
 
 Pairs: TypeAlias = tuple[tuple[Any, Any], ...]
-#: Written as a mapping or as pairs, kept as pairs.
-Declared: TypeAlias = Any
 
 
 class Rate(sp.Function):
@@ -48,6 +47,11 @@ class Rate(sp.Function):
     """
 
     nargs = 1
+
+    @arguments_checked
+    def __new__(cls, *formulas: Formula, **options: Any) -> Any:
+        """Refuse a text, which SymPy would run."""
+        return super().__new__(cls, *formulas, **options)
 
 
 def _pairs(mapping: Mapping[Any, Any] | Pairs) -> Pairs:
@@ -98,6 +102,7 @@ class Law:
     misprint: str = ""
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Integral(Law):
     """A first integral: a function F of the state with v(F) = 0.
@@ -121,6 +126,7 @@ class Integral(Law):
     unit: str = ""
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Measure(Law):
     """An invariant measure: div(ρ v) = 0 with ρ = ∏ base^exponent.
@@ -153,6 +159,7 @@ class Measure(Law):
         return sp.Mul(*(sp.Pow(base, exponent) for base, exponent in self.density))
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Symmetry(Law):
     """A symmetry field: [u, v] = 0, and u is tangent to the phase space and to the level.
@@ -172,6 +179,7 @@ class Symmetry(Law):
         object.__setattr__(self, "field", _pairs(self.field))
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class PoissonStructure(Law):
     """A Poisson structure on the phase space: skew, with the Jacobi identity.
@@ -196,7 +204,7 @@ class PoissonStructure(Law):
         If the matrix is not square, or has no skew matrix of its size the rank.
     """
 
-    matrix: Any
+    matrix: Formulas
     casimirs: tuple[sp.Expr, ...] = ()
     rank: int | None = None
     meaning: str = ""
@@ -220,6 +228,7 @@ class PoissonStructure(Law):
             )
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class ConformallyHamiltonian(Law):
     """A conformally Hamiltonian form: v = N J dH, with J a Poisson structure.
@@ -244,6 +253,7 @@ class ConformallyHamiltonian(Law):
     meaning: str = ""
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Isomorphism(Law):
     """A change of variables and time that carries the field onto another system's.
@@ -305,6 +315,7 @@ class Isomorphism(Law):
             raise InputError(f"the law {self.name!r}: its {part} names {twice} twice")
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Reduction(Law):
     """Closed equations that some quantities satisfy by themselves along every motion.
@@ -346,6 +357,7 @@ class Reduction(Law):
             raise InputError(f"the law {self.name!r} has no equation")
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Separation(Reduction):
     """Quantities each of which obeys an equation of its own, up to a common time.
@@ -362,6 +374,7 @@ class Separation(Reduction):
     """
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Identity(Law):
     """Formulas that vanish everywhere on the phase space.
@@ -382,7 +395,7 @@ class Identity(Law):
         If a quantity is named twice.
     """
 
-    value: Any
+    value: Formulas
     meaning: str = ""
     quantities: Declared = ()
 

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import sympy as sp
 
+from ..arguments import Declared, Formula, Start, arguments_checked
 from ..errors import InputError
 from .laws import Integral, Law
 from .vectors import Diagonal, Symmetric, Vector, explicit
@@ -31,10 +33,9 @@ __all__ = [
 Name: TypeAlias = Vector | sp.Symbol
 Quantity: TypeAlias = Vector | Diagonal | Symmetric | sp.Symbol
 Pairs: TypeAlias = tuple[tuple[Any, Any], ...]
-#: Written as a mapping or as pairs, kept as pairs.
-Declared: TypeAlias = Any
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Parameter:
     """A number that stays constant during motion.
@@ -167,6 +168,7 @@ def _assumed(symbol: sp.Symbol) -> str:
     return ", ".join(told) or "no assumptions"
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class System:
     """A vector field on a phase space, with what is claimed of it.
@@ -244,8 +246,9 @@ class System:
         """The definitions as scalar assignments, in order."""
         return flat_pairs(self.definitions)
 
+    @arguments_checked
     def needed(
-        self, formulas: Iterable[Any], given: Iterable[sp.Symbol] = ()
+        self, formulas: Iterable[Formula], given: Iterable[sp.Symbol] = ()
     ) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
         """The steps on which `formulas` depend, in order, when the symbols `given` are known."""
         wanted = {s for formula in formulas for s in _symbols_of(formula)} - set(given)
@@ -272,6 +275,11 @@ class System:
         return tuple((str(p.symbol), float(p.default)) for p in self.parameters)
 
     def _check_symbols(self) -> None:
+        for item in self.parameters:
+            if not math.isfinite(item.default):
+                raise InputError(
+                    f"{self.name}: {item.symbol} = {item.default} must be a finite number"
+                )
         names = [p.symbol for p in self.parameters] + [*self.symbols, *(s for s, _ in self.steps)]
         moved = flat(name for name, _ in self.motion.field) if self.motion else ()
         whole = [n for n, _ in (*self.field, *self.definitions) if not isinstance(n, sp.Symbol)]
@@ -303,6 +311,7 @@ class System:
 
     # --- making other systems --------------------------------------------------------------
 
+    @arguments_checked
     def with_laws(self, *laws: Law) -> System:
         """The same system with further laws claimed of it."""
         return replace(self, laws=self.laws + laws)
@@ -334,9 +343,10 @@ class System:
 
     # --- motion in closed form ---------------------------------------------------------------
 
+    @arguments_checked
     def solve(
         self,
-        start: Mapping[str, Any] | Sequence[Any],
+        start: Start,
         parameters: Mapping[Any, Any] | None = None,
     ) -> Solution:
         """The motion from a start in closed form, at any time; see :mod:`chaplygin.explicit`.
@@ -360,6 +370,7 @@ class System:
 
     # --- other tools and print -------------------------------------------------------------
 
+    @arguments_checked
     def lambdify(self, target: str = "numpy") -> Callable[..., Any]:
         """The field as a function ``f(t, x, p)`` for ``"numpy"``, ``"jax"`` or ``"numba"``.
 
@@ -369,6 +380,7 @@ class System:
 
         return function(self, target)
 
+    @arguments_checked
     def source_code(self, language: str) -> str:
         """The field as source text in ``"julia"`` or ``"c"``."""
         from ..printing.code import source

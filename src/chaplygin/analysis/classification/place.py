@@ -13,6 +13,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from ...arguments import arguments_checked
 from ...core.system import System
 from ...mechanics.lagrangian.mechanism import Mechanism
 from ...mechanics.rolling.equations import Rolling
@@ -190,6 +191,7 @@ class Place:
         return told(self)
 
 
+@arguments_checked
 def place(
     system: System,
     verdicts: Mapping[str, Verdict] | None = None,

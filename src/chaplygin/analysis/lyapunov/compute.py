@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
+from ...arguments import Parameters, Start, arguments_checked
 from ...core.system import System
 from ...errors import EarlyEndError, InputError, InterruptionError, RunError
 from ...flow.batch import Lanes, lanes
@@ -182,10 +183,11 @@ def kaplan_yorke(exponents: Sequence[float] | Array) -> float:
     return float(count + rest / abs(ordered[count]))
 
 
+@arguments_checked
 def spectrum(
     system: System,
-    start: Mapping[str, Any] | Sequence[float],
-    parameters: Values = None,
+    start: Start,
+    parameters: Parameters = None,
     *,
     until: float,
     intervals: int = INTERVALS,

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
+from ...arguments import arguments_checked
 from ...core.laws import Identity, Integral, Law
 from ...core.system import System
 from ...core.vectors import scalar
@@ -110,6 +111,7 @@ class ChaplyginForm:
         return page(self)
 
 
+@arguments_checked
 def chaplygin_form(
     mechanism: Mechanism, levels: Sequence[float | sp.Expr] | None = None
 ) -> ChaplyginForm:
