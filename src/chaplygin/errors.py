@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import bisect
+import difflib
 import itertools
+from collections.abc import Iterable
 from typing import Any
 
-__all__ = ["LONGEST", "EarlyEndError", "InputError", "RunError", "readable"]
+__all__ = ["LONGEST", "EarlyEndError", "InputError", "RunError", "nearest", "readable"]
 
 #: Characters that a message has at most, and one line of it.
 LONGEST, LONGEST_LINE = 2000, 600
@@ -34,6 +36,22 @@ def _escape(character: str) -> str:
 def _cut(line: str) -> str:
     half = LONGEST_LINE // 2 - 5
     return line if len(line) <= LONGEST_LINE else f"{line[:half]} [...] {line[-half:]}"
+
+
+def nearest(name: str, known: Iterable[str]) -> str:
+    """End a sentence about an unknown name: the likeliest intention, and all that is allowed.
+
+    Parameters
+    ----------
+    name
+        The unknown name.
+    known
+        The names that would have been accepted.
+    """
+    allowed = list(known)
+    close = difflib.get_close_matches(name, allowed, n=1)
+    guess = f", did you mean '{close[0]}'?" if close else ";"
+    return f"{guess} allowed: {', '.join(allowed) or 'none'}"
 
 
 class InputError(ValueError):

@@ -23,6 +23,8 @@ import pytest
 import sympy as sp
 
 import chaplygin
+import chaplygin.arguments
+import chaplygin.core.admissible
 import chaplygin.core.arrays
 import chaplygin.core.laws
 import chaplygin.core.system
@@ -55,7 +57,15 @@ LOADED = (
     "equations",
     "initial_state",
 )
-SHARED = ("errors", "core.arrays", "core.laws", "core.system", "core.vectors")
+SHARED = (
+    "arguments",
+    "errors",
+    "core.admissible",
+    "core.arrays",
+    "core.laws",
+    "core.system",
+    "core.vectors",
+)
 
 #: Changes are tried in so many parts, of which one is no slow test.
 PARTS = 10

@@ -20,7 +20,9 @@ from multiprocessing import get_context
 from typing import Any
 
 from .._version import __version__
+from ..arguments import arguments_checked
 from ..core.source_digest import whole
+from ..errors import InputError
 from ..flow.ensemble.task import UnfinishedError
 from ..printing.mathml import mathml
 from ..proof.fields.budget import EFFORT
@@ -130,6 +132,7 @@ def _name(claim: Claim, form: str) -> str:
     return digest(claim.source, claim.statement, form, whole())
 
 
+@arguments_checked
 def audit(
     section: int | None = None,
     workers: int | None = None,
@@ -152,7 +155,14 @@ def audit(
     left : int
         How many claims were left unjudged by an interruption.
     """
+    if workers is not None and workers < 1:
+        raise InputError(f"workers = {workers}: there must be one at least")
     chosen = claims(section)
+    if not chosen:
+        sections = sorted({number for number, _ in claims(None)})
+        raise InputError(
+            f"section {section}: the audit covers sections {sections[0]} to {sections[-1]}"
+        )
     found: dict[int, tuple[Verdict, Verdict | None]] = {}
     waiting = []
     for number, (_, claim) in enumerate(chosen):

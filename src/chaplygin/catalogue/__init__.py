@@ -9,6 +9,7 @@ import pkgutil
 import re
 from importlib import import_module
 
+from ..arguments import arguments_checked
 from ..core.laws import Law
 from ..core.system import System
 from ..mechanics.rolling.equations import Rolling
@@ -42,6 +43,7 @@ def entry(name: str) -> Entry:
     return lookup(CATALOGUE, name)
 
 
+@arguments_checked
 def from_catalogue(name: str, **parameters: float) -> System:
     """A System of the catalogue, with some of its parameters given by symbol name.
 

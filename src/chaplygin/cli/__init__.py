@@ -26,6 +26,7 @@ from . import (
     sweep,
 )
 from .common import complain
+from .usage import sentence
 
 __all__ = ["app", "main"]
 
@@ -75,13 +76,20 @@ def main() -> None:
     with watched():
         try:
             try:
-                app()
+                # a command itself ends with None, an early end with its code
+                code = app(standalone_mode=False)
             finally:
                 sys.stdout.flush()
+            sys.exit(code or 0)
         except SystemExit as end:
             if isinstance(end.__context__, BrokenPipeError):
                 _leave(0)
             raise
+        except typer.TyperException as error:
+            # where nothing at all was given, Typer has printed the help
+            if len(sys.argv) > 1:
+                complain(sentence(error))
+            sys.exit(2)
         except InputError as error:
             complain(str(error))
             sys.exit(2)

@@ -120,6 +120,8 @@ def study_of(what: str, overrides: list[str] | None, precision: str | None = Non
     """
     from ..errors import InputError
 
+    if not what.strip():
+        raise InputError("NAME|FILE is empty: a catalogue name or a file is needed")
     path = Path(what)
     named = path.suffix not in (".py", ".toml") and len(path.parts) == 1 and not path.is_file()
     if not named and not path.exists():

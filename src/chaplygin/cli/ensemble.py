@@ -97,6 +97,8 @@ def _members(study: Study, starts: int, level: str | None, seed: int, over: list
     from ..errors import InputError
     from ..flow.ensemble.run import drawn, grid, one
 
+    if starts < 1:
+        raise InputError(f"--starts {starts}: there must be one at least")
     if level is not None:
         everyone = drawn(starts, level_of(level), seed)
     elif starts == 1:

@@ -82,6 +82,14 @@ def command(
     if kind not in _TITLES:
         raise InputError(f"KIND {kind}: it must be one of {', '.join(_TITLES)}")
     allowed = operations(effort)
+    for option, number in (
+        ("--degree", degree),
+        ("--gamma-degree", gamma_degree),
+        ("--power", power),
+        ("--parameter-degree", parameter_degree),
+    ):
+        if number < 0:
+            raise InputError(f"{option} {number}: it must not be negative")
     system = study_of(what, overrides).system
     from ..search import ask
 

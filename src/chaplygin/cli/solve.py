@@ -39,7 +39,7 @@ def command(
         typer.Option(help="Evaluate rigorously, to so many digits with error bars."),
     ] = None,
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", help="NetCDF file to write.")
+        Path | None, typer.Option("-o", "--output", help="File to write: .nc, .zarr or .csv.")
     ] = None,
     figure: Annotated[
         Path | None, typer.Option(help="Figure of the closed form to write: .png, .svg, .pdf.")
@@ -50,12 +50,13 @@ def command(
 ) -> None:
     """The state at any time, in closed form; exit 1 where none is known."""
     from ..errors import InputError
+    from ..experiment.formats import check_output as check_trajectory
 
     moments = None if at is None else _times(at)
     if digits is not None and not 1 <= digits <= MOST_DIGITS:
         raise InputError(f"--digits {digits}: it must be from 1 to {MOST_DIGITS}")
     if output is not None:
-        check_output("--output", output, force, json, what)
+        check_output("--output", output, force, json, what, place=check_trajectory)
     if figure is not None:
         check_figure("--figure", figure)
         check_output("--figure", figure, force, json, what)

@@ -130,6 +130,10 @@ def resumable(store: Path, report: Progress, force: bool) -> Iterator[Progress]:
     force : bool
         Whether the command was to replace a store, which the next one is not to do.
     """
+    import shutil
+
+    from ..errors import InputError
+
     share = 0.0
 
     def update(done: float) -> None:
@@ -143,8 +147,15 @@ def resumable(store: Path, report: Progress, force: bool) -> Iterator[Progress]:
         command = "the same command without --force" if force else "the same command"
         return f"{share:.0%} is computed; {command} goes on with what is in {store}"
 
-    with ending(words):
-        yield update
+    begun = store.exists()
+    try:
+        with ending(words):
+            yield update
+    except InputError:
+        # of what cannot be computed nothing is left, so that the command can be corrected
+        if not begun:
+            shutil.rmtree(store, ignore_errors=True)
+        raise
 
 
 def outcomes(variable: Any) -> dict[str, int]:

@@ -8,9 +8,10 @@ from typing import Any
 
 import sympy as sp
 
-from .system import Parameter
+from ..errors import InputError
+from .system import Parameter, System
 
-__all__ = ["conditions", "satisfied"]
+__all__ = ["conditions", "parameters_by_symbol", "require_parameters", "satisfied"]
 
 #: Two sides of a condition that differ by this share of them are equal.
 ROUNDING = 1e-12
@@ -44,6 +45,31 @@ def satisfied(condition: Any, numbers: Mapping[sp.Symbol, Any]) -> Any:
     """
     symbols, check = _check(condition)
     return check(*(numbers[symbol] for symbol in symbols))
+
+
+def parameters_by_symbol(
+    system: System, parameters: Mapping[Any, Any] | None
+) -> dict[sp.Symbol, Any]:
+    """Values that are given by symbol or name, by the symbols of the system.
+
+    Raises
+    ------
+    InputError
+        If the system has no parameter of a name.
+    """
+    require_parameters(system, parameters)
+    symbols = {str(item.symbol): item.symbol for item in system.parameters}
+    return {symbols[str(key)]: value for key, value in (parameters or {}).items()}
+
+
+def require_parameters(system: System, parameters: Mapping[Any, Any] | None) -> None:
+    """Raise InputError if one of the names, or symbols, is none of a parameter of the system."""
+    known = [str(item.symbol) for item in system.parameters]
+    for key in parameters or {}:
+        if str(key) not in known:
+            raise InputError(
+                f"{system.name}: no parameter {key}; it has {', '.join(known) or 'none'}"
+            )
 
 
 @lru_cache(maxsize=256)

@@ -7,13 +7,15 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from ..arguments import Declared, arguments_checked
 from ..errors import InputError
-from .laws import Declared, Law, Pairs, pairs, repeated, scalar_names
+from .laws import Law, Pairs, pairs, repeated, scalar_names
 from .system import System
 
 __all__ = ["Isomorphism"]
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Isomorphism(Law):
     """A change of variables and time that carries the field onto another system's.

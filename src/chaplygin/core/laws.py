@@ -17,6 +17,7 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
+from ..arguments import Declared, Formula, Formulas, arguments_checked
 from ..errors import InputError
 
 __all__ = [
@@ -33,8 +34,6 @@ __all__ = [
 ]
 
 Pairs: TypeAlias = tuple[tuple[Any, Any], ...]
-#: Written as a mapping or as pairs, kept as pairs.
-Declared: TypeAlias = Any
 
 
 class Rate(sp.Function):
@@ -44,6 +43,11 @@ class Rate(sp.Function):
     """
 
     nargs = 1
+
+    @arguments_checked
+    def __new__(cls, *formulas: Formula, **options: Any) -> Any:
+        """Refuse a text, which SymPy would run."""
+        return super().__new__(cls, *formulas, **options)
 
 
 def pairs(mapping: Mapping[Any, Any] | Pairs) -> Pairs:
@@ -94,6 +98,7 @@ class Law:
     misprint: str = ""
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Integral(Law):
     """A first integral: a function F of the state with v(F) = 0.
@@ -117,6 +122,7 @@ class Integral(Law):
     unit: str = ""
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Measure(Law):
     """An invariant measure: div(ρ v) = 0 with ρ = ∏ base^exponent.
@@ -149,6 +155,7 @@ class Measure(Law):
         return sp.Mul(*(sp.Pow(base, exponent) for base, exponent in self.density))
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Symmetry(Law):
     """A symmetry field: [u, v] = 0, and u is tangent to the phase space and to the level.
@@ -168,6 +175,7 @@ class Symmetry(Law):
         object.__setattr__(self, "field", pairs(self.field))
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class PoissonStructure(Law):
     """A Poisson structure on the phase space: skew, with the Jacobi identity.
@@ -192,7 +200,7 @@ class PoissonStructure(Law):
         If the matrix is not square, or has no skew matrix of its size the rank.
     """
 
-    matrix: Any
+    matrix: Formulas
     casimirs: tuple[sp.Expr, ...] = ()
     rank: int | None = None
     meaning: str = ""
@@ -216,6 +224,7 @@ class PoissonStructure(Law):
             )
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class ConformallyHamiltonian(Law):
     """A conformally Hamiltonian form: v = N J dH, with J a Poisson structure.
@@ -240,6 +249,7 @@ class ConformallyHamiltonian(Law):
     meaning: str = ""
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Reduction(Law):
     """Closed equations that some quantities satisfy by themselves along every motion.
@@ -281,6 +291,7 @@ class Reduction(Law):
             raise InputError(f"the law {self.name!r} has no equation")
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Separation(Reduction):
     """Quantities each of which obeys an equation of its own, up to a common time.
@@ -297,6 +308,7 @@ class Separation(Reduction):
     """
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Identity(Law):
     """Formulas that vanish everywhere on the phase space.
@@ -317,7 +329,7 @@ class Identity(Law):
         If a quantity is named twice.
     """
 
-    value: Any
+    value: Formulas
     meaning: str = ""
     quantities: Declared = ()
 

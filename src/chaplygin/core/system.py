@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
@@ -10,6 +11,7 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
+from ..arguments import Declared, Formula, arguments_checked
 from ..errors import InputError
 from .display import Displayed
 from .laws import Integral, Law
@@ -29,10 +31,9 @@ __all__ = [
 Name: TypeAlias = Vector | sp.Symbol
 Quantity: TypeAlias = Vector | Diagonal | Symmetric | sp.Symbol
 Pairs: TypeAlias = tuple[tuple[Any, Any], ...]
-#: Written as a mapping or as pairs, kept as pairs.
-Declared: TypeAlias = Any
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Parameter:
     """A number that stays constant during motion.
@@ -165,6 +166,7 @@ def _assumed(symbol: sp.Symbol) -> str:
     return ", ".join(told) or "no assumptions"
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class System(Displayed):
     """A vector field on a phase space, with what is claimed of it.
@@ -242,8 +244,9 @@ class System(Displayed):
         """The definitions as scalar assignments, in order."""
         return flat_pairs(self.definitions)
 
+    @arguments_checked
     def needed(
-        self, formulas: Iterable[Any], given: Iterable[sp.Symbol] = ()
+        self, formulas: Iterable[Formula], given: Iterable[sp.Symbol] = ()
     ) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
         """The steps on which `formulas` depend, in order, when the symbols `given` are known."""
         wanted = {s for formula in formulas for s in _symbols_of(formula)} - set(given)
@@ -270,6 +273,11 @@ class System(Displayed):
         return tuple((str(p.symbol), float(p.default)) for p in self.parameters)
 
     def _check_symbols(self) -> None:
+        for item in self.parameters:
+            if not math.isfinite(item.default):
+                raise InputError(
+                    f"{self.name}: {item.symbol} = {item.default} must be a finite number"
+                )
         names = [p.symbol for p in self.parameters] + [*self.symbols, *(s for s, _ in self.steps)]
         moved = flat(name for name, _ in self.motion.field) if self.motion else ()
         whole = [n for n, _ in (*self.field, *self.definitions) if not isinstance(n, sp.Symbol)]
@@ -301,6 +309,7 @@ class System(Displayed):
 
     # --- making other systems --------------------------------------------------------------
 
+    @arguments_checked
     def with_laws(self, *laws: Law) -> System:
         """The same system with further laws claimed of it."""
         return replace(self, laws=self.laws + laws)

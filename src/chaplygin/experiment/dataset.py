@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from ..arguments import arguments_checked
 from ..errors import InputError
 from ..flow.integrator import Trajectory
 from ..flow.metadata import FRAMES, LABELS, told_of
@@ -21,6 +22,7 @@ __all__ = ["read", "to_dataset", "write"]
 _PLACE = "place"
 
 
+@arguments_checked
 def to_dataset(
     trajectory: Trajectory,
     attributes: Mapping[str, Any] | None = None,
@@ -139,6 +141,7 @@ def _split(values: Any) -> tuple[Any, Any]:
     return high, np.vectorize(float, otypes=[float])(rest)
 
 
+@arguments_checked
 def write(dataset: xr.Dataset, path: str | Path, force: bool = False) -> Path:
     """Write a dataset to a file or store; it appears complete or not at all.
 
@@ -161,6 +164,7 @@ def write(dataset: xr.Dataset, path: str | Path, force: bool = False) -> Path:
     return target
 
 
+@arguments_checked
 def read(path: str | Path) -> xr.Dataset:
     """Read a dataset written by :func:`write` to NetCDF or Zarr, into memory.
 

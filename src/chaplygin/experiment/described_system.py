@@ -27,7 +27,8 @@ _PLACES: tuple[tuple[str, Key], ...] = (
         ("frame",),
     ),
     (r"the force\b", ("forces",)),
-    (r"the (mass matrix|Lagrangian)", ("lagrangian",)),
+    (r"the (mass matrix|Lagrangian|kinetic energy)", ("lagrangian",)),
+    (r"the constraints\b", ("constraints",)),
 )
 
 

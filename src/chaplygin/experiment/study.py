@@ -12,6 +12,7 @@ import numpy as np
 import sympy as sp
 import xarray as xr
 
+from ..arguments import arguments_checked
 from ..catalogue import entry, known_laws_of
 from ..catalogue.balls.ball_entry import ball_variables
 from ..catalogue.balls.ball_laws import known_ball_laws
@@ -19,6 +20,7 @@ from ..core.system import System
 from ..errors import InputError
 from ..flow.cost import TooMuchError
 from ..flow.integrator import Trajectory, integrate
+from ..flow.trajectory import require_pieces
 from ..mechanics.ball.ball import RollingBall
 from ..mechanics.ball.initial_state import ball_state
 from ..mechanics.lagrangian.mechanism import TIME, Mechanism
@@ -176,6 +178,7 @@ class Study:
             tables["system"]["parameters"] = entry(table.name).numbers(table.parameters)
         return type(self.experiment).model_validate(tables).toml()
 
+    @arguments_checked
     def trajectory(
         self,
         progress: Callable[[float], None] | None = None,
@@ -200,6 +203,7 @@ class Study:
         RunError
             If the integration fails; it carries the trajectory so far.
         """
+        require_pieces(pieces)
         run = self.experiment.run
         start = self.start
         with _at(self.experiment, "start"):
@@ -264,6 +268,7 @@ def _at(experiment: Experiment, *key: str) -> Iterator[None]:
         raise InputError(error.message, experiment.where(*key)) from None
 
 
+@arguments_checked
 def prepare(experiment: Experiment) -> Study:
     """Make an experiment ready.
 

@@ -11,6 +11,7 @@ import numpy as np
 import sympy as sp
 from flint import ctx
 
+from ..arguments import Numbers, Written, arguments_checked
 from ..core.system import System
 from ..errors import InputError
 from ..formulas.balls import components, evaluated, number
@@ -65,7 +66,8 @@ class GenusTwo(Solution):
     def _state(self) -> Callable[..., Any]:
         return on_arrays(self.prepared, self.separable.system.symbols)
 
-    def states(self, times: Any) -> Any:
+    @arguments_checked
+    def states(self, times: Numbers) -> Any:
         """Lifted states (n, size) at `times` (n,), in double precision."""
         moment = self.clock.at(np.asarray(times, dtype=float))
         reduced = self._state(*self.prepared.torus.values(moment.v))
@@ -99,7 +101,8 @@ class GenusTwo(Solution):
             "there has no error bounds"
         )
 
-    def rigorous(self, time: Any, digits: int = 30) -> tuple[Any, ...]:
+    @arguments_checked
+    def rigorous(self, time: Written, digits: int = 30) -> tuple[Any, ...]:
         """The lifted state at one time as balls."""
         from .rigorous import rigorous_state
 

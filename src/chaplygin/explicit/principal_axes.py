@@ -10,6 +10,7 @@ import numpy as np
 import sympy as sp
 from flint import acb_mat, arb, arb_mat, ctx
 
+from ..arguments import Numbers, Written, arguments_checked
 from ..core.system import System
 from ..core.vectors import Diagonal, Symmetric, Vector
 from ..errors import InputError
@@ -61,12 +62,14 @@ class Turned(Solution):
         """That of the motion in the other axes."""
         return self.inner.left_open
 
-    def states(self, times: Any) -> Any:
+    @arguments_checked
+    def states(self, times: Numbers) -> Any:
         """Lifted states at `times` (n,), as an array (n, size), in double precision."""
         turn = np.array([[number(x) for x in row] for row in self.matrix.tolist()])
         return self.inner.states(times) @ turn.T
 
-    def rigorous(self, time: Any, digits: int = 30) -> tuple[Any, ...]:
+    @arguments_checked
+    def rigorous(self, time: Written, digits: int = 30) -> tuple[Any, ...]:
         """The lifted state at one time as balls that contain the exact one."""
         with ctx.workdps(digits + 30):
             column = arb_mat([[x] for x in self.inner.rigorous(time, digits)])

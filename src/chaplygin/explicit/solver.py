@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Mapping
 
 import sympy as sp
 
+from ..arguments import Parameters, Start, arguments_checked
 from ..core.system import System
 from ..errors import InputError
 from ..flow.initial_states import whole_start
@@ -17,10 +17,11 @@ from .recognise import solution_of
 __all__ = ["solve"]
 
 
+@arguments_checked
 def solve(
     system: System,
-    start: Mapping[str, Any] | Sequence[Any],
-    parameters: Mapping[Any, Any] | None = None,
+    start: Start,
+    parameters: Parameters = None,
 ) -> Solution:
     """Solve an integrable system from a start.
 

@@ -20,6 +20,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from ..arguments import arguments_checked
 from ..core.system import System
 from ..errors import InputError
 from ..formulas.evaluate import doubles, relation_terms
@@ -399,6 +400,7 @@ def spread(part: Any, number: int, threads: int) -> None:
 
 
 @lru_cache(maxsize=64)
+@arguments_checked
 def lanes(
     system: System,
     *,

@@ -14,6 +14,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from ..arguments import Numbers, Parameters, arguments_checked
 from ..core.system import System
 from ..errors import InputError
 from ..formulas.evaluate import doubles, numbers, parameter_rows, read_system, relation_terms
@@ -164,10 +165,11 @@ class Precise:
         return PreciseMotions(states[..., 0], states[..., 1], outcome, ended, steps)
 
 
+@arguments_checked
 def precise(
     system: System,
-    start: Any,
-    parameters: Mapping[Any, Any] | None = None,
+    start: Numbers,
+    parameters: Parameters = None,
     digits: Literal[16, 30] = 16,
     *,
     backward: bool = False,

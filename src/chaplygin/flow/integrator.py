@@ -15,7 +15,8 @@ import mpmath
 import numpy as np
 import sympy as sp
 
-from ..core.admissible import conditions, satisfied
+from ..arguments import Numbers, Parameters, Start, arguments_checked
+from ..core.admissible import conditions, parameters_by_symbol, satisfied
 from ..core.system import System
 from ..core.vectors import explicit
 from ..errors import InputError, InterruptionError, RunError
@@ -51,12 +52,13 @@ class _Log:
     corrections: int = 0
 
 
+@arguments_checked
 def integrate(
     system: System,
-    start: Mapping[str, Any] | Sequence[Any],
-    times: Sequence[Any],
+    start: Start,
+    times: Numbers,
     *,
-    parameters: Mapping[Any, Any] | None = None,
+    parameters: Parameters = None,
     tolerance: float | None = None,
     precision: Precision = "double",
     on_liftoff: Literal["stop", "warn"] = "stop",
@@ -114,6 +116,8 @@ def integrate(
         If the integration fails; it carries the last good time and the trajectory so far.  An
         InterruptionError if it is interrupted.
     """
+    if time_limit is not None and not time_limit > 0:
+        raise InputError(f"time_limit = {time_limit}: it must be a positive number of seconds")
     start = whole_start(system, start, parameters)
     if method == "gauss":
         for name, asked in (
@@ -178,19 +182,17 @@ def integrate(
     return trajectory
 
 
+#: Why a formula has no finite value where its variables have usual sizes.
+_NO_VALUE = "a formula divides by zero, or takes a root or logarithm of what has none"
+
+
 class _StoppedError(Exception):
     """The integration cannot go on."""
 
 
 def _values(system: System, parameters: Mapping[Any, Any] | None) -> dict[sp.Symbol, Any]:
     values: dict[sp.Symbol, Any] = dict(system.defaults)
-    by_name = {str(symbol): symbol for symbol in values}
-    for key, value in (parameters or {}).items():
-        symbol = by_name.get(str(key))
-        if symbol is None:
-            known = ", ".join(map(str, values))
-            raise InputError(f"{system.name}: no parameter {key}; it has {known}")
-        values[symbol] = value
+    values |= parameters_by_symbol(system, parameters)
     if parameters:
         _check_admissible(system, values)
     return values
@@ -308,8 +310,7 @@ class _Run:
                 value = float(next(values))
                 if not math.isfinite(value):
                     raise InputError(
-                        f"start: {name} is {value} there; "
-                        f"{self._blamed(state) or 'all that is recorded must be a finite number'}"
+                        f"start: {name} is {value} there; {self._blamed(state) or _NO_VALUE}"
                     )
 
     def _blamed(self, state: Any) -> str:
@@ -379,6 +380,10 @@ class _Run:
             outcome, step = stepper.step(max_delta_t=last - before, write_tc=True)
             code = int(outcome)
             if code <= _SUCCESS and code not in (_SUCCESS, _LIMIT):
+                if not log.steps:
+                    raise InputError(
+                        f"start: the rate of the state is no number there; {_NO_VALUE}"
+                    )
                 self._break_down(log, "the state stopped being a number")
                 return
             log.steps += 1

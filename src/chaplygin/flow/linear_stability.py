@@ -22,6 +22,7 @@ from typing import Any, TypeGuard
 import mpmath
 import sympy as sp
 
+from ..arguments import arguments_checked
 from ..core.laws import Law, Symmetry
 from ..core.system import System
 from ..core.vectors import explicit
@@ -95,6 +96,7 @@ class Linearisation:
         return all(value.real < 0 for value in self.eigenvalues)
 
 
+@arguments_checked
 def linearise(
     system: System,
     state: Mapping[Any, Any] | Sequence[Any],

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from ..arguments import arguments_checked
 from ..core.system import Guard, System
 from ..errors import InputError
 
@@ -98,6 +99,12 @@ class Dense:
         return value
 
 
+def require_pieces(pieces: int) -> None:
+    """Raise InputError unless the intervals between samples can have so many pieces."""
+    if pieces < 1:
+        raise InputError(f"pieces = {pieces}: there must be one at least")
+
+
 @dataclass(frozen=True)
 class Trajectory:
     """States and observables of a system along one motion.
@@ -134,8 +141,10 @@ class Trajectory:
             return self.recorded[name]
         return by_name(self.system, self.states, name)
 
+    @arguments_checked
     def thinned(self, pieces: int) -> Trajectory:
         """Every `pieces`-th sample, and the last one."""
+        require_pieces(pieces)
         last = len(self.times) - 1
         kept = [*range(0, last, pieces), last]
         return replace(

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from ..core.admissible import conditions, satisfied
+from ..core.admissible import conditions, require_parameters, satisfied
 from ..core.system import Quantity, System
 from ..core.vectors import explicit
 from ..errors import InputError
@@ -136,11 +136,9 @@ def parameter_rows(system: System, parameters: Mapping[Any, Any] | None, count: 
         If a name is unknown, a value is not finite or not admissible, or an array has another
         length.
     """
+    require_parameters(system, parameters)
     columns: dict[str, Any] = dict(system.constants)
     for key, value in (parameters or {}).items():
-        if str(key) not in columns:
-            known = ", ".join(columns) or "none"
-            raise InputError(f"{system.name}: no parameter {key}; it has {known}")
         column = doubles(f"{system.name}: {key}", value)
         if column.shape not in ((), (count,)):
             raise InputError(

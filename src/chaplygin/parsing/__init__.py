@@ -13,10 +13,11 @@ from collections.abc import Collection, Iterable, Mapping
 
 import sympy
 
+from ..errors import nearest
 from .grammar import CONSTANTS, FUNCTIONS, MAX_LENGTH, PRODUCTS, RESERVED
 from .paper_notation import spelt
 from .scalar import Scalars
-from .syntax import Source, nearest, syntax_tree
+from .syntax import Source, syntax_tree
 from .vector import Formula, Named, Vectors
 
 __all__ = [

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import ast
-import difflib
 import re
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from ..errors import InputError
+from ..errors import InputError, nearest
 from .grammar import FUNCTIONS, MAX_DEPTH, MAX_DIGITS, MAX_LENGTH, PRODUCTS
 
-__all__ = ["TOO_DEEP", "Source", "chain", "nearest", "syntax_tree"]
+__all__ = ["TOO_DEEP", "Source", "chain", "syntax_tree"]
 
 _TOKEN = re.compile(
     r"(?P<space>\s+)"
@@ -36,22 +35,6 @@ _SHAPE = MappingProxyType({"(": "parenthesis", "[": "bracket"})
 _EXCERPT = 72
 
 TOO_DEEP = "the formula is nested too deeply"
-
-
-def nearest(name: str, known: Iterable[str]) -> str:
-    """End a sentence about an unknown name: the likeliest intention, and all that is allowed.
-
-    Parameters
-    ----------
-    name
-        The unknown name.
-    known
-        The names that would have been accepted.
-    """
-    allowed = list(known)
-    close = difflib.get_close_matches(name, allowed, n=1)
-    guess = f", did you mean '{close[0]}'?" if close else ";"
-    return f"{guess} allowed: {', '.join(allowed) or 'none'}"
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import sympy as sp
 
+from ..arguments import arguments_checked
 from ..errors import InputError
 from .system import field_text
 
@@ -30,6 +31,7 @@ Field = Callable[..., Any]
 Assignments = list[tuple[sp.Symbol, sp.Expr]]
 
 
+@arguments_checked
 def lambdify(system: System, target: str = "numpy") -> Field:
     """The time derivative of the flat state as a function.
 
@@ -61,6 +63,7 @@ def lambdify(system: System, target: str = "numpy") -> Field:
     return TARGETS[target](system)
 
 
+@arguments_checked
 def source_code(system: System, language: str) -> str:
     """The time derivative of the flat state as readable source text.
 

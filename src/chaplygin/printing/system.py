@@ -250,9 +250,9 @@ _STYLE = """\
 .chaplygin-system table { border-collapse: collapse; margin: 0.3em 0 0.8em; }
 .chaplygin-system th, .chaplygin-system td
   { padding: 0.15em 0.8em 0.15em 0; text-align: left; vertical-align: baseline; }
-.chaplygin-system th { font-weight: normal; opacity: 0.65; }
+.chaplygin-system th { font-weight: normal; opacity: 0.8; }
 .chaplygin-system .formula { overflow: auto hidden; margin: 0.4em 0 0.4em 1.5em; }
-.chaplygin-system .formula math { font-size: clamp(0.7em, calc(44em / var(--width)), 1.04em); }
+.chaplygin-system .formula math { font-size: clamp(0.58em, calc(44em / var(--width)), 1.04em); }
 </style>"""
 
 

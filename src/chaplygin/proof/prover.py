@@ -19,6 +19,7 @@ from typing import Any, overload
 
 import sympy as sp
 
+from ..arguments import arguments_checked
 from ..check import CheckError
 from ..check.claim.claim import Claim as CheckedClaim
 from ..check.claim.claim import read_claim
@@ -60,6 +61,7 @@ FURTHER = (near,) * 6 + (far,) * 40
 def prove(system: System, law: None = None, *, effort: int = ...) -> tuple[Verdict, ...]: ...
 @overload
 def prove(system: System, law: Law | str, *, effort: int = ...) -> Verdict: ...
+@arguments_checked
 def prove(
     system: System, law: Law | str | None = None, *, effort: int = EFFORT
 ) -> Verdict | tuple[Verdict, ...]:

@@ -109,14 +109,22 @@ def ask(
         also=tuple(also),
         divisors=natural_divisors(vocabulary)
         if divisors is None
-        else tuple(formula(text, system, "denominator") for text in divisors),
+        else tuple(_factor(text, system, "denominator") for text in divisors),
         bases=natural_bases(vocabulary)
         if bases is None
-        else tuple(formula(text, system, "base") for text in bases),
+        else tuple(_factor(text, system, "base") for text in bases),
         powers=powers,
         parameter_degree=parameter_degree,
         effort=effort,
     )
+
+
+def _factor(text: str, system: System, where: str) -> sp.Expr:
+    """A formula that may divide or be a factor, which zero may not."""
+    found = formula(text, system, where)
+    if found == 0:
+        raise InputError(f"{text} is zero, which divides nothing", where)
+    return found
 
 
 def _rest(system: System, momenta: tuple[sp.Expr, ...]) -> tuple[sp.Symbol, ...]:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
+from ...arguments import arguments_checked
 from ...core.isomorphism import Isomorphism
 from ...core.laws import ConformallyHamiltonian, Integral, Law, Measure, Reduction
 from ...core.system import System
@@ -206,6 +207,7 @@ def _told(law: Law) -> Fact:
     return Fact(law.name, f"{heading(law)}: {meaning}" if meaning else heading(law), law.source)
 
 
+@arguments_checked
 def place(
     system: System,
     verdicts: Mapping[str, Verdict] | None = None,

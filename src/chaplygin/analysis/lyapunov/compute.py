@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
+from ...arguments import Parameters, Start, arguments_checked
 from ...core.system import System
 from ...errors import EarlyEndError, InputError, InterruptionError, RunError
 from ...flow.batch import Lanes, lanes
@@ -45,10 +46,11 @@ APART = (12.0, 28.0)
 FIRST = 8
 
 
+@arguments_checked
 def spectrum(
     system: System,
-    start: Mapping[str, Any] | Sequence[float],
-    parameters: Values = None,
+    start: Start,
+    parameters: Parameters = None,
     *,
     until: float,
     intervals: int = INTERVALS,

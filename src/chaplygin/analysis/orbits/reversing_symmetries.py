@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from ...arguments import arguments_checked
 from ...core.system import Parameter, System, flat
 from ...formulas.batch import Formulas
 from ...printing.formula import text
@@ -69,6 +70,7 @@ class Reversor:
         return f"{', '.join(names)} {verb} sign" + (f" where {needs}0" if needs else "")
 
 
+@arguments_checked
 def reversors(system: System) -> tuple[Reversor, ...]:
     """All changes of signs that are proven to reverse a system, each with the fewest conditions.
 

@@ -14,6 +14,7 @@ from fractions import Fraction
 
 import numpy as np
 
+from ...arguments import arguments_checked
 from ...errors import InputError
 from .maps import Array
 
@@ -225,6 +226,7 @@ def _passes(turns: Array, value: float, longest: int) -> bool:
     return True
 
 
+@arguments_checked
 def rotation_number(
     orbit: Callable[[int], Array],
     *,
@@ -254,7 +256,13 @@ def rotation_number(
     """
     count = min(FIRST, most)
     while True:
-        found = rotation(orbit(count), target, longest)
+        turns = np.asarray(orbit(count))
+        if turns.shape != (count + 1,) or turns.dtype.kind not in "iuf":
+            raise InputError(
+                f"orbit({count}): it must give {count + 1} numbers, the angle before each step "
+                "and after the last"
+            )
+        found = rotation(turns, target, longest)
         settled = found.error <= target and found.verdict != "undecided"
         if settled or 2 * count > most:
             return found

@@ -135,7 +135,7 @@ ENTRIES = (
         start=Start(state={"phi": 0.2, "s": 0.5, "w": 3.0, "phidot": 0.4}, until=15.0),
         variables={
             "phi": ("angle of the front wheels", "rad"),
-            "s": ("s of u = l s cos φ, Ω = s sin φ", "1/s"),
+            "s": ("rate of rolling, in u = l s cos φ and Ω = s sin φ", "1/s"),
             "w": ("angular velocity of the rotor against the board", "1/s"),
             "phidot": ("angular velocity of steering", "1/s"),
             "x": ("middle of the board", "m"),

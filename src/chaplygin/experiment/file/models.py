@@ -20,6 +20,7 @@ from typing import Any
 
 from pydantic import Field, ValidationError, ValidationInfo, field_validator
 
+from ...arguments import arguments_checked
 from ...catalogue import CATALOGUE, Entry, entry
 from ...errors import InputError
 from ...parsing import nearest
@@ -229,6 +230,7 @@ Experiment = (
 """Any kind of experiment; ``isinstance`` tells which."""
 
 
+@arguments_checked
 def load(source: str | Path, overrides: Iterable[str] = ()) -> Experiment:
     """Read an experiment file.
 
@@ -270,6 +272,7 @@ def load(source: str | Path, overrides: Iterable[str] = ()) -> Experiment:
     return loads(text, name, overrides)
 
 
+@arguments_checked
 def loads(text: str, name: str = "<text>", overrides: Iterable[str] = ()) -> Experiment:
     """Read the text of an experiment file.
 

@@ -129,6 +129,8 @@ class Source:
         return key_lines(self.text)
 
     def _syntax_error(self, message: str) -> InputError:
+        # tomllib writes a key as a tuple
+        message = _TUPLE.sub(lambda match: ".".join(re.findall(r"'([^']*)'", match[0])), message)
         match = _POSITION.fullmatch(message)
         if match is None:
             return InputError(f"not valid TOML: {message}", self.name)
@@ -137,6 +139,9 @@ class Source:
             return InputError(f"not valid TOML: {problem} (at the end)", self.name)
         sentence = f"not valid TOML: {problem} (column {column})"
         return InputError(sentence, f"{self.name}, line {line}")
+
+
+_TUPLE = re.compile(r"\(('[^']*',? ?)+\)")
 
 
 def _path(setting: str, short: Mapping[str, Key]) -> Key:

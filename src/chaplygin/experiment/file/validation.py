@@ -62,6 +62,8 @@ def _plain(value: object, depth: int) -> str:
             return "a table"
         case bool():
             return str(value).lower()
+        case [Mapping(), *_] if not depth:
+            return "several tables, which [[...]] makes"
         case list() | tuple() if depth < _DEEPEST:
             return f"[{', '.join(_plain(item, depth + 1) for item in value[:_LONGEST])}]"
         case list() | tuple():
@@ -80,11 +82,22 @@ def _short(text: str) -> str:
 
 @dataclass(frozen=True)
 class _Place:
-    """A key, the table it belongs to and its description there (None for a named number)."""
+    """A key, the table it belongs to and its description there, or what a named value is."""
 
     key: Key
     owner: type[BaseModel] | None = None
     field: FieldInfo | None = None
+    table: Any = None
+
+    @property
+    def allowed(self) -> str:
+        """What may stand here, in words."""
+        if self.field:
+            return str(self.field.description)
+        if _is_table(self.table):
+            needed = [name for name, f in self.table.model_fields.items() if f.is_required()]
+            return f"a table with {' and '.join(needed)}"
+        return "a finite number"
 
 
 def _locate(model: type[BaseModel], steps: tuple[int | str, ...]) -> _Place:
@@ -98,7 +111,8 @@ def _locate(model: type[BaseModel], steps: tuple[int | str, ...]) -> _Place:
             place = _Place((*place.key, step), table, table.model_fields.get(step))
             table = _present(place.field.annotation) if place.field else None
         elif get_origin(table) is dict:
-            place, table = _Place((*place.key, step)), get_args(table)[1]
+            table = get_args(table)[1]
+            place = _Place((*place.key, step), table=table)
         else:
             break
     return place
@@ -137,7 +151,7 @@ def _as_written(data: Any, key: Key) -> Key:
 
 
 def _sentence(details: ErrorDetails, place: _Place, value: object) -> tuple[Key, str]:
-    allowed = place.field.description if place.field else "a finite number"
+    allowed = place.allowed
     context = details.get("ctx", {})
     match details["type"]:
         case "missing" if details["loc"][-1] == place.key[-1]:

@@ -24,6 +24,7 @@ import sympy as sp
 from flint import acb, arb, ctx
 from scipy.spatial.transform import Rotation
 
+from ...arguments import Numbers, Written, arguments_checked
 from ...core.system import System
 from ..base.solution import ClosedForm, Figure, Solution
 from ..one_degree import Course
@@ -156,13 +157,15 @@ class AxialSolution(Solution):
         """How fast the phase of u grows with time."""
         return 1 / self.course.moment
 
-    def states(self, times: Any) -> Any:
+    @arguments_checked
+    def states(self, times: Numbers) -> Any:
         """Lifted states at `times` (n,), in double precision."""
         return self._fast(np.asarray(times, dtype=float))
 
     # --- in balls --------------------------------------------------------------------------
 
-    def rigorous(self, time: Any, digits: int = 30) -> tuple[Any, ...]:
+    @arguments_checked
+    def rigorous(self, time: Written, digits: int = 30) -> tuple[Any, ...]:
         """The lifted state at one time as balls that contain the exact one.
 
         Raises

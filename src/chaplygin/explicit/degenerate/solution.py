@@ -11,6 +11,7 @@ import numpy as np
 import sympy as sp
 from flint import arb, ctx
 
+from ...arguments import Numbers, Written, arguments_checked
 from ...core.system import System, flat_pairs
 from ...formulas.balls import array_function, ball_function, components, number
 from ...mechanics.rolling.attitude import attitude
@@ -179,7 +180,8 @@ class Degenerate(Solution):
         """Periods in a unit of time."""
         return 1 / float(self.turn.mid())
 
-    def states(self, times: Any) -> Any:
+    @arguments_checked
+    def states(self, times: Numbers) -> Any:
         """Lifted states (n, size) at `times` (n,), in double precision."""
         moment: Moment = self.clock.when(np.asarray(times, dtype=float))
         nu, nuprime = self._directions(moment.rest, moment.turns)
@@ -191,7 +193,8 @@ class Degenerate(Solution):
         origin = np.array([float(x) for x in self.start[first:]])
         return np.concatenate([reduced, turns.T, moment.integrals + origin[:, None]]).T
 
-    def rigorous(self, time: Any, digits: int = 30) -> tuple[Any, ...]:
+    @arguments_checked
+    def rigorous(self, time: Written, digits: int = 30) -> tuple[Any, ...]:
         """The lifted state at one time as balls."""
         from .rigorous import rigorous_state
 

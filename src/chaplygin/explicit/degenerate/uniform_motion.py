@@ -22,6 +22,7 @@ import numpy as np
 import sympy as sp
 from flint import arb, ctx
 
+from ...arguments import Numbers, Written, arguments_checked
 from ...core.system import System, flat_pairs
 from ...core.vectors import Vector, explicit
 from ...formulas.balls import evaluated, exact
@@ -86,7 +87,8 @@ class UniformSolution(Solution):
 
     # --- in balls --------------------------------------------------------------------------
 
-    def rigorous(self, time: Any, digits: int = 30) -> tuple[Any, ...]:
+    @arguments_checked
+    def rigorous(self, time: Written, digits: int = 30) -> tuple[Any, ...]:
         """The lifted state at one time as balls that contain the exact one."""
         with ctx.workprec(working_bits(needed(time, digits, 1, self.pace))):
             t = balls_of(time)
@@ -113,7 +115,8 @@ class UniformSolution(Solution):
                 found.append((_doubles(axis), Turning.of(length), float(length.mid())))
             return tuple(found)
 
-    def states(self, times: Any) -> Any:
+    @arguments_checked
+    def states(self, times: Numbers) -> Any:
         """Lifted states at `times` (n,), in double precision."""
         t = np.asarray(times, dtype=float)
         (own, own_turn, _), (axis, turn, speed) = self._rates

@@ -19,6 +19,7 @@ import numpy as np
 import sympy as sp
 from flint import acb, arb, ctx, fmpq
 
+from ...arguments import Numbers, Written, arguments_checked
 from ...catalogue.fixed_point.lagrange_top import I_1, I_3, P
 from ...core.system import System
 from ...errors import InputError
@@ -139,7 +140,8 @@ class LagrangeSolution(Solution):
             course = None if isinstance(self.chart, Steady) else self.course
             return form_of(self.top, self.chart, course)
 
-    def rigorous(self, time: Any, digits: int = 30) -> tuple[Any, ...]:
+    @arguments_checked
+    def rigorous(self, time: Written, digits: int = 30) -> tuple[Any, ...]:
         """The state at one time as balls that contain the exact one."""
         work = needed(time, digits, 1, self.pace)
         with ctx.workprec(working_bits(work)):
@@ -162,7 +164,8 @@ class LagrangeSolution(Solution):
                 lean = lean.union(arb(0))
             return tuple(self._assembled(BALLS, (low, high), lean, phi))
 
-    def states(self, times: Any) -> Any:
+    @arguments_checked
+    def states(self, times: Numbers) -> Any:
         """States at `times` (n,), as an array (n, 6)."""
         moments = np.asarray(times, dtype=float)
         if isinstance(self.chart, Steady):

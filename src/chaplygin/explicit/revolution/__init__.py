@@ -14,6 +14,7 @@ import numpy as np
 import sympy as sp
 from flint import acb, arb, ctx, fmpq
 
+from ...arguments import Numbers, Written, arguments_checked
 from ...core.system import System
 from ...errors import InputError
 from ...mechanics.rolling.equations import Rolling
@@ -229,7 +230,8 @@ class RevolutionSolution(Solution):
 
     # --- in balls --------------------------------------------------------------------------
 
-    def rigorous(self, time: Any, digits: int = 30) -> tuple[Any, ...]:
+    @arguments_checked
+    def rigorous(self, time: Written, digits: int = 30) -> tuple[Any, ...]:
         """The lifted state at one time as balls that contain the exact one.
 
         Raises
@@ -282,7 +284,8 @@ class RevolutionSolution(Solution):
 
     # --- in double precision ---------------------------------------------------------------
 
-    def states(self, times: Any) -> Any:
+    @arguments_checked
+    def states(self, times: Numbers) -> Any:
         """Lifted states at `times` (n,), as an array (n, 12)."""
         return self._fast(np.asarray(times, dtype=float))
 
@@ -332,7 +335,8 @@ class SteadySolution(Solution):
         """The equilibrium of θ and its rates."""
         return self._form
 
-    def rigorous(self, time: Any, digits: int = 30) -> tuple[Any, ...]:
+    @arguments_checked
+    def rigorous(self, time: Written, digits: int = 30) -> tuple[Any, ...]:
         """The lifted state at one time as balls that contain the exact one."""
         with ctx.workprec(working_bits(needed(time, digits, 1, self.pace))):
             t = balls_of(time)
@@ -341,7 +345,8 @@ class SteadySolution(Solution):
             rates = (arb(0), self._spin)
             return tuple(assembled(BALLS, self._halves, rates, (phi, psi), place))
 
-    def states(self, times: Any) -> Any:
+    @arguments_checked
+    def states(self, times: Numbers) -> Any:
         """Lifted states at `times` (n,), as an array (n, 12)."""
         moments = np.asarray(times, dtype=float)
         phi, psi = (

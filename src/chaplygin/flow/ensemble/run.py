@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import sympy as sp
 
+from ...arguments import Numbers, Parameters, arguments_checked
 from ...core.system import System
 from ...errors import InputError
 from ...formulas.digest import settled
@@ -37,11 +38,12 @@ _MEMBERS, _NUMBERS = 4096, 1 << 22
 SHARES = 64
 
 
+@arguments_checked
 def ensemble(
     system: System,
     members: Members | Any,
-    times: Any,
-    parameters: Mapping[Any, float] | None = None,
+    times: Numbers,
+    parameters: Parameters = None,
     *,
     record: Sequence[str] = (),
     tolerance: float = 1e-13,

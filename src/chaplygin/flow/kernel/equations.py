@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from ...arguments import Quantity, arguments_checked
 from ...core.system import System
 from ...errors import InputError
 from ...formulas.evaluate import formula, read_system
@@ -35,8 +36,9 @@ class Section:
     where: Any = None
 
 
+@arguments_checked
 def section(
-    system: System, quantity: Any, value: float = 0, direction: int = 1, angle: bool = False
+    system: System, quantity: Quantity, value: float = 0, direction: int = 1, angle: bool = False
 ) -> Section:
     """The section on which a quantity has a value.
 

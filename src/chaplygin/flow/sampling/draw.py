@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from ...arguments import Parameters, arguments_checked
 from ...core.laws import Measure
 from ...core.system import System
 from ...core.vectors import explicit
@@ -45,11 +46,12 @@ _PATIENCE = 10**6
 _NEWTON = 2
 
 
+@arguments_checked
 def draw(
     system: System,
     count: int,
     level: Mapping[str, float],
-    parameters: Mapping[Any, float] | None = None,
+    parameters: Parameters = None,
     *,
     seed: int = 0,
     first: int = 0,
@@ -115,6 +117,8 @@ class Level:
 
     def draw(self, count: int, *, seed: int = 0, first: int = 0) -> Any:
         """Points `first` to `first` + `count`; array (count, size).  See :func:`draw`."""
+        if count < 0:
+            raise InputError(f"count = {count}: it must not be negative")
         size = len(self.system.symbols)
         # beside the points, as many numbers again while they are drawn
         require_room(16.0 * count * size, None, f"{count:,} starts at once")

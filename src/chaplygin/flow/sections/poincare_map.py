@@ -20,10 +20,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import sympy as sp
 
+from ...arguments import Quantity, arguments_checked
+from ...core.admissible import require_parameters
 from ...core.system import System
 from ...core.vectors import explicit
 from ...errors import InputError
 from ...formulas.batch import Formulas
+from ...formulas.evaluate import formula
 from ..batch import Lanes, Section, lanes
 
 if TYPE_CHECKING:
@@ -55,6 +58,7 @@ class Derivative:
     time_slopes: Any
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class SectionMap:
     """The first return to a section.
@@ -87,6 +91,9 @@ class SectionMap:
     backward: bool = False
     until: float = np.inf
 
+    def __post_init__(self) -> None:
+        require_parameters(self.system, self.parameters)
+
     @property
     def inverse(self) -> SectionMap:
         """The map that leads back."""
@@ -114,6 +121,7 @@ class SectionMap:
         found = self.returns(np.atleast_2d(given), 1).states[:, 0]
         return found.reshape(given.shape)
 
+    @arguments_checked
     def returns(self, points: Any, count: int, threads: int | None = None) -> Crossed:
         """The next `count` returns of n points, with their times, and why some have fewer.
 
@@ -128,6 +136,7 @@ class SectionMap:
             points, count, self.parameters, until=self.until, threads=threads
         )
 
+    @arguments_checked
     def iterate(self, points: Any, count: int) -> Any:
         """The map applied `count` times: array of the shape of `points`.
 
@@ -141,6 +150,7 @@ class SectionMap:
         found = self.returns(np.atleast_2d(given), count).states[:, -1]
         return found.reshape(given.shape)
 
+    @arguments_checked
     def derivative(self, points: Any, count: int = 1) -> Derivative:
         """The map applied `count` times, with its derivative.
 
@@ -166,6 +176,7 @@ class SectionMap:
         matrices = flow + rates[:, :, None] * time_slopes[:, None, :]
         return Derivative(images, times, matrices, time_slopes)
 
+    @arguments_checked
     def reason(self, code: int) -> str:
         """What an outcome of `returns` means, in words; nothing for 0."""
         return self._lanes(0).reason(code)
@@ -196,7 +207,8 @@ class SectionMap:
         unit = slopes / np.where(sizes > 0.0, sizes, 1.0)
         return self.size - int(np.linalg.matrix_rank(unit, tol=1e-9))
 
-    def within(self, quantity: Any, width: float) -> SectionMap:
+    @arguments_checked
+    def within(self, quantity: Quantity, width: float) -> SectionMap:
         """A section of the section: its returns to a slab |quantity| < width.
 
         Points of a map jump, so that they do not cross a second surface; what they do is come near
@@ -206,12 +218,13 @@ class SectionMap:
 
         Parameters
         ----------
-        quantity : sympy.Expr
-            Formula in state, definitions and parameters.
+        quantity : SymPy expression or str
+            See :func:`chaplygin.formulas.evaluate.formula`.
         width : float
             Half the thickness of the slab, in the unit of the quantity.
         """
-        return replace(self, section=slab(self.section, quantity, width))
+        near = formula(self.system, quantity)
+        return replace(self, section=slab(self.section, near, width))
 
     # --- inner parts -----------------------------------------------------------------------
 

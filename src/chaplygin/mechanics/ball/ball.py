@@ -10,6 +10,7 @@ from typing import Any
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
+from ...arguments import arguments_checked
 from ...core.laws import Integral, Law, Measure
 from ...core.system import Parameter, System
 from ...core.vectors import by_name, constant, explicit, gradient, normed, scalar, vectors
@@ -33,6 +34,7 @@ m, mu, b, g, ell, Delta = (scalar(name) for name in ("m", "mu", "b", "g", "ell",
 down = tuple(scalar(f"e_{i}") for i in (1, 2, 3))
 
 
+@arguments_checked
 @dataclass(frozen=True, kw_only=True)
 class RollingBall:
     """A homogeneous ball on a surface.

@@ -16,6 +16,7 @@ from typing import Any, Literal
 
 import sympy as sp
 
+from ...arguments import arguments_checked
 from ...core.vectors import Vector, dot
 from ...errors import InputError
 from ..lagrangian.mechanism import TIME, Mechanism
@@ -94,6 +95,7 @@ class Nonholonomy:
         return " ".join(_sentences(self))
 
 
+@arguments_checked
 def nonholonomy(mechanism: Mechanism | Distribution) -> Nonholonomy:
     """Tell whether constraints are holonomic, nonholonomic or in between, and find their integrals.
 

@@ -22,6 +22,7 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
+from ...arguments import Declared, Formula, arguments_checked
 from ...core.laws import Law
 from ...core.system import Guard, Observable, Parameter, flat, flat_pairs, unknown_names
 from ...core.vectors import Vector, cross, explicit, scalar, unit
@@ -31,8 +32,6 @@ __all__ = ["TIME", "Frame", "Mechanism", "Structure", "coordinates", "euclidean"
 
 Name: TypeAlias = Vector | sp.Symbol
 Pairs: TypeAlias = tuple[tuple[Any, Any], ...]
-#: Written as a mapping or as pairs, kept as pairs.
-Declared: TypeAlias = Any
 #: c_ij^k by the velocities (w_i, w_j), then by w_k; what is not named is zero or follows by
 #: antisymmetry.
 Structure: TypeAlias = tuple[tuple[tuple[sp.Symbol, sp.Symbol], Pairs], ...]
@@ -54,6 +53,7 @@ def _pairs(mapping: Mapping[Any, Any] | Pairs) -> Pairs:
     return tuple(mapping.items()) if isinstance(mapping, Mapping) else tuple(mapping)
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Frame:
     """Coordinates, quasi-velocities and how the one move with the other (1.7).
@@ -113,12 +113,17 @@ class Frame:
             len(self.qdot), len(self.w), [e for row in rows for e in row]
         )
 
+    @arguments_checked
     def field(self, index: int) -> dict[sp.Symbol, sp.Expr]:
         """E_i as a mapping from coordinate to component, without the zero ones."""
+        if not 0 <= index < len(self.w):
+            raise InputError(f"there is no field {index}; they are 0 to {len(self.w) - 1}")
         column = self.matrix[:, index]
         return {q: e for q, e in zip(self.coordinates, column, strict=True) if e != 0}
 
     def _check(self) -> None:
+        if not self.w:
+            raise InputError("frame: it has no velocities; a frame needs one at least")
         for name in _twice((*self.coordinates, *self.w)):
             raise InputError(f"frame: {name} stands for two things; rename one of them")
         velocities = set(self.w)
@@ -137,6 +142,7 @@ def _twice(names: Iterable[sp.Symbol]) -> list[str]:
     return [name for name, count in Counter(map(str, names)).items() if count > 1]
 
 
+@arguments_checked
 def coordinates(*names: Name, dot: str = "dot") -> Frame:
     """The frame of the coordinates themselves: w = q̇, named ``xdot`` for the coordinate ``x``."""
     symbols = flat(names)
@@ -162,6 +168,7 @@ def euclidean(omega: Vector, v: Vector) -> dict[Any, Any]:
     return {**rotations(omega), **mixed}
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Mechanism:
     """A Lagrangian in quasi-velocities, with forces and constraints.
@@ -195,9 +202,9 @@ class Mechanism:
 
     name: str
     frame: Frame
-    lagrangian: Any
-    constraints: tuple[Any, ...] = ()
-    positions: tuple[Any, ...] = ()
+    lagrangian: Formula
+    constraints: tuple[Formula, ...] = ()
+    positions: tuple[Formula, ...] = ()
     forces: Declared = ()
     definitions: Declared = ()
     parameters: tuple[Parameter, ...] = ()

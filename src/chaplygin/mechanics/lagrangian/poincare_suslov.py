@@ -22,6 +22,7 @@ from typing import Any
 
 import sympy as sp
 
+from ...arguments import arguments_checked
 from ...core.laws import Integral, Law
 from ...core.system import Motion, Observable, System, flat
 from ...core.vectors import constant, explicit
@@ -68,6 +69,7 @@ def derive(mechanism: Mechanism) -> Derived:
     return Derived(parts, solution, energy_theorem(parts))
 
 
+@arguments_checked
 def equations(mechanism: Mechanism) -> System:
     """The closed equations of motion of a mechanism.
 

@@ -15,6 +15,7 @@ import sympy as sp
 from sympy.physics.mechanics import KanesMethod, LagrangesMethod, Lagrangian, dynamicsymbols
 from sympy.physics.mechanics import System as SympySystem
 
+from ...arguments import arguments_checked
 from ...core.system import System
 from ...core.vectors import scalar
 from ...errors import InputError
@@ -28,6 +29,7 @@ __all__ = ["from_sympy", "mechanism_from_sympy"]
 NOTHING: Mapping[Any, Any] = {}
 
 
+@arguments_checked
 def from_sympy(
     model: Any,
     parameters: Mapping[Any, Any] = NOTHING,
@@ -68,6 +70,7 @@ def from_sympy(
     return found.system() if isinstance(found, Kane) else equations(found)
 
 
+@arguments_checked
 def mechanism_from_sympy(
     model: Any,
     parameters: Mapping[Any, Any] = NOTHING,

@@ -14,6 +14,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from ...arguments import arguments_checked
 from ...core.laws import Identity, Integral, Law
 from ...core.system import System
 from ...core.vectors import scalar
@@ -38,6 +39,7 @@ from .system import chaplygin_system, lifted, motion_law, with_base
 __all__ = ["chaplygin_form"]
 
 
+@arguments_checked
 def chaplygin_form(
     mechanism: Mechanism, levels: Sequence[float | sp.Expr] | None = None
 ) -> ChaplyginForm:

@@ -9,12 +9,14 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from ...arguments import arguments_checked
 from ...errors import InputError
 from .shapes import Shape
 
 __all__ = ["Body", "check_inertia", "check_mass", "rigid"]
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Body:
     """A rigid body, described in body axes with the centre of mass as origin.

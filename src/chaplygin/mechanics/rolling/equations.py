@@ -23,6 +23,7 @@ import numpy as np
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
+from ...arguments import arguments_checked
 from ...core.laws import Integral
 from ...core.system import Guard, Motion, Observable, Parameter, System
 from ...core.vectors import (
@@ -59,6 +60,7 @@ place = Vector("place", 2)
 m, g, a, U, lambda_0 = (scalar(name) for name in ("m", "g", "a", "U", "lambda_0"))
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Field:
     """The forces that act besides the contact.
@@ -85,6 +87,7 @@ class Field:
             raise InputError(f"gravity {self.gravity}: it must be finite and not negative")
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Rolling:
     """What rolls on what: a body, a surface, a contact model and a field, with their numbers."""
@@ -115,6 +118,7 @@ class _Balance:
     vertical: MatrixExpr
 
 
+@arguments_checked
 def roll(
     body: Body,
     surface: Surface = Plane(),  # noqa: B008  (immutable)

@@ -13,6 +13,8 @@ import mpmath
 import numpy as np
 import sympy as sp
 
+from ...arguments import Parameters, arguments_checked
+from ...core.admissible import parameters_by_symbol
 from ...core.system import System
 from ...core.vectors import Vector, explicit
 from ...errors import InputError
@@ -30,6 +32,7 @@ omega, gamma, zeta, r = Vector("omega"), Vector("gamma"), Vector("zeta"), Vector
 place = Vector("place", 2)
 
 
+@arguments_checked
 def starting_state(
     system: System,
     omega: Sequence[float],
@@ -37,7 +40,7 @@ def starting_state(
     *,
     heading: float = 0.0,
     normal: Sequence[float] = (0.0, 0.0, 1.0),
-    parameters: Mapping[sp.Symbol, Any] | None = None,
+    parameters: Parameters = None,
 ) -> tuple[Any, ...]:
     """The state of a system, lifted to space, that begins with given ω and γ.
 
@@ -69,7 +72,7 @@ def starting_state(
         nearest admissible ω.
     """
     with mpmath.workdps(DIGITS):
-        values = dict(system.defaults) | dict(parameters or {})
+        values = system.defaults | parameters_by_symbol(system, parameters)
         known = {s: _number(v) for s, v in values.items()}
         spin = _vector(omega, "omega")
         up = _direction(gamma, "gamma")

@@ -13,6 +13,7 @@ from typing import Any
 
 import sympy as sp
 
+from ...arguments import arguments_checked
 from ...core.system import Guard, Parameter, flat_pairs
 from ...core.vectors import Diagonal, Symmetric, Vector, cross, dot, explicit, normed, scalar
 from ..lagrangian.mechanism import Frame, Mechanism, Pairs, euclidean
@@ -27,6 +28,7 @@ m, g, R_3, U = (scalar(name) for name in ("m", "g", "R_3", "U"))
 HALF = sp.Rational(1, 2)
 
 
+@arguments_checked
 def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism:
     """The mechanism of a rolling body.
 

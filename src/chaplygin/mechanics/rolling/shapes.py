@@ -17,6 +17,7 @@ from typing import Any
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
+from ...arguments import arguments_checked
 from ...core.system import Guard, Parameter
 from ...core.vectors import (
     Diagonal,
@@ -157,6 +158,7 @@ class _Centred:
         )
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Ball(_Centred):
     """A ball of the given radius; a hollow one rolls with its inner surface around a sphere.
@@ -212,6 +214,7 @@ def _tensor_map(
     )
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Ellipsoid(_Centred):
     """An ellipsoid with semi-axes `axes`, its third axis along body axis 3.
@@ -287,6 +290,7 @@ def _rim(radius: float, tube: sp.Expr, parameters: tuple[Parameter, ...], what: 
     )
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Disk(_Centred):
     """A disk with a sharp circular edge of the given radius, normal to body axis 3.
@@ -308,6 +312,7 @@ class Disk(_Centred):
         return _rim(self.radius, sp.S.Zero, (), "disk")
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Torus(_Centred):
     """A disk with a rounded edge: the convex outer part of a torus about body axis 3.
@@ -339,6 +344,7 @@ class Torus(_Centred):
         )
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Revolution(_Centred):
     """A convex body of revolution about body axis 3.
@@ -384,6 +390,7 @@ class Revolution(_Centred):
                 )
 
     @classmethod
+    @arguments_checked
     def from_profile(
         cls,
         chi_1: sp.Expr,
@@ -449,6 +456,7 @@ class Revolution(_Centred):
         )
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Implicit(_Centred):
     """Any smooth convex body f = 0.

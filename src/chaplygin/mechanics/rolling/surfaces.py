@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from ...arguments import arguments_checked
 from ...errors import InputError
 
 __all__ = ["Plane", "Sphere", "Surface"]
@@ -15,6 +16,7 @@ class Plane:
     """The horizontal plane z = 0, with the body above it."""
 
 
+@arguments_checked
 @dataclass(frozen=True)
 class Sphere:
     """A fixed sphere about the origin of space.

@@ -12,6 +12,7 @@ from xml.sax.saxutils import quoteattr
 import matplotlib as mpl
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.gridspec import GridSpec
 from matplotlib.legend import Legend
 from matplotlib.text import Text
 from matplotlib.ticker import AutoLocator
@@ -145,11 +146,12 @@ def _make_narrow(figure: Figure) -> None:
                 axes.locator_params(nbins=4)
         return
     panels = [axes for axes in figure.axes if axes.axison]
+    high *= _stack(figure, panels)
     columns = {spec.colspan.start for axes in panels if (spec := axes.get_subplotspec())}
     if len(columns) > 1 or (len(panels) == 1 and _is_long(figure, panels[0])):
         # what stands side by side, or has a long key, would be crowded out: it stays as it is
         return
-    figure.set_size_inches(NARROW, high if len(panels) < 6 else 1.3 * high)
+    figure.set_size_inches(NARROW, high)
     for axes in panels:
         if axes.get_xscale() == "linear" and isinstance(
             axes.xaxis.get_major_locator(), AutoLocator
@@ -158,6 +160,21 @@ def _make_narrow(figure: Figure) -> None:
         legend = axes.get_legend()
         if legend is not None and _share(figure, axes, legend) < 1.0:
             legend.set_ncols(1 if len(legend.get_texts()) < 3 else 2)
+
+
+def _stack(figure: Figure, panels: list[Axes]) -> float:
+    """Put many panels that stand in columns below each other; how much higher they are then."""
+    specs = [spec for axes in panels if (spec := axes.get_subplotspec())]
+    columns = {spec.colspan.start for spec in specs}
+    if len(panels) < 3 or len(specs) < len(panels) or len({s.get_gridspec() for s in specs}) > 1:
+        return 1.0
+    if len(columns) == 1:
+        return 1.0 if len(panels) < 6 else 1.3
+    places = [(spec.colspan.start, spec.rowspan.start) for spec in specs]
+    rows = GridSpec(len(panels), 1, figure=figure)
+    for row, place in enumerate(sorted(places)):
+        panels[places.index(place)].set_subplotspec(rows[row])
+    return len(columns)
 
 
 def _widen_margins(figure: Figure, larger: float) -> None:
