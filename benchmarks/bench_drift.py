@@ -24,7 +24,7 @@ EARLY = {"chaplygin-ball": 200.0, "unbalanced-ball": 200.0, "heavy-disk": 50.0, 
 def measure(name: str, until: float) -> list[dict[str, object]]:
     entry = chaplygin.CATALOGUE[name]
     system = entry.system()
-    start = chaplygin.starting_state(system, entry.start.omega, entry.start.gamma)
+    start = chaplygin.initial_state(system, entry.start.omega, entry.start.gamma)
     early = [0.0, EARLY[name]]
     exact = chaplygin.integrate(
         system, start, early, precision="quad", tolerance=1e-30, on_liftoff="warn"

@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 from chaplygin.catalogue import from_catalogue
-from chaplygin.flow.ensemble.run import drawn, ensemble
+from chaplygin.flow.ensemble.run import sampled, ensemble
 
 SIZES = (1_000, 10_000, 100_000)
 TIMES = np.linspace(0, 10, 101)
@@ -32,7 +32,7 @@ def run(size: int, client: str) -> dict[str, object]:
         began = time.perf_counter()
         data = ensemble(
             system,
-            drawn(size, {"energy": 20.0}, seed=1),
+            sampled(size, {"energy": 20.0}, seed=1),
             TIMES,
             record=("energy",),
             where=place,

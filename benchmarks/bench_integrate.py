@@ -19,7 +19,7 @@ from scipy.integrate import solve_ivp
 import chaplygin
 from chaplygin import lambdify
 from chaplygin.core.system import System
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.initial_state import initial_state
 
 CASES = {"chaplygin-ball": 50.0, "unbalanced-ball": 50.0, "rattleback": 2.0}
 TARGETS = (1e-6, 1e-9, 1e-12)
@@ -33,7 +33,7 @@ def reduced(name: str) -> tuple[System, list[float]]:
     """The system without its motion in space, and the catalogue's start."""
     entry = chaplygin.CATALOGUE[name]
     system = entry.system()
-    start = starting_state(system, entry.start.omega, entry.start.gamma)
+    start = initial_state(system, entry.start.omega, entry.start.gamma)
     core = replace(system, motion=None, guards=())
     return core, [float(x) for x in start[: len(core.symbols)]]
 

@@ -32,13 +32,13 @@ LAWS = (
 def by_sympy(name: str, law_name: str) -> bool:
     """dF/dt over a common denominator, its numerator reduced modulo the relations."""
     from chaplygin.catalogue import from_catalogue
-    from chaplygin.core.vectors import explicit
-    from chaplygin.proof.level.level_set import Ground
+    from chaplygin.core.vectors import to_components
+    from chaplygin.proof.level.level_set import LevelSet
 
     system = from_catalogue(name)
     law = next(law for law in system.integrals if law.name == law_name)
-    ground = Ground(system, law.on)
-    value = ground.expanded(explicit(law.value))
+    ground = LevelSet(system, law.on)
+    value = ground.expanded(to_components(law.value))
     rate = sp.Add(
         *(
             sp.diff(value, s) * ground.expanded(v)

@@ -11,7 +11,7 @@ import time
 import numpy as np
 
 from chaplygin.catalogue import from_catalogue
-from chaplygin.flow.sampling.draw import prepared
+from chaplygin.flow.sampling.draw import level_sampler
 from chaplygin.formulas.evaluate import values
 
 LEVELS = (
@@ -30,7 +30,7 @@ def row(name: str, level: dict[str, float], count: int) -> str:
     """One level: preparation, time of a point, worst residual relative to 1 + |value|."""
     system = from_catalogue(name)
     clock = time.process_time()
-    chosen = prepared(system, level)
+    chosen = level_sampler(system, level)
     ready = time.process_time() - clock
     clock = time.process_time()
     states = chosen.draw(count, seed=1)

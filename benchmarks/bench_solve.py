@@ -23,7 +23,7 @@ from chaplygin.core.system import System
 from chaplygin.explicit.base.solution import Solution
 from chaplygin.explicit.rigorous import rigorous_motion
 from chaplygin.explicit.solver import solve
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.initial_state import initial_state
 
 #: Systems, with angular velocities at γ = (0, 0, 1).  Doubles hold these starts, and the bodies
 #: with I₃ changed, exactly, so that all methods solve one and the same motion.
@@ -54,7 +54,7 @@ class Case:
         """A system of the catalogue, without its motion in space."""
         system = chaplygin.CATALOGUE[name].system()
         body = {p.symbol: BODY[str(p.symbol)] for p in system.parameters if str(p.symbol) in BODY}
-        start = starting_state(system, CASES[name], (0.0, 0.0, 1.0), parameters=body)
+        start = initial_state(system, CASES[name], (0.0, 0.0, 1.0), parameters=body)
         core = replace(system, motion=None, observables=(), guards=())
         return cls(core, [float(x) for x in start[: len(core.symbols)]])
 

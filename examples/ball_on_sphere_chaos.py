@@ -23,34 +23,34 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from chaplygin.analysis.lyapunov.compute import spectrum
-from chaplygin.analysis.lyapunov.indicators import Exponent, Megno
+from chaplygin.analysis.lyapunov.compute import lyapunov_spectrum
+from chaplygin.analysis.lyapunov.indicators import MaximalExponent, Megno
 from chaplygin.analysis.lyapunov.report import Spectrum
-from chaplygin.analysis.scans.grid import axis, plane
-from chaplygin.analysis.scans.scan_task import Chart, chart
-from chaplygin.catalogue.ball_on_sphere.ball_on_sphere_equations import M, equations, k, n
+from chaplygin.analysis.scans.grid import axis, scan_grid
+from chaplygin.analysis.scans.scan_task import Scan, scan
+from chaplygin.catalogue.ball_on_sphere.ball_on_sphere_equations import M, equations_on_sphere, k, n
 from chaplygin.core.laws import Integral
 from chaplygin.core.system import System
-from chaplygin.core.vectors import dot, explicit
-from chaplygin.flow.batch import Section, lanes
+from chaplygin.core.vectors import dot, to_components
+from chaplygin.flow.batch import Section, batch_integrator
 from chaplygin.flow.ensemble.compute import compute
 from chaplygin.flow.level_projection import projected
 from chaplygin.formulas.batch import Formulas
 from chaplygin.report.drawing.style import COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 from chaplygin.report.figures import save
 from chaplygin.report.figures.scan import chart as drawn
-from chaplygin.search import ask, integrals
+from chaplygin.search import search_request, integrals
 
 #: The integrals of the cases k = 1 and k = 0; that of k = −1 is among the laws of the equations.
 AREA = Integral("area", dot(M, n), "area integral", on=(k - 1,))
 FIXED = tuple(Integral(str(s), s, "fixed normal", on=(k,)) for s in n.symbols)
-SYSTEM: System = equations().with_laws(AREA, *FIXED)
+SYSTEM: System = equations_on_sphere().with_laws(AREA, *FIXED)
 
 #: The level on which everything happens: M² in kg² m⁴/s², and an energy, in J, that is possible
 #: wherever the contact is.  Moments of inertia are 1, 1.5, 2.1 kg m², and mR² is 1 kg m².
 MOMENTUM, ENERGY = "4", "4/4.4"
 LEVEL = np.array([4 / 4.4, 4.0])
-ON_LEVEL = Formulas(SYSTEM, tuple(explicit(law.value) for law in SYSTEM.integrals[:2]))
+ON_LEVEL = Formulas(SYSTEM, tuple(to_components(law.value) for law in SYSTEM.integrals[:2]))
 
 #: A start is called chaotic where MEGNO is larger; on regular motions it tends to 2.
 CHAOTIC = 4.0
@@ -82,8 +82,8 @@ SHOWN = (-1.0, -0.7, -0.3, 0.3, 0.7, 1.0)
 
 def found(condition: str, degree: int) -> list[str]:
     """Integrals polynomial in M and n up to a degree in each, at a condition on k; all proven."""
-    question = ask(
-        equations(), degree=degree, gamma_degree=degree, at=[condition] * bool(condition)
+    question = search_request(
+        equations_on_sphere(), degree=degree, gamma_degree=degree, at=[condition] * bool(condition)
     )
     told = [(finding.formula, finding.proven) for finding in integrals(question)]
     return [f"{formula} ({'proven' if proven else 'not proven'})" for formula, proven in told]
@@ -125,7 +125,7 @@ def shares(size: Size, ratios: Sequence[float] = RATIOS) -> Iterator[Row]:
 def exponents(row: Row, until: float) -> Spectrum:
     """The Lyapunov spectrum of the wildest motion at one k."""
     intervals = max(200, round(until / 50))
-    return spectrum(SYSTEM, row.wildest, {k: row.ratio}, until=until, intervals=intervals)
+    return lyapunov_spectrum(SYSTEM, row.wildest, {k: row.ratio}, until=until, intervals=intervals)
 
 
 def told(row: Row, made: Spectrum) -> str:
@@ -144,7 +144,7 @@ def told(row: Row, made: Spectrum) -> str:
 
 def charted(size: Size) -> Any:
     """The largest exponent over k and a coordinate of the start."""
-    made = plane(
+    made = scan_grid(
         SYSTEM,
         axis(f"k=-2:2:{size.cells}"),
         axis(f"theta=0:pi:{size.cells}"),
@@ -157,8 +157,8 @@ def charted(size: Size) -> Any:
             "energy": ENERGY,
         },
     )
-    rule = Exponent(SYSTEM, size.until, intervals=100)
-    return compute(chart(Chart(made, rule, "lyapunov", "largest Lyapunov exponent", "1/s")))
+    rule = MaximalExponent(SYSTEM, size.until, intervals=100)
+    return compute(scan(Scan(made, rule, "lyapunov", "largest Lyapunov exponent", "1/s")))
 
 
 def section_starts(count: int) -> Any:
@@ -179,7 +179,7 @@ def sections(size: Size) -> Figure:
     the section for each n.  The coordinates keep areas on the sphere.
     """
     state = {str(symbol): symbol for symbol in SYSTEM.symbols}
-    flow = lanes(SYSTEM, section=Section(state["M_3"], 1, state["M_1"]), tolerance=1e-12)
+    flow = batch_integrator(SYSTEM, section=Section(state["M_3"], 1, state["M_1"]), tolerance=1e-12)
     begun = section_starts(size.orbits)
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(WIDTH, 5.0), layout="constrained")

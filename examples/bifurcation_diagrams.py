@@ -12,9 +12,9 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 
-from chaplygin.explicit.bifurcation import Diagram, bifurcation_diagram, located
+from chaplygin.explicit.bifurcation import Diagram, bifurcation_diagram, locate
 from chaplygin.report.figures import save
-from chaplygin.report.figures.bifurcation import draw
+from chaplygin.report.figures.bifurcation import draw_bifurcation_diagram
 
 #: Systems and a state of a motion to be marked, by the names of the pictures.
 SHOWN: Mapping[str, tuple[str, tuple[str, ...]]] = {
@@ -53,8 +53,8 @@ def main(folder: Path) -> None:
         diagram = bifurcation_diagram(name)
         print(table(diagram))
         symbols = diagram.plane.system.symbols
-        mark = located(diagram, dict(zip(symbols, state, strict=True)))
-        save(draw(diagram, mark), folder / f"{picture}.png")
+        mark = locate(diagram, dict(zip(symbols, state, strict=True)))
+        save(draw_bifurcation_diagram(diagram, mark), folder / f"{picture}.png")
 
 
 if __name__ == "__main__":

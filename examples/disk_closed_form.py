@@ -22,14 +22,14 @@ from chaplygin.explicit.base.solution import Solution
 from chaplygin.explicit.revolution import solve_rolling
 from chaplygin.explicit.revolution.diagram import revolution_diagram
 from chaplygin.mechanics.rolling.body import Body
-from chaplygin.mechanics.rolling.equations import Field, Rolling
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.equations import Forces, Rolling
+from chaplygin.mechanics.rolling.initial_state import initial_state
 from chaplygin.mechanics.rolling.shapes import Disk
 from chaplygin.report.drawing.style import COMPONENTS, INK, STYLE, WIDTH
 from chaplygin.report.figures.bifurcation_revolution import diagram_of_revolution
 
 #: A homogeneous disk: kg, m.
-DISK = Rolling(Body(1.0, (0.25, 0.25, 0.5), Disk(1.0)), contact="rubber", field=Field(9.81))
+DISK = Rolling(Body(1.0, (0.25, 0.25, 0.5), Disk(1.0)), contact="rubber", field=Forces(9.81))
 OMEGA, GAMMA = (0.4, 0.8, 2.0), (1.0, -0.5, 0.0)
 
 #: Seconds.
@@ -39,7 +39,7 @@ EARLY, LATE, LENGTH = 0.0, 1e6, 30.0
 def solved() -> Solution:
     """The motion of the disk."""
     system = DISK.system("disk", "Rubber disk")
-    solution = solve_rolling(DISK, system, starting_state(system, OMEGA, GAMMA))
+    solution = solve_rolling(DISK, system, initial_state(system, OMEGA, GAMMA))
     assert solution is not None
     return solution
 

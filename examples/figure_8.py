@@ -22,17 +22,17 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from chaplygin.catalogue import entry
-from chaplygin.core.vectors import explicit
+from chaplygin.core.vectors import to_components
 from chaplygin.experiment.poincare import coordinates_of
-from chaplygin.flow.batch import section
+from chaplygin.flow.batch import poincare_section
 from chaplygin.flow.ensemble.compute import compute
 from chaplygin.flow.level_projection import projected
-from chaplygin.flow.sampling.draw import draw as drawn
+from chaplygin.flow.sampling.draw import sample_level as drawn
 from chaplygin.flow.sections.poincare_dataset import section_task
-from chaplygin.flow.sections.poincare_map import SectionMap
+from chaplygin.flow.sections.poincare_map import PoincareMap
 from chaplygin.formulas.batch import Formulas
 from chaplygin.report.figures import save
-from chaplygin.report.figures.poincare import draw
+from chaplygin.report.figures.poincare import draw_section
 
 #: kg, kg m² and m, principal axes at the centre of mass.
 BODY: Mapping[str, float] = {
@@ -55,7 +55,7 @@ AWAY = 1e-3
 SEED = 1
 
 SYSTEM = entry("unbalanced-ball").system(BODY)
-RETURN = SectionMap(SYSTEM, section(SYSTEM, "gamma_3"), until=3e4)
+RETURN = PoincareMap(SYSTEM, poincare_section(SYSTEM, "gamma_3"), until=3e4)
 NAMES, _PLAIN, _ = coordinates_of(SYSTEM, COORDINATES)
 QUANTITIES = tuple(
     replace(item, label=label) for item, label in zip(_PLAIN, ("l", "L/G", "H/G"), strict=True)
@@ -63,7 +63,7 @@ QUANTITIES = tuple(
 PLACES = Formulas(SYSTEM, tuple(item.formula for item in QUANTITIES))
 KEPT = Formulas(
     SYSTEM,
-    (explicit(SYSTEM.relations[0]), *(explicit(law.value) for law in SYSTEM.integrals)),
+    (to_components(SYSTEM.relations[0]), *(to_components(law.value) for law in SYSTEM.integrals)),
 )
 
 
@@ -230,9 +230,9 @@ def main(folder: Path) -> None:
     away = distances(path, target.points)
     for near in (1e-1, 1e-3, 1e-6):
         print(f"  stays within {near:g} of the cycle after {last_beyond(away, near)} returns")
-    save(draw(one, NAMES), folder / "figure_8.png")
+    save(draw_section(one, NAMES), folder / "figure_8.png")
     save(
-        draw(many.isel(section_point=slice(0, SHOWN_OF_MANY)), NAMES), folder / "figure_8_many.png"
+        draw_section(many.isel(section_point=slice(0, SHOWN_OF_MANY)), NAMES), folder / "figure_8_many.png"
     )
 
 

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import argparse
 
-from chaplygin.analysis.classification.classifier import place
-from chaplygin.analysis.classification.facts import Patience
-from chaplygin.analysis.classification.place import Place
+from chaplygin.analysis.classification.classifier import classify
+from chaplygin.analysis.classification.facts import ProofBudget
+from chaplygin.analysis.classification.place import Classification
 from chaplygin.catalogue import CATALOGUE, entry
 from chaplygin.proof.fields.budget import EFFORT
 
@@ -19,11 +19,11 @@ HEAD = ("system", "dim", "integrals", "left", "measure", "Poisson", "symmetry", 
 SIGNS = {"kept": "positive", "changes": "singular", "unknown": "sign undecided"}
 
 
-def found(name: str) -> Place:
+def found(name: str) -> Classification:
     """The place of a system of the catalogue, with its suggested parameters."""
     system = entry(name).system()
-    patience = Patience(EFFORT)
-    return place(system, patience.verdicts(system), patience, entry(name).rolling())
+    patience = ProofBudget(EFFORT)
+    return classify(system, patience.verdicts(system), patience, entry(name).rolling())
 
 
 def rows(name: str) -> list[str]:
@@ -32,7 +32,7 @@ def rows(name: str) -> list[str]:
     return [line(f"`{name}`", whole), *(line(f"… {part.level}", part) for part in whole.levels)]
 
 
-def line(name: str, part: Place) -> str:
+def line(name: str, part: Classification) -> str:
     """One line of the table."""
     brackets = [("conformal, " if b.conformal else "") + f"rank {b.rank}" for b in part.brackets]
     measure = "no density on γ" if part.absence else "of the form" if brackets else "–"

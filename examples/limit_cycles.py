@@ -23,15 +23,15 @@ from matplotlib.figure import Figure
 
 from chaplygin.analysis.orbits.arnold_tongues import (
     Plateau,
-    Staircase,
-    plateau,
+    DevilsStaircase,
+    locked_interval,
     plateaus,
     staircase,
 )
 from chaplygin.analysis.orbits.continuation import Branch, follow
-from chaplygin.analysis.orbits.limit_cycles import Cycle, trapped
+from chaplygin.analysis.orbits.limit_cycles import Cycle, enclose_limit_cycle
 from chaplygin.analysis.orbits.periodic import Orbit, find
-from chaplygin.analysis.orbits.return_map import Circle, Returns
+from chaplygin.analysis.orbits.return_map import Circle, ReturnMap
 from chaplygin.analysis.orbits.rotation import Rotation, rotation_number
 from chaplygin.catalogue import from_catalogue
 from chaplygin.catalogue.bodies.unbalanced_rubber_ball_centred import (
@@ -45,8 +45,8 @@ from chaplygin.catalogue.bodies.unbalanced_rubber_ball_centred import (
     torus,
     xi,
 )
-from chaplygin.flow.batch import section
-from chaplygin.flow.sections.poincare_map import SectionMap
+from chaplygin.flow.batch import poincare_section
+from chaplygin.flow.sections.poincare_map import PoincareMap
 from chaplygin.report.drawing.style import INK, QUIET, SERIES, STYLE, WIDTH
 
 #: Moments about the geometric centre plus mR² (kg m²), and κ = 2mR c, c its place from the centre
@@ -76,7 +76,7 @@ def circles(moments: np.ndarray, kappa: np.ndarray) -> Circle:
     made = torus()
     values = {f"J_{i}": J for i, J in enumerate(moments, 1)}
     values |= {f"kappa_{i}": k for i, k in enumerate(kappa, 1)}
-    returns = SectionMap(made, section(made, "beta", angle=True), values, TOLERANCE)
+    returns = PoincareMap(made, poincare_section(made, "beta", angle=True), values, TOLERANCE)
     return Circle(returns, "alpha", "lambda", {"beta": 0.0})
 
 
@@ -114,14 +114,14 @@ class Widths:
         return float(np.log(first / second) / np.log(a / b))
 
 
-def widths(stairs: Staircase, fraction: Fraction, shares: tuple[float, ...] = SHARES) -> Widths:
+def widths(stairs: DevilsStaircase, fraction: Fraction, shares: tuple[float, ...] = SHARES) -> Widths:
     """How wide the step of a fraction is when the centre moves inwards."""
     below = stairs.values[stairs.rotations > float(fraction) + 0.06].max()
     above = stairs.values[stairs.rotations < float(fraction) - 0.06].min()
     return Widths(
         fraction,
         shares,
-        tuple(plateau(circles(J, share * KAPPA), fraction, (below, above)) for share in shares),
+        tuple(locked_interval(circles(J, share * KAPPA), fraction, (below, above)) for share in shares),
     )
 
 
@@ -150,12 +150,12 @@ class Ball:
         return cls(values, axes, moments, kappa)
 
     @property
-    def returns(self) -> Returns:
+    def returns(self) -> ReturnMap:
         """Where γ passes the plane across the first axis of J, upwards: β a multiple of 2π."""
         made = replace(from_catalogue("unbalanced-rubber-ball"), guards=())
         gamma = made.symbols[3:]
         height = sp.Add(*(sp.Float(a, 20) * g for a, g in zip(self.axes[0], gamma, strict=True)))
-        return Returns(SectionMap(made, section(made, height), self.values, TOLERANCE))
+        return ReturnMap(PoincareMap(made, poincare_section(made, height), self.values, TOLERANCE))
 
     def start(self, level: float, alpha: float) -> np.ndarray:
         """ω, γ on the torus F/2H = level with 2H = 1 J, at β = 0, with β and α growing.
@@ -188,7 +188,7 @@ def control(ball: Ball, level: float, period: int) -> Orbit:
     return find(ball.returns, ball.start(level, 2.0), period, {"energy": 0.5})
 
 
-def resonance(circle: Circle, fraction: Fraction, stairs: Staircase) -> float:
+def resonance(circle: Circle, fraction: Fraction, stairs: DevilsStaircase) -> float:
     """F/2H next to the place where the rotation number is a fraction."""
     return float(np.interp(-float(fraction), -stairs.rotations, stairs.values))
 
@@ -203,7 +203,7 @@ def proofs(steps: int = 4000) -> list[Cycle]:
     sharp = replace(made, definitions=definitions)
     values = {f"J_{i}": str(x) for i, x in enumerate(J, 1)}
     values |= {f"kappa_{i}": str(x) for i, x in enumerate(KAPPA, 1)} | {"lambda": str(LEVEL)}
-    return [trapped(sharp, values, ends, 2, steps=steps) for ends in AROUND]
+    return [enclose_limit_cycle(sharp, values, ends, 2, steps=steps) for ends in AROUND]
 
 
 # --- the story -----------------------------------------------------------------------------
@@ -213,7 +213,7 @@ def proofs(steps: int = 4000) -> list[Cycle]:
 class Story:
     """What was found."""
 
-    stairs: Staircase
+    stairs: DevilsStaircase
     steps: list[Plateau]
     widths: tuple[Widths, ...]
     balanced: Plateau
@@ -248,7 +248,7 @@ def told(count: int = 400, longest: int = LONGEST) -> Story:
         stairs,
         plateaus(full, stairs, longest),
         tuple(widths(flat, fraction) for fraction in FRACTIONS),
-        plateau(even, Fraction(2), (two - 0.1, two + 0.1)),
+        locked_interval(even, Fraction(2), (two - 0.1, two + 0.1)),
         rotation_number(lift),
         orbit,
         branch,

@@ -9,17 +9,17 @@ only the vertical γ is left of the configuration.
 
 from chaplygin.core.laws import Integral
 from chaplygin.core.system import Parameter
-from chaplygin.core.vectors import Diagonal, Vector, cross, dot, normed, scalar, unit
+from chaplygin.core.vectors import Diagonal, Vector, cross, dot, norm_squared, real_symbol, unit_vector
 from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism, euclidean
 
 gamma, omega, v, r = (Vector(name) for name in ("gamma", "omega", "v", "r"))
 I = Diagonal("I")
-m, g, R, c = (scalar(name) for name in ["m", "g", "R", "c"])
+m, g, R, c = (real_symbol(name) for name in ["m", "g", "R", "c"])
 
 frame = Frame(
     rates={gamma: cross(gamma, omega)},
     velocities=(omega, v),
-    relations=(normed(gamma) - 1,),
+    relations=(norm_squared(gamma) - 1,),
     structure=euclidean(omega, v),
 )
 
@@ -28,8 +28,8 @@ mechanism = Mechanism(
     title="Loaded ball",
     summary="A ball whose centre of mass lies off its centre rolls on a table without slipping.",
     frame=frame,
-    definitions={r: c * unit(3) - R * gamma},
-    lagrangian=m * normed(v) / 2 + dot(omega, I * omega) / 2 + m * g * dot(r, gamma),
+    definitions={r: c * unit_vector(3) - R * gamma},
+    lagrangian=m * norm_squared(v) / 2 + dot(omega, I * omega) / 2 + m * g * dot(r, gamma),
     constraints=(v + cross(omega, r),),
     parameters=(
         Parameter(m, "mass", 1.0, "kg"),

@@ -22,10 +22,10 @@ from flint import ctx
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.isomorphism import Isomorphism
 from chaplygin.core.system import System, flat_pairs
-from chaplygin.core.vectors import explicit
-from chaplygin.explicit.genus_two.separation import Separable
+from chaplygin.core.vectors import to_components
+from chaplygin.explicit.genus_two.separation import SeparatedSystem
 from chaplygin.explicit.genus_two_solution import BITS, GenusTwo, solved
-from chaplygin.explicit.isomorphism import pulled_back, pushed_forward
+from chaplygin.explicit.isomorphism import pull_back, push_forward
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
 from chaplygin.explicit.separations.clebsch import clebsch_case
 from chaplygin.explicit.separations.neumann import neumann_system
@@ -57,8 +57,8 @@ class Case:
     words: str
     name: str
     law: str
-    target: Callable[[], Separable]
-    own: Callable[[], Separable] | None
+    target: Callable[[], SeparatedSystem]
+    own: Callable[[], SeparatedSystem] | None
     start: tuple[str, ...]
 
     @property
@@ -120,21 +120,21 @@ def image(case: Case) -> tuple[dict[Any, Any], tuple[Any, ...]]:
         for symbol, formula in system.steps:
             known[symbol] = evaluated([formula], known)[0]
         shared = {p.symbol: known.get(p.symbol) for p in law.target.parameters}
-        given = {p: evaluated([explicit(formula)], known)[0] for p, formula in law.constants}
+        given = {p: evaluated([to_components(formula)], known)[0] for p, formula in law.constants}
         return {**shared, **given}, evaluated([f for _, f in flat_pairs(law.map)], known)
 
 
 def back(case: Case) -> GenusTwo:
     """The motion of the system, from the closed form of the target."""
-    carried = pulled_back(case.system, case.isomorphism, case.target())
+    carried = pull_back(case.system, case.isomorphism, case.target())
     return solved(carried, _defaults(case.system), case.start)
 
 
-def forth(case: Case, own: Separable) -> tuple[GenusTwo, GenusTwo]:
+def forth(case: Case, own: SeparatedSystem) -> tuple[GenusTwo, GenusTwo]:
     """The motion of the target, from the closed form of the system; and its own closed form."""
     values, start = image(case)
     near = replace(own, system=case.system)
-    carried = pushed_forward(case.system, case.isomorphism, near)
+    carried = push_forward(case.system, case.isomorphism, near)
     target = case.target()
     return (
         solved(carried, {**_defaults(carried.system), **values}, start),

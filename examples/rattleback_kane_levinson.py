@@ -42,13 +42,13 @@ from scipy.optimize import brentq, minimize_scalar
 
 import chaplygin
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import dot, explicit, scalar, vectors
+from chaplygin.core.vectors import dot, to_components, real_symbol, vectors
 from chaplygin.mechanics.lagrangian.poincare_suslov import equations
-from chaplygin.mechanics.rolling.equations import Field, Rolling
+from chaplygin.mechanics.rolling.equations import Forces, Rolling
 from chaplygin.mechanics.rolling.mechanism import rolling_mechanism
 
 omega, gamma = vectors("omega gamma")
-sigma = scalar("sigma")
+sigma = real_symbol("sigma")
 
 TILT = "0.5"
 """Roll and pitch at the start, degrees."""
@@ -67,7 +67,7 @@ STONE = Rolling(
         # the centre of mass lies 1 cm below the centre of the ellipsoid
         shape=chaplygin.Ellipsoid((0.2, 0.03, 0.02), centre=(0.0, 0.0, 0.01)),
     ),
-    field=Field(gravity=9.81),
+    field=Forces(gravity=9.81),
 )
 
 
@@ -92,7 +92,7 @@ def start(system: System) -> tuple[Any, ...]:
         c, s = mpmath.cos(tilt), mpmath.sin(tilt)
         up, spin = (-c * s, s, c * c), (0, 0, SPIN)
         if omega not in system.state:
-            return chaplygin.starting_state(system, spin, up)
+            return chaplygin.initial_state(system, spin, up)
         known = dict(zip((*gamma.symbols, *omega.symbols), (*up, *spin), strict=True))
         # the height of the centre of mass is of no account for the motion
         return tuple(mpmath.mpf(known.get(s, 0)) for s in system.symbols)
@@ -130,7 +130,7 @@ def run(system: System, until: float, precision: str, tolerance: float | None = 
         made.dense,
         **{name: np.asarray(value, dtype=float) for name, value in vars(made.dense).items()},
     )
-    vertical = function(system, explicit(dot(omega, gamma)))
+    vertical = function(system, to_components(dot(omega, gamma)))
     third = function(system, omega.symbols[2])
     level = function(system, gamma.symbols[2])
     knots = np.append(dense.begins, dense.ends[-1])

@@ -25,7 +25,7 @@ from matplotlib.figure import Figure
 from chaplygin.explicit.genus_two.curve import Curve
 from chaplygin.explicit.genus_two.periods import Lattice, lattice
 from chaplygin.explicit.genus_two.separated_motion import chain
-from chaplygin.explicit.genus_two.separation import Separable
+from chaplygin.explicit.genus_two.separation import SeparatedSystem
 from chaplygin.explicit.genus_two_solution import GenusTwo, solved
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
 from chaplygin.flow.integrator import integrate
@@ -45,7 +45,7 @@ with mpmath.workdps(DIGITS):
     D = mpmath.mpf(BALL["m"]) * mpmath.mpf(BALL["R"]) ** 2
 
 
-def reduced() -> Separable:
+def reduced() -> SeparatedSystem:
     """The ball without its motion in space."""
     made = chaplygin_ball()
     return replace(made, system=replace(made.system, motion=None, observables=(), guards=()))

@@ -36,9 +36,9 @@ from sympy.physics.mechanics import (
 
 from chaplygin.core.laws import Identity, Rate
 from chaplygin.core.system import Guard, Parameter, System
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.flow.integrator import Trajectory, integrate
-from chaplygin.flow.linear_stability import linearise
+from chaplygin.flow.linear_stability import linear_stability
 from chaplygin.mechanics.constraints.integrability import nonholonomy
 from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism
 from chaplygin.mechanics.lagrangian.poincare_suslov import equations
@@ -48,12 +48,12 @@ from chaplygin.proof.verdict import Verdict
 from chaplygin.report.drawing.style import QUIET, SERIES, STYLE, WIDTH
 
 DEFAULTS = {"m": 1.0, "r": 0.3, "g": 9.81}
-m, r, g = (scalar(name) for name in DEFAULTS)
+m, r, g = (real_symbol(name) for name in DEFAULTS)
 q1, q2, q3, q1dot, q2dot, q3dot, x, y, v1, v2 = (
-    scalar(name) for name in ("q1", "q2", "q3", "q1dot", "q2dot", "q3dot", "x", "y", "v1", "v2")
+    real_symbol(name) for name in ("q1", "q2", "q3", "q1dot", "q2dot", "q3dot", "x", "y", "v1", "v2")
 )
 s, c = sp.sin(q2), sp.cos(q2)
-sine, cosine = scalar("sin_q2"), scalar("cos_q2")
+sine, cosine = real_symbol("sin_q2"), real_symbol("cos_q2")
 
 
 # --- the tutorial, and two right ways with SymPy -------------------------------------------------
@@ -149,7 +149,7 @@ def mechanism() -> Mechanism:
         ),
         lagrangian=kinetic - m * g * r * c,
         constraints=(v1 - r * q3dot, v2),
-        parameters=tuple(Parameter(scalar(k), k, value) for k, value in DEFAULTS.items()),
+        parameters=tuple(Parameter(real_symbol(k), k, value) for k, value in DEFAULTS.items()),
     )
 
 
@@ -174,7 +174,7 @@ def same(source: System, target: System, change: dict[str, sp.Symbol]) -> Verdic
 def in_cosines(system: System) -> System:
     """The same equations with sin q2 and cos q2 as variables: points can be rational numbers."""
     rates = {
-        scalar(name): sp.expand_trig(rate.rewrite(sp.cos)).xreplace({s: sine, c: cosine})
+        real_symbol(name): sp.expand_trig(rate.rewrite(sp.cos)).xreplace({s: sine, c: cosine})
         for name, rate in accelerations(system).items()
         if name != "q2"
     }
@@ -221,7 +221,7 @@ def growth(system: System, spin: sp.Expr) -> float:
     numbers = {name: sp.Rational(str(value)) for name, value in DEFAULTS.items()}
     straight = {"q1dot": 0, "q2": 0, "q2dot": 0, "q3dot": spin}
     with mpmath.workdps(30):
-        found = linearise(system, straight, numbers)
+        found = linear_stability(system, straight, numbers)
         return float(max(value.real for value in found.eigenvalues))
 
 
@@ -293,7 +293,7 @@ def report(folder: Path) -> None:
         print(f"    d{name}/dt = {rate}")
     print("\nRight ways to them")
     print("  SymPy, Lagrange with multipliers:", told(same(with_multipliers(), disc_itself, {})))
-    speeds = {f"q{i}dot": scalar(f"u{i}") for i in (1, 2, 3)}
+    speeds = {f"q{i}dot": real_symbol(f"u{i}") for i in (1, 2, 3)}
     print("  SymPy, Kane:", told(same(by_kane(), disc_itself, speeds)))
     print("\nThe tutorial's equations: the same motions?")
     print("  as printed:", told(same(exact, in_cosines(printed), {})))

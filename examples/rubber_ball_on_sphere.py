@@ -21,14 +21,14 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from chaplygin.analysis.lyapunov.averages import Average
-from chaplygin.analysis.lyapunov.compute import spectrum
+from chaplygin.analysis.lyapunov.compute import lyapunov_spectrum
 from chaplygin.analysis.orbits.periodic import NoOrbitError, Orbit, find
-from chaplygin.analysis.orbits.return_map import Returns
+from chaplygin.analysis.orbits.return_map import ReturnMap
 from chaplygin.analysis.orbits.rotation import average
 from chaplygin.catalogue.ball_on_sphere import rubber_ball_ratio as ball
-from chaplygin.core.vectors import explicit
-from chaplygin.flow.batch import section
-from chaplygin.flow.sections.poincare_map import SectionMap
+from chaplygin.core.vectors import to_components
+from chaplygin.flow.batch import poincare_section
+from chaplygin.flow.sections.poincare_map import PoincareMap
 from chaplygin.formulas.batch import Formulas
 from chaplygin.report.drawing.style import STYLE, WIDTH
 
@@ -48,10 +48,10 @@ SHOWN = 600
 SYSTEM = ball.rolling().with_laws(ball.ENERGY)
 
 
-def returns(k: float) -> SectionMap:
+def returns(k: float) -> PoincareMap:
     """n₂ = 0, rising."""
     values = {"k": k} | {f"J_{i}": moment for i, moment in enumerate(J, 1)}
-    return SectionMap(SYSTEM, section(SYSTEM, "n_2"), values, TOLERANCE)
+    return PoincareMap(SYSTEM, poincare_section(SYSTEM, "n_2"), values, TOLERANCE)
 
 
 def starts(k: float, theta: np.ndarray, psi: np.ndarray) -> np.ndarray:
@@ -113,7 +113,7 @@ def measured(k: float, count: int = 72, length: int = 4000, until: float = UNTIL
     points = made.returns(starts(k, line, across), length).states
     _, errors = average(points[..., 3] ** 2)
     (start,) = starts(k, *np.array(START)[:, None])
-    exponents = spectrum(SYSTEM, start, made.parameters, until=until)
+    exponents = lyapunov_spectrum(SYSTEM, start, made.parameters, until=until)
     return Found(
         points,
         drifts(made, points),
@@ -123,10 +123,10 @@ def measured(k: float, count: int = 72, length: int = 4000, until: float = UNTIL
     )
 
 
-def drifts(made: SectionMap, points: np.ndarray) -> dict[str, float]:
+def drifts(made: PoincareMap, points: np.ndarray) -> dict[str, float]:
     """How much the energy and the two quadratic integrals change."""
     laws = {"energy": ball.ENERGY, "for k = 1": ball.ON_PLANE, "for k = −1": ball.AROUND}
-    values = Formulas(SYSTEM, [explicit(law.value) for law in laws.values()])(
+    values = Formulas(SYSTEM, [to_components(law.value) for law in laws.values()])(
         points, made.parameters
     )
     change = np.ptp(values, axis=1) / np.abs(values).mean(axis=1)
@@ -135,7 +135,7 @@ def drifts(made: SectionMap, points: np.ndarray) -> dict[str, float]:
 
 def closed(k: float, periods: Sequence[int] = PERIODS, sought: int = SOUGHT) -> tuple[Orbit, ...]:
     """Closed orbits of several points, from starts on the line ψ = π/2."""
-    made, found = Returns(returns(k)), []
+    made, found = ReturnMap(returns(k)), []
     for period in periods:
         for theta in np.linspace(0.05, np.pi - 0.05, sought):
             (start,) = starts(k, np.array([theta]), np.array([np.pi / 2]))

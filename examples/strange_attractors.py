@@ -23,21 +23,21 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from chaplygin.analysis.lyapunov.compute import spectrum
+from chaplygin.analysis.lyapunov.compute import lyapunov_spectrum
 from chaplygin.analysis.lyapunov.report import Spectrum, remarks
 from chaplygin.analysis.orbits.reversing_symmetries import Reversor, reversors
 from chaplygin.core.system import System
 from chaplygin.errors import RunError
-from chaplygin.flow.batch import lanes, section
+from chaplygin.flow.batch import batch_integrator, poincare_section
 from chaplygin.flow.level_projection import projected
-from chaplygin.flow.sampling.draw import draw
+from chaplygin.flow.sampling.draw import sample_level
 from chaplygin.formulas.batch import Formulas
 from chaplygin.mechanics.rolling.body import Body
-from chaplygin.mechanics.rolling.equations import Field, Rolling
+from chaplygin.mechanics.rolling.equations import Forces, Rolling
 from chaplygin.mechanics.rolling.shapes import Ellipsoid
 from chaplygin.report.drawing.style import FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 
-GRAVITY = Field(9.81)
+GRAVITY = Forces(9.81)
 
 
 def rattleback() -> System:
@@ -82,8 +82,8 @@ class Attractor:
 def settled(system: System, case: Case, pieces: int = 20) -> np.ndarray:
     """A state on the level of the energy, drawn at random and followed for a while."""
     level = Formulas(system, [system.relations[0], system.integrals[0].value])
-    flow = lanes(system, tolerance=1e-12)
-    states = draw(system, 1, {"energy": case.energy}, seed=1)
+    flow = batch_integrator(system, tolerance=1e-12)
+    states = sample_level(system, 1, {"energy": case.energy}, seed=1)
     for _ in range(pieces):
         states = flow.until(states, [case.settle / pieces]).states[:, -1]
         states, _ = projected(level, states, [0.0, case.energy])
@@ -94,7 +94,7 @@ def section_points(system: System, state: np.ndarray, count: int, each: int = 20
     """States where γ₁ rises through zero along one motion, on the level of the energy."""
     level = Formulas(system, [system.relations[0], system.integrals[0].value])
     energy = level(state[None])[0, 1]
-    flow = lanes(system, tolerance=1e-12, section=section(system, "gamma_1"))
+    flow = batch_integrator(system, tolerance=1e-12, section=poincare_section(system, "gamma_1"))
     found, states = [], state[None]
     for _ in range(count // each):
         crossed = flow.returns(states, each)
@@ -109,7 +109,7 @@ def told(case: Case, until: float, count: int) -> Attractor:
     """Spectrum and section of one case."""
     system = case.build()
     state = settled(system, case)
-    found = spectrum(system, state, until=until)
+    found = lyapunov_spectrum(system, state, until=until)
     holding = tuple(r for r in reversors(system) if r.holds(found.parameters))
     return Attractor(case, found, holding, section_points(system, state, count))
 

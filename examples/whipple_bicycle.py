@@ -34,9 +34,9 @@ from whipple_by_hand import by_hand
 from whipple_figures import eigenvalue_figure, run_figure
 
 from chaplygin.core.system import Guard, Observable, Parameter, System
-from chaplygin.core.vectors import constant, cross, dot, explicit, normed, scalar, unit, vectors
+from chaplygin.core.vectors import constant, cross, dot, to_components, norm_squared, real_symbol, unit_vector, vectors
 from chaplygin.flow.integrator import Trajectory, integrate
-from chaplygin.flow.linear_stability import Linearisation, linearise
+from chaplygin.flow.linear_stability import Linearisation, linear_stability
 from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism, euclidean
 from chaplygin.mechanics.lagrangian.plan import Plan
 from chaplygin.mechanics.lagrangian.poincare_suslov import equations
@@ -74,19 +74,19 @@ PARAMETERS: Mapping[str, tuple[str, str, str]] = {
     "I_Fxx": ("0.1405", "moment of inertia of the front wheel about a diameter", "kg*m**2"),
     "I_Fyy": ("0.28", "moment of inertia of the front wheel about its axle", "kg*m**2"),
 }
-P = {name: scalar(name) for name in PARAMETERS}
+P = {name: real_symbol(name) for name in PARAMETERS}
 VALUES = {name: sp.sympify(text, rational=True) for name, (text, _, _) in PARAMETERS.items()}
 
 alpha, gamma, gamma_f, omega, omega_f, v, v_b, v_s, v_h, v_f, r_r, r_f, d_b, d_h, d_f = vectors(
     "alpha gamma gamma_F omega omega_F v v_B v_S v_H v_F r_R r_F d_B d_H d_F"
 )
 x, y, delta, deltadot, spin_r, spin_f = (
-    scalar(name) for name in ("x", "y", "delta", "deltadot", "Omega_R", "Omega_F")
+    real_symbol(name) for name in ("x", "y", "delta", "deltadot", "Omega_R", "Omega_F")
 )
-ell, s_r, s_f = (scalar(name) for name in ("ell", "s_R", "s_F"))
-cl, sl, cd, sd = (scalar(name) for name in ("c_l", "s_l", "c_d", "s_d"))
-inertia_b, inertia_h = ([scalar(f"I_{body}{axis}") for axis in ("1", "3", "13")] for body in "BH")
-e_1, e_2, e_3 = (unit(axis) for axis in (1, 2, 3))
+ell, s_r, s_f = (real_symbol(name) for name in ("ell", "s_R", "s_F"))
+cl, sl, cd, sd = (real_symbol(name) for name in ("c_l", "s_l", "c_d", "s_d"))
+inertia_b, inertia_h = ([real_symbol(f"I_{body}{axis}") for axis in ("1", "3", "13")] for body in "BH")
+e_1, e_2, e_3 = (unit_vector(axis) for axis in (1, 2, 3))
 
 
 def tilted(x: sp.Expr, z: sp.Expr) -> Any:
@@ -155,10 +155,10 @@ def bicycle() -> Mechanism:
     w_1, w_2, w_3 = omega.symbols
     f1, f2, f3 = omega_f.symbols
     kinetic = (
-        m_R * normed(v) / 2
-        + m_B * normed(v_b) / 2
-        + m_H * normed(v_h) / 2
-        + m_F * normed(v_f) / 2
+        m_R * norm_squared(v) / 2
+        + m_B * norm_squared(v_b) / 2
+        + m_H * norm_squared(v_h) / 2
+        + m_F * norm_squared(v_f) / 2
         + spinning(omega, inertia_b[0], P["I_Byy"], inertia_b[1], inertia_b[2])
         + spinning(omega_f, inertia_h[0], P["I_Hyy"], inertia_h[1], inertia_h[2])
         + (P["I_Rxx"] * (w_1**2 + w_3**2) + P["I_Ryy"] * (w_2 + spin_r) ** 2) / 2
@@ -189,7 +189,7 @@ def bicycle() -> Mechanism:
                 y: dot(cross(gamma, alpha), v),
             },
             velocities=(omega, v, deltadot, spin_r, spin_f),
-            relations=(normed(gamma) - 1, normed(alpha) - 1, dot(alpha, gamma)),
+            relations=(norm_squared(gamma) - 1, norm_squared(alpha) - 1, dot(alpha, gamma)),
             structure=euclidean(omega, v),
         ),
         lagrangian=kinetic - potential,
@@ -218,14 +218,14 @@ def bicycle() -> Mechanism:
 
 def below(u: Any) -> tuple[sp.Expr, sp.Expr]:
     """Horizontal components, along x and y, of a vector given in the axes of the frame."""
-    return explicit(dot(alpha, u)), explicit(dot(cross(gamma, alpha), u))
+    return to_components(dot(alpha, u)), to_components(dot(cross(gamma, alpha), u))
 
 
 def drawn() -> Plan:
     """The wheels where they touch the ground, and the line between them."""
     g_1, _, g_3 = gamma.symbols
     f_1, _, f_3 = gamma_f.symbols
-    hub, low = (explicit(u) for u in (d_f, r_f))
+    hub, low = (to_components(u) for u in (d_f, r_f))
     reach = [a + b for a, b in zip(hub, low, strict=True)]
     ahead = constant([ell + cd * reach[0] - sd * reach[1], sd * reach[0] + cd * reach[1], reach[2]])
     rear, front = below(r_r), below(ahead)
@@ -258,7 +258,7 @@ def upright(speed: Any) -> dict[str, Any]:
 def near(speed: Any, digits: int = DIGITS) -> Linearisation:
     """The linear equations at a speed, faster and slower running divided out."""
     family = [{"Omega_R": 1}]
-    return linearise(model(), upright(speed), VALUES, along=family, digits=digits)
+    return linear_stability(model(), upright(speed), VALUES, along=family, digits=digits)
 
 
 def difference(speed: Any) -> float:

@@ -21,7 +21,7 @@ import sympy as sp
 from matplotlib.figure import Figure
 from whipple_bicycle import VALUES, critical_speeds, model, near, upright
 
-from chaplygin.flow.linear_stability import linearise, steady
+from chaplygin.flow.linear_stability import linear_stability, steady
 from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
 
 DIGITS = 15
@@ -61,7 +61,7 @@ def circles(angles: Sequence[float] = ANGLES) -> list[Circle]:
         guess = {str(name): float(x) for name, x in state.items()}
         turning = math.hypot(*(guess[f"omega_{i}"] for i in (1, 2, 3)))
         speed = -float(VALUES["R_R"]) * guess["Omega_R"]
-        values = linearise(model(), state, VALUES, digits=DIGITS).eigenvalues
+        values = linear_stability(model(), state, VALUES, digits=DIGITS).eigenvalues
         lean = -math.degrees(math.asin(guess["gamma_2"]))
         growth = float(max(value.real for value in values))
         found.append(Circle(angle, lean, speed, speed / turning, growth))

@@ -12,7 +12,7 @@ import numpy as np
 import sympy as sp
 
 from chaplygin.core.system import System
-from chaplygin.core.vectors import explicit
+from chaplygin.core.vectors import to_components
 
 
 def numeric(
@@ -22,7 +22,7 @@ def numeric(
 
     The result has the shape (formulas, ...). `values` replace defaults of parameters.
     """
-    scalars = [explicit(formula) for formula in formulas]
+    scalars = [to_components(formula) for formula in formulas]
     names = [*system.symbols, *system.defaults]
     steps = list(system.needed(scalars))
     function = sp.lambdify(names, scalars, "numpy", cse=lambda e: (steps, e))
@@ -78,7 +78,7 @@ def slopes(
     """Values of scalar formulas and their derivatives in a direction of the state space."""
     number = type(next(iter(known.values())))
     zero = number(0)
-    scalars = [explicit(formula) for formula in formulas]
+    scalars = [to_components(formula) for formula in formulas]
     evaluate = _Evaluation(
         number, {s: Dual(value, direction.get(s, zero)) for s, value in known.items()}
     )
@@ -167,7 +167,7 @@ class _Evaluation:
 
 def is_rational(system: System, formulas: Iterable[Any]) -> bool:
     """Whether formulas and field take rational values at rational points."""
-    nodes = {*system.rates, *(explicit(f) for f in formulas), *(step for _, step in system.steps)}
+    nodes = {*system.rates, *(to_components(f) for f in formulas), *(step for _, step in system.steps)}
     return not any(
         part.is_Function or (part.is_Pow and not part.exp.is_Integer)
         for node in nodes

@@ -8,7 +8,7 @@ import sympy as sp
 
 from chaplygin.core.system import System
 from chaplygin.mechanics.rolling.body import Body
-from chaplygin.mechanics.rolling.equations import Field, roll
+from chaplygin.mechanics.rolling.equations import Forces, roll
 from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
 from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
 
@@ -45,5 +45,5 @@ def laden(shape: str, surface: str, contact: str) -> System:
     """A heavy gyrostat with a full inertia tensor in a potential: every term there is."""
     inertia = ((1.0, 0.1, 0.0), (0.1, 1.5, -0.05), (0.0, -0.05, 2.1))
     body = Body(1.3, inertia, SHAPES[shape], gyrostat=(0.1, 0.0, -0.2))
-    field = Field(9.81, gamma_1**2 / 2 + sp.sin(gamma_3))
+    field = Forces(9.81, gamma_1**2 / 2 + sp.sin(gamma_3))
     return roll(body, SURFACES[surface], contact, field, name=f"{shape}-{surface}-{contact}")

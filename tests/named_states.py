@@ -9,10 +9,10 @@ from chaplygin.catalogue import CATALOGUE, Entry, Start
 from chaplygin.catalogue.entry import Numbers
 from chaplygin.core.laws import Integral, Measure
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import Diagonal, cross, dot, normed, scalar, unit, vectors
+from chaplygin.core.vectors import Diagonal, cross, dot, norm_squared, real_symbol, unit_vector, vectors
 
-u, omega, theta, x, y = (scalar(name) for name in ("u", "omega", "theta", "x", "y"))
-m, a, inertia = (scalar(name) for name in ("m", "a", "I"))
+u, omega, theta, x, y = (real_symbol(name) for name in ("u", "omega", "theta", "x", "y"))
+m, a, inertia = (real_symbol(name) for name in ("m", "a", "I"))
 M, gamma = vectors("M gamma")
 A = Diagonal("A")
 half = sp.Rational(1, 2)
@@ -51,10 +51,10 @@ def top(p: Numbers) -> System:
         title="Lagrange top",
         parameters=tuple(Parameter(s, f"number {s}", p[str(s)]) for s in (m, a, *A.symbols)),
         field={
-            M: cross(M, A * M) + m * a * cross(unit(3), gamma),
+            M: cross(M, A * M) + m * a * cross(unit_vector(3), gamma),
             gamma: cross(gamma, A * M),
         },
-        relations=(normed(gamma) - 1,),
+        relations=(norm_squared(gamma) - 1,),
         laws=(
             Integral("energy", half * dot(M, A * M) - m * a * gamma.symbols[2], "energy"),
             Integral("area", dot(M, gamma), "area integral"),

@@ -20,7 +20,7 @@ from chaplygin.core.laws import (
     Symmetry,
 )
 from chaplygin.core.system import System
-from chaplygin.core.vectors import explicit
+from chaplygin.core.vectors import to_components
 
 Slip = Callable[[sp.Expr, System], sp.Expr | None]
 
@@ -199,7 +199,7 @@ def _of_pairs(field: str, law: Any) -> Part:
 def _of_a_measure(law: Measure, system: System) -> Iterator[Part]:
     """The bases of its density that move, and their exponents."""
     moving = moving_symbols(system)
-    pairs = [(explicit(sp.sympify(base)), sp.sympify(exponent)) for base, exponent in law.density]
+    pairs = [(to_components(sp.sympify(base)), sp.sympify(exponent)) for base, exponent in law.density]
     moved = [(b, e) for b, e in pairs if b.free_symbols & moving]
     if not moved:
         pairs = moved = [(sp.Add(*_driven(system)), sp.S.Zero)]
@@ -248,5 +248,5 @@ def _names(name: Any) -> tuple[sp.Symbol, ...]:
 def _scalars(value: Any) -> list[sp.Expr]:
     if isinstance(value, tuple | list):
         return [s for part in value for s in _scalars(part)]
-    made = explicit(sp.sympify(value))
+    made = to_components(sp.sympify(value))
     return list(made) if isinstance(made, sp.MatrixBase) else [made]

@@ -10,16 +10,16 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError
-from chaplygin.formulas.expansion import Germs
+from chaplygin.formulas.expansion import TaylorExpansion
 from chaplygin.formulas.taylor import Rational
 from chaplygin.mechanics.constraints.integrability import nonholonomy_at
 from chaplygin.mechanics.lagrangian.mechanism import Mechanism, coordinates
 from chaplygin.parsing.exact_decimals import exact_number, exactly
 from chaplygin.search.modular_jets import Evaluator, prime
 
-x = scalar("x")
+x = real_symbol("x")
 
 
 @pytest.mark.parametrize(
@@ -79,14 +79,14 @@ def test_the_search_reads_decimals_alike():
 
 
 def test_germs_read_decimals_alike():
-    germs = Germs(Rational(), (), {}, {}, {}, {}, 0)
+    germs = TaylorExpansion(Rational(), (), {}, {}, {}, {}, 0)
     value = germs.series(sp.Float(0.1 + 0.2)).value
     assert sp.Rational(int(value.p), int(value.q)) == exact_number(0.1 + 0.2)
 
 
 def test_a_point_is_taken_as_it_is_written():
     """At y = 1/3 the constraint is singular; at 0.333333333333333 it is not."""
-    y, z, w = scalar("y"), scalar("z"), scalar("w")
+    y, z, w = real_symbol("y"), real_symbol("z"), real_symbol("w")
     frame = coordinates(y, z, w)
     ydot, zdot, wdot = frame.w
     plane = Mechanism("plane", frame, (ydot**2 + zdot**2 + wdot**2) / 2, (3 * y * zdot - zdot,))

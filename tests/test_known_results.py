@@ -11,11 +11,11 @@ from scipy.special import ellipk
 
 from chaplygin.catalogue import CATALOGUE, from_catalogue
 from chaplygin.core.system import System
-from chaplygin.core.vectors import constant, cross, dot, normed, vectors
+from chaplygin.core.vectors import constant, cross, dot, norm_squared, vectors
 from chaplygin.flow.integrator import Trajectory, integrate
 from chaplygin.mechanics.rolling.body import Body
-from chaplygin.mechanics.rolling.equations import Field, roll
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.equations import Forces, roll
+from chaplygin.mechanics.rolling.initial_state import initial_state
 from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid
 from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
 from chaplygin.report.summary import drift
@@ -29,7 +29,7 @@ def follow(
     system: System, spin: object, up: object, times: object, **options: object
 ) -> Trajectory:
     """The motion from ω and γ."""
-    return integrate(system, starting_state(system, spin, up), times, **options)
+    return integrate(system, initial_state(system, spin, up), times, **options)
 
 
 def turned(motion: Trajectory, vector: np.ndarray) -> np.ndarray:
@@ -52,7 +52,7 @@ MASS = 1.7
 
 def disk(radius: float, across: float, along: float) -> System:
     moments = np.array([across, across, along]) * MASS * radius**2
-    return roll(Body(MASS, tuple(moments), Disk(radius)), field=Field(G))
+    return roll(Body(MASS, tuple(moments), Disk(radius)), field=Forces(G))
 
 
 def square_of_growth(system: System, spin: float) -> float:
@@ -62,7 +62,7 @@ def square_of_growth(system: System, spin: float) -> float:
     """
     field = numeric(system, system.rates)
     turn = np.kron(np.eye(2), spin * np.array([[0, -1, 0], [1, 0, 0], [0, 0, 0]]))
-    state = np.array([float(x) for x in starting_state(system, (0, 0, spin), (1, 0, 0))[:6]])
+    state = np.array([float(x) for x in initial_state(system, (0, 0, spin), (1, 0, 0))[:6]])
 
     def seen(point: np.ndarray) -> np.ndarray:
         return field(point) + turn @ point
@@ -138,7 +138,7 @@ HOMOGENEOUS = Body(1.4, (0.4 * 1.4 * RADIUS**2,) * 3, Ball(RADIUS))
 @pytest.mark.parametrize("contact", ["marble", "rubber"])
 def test_a_homogeneous_ball_on_a_plane_rolls_straight(contact, gravity):
     """Proposition 2 without a horizontal force: uniformly, and ω is constant in space."""
-    system = roll(HOMOGENEOUS, Plane(), contact, Field(gravity))
+    system = roll(HOMOGENEOUS, Plane(), contact, Forces(gravity))
     spin = (0.8, -0.4, -0.6) if contact == "rubber" else (0.7, 0.4, 1.1)
     times = np.linspace(0.0, 50.0, 51)
     motion = follow(system, spin, (0.36, -0.48, 0.8), times)
@@ -150,7 +150,7 @@ def test_a_homogeneous_ball_on_a_plane_rolls_straight(contact, gravity):
 
 
 def bowl(contact: str) -> System:
-    return roll(HOMOGENEOUS, Sphere(-BOWL), contact, Field(G))
+    return roll(HOMOGENEOUS, Sphere(-BOWL), contact, Forces(G))
 
 
 #: 5g/(7(|a| − R)), the square of the frequency of small oscillations in a bowl.
@@ -165,7 +165,7 @@ def test_a_homogeneous_ball_in_a_bowl_swings_as_a_pendulum(contact, angle, slack
     if angle < 1e-4:
         assert period == pytest.approx(2 * np.pi / np.sqrt(BOWL_SQUARE), rel=1e-10)
     system = bowl(contact)
-    start = starting_state(
+    start = initial_state(
         system, (0, 0, 0), (0.36, -0.48, 0.8), normal=(np.sin(angle), 0, np.cos(angle))
     )
     motion = integrate(system, start, period * np.array([0, 0.25, 0.5, 0.75, 1.0]))
@@ -179,7 +179,7 @@ def test_a_homogeneous_rubber_ball_in_a_bowl_is_a_spherical_pendulum():
     times = np.linspace(0.0, 10.0, 21)
     spin, up = (2.0, 1.0, -0.3), (0.36, -0.48, 0.8)
     spin -= np.dot(spin, up) * np.array(up)
-    start = starting_state(system, spin, up, normal=(0.6, 0.0, 0.8))
+    start = initial_state(system, spin, up, normal=(0.6, 0.0, 0.8))
     motion = integrate(system, start, times)
     length, pull = BOWL - RADIUS, np.array([0.0, 0.0, -5 * G / 7])
 
@@ -216,8 +216,8 @@ ROLY_POLY = Body(1.3, (0.4, 0.5, 0.45), Ball(0.8, centre=(0.0, 0.0, SHIFT)))
 
 def test_small_oscillations_of_a_displaced_ball():
     """Frequencies √(m g d / (I + m(R − d)²)) about both horizontal axes, by linearisation."""
-    system = roll(ROLY_POLY, field=Field(G))
-    state = np.array([float(x) for x in starting_state(system, (0, 0, 0), (0, 0, 1))[:6]])
+    system = roll(ROLY_POLY, field=Forces(G))
+    state = np.array([float(x) for x in initial_state(system, (0, 0, 0), (0, 0, 1))[:6]])
     matrix = jacobian(numeric(system, system.rates), state)
     found = np.sort(np.linalg.eigvals(matrix).imag)[-2:]
     exact = [
@@ -242,7 +242,7 @@ def test_period_of_a_displaced_ball_rocking_in_a_plane(contact, angle, slack):
     period = 4 / np.sqrt(mass * G * SHIFT) * quad(integrand, 0, np.pi / 2, epsrel=1e-14)[0]
     linear = 2 * np.pi * np.sqrt((moment + mass * (radius - SHIFT) ** 2) / (mass * G * SHIFT))
     assert (abs(period / linear - 1) < 1e-8) == (angle < 0.1)
-    system = roll(ROLY_POLY, Plane(), contact, Field(G))
+    system = roll(ROLY_POLY, Plane(), contact, Forces(G))
     motion = follow(
         system,
         (0, 0, 0),
@@ -256,7 +256,7 @@ def test_period_of_a_displaced_ball_rocking_in_a_plane(contact, angle, slack):
 
 def test_integrals_of_jellett_and_routh():
     """A heavy ball with its centre of mass on the axis of symmetry: two integrals linear in ω."""
-    system = roll(Body(1.3, (0.4, 0.4, 0.55), Ball(0.8, centre=(0.0, 0.0, SHIFT))), field=Field(G))
+    system = roll(Body(1.3, (0.4, 0.4, 0.55), Ball(0.8, centre=(0.0, 0.0, SHIFT))), field=Forces(G))
     I_1, I_3, m = sp.symbols("I_1 I_3 m", real=True)
     inertia = constant(sp.diag(I_1, I_1, I_3))
     jellett = dot(inertia * omega, r)
@@ -295,7 +295,7 @@ def test_rubber_chaplygin_ball_is_the_veselova_system():
     for name in ("omega", "gamma", "attitude"):
         assert np.abs(one[name] - other[name]).max() < 1e-12, name
     # what the Veselova system calls (Iω × γ)² is (M × γ)² of the ball
-    claimed = numeric(one.system, [normed(cross(M, gamma))])(one.states.T)[0]
+    claimed = numeric(one.system, [norm_squared(cross(M, gamma))])(one.states.T)[0]
     assert claimed == pytest.approx(other["law_momentum"], rel=1e-13)
 
 
@@ -313,10 +313,10 @@ def test_a_very_large_sphere_is_a_plane(contact, side):
     if contact == "rubber":
         spin -= (spin @ up) * up
     times = np.linspace(0.0, 5.0, 11)
-    flat = follow(roll(body, Plane(), contact, Field(G)), spin, up, times)
+    flat = follow(roll(body, Plane(), contact, Forces(G)), spin, up, times)
     gaps = []
     for radius in (1e5, 1e6):
-        system = roll(body, Sphere(side * radius), contact, Field(G))
+        system = roll(body, Sphere(side * radius), contact, Forces(G))
         curved = follow(system, spin, up, times)
         gaps.append(max(np.abs(curved[name] - flat[name]).max() for name in ("omega", "gamma")))
     assert gaps[1] < 1e-4
@@ -330,7 +330,7 @@ def test_a_round_ellipsoid_is_a_ball_and_a_thin_torus_a_disk():
     shapes = Ball(0.8, centre=centre), Ellipsoid((0.8, 0.8, 0.8), turn=0.4, centre=centre)
     one, other = (
         follow(
-            roll(Body(1.3, (0.4, 0.5, 0.45), shape), field=Field(G)),
+            roll(Body(1.3, (0.4, 0.5, 0.45), shape), field=Forces(G)),
             spin,
             up,
             times,

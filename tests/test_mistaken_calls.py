@@ -12,7 +12,7 @@ import pytest
 import sympy as sp
 
 import chaplygin
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError, RunError
 
 c: Any = chaplygin
@@ -30,7 +30,7 @@ omega = [1, 0, 0]
 S = c.from_catalogue("chaplygin-ball")
 B = c.Body(1.0, (1.0, 1.2, 1.5), c.Ball(1.0))
 X = c.starting_state(S, (1, 0, 0), (0, 0, 1))
-x, y, xd, yd = map(scalar, ["x", "y", "xdot", "ydot"])
+x, y, xd, yd = map(real_symbol, ["x", "y", "xdot", "ydot"])
 F = c.coordinates(x, y)
 M = c.Mechanism("knife", F, (xd**2 + yd**2) / 2, (yd - x * xd,))
 EXP = c.loads(BALL)

@@ -15,17 +15,17 @@ import chaplygin
 from chaplygin import measure_exists, nonholonomy, prove, solve
 from chaplygin.borisov_mamaev.methods.limit_cycle import displacement
 from chaplygin.catalogue import from_catalogue
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.mechanics.lagrangian.mechanism import Mechanism, coordinates
 from chaplygin.mechanics.lagrangian.poincare_suslov import equations
 from chaplygin.mechanics.reduction.chaplygin import chaplygin_form
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Rolling
 from chaplygin.mechanics.rolling.shapes import Ball
-from chaplygin.search import ask, integrals
+from chaplygin.search import search_request, integrals
 
 SOURCE = Path(chaplygin.__file__).parent
-x, y, phi = (scalar(name) for name in ("x", "y", "phi"))
+x, y, phi = (real_symbol(name) for name in ("x", "y", "phi"))
 
 
 def settings() -> tuple[int, ...]:
@@ -51,7 +51,7 @@ CALLS: dict[str, Callable[[], object]] = {
     "nonholonomy": lambda: nonholonomy(knife()),
     "reduction": lambda: chaplygin_form(knife()),
     "proof": lambda: prove(from_catalogue("chaplygin-sleigh-reduced"))[:1],
-    "search": lambda: next(integrals(ask(from_catalogue("chaplygin-sleigh-reduced"), degree=2))),
+    "search": lambda: next(integrals(search_request(from_catalogue("chaplygin-sleigh-reduced"), degree=2))),
     "closed form": lambda: solve(from_catalogue("lagrange-top"), (1, 2, 3, 0, 0.6, 0.8)).states(
         [1.0]
     ),

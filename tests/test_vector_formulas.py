@@ -3,12 +3,12 @@
 import pytest
 import sympy
 
-from chaplygin.core.vectors import Diagonal, Vector, cross, dot, explicit, scalar
+from chaplygin.core.vectors import Diagonal, Vector, cross, dot, to_components, real_symbol
 from chaplygin.errors import InputError
 from chaplygin.parsing import parse_formula
 
 GAMMA, OMEGA, Q = Vector("gamma"), Vector("omega"), Vector("q", 4)
-TENSOR, M = Diagonal("I"), scalar("m")
+TENSOR, M = Diagonal("I"), real_symbol("m")
 NAMES = {"gamma": GAMMA, "omega": OMEGA, "I": TENSOR, "m": M, "q": Q}
 ENERGY = dot(OMEGA, TENSOR * OMEGA) / 2
 
@@ -18,13 +18,13 @@ ENERGY = dot(OMEGA, TENSOR * OMEGA) / 2
     [
         ("gamma", GAMMA),
         ("cross(gamma, omega)", cross(GAMMA, OMEGA)),
-        ("dot(omega, I*omega)/2 + m*gamma_3", ENERGY + M * scalar("gamma_3")),
+        ("dot(omega, I*omega)/2 + m*gamma_3", ENERGY + M * real_symbol("gamma_3")),
         ("-m*cross(gamma, cross(omega, gamma))", -M * cross(GAMMA, cross(OMEGA, GAMMA))),
         ("2*gamma/m - (omega + gamma)", (2 / M) * GAMMA - (OMEGA + GAMMA)),
         ("I*I*omega", TENSOR * (TENSOR * OMEGA)),
         ("-I*omega", -TENSOR * OMEGA),
         ("sqrt(dot(q, q))", sympy.sqrt(dot(Q, Q))),
-        ("I_1 - q_w", scalar("I_1") - scalar("q_w")),
+        ("I_1 - q_w", real_symbol("I_1") - real_symbol("q_w")),
         ("pi*m", sympy.pi * M),
     ],
 )
@@ -33,8 +33,8 @@ def test_reads_formulas_as_written(text: str, value: object) -> None:
 
 
 def test_vectors_by_their_components() -> None:
-    value = explicit(parse_formula("[m, 0, 1] + cross(gamma, [0, 0, 2])", NAMES))
-    assert list(value) == [M + 2 * scalar("gamma_2"), -2 * scalar("gamma_1"), 1]
+    value = to_components(parse_formula("[m, 0, 1] + cross(gamma, [0, 0, 2])", NAMES))
+    assert list(value) == [M + 2 * real_symbol("gamma_2"), -2 * real_symbol("gamma_1"), 1]
 
 
 @pytest.mark.parametrize(

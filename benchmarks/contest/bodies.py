@@ -19,7 +19,7 @@ from chaplygin.core.system import System
 from chaplygin.flow.heyoka_expressions import Translator
 from chaplygin.flow.initial_states import flat_starts
 from chaplygin.flow.kernel import code_cache as cache
-from chaplygin.mechanics.rolling.equations import Field
+from chaplygin.mechanics.rolling.equations import Forces
 
 __all__ = ["BODIES", "Body", "deviation", "rows"]
 
@@ -187,7 +187,7 @@ def _bodies() -> dict[str, Body]:
     catalogue = chaplygin.CATALOGUE
     ball, ellipsoid = catalogue["chaplygin-ball"].system(), catalogue["marble-body"].system()
     rolling = unbalanced_ball.build(dict(catalogue["unbalanced-ball"].defaults))
-    heavy = replace(rolling, field=Field(GRAVITY)).system("heavy-unbalanced-ball")
+    heavy = replace(rolling, field=Forces(GRAVITY)).system("heavy-unbalanced-ball")
     made = (
         Body("chaplygin-ball", _reduced(ball), span=20.0, long=1000.0, short=5.0),
         Body("unbalanced-ball", _reduced(heavy), span=20.0, long=50.0, short=5.0),

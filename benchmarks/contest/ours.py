@@ -5,8 +5,8 @@ from __future__ import annotations
 import heyoka as hy
 import numpy as np
 
-from chaplygin.flow.batch import lanes, section
-from chaplygin.flow.gauss import precise
+from chaplygin.flow.batch import batch_integrator, poincare_section
+from chaplygin.flow.gauss import gauss_integrator
 
 from .bodies import Body
 from .programs import Program, Run
@@ -20,7 +20,7 @@ def ensemble(body: Body, until: float, threads: int = 1) -> Program:
     """A lane for each trajectory."""
 
     def build(tolerance: float) -> Run:
-        made = lanes(body.system, tolerance=tolerance)
+        made = batch_integrator(body.system, tolerance=tolerance)
 
         def run(starts: np.ndarray) -> np.ndarray:
             return np.asarray(made.until(starts, [until], threads=threads).states[:, -1])
@@ -32,10 +32,10 @@ def ensemble(body: Body, until: float, threads: int = 1) -> Program:
 
 def crossings(body: Body, until: float, most: int) -> Program:
     """Where γ₃ rises through zero; no trajectory has more than `most` such points."""
-    where = section(body.system, body.system.symbols[-1])
+    where = poincare_section(body.system, body.system.symbols[-1])
 
     def build(tolerance: float) -> Run:
-        made = lanes(body.system, tolerance=tolerance, section=where)
+        made = batch_integrator(body.system, tolerance=tolerance, section=where)
 
         def run(starts: np.ndarray) -> np.ndarray:
             return np.asarray(made.returns(starts, most, until=until, threads=1).states)
@@ -50,7 +50,7 @@ def tangents(body: Body, until: float) -> Program:
     identity = np.eye(body.size)
 
     def build(tolerance: float) -> Run:
-        made = lanes(body.system, tolerance=tolerance, deviations=body.size)
+        made = batch_integrator(body.system, tolerance=tolerance, deviations=body.size)
 
         def run(starts: np.ndarray) -> np.ndarray:
             carried = np.repeat(identity[None], len(starts), axis=0)
@@ -68,7 +68,7 @@ def single(body: Body, until: float) -> Program:
     """Collocation with a lane for each stage; it has no setting but the number of digits."""
 
     def build(_: float) -> Run:
-        made = precise(body.system, body.starts(0, 1)[0])
+        made = gauss_integrator(body.system, body.starts(0, 1)[0])
 
         def run(starts: np.ndarray) -> np.ndarray:
             return np.asarray(made.until(starts, [until], threads=1).states[:, -1])
@@ -82,7 +82,7 @@ def thirty(body: Body, until: float) -> Program:
     """The same in two doubles for each number."""
 
     def build(_: float) -> Run:
-        made = precise(body.system, body.starts(0, 1)[0], digits=30)
+        made = gauss_integrator(body.system, body.starts(0, 1)[0], digits=30)
 
         def run(starts: np.ndarray) -> np.ndarray:
             found = made.until(starts, [until], threads=1)

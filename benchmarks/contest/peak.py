@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from chaplygin.flow.batch import lanes
+from chaplygin.flow.batch import batch_integrator
 from chaplygin.flow.kernel.tableaux import explicit
 
 from .bodies import Body
@@ -92,7 +92,7 @@ def per_step(body: Body) -> int:
 def reached(body: Body, tolerance: float = 1e-11, count: int = 1024) -> float:
     """Operations that the engine does in a second on one core."""
     starts = body.starts(3, count)
-    flow = lanes(body.system, tolerance=tolerance)
+    flow = batch_integrator(body.system, tolerance=tolerance)
     spent = []
     for _ in range(TURNS):
         began = time.process_time()

@@ -17,8 +17,8 @@ from typing import TYPE_CHECKING, Any
 from ._version import __version__
 
 if TYPE_CHECKING:
-    from .analysis.classification.classifier import place
-    from .analysis.lyapunov.compute import spectrum
+    from .analysis.classification.classifier import classify
+    from .analysis.lyapunov.compute import lyapunov_spectrum
     from .analysis.orbits.reversing_symmetries import reversors
     from .analysis.orbits.rotation import rotation_number
     from .borisov_mamaev.audit import audit
@@ -42,13 +42,13 @@ if TYPE_CHECKING:
     from .experiment.study import Study, prepare
     from .explicit.base.solution import Solution
     from .explicit.solver import solve
-    from .flow.batch import lanes, section
+    from .flow.batch import batch_integrator, poincare_section
     from .flow.ensemble.run import ensemble
-    from .flow.gauss import precise
+    from .flow.gauss import gauss_integrator
     from .flow.integrator import Trajectory, integrate
-    from .flow.linear_stability import linearise
-    from .flow.sampling.draw import draw
-    from .flow.sections.poincare_map import SectionMap
+    from .flow.linear_stability import linear_stability
+    from .flow.sampling.draw import sample_level
+    from .flow.sections.poincare_map import PoincareMap
     from .measures.existence import measure_exists
     from .mechanics.ball.ball import RollingBall
     from .mechanics.constraints.integrability import nonholonomy
@@ -57,8 +57,8 @@ if TYPE_CHECKING:
     from .mechanics.lagrangian.sympy_import import from_sympy, mechanism_from_sympy
     from .mechanics.reduction.chaplygin import chaplygin_form
     from .mechanics.rolling.body import Body
-    from .mechanics.rolling.equations import Field, Rolling, roll
-    from .mechanics.rolling.initial_state import starting_state
+    from .mechanics.rolling.equations import Forces, Rolling, roll
+    from .mechanics.rolling.initial_state import initial_state
     from .mechanics.rolling.mechanism import rolling_mechanism
     from .mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
     from .mechanics.rolling.surfaces import Plane, Sphere
@@ -73,7 +73,7 @@ _HOME = {
     "ConformallyHamiltonian": "core.laws",
     "Disk": "mechanics.rolling.shapes",
     "Ellipsoid": "mechanics.rolling.shapes",
-    "Field": "mechanics.rolling.equations",
+    "Forces": "mechanics.rolling.equations",
     "Frame": "mechanics.lagrangian.mechanism",
     "Identity": "core.laws",
     "Implicit": "mechanics.rolling.shapes",
@@ -91,7 +91,7 @@ _HOME = {
     "Rolling": "mechanics.rolling.equations",
     "RollingBall": "mechanics.ball.ball",
     "RunError": "errors",
-    "SectionMap": "flow.sections.poincare_map",
+    "PoincareMap": "flow.sections.poincare_map",
     "Separation": "core.laws",
     "Solution": "explicit.base.solution",
     "Sphere": "mechanics.rolling.surfaces",
@@ -104,22 +104,22 @@ _HOME = {
     "audit": "borisov_mamaev.audit",
     "chaplygin_form": "mechanics.reduction.chaplygin",
     "coordinates": "mechanics.lagrangian.mechanism",
-    "draw": "flow.sampling.draw",
+    "sample_level": "flow.sampling.draw",
     "ensemble": "flow.ensemble.run",
     "equations": "mechanics.lagrangian.poincare_suslov",
     "from_catalogue": "catalogue",
     "from_sympy": "mechanics.lagrangian.sympy_import",
     "integrate": "flow.integrator",
-    "lanes": "flow.batch",
+    "batch_integrator": "flow.batch",
     "lambdify": "printing.code",
-    "linearise": "flow.linear_stability",
+    "linear_stability": "flow.linear_stability",
     "load": "experiment.file.models",
     "loads": "experiment.file.models",
     "measure_exists": "measures.existence",
     "mechanism_from_sympy": "mechanics.lagrangian.sympy_import",
     "nonholonomy": "mechanics.constraints.integrability",
-    "place": "analysis.classification.classifier",
-    "precise": "flow.gauss",
+    "classify": "analysis.classification.classifier",
+    "gauss_integrator": "flow.gauss",
     "prepare": "experiment.study",
     "prove": "proof.prover",
     "read": "experiment.dataset",
@@ -127,11 +127,11 @@ _HOME = {
     "roll": "mechanics.rolling.equations",
     "rolling_mechanism": "mechanics.rolling.mechanism",
     "rotation_number": "analysis.orbits.rotation",
-    "section": "flow.batch",
+    "poincare_section": "flow.batch",
     "solve": "explicit.solver",
     "source_code": "printing.code",
-    "spectrum": "analysis.lyapunov.compute",
-    "starting_state": "mechanics.rolling.initial_state",
+    "lyapunov_spectrum": "analysis.lyapunov.compute",
+    "initial_state": "mechanics.rolling.initial_state",
     "to_dataset": "experiment.dataset",
     "write": "experiment.dataset",
 }
@@ -143,7 +143,7 @@ __all__ = [
     "ConformallyHamiltonian",
     "Disk",
     "Ellipsoid",
-    "Field",
+    "Forces",
     "Frame",
     "Identity",
     "Implicit",
@@ -161,7 +161,7 @@ __all__ = [
     "Rolling",
     "RollingBall",
     "RunError",
-    "SectionMap",
+    "PoincareMap",
     "Separation",
     "Solution",
     "Sphere",
@@ -175,22 +175,22 @@ __all__ = [
     "audit",
     "chaplygin_form",
     "coordinates",
-    "draw",
+    "sample_level",
     "ensemble",
     "equations",
     "from_catalogue",
     "from_sympy",
     "integrate",
     "lambdify",
-    "lanes",
-    "linearise",
+    "batch_integrator",
+    "linear_stability",
     "load",
     "loads",
     "measure_exists",
     "mechanism_from_sympy",
     "nonholonomy",
-    "place",
-    "precise",
+    "classify",
+    "gauss_integrator",
     "prepare",
     "prove",
     "read",
@@ -198,11 +198,11 @@ __all__ = [
     "roll",
     "rolling_mechanism",
     "rotation_number",
-    "section",
+    "poincare_section",
     "solve",
     "source_code",
-    "spectrum",
-    "starting_state",
+    "lyapunov_spectrum",
+    "initial_state",
     "to_dataset",
     "write",
 ]

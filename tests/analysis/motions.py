@@ -6,10 +6,10 @@ import sympy as sp
 
 from chaplygin.core.laws import Integral, Measure, Symmetry
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import cross, dot, scalar, vectors
+from chaplygin.core.vectors import cross, dot, real_symbol, vectors
 
-x, y, z, p, q = map(scalar, "xyzpq")
-sigma, rho, beta = map(scalar, ("sigma", "rho", "beta"))
+x, y, z, p, q = map(real_symbol, "xyzpq")
+sigma, rho, beta = map(real_symbol, ("sigma", "rho", "beta"))
 
 
 def lorenz() -> System:
@@ -68,7 +68,7 @@ def top() -> System:
 
 def carousel() -> System:
     """A limit cycle r = 1 with the exponent −2, turning evenly, and a place that drifts."""
-    u, v, s = map(scalar, "uvs")
+    u, v, s = map(real_symbol, "uvs")
     rest = 1 - u**2 - v**2
     return System(
         "carousel",

@@ -8,16 +8,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from chaplygin.analysis.lyapunov.compute import spectrum
-from chaplygin.analysis.lyapunov.indicators import Alignment, Fastest, Megno, Total
+from chaplygin.analysis.lyapunov.compute import lyapunov_spectrum
+from chaplygin.analysis.lyapunov.indicators import SmallerAlignmentIndex, FastLyapunovIndicator, Megno, ExponentSum
 from chaplygin.analysis.lyapunov.report import Spectrum
 from chaplygin.analysis.lyapunov.zero_exponents import vanish
 from chaplygin.catalogue import from_catalogue
-from chaplygin.flow.state_scales import sizes_at
+from chaplygin.flow.state_scales import state_scales_at
 
 #: Lengths are multiplied by these numbers, masses by their cubes: centimetres, millimetres.
 SCALES = (1e-2, 1e3)
-RULES = (Total, Fastest, Megno, Alignment)
+RULES = (ExponentSum, FastLyapunovIndicator, Megno, SmallerAlignmentIndex)
 FORCED = {
     "unbalanced-ball": ["γ² = 1", "energy", "quadratic", "flow"],
     "chaplygin-ball": ["γ² = 1", "energy", "area", "momentum", "flow"],
@@ -38,7 +38,7 @@ def _ball(name: str, scale: float) -> tuple[Any, Any, dict[str, float]]:
 @cache
 def _spectrum(name: str, scale: float) -> Spectrum:
     system, start, parameters = _ball(name, scale)
-    return spectrum(system, start, parameters, until=100.0, intervals=100)
+    return lyapunov_spectrum(system, start, parameters, until=100.0, intervals=100)
 
 
 @pytest.mark.parametrize("scale", SCALES)
@@ -84,7 +84,7 @@ def test_a_vector_at_rest_has_the_size_that_acts_as_much_as_the_others(scale: fl
     powers = {"m": 3, "b": 1, "c": 1, "I": 5, "g": 1}
     parameters = {key: value * scale ** powers[key[0]] for key, value in given.items()}
     rest = np.array([[[0.0, 0.0, 0.0, 0.6, 0.0, 0.8]]])
-    plain, scaled = sizes_at(system, rest)[0], sizes_at(system, rest, parameters)[0]
+    plain, scaled = state_scales_at(system, rest)[0], state_scales_at(system, rest, parameters)[0]
     assert 0.1 < plain[0] < 10.0
     assert scaled[:3] == pytest.approx(plain[:3] * scale**5, rel=1e-12)
     assert np.array_equal(scaled[3:], np.ones(3))
@@ -94,13 +94,13 @@ def test_rounding_couples_no_vectors() -> None:
     # M along γ along an axis: what changes M vanishes with the deviation of γ, up to rounding
     system = from_catalogue("chaplygin-ball")
     state = np.array([[[1e-45, 0.0, 0.7, 0.0, 1e-33, 1.0]]])
-    assert sizes_at(system, state)[0] == pytest.approx([0.7] * 3 + [1.0] * 3, rel=1e-12)
+    assert state_scales_at(system, state)[0] == pytest.approx([0.7] * 3 + [1.0] * 3, rel=1e-12)
 
 
 def test_conditions_on_parameters_are_not_met_because_these_are_small() -> None:
     system, start, parameters = _ball("chaplygin-ball", 1e-3)
     first, second = (p.symbol for p in system.parameters if str(p.symbol) in ("I_1", "I_2"))
-    sizes = sizes_at(system, start[None, None], parameters)[0]
+    sizes = state_scales_at(system, start[None, None], parameters)[0]
     assert not vanish(system, [first - second], start, parameters, sizes)
     nearly = {**parameters, "I_1": parameters["I_2"] * (1 + 1e-15)}
     assert vanish(system, [first - second], start, nearly, sizes)

@@ -13,7 +13,7 @@ from chaplygin.borisov_mamaev.audit import DECISIONS, TITLES, Judgement, audit, 
 from chaplygin.borisov_mamaev.methods.contrary import contrary
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.laws import Integral
-from chaplygin.core.vectors import normed, vectors
+from chaplygin.core.vectors import norm_squared, vectors
 from chaplygin.proof.verdict import Verdict
 
 M, gamma = vectors("M gamma")
@@ -62,7 +62,7 @@ def test_an_interrupted_audit_keeps_what_is_done(monkeypatch, tmp_path):
 
 def test_a_case_of_several_laws_holds_when_all_hold():
     ball = from_catalogue("chaplygin-ball")
-    right = Integral("square", normed(M))
+    right = Integral("square", norm_squared(M))
     wrong = Integral("component", M.symbols[0])
     hard = Integral("absolute", sp.Abs(M.symbols[0]))
     joined = module._joined

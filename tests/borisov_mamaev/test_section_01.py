@@ -13,9 +13,9 @@ from chaplygin.catalogue.bodies.any_shape import POTENTIAL, SUPPORT
 from chaplygin.catalogue.bodies.marble_body import any_marble_body
 from chaplygin.catalogue.bodies.rubber_body import a, any_rubber_body
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import Vector, explicit
+from chaplygin.core.vectors import Vector, to_components
 from chaplygin.mechanics.rolling.body import Body
-from chaplygin.mechanics.rolling.equations import Field, roll
+from chaplygin.mechanics.rolling.equations import Forces, roll
 from chaplygin.mechanics.rolling.shapes import Ellipsoid
 from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
 from evaluation import numeric
@@ -32,7 +32,7 @@ def chosen(system: System, functions: dict[sp.Expr, sp.Expr], **numbers: float |
     table = {type(f): sp.Lambda(f.args, value) for f, value in functions.items()}
 
     def written(formula: object) -> sp.Expr:
-        value = explicit(formula)
+        value = to_components(formula)
         for name, meaning in table.items():
             value = value.replace(name, meaning).doit()
         return value
@@ -66,7 +66,7 @@ GENERAL = {"marble": any_marble_body, "rubber": any_rubber_body}
 def test_a_body_of_any_shape_is_the_ellipsoid_for_its_support_function(radius, contact):
     body = Body(MASS, INERTIA, Ellipsoid(AXES, centre=CENTRE))
     surface = Plane() if radius is None else Sphere(radius)
-    rolled = roll(body, surface, contact, Field(potential=FIELD))
+    rolled = roll(body, surface, contact, Forces(potential=FIELD))
     numbers = {"m": MASS, "a": radius}
     numbers |= {f"I_{i}": x for i, x in enumerate(INERTIA, 1)}
     numbers |= {f"c_{i}": x for i, x in enumerate(CENTRE, 1)}

@@ -15,9 +15,9 @@ from chaplygin.borisov_mamaev.section_01.section_01_3a import rational_rotation
 from chaplygin.borisov_mamaev.section_02.section_02_1 import PRINTED, b, ball_growth, field_of
 from chaplygin.catalogue import CATALOGUE
 from chaplygin.catalogue.chaplygin_ball import chaplygin_suslov_ball
-from chaplygin.core.vectors import Vector, constant, cross, explicit
+from chaplygin.core.vectors import Vector, constant, cross, to_components
 from chaplygin.flow.integrator import integrate
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.initial_state import initial_state
 from evaluation import numeric
 
 x, y, z, u, w = sp.symbols("x y z u w", real=True)
@@ -50,7 +50,7 @@ def attitude_and_place() -> dict[sp.Symbol, sp.Expr]:
 def test_a_marble_ball_reaches_the_same_dimension_in_one_step():
     gamma, radius = Vector("gamma"), sp.Rational(3, 7)
     spins = [constant([int(i == axis) for i in range(3)]) for axis in range(3)]
-    fields = [field_of((spin, explicit(radius * cross(spin, gamma)))) for spin in spins]
+    fields = [field_of((spin, to_components(radius * cross(spin, gamma)))) for spin in spins]
     assert growth(fields, COORDINATES, attitude_and_place()) == (3, 5, 5)
 
 
@@ -126,7 +126,7 @@ def test_suslovs_constraint_on_a_rolling_ball_as_one_linear_system():
 @pytest.mark.parametrize("turn_rate", [(0.4, -0.9), (1.3, 0.2)])
 def test_a_ball_that_does_not_turn_about_a_principal_axis_turns_uniformly(turn_rate):
     system = CATALOGUE["chaplygin-suslov-ball"].system({"e_1": 0.0, "e_2": 0.0, "e_3": 1.0})
-    start = starting_state(system, (*turn_rate, 0.0), (2.0 / 7.0, -3.0 / 7.0, 6.0 / 7.0))
+    start = initial_state(system, (*turn_rate, 0.0), (2.0 / 7.0, -3.0 / 7.0, 6.0 / 7.0))
     motion = integrate(system, start, np.linspace(0.0, 20.0, 21))
     assert np.ptp(motion["gamma"], axis=0).min() > 0.1
     assert np.ptp(motion["omega"], axis=0).max() < 1e-14

@@ -15,7 +15,7 @@ from chaplygin.catalogue.fixed_point import suslov
 from chaplygin.core.laws import Integral
 from chaplygin.core.system import System
 from chaplygin.flow.integrator import integrate
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.initial_state import initial_state
 from chaplygin.proof.prover import prove
 from chaplygin.proof.verdict import Verdict
 from evaluation import numeric
@@ -27,7 +27,7 @@ def follow(name, values, times, **parameters):
     if system.motion is None:
         flat = np.concatenate([np.atleast_1d(values[str(n)]) for n in system.state])
         return integrate(system, flat, times)
-    return integrate(system, starting_state(system, **values), times)
+    return integrate(system, initial_state(system, **values), times)
 
 
 # --- rest points ---------------------------------------------------------------------------
@@ -40,7 +40,7 @@ def test_divergence_of_a_celtic_stone_by_differences():
         ((1.0, 0.25, 0.0), (0.25, 1.5, 0.0), (0.0, 0.0, 2.0)),
         section_03_2.Ellipsoid((1.0, 0.75, 0.5)),
     )
-    system = section_03_2.roll(body, field=section_03_2.Field(10.0))
+    system = section_03_2.roll(body, field=section_03_2.Forces(10.0))
     rates = numeric(system, list(system.rates))
     rest, step = np.array([0.0, 0.0, 2.0, 0.0, 0.0, 1.0]), 1e-5
     total = 0.0

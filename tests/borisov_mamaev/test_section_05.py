@@ -14,7 +14,7 @@ from chaplygin import lambdify
 from chaplygin.borisov_mamaev.methods.lens import curvatures, height, lens, linear_integral, slope
 from chaplygin.catalogue import CATALOGUE
 from chaplygin.catalogue.angles import in_angles
-from chaplygin.core.vectors import explicit
+from chaplygin.core.vectors import to_components
 
 MASS, GRAVITY, RADIUS, SHIFT = 1.3, 9.81, 0.9, 0.25
 ACROSS, ALONG = 0.6, 0.9
@@ -148,7 +148,7 @@ def test_a_lens_keeps_its_linear_integral_along_a_motion():
     found = solve_ivp(lambdify(system), (0.0, 0.2), start, rtol=1e-11, atol=1e-12)
     assert 0.93 < found.y[5].min() < found.y[5].max() < 0.9999
     symbols = (*system.symbols, *(p.symbol for p in system.parameters))
-    value = explicit(linear_integral().value)
+    value = to_components(linear_integral().value)
     for symbol, formula in reversed(system.steps):
         value = value.xreplace({symbol: formula})
     numbers = [p.default for p in system.parameters]

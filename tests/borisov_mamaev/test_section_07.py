@@ -27,7 +27,7 @@ from chaplygin.catalogue.chaplygin_ball.chaplygin_ball_angles import (
 from chaplygin.catalogue.chaplygin_ball.chaplygin_bracket import hamiltonian_form
 from chaplygin.core.isomorphism import Isomorphism
 from chaplygin.core.system import System
-from chaplygin.core.vectors import Diagonal, Vector, explicit
+from chaplygin.core.vectors import Diagonal, Vector, to_components
 from evaluation import numeric
 
 M, L, gamma, k = (Vector(name) for name in ("M", "L", "gamma", "k"))
@@ -84,7 +84,7 @@ def gap(system: System, law: Isomorphism, start: list[float]) -> float:
     target = law.target
     place = [value for _, formula in law.map for value in _flat(formula)]
     onto = numeric(system, place)
-    speed = numeric(system, [rate / explicit(law.time) for rate in system.rates])
+    speed = numeric(system, [rate / to_components(law.time) for rate in system.rates])
     names = [symbol for symbol, _ in law.constants]
     fixed = numeric(system, [formula for _, formula in law.constants])(start)
     values = {str(p.symbol): p.default for p in system.parameters}
@@ -97,7 +97,7 @@ def gap(system: System, law: Isomorphism, start: list[float]) -> float:
 
 
 def _flat(formula: object) -> list[sp.Expr]:
-    value = explicit(formula)
+    value = to_components(formula)
     return list(value) if isinstance(value, sp.MatrixBase) else [value]
 
 
@@ -132,7 +132,7 @@ TENSORS = {
     **dict(zip(J.symbols, MOMENTS, strict=True)),
     **{a: 1 / j for a, j in zip(A.symbols, MOMENTS, strict=True)},
 }
-UP = sp.Matrix(explicit(VERTICAL))
+UP = sp.Matrix(to_components(VERTICAL))
 ROTORS = sp.Matrix(k.symbols)
 LEVER = sp.Matrix([g / j for g, j in zip(UP, MOMENTS, strict=True)])
 DET_J = sp.Mul(*MOMENTS)
@@ -141,7 +141,7 @@ RHO = 1 / sp.sqrt(DET_J * (1 - REACH * UP.dot(LEVER)))
 
 def value(formula: sp.Expr) -> float:
     inner = {**dict(zip(gamma.symbols, UP, strict=True)), N: RHO}
-    return float(explicit(formula).subs(inner).subs(TENSORS).subs(NUMBERS))
+    return float(to_components(formula).subs(inner).subs(TENSORS).subs(NUMBERS))
 
 
 def by_reducing_multiplier(velocity: tuple[float, float]) -> float:
@@ -176,12 +176,12 @@ def test_the_gyroscopic_term_follows_from_the_reducing_multiplier(velocity):
 @pytest.mark.slow
 def test_the_bracket_with_rotors_follows_from_that_of_theorem_9():
     """{L_i, L_j} by (7.14), with the opposite sign, is ε_ijk u_k of the catalogue's bracket."""
-    momenta = sp.Matrix(explicit(MOMENTUM)).subs(N, RHO)
+    momenta = sp.Matrix(to_components(MOMENTUM)).subs(N, RHO)
     jacobian = momenta.jacobian([theta, phi, p_theta, p_phi])
-    twist = explicit(gyroscopic(k)).subs(N, RHO).subs(dict(zip(gamma.symbols, UP, strict=True)))
+    twist = to_components(gyroscopic(k)).subs(N, RHO).subs(dict(zip(gamma.symbols, UP, strict=True)))
     found = jacobian * sp.Matrix(gyroscopic_matrix(twist)) * jacobian.T
     u = dict(hamiltonian_form(sp.S.Zero, k).definitions)[Vector("u")]
     here = dict(zip(L.symbols, momenta, strict=True)) | {sp.Symbol("rho", real=True): RHO}
-    stated = [component.subs(here) for component in explicit(u)]
+    stated = [component.subs(here) for component in to_components(u)]
     for i, j, third in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
         assert value(-found[i, j]) == pytest.approx(value(stated[third]), rel=1e-12)

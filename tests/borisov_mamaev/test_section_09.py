@@ -12,7 +12,7 @@ from chaplygin.borisov_mamaev.methods.quadratic_integrals import C_11, C_22, J, 
 from chaplygin.borisov_mamaev.section_09 import section_09_3, section_09_4
 from chaplygin.catalogue.ball_on_sphere import rubber_ball_ratio as ratio
 from chaplygin.catalogue.ball_on_sphere import rubber_ball_sphero_conical as conical
-from chaplygin.core.vectors import dot, normed
+from chaplygin.core.vectors import dot, norm_squared
 
 TENSOR = np.array([0.5, 0.9, 1.35])
 
@@ -119,7 +119,7 @@ def test_dependent_functions_are_not_called_independent():
     state = {"n_1": "2/7", "n_2": "-3/7", "n_3": "6/7"}
     point = rational_point(made, state | {"omega_1": 9, "omega_2": -5, "omega_3": "-11/2"})
     energy = dot(ratio.J * ratio.omega, ratio.omega)
-    verdict = independent(made, (normed(ratio.n), energy, energy**2), point)
+    verdict = independent(made, (norm_squared(ratio.n), energy, energy**2), point)
     assert verdict.decision == "undecided"
     assert "rank 2" in verdict.reason
 

@@ -10,7 +10,7 @@ import numpy as np
 from catalogue import built
 from chaplygin.catalogue import Entry
 from chaplygin.core.system import System
-from chaplygin.core.vectors import explicit, vectors
+from chaplygin.core.vectors import to_components, vectors
 from chaplygin.experiment.file.models import StateExperiment, SystemExperiment
 from chaplygin.experiment.study import Study, prepare
 from evaluation import on_conditions, parameter_values
@@ -63,7 +63,7 @@ def _random_velocity(
     reach = np.repeat([0.3, 0.2], 3)
     names = (*omega.symbols, *gamma.symbols)
     known = dict(zip(names, given + reach * rng.uniform(-1, 1, 6), strict=True))
-    constraints = [r for r in system.relations if explicit(r).free_symbols & set(names)]
+    constraints = [r for r in system.relations if to_components(r).free_symbols & set(names)]
     found = _projected(system, constraints, known)
     return {str(vector): [float(found[s]) for s in vector.symbols] for vector in (omega, gamma)}
 
@@ -87,4 +87,4 @@ def _projected(system: System, conditions: Any, known: dict[Any, float]) -> dict
     with mpmath.workdps(30):
         state = {symbol: mpmath.mpf(x) for symbol, x in known.items()}
         point = state | parameter_values(system, mpmath.mpf)
-        return on_conditions(system, [explicit(c) for c in conditions], point, tuple(state))
+        return on_conditions(system, [to_components(c) for c in conditions], point, tuple(state))

@@ -14,7 +14,7 @@ from chaplygin.experiment.study import prepare
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.ball.initial_state import ball_state
 from chaplygin.proof.prover import prove
-from chaplygin.search import ask, integrals
+from chaplygin.search import search_request, integrals
 from mechanics.balls import SURFACES, on
 
 BALLS = tuple(name for name, item in CATALOGUE.items() if item.ball is not None)
@@ -130,7 +130,7 @@ FOUND = {
 def test_the_search_finds_the_integrals_and_no_others(name, asked):
     options, expected = asked
     system = CATALOGUE[name].system()
-    question = ask(system, momenta="omega", coordinates="R", **options)
+    question = search_request(system, momenta="omega", coordinates="R", **options)
     found = list(integrals(question))
     assert all(finding.proven for finding in found)
     assert {finding.known.split(",")[0] for finding in found} == expected

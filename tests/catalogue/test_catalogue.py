@@ -10,7 +10,7 @@ from catalogue import built
 from chaplygin.catalogue import CATALOGUE, entry, from_catalogue
 from chaplygin.core.system import System
 from chaplygin.errors import InputError
-from chaplygin.flow.batch import lanes
+from chaplygin.flow.batch import batch_integrator
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.rolling.equations import Rolling
 
@@ -131,7 +131,7 @@ def test_no_motion_of_a_body_that_cannot_be(name):
             with pytest.raises(InputError, match=f"I_{i} = .* is not admissible; .*{told}.* must"):
                 integrate(system, state, [0.0, 1.0], parameters={f"I_{i}": value})
             with pytest.raises(InputError, match=f"I_{i} = .* is not admissible; .*{told}.* must"):
-                lanes(system).until([state], [1.0], {f"I_{i}": value})
+                batch_integrator(system).until([state], [1.0], {f"I_{i}": value})
 
 
 def test_a_case_is_decided_by_the_numbers_alone():

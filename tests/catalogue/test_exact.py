@@ -19,10 +19,10 @@ from catalogue import built
 from chaplygin.catalogue import CATALOGUE, known_laws_of
 from chaplygin.core.laws import Integral
 from chaplygin.core.system import System
-from chaplygin.core.vectors import dot, explicit, normed, vectors
+from chaplygin.core.vectors import dot, to_components, norm_squared, vectors
 from chaplygin.mechanics.rolling.body import Body
-from chaplygin.mechanics.rolling.equations import Field, Rolling
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.equations import Forces, Rolling
+from chaplygin.mechanics.rolling.initial_state import initial_state
 from chaplygin.mechanics.rolling.shapes import Ball, Disk, Revolution, Torus
 from chaplygin.mechanics.rolling.surfaces import Sphere
 from evaluation import is_rational, on_conditions, parameter_values, rates_of_change
@@ -61,7 +61,7 @@ def nearby(system: System, start: Any, level: tuple[Any, ...], seed: int) -> dic
     size = max(map(abs, state))
     moved = [x + size * mpmath.mpf(rng.uniform(-0.05, 0.05)) for x in state]
     known = dict(zip(system.symbols, moved, strict=True)) | parameter_values(system, mpmath.mpf)
-    conditions = [explicit(c) for c in (*system.relations, *level)]
+    conditions = [to_components(c) for c in (*system.relations, *level)]
     return on_conditions(system, conditions, known, system.symbols)
 
 
@@ -70,8 +70,8 @@ def derivative(system: System, law: Integral, start: Any, seed: int) -> Any:
 
     `start` is a state near which the point is chosen, unless it is rational.
     """
-    simple = {normed(gamma) - 1, dot(omega, gamma)} >= set(system.relations)
-    level = tuple(c for c in law.on if set(explicit(c).free_symbols) - set(system.defaults))
+    simple = {norm_squared(gamma) - 1, dot(omega, gamma)} >= set(system.relations)
+    level = tuple(c for c in law.on if set(to_components(c).free_symbols) - set(system.defaults))
     if simple and not level and is_rational(system, [law.value]):
         (dual,) = rates_of_change(system, [law.value], rational_point(system, seed))
         return dual.rate
@@ -128,14 +128,14 @@ TURNED = ((1.0, 0.1, 0.0), (0.1, 1.5, -0.05), (0.0, -0.05, 2.1))
 
 VARIANTS = {
     "marble ball in Bruns' field": (
-        Rolling(Body(1.2, MOMENTS, Ball(0.9)), field=Field(0.0, BRUNS, ((K, 0.7),))),
+        Rolling(Body(1.2, MOMENTS, Ball(0.9)), field=Forces(0.0, BRUNS, ((K, 0.7),))),
         {"energy", "area", "momentum"},
     ),
     "rubber ball in Bruns' field": (
         Rolling(
             Body(1.2, MOMENTS, Ball(0.9)),
             contact="rubber",
-            field=Field(0.0, BRUNS, ((K, 0.7),)),
+            field=Forces(0.0, BRUNS, ((K, 0.7),)),
         ),
         {"energy", "momentum"},
     ),
@@ -176,14 +176,14 @@ VARIANTS = {
         {"energy", "quadratic", "spin"},
     ),
     "heavy rubber disk": (
-        Rolling(Body(1.2, (0.3, 0.3, 0.5), Disk(0.9)), contact="rubber", field=Field(9.81)),
+        Rolling(Body(1.2, (0.3, 0.3, 0.5), Disk(0.9)), contact="rubber", field=Forces(9.81)),
         {"energy", "spin"},
     ),
     "heavy rubber torus with its centre of mass on the axis": (
         Rolling(
             Body(1.2, (0.6, 0.6, 0.8), Torus(0.9, 0.2, centre=(0.0, 0.0, 0.1))),
             contact="rubber",
-            field=Field(9.81, gamma.symbols[2] ** 3),
+            field=Forces(9.81, gamma.symbols[2] ** 3),
         ),
         {"energy", "spin"},
     ),
@@ -191,18 +191,18 @@ VARIANTS = {
         Rolling(
             Body(1.2, (0.6, 0.6, 0.8), Revolution(1 + gamma.symbols[2] ** 2 / 5)),
             contact="rubber",
-            field=Field(9.81),
+            field=Forces(9.81),
         ),
         {"energy", "spin"},
     ),
     "heavy balanced ball": (
-        Rolling(Body(1.2, MOMENTS, Ball(0.9)), field=Field(9.81)),
+        Rolling(Body(1.2, MOMENTS, Ball(0.9)), field=Forces(9.81)),
         {"energy", "area", "momentum"},
     ),
     "ball in another potential": (
         Rolling(
             Body(1.2, MOMENTS, Ball(0.9)),
-            field=Field(0.0, gamma.symbols[0] ** 2 + gamma.symbols[1] * gamma.symbols[2]),
+            field=Forces(0.0, gamma.symbols[0] ** 2 + gamma.symbols[1] * gamma.symbols[2]),
         ),
         {"energy", "area"},
     ),
@@ -216,5 +216,5 @@ def test_laws_that_the_catalogue_knows_of_other_bodies(variant, seed):
     rolling, names = VARIANTS[variant]
     system = rolling.system()
     system = system.with_laws(*known_laws_of(rolling, system))
-    start = starting_state(system, (0.8, -0.4, -0.6), (0.6, 0.0, 0.8))
+    start = initial_state(system, (0.8, -0.4, -0.6), (0.6, 0.0, 0.8))
     assert derivatives(system, system.integrals, start, seed) == dict.fromkeys(names, 0)

@@ -14,7 +14,7 @@ from catalogue.admissible import random_parameters, random_study
 from catalogue.built import NAMES, ROLLING
 from chaplygin.catalogue import CATALOGUE
 from chaplygin.core.system import System
-from chaplygin.core.vectors import explicit
+from chaplygin.core.vectors import to_components
 from chaplygin.experiment.study import Study
 from chaplygin.flow.integrator import Trajectory, integrate
 from chaplygin.report.summary import drift
@@ -34,7 +34,7 @@ def drifts(motion: Trajectory) -> dict[str, float]:
     found = {}
     for law in motion.system.integrals:
         values = motion.recorded[f"law_{law.name}"]
-        terms = sp.Add.make_args(sp.expand_mul(explicit(law.value)))
+        terms = sp.Add.make_args(sp.expand_mul(to_components(law.value)))
         at_start = numeric(motion.system, terms)(np.asarray(motion.states[0], dtype=float))
         size = max(float(np.abs(at_start).sum()), abs(float(values[0])))
         found[law.name] = drift(values) * (abs(float(values[0])) / size if values[0] else 1.0)
@@ -119,7 +119,7 @@ def test_a_planted_error_shows(name):
     entry, rng = CATALOGUE[name], np.random.default_rng(crc32(name.encode()))
     motion = follow(random_study(entry, rng, random_parameters(entry, rng)), 20.0)
     system = motion.system
-    wrong = [form for law in system.integrals for form in wrong_forms(explicit(law.value), system)]
+    wrong = [form for law in system.integrals for form in wrong_forms(to_components(law.value), system)]
     assert wrong
     # complex, since a wrong sign may make a root imaginary
     states = motion.states.T.astype(complex)

@@ -8,7 +8,7 @@ import sympy as sp
 
 from chaplygin.catalogue import CATALOGUE
 from chaplygin.catalogue.mechanisms import roller_racer, snakeboard, trailers, vertical_disk
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.constraints.exceptional_parameters import exceptional
@@ -36,7 +36,7 @@ JACKKNIFED = [
 @pytest.mark.parametrize(("count", "angles", "expected"), JACKKNIFED)
 def test_trailers_take_longer_words_where_they_are_folded(count, angles, expected):
     """The longest words have Fibonacci lengths: 3, 5, 8 for one, two and three trailers."""
-    point = {scalar(name): value for name, value in angles.items()}
+    point = {real_symbol(name): value for name, value in angles.items()}
     found = nonholonomy_at(trailers.train(count), point)
     assert found.growth == expected
     assert found.settled
@@ -61,14 +61,14 @@ def test_growth(mechanism, growth):
 @pytest.mark.parametrize("angle", [0, FOLDED, sp.pi, sp.pi / 3, sp.Rational(1, 3)])
 def test_the_snakeboard_grows_alike_everywhere(angle):
     board = snakeboard.board(snakeboard.DEFAULTS)
-    assert nonholonomy_at(board, {scalar("phi"): angle}).growth == (3, 4, 5)
+    assert nonholonomy_at(board, {real_symbol("phi"): angle}).growth == (3, 4, 5)
 
 
 def test_no_dimensions_of_roller_racer_or_trailer_are_exceptional():
     racer = roller_racer.racer(roller_racer.DEFAULTS)
     for mechanism, names in ((racer, ("d_1", "d_2")), (trailers.train(2), ("l_1", "l_2"))):
         for name in names:
-            assert exceptional(mechanism, scalar(name)) == ()
+            assert exceptional(mechanism, real_symbol(name)) == ()
 
 
 def run(name, until=4.0, **changes):

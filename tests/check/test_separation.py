@@ -10,10 +10,10 @@ import sympy as sp
 from chaplygin.check import CheckError, check
 from chaplygin.core.laws import Rate, Separation
 from chaplygin.core.system import System
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.proof.certificates.certificate import certified
 
-x, y, c, u, v = (scalar(name) for name in ("x", "y", "c", "u", "v"))
+x, y, c, u, v = (real_symbol(name) for name in ("x", "y", "c", "u", "v"))
 
 
 def oscillators() -> System:

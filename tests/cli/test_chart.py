@@ -106,13 +106,13 @@ def test_what_is_there_is_gone_on_with_and_nothing_else_touched(ask: Ask, tmp_pa
 
 @pytest.mark.slow
 def test_interrupted(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
-    from chaplygin.analysis.scans.scan_task import Chart
+    from chaplygin.analysis.scans.scan_task import Scan
 
-    def interrupted(self: Chart, first: int, last: int) -> None:
+    def interrupted(self: Scan, first: int, last: int) -> None:
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patched:
-        patched.setattr(Chart, "__call__", interrupted)
+        patched.setattr(Scan, "__call__", interrupted)
         code, out, err = ask(*SMALL, "-o", "chart.zarr")
     assert (code, out) == (130, "")
     assert err.endswith("interrupted: nothing was saved; the same command begins again\n")

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from chaplygin.cli import main
-from chaplygin.flow.ensemble.zarr_store import read
+from chaplygin.flow.ensemble.zarr_store import read_store
 
 Ask = Callable[..., tuple[int, str, str]]
 
@@ -43,7 +43,7 @@ def test_drawn_starts_with_several_masses(ask: Ask) -> None:
     assert "4 drawn on energy = 1.0 (seed 3) × 3 of m" in out
     assert "starts drawn by the invariant measure ρ d³M d³γ (7.3)" in out
     assert "12 of 12 motions: the last time was reached" in out
-    data = read("balls.zarr")
+    data = read_store("balls.zarr")
     assert data.sizes == {"run": 12, "time": 6, "axis": 3}
     assert np.allclose(data.law_energy, 1.0, rtol=0, atol=1e-11)
     assert 'name = "chaplygin-ball"' in data.attrs["experiment"]
@@ -61,7 +61,7 @@ def test_drawn_starts_with_several_masses(ask: Ask) -> None:
 def test_the_start_of_the_experiment(name: str, ask: Ask) -> None:
     code, _, err = ask(name, "-o", "a.zarr", "--set", "run.until=1", "--set", "run.samples=3")
     assert code == 0, err
-    data = read("a.zarr")
+    data = read_store("a.zarr")
     assert data.sizes["run"] == 1
     assert np.isfinite(data.omega if "omega" in data else data.M).all()
 

@@ -15,7 +15,7 @@ from chaplygin import search
 from chaplygin.catalogue import from_catalogue
 from chaplygin.cli import main
 from chaplygin.cli.find import special
-from chaplygin.search import Finding, Question
+from chaplygin.search import SearchResult, Question
 
 Answer = tuple[int, str, str]
 Ask = Callable[..., Answer]
@@ -120,7 +120,7 @@ def test_mistakes_end_with_2(find: Ask, arguments: tuple[str, ...], words: str) 
 def test_ctrl_c_keeps_what_is_found(find: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
     original = search.integrals
 
-    def interrupted(question: Question, progress: Any) -> Iterator[Finding]:
+    def interrupted(question: Question, progress: Any) -> Iterator[SearchResult]:
         yield next(original(question, progress))
         raise KeyboardInterrupt
 
@@ -143,7 +143,7 @@ def test_a_proof_out_of_reach_is_said_so(find: Ask) -> None:
 def test_conditions_of_a_proof_are_told(find: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
     original = search.integrals
 
-    def where(question: Question, progress: Any) -> Iterator[Finding]:
+    def where(question: Question, progress: Any) -> Iterator[SearchResult]:
         for finding in original(question, progress):
             assert finding.verdict is not None
             verdict = replace(finding.verdict, decision="proven where", conditions=("k > 0",))

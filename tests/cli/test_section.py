@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from chaplygin.cli import main
-from chaplygin.flow.ensemble.zarr_store import read
+from chaplygin.flow.ensemble.zarr_store import read_store
 
 Answer = tuple[int, str, str]
 Ask = Callable[..., Answer]
@@ -44,7 +44,7 @@ def test_the_points_of_one_motion(ask: Ask) -> None:
         assert part in out
     assert "written to ball.zarr, picture: ball.png" in err
     assert Path("ball.png").read_bytes().startswith(b"\x89PNG")
-    found = read(Path("ball.zarr"))
+    found = read_store(Path("ball.zarr"))
     assert found.sizes["run"] == 1
     assert found.sizes["section_point"] == 20
     assert np.abs(found["gamma"].sel(axis=3)).max() < 1e-13
@@ -72,7 +72,7 @@ def test_many_motions_on_a_level(ask: Ask) -> None:
     assert record["runs"] == 6
     assert sum(record["outcomes"].values()) == 6
     assert max(record["drift"].values()) < 1e-11
-    found = read(Path("ball/section.zarr")).load()
+    found = read_store(Path("ball/section.zarr")).load()
     gamma = found["gamma"].values
     assert np.nanmax(np.abs(np.arctan2(gamma[..., 1], gamma[..., 0]) - 0.5)) < 1e-12
     assert np.nanmax(np.abs(found["h"] - gamma[..., 2] ** 2)) < 1e-15
@@ -86,7 +86,7 @@ def test_many_motions_on_a_level(ask: Ask) -> None:
     assert code == 2
     assert "another" in err
     assert ask(*other, "--force")[0] == 0
-    changed = read(Path("ball/section.zarr"))
+    changed = read_store(Path("ball/section.zarr"))
     assert not np.array_equal(changed["M"].values, found["M"].values)
 
 
@@ -97,7 +97,7 @@ def test_a_section_in_a_plane(ask: Ask) -> None:
     )
     assert code == 0
     assert "30 of 1 motion" in out
-    assert read(Path("veselova.zarr"))["phi"].units == "rad"
+    assert read_store(Path("veselova.zarr"))["phi"].units == "rad"
 
 
 def test_a_section_of_the_section(ask: Ask) -> None:
@@ -106,7 +106,7 @@ def test_a_section_of_the_section(ask: Ask) -> None:
     code, out, _ = ask(*arguments, "--until", "1e4")
     assert code == 0
     assert "gamma_3 = 0, rising, |M_1| < 0.8, |M_3**2| < 9" in " ".join(out.split())
-    found = read(Path("ball.zarr"))
+    found = read_store(Path("ball.zarr"))
     momenta = found["M"].values[0, : int(found["points"][0])]
     assert len(momenta) > 0
     assert (np.abs(momenta[:, 0]) < 0.8).all()

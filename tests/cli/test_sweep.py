@@ -12,9 +12,9 @@ from asking import Ask, ask
 from chaplygin.catalogue import from_catalogue
 from chaplygin.cli.sweep import values_of
 from chaplygin.errors import InputError
-from chaplygin.flow.ensemble.zarr_store import read
+from chaplygin.flow.ensemble.zarr_store import read_store
 from chaplygin.flow.integrator import integrate
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.initial_state import initial_state
 
 __all__ = ["ask"]
 
@@ -28,10 +28,10 @@ def test_a_list_of_values(ask: Ask) -> None:
     assert code == 0, err
     assert "Chaplygin ball: 3 motions, 3 of I_1" in out
     assert Path("s.png").stat().st_size > 10_000
-    data = read("s.zarr")
+    data = read_store("s.zarr")
     assert data.I_1.values.tolist() == [1.0, 1.2, 1.45]
     ball = from_catalogue("chaplygin-ball", I_1=1.2)
-    start = starting_state(ball, (0.7, 0.4, 1.1), (0.2, -0.3, 0.93))
+    start = initial_state(ball, (0.7, 0.4, 1.1), (0.2, -0.3, 0.93))
     alone = integrate(ball, start, [0.0, 5.0])
     assert np.abs(data.M.values[1, -1] - alone["M"][-1]).max() < 1e-10
     # the same command finds everything done, another one is another experiment

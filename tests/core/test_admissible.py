@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.core.admissible import conditions, satisfied
+from chaplygin.core.admissible import conditions, satisfies
 from chaplygin.core.system import Parameter
 
 a, b, c = sp.symbols("a b c", real=True)
@@ -32,7 +32,7 @@ a, b, c = sp.symbols("a b c", real=True)
     ids=str,
 )
 def test_conditions(condition: Any, numbers: dict[sp.Symbol, Any], holds: Any) -> None:
-    assert np.array_equal(satisfied(condition, numbers), holds)
+    assert np.array_equal(satisfies(condition, numbers), holds)
 
 
 def test_conditions_on_one_parameter_come_first() -> None:

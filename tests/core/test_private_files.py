@@ -40,21 +40,21 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 @pytest.fixture
 def kept(place: Path) -> Path:
     path = place / "inner" / "name"
-    assert private_files.write(path, CONTENT)
+    assert private_files.write_private(path, CONTENT)
     return path
 
 
 def both(name: str) -> tuple[bool, bool]:
     """Whether a verdict and a piece of code are found after they were kept."""
-    memory.remember(name, PROVEN)
+    memory.store_verdict(name, PROVEN)
     cache.remember(name, lambda: (b"code", 1))
-    return memory.recall(name) == PROVEN, cache.remember(name, lambda: (b"new", 2))[1]
+    return memory.load_verdict(name) == PROVEN, cache.remember(name, lambda: (b"new", 2))[1]
 
 
 def test_what_is_written_is_read(kept: Path) -> None:
-    assert private_files.read(kept) == CONTENT
-    assert private_files.read(kept.with_name("other")) is None
-    assert private_files.read(kept.parent / "nowhere" / "name") is None
+    assert private_files.read_private(kept) == CONTENT
+    assert private_files.read_private(kept.with_name("other")) is None
+    assert private_files.read_private(kept.parent / "nowhere" / "name") is None
     assert [path.name for path in kept.parent.iterdir()] == ["name"]
 
 
@@ -65,13 +65,13 @@ def test_folders_are_this_users_alone_whatever_the_usual_permissions(
     before = os.umask(umask)
     try:
         path = tmp_path / "a" / "b" / "c" / "name"
-        assert private_files.write(path, CONTENT)
+        assert private_files.write_private(path, CONTENT)
     finally:
         os.umask(before)
     for part in (path.parent, path.parent.parent, path.parent.parent.parent):
         assert stat.S_IMODE(part.stat().st_mode) == 0o700
     assert stat.S_IMODE(path.stat().st_mode) == 0o600
-    assert private_files.read(path) == CONTENT
+    assert private_files.read_private(path) == CONTENT
 
 
 @pytest.mark.parametrize("mode", [0o720, 0o702, 0o777])
@@ -82,13 +82,13 @@ def test_a_folder_that_others_can_write_does_not_count(
     """Nor one beneath it, since who can write above can put another one in its place."""
     part = [kept.parent, kept.parent.parent][above]
     part.chmod(mode)
-    assert private_files.read(kept) is None
-    assert private_files.read(kept) is None
-    assert not private_files.write(kept.with_name("more"), CONTENT)
+    assert private_files.read_private(kept) is None
+    assert private_files.read_private(kept) is None
+    assert not private_files.write_private(kept.with_name("more"), CONTENT)
     (record,) = caplog.records
     assert f"others can write to {part} (chmod go-w mends it)" in record.getMessage()
     part.chmod(0o700)
-    assert private_files.read(kept) == CONTENT
+    assert private_files.read_private(kept) == CONTENT
     assert not kept.with_name("more").exists()
 
 
@@ -96,15 +96,15 @@ def test_the_sticky_bit_protects_what_is_in_a_shared_folder_but_not_in_ones_own(
     kept: Path,
 ) -> None:
     kept.parent.parent.chmod(0o1777)
-    assert private_files.read(kept) == CONTENT
+    assert private_files.read_private(kept) == CONTENT
     kept.parent.chmod(0o1777)
-    assert private_files.read(kept) is None
+    assert private_files.read_private(kept) is None
 
 
 @pytest.mark.parametrize("mode", [0o620, 0o602, 0o666])
 def test_a_file_that_others_can_write_does_not_count(kept: Path, mode: int) -> None:
     kept.chmod(mode)
-    assert private_files.read(kept) is None
+    assert private_files.read_private(kept) is None
 
 
 @pytest.mark.parametrize("whose", ["all", "file"])
@@ -124,7 +124,7 @@ def test_what_is_anothers_does_not_count(
             return os.stat_result(found)
 
         monkeypatch.setattr(os, "fstat", foreign)
-    assert private_files.read(kept) is None
+    assert private_files.read_private(kept) is None
 
 
 @pytest.mark.skipif(os.geteuid() != 0, reason="only root can give files away")
@@ -132,15 +132,15 @@ def test_what_is_anothers_does_not_count(
 def test_what_was_given_away_does_not_count(kept: Path, which: str) -> None:
     part = next(p for p in (kept, *kept.parents) if p.name == which)
     os.chown(part, 12345, 12345)
-    assert private_files.read(kept) is None
+    assert private_files.read_private(kept) is None
 
 
 def test_a_link_to_a_folder_counts_as_what_it_leads_to(kept: Path, tmp_path: Path) -> None:
     link = tmp_path / "link"
     link.symlink_to(kept.parent)
-    assert private_files.read(link / "name") == CONTENT
+    assert private_files.read_private(link / "name") == CONTENT
     kept.parent.chmod(0o777)
-    assert private_files.read(link / "name") is None
+    assert private_files.read_private(link / "name") is None
 
 
 @pytest.mark.parametrize("what", ["link", "pipe", "folder", "loop"])
@@ -155,12 +155,12 @@ def test_what_is_no_plain_file_does_not_count(kept: Path, what: str) -> None:
     else:
         path.symlink_to(path)
     with within(5):
-        assert private_files.read(path) is None
+        assert private_files.read_private(path) is None
 
 
 def test_a_renamed_file_does_not_count(kept: Path) -> None:
     other = kept.rename(kept.with_name("other"))
-    assert private_files.read(other) is None
+    assert private_files.read_private(other) is None
 
 
 def test_no_damage_is_read(kept: Path) -> None:
@@ -169,40 +169,40 @@ def test_no_damage_is_read(kept: Path) -> None:
     for _ in range(500):
         content = damaged(whole, random)
         kept.write_bytes(content)
-        assert private_files.read(kept) == (CONTENT if content == whole else None)
+        assert private_files.read_private(kept) == (CONTENT if content == whole else None)
 
 
 def test_an_altered_verdict_is_no_proof(place: Path) -> None:
-    memory.remember("law", replace(PROVEN, decision="undecided", reason="too large"))
+    memory.store_verdict("law", replace(PROVEN, decision="undecided", reason="too large"))
     (path,) = memory.folder().iterdir()
     text = path.read_text()
     path.write_text(text.replace("undecided", "proven"))
     assert path.read_text() != text
-    assert memory.recall("law") is None
+    assert memory.load_verdict("law") is None
     path.write_text(json.dumps({"law": "energy", "decision": "proven"}))
-    assert memory.recall("law") is None
+    assert memory.load_verdict("law") is None
 
 
 def test_a_verdict_of_one_law_is_not_taken_for_another(place: Path) -> None:
-    memory.remember("one", PROVEN)
+    memory.store_verdict("one", PROVEN)
     (path,) = memory.folder().iterdir()
     path.rename(path.with_name("other.json"))
-    assert memory.recall("other") is None
-    memory.remember("other", PROVEN)
-    assert memory.recall("other") == PROVEN
+    assert memory.load_verdict("other") is None
+    memory.store_verdict("other", PROVEN)
+    assert memory.load_verdict("other") == PROVEN
 
 
 def test_a_verdict_of_another_version_is_not_there(place: Path) -> None:
     """One with a field that this version does not know, or without one that it needs."""
     for content in ({"law": "x", "decision": "proven", "mood": 1}, {"law": "x"}, [1], "x", None):
-        private_files.write(memory.folder() / "name.json", json.dumps(content).encode())
-        assert memory.recall("name") is None
+        private_files.write_private(memory.folder() / "name.json", json.dumps(content).encode())
+        assert memory.load_verdict("name") is None
 
 
 def test_code_of_another_version_is_compiled_again(place: Path) -> None:
     """A pickle of something that is not there any more."""
     gone = b"\x80\x04\x8c\x10chaplygin.no_one\x8c\x04gone\x93."
-    private_files.write(place / "name.code", gone)
+    private_files.write_private(place / "name.code", gone)
     assert cache.remember("name", lambda: "made anew") == ("made anew", False)
     assert cache.remember("name", lambda: "not made") == ("made anew", True)
 

@@ -9,15 +9,15 @@ import pytest
 import sympy as sp
 
 from chaplygin.core.laws import Integral
-from chaplygin.core.system import Motion, Observable, Parameter, System
-from chaplygin.core.vectors import Diagonal, Symmetric, Vector, cross, dot, normed, scalar
+from chaplygin.core.system import Reconstruction, Observable, Parameter, System
+from chaplygin.core.vectors import Diagonal, Symmetric, Vector, cross, dot, norm_squared, real_symbol
 from chaplygin.errors import InputError
 from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism
 from every_system import CASES, bare, laden
 
 M, omega, gamma = Vector("M"), Vector("omega"), Vector("gamma")
 I, A = Diagonal("I"), Diagonal("A")
-s, unused, height, v = (scalar(name) for name in ("s", "unused", "height", "v"))
+s, unused, height, v = (real_symbol(name) for name in ("s", "unused", "height", "v"))
 
 
 def top() -> System:
@@ -30,8 +30,8 @@ def top() -> System:
             Parameter(symbol, f"moment of inertia {i}", float(i), "kg m^2", (symbol > 0,))
             for i, symbol in enumerate(I.symbols, 1)
         ),
-        definitions={A: I**-1, unused: normed(M), omega: A * M, s: sp.sqrt(dot(gamma, omega))},
-        relations=(normed(gamma) - 1,),
+        definitions={A: I**-1, unused: norm_squared(M), omega: A * M, s: sp.sqrt(dot(gamma, omega))},
+        relations=(norm_squared(gamma) - 1,),
         laws=(Integral("energy", dot(M, omega) / 2, "energy"),),
     )
 
@@ -86,8 +86,8 @@ def test_vector_formulas_may_be_asked_for() -> None:
         ({"field": {M: v * M, gamma: M}}, "the rate of M_1 uses v"),
         ({"definitions": {omega: A * M, A: I**-1}}, "the definition of omega_1 uses A_1"),
         ({"definitions": {s: s + 1}}, "the definition of s uses s"),
-        ({"laws": (Integral("area", scalar("q"), "x"),)}, "the law 'area' uses q"),
-        ({"relations": (scalar("q") - 1,)}, "the relation q - 1 uses q"),
+        ({"laws": (Integral("area", real_symbol("q"), "x"),)}, "the law 'area' uses q"),
+        ({"relations": (real_symbol("q") - 1,)}, "the relation q - 1 uses q"),
     ],
 )
 def test_unknown_symbols_are_refused(change: dict[str, object], message: str) -> None:
@@ -105,7 +105,7 @@ def test_names_that_are_written_alike_are_refused(other: sp.Symbol, role: str) -
         "field": (*system.field, (other, sp.S.Zero)),
         "definitions": (*system.definitions, (other, sp.S.One)),
         "parameters": (*system.parameters, Parameter(other, "other", 1.0)),
-        "motion": Motion({other: sp.S.One}, (), ()),
+        "motion": Reconstruction({other: sp.S.One}, (), ()),
     }
     with pytest.raises(InputError, match="top: s stands for two things; each state variable"):
         replace(system, **{role: more[role]})
@@ -128,7 +128,7 @@ def test_a_formula_with_a_symbol_that_is_only_written_alike_is_told() -> None:
 
 @pytest.mark.parametrize("other", [sp.Symbol("q"), sp.Symbol("q", positive=True)])
 def test_names_of_a_mechanism_that_are_written_alike_are_refused(other: sp.Symbol) -> None:
-    q, w = scalar("q"), scalar("w")
+    q, w = real_symbol("q"), real_symbol("w")
     with pytest.raises(InputError, match="frame: q stands for two things"):
         Frame({q: w, other: w}, (w,))
     parameters = (Parameter(other, "other", 1.0),)
@@ -153,15 +153,15 @@ def test_a_system_cannot_be_changed() -> None:
 
 def test_with_laws_leaves_the_first_system_alone() -> None:
     system = top()
-    longer = system.with_laws(Integral("momentum", normed(M), "square of the momentum"))
+    longer = system.with_laws(Integral("momentum", norm_squared(M), "square of the momentum"))
     assert [law.name for law in longer.laws] == ["energy", "momentum"]
     assert [law.name for law in system.laws] == ["energy"]
     with pytest.raises(InputError, match="the law 'spin' uses q"):
-        system.with_laws(Integral("spin", scalar("q"), "spin"))
+        system.with_laws(Integral("spin", real_symbol("q"), "spin"))
 
 
 def test_lifted_joins_system_and_motion() -> None:
-    motion = Motion(
+    motion = Reconstruction(
         field={height: v},
         relations=(height - v,),
         observables=(Observable("height", height, "height", "m"),),

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from chaplygin.explicit.bifurcation import bifurcation_diagram, located
+from chaplygin.explicit.bifurcation import bifurcation_diagram, locate
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -36,4 +36,4 @@ def test_marked_motions_lie_among_tori(example):
     for name, state in example.SHOWN.values():
         diagram = bifurcation_diagram(name)
         symbols = diagram.plane.system.symbols
-        assert diagram.region(*located(diagram, dict(zip(symbols, state, strict=True)))).tori
+        assert diagram.region(*locate(diagram, dict(zip(symbols, state, strict=True)))).tori

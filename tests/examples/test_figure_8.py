@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from chaplygin.flow.sampling.draw import draw
+from chaplygin.flow.sampling.draw import sample_level
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -26,7 +26,7 @@ def example():
 
 @pytest.fixture(scope="module")
 def paths(example):
-    crossed = example.RETURN.returns(draw(example.SYSTEM, 24, example.LEVEL, seed=2), 1501)
+    crossed = example.RETURN.returns(sample_level(example.SYSTEM, 24, example.LEVEL, seed=2), 1501)
     return crossed.states[crossed.counts == 1501]
 
 

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from chaplygin.core.system import System
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.mechanics.lagrangian.poincare_suslov import equations
 from chaplygin.proof.prover import prove
 
@@ -42,7 +42,7 @@ def test_sympy_with_multipliers_gives_the_equations_of_the_disc(disc: ModuleType
 
 
 def test_kanes_method_gives_the_equations_of_the_disc(disc: ModuleType, itself: System):
-    speeds = {f"q{i}dot": scalar(f"u{i}") for i in (1, 2, 3)}
+    speeds = {f"q{i}dot": real_symbol(f"u{i}") for i in (1, 2, 3)}
     assert disc.same(disc.by_kane(), itself, speeds).decision == "proven"
 
 

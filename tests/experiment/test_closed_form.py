@@ -13,7 +13,7 @@ import sympy as sp
 from flint import arb
 
 from chaplygin import solve
-from chaplygin.analysis.classification.facts import Patience
+from chaplygin.analysis.classification.facts import ProofBudget
 from chaplygin.core.system import System
 from chaplygin.errors import InputError
 from chaplygin.experiment.closed_form import (
@@ -24,7 +24,7 @@ from chaplygin.experiment.closed_form import (
     evaluated,
     letters,
     number,
-    section,
+    closed_form_section,
     solved,
     solved_if_known,
     units,
@@ -32,7 +32,7 @@ from chaplygin.experiment.closed_form import (
 from chaplygin.experiment.file.models import loads
 from chaplygin.experiment.study import Study, prepare
 from chaplygin.explicit.base.problem import Problem
-from chaplygin.explicit.base.solution import ClosedForm, Figure, Solution
+from chaplygin.explicit.base.solution import ClosedForm, NamedConstant, Solution
 from chaplygin.report.figures import closed_form, svg_text
 from chaplygin.report.write import write_study
 from unheard import Unheard
@@ -42,10 +42,10 @@ FORM = ClosedForm(
     motion="periodic",
     equations=((sp.Symbol("y") ** 2, sp.Symbol("z") - 1),),
     figures=(
-        Figure("e_1", arb(1), "root of the curve"),
-        Figure("e_2", arb(2, 1e-20), "root of the curve"),
-        Figure("Omega_1", arb(0.25), "frequency of z_1", "1/s"),
-        Figure("V_1/V_2", arb(1) / 3, "rotation number"),
+        NamedConstant("e_1", arb(1), "root of the curve"),
+        NamedConstant("e_2", arb(2, 1e-20), "root of the curve"),
+        NamedConstant("Omega_1", arb(0.25), "frequency of z_1", "1/s"),
+        NamedConstant("V_1/V_2", arb(1) / 3, "rotation number"),
     ),
     ovals=((1.0, 2.0),),
     source="§7",
@@ -138,7 +138,7 @@ def test_letters_and_equations() -> None:
 
 def test_the_section() -> None:
     study, solution = spinning()
-    made = section(solution, study.trajectory())
+    made = closed_form_section(solution, study.trajectory())
     plain = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
     assert float(made.difference.replace(" × 10", "e").translate(plain)) < 1e-12
     assert made.ovals == ("[1, 2]",)
@@ -147,9 +147,9 @@ def test_the_section() -> None:
 
 
 @pytest.mark.parametrize(
-    "figures", [FORM.figures, (*FORM.figures, Figure("Omega_2", arb(-0.6), "frequency"))]
+    "figures", [FORM.figures, (*FORM.figures, NamedConstant("Omega_2", arb(-0.6), "frequency"))]
 )
-def test_the_figure(figures: tuple[Figure, ...]) -> None:
+def test_the_figure(figures: tuple[NamedConstant, ...]) -> None:
     form = ClosedForm("t", "m", (), figures, FORM.ovals)
     drawn = closed_form("A turning ball", form)
     assert len(drawn.axes) == (2 if len(figures) > 4 else 1)
@@ -170,7 +170,7 @@ def test_a_motion_without_ovals_has_no_figure() -> None:
 def test_the_report_has_the_section(tmp_path: Path) -> None:
     study = prepare(loads('[system]\nname = "neumann"\n[run]\nuntil = 5.0\nsamples = 11\n'))
     (tmp_path / "figures").mkdir()
-    write_study(study, tmp_path, False, Patience(1, 0), Unheard())
+    write_study(study, tmp_path, False, ProofBudget(1, 0), Unheard())
     page = (tmp_path / "report.html").read_text()
     assert '<h2 id="closed-form">Closed form</h2>' in page
     assert "two-frequency motion on a torus" in page

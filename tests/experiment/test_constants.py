@@ -10,11 +10,11 @@ import sympy as sp
 
 from chaplygin import nonholonomy
 from chaplygin.errors import InputError
-from chaplygin.experiment.described_system import described
+from chaplygin.experiment.described_system import build_described_system
 from chaplygin.experiment.file.models import loads
 from chaplygin.measures.existence import measure_exists
 from chaplygin.mechanics.reduction.chaplygin import chaplygin_form
-from chaplygin.search import ask, integrals
+from chaplygin.search import search_request, integrals
 
 OSCILLATOR = """
 [parameters]
@@ -49,11 +49,11 @@ phidot = 1.0
 
 def oscillator(formula="k", value="1.0", start="1.0"):
     text = OSCILLATOR.format(formula=formula, value=value, start=start)
-    return described(loads(text))[1]
+    return build_described_system(loads(text))[1]
 
 
 def knife(formula, name="m"):
-    return described(loads(KNIFE.format(formula=formula, name=name)))[0]
+    return build_described_system(loads(KNIFE.format(formula=formula, name=name)))[0]
 
 
 @pytest.mark.parametrize("formula", ["pi", "pi**2", "exp(1)", "sqrt(pi)", "pi**0.25", "sin(pi/7)"])
@@ -62,7 +62,7 @@ def test_constants_are_searched_with(formula):
     assert system.rates[1].subs(system.symbols[0], -1).evalf() == pytest.approx(
         eval(formula, {"pi": math.pi, "exp": math.exp, "sqrt": math.sqrt, "sin": math.sin})
     )
-    found = list(integrals(ask(system, parameter_degree=0)))
+    found = list(integrals(search_request(system, parameter_degree=0)))
     # seen modulo primes; no rational number times x² makes an integral of it
     assert all(not finding.proven for finding in found)
     assert found
@@ -82,9 +82,9 @@ def test_a_reduction_says_what_to_write_instead(formula):
 
 def test_roots_of_numbers_are_refused_by_the_search():
     with pytest.raises(InputError, match="give the root of a number a name, as a parameter"):
-        ask(oscillator("sqrt(3)"))
+        search_request(oscillator("sqrt(3)"))
     with pytest.raises(InputError, match=re.escape("2**(1/3) is not one")):
-        ask(oscillator("2**(1/3)"))
+        search_request(oscillator("2**(1/3)"))
 
 
 @pytest.mark.parametrize(

@@ -253,7 +253,7 @@ def blocks(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def read_stores(whole: Path, seed: int, count: int) -> None:
     """A damaged store is refused, or mended by the same computation; never read otherwise."""
-    random, expected = Random(seed), store.read(whole).load()
+    random, expected = Random(seed), store.read_store(whole).load()
     folder = whole.with_name(f"damaged{seed}.zarr")
     files = sorted(p.relative_to(whole) for p in whole.rglob("*") if p.is_file())
     refused = 0
@@ -265,7 +265,7 @@ def read_stores(whole: Path, seed: int, count: int) -> None:
             path.write_text(mutated(path.read_text(), random))
         else:
             path.write_bytes(damaged(path.read_bytes(), random))
-        for act in (lambda: store.read(folder), lambda: compute(task(), folder)):
+        for act in (lambda: store.read_store(folder), lambda: compute(task(), folder)):
             try:
                 with within(PATIENCE), warnings.catch_warnings():
                     warnings.simplefilter("ignore")
@@ -297,8 +297,8 @@ def test_a_damaged_block_is_computed_again(blocks: Path, tmp_path: Path) -> None
     content[len(content) // 2] ^= 1
     chunk.write_bytes(content)
     with pytest.raises(InputError, match="1 have lost a part, the first is 1; run the same"):
-        store.read(folder)
-    xr.testing.assert_identical(compute(task(), folder).load(), store.read(blocks).load())
+        store.read_store(folder)
+    xr.testing.assert_identical(compute(task(), folder).load(), store.read_store(blocks).load())
 
 
 # --- Python files that misbehave ---------------------------------------------------------------

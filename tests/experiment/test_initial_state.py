@@ -9,15 +9,15 @@ import mpmath
 import numpy as np
 import pytest
 
-from chaplygin.analysis.classification.facts import Patience
+from chaplygin.analysis.classification.facts import ProofBudget
 from chaplygin.catalogue import Start
-from chaplygin.core.system import Motion, System
+from chaplygin.core.system import Reconstruction, System
 from chaplygin.core.vectors import Diagonal, dot
 from chaplygin.errors import InputError
 from chaplygin.experiment.file.models import StateExperiment, catalogue_experiment, loads
-from chaplygin.experiment.initial_state import given_state
+from chaplygin.experiment.initial_state import initial_state_from_values
 from chaplygin.experiment.study import Study, dataset_of, prepare
-from chaplygin.mechanics.rolling.attitude import attitude, quaternion_rate, tie, unit_length
+from chaplygin.mechanics.rolling.attitude import attitude, quaternion_rate, attitude_relations, unit_length
 from chaplygin.report.drawing.dataset_access import unit_of
 from chaplygin.report.write import write_study
 from named_states import ENTRIES, M, gamma, named_states
@@ -96,7 +96,7 @@ def test_missing_variables_are_named() -> None:
     with pytest.raises(
         InputError, match=r"^start: theta, y missing; the state of trial-sleigh is "
     ):
-        given_state(SLEIGH.system(), {"u": 1.0, "omega": 0.0, "x": 0.0})
+        initial_state_from_values(SLEIGH.system(), {"u": 1.0, "omega": 0.0, "x": 0.0})
 
 
 def test_unit_vectors_are_normalised_with_a_remark() -> None:
@@ -118,7 +118,7 @@ def perpendicular() -> System:
 def test_a_state_off_the_relations_is_refused_with_the_nearest_one() -> None:
     system = perpendicular()
     with pytest.raises(InputError) as caught:
-        given_state(system, {"M": (0.3, 0.1, 0.0), "gamma": (0.0, 0.6, 0.8)})
+        initial_state_from_values(system, {"M": (0.3, 0.1, 0.0), "gamma": (0.0, 0.6, 0.8)})
     said = str(caught.value)
     assert said.startswith("start: the relation (M, γ) = 0 is missed by 0.06; the nearest")
     values = said.partition("state is ")[2].replace("M = ", "").replace("gamma = ", "")
@@ -127,16 +127,16 @@ def test_a_state_off_the_relations_is_refused_with_the_nearest_one() -> None:
     )
     assert np.dot(nearest, direction) == pytest.approx(0.0, abs=1e-15)
     assert np.abs(np.subtract(nearest, [0.3, 0.1, 0.0])).max() < 0.07
-    accepted = given_state(system, {"M": nearest, "gamma": direction})
+    accepted = initial_state_from_values(system, {"M": nearest, "gamma": direction})
     with mpmath.workdps(50):
         assert abs(sum(p * q for p, q in zip(accepted[:3], accepted[3:], strict=True))) < 1e-40
 
 
 def test_the_lift_to_space_may_be_left_out() -> None:
-    lift = Motion({attitude: quaternion_rate(Diagonal("A") * M)}, (unit_length(), *tie(gamma)), ())
+    lift = Reconstruction({attitude: quaternion_rate(Diagonal("A") * M)}, (unit_length(), *attitude_relations(gamma)), ())
     system = replace(TOP.system(), motion=lift)
     for up in ((0.0, 0.6, 0.8), (0.0, 0.0, -1.0)):
-        state = [float(v) for v in given_state(system, {"M": (0.0, 0.1, 3.0), "gamma": up})]
+        state = [float(v) for v in initial_state_from_values(system, {"M": (0.0, 0.1, 3.0), "gamma": up})]
         w, x, y, z = state[6:]
         row = [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]
         assert row == pytest.approx(up, abs=1e-15)
@@ -179,7 +179,7 @@ def test_datasets_tell_what_is_known_of_each_variable() -> None:
 def test_the_report_shows_the_state_in_time_and_no_rolling_body(name: str, tmp_path: Path) -> None:
     made = study(name)
     (tmp_path / "figures").mkdir()
-    write_study(made, tmp_path, True, Patience(1, 0), Unheard())
+    write_study(made, tmp_path, True, ProofBudget(1, 0), Unheard())
     assert {path.stem for path in (tmp_path / "figures").iterdir()} == {"state", "drift"}
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert 'id="state"' in page

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from chaplygin.core.laws import Integral, Measure
 from chaplygin.core.system import System
-from chaplygin.core.vectors import Diagonal, Vector, cross, dot, explicit, normed, scalar
+from chaplygin.core.vectors import Diagonal, Vector, cross, dot, to_components, norm_squared, real_symbol
 from chaplygin.errors import InputError
 from chaplygin.experiment.file.models import EquationsExperiment, MechanismExperiment, loads
 from chaplygin.experiment.mechanism import mechanism_of
@@ -83,14 +83,14 @@ def test_a_file_says_what_python_says() -> None:
     found = mechanism_of(experiment)
     expected = Mechanism(
         name="heavy-suslov-body",
-        frame=Frame({gamma: cross(gamma, omega)}, (omega,), (normed(gamma) - 1,), rotations(omega)),
+        frame=Frame({gamma: cross(gamma, omega)}, (omega,), (norm_squared(gamma) - 1,), rotations(omega)),
         lagrangian=dot(omega, inertia * omega) / 2 - dot(weight, gamma),
         constraints=(dot(e, omega),),
         definitions={e: sp.ImmutableDenseMatrix([sp.Rational(3, 5), 0, sp.Rational(4, 5)])},
         parameters=found.parameters,
     )
     assert found.frame == expected.frame
-    assert explicit(found.L - expected.L).expand() == 0
+    assert to_components(found.L - expected.L).expand() == 0
     assert (found.f, found.steps) == (expected.f, expected.steps)
     assert [str(p.symbol) for p in found.parameters] == ["I_1", "I_2", "I_3", "P_1", "P_2", "P_3"]
     assert found.parameters[1].default == 1.6
@@ -125,9 +125,9 @@ def test_commutators_by_themselves() -> None:
 def test_forces_act_along_velocities() -> None:
     damped = study(SLEIGH + '[forces]\nomega = "-c*omega"\n[parameters.c]\nvalue = 0.5\n')
     free = study(SLEIGH)
-    omega, c = scalar("omega"), scalar("c")
+    omega, c = real_symbol("omega"), real_symbol("c")
     index = damped.system.symbols.index(omega)
-    mass = scalar("I") + scalar("m") * scalar("a") ** 2
+    mass = real_symbol("I") + real_symbol("m") * real_symbol("a") ** 2
     difference = damped.system.rates[index] - free.system.rates[index]
     assert sp.simplify(difference + c * omega / mass) == 0
     assert "energy" not in {law.name for law in damped.system.laws}
@@ -166,7 +166,7 @@ def test_laws_of_a_file_are_claims() -> None:
 def test_laws_may_hold_on_a_level() -> None:
     level = '[laws.integrals.flat]\nvalue = "x + y"\non = ["z"]\n'
     law = next(law for law in study(VOLTERRA + level).system.laws if law.name == "flat")
-    assert law.on == (scalar("z"),)
+    assert law.on == (real_symbol("z"),)
 
 
 @pytest.mark.parametrize("text", [SLEIGH, SUSLOV, VOLTERRA, TURNTABLE, PENDULUM])
@@ -181,8 +181,8 @@ def test_the_complete_file_starts_the_same_motion(text: str) -> None:
 def test_parameters_by_the_command_line() -> None:
     made = study(SLEIGH, "parameters.m.value=2.5", "parameters.a=0.1")
     assert made.system.parameters[2].meaning.startswith("distance")
-    assert made.system.defaults[scalar("m")] == 2.5
-    assert made.system.defaults[scalar("a")] == 0.1
+    assert made.system.defaults[real_symbol("m")] == 2.5
+    assert made.system.defaults[real_symbol("a")] == 0.1
 
 
 # --- starts ----------------------------------------------------------------------------------

@@ -16,7 +16,7 @@ from chaplygin.experiment.poincare import Place, Starts, coordinates_of, section
 from chaplygin.experiment.study import Study, prepare
 from chaplygin.flow.ensemble.compute import compute
 from chaplygin.report.figures import poincare as section_figure
-from chaplygin.report.figures.poincare import draw
+from chaplygin.report.figures.poincare import draw_section
 
 BALL = entry("unbalanced-ball").system({})
 
@@ -91,7 +91,7 @@ def many() -> xr.Dataset:
 @pytest.mark.parametrize("runs", [1, 5])
 def test_the_figure_shows_every_point(many: xr.Dataset, names: tuple[str, ...], runs: int) -> None:
     some = many.isel(run=slice(0, runs), section_point=slice(0, 20))
-    figure = draw(some, names)
+    figure = draw_section(some, names)
     assert isinstance(figure, Figure)
     assert "Unbalanced ball" in figure.get_label()
     expected = int(np.minimum(some["points"], 20).sum())
@@ -104,7 +104,7 @@ def test_the_figure_shows_every_point(many: xr.Dataset, names: tuple[str, ...], 
 
 
 def test_few_starts_have_a_colour_of_their_own_each(many: xr.Dataset) -> None:
-    figure = draw(many, ("M_1", "M_2"))
+    figure = draw_section(many, ("M_1", "M_2"))
     (key,) = figure.legends
     assert key.get_title().get_text() == "start"
     named = dict(
@@ -125,13 +125,13 @@ def test_few_starts_have_a_colour_of_their_own_each(many: xr.Dataset) -> None:
 def test_many_starts_take_the_colours_by_turns(many: xr.Dataset) -> None:
     crowd = xr.concat([many] * 4, "run")
     assert crowd.sizes["run"] > len(section_figure.KINDS)
-    figure = draw(crowd, ("M_1", "M_2"))
+    figure = draw_section(crowd, ("M_1", "M_2"))
     assert not figure.legends
     assert any("12 colours" in text.get_text() for text in figure.texts)
 
 
 def test_both_views_of_space_have_a_labelled_upright_axis(many: xr.Dataset) -> None:
-    figure = draw(many, ("M_1", "M_2", "phi"))
+    figure = draw_section(many, ("M_1", "M_2", "phi"))
     renderer = FigureCanvasAgg(figure).get_renderer()
     figure.draw(renderer)
     for view in figure.axes[:2]:
@@ -147,17 +147,17 @@ def test_of_very_many_points_some_are_drawn(
     many: xr.Dataset, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(section_figure, "MOST", 40)
-    figure = draw(many, ("phi", "h"))
+    figure = draw_section(many, ("phi", "h"))
     (dots,) = figure.axes[0].collections
     assert 0 < len(dots.get_offsets()) <= 40
     assert any(f"{len(dots.get_offsets())} drawn" in text.get_text() for text in figure.texts)
 
 
 def test_angles_have_ticks_in_turns(many: xr.Dataset) -> None:
-    axes = draw(many, ("phi", "h")).axes[0]
+    axes = draw_section(many, ("phi", "h")).axes[0]
     assert [tick.get_text() for tick in axes.get_xticklabels()][:3] == ["$-π$", "$-π/2$", "0"]
     shifted = many.assign(phi=np.mod(many["phi"], 2 * np.pi).assign_attrs(many["phi"].attrs))
-    axes = draw(shifted, ("phi", "h")).axes[0]
+    axes = draw_section(shifted, ("phi", "h")).axes[0]
     assert axes.get_xticklabels()[-1].get_text() == "$2π$"
 
 
@@ -169,6 +169,6 @@ def test_figures_that_cannot_be_drawn(many: xr.Dataset) -> None:
         (("M_1", "what_1"), "no coordinate what_1"),
     ):
         with pytest.raises(InputError, match=sentence):
-            draw(many, names)
+            draw_section(many, names)
     with pytest.raises(InputError, match="has no point to draw"):
-        draw(many.where(many["time"] < 0), ("M_1", "M_2"))
+        draw_section(many.where(many["time"] < 0), ("M_1", "M_2"))

@@ -10,7 +10,7 @@ import sympy as sp
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.laws import Integral, Measure, PoissonStructure, Symmetry
 from chaplygin.core.system import Guard, Observable, Parameter, System
-from chaplygin.core.vectors import Vector, cross, normed, scalar
+from chaplygin.core.vectors import Vector, cross, norm_squared, real_symbol
 from chaplygin.errors import InputError
 from chaplygin.experiment.file.models import EquationsExperiment, loads
 from chaplygin.experiment.python_file import load_python
@@ -75,7 +75,7 @@ def test_keys_that_may_be_overridden(cart: Path) -> None:
     made = load_python(cart, ["run.until=2", "title=Wagon", "start.omega=1", "parameters.J=3"])
     assert (made.until, made.system.title) == (2.0, "Wagon")
     assert float(made.start[1]) == 1.0
-    assert made.system.defaults[scalar("J")] == 3.0
+    assert made.system.defaults[real_symbol("J")] == 3.0
 
 
 @pytest.mark.parametrize(
@@ -130,7 +130,7 @@ def test_a_system_and_neighbours(tmp_path: Path) -> None:
         "if __name__ == '__main__':\n    raise SystemExit\n"
     )
     made = load_python(path)
-    assert made.system.rates == (-3 * scalar("x"),)
+    assert made.system.rates == (-3 * real_symbol("x"),)
     assert made.until == 10.0
 
 
@@ -151,17 +151,17 @@ def test_a_study_is_taken_as_it_is(tmp_path: Path) -> None:
 def spinning() -> System:
     """A system with everything that a file can say, and something that it cannot."""
     M, omega = Vector("M"), Vector("omega")
-    k, angle = scalar("k"), scalar("theta")
+    k, angle = real_symbol("k"), real_symbol("theta")
     return System(
         name="spinning",
         title="Spinning",
-        field={M: cross(M, omega), angle: sp.sqrt(1 + scalar("M_1") ** 2) * 0.1},
+        field={M: cross(M, omega), angle: sp.sqrt(1 + real_symbol("M_1") ** 2) * 0.1},
         definitions={omega: k * M + cross(M, M)},
         parameters=(Parameter(k, "inverse moment", 2.0),),
-        relations=(normed(M) - 1,),
+        relations=(norm_squared(M) - 1,),
         laws=(
-            Integral("length", normed(M), "length", on=(k - 1,)),
-            Measure("volume", {normed(M): sp.Rational(-1, 2)}),
+            Integral("length", norm_squared(M), "length", on=(k - 1,)),
+            Measure("volume", {norm_squared(M): sp.Rational(-1, 2)}),
             Symmetry("turn", {angle: sp.S.One}),
             PoissonStructure("none", sp.zeros(4)),
         ),
@@ -174,15 +174,15 @@ def test_systems_as_tables_read_back() -> None:
     experiment = EquationsExperiment.model_validate(tables_of(spinning()))
     again = prepare(loads(experiment.toml())).system
     assert again.symbols == spinning().symbols
-    assert again.rates == (*spinning().rates[:3], sp.sqrt(1 + scalar("M_1") ** 2) / 10)
+    assert again.rates == (*spinning().rates[:3], sp.sqrt(1 + real_symbol("M_1") ** 2) / 10)
     assert [type(law) for law in again.laws] == [Integral, Measure, Symmetry]
-    assert again.integrals[0].on == (scalar("k") - 1,)
+    assert again.integrals[0].on == (real_symbol("k") - 1,)
     assert [guard.happening for guard in again.guards] == ["the angle is too large"]
     assert [item.name for item in again.observables] == ["spin"]
 
 
 def test_what_no_file_can_say_is_refused() -> None:
-    x = scalar("x")
+    x = real_symbol("x")
     with pytest.raises(InputError, match=r"Abs in Abs\(x\) cannot be written to a file"):
         tables_of(System("odd", "Odd", {x: sp.Abs(x)}))
 

@@ -8,7 +8,7 @@ from chaplygin.experiment.file.models import catalogue_experiment, loads
 from chaplygin.experiment.poincare import coordinates_of
 from chaplygin.experiment.section_coordinates import is_angle, usual, within_a_turn
 from chaplygin.experiment.study import prepare
-from chaplygin.experiment.without_lift import followed
+from chaplygin.experiment.without_lift import without_reconstruction
 from chaplygin.formulas.evaluate import values
 
 PENDULUM = """
@@ -36,7 +36,7 @@ def test_bodies(name, on, expected):
 
 
 def test_three_where_a_level_has_no_further_integral():
-    system = followed(prepare(catalogue_experiment("rattleback")))
+    system = without_reconstruction(prepare(catalogue_experiment("rattleback")))
     assert usual(system, "gamma_1") == "andoyer-ratio: l, L/G, H"
 
 
@@ -53,6 +53,6 @@ def test_angles_are_those_whose_whole_turns_count_for_nothing():
 
 
 def test_a_place_that_enters_nothing_is_no_angle():
-    system = followed(prepare(catalogue_experiment("chaplygin-sleigh")))
+    system = without_reconstruction(prepare(catalogue_experiment("chaplygin-sleigh")))
     assert [str(s) for s in system.symbols if is_angle(system, s)] == ["phi"]
     assert within_a_turn(system.symbols[2]).meaning == "phi, within a turn"

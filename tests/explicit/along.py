@@ -12,9 +12,9 @@ import sympy as sp
 
 from chaplygin.core.laws import Law
 from chaplygin.core.system import System
-from chaplygin.core.vectors import cross, explicit
-from chaplygin.explicit.genus_two.separation import Separable, nu, nuprime
-from chaplygin.explicit.genus_two.separation_laws import stated
+from chaplygin.core.vectors import cross, to_components
+from chaplygin.explicit.genus_two.separation import SeparatedSystem, nu, nuprime
+from chaplygin.explicit.genus_two.separation_laws import separation_laws
 from chaplygin.flow.integrator import integrate
 
 DIGITS = 34
@@ -47,18 +47,18 @@ def at(formula: Any, values: Mapping[sp.Symbol, Any]) -> Any:
     return mpmath.mpf(function(*(values[s] for s in symbols)))
 
 
-def located(separable: Separable, values: Values) -> Values:
+def located(separable: SeparatedSystem, values: Values) -> Values:
     """The values with the constants, ν and ν′."""
     known = dict(values)
     for symbol, formula in separable.constants:
         known[symbol] = at(formula, known)
     for name, formula in ((nu, separable.direction), (nuprime, separable.turning)):
-        parts = explicit(formula)
+        parts = to_components(formula)
         known |= {s: at(part, known) for s, part in zip(name.symbols, parts, strict=True)}
     return known
 
 
-def abel_sums(separable: Separable, known: Values) -> tuple[Any, Any]:
+def abel_sums(separable: SeparatedSystem, known: Values) -> tuple[Any, Any]:
     """Σ z′/y and Σ zz′/y, with z from ν, z′ from ν′ and y from the curve.
 
     y is a root of the curve's polynomial, with the sign of z₁′(z₁ − z₂) and z₂′(z₂ − z₁).
@@ -88,7 +88,7 @@ def abel_sums(separable: Separable, known: Values) -> tuple[Any, Any]:
 
 
 def follows(
-    separable: Separable, start: Sequence[Any], parameters: Mapping[str, Any], error: float
+    separable: SeparatedSystem, start: Sequence[Any], parameters: Mapping[str, Any], error: float
 ) -> None:
     """Assert all that a Separable says, along a motion, up to `error`."""
     motion = states(separable.system, start, parameters)
@@ -105,7 +105,7 @@ def follows(
             assert at(separable.clock, known) > 0
 
 
-def slips(separable: Separable) -> Iterator[tuple[str, Law]]:
+def slips(separable: SeparatedSystem) -> Iterator[tuple[str, Law]]:
     """What a Separable would claim with one formula wrong; every one of the claims is false."""
     roots, (a, b), weights = separable.roots, separable.speeds, separable.weights
     wrong: dict[str, tuple[str, dict[str, Any]]] = {
@@ -120,16 +120,16 @@ def slips(separable: Separable) -> Iterator[tuple[str, Law]]:
         moving = cross(separable.fixed[0], separable.system.symbols[0] * separable.fixed[-1])
         wrong["fixed"] = ("fixed_1", {"fixed": (moving + separable.fixed[-1],)})
     for slip, (name, changes) in wrong.items():
-        (law,) = (law for law in stated(replace(separable, **changes)) if law.name == name)
+        (law,) = (law for law in separation_laws(replace(separable, **changes)) if law.name == name)
         yield slip, law
 
 
-def restored(separable: Separable, known: Values) -> Values:
+def restored(separable: SeparatedSystem, known: Values) -> Values:
     """The state by the formulas in ν and ν′."""
     found: Values = {}
     for name, formula in separable.state:
         symbols = (name,) if isinstance(name, sp.Symbol) else name.symbols
-        parts = explicit(formula)
+        parts = to_components(formula)
         for symbol, part in zip(symbols, parts, strict=True):
             found[symbol] = at(part, known)
     return found
@@ -144,7 +144,7 @@ def _parabola(places: Sequence[Any], values: Sequence[Any]) -> tuple[Any, Any, A
 
 @cache
 def _function(formula: Any) -> tuple[list[sp.Symbol], Any]:
-    written = explicit(formula)
+    written = to_components(formula)
     symbols = sorted(written.free_symbols, key=str)
     return symbols, sp.lambdify(symbols, written, "mpmath")
 

@@ -8,19 +8,19 @@ from typing import Any
 
 import mpmath
 
-from chaplygin.explicit.genus_two.separation import Separable
-from chaplygin.explicit.genus_two.separation_laws import stated
+from chaplygin.explicit.genus_two.separation import SeparatedSystem
+from chaplygin.explicit.genus_two.separation_laws import separation_laws
 from chaplygin.proof.prover import prove
 from explicit.along import abel_sums, at, located, restored, states
 
 
-def refused(separable: Separable, law: str, **changes: Any) -> str:
+def refused(separable: SeparatedSystem, law: str, **changes: Any) -> str:
     """The decision on one law of the system with some of its formulas changed."""
-    (wrong,) = (each for each in stated(replace(separable, **changes)) if each.name == law)
+    (wrong,) = (each for each in separation_laws(replace(separable, **changes)) if each.name == law)
     return prove(separable.system, wrong).decision
 
 
-def follow(separable: Separable, start: Sequence[Any], parameters: Mapping[str, str]) -> None:
+def follow(separable: SeparatedSystem, start: Sequence[Any], parameters: Mapping[str, str]) -> None:
     """Both sums, the constants, the state and the clock along a motion with 34 digits."""
     with mpmath.workdps(34):
         motion = states(separable.system, start, parameters)

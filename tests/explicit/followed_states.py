@@ -8,10 +8,10 @@ from typing import Any
 import mpmath
 import numpy as np
 
-from chaplygin.explicit.genus_two.separation import Separable
+from chaplygin.explicit.genus_two.separation import SeparatedSystem
 from chaplygin.explicit.genus_two_solution import GenusTwo, solved
 from chaplygin.flow.integrator import integrate
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.initial_state import initial_state
 
 #: A body with nothing special about it.
 GAMMA = np.array([0.48, 0.6, 0.64])
@@ -30,12 +30,12 @@ def without(vector: Any, normal: Any, weights: Any = 1.0) -> Any:
 
 
 def solution(
-    of: Separable, omega: Any, gamma: Any, parameters: Mapping[str, Any] | None = None
+    of: SeparatedSystem, omega: Any, gamma: Any, parameters: Mapping[str, Any] | None = None
 ) -> GenusTwo:
     """The closed form through ω and γ."""
     values = dict(of.system.defaults)
     values |= {s: (parameters or {}).get(str(s), x) for s, x in values.items()}
-    start = starting_state(of.system, tuple(map(float, omega)), tuple(map(float, gamma)))
+    start = initial_state(of.system, tuple(map(float, omega)), tuple(map(float, gamma)))
     return solved(of, values, start)
 
 

@@ -8,8 +8,8 @@ import numpy as np
 import sympy as sp
 
 from chaplygin.mechanics.rolling.body import Body
-from chaplygin.mechanics.rolling.equations import Field, Rolling
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.equations import Forces, Rolling
+from chaplygin.mechanics.rolling.initial_state import initial_state
 from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Revolution, Shape, Torus
 
 KINDS = ("ball", "disk", "torus", "ellipsoid", "revolution")
@@ -23,7 +23,7 @@ def body(kind: str, rng: random.Random) -> Rolling:
     axial = round(rng.uniform(0.1, 0.6), 3)
     across = round(rng.uniform(axial / 2 + 0.05, 0.8), 3)
     shape = _shape(kind, rng)
-    return Rolling(Body(1.0, (across, across, axial), shape), contact="rubber", field=Field(9.81))
+    return Rolling(Body(1.0, (across, across, axial), shape), contact="rubber", field=Forces(9.81))
 
 
 def _shape(kind: str, rng: random.Random) -> Shape:
@@ -47,4 +47,4 @@ def start(rolling: Rolling, rng: random.Random) -> tuple[object, ...]:
     gamma /= np.linalg.norm(gamma)
     omega = np.array([rng.gauss(0, 3) for _ in range(3)])
     omega -= gamma * (omega @ gamma)
-    return starting_state(rolling.system(), list(omega), list(gamma))
+    return initial_state(rolling.system(), list(omega), list(gamma))

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError
-from chaplygin.explicit.bifurcation import Diagram, bifurcation_diagram, located
+from chaplygin.explicit.bifurcation import Diagram, bifurcation_diagram, locate
 from chaplygin.explicit.bifurcation.families import PLANES, SEPARATED, plane_named
 from chaplygin.explicit.separations.chaplygin_area import chaplygin_area
 from chaplygin.explicit.separations.veselova import veselova
@@ -20,7 +20,7 @@ from chaplygin.explicit.separations.veselova import veselova
 NAMES = (*SEPARATED, *PLANES)
 #: Moments in another order than the usual, and a parameter that some systems have.
 MOMENTS = {"I_1": "2.1", "I_2": "1", "I_3": "1.5"}
-h, F, f, g = (scalar(name) for name in "hFfg")
+h, F, f, g = (real_symbol(name) for name in "hFfg")
 
 
 @pytest.fixture(scope="module")
@@ -189,7 +189,7 @@ def test_points_on_curves(diagrams):
 def test_located(diagrams):
     diagram = diagrams["chaplygin-ball-area"]
     state = dict(zip(diagram.plane.system.symbols, ("0.6", "0", "0.8", "0", "0", "1"), strict=True))
-    x, y = located(diagram, state)
+    x, y = locate(diagram, state)
     # 2h = (AM, M) + D (ω, γ)², (ω, γ) = (AM, γ)/(1 − (γ, Aγ)), with J = (2, 2.5, 3.1)
     spin = (0.8 / 3.1) / (1 - 1 / 3.1)
     assert x == pytest.approx((0.36 / 2 + 0.64 / 3.1 + spin * 0.8 / 3.1) / 2)
@@ -207,12 +207,12 @@ def test_located(diagrams):
 def test_a_state_off_the_level_is_refused(diagrams, name, state, words):
     symbols = diagrams[name].plane.system.symbols
     with pytest.raises(InputError, match=words):
-        located(diagrams[name], dict(zip(symbols, state, strict=True)))
+        locate(diagrams[name], dict(zip(symbols, state, strict=True)))
 
 
 def test_a_missing_variable_is_refused(diagrams):
     with pytest.raises(InputError, match="no value for omega_2"):
-        located(diagrams["veselova"], {"omega_1": 1, "omega_3": 0})
+        locate(diagrams["veselova"], {"omega_1": 1, "omega_3": 0})
 
 
 # --- what is refused ------------------------------------------------------------------------

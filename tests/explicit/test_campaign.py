@@ -22,9 +22,9 @@ import sympy as sp
 from flint import arb, ctx
 
 from chaplygin.core.system import System
-from chaplygin.core.vectors import explicit
+from chaplygin.core.vectors import to_components
 from chaplygin.errors import InputError
-from chaplygin.explicit.genus_two.separation import Separable
+from chaplygin.explicit.genus_two.separation import SeparatedSystem
 from chaplygin.explicit.genus_two_solution import GenusTwo, solved
 from chaplygin.explicit.recognise import SEPARABLE
 from chaplygin.explicit.rigorous import rigorous_motion
@@ -57,19 +57,19 @@ class Outcome:
     radius: float
 
 
-def bare(separable: Separable) -> Separable:
+def bare(separable: SeparatedSystem) -> SeparatedSystem:
     """The separation without the lift to space."""
     system = replace(separable.system, motion=None, observables=(), guards=())
     return replace(separable, system=system)
 
 
 @cache
-def told(module: str, function: str) -> Separable:
+def told(module: str, function: str) -> SeparatedSystem:
     """A separation by the place where it is told of."""
     return bare(getattr(import_module(f"chaplygin.explicit.separations.{module}"), function)())
 
 
-def body(separable: Separable, generator: random.Random) -> dict[sp.Symbol, Fraction]:
+def body(separable: SeparatedSystem, generator: random.Random) -> dict[sp.Symbol, Fraction]:
     """Parameters that doubles hold exactly: different moments of a real body, the level's ratio."""
     moments = [Fraction(m, 32) for m in sorted(generator.sample(range(32, 62), 3))]
     half = (sum(moments) + Fraction(1, 2)) / 2
@@ -92,7 +92,7 @@ def body(separable: Separable, generator: random.Random) -> dict[sp.Symbol, Frac
 
 
 def beginning(
-    separable: Separable, values: dict[sp.Symbol, Fraction], generator: random.Random
+    separable: SeparatedSystem, values: dict[sp.Symbol, Fraction], generator: random.Random
 ) -> list[float]:
     """A random state on the phase space and the level, to rounding."""
     size = 2.0 ** generator.uniform(-1.5, 1.5)
@@ -111,7 +111,7 @@ def beginning(
 
 
 def _plain(system: System, formula: Any) -> sp.Expr:
-    value = explicit(sp.sympify(formula))
+    value = to_components(sp.sympify(formula))
     for name, meaning in reversed(system.needed([value])):
         value = value.xreplace({name: meaning})
     return value
@@ -128,7 +128,7 @@ def integrated(
         return list(run.states[-1])
 
 
-def case(separable: Separable, seed: str, until: float, bounds: bool) -> Outcome:
+def case(separable: SeparatedSystem, seed: str, until: float, bounds: bool) -> Outcome:
     """Draw a motion, solve it and compare."""
     generator = random.Random(f"{separable.name} {seed}")
     values = body(separable, generator)

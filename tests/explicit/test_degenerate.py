@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 
 from chaplygin.explicit.degenerate import solved_degenerate
-from chaplygin.explicit.degenerate.solution import Degenerate
+from chaplygin.explicit.degenerate.solution import DegenerateSolution
 from chaplygin.explicit.degenerate.theta_motion import Asymptotic, Periodic
-from chaplygin.explicit.genus_two.separation import Separable
+from chaplygin.explicit.genus_two.separation import SeparatedSystem
 from chaplygin.explicit.separations.chaplygin_area import chaplygin_area
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
 from chaplygin.explicit.separations.rubber_sphere import of_ratio
 from chaplygin.explicit.separations.veselova import veselova
 from chaplygin.flow.integrator import integrate
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.initial_state import initial_state
 
 # I₁(I₂ − I₁)ω₁² = I₃(I₃ − I₂)ω₃² makes F = 2hI₂ when γ is across ω and Iω
 SPIN = np.array([0.75, 0.5, 1.0])
@@ -27,18 +27,18 @@ BALL = (0.5, 0.5, 1.5, 1.75, 1.0)
 
 
 def solved(
-    separable: Separable, parameters: Any, omega: Any, gamma: Any
-) -> tuple[Degenerate, tuple[Any, ...], dict[Any, float]]:
+    separable: SeparatedSystem, parameters: Any, omega: Any, gamma: Any
+) -> tuple[DegenerateSolution, tuple[Any, ...], dict[Any, float]]:
     system = separable.system
     values = dict(zip(system.defaults, parameters, strict=True))
-    start = starting_state(system, omega, gamma, parameters=values)
+    start = initial_state(system, omega, gamma, parameters=values)
     found = solved_degenerate(separable, values, start)
-    assert isinstance(found, Degenerate)
+    assert isinstance(found, DegenerateSolution)
     return found, start, values
 
 
 def slips(
-    separable: Separable, parameters: Any, omega: Any, gamma: Any, times: list[float]
+    separable: SeparatedSystem, parameters: Any, omega: Any, gamma: Any, times: list[float]
 ) -> np.ndarray[Any, Any]:
     """How far the closed form is from integration, at every time."""
     found, start, values = solved(separable, parameters, omega, gamma)
@@ -115,7 +115,7 @@ def test_rubber_ball_around_a_sphere() -> None:
     values = dict(system.defaults)
     start = (0.7, 0.0, 0.0, 0.0, 0.6, 0.8)
     found = solved_degenerate(separable, values, start)
-    assert isinstance(found, Degenerate)
+    assert isinstance(found, DegenerateSolution)
     times = [0.0, 1.0, 10.0, 60.0]
     run = integrate(system, start, times, parameters=values, precision="quad")
     assert np.abs(found.states(times) - run.states.astype(float)).max() < 1e-12
@@ -123,7 +123,7 @@ def test_rubber_ball_around_a_sphere() -> None:
 
 def test_other_motions_are_not_degenerate() -> None:
     system = veselova().system
-    start = starting_state(system, (0.3, -0.2, 0.0), (0.2, 0.3, 0.9))
+    start = initial_state(system, (0.3, -0.2, 0.0), (0.2, 0.3, 0.9))
     assert solved_degenerate(veselova(), system.defaults, start) is None
 
 

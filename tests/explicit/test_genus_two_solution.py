@@ -9,7 +9,7 @@ from chaplygin.explicit.genus_two.curve import DegenerateError
 from chaplygin.explicit.genus_two_solution import GenusTwo, solved
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
 from chaplygin.explicit.separations.veselova import veselova
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.initial_state import initial_state
 from explicit.followed_states import GAMMA, OMEGA, miss, solution, unit, without
 
 
@@ -77,14 +77,14 @@ def test_figures_have_error_bounds() -> None:
 
 def test_a_permanent_rotation_is_degenerate() -> None:
     system = veselova().system
-    start = starting_state(system, (1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
+    start = initial_state(system, (1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
     with pytest.raises(DegenerateError):
         solved(veselova(), system.defaults, start)
 
 
 def test_a_start_off_the_level_is_told() -> None:
     of = chaplygin_ball()
-    start = starting_state(of.system, (1.0, 0.2, 0.3), (0.0, 0.6, 0.8))
+    start = initial_state(of.system, (1.0, 0.2, 0.3), (0.0, 0.6, 0.8))
     with pytest.raises(InputError, match="misses the constraints by"):
         solved(of, of.system.defaults, start)
 

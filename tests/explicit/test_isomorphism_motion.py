@@ -9,7 +9,7 @@ import pytest
 
 from chaplygin.catalogue import from_catalogue
 from chaplygin.errors import InputError
-from chaplygin.explicit.isomorphism_motion import Carrier
+from chaplygin.explicit.isomorphism_motion import IsomorphismMap
 from chaplygin.flow.integrator import integrate
 
 TIMES = np.linspace(0.0, 20.0, 11)
@@ -26,7 +26,7 @@ def case(request):
     system = replace(from_catalogue(name), motion=None, observables=(), guards=())
     (found,) = (each for each in system.laws if each.name == law)
     motion = integrate(system, start, [*TIMES, 30.0], dense=True)
-    return Carrier(system, found, system.defaults), motion
+    return IsomorphismMap(system, found, system.defaults), motion
 
 
 def test_states_there_and_back(case):

@@ -9,12 +9,12 @@ import pytest
 from flint import acb, arb, ctx
 
 from chaplygin.errors import InputError
-from chaplygin.explicit.one_degree import Course, Steady, chart_of
+from chaplygin.explicit.one_degree import QuadratureMotion, Equilibrium, chart_of
 from chaplygin.explicit.one_degree.chebyshev_integrals import working_bits
 from chaplygin.explicit.one_degree.uniformisation import (
     BALLS,
     Asymptotic,
-    Connecting,
+    Heteroclinic,
     Equation,
     Oscillating,
 )
@@ -36,24 +36,24 @@ def equation(numerator: Any, denominator: Any = one, edge: Any = 10) -> Equation
     return Equation(numerator, denominator, -arb(edge), arb(edge))
 
 
-def course(numerator: Any, x: Any, denominator: Any = one, sign: int = 1, edge: Any = 10) -> Course:
+def course(numerator: Any, x: Any, denominator: Any = one, sign: int = 1, edge: Any = 10) -> QuadratureMotion:
     """The motion through x, with the quadratures q′ = x and q′ = x′²."""
     made = equation(numerator, denominator, edge)
     start = arb(x)
     rate = sign * made.square(start).sqrt()
     chart = chart_of(made, start, rate)
-    assert not isinstance(chart, Steady)
-    return Course(chart, start, rate, lambda x, rate: [x, rate * rate], units=(1.0, 1.0))
+    assert not isinstance(chart, Equilibrium)
+    return QuadratureMotion(chart, start, rate, lambda x, rate: [x, rate * rate], units=(1.0, 1.0))
 
 
-def positions(found: Course, times: list[float]) -> list[float]:
+def positions(found: QuadratureMotion, times: list[float]) -> list[float]:
     at = found.fast.place(np.array(times))
     from chaplygin.explicit.one_degree.uniformisation import DOUBLES
 
     return list(found.chart.place(DOUBLES, at.phase))
 
 
-def position(found: Course, time: Any) -> Any:
+def position(found: QuadratureMotion, time: Any) -> Any:
     return found.chart.place(BALLS, found.place(arb(time), DIGITS).phase)
 
 
@@ -127,7 +127,7 @@ def test_there_and_back_from_a_double_root() -> None:
 @pytest.mark.parametrize("sign", [1, -1])
 def test_from_one_double_root_to_another(sign: int) -> None:
     found = course(lambda x: (1 - x * x) * (1 - x * x), "0.25", sign=sign)
-    assert isinstance(found.chart, Connecting)
+    assert isinstance(found.chart, Heteroclinic)
     shift = arb("0.25").atanh()
     for time in (-20, 0, 3):
         exact = (shift + sign * arb(time)).tanh()
@@ -137,11 +137,11 @@ def test_from_one_double_root_to_another(sign: int) -> None:
 def test_steady_motions_and_their_stability() -> None:
     bottom = equation(lambda x: -(x * x))
     stable = chart_of(bottom, arb(0), arb(0))
-    assert isinstance(stable, Steady)
+    assert isinstance(stable, Equilibrium)
     assert stable.stable is True
     assert stable.rigidity.contains(1)
     top = chart_of(equation(lambda x: x * x - x * x * (x * x)), arb(0), arb(0))
-    assert isinstance(top, Steady)
+    assert isinstance(top, Equilibrium)
     assert top.stable is False
 
 

@@ -17,17 +17,17 @@ from flint import arb
 from chaplygin import solve
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import scalar, vectors
+from chaplygin.core.vectors import real_symbol, vectors
 from chaplygin.errors import InputError
 from chaplygin.experiment.file.models import loads
 from chaplygin.experiment.study import prepare
 from chaplygin.explicit.base.problem import Problem, exact, same_field
-from chaplygin.explicit.recognise import likeness, solution_of
+from chaplygin.explicit.recognise import find_match, solution_of
 from chaplygin.explicit.recover_body import rolling_of
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.rolling.body import Body
-from chaplygin.mechanics.rolling.equations import Field, Rolling
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.equations import Forces, Rolling
+from chaplygin.mechanics.rolling.initial_state import initial_state
 from chaplygin.mechanics.rolling.shapes import Ball
 from chaplygin.mechanics.rolling.surfaces import Sphere
 
@@ -40,7 +40,7 @@ FULL = ((1.0, 0.1, 0.05), (0.1, 1.5, -0.2), (0.05, -0.2, 2.1))
 def problem_of(rolling: Rolling, omega: Any = NO_SPIN, told: bool = True) -> Problem:
     """A rolling body with a start; `told` whether what rolls on what is known."""
     system = rolling.system()
-    start = starting_state(system, omega, GAMMA)
+    start = initial_state(system, omega, GAMMA)
     return Problem(system, system.defaults, start, rolling if told else None)
 
 
@@ -58,9 +58,9 @@ BALL = Rolling(Body(1.3, MOMENTS, Ball(0.9)))
     ("rolling", "name"),
     [
         (BALL, "chaplygin-ball-area"),
-        (replace(BALL, field=Field(9.81)), "chaplygin-ball-area"),
+        (replace(BALL, field=Forces(9.81)), "chaplygin-ball-area"),
         (replace(BALL, contact="rubber"), "rubber-chaplygin-ball"),
-        (replace(BALL, contact="rubber", field=Field(9.81)), "rubber-chaplygin-ball"),
+        (replace(BALL, contact="rubber", field=Forces(9.81)), "rubber-chaplygin-ball"),
         (
             Rolling(Body(1.3, MOMENTS, Ball(0.9, hollow=True)), Sphere(0.45), "rubber"),
             "rubber-ball-around-sphere",
@@ -69,7 +69,7 @@ BALL = Rolling(Body(1.3, MOMENTS, Ball(0.9)))
     ids=["ball", "heavy ball", "rubber ball", "heavy rubber ball", "around a sphere, k = −1"],
 )
 def test_rolling_bodies(rolling: Rolling, name: str) -> None:
-    found = likeness(problem_of(rolling))
+    found = find_match(problem_of(rolling))
     assert found is not None
     assert (found.known.name, found.level) == (name, ())
     assert set(found.own.leading.free_symbols) <= {
@@ -89,15 +89,15 @@ def test_rolling_bodies(rolling: Rolling, name: str) -> None:
     ],
 )
 def test_systems_of_the_catalogue(name: str, parameters: dict[str, float], separation: str) -> None:
-    found = likeness(catalogue(name, **parameters))
+    found = find_match(catalogue(name, **parameters))
     assert found is not None
     assert (found.known.name, found.level) == (separation, ())
 
 
 def test_a_relation_of_the_known_system_is_a_condition_on_the_start() -> None:
     system = from_catalogue("veselova-spinning")
-    start = starting_state(system, NO_SPIN, GAMMA)
-    found = likeness(Problem(system, system.defaults, start))
+    start = initial_state(system, NO_SPIN, GAMMA)
+    found = find_match(Problem(system, system.defaults, start))
     assert found is not None
     assert (found.known.name, found.level) == ("veselova", ())
     trajectory = integrate(system, start, np.linspace(0.0, 5.0, 3))
@@ -106,12 +106,12 @@ def test_a_relation_of_the_known_system_is_a_condition_on_the_start() -> None:
 
 def test_the_area_constant_chooses_the_separation() -> None:
     # (Iω, γ) = 0.36·2 − 0.72·1
-    found = likeness(problem_of(BALL, (2.0, 1.0, 0.0)))
+    found = find_match(problem_of(BALL, (2.0, 1.0, 0.0)))
     assert found is not None
     assert found.known.name == "chaplygin-ball"
     # the doubles nearest to 2 and 3/14 leave 10⁻¹⁷: a motion of its own
     for omega in ((math.nextafter(2.0, 3.0), 1.0, 0.0), (1.0, 1.0, 3 / 14)):
-        found = likeness(problem_of(BALL, omega))
+        found = find_match(problem_of(BALL, omega))
         assert found is not None
         assert found.known.name == "chaplygin-ball-area"
 
@@ -119,7 +119,7 @@ def test_the_area_constant_chooses_the_separation() -> None:
 @pytest.mark.parametrize("radius", [0.45, 0.4500001])
 def test_the_ratio_of_radii_is_taken_exactly(radius: float) -> None:
     ball = Rolling(Body(1.3, MOMENTS, Ball(0.9, hollow=True)), Sphere(radius), "rubber")
-    found = likeness(problem_of(ball))
+    found = find_match(problem_of(ball))
     assert found is not None
     assert (not found.level) == (radius == 0.45)
 
@@ -128,7 +128,7 @@ def own_system() -> System:
     """The Veselova system as somebody else would write it: other letters, no lift, no laws."""
     from chaplygin.core.vectors import cross, dot
 
-    w, n, A, B, C = *vectors("w n"), *(scalar(s) for s in "ABC")
+    w, n, A, B, C = *vectors("w n"), *(real_symbol(s) for s in "ABC")
     momentum = [a * x for a, x in zip((A, B, C), w.symbols, strict=True)]
     x, y, z = w.symbols
     p, q, r = momentum
@@ -153,10 +153,10 @@ def own_system() -> System:
 def test_a_system_in_other_letters() -> None:
     system = own_system()
     start = (0.8, -0.4, -0.6, *GAMMA)
-    found = likeness(Problem(system, system.defaults, start))
+    found = find_match(Problem(system, system.defaults, start))
     assert found is not None
     assert found.known.name == "veselova"
-    assert found.own.poles == tuple(scalar(s) for s in "ABC")
+    assert found.own.poles == tuple(real_symbol(s) for s in "ABC")
     solution = solution_of(Problem(system, system.defaults, start))
     trajectory = integrate(system, start, np.linspace(0.0, 20.0, 5))
     assert np.abs(solution.states(trajectory.times) - trajectory.states).max() < 1e-12
@@ -166,8 +166,8 @@ def test_a_system_in_other_letters() -> None:
     "ball",
     [
         # its parameter g is gravity, and the constant g of the separation is another one
-        replace(BALL, field=Field(9.81)),
-        Rolling(Body(1.3, FULL, Ball(0.9)), contact="rubber", field=Field(9.81)),
+        replace(BALL, field=Forces(9.81)),
+        Rolling(Body(1.3, FULL, Ball(0.9)), contact="rubber", field=Forces(9.81)),
         Rolling(Body(1.3, (1.0, 1.5, 1.5), Ball(0.9)), contact="rubber"),
         Rolling(Body(1.3, (1.5, 1.0, 1.5), Ball(0.9)), contact="rubber"),
     ],
@@ -185,7 +185,7 @@ def test_solutions_are_told_in_the_axes_of_the_body(ball: Rolling) -> None:
     "rolling",
     [
         BALL,
-        replace(BALL, contact="rubber", field=Field(9.81)),
+        replace(BALL, contact="rubber", field=Forces(9.81)),
         Rolling(Body(1.3, FULL, Ball(0.9)), contact="rubber"),
         Rolling(Body(1.3, MOMENTS, Ball(0.9, hollow=True)), Sphere(0.45)),
         Rolling(Body(1.3, MOMENTS, Ball(0.9, centre=(0.1, 0.2, 0.3)))),
@@ -208,7 +208,7 @@ def test_axes_that_a_tensor_does_not_determine() -> None:
 
 def veselova_start() -> tuple[System, tuple[Any, ...]]:
     system = from_catalogue("veselova")
-    return system, starting_state(system, omega=NO_SPIN, gamma=GAMMA)
+    return system, initial_state(system, omega=NO_SPIN, gamma=GAMMA)
 
 
 @pytest.mark.slow

@@ -18,13 +18,13 @@ from chaplygin.explicit.base.solution import Solution
 from chaplygin.explicit.revolution import recognised, solve_rolling
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.rolling.body import Body
-from chaplygin.mechanics.rolling.equations import Field, Rolling
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.equations import Forces, Rolling
+from chaplygin.mechanics.rolling.initial_state import initial_state
 from chaplygin.mechanics.rolling.shapes import Disk, Ellipsoid, Revolution
 
 from .revolution_cases import KINDS, body, start, u
 
-DISK = Rolling(Body(1.0, (0.25, 0.25, 0.5), Disk(1.0)), contact="rubber", field=Field(9.81))
+DISK = Rolling(Body(1.0, (0.25, 0.25, 0.5), Disk(1.0)), contact="rubber", field=Forces(9.81))
 EGG = CATALOGUE["rubber-body-of-revolution"].rolling()
 
 
@@ -35,7 +35,7 @@ def solved(rolling: Rolling, state: Sequence[Any]) -> Solution:
 
 
 def begun(rolling: Rolling, omega: Sequence[Any], gamma: Sequence[Any]) -> Solution:
-    return solved(rolling, starting_state(rolling.system(), omega, gamma))
+    return solved(rolling, initial_state(rolling.system(), omega, gamma))
 
 
 def error(solution: Solution, rolling: Rolling, state: Sequence[Any], times: list[float]) -> float:
@@ -82,7 +82,7 @@ def separatrix(direction: int) -> list[Any]:
             spin,
         ]
         gamma = [sine * mpmath.sin(phi), sine * mpmath.cos(phi), x]
-        return list(starting_state(DISK.system(), omega, gamma))
+        return list(initial_state(DISK.system(), omega, gamma))
 
 
 CASES = {
@@ -141,7 +141,7 @@ def test_separatrix_is_followed_for_ever(direction: int) -> None:
 
 @pytest.mark.slow
 def test_disk_against_integration() -> None:
-    state = starting_state(DISK.system(), (0.5, 1.0, 2.0), (1.0, -0.5, 0.0))
+    state = initial_state(DISK.system(), (0.5, 1.0, 2.0), (1.0, -0.5, 0.0))
     assert error(solved(DISK, state), DISK, state, [0.0, 1.0, 20.0]) < 1e-13
 
 
@@ -159,7 +159,7 @@ def test_far_times_are_as_exact_as_near_ones() -> None:
 
 @pytest.mark.slow
 def test_error_bars_hold_the_integrated_state() -> None:
-    state = starting_state(DISK.system(), (0.0, 0.1, 8.0), (1.0, 0.0, 0.0))
+    state = initial_state(DISK.system(), (0.0, 0.1, 8.0), (1.0, 0.0, 0.0))
     trajectory = integrate(DISK.system(), state, [0.0, 3.0], precision="quad", tolerance=1e-32)
     balls = solved(DISK, state).rigorous(3, 20)
     with ctx.workprec(150):
@@ -176,7 +176,7 @@ def test_a_body_that_falls_flat_is_refused() -> None:
 
 
 def test_a_start_off_the_phase_space_is_refused() -> None:
-    state = list(starting_state(DISK.system(), (0.5, 1.0, 2.0), (1.0, -0.5, 0.0)))
+    state = list(initial_state(DISK.system(), (0.5, 1.0, 2.0), (1.0, -0.5, 0.0)))
     state[0] += mpmath.mpf("0.01")
     with pytest.raises(InputError, match=r"misses \(omega, gamma\) = 0"):
         solved(DISK, state)
@@ -184,7 +184,7 @@ def test_a_start_off_the_phase_space_is_refused() -> None:
 
 def test_a_profile_that_is_not_convex_is_refused() -> None:
     shape = Revolution(1 + u**4 / 2 - u**2 * 0.6)
-    rolling = Rolling(Body(1.0, (0.3, 0.3, 0.3), shape), contact="rubber", field=Field(1.0))
+    rolling = Rolling(Body(1.0, (0.3, 0.3, 0.3), shape), contact="rubber", field=Forces(1.0))
     with pytest.raises(InputError, match="leaves the convex part"):
         begun(rolling, (6.0, 0.0, 1.0), (0.0, 1.0, 0.0))
 
@@ -195,7 +195,7 @@ def test_too_many_digits_are_refused() -> None:
 
 
 def test_other_bodies_are_not_recognised() -> None:
-    marble = Rolling(DISK.body, contact="marble", field=Field(9.81))
+    marble = Rolling(DISK.body, contact="marble", field=Forces(9.81))
     triaxial = Rolling(Body(1.0, (0.3, 0.4, 0.5), Ellipsoid((1.0, 1.0, 1.2))), contact="rubber")
     for rolling in (marble, triaxial):
         assert not recognised(rolling, rolling.system().defaults)

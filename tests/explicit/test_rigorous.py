@@ -15,8 +15,8 @@ from flint import acb, acb_mat, arb, ctx
 from chaplygin import solve
 from chaplygin.catalogue import from_catalogue
 from chaplygin.errors import InputError
-from chaplygin.explicit.genus_two.separated_motion import Prepared, chain, prepared
-from chaplygin.explicit.genus_two.separation import Separable, nu, nuprime
+from chaplygin.explicit.genus_two.separated_motion import SeparatedMotion, chain, separate
+from chaplygin.explicit.genus_two.separation import SeparatedSystem, nu, nuprime
 from chaplygin.explicit.genus_two_solution import solved
 from chaplygin.explicit.rigorous import rigorous_motion
 from chaplygin.explicit.rigorous.affine import Affine
@@ -29,7 +29,7 @@ from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
 from chaplygin.explicit.separations.rubber_sphere import hollow_ball
 from chaplygin.explicit.separations.veselova import veselova
 from chaplygin.formulas.balls import components
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.initial_state import initial_state
 
 BITS = 300
 VESELOVA = veselova()
@@ -44,18 +44,18 @@ START = tuple(map(Fraction, ("11/15", "-2/15", "-2/3", "2/3", "1/3", "2/3")))
 
 
 @pytest.fixture(scope="module")
-def motion() -> Prepared:
+def motion() -> SeparatedMotion:
     with ctx.workprec(BITS):
-        return prepared(VESELOVA, BODY, START)
+        return separate(VESELOVA, BODY, START)
 
 
-def clock(motion: Prepared) -> Branch:
+def clock(motion: SeparatedMotion) -> Branch:
     rate = components(VESELOVA.clock)
     return Branch(rate, motion.values, chain(VESELOVA, rate)[1])
 
 
 @pytest.fixture(scope="module")
-def quadrature(motion: Prepared) -> RigorousQuadrature:
+def quadrature(motion: SeparatedMotion) -> RigorousQuadrature:
     (found,) = quadratures(motion.torus, clock(motion), 22, 1e6)
     return found
 
@@ -139,7 +139,7 @@ def test_parities_are_read_off_the_formulas() -> None:
 # --- theta functions -----------------------------------------------------------------------
 
 
-def test_numerators_are_theta_functions(motion: Prepared) -> None:
+def test_numerators_are_theta_functions(motion: SeparatedMotion) -> None:
     torus, Y = motion.torus, motion.torus.lattice.Y
     with ctx.workprec(120):
         points = Numerators(torus, (0, 0)).real(lines_of((3, 5), (1, 1)))
@@ -155,7 +155,7 @@ def test_numerators_are_theta_functions(motion: Prepared) -> None:
                 assert n.rad() < 1e-30
 
 
-def test_rates_are_derivatives(motion: Prepared) -> None:
+def test_rates_are_derivatives(motion: SeparatedMotion) -> None:
     torus = motion.torus
     with ctx.workprec(200):
         step = arb(2) ** -40
@@ -166,7 +166,7 @@ def test_rates_are_derivatives(motion: Prepared) -> None:
             assert abs((b - a) / (2 * step) - r) < 1e-20
 
 
-def test_boxes_contain_the_numerators(motion: Prepared) -> None:
+def test_boxes_contain_the_numerators(motion: SeparatedMotion) -> None:
     torus, heights = motion.torus, (0.05, -0.03)
     with ctx.workprec(64):
         numerators = Numerators(torus, heights)
@@ -187,7 +187,7 @@ def test_boxes_contain_the_numerators(motion: Prepared) -> None:
 # --- the strip -----------------------------------------------------------------------------
 
 
-def test_strip_bound_holds_inside(motion: Prepared) -> None:
+def test_strip_bound_holds_inside(motion: SeparatedMotion) -> None:
     torus, branch = motion.torus, clock(motion)
     with ctx.workprec(64):
         branch.learn(*direction(*numerators_at(torus, arb(0))))
@@ -202,7 +202,7 @@ def test_strip_bound_holds_inside(motion: Prepared) -> None:
 
 
 @pytest.mark.slow
-def test_least_is_below_all_values(motion: Prepared, quadrature: RigorousQuadrature) -> None:
+def test_least_is_below_all_values(motion: SeparatedMotion, quadrature: RigorousQuadrature) -> None:
     bound = least(motion.torus, quadrature.branch, (1, 1))
     assert 0 < bound < min(float(quadrature.rate(arb(t)).mid()) for t in range(200))
 
@@ -211,7 +211,7 @@ def test_least_is_below_all_values(motion: Prepared, quadrature: RigorousQuadrat
 def test_next_to_a_separatrix_there_are_no_bounds() -> None:
     near = tuple(map(Fraction, ("1/10000000", "1", "0", "1", "-1/10000000", "0")))
     with ctx.workprec(BITS):
-        torus = prepared(VESELOVA, BODY, near).torus
+        torus = separate(VESELOVA, BODY, near).torus
         branch = Branch([sp.Integer(1) + nu.symbols[0] ** 2], {})
         with pytest.raises(InputError, match="separatrix"):
             quadratures(torus, branch, 20, 1.0)
@@ -226,7 +226,7 @@ def test_quadrature_agrees_with_gauss(quadrature: RigorousQuadrature) -> None:
 
 
 def test_bounds_of_a_coarse_quadrature_hold(
-    motion: Prepared, quadrature: RigorousQuadrature
+    motion: SeparatedMotion, quadrature: RigorousQuadrature
 ) -> None:
     (coarse,) = quadratures(motion.torus, clock(motion), 3, 100.0)
     assert coarse.coefficients.nrows() < quadrature.coefficients.nrows()
@@ -248,7 +248,7 @@ def test_inverse_contains_where_it_came_from(quadrature: RigorousQuadrature, tau
 
 
 @pytest.mark.slow
-def test_odd_functions_are_integrated_on_the_same_grid(motion: Prepared) -> None:
+def test_odd_functions_are_integrated_on_the_same_grid(motion: SeparatedMotion) -> None:
     (found,) = quadratures(motion.torus, Branch(nu.symbols[:1], {}), 22, 10.0)
     assert any(found.shift)
     assert found.periods == (1, 1)
@@ -257,7 +257,7 @@ def test_odd_functions_are_integrated_on_the_same_grid(motion: Prepared) -> None
 
 
 @pytest.mark.slow
-def test_resonant_motion(motion: Prepared) -> None:
+def test_resonant_motion(motion: SeparatedMotion) -> None:
     with ctx.workprec(BITS):
         torus = replace(motion.torus, V=(arb(2) / 7, arb(1) / 7))
     (found,) = quadratures(torus, clock(motion), 22, 10.0)
@@ -289,11 +289,11 @@ def test_states_keep_the_integrals_and_agree_with_doubles() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("make", [chaplygin_ball, veselova_in_bruns_field])
-def test_motion_in_space_agrees_with_doubles(make: Callable[[], Separable]) -> None:
+def test_motion_in_space_agrees_with_doubles(make: Callable[[], SeparatedSystem]) -> None:
     """Two fixed directions and a path, and one fixed direction."""
     separable = make()
     values = {p.symbol: p.default for p in separable.system.parameters}
-    start = starting_state(separable.system, (1.0, 0.5, 0.0), (0.0, 0.0, 1.0))
+    start = initial_state(separable.system, (1.0, 0.5, 0.0), (0.0, 0.0, 1.0))
     solution = solved(separable, values, start)
     balls = rigorous_motion(solution, 8, 30.0).state(30.0)
     assert max(float(x.rad()) for x in balls) < 1e-8
@@ -306,7 +306,7 @@ def test_motion_in_space_agrees_with_doubles(make: Callable[[], Separable]) -> N
 def test_without_fixed_directions_there_are_bounds_of_the_reduced_state_alone() -> None:
     separable = hollow_ball()
     values = {p.symbol: p.default for p in separable.system.parameters}
-    start = starting_state(separable.system, (1.0, 0.5, 0.0), (0.0, 0.0, 1.0))
+    start = initial_state(separable.system, (1.0, 0.5, 0.0), (0.0, 0.0, 1.0))
     solution = solved(separable, values, start)
     with pytest.raises(InputError, match=r"no direction is known.*give a start without attitude"):
         solution.rigorous(30.0, 8)
@@ -319,7 +319,7 @@ def test_without_fixed_directions_there_are_bounds_of_the_reduced_state_alone() 
 
 def test_a_place_that_is_left_open_is_said_to_be() -> None:
     system = from_catalogue("rubber-chaplygin-ball-bruns")
-    start = starting_state(system, (1.0, 0.5, 0.0), (0.0, 0.0, 1.0))
+    start = initial_state(system, (1.0, 0.5, 0.0), (0.0, 0.0, 1.0))
     solution = solve(system, start)
     assert "one direction alone is known that stays in space" in solution.left_open
     assert solve(from_catalogue("veselova"), start[:10]).left_open == ""
@@ -327,7 +327,7 @@ def test_a_place_that_is_left_open_is_said_to_be() -> None:
 
 @pytest.mark.parametrize("time", ["1e300", "-1e61"])
 def test_times_beyond_all_measure_are_refused(time: str) -> None:
-    start = starting_state(VESELOVA.system, (0.8, 0.1, -0.6), (0.6, 0.0, 0.8))
+    start = initial_state(VESELOVA.system, (0.8, 0.1, -0.6), (0.6, 0.0, 0.8))
     motion = solved(VESELOVA, VESELOVA.system.defaults, start)
     with pytest.raises(InputError, match=r"up to \|t\| = [0-9.]+e\+(59|60|61), not"):
         motion.rigorous(time, 20)

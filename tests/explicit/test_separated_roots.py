@@ -7,8 +7,8 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 
-from chaplygin.core.vectors import Diagonal, scalar, vectors
-from chaplygin.explicit.genus_two.separation_laws import stated
+from chaplygin.core.vectors import Diagonal, real_symbol, vectors
+from chaplygin.explicit.genus_two.separation_laws import separation_laws
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
 from chaplygin.explicit.separations.fedorov import fedorov
 from chaplygin.explicit.separations.veselova import veselova
@@ -16,12 +16,12 @@ from chaplygin.proof.prover import prove
 
 (gamma,) = vectors("gamma")
 I = Diagonal("I").symbols
-S, P = scalar("separation_S"), scalar("separation_P")
+S, P = real_symbol("separation_S"), real_symbol("separation_P")
 
 
 def roots_law(separable, masses):
     """∑ cᵢγᵢ²(Iⱼ − z)(Iₖ − z) is a multiple of z² − Sz + P; the separation's own S and P."""
-    (law,) = (law for law in stated(separable) if law.name == "separation")
+    (law,) = (law for law in separation_laws(separable) if law.name == "separation")
     terms = [c * s**2 for c, s in zip(masses, gamma.symbols, strict=True)]
     total, rest = sp.Add(*I), sp.Mul(*I)
     middle = sp.Add(*(t * (total - e) for t, e in zip(terms, I, strict=True)))

@@ -15,7 +15,7 @@ from chaplygin import solve
 from chaplygin.catalogue import entry, from_catalogue
 from chaplygin.errors import InputError
 from chaplygin.flow.integrator import integrate
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.initial_state import initial_state
 from explicit.units import FAST, LARGE, SI, SLOW, SMALL, SYSTEMS, Motion, Units, motion
 
 #: Motions of every system in the campaign.
@@ -31,7 +31,7 @@ def test_a_ball_of_a_millimetre_has_an_area_constant() -> None:
     # (M, γ) is 2·10⁻¹³ kg m²/s: no less a part of |M| than in other units
     moments = {"I_1": 3e-13, "I_2": 4.5e-13, "I_3": 6.3e-13}
     system = from_catalogue("chaplygin-ball", m=1e-6, R=1e-3, **moments)
-    start = starting_state(system, (1.0, 2.0, -0.5), (0.6, 0.0, 0.8))
+    start = initial_state(system, (1.0, 2.0, -0.5), (0.6, 0.0, 0.8))
     solution = solve(system, start)
     assert solution.form.title == "Chaplygin ball"
     run = integrate(system.lifted(), start, [0.0, 100.0], precision="quad")
@@ -119,7 +119,7 @@ def test_a_component_that_vanishes_at_the_far_end_of_its_oval(
     omega: tuple[float, float, float],
 ) -> None:
     system = from_catalogue("veselova")
-    start = starting_state(system, omega, (1.0, 1.0, 0.0))
+    start = initial_state(system, omega, (1.0, 1.0, 0.0))
     run = integrate(system.lifted(), start, [0.0, 20.0], precision="quad")
     found = solve(system, start).states(np.array([0.0, 20.0]))
     assert np.abs(found - np.array(run.states, dtype=float)).max() < 1e-13
@@ -129,7 +129,7 @@ def test_a_component_that_vanishes_at_the_far_end_of_its_oval(
 def test_bodies_of_revolution_are_known_by_their_equations(name: str) -> None:
     system = from_catalogue(name)
     own = entry(name).start
-    solution = solve(system, starting_state(system, own.omega, own.gamma))
+    solution = solve(system, initial_state(system, own.omega, own.gamma))
     assert solution.form.title == "Rubber body of revolution on a plane"
 
 

@@ -14,15 +14,15 @@ import numpy as np
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from chaplygin.core.vectors import explicit
+from chaplygin.core.vectors import to_components
 from chaplygin.explicit.bifurcation import Diagram, Region
-from chaplygin.explicit.genus_two.separation import Separable, nu, nuprime
+from chaplygin.explicit.genus_two.separation import SeparatedSystem, nu, nuprime
 
 
 class Level:
     """A level of a separated system, in numbers."""
 
-    def __init__(self, separable: Separable, diagram: Diagram, place: tuple[Any, Any]) -> None:
+    def __init__(self, separable: SeparatedSystem, diagram: Diagram, place: tuple[Any, Any]) -> None:
         self.system = separable.system
         self.separable = separable
         x, y = map(Fraction, place)
@@ -37,7 +37,7 @@ class Level:
                 self.known[symbol] = value.xreplace(self.known)
         for symbol, value in separable.constants:
             if symbol not in self.known:
-                self.known[symbol] = explicit(sp.sympify(value)).subs(self.known)
+                self.known[symbol] = to_components(sp.sympify(value)).subs(self.known)
         self.poles = self.numbers(separable.poles)
         self.weights = self.numbers(separable.weights)
         self.speeds = self.numbers(separable.along or separable.speeds)
@@ -48,19 +48,19 @@ class Level:
         )
         self.rates = self.numeric(self.system.rates, self.system.symbols)
         self.values = self.numeric([a.value for a in diagram.axes], self.system.symbols)
-        self.direction = self.numeric(list(explicit(separable.direction)), self.system.symbols)
+        self.direction = self.numeric(list(to_components(separable.direction)), self.system.symbols)
         flat = []
         for _, formula in separable.state:
-            value = explicit(formula)
+            value = to_components(formula)
             flat += list(value) if isinstance(value, sp.MatrixBase) else [value]
         self.state = self.numeric(flat, (*nu.symbols, *nuprime.symbols))
 
     def numbers(self, formulas: Any) -> np.ndarray:
-        return np.array([float(explicit(sp.sympify(f)).subs(self.known)) for f in formulas])
+        return np.array([float(to_components(sp.sympify(f)).subs(self.known)) for f in formulas])
 
     def numeric(self, formulas: Any, symbols: Any) -> Any:
         """Formulas as a function of an array (symbols, n), definitions filled in."""
-        wanted = [explicit(sp.sympify(f)) for f in formulas]
+        wanted = [to_components(sp.sympify(f)) for f in formulas]
         for symbol, value in reversed(self.system.steps):
             wanted = [f.xreplace({symbol: value}) for f in wanted]
         made = sp.lambdify(list(symbols), [f.subs(self.known) for f in wanted], "numpy", cse=True)
@@ -127,7 +127,7 @@ class Level:
         return [set(row[quiet]) for row, quiet in zip(codes, steady, strict=True)]
 
 
-def counted(separable: Separable, diagram: Diagram, region: Region, until: float) -> list[int]:
+def counted(separable: SeparatedSystem, diagram: Diagram, region: Region, until: float) -> list[int]:
     """The number of tori over each pair of ovals of a region."""
     level = Level(separable, diagram, region.sample)
     poles = np.sort(level.poles)
@@ -152,7 +152,7 @@ def counted(separable: Separable, diagram: Diagram, region: Region, until: float
 
 def _real_roots(level: Level) -> np.ndarray:
     roots = np.array(
-        [complex(explicit(sp.sympify(r)).subs(level.known)) for r in level.separable.roots[3:]]
+        [complex(to_components(sp.sympify(r)).subs(level.known)) for r in level.separable.roots[3:]]
     )
     roots = roots.real[abs(roots.imag) < 1e-12]
     return roots[(roots > level.poles.min()) & (roots < level.poles.max())]

@@ -21,7 +21,7 @@ from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import System
 from chaplygin.core.vectors import Vector
 from chaplygin.flow.integrator import integrate
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.initial_state import initial_state
 
 #: Powers of mass, length and time.
 Dimension = tuple[int, int, int]
@@ -208,7 +208,7 @@ def motion(kind: str, generator: random.Random) -> Motion:
         return Motion(system, parameters, (*spin, *gamma))
     with mpmath.workdps(60):
         omega, up = ([_long(x) for x in v] for v in (spin, gamma))
-        state = starting_state(
+        state = initial_state(
             system,
             omega,
             up,

@@ -10,14 +10,14 @@ import mpmath
 import numpy as np
 
 from chaplygin.flow.kernel.arithmetic import Arithmetic, Value
-from chaplygin.flow.kernel.ir_writer import Writer
-from chaplygin.flow.kernel.jit import aligned, load
+from chaplygin.flow.kernel.ir_writer import IRWriter
+from chaplygin.flow.kernel.jit import aligned, load_code
 
 HEAD = "void @numbers(ptr %given, ptr %found, i64 %count)"
 
 
 def run(
-    arithmetic: Callable[[Writer], Any],
+    arithmetic: Callable[[IRWriter], Any],
     lanes: int,
     build: Callable[[Arithmetic, Sequence[Value]], Sequence[Value]],
     given: np.ndarray,
@@ -36,7 +36,7 @@ def run(
     -------
     ndarray (n, results, words)
     """
-    w = Writer(lanes)
+    w = IRWriter(lanes)
     number = arithmetic(w)
     n, variables, words = given.shape
     with w.count("%count") as block:
@@ -48,7 +48,7 @@ def run(
             number.store(result, "%found", w.emit(f"add i64 {at}, {i}"))
     text = w.text(HEAD, "#0")
     pointer = ctypes.c_void_p
-    native = load(text, lambda: (text, 0), {"numbers": (pointer, pointer, ctypes.c_int64)})
+    native = load_code(text, lambda: (text, 0), {"numbers": (pointer, pointer, ctypes.c_int64)})
 
     blocks = -(-n // lanes)
     filled = np.concatenate([given, np.ones((blocks * lanes - n, variables, words))])

@@ -16,7 +16,7 @@ from scipy.special import ellipj
 
 from chaplygin.core.system import Parameter, System
 from chaplygin.errors import InputError
-from chaplygin.flow.batch import THREADS, Lanes, lanes, section, threads_here
+from chaplygin.flow.batch import THREADS, BatchIntegrator, batch_integrator, poincare_section, available_threads
 from chaplygin.flow.integrator import integrate
 from chaplygin.flow.kernel.double_double import unpaired
 from chaplygin.formulas.evaluate import values
@@ -50,7 +50,7 @@ def scaled(found: Any, right: Any) -> float:
 def test_an_oscillator_with_its_own_frequency_in_each_lane() -> None:
     squares = np.linspace(0.5, 9, 21)
     times = np.linspace(0, 20, 11)
-    found = lanes(OSCILLATOR).until([[1.0, 0.0]] * 21, times, {"p": squares})
+    found = batch_integrator(OSCILLATOR).until([[1.0, 0.0]] * 21, times, {"p": squares})
     angles = np.sqrt(squares)[:, None] * times
     np.testing.assert_allclose(found.states[..., 0], np.cos(angles), atol=3e-11)
     assert found.states[:, 0].tolist() == [[1.0, 0.0]] * 21
@@ -64,7 +64,7 @@ def test_a_planet() -> None:
     angles = np.array([brentq(lambda E, t=t: E - e * np.sin(E) - t, 0, 20) for t in times])
     right = np.stack([np.cos(angles) - e, np.sqrt(1 - e * e) * np.sin(angles)], axis=1)
     start = [1 - e, 0, 0, np.sqrt((1 + e) / (1 - e))]
-    found = lanes(KEPLER).until([start], times)
+    found = batch_integrator(KEPLER).until([start], times)
     np.testing.assert_allclose(found.states[0, :, :2], right, atol=2e-11)
     laws = values(KEPLER, ["energy", "area"], found.states[0])
     assert np.ptp(laws, axis=0).max() < 1e-11
@@ -80,7 +80,7 @@ def test_a_free_body() -> None:
     times = np.linspace(0.5, 30, 13)
     sn, cn, dn, _ = ellipj(rate * times, modulus)
     right = np.stack([first * a * cn, second * b * sn, third * c * dn], axis=1)
-    found = lanes(TOP).until([[first * a, 0, third * c, 0.6, 0, 0.8]], times)
+    found = batch_integrator(TOP).until([[first * a, 0, third * c, 0.6, 0, 0.8]], times)
     np.testing.assert_allclose(found.states[0, :, :3], right, atol=3e-11)
     momentum, direction = found.states[0, :, :3], found.states[0, :, 3:]
     assert np.abs(np.linalg.norm(direction, axis=1) - 1).max() < 1e-11
@@ -96,14 +96,14 @@ def test_bodies_against_the_reference(name: str) -> None:
     """Another integrator at its best; integrals and relations stay; going back undoes it."""
     system, states, end = body(name), starts(name, 2), UNTIL[name]
     times = np.linspace(end / 4, end, 4)
-    found = lanes(system, tolerance=1e-15).until(states, times)
+    found = batch_integrator(system, tolerance=1e-15).until(states, times)
     for k in range(2):
         motion = integrate(system, states[k], [0.0, *times], tolerance=1e-15)
         assert scaled(found.states[k], motion.states[1:]) < 2e-12
     laws = [law.value for law in system.integrals]
     kept = values(system, [*laws, *system.relations], np.insert(found.states, 0, states, axis=1))
     assert np.abs(kept - kept[:, :1]).max() < 1e-12 * (1 + np.abs(kept).max())
-    back = lanes(system, tolerance=1e-15, backward=True).until(found.states[:, -1], [-end])
+    back = batch_integrator(system, tolerance=1e-15, backward=True).until(found.states[:, -1], [-end])
     assert back.ended.tolist() == [-end] * 2
     assert scaled(back.states[:, 0], states) < 5e-12
 
@@ -116,7 +116,7 @@ def test_thirty_digits(name: str) -> None:
     system, exact = body(name), exactly_on_the_sphere(starts(name, 2))
     with mpmath.workdps(40):
         decimals = {s: mpmath.mpf(repr(value)) for s, value in system.defaults.items()}
-    found = lanes(system, tolerance=1e-27, digits=30).until(exact, [0.5], decimals)
+    found = batch_integrator(system, tolerance=1e-27, digits=30).until(exact, [0.5], decimals)
     states = unpaired(found.states[:, 0], found.rest[:, 0])
     for start, state in zip(exact, states, strict=True):
         motion = integrate(system, start, [0.0, 0.5], precision="quad")
@@ -130,7 +130,7 @@ def test_thirty_digits(name: str) -> None:
 
 def test_deviations_of_a_linear_system_are_its_motions() -> None:
     frame = np.broadcast_to(np.eye(2), (5, 2, 2))
-    moving = lanes(OSCILLATOR, deviations=2)
+    moving = batch_integrator(OSCILLATOR, deviations=2)
     found = moving.until(np.ones((5, 2)), [0.7, 3.0], deviations=frame)
     for k, t in enumerate((0.7, 3.0)):
         turned = [[np.cos(t), -np.sin(t)], [np.sin(t), np.cos(t)]]
@@ -146,10 +146,10 @@ def test_deviations_are_derivatives(name: str) -> None:
     if name == "rattleback":
         direction[:3] *= 1e-3
     times = [UNTIL[name] / 5]
-    tangent = lanes(system, tolerance=1e-15, deviations=1).until(
+    tangent = batch_integrator(system, tolerance=1e-15, deviations=1).until(
         [state], times, deviations=[[direction]]
     )
-    plain = lanes(system, tolerance=1e-15)
+    plain = batch_integrator(system, tolerance=1e-15)
     errors = []
     for distance in (2e-2, 1e-2):
         both = plain.until([state + distance * direction, state - distance * direction], times)
@@ -162,8 +162,8 @@ def test_deviations_are_derivatives(name: str) -> None:
 
 def test_deviations_leave_the_motion_alone() -> None:
     system, states = body("unbalanced-ball"), starts("unbalanced-ball", 5)
-    alone = lanes(system).until(states, [5.0])
-    along = lanes(system, deviations=1).until(states, [5.0], deviations=np.ones((5, 1, 6)))
+    alone = batch_integrator(system).until(states, [5.0])
+    along = batch_integrator(system, deviations=1).until(states, [5.0], deviations=np.ones((5, 1, 6)))
     np.testing.assert_allclose(along.states, alone.states, atol=1e-11)
 
 
@@ -177,13 +177,13 @@ DRAWN = settings(max_examples=15, deadline=None, derandomize=True)
 
 
 @pytest.fixture(scope="module")
-def flow() -> Lanes:
-    return lanes(BALL)
+def flow() -> BatchIntegrator:
+    return batch_integrator(BALL)
 
 
 @pytest.fixture(scope="module")
-def crossing() -> Lanes:
-    return lanes(BALL, section=section(BALL, "gamma_3", direction=0))
+def crossing() -> BatchIntegrator:
+    return batch_integrator(BALL, section=poincare_section(BALL, "gamma_3", direction=0))
 
 
 def _bytes(found: Any, chosen: Any = slice(None)) -> list[bytes]:
@@ -194,7 +194,7 @@ def _bytes(found: Any, chosen: Any = slice(None)) -> list[bytes]:
 
 @DRAWN
 @given(chosen=COMPANY, threads=st.sampled_from([1, 2, 5]))
-def test_bits_do_not_depend_on_the_company(flow: Lanes, chosen: list[int], threads: int) -> None:
+def test_bits_do_not_depend_on_the_company(flow: BatchIntegrator, chosen: list[int], threads: int) -> None:
     """Nor on order, number, or threads."""
     whole = flow.until(STATES, [1.0, 4.0], {"m": MASSES}, threads=1)
     part = flow.until(STATES[chosen], [1.0, 4.0], {"m": MASSES[chosen]}, threads=threads)
@@ -203,7 +203,7 @@ def test_bits_do_not_depend_on_the_company(flow: Lanes, chosen: list[int], threa
 
 @DRAWN
 @given(chosen=COMPANY, threads=st.sampled_from([1, 2, 5]))
-def test_bits_of_crossings(crossing: Lanes, chosen: list[int], threads: int) -> None:
+def test_bits_of_crossings(crossing: BatchIntegrator, chosen: list[int], threads: int) -> None:
     whole = crossing.returns(STATES, 4, {"m": MASSES}, until=30.0, threads=1)
     part = crossing.returns(STATES[chosen], 4, {"m": MASSES[chosen]}, until=30.0, threads=threads)
     assert _bytes(part) == _bytes(whole, chosen)
@@ -212,7 +212,7 @@ def test_bits_of_crossings(crossing: Lanes, chosen: list[int], threads: int) -> 
 def test_bits_of_deviations_and_of_thirty_digits() -> None:
     turns = [7, 3, 3, 39, 0, *range(39, -1, -1)] * 2
     tangent = np.random.default_rng(4).normal(size=(40, 1, 6))
-    moving, fine = lanes(BALL, deviations=1), lanes(BALL, tolerance=1e-16, digits=30)
+    moving, fine = batch_integrator(BALL, deviations=1), batch_integrator(BALL, tolerance=1e-16, digits=30)
     whole = moving.until(STATES, [2.0], deviations=tangent, threads=1)
     part = moving.until(STATES[turns], [2.0], deviations=tangent[turns], threads=3)
     assert _bytes(part) == _bytes(whole, turns)
@@ -220,14 +220,14 @@ def test_bits_of_deviations_and_of_thirty_digits() -> None:
     assert _bytes(part) == _bytes(whole, turns)
 
 
-def test_one_value_for_all_is_the_same_as_one_for_each(flow: Lanes) -> None:
+def test_one_value_for_all_is_the_same_as_one_for_each(flow: BatchIntegrator) -> None:
     one = flow.until(STATES, [2.0], {"m": 1.7})
     each = flow.until(STATES, [2.0], {sp.Symbol("m"): np.full(40, 1.7)})
     assert _bytes(one) == _bytes(each)
     assert _bytes(flow.until(STATES, [2.0], BALL.defaults)) == _bytes(flow.until(STATES, [2.0]))
 
 
-def test_every_start_is_held_against_the_size_of_its_relations(flow: Lanes) -> None:
+def test_every_start_is_held_against_the_size_of_its_relations(flow: BatchIntegrator) -> None:
     """A fast motion excuses nothing; what is no number but stands in no relation ends a lane."""
     near = [[1e6, 0, 0, 0, 0, 1 + 1e-10], [0, 0, 1, 0, 0, 1 - 1e-10]]
     assert not flow.until(near, [1e-9]).outcome.any()
@@ -238,20 +238,20 @@ def test_every_start_is_held_against_the_size_of_its_relations(flow: Lanes) -> N
     assert found.outcome.tolist() == [2, 0]
 
 
-def test_no_motions_are_no_error(flow: Lanes, crossing: Lanes) -> None:
+def test_no_motions_are_no_error(flow: BatchIntegrator, crossing: BatchIntegrator) -> None:
     assert flow.until(np.zeros((0, 6)), [1.0, 2.0]).states.shape == (0, 2, 6)
     assert crossing.returns(np.zeros((0, 6)), 3).times.shape == (0, 3)
 
 
 def test_threads_are_limited_by_who_runs_several_parts() -> None:
-    usual = threads_here()
+    usual = available_threads()
     assert usual >= 1
     token = THREADS.set(1)
     try:
-        assert threads_here() == 1
+        assert available_threads() == 1
     finally:
         THREADS.reset(token)
-    assert threads_here() == usual
+    assert available_threads() == usual
 
 
 # --- mistakes ---------------------------------------------------------------------------------
@@ -262,12 +262,12 @@ STILL = System(name="still", title="Still", field={}, parameters=(Parameter(p, "
 OFF = [[0, 0, 1, 0, 0, 1.0], [0, 0, 1, 0, 0.1, 1]]
 
 
-def free(**options: Any) -> Lanes:
-    return lanes(OSCILLATOR, **options)
+def free(**options: Any) -> BatchIntegrator:
+    return batch_integrator(OSCILLATOR, **options)
 
 
-def cut() -> Lanes:
-    return lanes(OSCILLATOR, section=section(OSCILLATOR, x))
+def cut() -> BatchIntegrator:
+    return batch_integrator(OSCILLATOR, section=poincare_section(OSCILLATOR, x))
 
 
 MISTAKES: dict[str, tuple[Any, str]] = {
@@ -288,12 +288,12 @@ MISTAKES: dict[str, tuple[Any, str]] = {
         "starts: all must be real numbers, in rows of one length",
     ),
     "off the phase space": (
-        lambda: lanes(BALL).until(OFF, [1.0]),
+        lambda: batch_integrator(BALL).until(OFF, [1.0]),
         "chaplygin-ball: start 1 misses the phase space; Dot(gamma, gamma) - 1 is 0.01 there and "
         "must vanish",
     ),
     "a start that is no number": (
-        lambda: lanes(BALL).until([OFF[0], [np.nan] * 6], [1.0]),
+        lambda: batch_integrator(BALL).until([OFF[0], [np.nan] * 6], [1.0]),
         "chaplygin-ball: start 1 misses the phase space; Dot(gamma, gamma) - 1 is nan there and "
         "must vanish",
     ),
@@ -358,7 +358,7 @@ MISTAKES: dict[str, tuple[Any, str]] = {
         "digits = 20: lanes compute with 16 or with 30 digits",
     ),
     "section to thirty digits": (
-        lambda: free(digits=30, section=section(OSCILLATOR, x)),
+        lambda: free(digits=30, section=poincare_section(OSCILLATOR, x)),
         "oscillator: a section is found to 16 digits; leave 'digits' at that",
     ),
     "fewer than no deviations": (
@@ -390,23 +390,23 @@ MISTAKES: dict[str, tuple[Any, str]] = {
         "until = -1.0: it must lie ahead of the start, at time 0",
     ),
     "unknown function": (
-        lambda: lanes(UNKNOWN),
+        lambda: batch_integrator(UNKNOWN),
         "gamma(x): the machine code has no function gamma",
     ),
     "choice": (
-        lambda: lanes(PIECES),
+        lambda: batch_integrator(PIECES),
         "Piecewise((x, x > 0), (-x, True)): the machine code has no function Piecewise",
     ),
     "system without state": (
-        lambda: lanes(STILL),
+        lambda: batch_integrator(STILL),
         "still: a system without state has no motion",
     ),
     "section of a foreign symbol": (
-        lambda: section(OSCILLATOR, u - y),
+        lambda: poincare_section(OSCILLATOR, u - y),
         "u: neither a state variable, a definition nor a parameter",
     ),
     "section at no number": (
-        lambda: section(TURNING, x, float("nan")),
+        lambda: poincare_section(TURNING, x, float("nan")),
         "nan: a number in a formula must be real and finite",
     ),
 }

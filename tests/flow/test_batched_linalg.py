@@ -4,33 +4,33 @@ from __future__ import annotations
 
 import numpy as np
 
-from chaplygin.flow.batched_linalg import applied, dots, solved, squares
+from chaplygin.flow.batched_linalg import batched_matvec, row_dots, batched_solve, norm_squared_columns
 
 dice = np.random.default_rng(1)
 MATRICES, VECTORS = dice.normal(size=(50, 3, 3)), dice.normal(size=(50, 3))
 
 
 def test_products() -> None:
-    assert np.allclose(dots(VECTORS, VECTORS), (VECTORS**2).sum(axis=1))
-    assert np.allclose(squares(VECTORS.T), (VECTORS**2).sum(axis=1))
-    assert np.allclose(applied(MATRICES, VECTORS), (MATRICES @ VECTORS[:, :, None])[:, :, 0])
-    assert np.allclose(applied(MATRICES, solved(MATRICES, VECTORS)), VECTORS)
+    assert np.allclose(row_dots(VECTORS, VECTORS), (VECTORS**2).sum(axis=1))
+    assert np.allclose(norm_squared_columns(VECTORS.T), (VECTORS**2).sum(axis=1))
+    assert np.allclose(batched_matvec(MATRICES, VECTORS), (MATRICES @ VECTORS[:, :, None])[:, :, 0])
+    assert np.allclose(batched_matvec(MATRICES, batched_solve(MATRICES, VECTORS)), VECTORS)
 
 
 def test_each_row_by_itself() -> None:
-    whole = applied(MATRICES, solved(MATRICES, VECTORS))
+    whole = batched_matvec(MATRICES, batched_solve(MATRICES, VECTORS))
     for k in (0, 17, 49):
         part = slice(k, k + 1)
-        assert (applied(MATRICES[part], solved(MATRICES[part], VECTORS[part])) == whole[part]).all()
+        assert (batched_matvec(MATRICES[part], batched_solve(MATRICES[part], VECTORS[part])) == whole[part]).all()
 
 
 def test_vectors_of_one_component() -> None:
     assert np.allclose(
-        solved(MATRICES[:, :1, :1], VECTORS[:, :1]) * MATRICES[:, 0, :1], VECTORS[:, :1]
+        batched_solve(MATRICES[:, :1, :1], VECTORS[:, :1]) * MATRICES[:, 0, :1], VECTORS[:, :1]
     )
 
 
 def test_vectors_of_no_length() -> None:
     nothing = np.zeros((5, 0))
-    assert (dots(nothing, nothing) == 0).all()
-    assert solved(np.zeros((5, 0, 0)), nothing).shape == (5, 0)
+    assert (row_dots(nothing, nothing) == 0).all()
+    assert batched_solve(np.zeros((5, 0, 0)), nothing).shape == (5, 0)

@@ -9,7 +9,7 @@ import pytest
 
 from chaplygin.catalogue import from_catalogue
 from chaplygin.flow.cost import Pace, TooMuchError, in_words, require_room
-from chaplygin.flow.ensemble.run import ensemble, grid, one
+from chaplygin.flow.ensemble.run import ensemble, grid, single
 from chaplygin.flow.extreme_values import too_extreme
 
 BALL = from_catalogue("chaplygin-ball")
@@ -43,7 +43,7 @@ def test_sizes_in_words(size: float, words: str) -> None:
 
 
 def test_an_ensemble_that_is_never_over() -> None:
-    spun = one(omega=(0.7, 0.4, 1.1), gamma=(0.2, -0.3, 0.93)) * grid(m=[1.0, 2.0])
+    spun = single(omega=(0.7, 0.4, 1.1), gamma=(0.2, -0.3, 0.93)) * grid(m=[1.0, 2.0])
     with pytest.raises(TooMuchError, match=r"would take about 1e\+301 steps"):
         ensemble(BALL, spun, [0.0, 1e300])
 

@@ -10,7 +10,7 @@ from chaplygin.catalogue import CATALOGUE
 from chaplygin.core.system import Guard, System
 from chaplygin.errors import RunError
 from chaplygin.flow.integrator import integrate
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.initial_state import initial_state
 
 x = sp.Symbol("x", real=True)
 
@@ -33,7 +33,7 @@ def failure(*arguments: object, **options: object) -> RunError:
 def ball():
     entry = CATALOGUE["chaplygin-ball"]
     system = entry.system()
-    return system, starting_state(system, entry.start.omega, entry.start.gamma)
+    return system, initial_state(system, entry.start.omega, entry.start.gamma)
 
 
 @pytest.mark.parametrize("sense", [1, -1], ids=["forward", "backward"])

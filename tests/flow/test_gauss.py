@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from chaplygin.core.laws import Integral
 from chaplygin.errors import InputError
-from chaplygin.flow.gauss import PreciseMotions, precise
+from chaplygin.flow.gauss import GaussTrajectories, gauss_integrator
 from chaplygin.flow.integrator import integrate
 from chaplygin.flow.kernel.double_double import unpaired
 from chaplygin.formulas.evaluate import values
@@ -33,7 +33,7 @@ E = 0.6
 PERICENTRE = [1 - E, 0.0, 0.0, float(np.sqrt((1 + E) / (1 - E)))]
 
 
-def exact(found: PreciseMotions) -> Any:
+def exact(found: GaussTrajectories) -> Any:
     """States with all their digits."""
     return unpaired(found.states, found.rest)
 
@@ -46,7 +46,7 @@ def test_an_oscillator(digits: Any, allowed: float) -> None:
     """Forty turns; the frequency is read with all its digits, also where the state has 16."""
     with mpmath.workdps(50):
         square = mpmath.mpf("1.1")
-        flow = precise(OSCILLATOR, [1.0, 0.0], digits=digits)
+        flow = gauss_integrator(OSCILLATOR, [1.0, 0.0], digits=digits)
         found = exact(flow.until([[1.0, 0.0]], [1.0, 250.0], {"p": square}))
         for k, t in enumerate((1, 250)):
             right = mpmath.cos(mpmath.sqrt(square) * t)
@@ -55,7 +55,7 @@ def test_an_oscillator(digits: Any, allowed: float) -> None:
 
 def test_a_planet() -> None:
     """Kepler's equation after eight turns, to the last digits; so are its integrals."""
-    flow = precise(KEPLER, PERICENTRE)
+    flow = gauss_integrator(KEPLER, PERICENTRE)
     assert flow.held == ("energy", "area")
     state = flow.until([PERICENTRE], [50.0]).states[0, 0]
     energy, area = values(KEPLER, ["energy", "area"], np.array([PERICENTRE, state])).T
@@ -80,8 +80,8 @@ def test_bodies_keep_fifteen_digits(name: str) -> None:
     """Against thirty digits of the same method, which the reference confirms below."""
     system, states = body(name), starts(name, 3)
     times = [0.1, 0.4] if name == "rattleback" else [5.0, 20.0]
-    right = precise(system, states[0], digits=30).until(exactly_on_the_sphere(states), times)
-    found = precise(system, states[0]).until(states, times)
+    right = gauss_integrator(system, states[0], digits=30).until(exactly_on_the_sphere(states), times)
+    found = gauss_integrator(system, states[0]).until(states, times)
     size = np.abs(np.insert(right.states, 0, states, axis=1)).max(axis=1)
     # the fast rocking of the rattleback makes more of what rounding a start does
     allowed = 1e-13 if name == "rattleback" else 2e-14
@@ -99,7 +99,7 @@ def test_thirty_digits_against_the_reference() -> None:
     system, first = body("chaplygin-ball"), exactly_on_the_sphere(starts("chaplygin-ball", 2))
     with mpmath.workdps(45):
         decimals = {s: mpmath.mpf(repr(value)) for s, value in system.defaults.items()}
-    flow = precise(system, first[0], digits=30)
+    flow = gauss_integrator(system, first[0], digits=30)
     assert flow.held == ()
     found = exact(flow.until(first, [10.0], decimals))
     for start, state in zip(first, found[:, 0], strict=True):
@@ -110,8 +110,8 @@ def test_thirty_digits_against_the_reference() -> None:
 
 
 def test_backward_undoes_forward() -> None:
-    ahead = precise(TOP, [0.3, -1.0, 0.7, 0, 0, 1]).until([[0.3, -1.0, 0.7, 0, 0, 1]], [20.0])
-    back = precise(TOP, ahead.states[0, 0], backward=True)
+    ahead = gauss_integrator(TOP, [0.3, -1.0, 0.7, 0, 0, 1]).until([[0.3, -1.0, 0.7, 0, 0, 1]], [20.0])
+    back = gauss_integrator(TOP, ahead.states[0, 0], backward=True)
     found = back.until(ahead.states[:, 0], [-20.0])
     np.testing.assert_allclose(found.states[0, 0], [0.3, -1.0, 0.7, 0, 0, 1], atol=1e-14)
     assert found.ended.tolist() == [-20.0]
@@ -119,7 +119,7 @@ def test_backward_undoes_forward() -> None:
 
 def test_times_in_between_change_nothing_much() -> None:
     """Samples are ends of steps."""
-    flow = precise(KEPLER, PERICENTRE)
+    flow = gauss_integrator(KEPLER, PERICENTRE)
     one = flow.until([PERICENTRE], [7.0]).states[0, -1]
     many = flow.until([PERICENTRE], np.linspace(0, 7, 23)).states[0]
     assert many[0].tolist() == PERICENTRE
@@ -129,12 +129,12 @@ def test_times_in_between_change_nothing_much() -> None:
 def test_what_is_held_is_what_stands_still() -> None:
     """A wrong integral is left alone; with a right one errors stop growing."""
     claims = (*KEPLER.laws, Integral("claim", x * u, "does not stand still"))
-    assert precise(replace(KEPLER, laws=claims), PERICENTRE).held == ("energy", "area")
+    assert gauss_integrator(replace(KEPLER, laws=claims), PERICENTRE).held == ("energy", "area")
     loose = replace(KEPLER, laws=())
-    assert precise(loose, PERICENTRE).held == ()
+    assert gauss_integrator(loose, PERICENTRE).held == ()
     drift = {}
     for system in (loose, KEPLER):
-        found = precise(system, PERICENTRE).until([PERICENTRE], [400.0])
+        found = gauss_integrator(system, PERICENTRE).until([PERICENTRE], [400.0])
         energies = values(KEPLER, ["energy"], np.vstack([PERICENTRE, found.states[0]]))[:, 0]
         drift[system.laws] = abs(energies[1] - energies[0])
     assert drift[KEPLER.laws] < 1e-15
@@ -142,7 +142,7 @@ def test_what_is_held_is_what_stands_still() -> None:
 
 
 def test_relations_are_held() -> None:
-    flow = precise(TOP, [0.3, -1.0, 0.7, 0, 0, 1])
+    flow = gauss_integrator(TOP, [0.3, -1.0, 0.7, 0, 0, 1])
     assert flow.held == ("relation 1",)
     direction = flow.until([[0.3, -1.0, 0.7, 0, 0, 1]], [200.0]).states[0, 0, 3:]
     assert abs(direction @ direction - 1) < 4e-16
@@ -161,7 +161,7 @@ def test_bits_do_not_depend_on_the_company(chosen: list[int], threads: int) -> N
     system, states = body("chaplygin-ball"), starts("chaplygin-ball", 30)
     states[5, :3] = np.nan
     masses = np.linspace(0.5, 1.5, 30)
-    flow = precise(system, states[0])
+    flow = gauss_integrator(system, states[0])
     whole = flow.until(states, [0.5, 1.0], {"m": masses}, threads=1)
     part = flow.until(states[chosen], [0.5, 1.0], {"m": masses[chosen]}, threads=threads)
     assert whole.outcome[5] == 2
@@ -175,20 +175,20 @@ OFF = [[0, 0, 1, 0, 0, 1.0], [0, 0, 1, 0, 0.1, 1]]
 
 
 def flow() -> Any:
-    return precise(OSCILLATOR, [1.0, 0.0])
+    return gauss_integrator(OSCILLATOR, [1.0, 0.0])
 
 
 MISTAKES: dict[str, tuple[Any, str]] = {
     "digits": (
-        lambda: precise(OSCILLATOR, [1.0, 0.0], digits=20),
+        lambda: gauss_integrator(OSCILLATOR, [1.0, 0.0], digits=20),
         "digits = 20: single motions are computed to 16 or to 30 digits",
     ),
     "start": (
-        lambda: precise(OSCILLATOR, [1.0, 0.0, 0.0]),
+        lambda: gauss_integrator(OSCILLATOR, [1.0, 0.0, 0.0]),
         "oscillator: the start has the shape (3,); one state is needed, x, y",
     ),
     "no start": (
-        lambda: precise(OSCILLATOR, None),
+        lambda: gauss_integrator(OSCILLATOR, None),
         "oscillator: the start has the shape (); one state is needed, x, y",
     ),
     "starts": (
@@ -196,7 +196,7 @@ MISTAKES: dict[str, tuple[Any, str]] = {
         "oscillator: starts have the shape (2,); (motions, 2) is needed, in the order x, y",
     ),
     "phase space": (
-        lambda: precise(body("chaplygin-ball"), OFF[0]).until(OFF, [1.0]),
+        lambda: gauss_integrator(body("chaplygin-ball"), OFF[0]).until(OFF, [1.0]),
         "chaplygin-ball: start 1 misses the phase space; Dot(gamma, gamma) - 1 is 0.01 there and "
         "must vanish",
     ),
@@ -205,19 +205,19 @@ MISTAKES: dict[str, tuple[Any, str]] = {
         "times: they must increase from 0, where the motion begins",
     ),
     "times backward": (
-        lambda: precise(OSCILLATOR, [1.0, 0.0], backward=True).until([[1.0, 0.0]], [1.0]),
+        lambda: gauss_integrator(OSCILLATOR, [1.0, 0.0], backward=True).until([[1.0, 0.0]], [1.0]),
         "times: they must decrease from 0, where the motion begins",
     ),
     "parameter": (
-        lambda: precise(OSCILLATOR, [1.0, 0.0], {"k": 1}),
+        lambda: gauss_integrator(OSCILLATOR, [1.0, 0.0], {"k": 1}),
         "oscillator: no parameter k; it has p",
     ),
     "parameter that is a word": (
-        lambda: precise(OSCILLATOR, [1.0, 0.0], {"p": "much"}),
+        lambda: gauss_integrator(OSCILLATOR, [1.0, 0.0], {"p": "much"}),
         "oscillator: p: all must be real numbers, in rows of one length",
     ),
     "several parameters": (
-        lambda: precise(OSCILLATOR, [1.0, 0.0], {"p": [1.0, 2.0]}),
+        lambda: gauss_integrator(OSCILLATOR, [1.0, 0.0], {"p": [1.0, 2.0]}),
         "oscillator: p has the shape (2,); it must be one number or 1, one for each motion",
     ),
     "parameter of a motion": (

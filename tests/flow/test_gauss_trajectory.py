@@ -13,7 +13,7 @@ from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import System
 from chaplygin.errors import InputError, RunError
 from chaplygin.flow.integrator import integrate
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.initial_state import initial_state
 
 BODIES = {
     "chaplygin-ball": ((0.7, 0.4, 1.1), (0.2, -0.3, 0.93), 20.0),
@@ -26,7 +26,7 @@ BODIES = {
 def test_what_is_recorded_is_what_taylor_series_give(name: str) -> None:
     system = from_catalogue(name)
     omega, gamma, end = BODIES[name]
-    start = starting_state(system, omega, gamma)
+    start = initial_state(system, omega, gamma)
     times = np.linspace(0.0, end, 9)
     taylor = integrate(system, start, times)
     gauss = integrate(system, start, times, method="gauss")
@@ -41,7 +41,7 @@ def test_what_is_recorded_is_what_taylor_series_give(name: str) -> None:
 @pytest.mark.slow
 def test_thirty_digits_are_those_of_the_reference() -> None:
     system = from_catalogue("veselova")
-    start = starting_state(system, (0.7, 0.4, -0.0215053763440860), (0.2, -0.3, 0.93))
+    start = initial_state(system, (0.7, 0.4, -0.0215053763440860), (0.2, -0.3, 0.93))
     times = [0.0, 5.0]
     reference = integrate(system, start, times, precision="quad", tolerance=1e-32)
     found = integrate(system, start, times, precision="quad", method="gauss")
@@ -55,7 +55,7 @@ def test_thirty_digits_are_those_of_the_reference() -> None:
 
 def test_backward_leads_back() -> None:
     system = from_catalogue("chaplygin-ball")
-    start = starting_state(system, (0.7, 0.4, 1.1), (0.2, -0.3, 0.93))
+    start = initial_state(system, (0.7, 0.4, 1.1), (0.2, -0.3, 0.93))
     there = integrate(system, start, [0.0, 30.0], method="gauss").states[-1]
     back = integrate(system, there, [30.0, 0.0], method="gauss")
     assert list(back.times) == [30.0, 0.0]
@@ -64,7 +64,7 @@ def test_backward_leads_back() -> None:
 
 def test_lift_off_ends_a_run_where_taylor_series_end_it() -> None:
     system = from_catalogue("marble-body")
-    start = starting_state(system, (8.0, 3.0, 1.0), (0.3, 0.2, 0.93))
+    start = initial_state(system, (8.0, 3.0, 1.0), (0.3, 0.2, 0.93))
     times = np.linspace(0.0, 2.0, 21)
     taylor = integrate(system, start, times)
     gauss = integrate(system, start, times, method="gauss")

@@ -16,8 +16,8 @@ from chaplygin.core.system import Guard, System
 from chaplygin.errors import InputError
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.rolling.body import Body
-from chaplygin.mechanics.rolling.equations import Field, roll
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.equations import Forces, roll
+from chaplygin.mechanics.rolling.initial_state import initial_state
 from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution
 from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
 from evaluation import numeric
@@ -47,7 +47,7 @@ def falls(function, span: tuple[float, float]) -> list[float]:
 # --- falling flat ----------------------------------------------------------------------------
 
 INERTIA = (0.25, 0.25, 0.5)
-DISK = roll(Body(1.0, INERTIA, Disk(1.0)), field=Field(G))
+DISK = roll(Body(1.0, INERTIA, Disk(1.0)), field=Forces(G))
 LEAN = (0.8, 0.0, 0.6)
 
 
@@ -67,7 +67,7 @@ def time_of_fall() -> float:
 
 @pytest.mark.parametrize("sense", [1, -1], ids=["forward", "backward"])
 def test_a_disk_let_go_falls_flat_on_time(sense):
-    start = starting_state(DISK, (0, 0, 0), LEAN)
+    start = initial_state(DISK, (0, 0, 0), LEAN)
     motion = integrate(DISK, start, sense * np.linspace(0.0, 5.0, 51))
     (happening,) = motion.happenings
     assert happening.guard.name == "flat"
@@ -105,7 +105,7 @@ def test_a_guard_of_ones_own_is_passed_when_the_reference_says():
     found = solve_ivp(
         independent.rate, (0, 5), first, "DOP853", events=lean, rtol=1e-13, atol=1e-14
     )
-    motion = integrate(leaning, starting_state(leaning, omega, LEAN), [0.0, 5.0])
+    motion = integrate(leaning, initial_state(leaning, omega, LEAN), [0.0, 5.0])
     (happening,) = motion.happenings
     assert happening.guard == low
     assert happening.time == pytest.approx(found.t_events[0][0], abs=1e-10)
@@ -113,7 +113,7 @@ def test_a_guard_of_ones_own_is_passed_when_the_reference_says():
 
 def test_a_disk_that_lies_flat_is_refused():
     with pytest.raises(InputError, match="the body lies flat"):
-        integrate(DISK, starting_state(DISK, (0, 0, 0), (1e-7, 0, 1)), [0.0, 1.0])
+        integrate(DISK, initial_state(DISK, (0, 0, 0), (1e-7, 0, 1)), [0.0, 1.0])
 
 
 # --- leaving the surface ---------------------------------------------------------------------
@@ -122,7 +122,7 @@ RADIUS, DOME = 0.5, 2.0
 
 
 def dome(inertia: tuple[float, float, float]) -> System:
-    return roll(Body(1.0, inertia, Ball(RADIUS)), Sphere(DOME), field=Field(G))
+    return roll(Body(1.0, inertia, Ball(RADIUS)), Sphere(DOME), field=Forces(G))
 
 
 SMOOTH = dome((0.1, 0.1, 0.1))
@@ -132,7 +132,7 @@ TILT = 0.1
 
 def on_the_dome(system: System, omega=(0.0, 0.0, 0.0)):
     normal = (np.sin(TILT), 0.0, np.cos(TILT))
-    return starting_state(system, omega, (0.36, -0.48, 0.8), normal=normal)
+    return initial_state(system, omega, (0.36, -0.48, 0.8), normal=normal)
 
 
 def test_a_homogeneous_ball_leaves_the_dome_at_the_textbook_angle():
@@ -204,13 +204,13 @@ def test_a_body_that_is_not_pressed_at_the_start():
     assert warn["normal_force"][0] < 0
 
 
-LOADED = roll(Body(1.0, (0.4, 0.45, 0.5), Ball(1.0, centre=(0.3, -0.2, 0.1))), field=Field(G))
+LOADED = roll(Body(1.0, (0.4, 0.45, 0.5), Ball(1.0, centre=(0.3, -0.2, 0.1))), field=Forces(G))
 
 
 @pytest.mark.parametrize("until", [6.0, -6.0])
 def test_every_loss_of_contact_is_noted_and_no_return(until):
     """A loaded ball spun fast presses and pulls in turn."""
-    start = starting_state(LOADED, (8.0, 6.0, 1.0), (0.36, -0.48, 0.8))
+    start = initial_state(LOADED, (8.0, 6.0, 1.0), (0.36, -0.48, 0.8))
     motion = integrate(LOADED, start, [0.0, until], on_liftoff="warn", dense=True)
     value = guard_values(motion.system, "contact")
     exact = falls(lambda times: value(motion.dense(times)), motion.dense.span)
@@ -220,7 +220,7 @@ def test_every_loss_of_contact_is_noted_and_no_return(until):
 
 
 def test_a_guard_costs_no_accuracy():
-    start = starting_state(LOADED, (8.0, 6.0, 1.0), (0.36, -0.48, 0.8))
+    start = initial_state(LOADED, (8.0, 6.0, 1.0), (0.36, -0.48, 0.8))
     motion = integrate(LOADED, start, np.linspace(0.0, 6.0, 61), on_liftoff="warn")
     energy = motion.recorded["law_energy"]
     assert np.abs(energy - energy[0]).max() < 1e-14 * energy[0]
@@ -253,7 +253,7 @@ def test_an_implicit_body_rolls_on_to_its_waist(surface, contact, sense):
     spin = np.array((0.1, 2.0, 0.0))
     if contact == "rubber":
         spin -= (spin @ up) * up
-    start = starting_state(system, spin, up)
+    start = initial_state(system, spin, up)
     motion = integrate(system, start, sense * np.linspace(0.0, 9.0, 91), dense=True)
     (happening,) = motion.happenings
     assert happening.guard.name == "convex"
@@ -275,7 +275,7 @@ def test_a_body_of_revolution_rolls_on_to_its_cusp():
     """p = 1 + 6u²/5 has the radius of curvature p − u p′ = 1 − 6u²/5 along the parallel."""
     u = sp.Symbol("gamma_3", real=True)
     system = roll(Body(1.0, (0.5, 0.5, 0.6), Revolution(1 + sp.Rational(6, 5) * u**2)))
-    start = starting_state(system, (0.5, 0.1, 0.2), (0.1, 0.9, 0.2))
+    start = initial_state(system, (0.5, 0.1, 0.2), (0.1, 0.9, 0.2))
     motion = integrate(system, start, np.linspace(0.0, 30.0, 301), dense=True)
     (happening,) = motion.happenings
     assert happening.guard.name == "convex"
@@ -288,7 +288,7 @@ def test_a_body_of_revolution_rolls_on_to_its_cusp():
 def test_an_ellipsoid_rolls_on_to_where_the_bowl_is_too_narrow():
     shape = Ellipsoid((1.0, 1.0, 0.4))
     system = roll(Body(1.0, (0.25, 0.25, 0.3), shape), Sphere(-2.0))
-    start = starting_state(system, (1.0, 0.0, 0.0), (0.0, 1.0, 0.1))
+    start = initial_state(system, (1.0, 0.0, 0.0), (0.0, 1.0, 0.1))
     motion = integrate(system, start, np.linspace(0.0, 30.0, 301))
     (happening,) = motion.happenings
     assert happening.guard.name == "fits"
@@ -310,8 +310,8 @@ def test_a_guard_may_be_the_same_in_every_state():
     shapes = Ball(RADIUS), Revolution(sp.Rational(1, 2) + 0 * u)
     ends = []
     for shape in shapes:
-        system = roll(Body(1.0, inertia, shape), Sphere(DOME), field=Field(G))
-        state = starting_state(system, *start, normal=(np.sin(TILT), 0.0, np.cos(TILT)))
+        system = roll(Body(1.0, inertia, shape), Sphere(DOME), field=Forces(G))
+        state = initial_state(system, *start, normal=(np.sin(TILT), 0.0, np.cos(TILT)))
         ends.append(integrate(system, state, [0.0, 5.0]))
     one, other = ends
     assert one.happenings[0].guard.name == other.happenings[0].guard.name == "contact"
@@ -335,4 +335,4 @@ def test_a_guard_may_be_the_same_in_every_state():
 def test_a_start_outside_the_domain_is_refused(shape, surface, gamma, message):
     system = roll(Body(1.0, (0.25, 0.25, 0.3), shape), surface)
     with pytest.raises(InputError, match=message):
-        integrate(system, starting_state(system, (1, 0, 0), gamma), [0.0, 1.0])
+        integrate(system, initial_state(system, (1, 0, 0), gamma), [0.0, 1.0])

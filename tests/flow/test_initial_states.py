@@ -8,15 +8,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from chaplygin.analysis.lyapunov.compute import spectrum
+from chaplygin.analysis.lyapunov.compute import lyapunov_spectrum
 from chaplygin.catalogue import from_catalogue
 from chaplygin.errors import InputError
 from chaplygin.explicit.solver import solve
-from chaplygin.flow.batch import lanes
-from chaplygin.flow.gauss import precise
+from chaplygin.flow.batch import batch_integrator
+from chaplygin.flow.gauss import gauss_integrator
 from chaplygin.flow.initial_states import flat_starts, reduced_start, upright, whole_start
 from chaplygin.flow.integrator import integrate
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.initial_state import initial_state
 
 OMEGA = np.array([[0.7, 0.4, 1.1], [-1.0, 2.0, 0.1], [0.0, 0.0, 3.0]])
 GAMMA = np.array([[0.2, -0.3, 0.93], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]])
@@ -32,7 +32,7 @@ def test_as_single_starts_with_fifty_digits(name: str) -> None:
         omega = OMEGA - np.sum(OMEGA * up, axis=1, keepdims=True) * up
     found = flat_starts(system, {"omega": omega, "gamma": GAMMA})
     for row, spin, up in zip(found, omega, GAMMA, strict=True):
-        wanted = starting_state(system, spin.tolist(), up.tolist())[: len(system.symbols)]
+        wanted = initial_state(system, spin.tolist(), up.tolist())[: len(system.symbols)]
         assert np.allclose(row, np.array(wanted, dtype=float), rtol=1e-14, atol=1e-15)
 
 
@@ -84,7 +84,7 @@ NAMES = {"omega": (0.7, 0.4, 1.1), "gamma": (0.2, -0.3, 0.93)}
 
 def _ways() -> list[Any]:
     """One start with its motion in space, without it, by names, and by variables."""
-    whole = starting_state(BALL, NAMES["omega"], NAMES["gamma"])
+    whole = initial_state(BALL, NAMES["omega"], NAMES["gamma"])
     state = [float(x) for x in whole[:6]]
     return [whole, state, NAMES, {"M": state[:3], "gamma": state[3:]}]
 
@@ -103,18 +103,18 @@ def test_every_door_takes_every_start() -> None:
     ends, exponents, solved = [], [], []
     for way in _ways():
         ends.append(integrate(BALL, way, [0.0, 1.0])["M"][-1])
-        exponents.append(spectrum(BALL, way, until=20.0).values)
+        exponents.append(lyapunov_spectrum(BALL, way, until=20.0).values)
         solved.append(solve(BALL, way)(1.0)["M"][0])
     for found in (ends, exponents, solved):
         for other in found[1:]:
             assert np.abs(other - found[0]).max() < 1e-12
     whole = [[float(x) for x in _ways()[0]]]
-    machine = lanes(BALL)
+    machine = batch_integrator(BALL)
     assert np.array_equal(
         machine.until(whole, [1.0]).states, machine.until([whole[0][:6]], [1.0]).states
     )
     assert (
-        np.abs(precise(BALL, whole[0]).until(whole, [1.0]).states[0, 0, :3] - ends[0]).max() < 1e-12
+        np.abs(gauss_integrator(BALL, whole[0]).until(whole, [1.0]).states[0, 0, :3] - ends[0]).max() < 1e-12
     )
 
 

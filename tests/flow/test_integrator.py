@@ -15,7 +15,7 @@ from chaplygin.core.system import Observable, Parameter, System
 from chaplygin.core.vectors import vectors
 from chaplygin.errors import InputError
 from chaplygin.flow.integrator import integrate
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.initial_state import initial_state
 from chaplygin.report.summary import drift
 
 x, y, p, b = sp.symbols("x y p b", real=True)
@@ -35,7 +35,7 @@ OSCILLATOR = System(
 def example(name):
     entry = CATALOGUE[name]
     system = entry.system()
-    return system, starting_state(system, entry.start.omega, entry.start.gamma)
+    return system, initial_state(system, entry.start.omega, entry.start.gamma)
 
 
 def far(one, other):
@@ -129,7 +129,7 @@ def test_attitude_does_not_spoil_the_dynamics():
     omega, gamma = (0.5, -0.5, 0.25), (0.0, 0.447213595499958, 0.894427190999916)
     motions = [
         integrate(
-            system, starting_state(system, omega, gamma, heading=angle), np.linspace(0, 20, 5)
+            system, initial_state(system, omega, gamma, heading=angle), np.linspace(0, 20, 5)
         )
         for angle in (0.0, 1.0)
     ]
@@ -291,7 +291,7 @@ def test_a_far_place_is_in_the_dense_output_too():
 def test_parameters_at_run_time_are_those_of_another_system():
     entry = CATALOGUE["chaplygin-ball"]
     other = entry.system({"I_1": 1.3, "R": 0.8})
-    start = starting_state(other, entry.start.omega, entry.start.gamma)
+    start = initial_state(other, entry.start.omega, entry.start.gamma)
     symbols = sp.symbols("I_1 R", real=True)
     given = dict(zip(symbols, (1.3, 0.8), strict=True))
     one = integrate(entry.system(), start, [0.0, 10.0], parameters=given)
@@ -429,7 +429,7 @@ def test_one_system_can_be_integrated_from_many_starts():
     """No run leaves anything behind for the next one."""
     system, start = example("chaplygin-ball")
     first = integrate(system, start, [0.0, 5.0])
-    integrate(system, starting_state(system, (3, 2, 1), (1, 0, 0)), [3.0, -5.0], dense=True)
+    integrate(system, initial_state(system, (3, 2, 1), (1, 0, 0)), [3.0, -5.0], dense=True)
     again = integrate(system, start, [0.0, 5.0])
     assert first.states.tolist() == again.states.tolist()
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from chaplygin.catalogue.ball_on_sphere.ball_on_sphere_equations import equations
-from chaplygin.core.vectors import explicit
+from chaplygin.catalogue.ball_on_sphere.ball_on_sphere_equations import equations_on_sphere
+from chaplygin.core.vectors import to_components
 from chaplygin.flow.level_projection import projected
 from chaplygin.formulas.batch import Formulas
 
-BALL = equations()
-ENERGY, MOMENTUM = (explicit(law.value) for law in BALL.integrals[:2])
-LEVEL = Formulas(BALL, (explicit(BALL.relations[0]), ENERGY, MOMENTUM))
+BALL = equations_on_sphere()
+ENERGY, MOMENTUM = (to_components(law.value) for law in BALL.integrals[:2])
+LEVEL = Formulas(BALL, (to_components(BALL.relations[0]), ENERGY, MOMENTUM))
 STATES = np.random.default_rng(1).normal(size=(7, 6))
 RATIOS = {"k": np.linspace(-1.0, 1.0, 7)}
 

@@ -10,19 +10,19 @@ from hypothesis import strategies as st
 
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import System
-from chaplygin.core.vectors import explicit, scalar
-from chaplygin.flow.batch import lanes
+from chaplygin.core.vectors import to_components, real_symbol
+from chaplygin.flow.batch import batch_integrator
 from chaplygin.flow.tangent_space import TangentSpace, orthonormal, propagate
 
-x, y, z = map(scalar, "xyz")
+x, y, z = map(real_symbol, "xyz")
 LINEAR = System("linear", "Linear", {x: x / 5 + y, y: -y, z: -3 * z / 10})
 WHOLE = TangentSpace(LINEAR, (), (), np.zeros((0, 0)))
 
 
 def _ball() -> tuple[TangentSpace, np.ndarray]:
     system = from_catalogue("chaplygin-ball")
-    laws = {law.name: explicit(law.value) for law in system.integrals}
-    conditions = (explicit(system.relations[0]), laws["energy"], laws["area"])
+    laws = {law.name: to_components(law.value) for law in system.integrals}
+    conditions = (to_components(system.relations[0]), laws["energy"], laws["area"])
     states = np.random.default_rng(5).standard_normal((7, 6))
     states[:, 3:] /= np.linalg.norm(states[:, 3:], axis=1)[:, None]
     return TangentSpace(system, conditions, (system.rates,), np.eye(1)), states
@@ -95,7 +95,7 @@ def test_divergence_on_the_phase_space() -> None:
 
 
 def test_deviations_grow_as_the_equations_say() -> None:
-    flow = lanes(LINEAR, deviations=3)
+    flow = batch_integrator(LINEAR, deviations=3)
     stretches = propagate(flow, WHOLE, np.array([[1.0, 0.5, 0.2]]), 0.5)
     lengths = np.array([next(stretches).lengths[0] for _ in range(48)])
     assert lengths.sum(axis=1) == pytest.approx(np.full(48, 0.5 * (0.2 - 1 - 0.3)), rel=1e-9)
@@ -103,7 +103,7 @@ def test_deviations_grow_as_the_equations_say() -> None:
 
 
 def test_inner_times_are_those_asked_for() -> None:
-    flow = lanes(LINEAR, deviations=1)
+    flow = batch_integrator(LINEAR, deviations=1)
     nodes = np.array([0.25, 0.5])
     stretch = next(propagate(flow, WHOLE, np.array([[1.0, 0.0, 1.0]]), 1.0, nodes=nodes))
     assert stretch.states[0, :, 0] == pytest.approx(np.exp(0.2 * nodes), rel=1e-12)

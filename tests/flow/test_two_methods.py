@@ -9,8 +9,8 @@ import pytest
 
 from chaplygin.catalogue import CATALOGUE, from_catalogue
 from chaplygin.core.system import flat
-from chaplygin.flow.batch import lanes
-from chaplygin.flow.gauss import precise
+from chaplygin.flow.batch import batch_integrator
+from chaplygin.flow.gauss import gauss_integrator
 from chaplygin.flow.initial_states import flat_starts
 
 #: Two systems at all times, the others among the slow tests.
@@ -34,8 +34,8 @@ def test_lanes_and_collocation_agree(name: str) -> None:
     }
     start = flat_starts(system, given)
     times = [min(chosen.until, 5.0)]
-    fine = precise(system, start[0]).until(start, times)
-    found = lanes(system).until(start, times)
+    fine = gauss_integrator(system, start[0]).until(start, times)
+    found = batch_integrator(system).until(start, times)
     assert found.outcome.tolist() == fine.outcome.tolist() == [0]
     allowed = 1e-10 * np.maximum(1, np.abs(fine.states))
     assert (np.abs(found.states - fine.states) < allowed).all()

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.catalogue.ball_on_sphere.ball_on_sphere_equations import equations
+from chaplygin.catalogue.ball_on_sphere.ball_on_sphere_equations import equations_on_sphere
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import explicit
+from chaplygin.core.vectors import to_components
 from chaplygin.errors import InputError
 from chaplygin.formulas.batch import Formulas
 
-BALL = equations()
-LEVELS = (explicit(BALL.relations[0]), *(explicit(law.value) for law in BALL.integrals[:2]))
+BALL = equations_on_sphere()
+LEVELS = (to_components(BALL.relations[0]), *(to_components(law.value) for law in BALL.integrals[:2]))
 STATES = np.random.default_rng(1).normal(size=(7, 6))
 RATIOS = {"k": np.linspace(-1.0, 1.0, 7)}
 

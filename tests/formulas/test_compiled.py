@@ -6,10 +6,10 @@ import numpy as np
 import sympy as sp
 
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import scalar
-from chaplygin.formulas.compiled import Compiled, Sheet
+from chaplygin.core.vectors import real_symbol
+from chaplygin.formulas.compiled import Compiled, SystemFormulas
 
-x, y, a = (scalar(name) for name in ["x", "y", "a"])
+x, y, a = (real_symbol(name) for name in ["x", "y", "a"])
 SYSTEM = System("trial", "Trial", {x: y, y: -a * x}, (Parameter(a, "stiffness", 2.0),))
 FORMULAS = (
     a * x**2 / (1 + y**2),
@@ -23,7 +23,7 @@ POINTS = np.random.default_rng(2).uniform(-2, 2, (2, 30))
 
 
 def test_values() -> None:
-    sheet = Sheet(SYSTEM)
+    sheet = SystemFormulas(SYSTEM)
     found = Compiled([sheet.read(f) for f in FORMULAS])(POINTS, np.array([1.7]))
     for row, formula in zip(found, FORMULAS, strict=True):
         wanted = sp.lambdify((x, y, a), formula)(*POINTS, 1.7)
@@ -31,7 +31,7 @@ def test_values() -> None:
 
 
 def test_slopes() -> None:
-    sheet = Sheet(SYSTEM)
+    sheet = SystemFormulas(SYSTEM)
     slopes = sheet.slopes([sheet.read(FORMULAS[0])])[0]
     found = Compiled(slopes)(POINTS, np.array([1.7]))
     for row, symbol in zip(found, (x, y), strict=True):
@@ -41,5 +41,5 @@ def test_slopes() -> None:
 
 
 def test_no_real_value() -> None:
-    sheet = Sheet(SYSTEM)
+    sheet = SystemFormulas(SYSTEM)
     assert np.isnan(Compiled([sheet.read(sp.sqrt(x))])(np.array([[-1.0], [0.0]]), np.ones(1))).all()

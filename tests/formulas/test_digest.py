@@ -18,7 +18,7 @@ import sympy as sp
 from chaplygin.catalogue import CATALOGUE, from_catalogue
 from chaplygin.core.laws import Identity, Measure, Symmetry
 from chaplygin.errors import InputError
-from chaplygin.formulas.digest import digest, parts, settled
+from chaplygin.formulas.digest import digest, field_digests, canonical
 
 x, y = sp.symbols("x y")
 
@@ -108,21 +108,21 @@ def test_a_system_is_what_is_measured_along_its_motions() -> None:
 
 @pytest.mark.parametrize("name", sorted(CATALOGUE)[::8])
 def test_systems_keep_their_names_on_the_way_to_a_worker(name: str) -> None:
-    system = settled(from_catalogue(name))
+    system = canonical(from_catalogue(name))
     assert digest(pickle.loads(pickle.dumps(system))) == digest(system)
 
 
 def test_formulas_that_sympy_rewrites_are_settled() -> None:
     system = from_catalogue("trailers")
-    assert digest(settled(system)) != digest(system)
-    assert digest(settled(settled(system))) == digest(settled(system))
+    assert digest(canonical(system)) != digest(system)
+    assert digest(canonical(canonical(system))) == digest(canonical(system))
 
 
 @pytest.mark.slow
 def test_all_systems_keep_their_names_on_the_way_to_a_worker() -> None:
     names = {}
     for name in CATALOGUE:
-        system = settled(from_catalogue(name))
+        system = canonical(from_catalogue(name))
         names[name] = digest(system)
         assert digest(pickle.loads(pickle.dumps(system))) == names[name], name
     assert len(set(names.values())) == len(names)
@@ -147,13 +147,13 @@ def test_names_are_the_same_in_another_process() -> None:
 
 
 def test_parts_are_named() -> None:
-    assert set(parts(Pair(1, 2))) == {"function", "first", "second"}
-    assert set(parts(functools.partial(np.add, 1, dtype="f8"))) == {
+    assert set(field_digests(Pair(1, 2))) == {"function", "first", "second"}
+    assert set(field_digests(functools.partial(np.add, 1, dtype="f8"))) == {
         "function",
         "argument 1",
         "dtype",
     }
-    assert set(parts(np.sin)) == {"function"}
+    assert set(field_digests(np.sin)) == {"function"}
 
 
 @pytest.mark.parametrize("value", [lambda: 0, object(), (1, object())], ids=["f", "thing", "in"])

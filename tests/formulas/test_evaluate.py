@@ -11,7 +11,7 @@ import sympy as sp
 from chaplygin.core.system import Observable, Parameter, System
 from chaplygin.core.vectors import dot
 from chaplygin.errors import InputError
-from chaplygin.formulas.evaluate import doubles, formula, parameter_rows, read_system, values
+from chaplygin.formulas.evaluate import as_float_array, formula, parameter_rows, read_formulas, values
 from flow.small import OSCILLATOR, TOP, M, body, gamma, p, starts, u, x, y
 
 a, w = sp.symbols("a w", real=True)
@@ -86,8 +86,8 @@ def test_formulas_and_texts_are_the_same() -> None:
 
 
 def test_a_system_is_read_once() -> None:
-    assert read_system(TRIAL)[0] is read_system(TRIAL)[0]
-    assert len(read_system(TRIAL)[1]) == 2
+    assert read_formulas(TRIAL)[0] is read_formulas(TRIAL)[0]
+    assert len(read_formulas(TRIAL)[1]) == 2
 
 
 def test_rows_of_parameters() -> None:
@@ -134,7 +134,7 @@ MISTAKES: dict[str, tuple[Any, str]] = {
         "trial: p has the shape (1, 1); it must be one number or 2, one for each motion",
     ),
     "words": (
-        lambda: doubles("heights", ["low", "high"]),
+        lambda: as_float_array("heights", ["low", "high"]),
         "heights: all must be real numbers, in rows of one length",
     ),
 }

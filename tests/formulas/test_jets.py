@@ -9,8 +9,8 @@ from flint import arb
 from chaplygin.core.laws import Rate
 from chaplygin.formulas.errors import OutOfReachError, UnknownSymbolError
 from chaplygin.formulas.jets import Evaluator, Jet
-from chaplygin.formulas.number_fields import Balls, precise
-from chaplygin.proof.fields.function_field import Fractions
+from chaplygin.formulas.number_fields import Balls, ball_precision
+from chaplygin.proof.fields.function_field import FunctionField
 
 x, y, k = sp.symbols("x y k", real=True)
 f = sp.Function("f")
@@ -47,7 +47,7 @@ def seeded(field):
 def test_derivatives_as_sympy_takes_them(name):
     formula = FORMULAS[name]
     point = {x: sp.Rational(7, 10), y: sp.Rational(13, 10), k: sp.Rational(17, 10)}
-    with precise():
+    with ball_precision():
         evaluate = seeded(balls())
         for direction, symbol in ((None, None), (0, x), (1, y)):
             wanted = formula if symbol is None else sp.diff(formula, symbol)
@@ -60,7 +60,7 @@ def test_derivatives_as_sympy_takes_them(name):
 @pytest.mark.parametrize("name", ["rational", "root", "rational power", "trigonometric"])
 def test_exact_derivatives_equal_those_of_sympy(name):
     """The derivative taken along with the value equals the evaluated derivative."""
-    field = Fractions(["x", "y", "k"], spare=30, sample={"x": 0.7, "y": 1.3, "k": 1.7})
+    field = FunctionField(["x", "y", "k"], spare=30, sample={"x": 0.7, "y": 1.3, "k": 1.7})
     evaluate = seeded(field)
     for direction, symbol in ((0, x), (1, y)):
         slope = evaluate.slope(FORMULAS[name], direction)
@@ -68,7 +68,7 @@ def test_exact_derivatives_equal_those_of_sympy(name):
 
 
 def test_chain_rule_for_unspecified_functions():
-    field = Fractions(["x", "y", "k"], spare=30)
+    field = FunctionField(["x", "y", "k"], spare=30)
     evaluate = seeded(field)
     formula = f(x * y, x) ** 2
     slope = evaluate.slope(formula, 0)
@@ -89,5 +89,5 @@ def test_what_cannot_be_evaluated_is_said():
 
 
 def test_rates_need_an_evaluation_along_the_field():
-    with precise(), pytest.raises(OutOfReachError, match="rate"):
+    with ball_precision(), pytest.raises(OutOfReachError, match="rate"):
         seeded(balls())(Rate(x))

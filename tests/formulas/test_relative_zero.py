@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 from flint import arb
 
-from chaplygin.core.vectors import dot, explicit, vectors
+from chaplygin.core.vectors import dot, to_components, vectors
 from chaplygin.formulas.relative_zero import RESOLUTION, ROUNDED, Sized, measured, sized, vanishes
 
 M, gamma = vectors("M gamma")
@@ -20,7 +20,7 @@ def level(momentum: tuple[Fraction, ...], normal: tuple[Fraction, ...]) -> Sized
     """(M, γ) with its size."""
     symbols = (*M.symbols, *gamma.symbols)
     known = measured((M, gamma), symbols, (*momentum, *normal))
-    return sized([explicit(dot(M, gamma))], known)[0]
+    return sized([to_components(dot(M, gamma))], known)[0]
 
 
 @pytest.mark.parametrize("size", [Fraction(1, 10**15), Fraction(1), Fraction(10**15)], ids=float)

@@ -10,9 +10,9 @@ import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 
-from chaplygin.formulas.expansion import Germs, angles
+from chaplygin.formulas.expansion import TaylorExpansion, angles
 from chaplygin.formulas.taylor import PRIMES, IrrationalError, Modular, Rational
-from chaplygin.mechanics.constraints.exact_points import Space, drawn
+from chaplygin.mechanics.constraints.exact_points import ConfigurationSpace, random_point
 
 x, y = sp.symbols("x y", real=True)
 KINDS = (Rational(), *(Modular(p) for p in PRIMES))
@@ -22,7 +22,7 @@ ORDER = 4
 
 def germs(numbers, formula, place):
     values = {s: numbers.number(v) for s, v in place.items()}
-    return Germs(numbers, (x, y), values, {}, angles([formula], {}), {}, ORDER)
+    return TaylorExpansion(numbers, (x, y), values, {}, angles([formula], {}), {}, ORDER)
 
 
 def derivatives(formula, place):
@@ -69,9 +69,9 @@ IDENTITIES = (
 @pytest.mark.parametrize("numbers", KINDS, ids=KIND_NAMES)
 @pytest.mark.parametrize("formula", IDENTITIES, ids=str)
 def test_identities_between_functions_hold_exactly(numbers, formula):
-    space = Space((x, y), (), (), (formula, formula + x))
+    space = ConfigurationSpace((x, y), (), (), (formula, formula + x))
     for seed in (6, 7, 8):
-        found = drawn(space, numbers, random.Random(seed)).germs(space, 5)
+        found = random_point(space, numbers, random.Random(seed)).germs(space, 5)
         assert found.series(formula).is_zero
         assert not found.series(formula + x**5).is_zero
 
@@ -89,8 +89,8 @@ def test_identities_between_functions_hold_exactly(numbers, formula):
 )
 def test_derivatives_of_functions(function, slope):
     numbers = Modular()
-    space = Space((x, y), (), (), (function, slope))
-    found = drawn(space, numbers, random.Random(5)).germs(space, 4)
+    space = ConfigurationSpace((x, y), (), (), (function, slope))
+    found = random_point(space, numbers, random.Random(5)).germs(space, 4)
     left, right = found.series(function).derivative(0), found.series(slope).cut(3)
     assert (left - right).is_zero
     assert not left.is_zero

@@ -10,7 +10,7 @@ import sympy as sp
 
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.contact import contact as contact_of
-from chaplygin.mechanics.rolling.equations import Field, roll
+from chaplygin.mechanics.rolling.equations import Forces, roll
 from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
 from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
 from mechanics.compare import GAMMA, XYZ
@@ -20,7 +20,7 @@ FULL = ((1.2, 0.1, -0.2), (0.1, 1.5, 0.3), (-0.2, 0.3, 2.1))
 PRINCIPAL = (1.2, 1.5, 2.1)
 ROTORS = (0.3, -0.4, 0.5)
 CENTRE = (0.1, -0.2, 0.15)
-FIELD = Field(1.7, GAMMA[0] * GAMMA[1] / 2 + GAMMA[2] ** 2 / 4 - GAMMA[0] / 3)
+FIELD = Forces(1.7, GAMMA[0] * GAMMA[1] / 2 + GAMMA[2] ** 2 / 4 - GAMMA[0] / 3)
 
 X, Y, Z = XYZ
 QUARTIC = X**2 + sp.Rational(4, 5) * Y**2 + Z**2 + X**4 / 5 + Z**4 / 10 + X * Y * Z / 10 - 1

@@ -18,7 +18,7 @@ from scipy.integrate import DOP853
 
 import reference
 from chaplygin.core.system import System
-from chaplygin.core.vectors import explicit
+from chaplygin.core.vectors import to_components
 from chaplygin.flow.integrator import Trajectory
 from chaplygin.mechanics.rolling import body as bodies
 from chaplygin.mechanics.rolling import (
@@ -284,15 +284,15 @@ def instant_of_package(system: System, state: Sequence[Any]) -> dict[str, np.nda
     values |= {s: float(x) for s, x in zip(lifted.symbols, state, strict=True)}
     pieces: dict[str, list[Any]] = {}
     for name, rate in lifted.field:
-        pieces[f"rate of {name}"] = list(explicit(rate))
+        pieces[f"rate of {name}"] = list(to_components(rate))
     for item in lifted.observables:
         pieces[item.name] = _entries(item.value)
-    pieces["energy"] = [explicit(law.value) for law in lifted.laws if law.name == "energy"]
+    pieces["energy"] = [to_components(law.value) for law in lifted.laws if law.name == "energy"]
     for guard in lifted.guards:
-        pieces.setdefault(f"guard {guard.name}", []).append(explicit(guard.value))
+        pieces.setdefault(f"guard {guard.name}", []).append(to_components(guard.value))
     numbers = iter(evaluate(lifted, [e for piece in pieces.values() for e in piece], values))
     told = {name: np.array([next(numbers) for _ in piece]) for name, piece in pieces.items()}
-    relations = [explicit(relation) for relation in lifted.relations]
+    relations = [to_components(relation) for relation in lifted.relations]
     told["relations"] = evaluate(lifted, relations, values)
     near = values | dict(zip(lifted.symbols, displaced(lifted, state), strict=True))
     told["relations nearby"] = evaluate(lifted, relations, near)
@@ -300,7 +300,7 @@ def instant_of_package(system: System, state: Sequence[Any]) -> dict[str, np.nda
 
 
 def _entries(value: Any) -> list[sp.Expr]:
-    parts = explicit(value)
+    parts = to_components(value)
     return list(parts) if isinstance(parts, sp.MatrixBase) else [parts]
 
 

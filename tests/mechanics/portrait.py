@@ -10,7 +10,7 @@ import sympy as sp
 from hypothesis import strategies as st
 
 from chaplygin.core.system import System
-from chaplygin.core.vectors import Vector, explicit
+from chaplygin.core.vectors import Vector, to_components
 
 GIVEN = ("omega", "gamma", "zeta", "r")
 
@@ -43,7 +43,7 @@ class Portrait:
         )
         self.spins = [s for name in GIVEN for s in Vector(name).symbols if self._is_given(name)]
         self.momenta = self._compile(
-            self.spins, [e for _, formula in system.start for e in explicit(formula)]
+            self.spins, [e for _, formula in system.start for e in to_components(formula)]
         )
 
     def _is_given(self, name: str) -> bool:
@@ -87,5 +87,5 @@ class Portrait:
 
 
 def _entries(value: Any) -> list[sp.Expr]:
-    parts = explicit(value)
+    parts = to_components(value)
     return list(parts) if isinstance(parts, sp.MatrixBase) else [parts]

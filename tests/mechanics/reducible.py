@@ -3,7 +3,7 @@
 import sympy as sp
 
 from chaplygin.core.system import Parameter
-from chaplygin.core.vectors import Diagonal, constant, cross, dot, normed, scalar, vectors
+from chaplygin.core.vectors import Diagonal, constant, cross, dot, norm_squared, real_symbol, vectors
 from chaplygin.mechanics.lagrangian.mechanism import (
     Frame,
     Mechanism,
@@ -15,9 +15,9 @@ from chaplygin.mechanics.lagrangian.mechanism import (
 HALF = sp.Rational(1, 2)
 omega, v, gamma, rotors = vectors("omega v gamma k")
 I = Diagonal("I")
-m, R, ratio = scalar("m"), scalar("R"), scalar("kappa")
-x, y, phi, theta, psi = (scalar(name) for name in ("x", "y", "phi", "theta", "psi"))
-a, b = scalar("a"), scalar("b")
+m, R, ratio = real_symbol("m"), real_symbol("R"), real_symbol("kappa")
+x, y, phi, theta, psi = (real_symbol(name) for name in ("x", "y", "phi", "theta", "psi"))
+a, b = real_symbol("a"), real_symbol("b")
 
 INERTIA = tuple(
     Parameter(s, f"moment of inertia about body axis {i}", value, "kg m^2", (s > 0,))
@@ -36,7 +36,7 @@ def sleigh(ahead: sp.Expr = a) -> Mechanism:
     frame = coordinates(x, y, phi)
     dx, dy, turning = frame.w
     along, across = dx * sp.cos(phi) + dy * sp.sin(phi), dy * sp.cos(phi) - dx * sp.sin(phi)
-    moment = scalar("I")
+    moment = real_symbol("I")
     kinetic = HALF * m * ((along - b * turning) ** 2 + (across + ahead * turning) ** 2)
     distance = (Parameter(a, "distance of the centre of mass ahead", 0.3, "m"),)
     return Mechanism(
@@ -55,7 +55,7 @@ def sleigh(ahead: sp.Expr = a) -> Mechanism:
 
 def veselova(potential: sp.Expr = sp.S.Zero) -> Mechanism:
     """A body about a fixed point with (ω, γ) = 0."""
-    frame = Frame({gamma: cross(gamma, omega)}, (omega,), (normed(gamma) - 1,), rotations(omega))
+    frame = Frame({gamma: cross(gamma, omega)}, (omega,), (norm_squared(gamma) - 1,), rotations(omega))
     kinetic = HALF * dot(omega, I * omega)
     return Mechanism(
         "veselova", frame, kinetic - potential, (dot(omega, gamma),), parameters=INERTIA
@@ -65,13 +65,13 @@ def veselova(potential: sp.Expr = sp.S.Zero) -> Mechanism:
 def ball(gyrostat: bool = False, potential: sp.Expr = sp.S.Zero) -> Mechanism:
     """The Chaplygin ball on a plane; v is the velocity of its centre."""
     frame = Frame(
-        {gamma: cross(gamma, omega)}, (omega, v), (normed(gamma) - 1,), euclidean(omega, v)
+        {gamma: cross(gamma, omega)}, (omega, v), (norm_squared(gamma) - 1,), euclidean(omega, v)
     )
     carried = dot(rotors, omega) if gyrostat else sp.S.Zero
     return Mechanism(
         "ball",
         frame,
-        HALF * (dot(omega, I * omega) + m * normed(v)) + carried - potential,
+        HALF * (dot(omega, I * omega) + m * norm_squared(v)) + carried - potential,
         (v - cross(omega, R * gamma),),
         parameters=(*INERTIA, MASS, RADIUS, *(ROTORS if gyrostat else ())),
     )
@@ -113,14 +113,14 @@ def on_sphere(k: sp.Expr, rubber: bool) -> Mechanism:
     frame = Frame(
         {gamma: cross(gamma, omega) + (1 - k) / R * across},
         (omega, v),
-        (normed(gamma) - 1,),
+        (norm_squared(gamma) - 1,),
         euclidean(omega, v),
     )
     extra = (Parameter(ratio, "ratio a/(a + R)", 0.6),) if k == ratio else ()
     return Mechanism(
         "ball-on-sphere",
         frame,
-        HALF * (dot(omega, I * omega) + m * normed(v)),
+        HALF * (dot(omega, I * omega) + m * norm_squared(v)),
         (v - cross(omega, R * gamma), *((dot(omega, gamma),) if rubber else ())),
         parameters=(*INERTIA, MASS, RADIUS, *extra),
     )
@@ -133,13 +133,13 @@ def hollow_ball(
     frame = Frame(
         {gamma: cross(gamma, omega) + 2 * across},
         (omega, v),
-        (normed(gamma) - 1,),
+        (norm_squared(gamma) - 1,),
         euclidean(omega, v),
     )
     tensor = constant(sp.diag(*moments))
     return Mechanism(
         "hollow-ball",
         frame,
-        HALF * (dot(omega, tensor * omega) + normed(v)),
+        HALF * (dot(omega, tensor * omega) + norm_squared(v)),
         (v - cross(omega, gamma),),
     )

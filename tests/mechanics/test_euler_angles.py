@@ -14,9 +14,9 @@ import mpmath
 import pytest
 import sympy as sp
 
-from chaplygin import Ball, Body, Ellipsoid, Field, Plane, Rolling
-from chaplygin.core.vectors import Vector, scalar
-from chaplygin.mechanics.lagrangian.generic_points import Sample
+from chaplygin import Ball, Body, Ellipsoid, Forces, Plane, Rolling
+from chaplygin.core.vectors import Vector, real_symbol
+from chaplygin.mechanics.lagrangian.generic_points import GenericPoint
 from chaplygin.mechanics.lagrangian.poincare_suslov import equations
 from chaplygin.mechanics.rolling.mechanism import rolling_mechanism
 
@@ -125,12 +125,12 @@ def admissible(function: Any, count: int, seed: int) -> list[Any]:
 @pytest.mark.parametrize("name", SHAPES)
 def test_agrees_with_euler_angles(name: str, model: Any) -> None:
     body = Body(1.1, (2.0, 3.0, 4.0), SHAPES[name][0])
-    system = equations(rolling_mechanism(Rolling(body, Plane(), model, Field(gravity=9.7))))
+    system = equations(rolling_mechanism(Rolling(body, Plane(), model, Forces(gravity=9.7))))
     exact = {p.symbol: sp.Rational(str(p.default)) for p in system.parameters}
     rates = dict(zip(system.symbols, system.rates, strict=True))
     function, count = formulas(name, model)
     ours = [rates[s] for s in Vector("omega").symbols]
-    ours += [scalar(f"lambda_{i}") for i in range(1, count + 1)]
+    ours += [real_symbol(f"lambda_{i}") for i in range(1, count + 1)]
     with mpmath.workdps(DIGITS):
         for seed in range(5):
             point = admissible(function, count, seed)
@@ -138,8 +138,8 @@ def test_agrees_with_euler_angles(name: str, model: Any) -> None:
             turning, forces = solved(tables, count)
             state = dict(zip(Vector("gamma").symbols, tables[6], strict=True))
             state |= dict(zip(Vector("omega").symbols, tables[7], strict=True))
-            state[scalar("R_3")] = point[5]
+            state[real_symbol("R_3")] = point[5]
             state |= {s: mpmath.mpf(int(x.p)) / int(x.q) for s, x in exact.items()}
-            found = Sample(state, system.steps)
+            found = GenericPoint(state, system.steps)
             for formula, number in zip(ours, [*turning, *forces], strict=True):
                 assert abs(found.value(formula) - number) < mpmath.mpf(10) ** -40

@@ -13,7 +13,7 @@ import pytest
 import sympy as sp
 
 from chaplygin.core.system import System
-from chaplygin.flow.linear_stability import linearise
+from chaplygin.flow.linear_stability import linear_stability
 from chaplygin.formulas.multiprecision import number, slopes
 from chaplygin.mechanics.lagrangian.sympy_import import from_sympy
 
@@ -46,7 +46,7 @@ def test_the_same_eigenvalues(bicycle: ModuleType, kane: System):
     state: dict[str, Any] = dict.fromkeys(map(str, kane.symbols), 0)
     wheels = {"u3": -1 / bicycle.VALUES["R_R"], "u6": -1 / bicycle.VALUES["R_F"]}
     state |= {name: 5 * rate for name, rate in wheels.items()}
-    found = linearise(kane, state, bicycle.VALUES, along=[wheels], digits=20).eigenvalues
+    found = linear_stability(kane, state, bicycle.VALUES, along=[wheels], digits=20).eigenvalues
     ours = bicycle.near(5).eigenvalues
     assert len(found) == 4
     assert all(abs(a - b) < 1e-17 for a, b in zip(found, ours, strict=True))

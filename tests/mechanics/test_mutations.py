@@ -30,7 +30,7 @@ import chaplygin.core.laws
 import chaplygin.core.system
 import chaplygin.core.vectors
 import chaplygin.errors
-from chaplygin.core.vectors import explicit
+from chaplygin.core.vectors import to_components
 from mechanics.compare import (
     GAMMA,
     Package,
@@ -338,7 +338,7 @@ class Witness:
 def threshold(system: chaplygin.core.system.System) -> dict[str, np.ndarray]:
     """How much too early or late, relative to it, a body counts as flat; it is at 1e-6."""
     lean = dict(zip(GAMMA, (sp.Rational(3, 5 * 10**6), sp.Rational(4, 5 * 10**6)), strict=False))
-    guards = [explicit(guard.value) for guard in system.guards if guard.name == "flat"]
+    guards = [to_components(guard.value) for guard in system.guards if guard.name == "flat"]
     values = [float(guard.subs(lean) * 10**12) for guard in guards]
     return {"flat at the threshold": np.array(values)} if values else {}
 

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 import pytest
 import sympy as sp
 
-from chaplygin.core.vectors import Vector, explicit, scalar
+from chaplygin.core.vectors import Vector, to_components, real_symbol
 from chaplygin.mechanics.rolling.body import Body
-from chaplygin.mechanics.rolling.equations import Field, roll
+from chaplygin.mechanics.rolling.equations import Forces, roll
 from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
 from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
 from mechanics.compare import GAMMA, XYZ
@@ -75,8 +75,8 @@ class Point:
 
     def __post_init__(self):
         self.known = {p.symbol: sp.Rational(str(p.default)) for p in self.system.parameters}
-        if scalar("delta") in self.known:
-            self.known[scalar("delta")] = TURN
+        if real_symbol("delta") in self.known:
+            self.known[real_symbol("delta")] = TURN
         for name in self.system.state:
             self.known |= dict(zip(name.symbols, self.state[str(name)], strict=True))
         for symbol, formula in self.system.steps:
@@ -85,7 +85,7 @@ class Point:
 
     def __call__(self, formula):
         """The value of a formula."""
-        value = explicit(formula)
+        value = to_components(formula)
         parts = sp.Matrix(value) if isinstance(value, sp.MatrixBase) else value
         return parts.xreplace(self.known)
 
@@ -227,7 +227,7 @@ def surface(radius):
 @pytest.mark.parametrize("name", SHAPES)
 def test_body_on_plane_or_sphere(name, support, contact, tensor, rotors, normal):
     shape, r_of_gamma, turn = SHAPES[name]
-    field = Field(float(GRAVITY), POTENTIAL)
+    field = Forces(float(GRAVITY), POTENTIAL)
     system = roll(body(shape, tensor, rotors), surface(RADII[support]), contact, field)
     gamma = turn * NORMALS[normal]
     omega = without_spin(SPIN, gamma) if contact == "rubber" else SPIN
@@ -277,7 +277,7 @@ def gradient(gamma):
 def test_chaplygin_ball(normal, rotors):
     """(1.20), (7.1), and with rotors the equations of section 7.4."""
     gamma, omega, a, D = NORMALS[normal], SPIN, RADIUS, MASS * RADIUS**2
-    system = roll(body(Ball(float(a)), rotors=rotors), field=Field(potential=POTENTIAL))
+    system = roll(body(Ball(float(a)), rotors=rotors), field=Forces(potential=POTENTIAL))
     M = PRINCIPAL * omega + D * gamma.cross(omega.cross(gamma))
     point = ball_point(system, gamma, omega, M)
     assert point["omega"] == omega
@@ -295,7 +295,7 @@ def test_rubber_chaplygin_ball(normal):
     """Section 2.4: J omega' = J omega x omega + gamma x dU/dgamma + lambda_0 gamma."""
     gamma = NORMALS[normal]
     omega = without_spin(SPIN, gamma)
-    system = roll(body(Ball(float(RADIUS))), contact="rubber", field=Field(potential=POTENTIAL))
+    system = roll(body(Ball(float(RADIUS))), contact="rubber", field=Forces(potential=POTENTIAL))
     point = ball_point(system, gamma, omega)
     J = PRINCIPAL + MASS * RADIUS**2 * E
     couple = gamma.cross(gradient(gamma))
@@ -387,7 +387,7 @@ def test_potential_energy_is_that_of_the_height():
     """(1.16): U = mgh = -mg (r, gamma)."""
     gamma = NORMALS["steep"]
     motion = Motion(SHAPES["torus"][1], gamma, NONE, PRINCIPAL, NONE, None, False)
-    system = roll(body(SHAPES["torus"][0]), field=Field(float(GRAVITY)))
+    system = roll(body(SHAPES["torus"][0]), field=Forces(float(GRAVITY)))
     point = ball_point(system, gamma, NONE)
     assert point(system.laws[0].value) == -MASS * GRAVITY * motion.r.dot(gamma)
 
@@ -398,7 +398,7 @@ def test_profile_of_a_body_of_revolution():
     chi_1, chi_2 = -1 + u**2 / 5, -u * (1 + sp.Rational(2, 5)) + u**3 / 5
     shape = Revolution.from_profile(chi_1, chi_2, **AT)
     gamma = NORMALS["steep"]
-    system = roll(body(shape), field=Field(float(GRAVITY)))
+    system = roll(body(shape), field=Forces(float(GRAVITY)))
     point = ball_point(system, gamma, NONE)
     profile = sp.Matrix([chi_1 * gamma[0], chi_1 * gamma[1], chi_2]).xreplace({u: gamma[2]})
     assert point["r"] == profile + CENTRE

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError
 from chaplygin.mechanics.lagrangian.substituted_parameters import settled
 from chaplygin.mechanics.reduction.chaplygin import chaplygin_form
@@ -82,7 +82,7 @@ def test_the_integral_for_equal_moments_is_that_of_the_general_ball():
     equal = settled(ball(), {second: first, third: first})
     special, general = chaplygin_form(equal), chaplygin_form(ball())
     # N is known up to a constant factor, and with it S̄ and its integral
-    m, R, gamma = scalar("m"), scalar("R"), general.base.normal
+    m, R, gamma = real_symbol("m"), real_symbol("R"), general.base.normal
     same = {second: first, third: first}
     pole = dict(zip(gamma.symbols, (0, 0, 1), strict=True))
     factor = general.multiplier.value.xreplace(same).subs(pole) / special.multiplier.value

@@ -18,7 +18,7 @@ import sympy as sp
 
 from chaplygin.catalogue import CATALOGUE
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError
 from chaplygin.printing.code import LANGUAGES, TARGETS, lambdify, source_code
 from every_system import CASES, bare, laden
@@ -107,8 +107,8 @@ def test_targets_agree(target: str, case: tuple[str, str, str]) -> None:
 
 def decay() -> System:
     """Names that mean something to programming languages, a clock, and a rate of zero."""
-    x, p, t, clock = (scalar(name) for name in ("x", "p", "t", "clock"))
-    lam, double, e, dx = (scalar(name) for name in ("lambda", "double", "e", "dx"))
+    x, p, t, clock = (real_symbol(name) for name in ("x", "p", "t", "clock"))
+    lam, double, e, dx = (real_symbol(name) for name in ("lambda", "double", "e", "dx"))
     return System(
         name="2-decay law",
         title="Decay \\",

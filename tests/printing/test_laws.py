@@ -23,25 +23,25 @@ from chaplygin.core.vectors import (
     Diagonal,
     cross,
     dot,
-    explicit,
+    to_components,
     hat,
-    normed,
-    scalar,
-    unit,
+    norm_squared,
+    real_symbol,
+    unit_vector,
     vectors,
 )
 from chaplygin.printing.formula import LATEX, UNICODE, text
-from chaplygin.printing.laws import caption, formulas, heading, level, sides
+from chaplygin.printing.laws import caption, formulas, heading, condition_text, equation_sides
 from chaplygin.printing.system import claims_html, law_html, law_latex, system_html, system_text
 
 M, gamma = vectors("M gamma")
 A = Diagonal("A")
-k, s, tau, q, theta, p = (scalar(name) for name in ("k", "s", "tau", "q", "theta", "p"))
+k, s, tau, q, theta, p = (real_symbol(name) for name in ("k", "s", "tau", "q", "theta", "p"))
 half = sp.Rational(1, 2)
 spin, up = hat(M), hat(gamma)
 LIE = spin.row_join(up).col_join(up.row_join(sp.zeros(3, 3)))
 BRACKET = PoissonStructure(
-    "lie", -LIE, casimirs=(normed(gamma), dot(M, gamma)), rank=4, meaning="algebra e(3)"
+    "lie", -LIE, casimirs=(norm_squared(gamma), dot(M, gamma)), rank=4, meaning="algebra e(3)"
 )
 
 
@@ -52,14 +52,14 @@ def body(*laws: Law) -> System:
         title="Top",
         parameters=tuple(Parameter(symbol, "", 1.0) for symbol in (*A.symbols, k)),
         field={M: cross(M, A * M), gamma: cross(gamma, A * M)},
-        relations=(normed(gamma) - 1,),
+        relations=(norm_squared(gamma) - 1,),
         laws=laws,
     )
 
 
 def lines(law: Law, system: System | None = None) -> list[str]:
     """What a law says, in one line of text for each equation."""
-    found = sides(law, system or body(law), UNICODE)
+    found = equation_sides(law, system or body(law), UNICODE)
     shown = [(left, right if isinstance(right, str) else text(right)) for left, right in found]
     return [f"{left} = {right}" if left else right for left, right in shown]
 
@@ -77,7 +77,7 @@ PAGES: list[tuple[Law, str, list[str]]] = [
         ["ρ = k^(1 / (2 k)) / s"],
     ),
     (
-        Symmetry("u", {M: cross(M, unit(3)), gamma: cross(gamma, unit(3))}),
+        Symmetry("u", {M: cross(M, unit_vector(3)), gamma: cross(gamma, unit_vector(3))}),
         "Symmetry field",
         ["u = (M × e₃, ∂/∂M)", "+ (γ × e₃, ∂/∂γ)"],
     ),
@@ -96,7 +96,7 @@ PAGES: list[tuple[Law, str, list[str]]] = [
         ["{Mᵢ, Mⱼ} = 1 / s εᵢⱼₖ (k γₖ − Mₖ)", "{Mᵢ, γⱼ} = −1 / s εᵢⱼₖ γₖ"],
     ),
     (
-        PoissonStructure("own", sp.diag(hat(explicit(A * M)), sp.zeros(3, 3))),
+        PoissonStructure("own", sp.diag(hat(to_components(A * M)), sp.zeros(3, 3))),
         "Poisson bracket",
         ["{Mᵢ, Mⱼ} = εᵢⱼₖ wₖ", "w = (−A₁ M₁, −A₂ M₂, −A₃ M₃)"],
     ),
@@ -167,7 +167,7 @@ def test_variables_and_constants_of_another_system_are_primed_where_they_clash()
     ],
 )
 def test_levels(on: tuple[sp.Expr, ...], expected: str) -> None:
-    assert level(Integral("f", k, on=on), body(), text) == expected
+    assert condition_text(Integral("f", k, on=on), body(), text) == expected
 
 
 def test_captions() -> None:
@@ -182,7 +182,7 @@ def test_captions() -> None:
 
 def test_every_formula_of_a_law_counts() -> None:
     """What a law shows is defined on the page."""
-    lever = scalar("lever")
+    lever = real_symbol("lever")
     for law in (
         Symmetry("u", {M: lever * M}),
         PoissonStructure("p", lever * LIE),
@@ -198,7 +198,7 @@ def test_every_formula_of_a_law_counts() -> None:
         Measure("m", {k: lever}),
         Measure("m", {k: 1}, on=(lever,)),
     ):
-        assert any(lever in explicit(formula).free_symbols for formula in formulas(law))
+        assert any(lever in to_components(formula).free_symbols for formula in formulas(law))
 
 
 def _defined(law: Law) -> System:
@@ -229,7 +229,7 @@ def test_laws_in_html_and_latex(law: Law) -> None:
     assert page in system_html(system)
     written = law_latex(law, system)
     assert written.count("{") == written.count("}")
-    assert all(left in written for left, _ in sides(law, system, LATEX))
+    assert all(left in written for left, _ in equation_sides(law, system, LATEX))
 
 
 def test_the_level_is_typeset_in_captions() -> None:

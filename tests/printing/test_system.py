@@ -12,7 +12,7 @@ import sympy as sp
 from catalogue import built
 from chaplygin.catalogue import CATALOGUE
 from chaplygin.core.laws import Integral, Rate
-from chaplygin.core.system import Motion, Parameter, System
+from chaplygin.core.system import Reconstruction, Parameter, System
 from chaplygin.core.vectors import (
     Diagonal,
     Symmetric,
@@ -22,10 +22,10 @@ from chaplygin.core.vectors import (
     dot,
     gradient,
     identity,
-    normed,
+    norm_squared,
     outer,
-    scalar,
-    unit,
+    real_symbol,
+    unit_vector,
     vectors,
     zero,
 )
@@ -48,31 +48,31 @@ from every_system import CASES, bare, laden
 
 M, omega, gamma, r, rdot = vectors("M omega gamma r rdot")
 A, I = Diagonal("A"), Diagonal("I")
-a, b, m, g, R, s, x, y = (scalar(name) for name in ("a", "b", "m", "g", "R", "s", "x", "y"))
+a, b, m, g, R, s, x, y = (real_symbol(name) for name in ("a", "b", "m", "g", "R", "s", "x", "y"))
 half = sp.Rational(1, 2)
 U = sp.Function("U", real=True)
 
 GOLDEN = [
     # names
-    (scalar("I_1"), "I₁", r"I_{1}"),
-    (scalar("gamma_3"), "γ₃", r"\gamma_{3}"),
-    (scalar("lambda_0"), "λ₀", r"\lambda_{0}"),
-    (scalar("pprime"), "p′", r"p^{\prime}"),
-    (scalar("pprime2"), "p″", r"p^{\prime\prime}"),
-    (scalar("ell"), "ℓ", r"\ell"),
-    (scalar("A_a"), "Aₐ", r"A_{a}"),
-    (scalar("F_23"), "F₂₃", r"F_{23}"),
-    (scalar("I_Q"), "I_Q", r"I_{Q}"),
-    (scalar("e_z"), "e_z", r"e_{z}"),
-    (scalar("omegadot_2"), "ω̇₂", r"\dot{\omega}_{2}"),
+    (real_symbol("I_1"), "I₁", r"I_{1}"),
+    (real_symbol("gamma_3"), "γ₃", r"\gamma_{3}"),
+    (real_symbol("lambda_0"), "λ₀", r"\lambda_{0}"),
+    (real_symbol("pprime"), "p′", r"p^{\prime}"),
+    (real_symbol("pprime2"), "p″", r"p^{\prime\prime}"),
+    (real_symbol("ell"), "ℓ", r"\ell"),
+    (real_symbol("A_a"), "Aₐ", r"A_{a}"),
+    (real_symbol("F_23"), "F₂₃", r"F_{23}"),
+    (real_symbol("I_Q"), "I_Q", r"I_{Q}"),
+    (real_symbol("e_z"), "e_z", r"e_{z}"),
+    (real_symbol("omegadot_2"), "ω̇₂", r"\dot{\omega}_{2}"),
     (rdot, "ṙ", r"\dot{\mathbf{r}}"),
     (Vector("gammadot"), "γ̇", r"\dot{\boldsymbol{\gamma}}"),
     (Vector("Itilde"), "Ĩ", r"\tilde{\mathbf{I}}"),
-    (scalar("attitude_w"), "attitude_w", r"\text{attitude}_{w}"),
+    (real_symbol("attitude_w"), "attitude_w", r"\text{attitude}_{w}"),
     # rates and functions left open
     (Rate(x), "ẋ", r"\dot{x}"),
     (Rate(Rate(x)) / a, "ẍ / a", r"\frac{\ddot{x}}{a}"),
-    (Rate(scalar("gamma_3")) ** 2, "γ̇₃²", r"\dot{\gamma}_{3}^{2}"),
+    (Rate(real_symbol("gamma_3")) ** 2, "γ̇₃²", r"\dot{\gamma}_{3}^{2}"),
     (Rate(a * x), "d (a x)/dt", r"\frac{d \left(a x\right)}{dt}"),
     (Rate(Rate(a * x)), "d² (a x)/dt²", None),
     (U(*gamma.symbols), "U(γ)", r"U\left(\boldsymbol{\gamma}\right)"),
@@ -110,7 +110,7 @@ GOLDEN = [
     ((x + y) ** 2, "(x + y)²", r"\left(x + y\right)^{2}"),
     (x ** sp.Rational(3, 2), "x^(3/2)", "x^{3/2}"),
     (sp.sqrt(1 + x**2), "√(1 + x²)", r"\sqrt{1 + x^{2}}"),
-    (scalar("pprime") ** 2, "p′²", r"\left(p^{\prime}\right)^{2}"),
+    (real_symbol("pprime") ** 2, "p′²", r"\left(p^{\prime}\right)^{2}"),
     (sp.sin(x) ** 2 * b**2, "b² sin²(x)", r"b^{2} \sin^{2}\left(x\right)"),
     (sp.atan2(y, x), "atan2(y, x)", r"\operatorname{atan2}\left(y, x\right)"),
     (sp.acos(x), "arccos(x)", r"\arccos\left(x\right)"),
@@ -120,11 +120,11 @@ GOLDEN = [
     (sp.Ne(a, 0), "a ≠ 0", r"a \neq 0"),
     # scalar products
     (dot(M, gamma), "(M, γ)", r"\left(\mathbf{M}, \boldsymbol{\gamma}\right)"),
-    (normed(M), "M²", r"\mathbf{M}^{2}"),
-    (normed(gamma) ** 2, "γ⁴", r"\boldsymbol{\gamma}^{4}"),
-    (normed(A * gamma), "(A γ)²", r"\left(\mathbf{A} \boldsymbol{\gamma}\right)^{2}"),
-    (sp.sqrt(normed(r)), "|r|", r"\left|\mathbf{r}\right|"),
-    (1 / sp.sqrt(normed(r)) ** 3, "1 / |r|³", r"\frac{1}{\left|\mathbf{r}\right|^{3}}"),
+    (norm_squared(M), "M²", r"\mathbf{M}^{2}"),
+    (norm_squared(gamma) ** 2, "γ⁴", r"\boldsymbol{\gamma}^{4}"),
+    (norm_squared(A * gamma), "(A γ)²", r"\left(\mathbf{A} \boldsymbol{\gamma}\right)^{2}"),
+    (sp.sqrt(norm_squared(r)), "|r|", r"\left|\mathbf{r}\right|"),
+    (1 / sp.sqrt(norm_squared(r)) ** 3, "1 / |r|³", r"\frac{1}{\left|\mathbf{r}\right|^{3}}"),
     (dot(M, gamma) ** 2, "(M, γ)²", r"\left(\mathbf{M}, \boldsymbol{\gamma}\right)^{2}"),
     (
         sp.sqrt(dot(gamma, A * gamma)),
@@ -138,10 +138,10 @@ GOLDEN = [
     ),
     # vectors
     (zero, "0", "0"),
-    (unit(3), "e₃", r"\mathbf{e}_{3}"),
-    (gamma - x * unit(3), "γ − x e₃", r"\boldsymbol{\gamma} - x \mathbf{e}_{3}"),
-    (x * unit(2), "x e₂", r"x \mathbf{e}_{2}"),
-    ((x + y) * unit(1), "(x + y) e₁", None),
+    (unit_vector(3), "e₃", r"\mathbf{e}_{3}"),
+    (gamma - x * unit_vector(3), "γ − x e₃", r"\boldsymbol{\gamma} - x \mathbf{e}_{3}"),
+    (x * unit_vector(2), "x e₂", r"x \mathbf{e}_{2}"),
+    ((x + y) * unit_vector(1), "(x + y) e₁", None),
     (constant([x, -y, 0]), "(x, −y, 0)", r"\left(x,\, -y,\, 0\right)"),
     (cross(M, omega), "M × ω", r"\mathbf{M} \times \boldsymbol{\omega}"),
     (
@@ -167,9 +167,9 @@ GOLDEN = [
         r"\boldsymbol{\gamma} \times \frac{\partial U}{\partial \boldsymbol{\gamma}}",
     ),
     # tensors
-    (I + m * normed(r) * identity, "I + m r² E", r"\mathbf{I} + m \mathbf{r}^{2} \mathbf{E}"),
+    (I + m * norm_squared(r) * identity, "I + m r² E", r"\mathbf{I} + m \mathbf{r}^{2} \mathbf{E}"),
     (
-        I + m * normed(r) * identity - m * outer(r, r),
+        I + m * norm_squared(r) * identity - m * outer(r, r),
         "I + m r² E − m r ⊗ r",
         r"\mathbf{I} + m \mathbf{r}^{2} \mathbf{E} - m \mathbf{r} \otimes \mathbf{r}",
     ),
@@ -193,8 +193,8 @@ def test_golden(formula: Any, plain: str, tex: str | None) -> None:
 
 def test_rates_get_a_dot() -> None:
     assert rate(M, UNICODE) == "Ṁ"
-    assert rate(scalar("theta"), UNICODE) == "θ̇"
-    assert rate(scalar("thetadot"), UNICODE) == "θ̈"
+    assert rate(real_symbol("theta"), UNICODE) == "θ̇"
+    assert rate(real_symbol("thetadot"), UNICODE) == "θ̈"
     assert rate(Vector("attitude", 4), UNICODE) == "d(attitude)/dt"
     assert rate(gamma, LATEX) == r"\dot{\boldsymbol{\gamma}}"
     assert rate(Vector("attitude", 4), LATEX) == r"\frac{d\,\text{attitude}}{dt}"
@@ -241,7 +241,7 @@ def test_page_of_the_chaplygin_ball() -> None:
 
 
 def small(**more: Any) -> System:
-    q, v, k = scalar("q"), scalar("v"), scalar("k")
+    q, v, k = real_symbol("q"), real_symbol("v"), real_symbol("k")
     values: dict[str, Any] = {
         "field": {q: v, v: -k * q},
         "parameters": (Parameter(k, "stiffness", -0.5, "1/s^2"),),
@@ -250,13 +250,13 @@ def small(**more: Any) -> System:
 
 
 def test_page_of_a_system_with_little_to_say() -> None:
-    assert system_text(small(parameters=(), field={scalar("q"): sp.S.One})) == (
+    assert system_text(small(parameters=(), field={real_symbol("q"): sp.S.One})) == (
         "A <spring>\n\nEquations of motion\n    q̇ = 1"
     )
 
 
 def test_conditions_and_numbers_on_the_page() -> None:
-    k, q, v = scalar("k"), scalar("q"), scalar("v")
+    k, q, v = real_symbol("k"), real_symbol("q"), real_symbol("v")
     law = Integral("energy", v**2 + k * q**2, "twice the energy", on=(k + 1,), source="(2)")
     lines = system_text(small(laws=(law,))).splitlines()
     assert "    k  −0.5  1/s²  stiffness" in lines
@@ -268,7 +268,7 @@ def test_conditions_and_numbers_on_the_page() -> None:
 
 
 def test_definitions_of_laws_alone_stand_with_the_laws() -> None:
-    q, v, w = scalar("q"), scalar("v"), scalar("w")
+    q, v, w = real_symbol("q"), real_symbol("v"), real_symbol("w")
     law = Integral("energy", w, "energy")
     page = system_text(small(definitions={w: v**2 / 2}, laws=(law,)))
     equations, laws = page.split("Constant along the motion")
@@ -284,14 +284,14 @@ def test_a_rate_that_is_only_a_name_is_spelt_out() -> None:
 
 
 def test_a_rate_that_is_a_name_of_the_state_says_nothing() -> None:
-    q, qdot = scalar("q"), scalar("qdot")
+    q, qdot = real_symbol("q"), real_symbol("qdot")
     page = system_text(small(parameters=(), field={q: qdot, qdot: -q}))
     assert page == "A <spring>\n\nEquations of motion\n    q̈ = −q"
 
 
 def test_the_lift_has_a_page_of_its_own() -> None:
-    x, w, v, ydot, y = (scalar(name) for name in ("x", "w", "v", "ydot", "y"))
-    lifted = small(definitions={w: 2 * v, ydot: 3 * v}, motion=Motion({x: w, y: ydot}, (), ()))
+    x, w, v, ydot, y = (real_symbol(name) for name in ("x", "w", "v", "ydot", "y"))
+    lifted = small(definitions={w: 2 * v, ydot: 3 * v}, motion=Reconstruction({x: w, y: ydot}, (), ()))
     assert motion_text(lifted) == ["    ẋ = w", "    ẏ = 3 v", "    w = 2 v"]
     assert "ẋ" not in system_text(lifted)
     assert motion_html(lifted).count("<mtr>") == 3
@@ -300,9 +300,9 @@ def test_the_lift_has_a_page_of_its_own() -> None:
 
 
 def test_long_formulas_are_broken_before_an_operator() -> None:
-    x, y = scalar("x"), scalar("y")
+    x, y = real_symbol("x"), real_symbol("y")
     long = sp.Add(*(x**i * y ** (20 - i) for i in range(20)))
-    lines = system_text(small(definitions={scalar("w"): long}, field={x: y, y: scalar("w")}))
+    lines = system_text(small(definitions={real_symbol("w"): long}, field={x: y, y: real_symbol("w")}))
     wrapped = [line for line in lines.splitlines() if line.startswith(" " * 8)]
     assert wrapped
     assert all(re.match(r" {8}[+−] ", line) for line in wrapped)

@@ -9,10 +9,10 @@ import sympy as sp
 
 from chaplygin.core.laws import Identity, Integral
 from chaplygin.core.system import Guard, System
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.proof.prover import prove
 
-x, y = scalar("x"), scalar("y")
+x, y = real_symbol("x"), real_symbol("y")
 RESTING = System("resting", "resting", field={x: 0 * x, y: 0 * y})
 
 

@@ -23,20 +23,20 @@ from chaplygin.core.laws import (
     Symmetry,
 )
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError
-from chaplygin.formulas.number_fields import precise
+from chaplygin.formulas.number_fields import ball_precision
 from chaplygin.proof.fields.budget import Budget
-from chaplygin.proof.fields.function_field import Fractions
-from chaplygin.proof.level.level_set import Ground
+from chaplygin.proof.fields.function_field import FunctionField
+from chaplygin.proof.level.level_set import LevelSet
 from chaplygin.proof.level.positivity import orienting, positives, unmet
 from chaplygin.proof.prover import prove
-from chaplygin.proof.rank import pfaffians, shortfall
+from chaplygin.proof.rank import pfaffians, rank_defect
 from chaplygin.proof.remarks import remark
 
-x, y, z, w = map(scalar, "xyzw")
-X, Y, Z = map(scalar, "XYZ")
-u, v, q, h, f, a, b = map(scalar, "uvqhfab")
+x, y, z, w = map(real_symbol, "xyzw")
+X, Y, Z = map(real_symbol, "XYZ")
+u, v, q, h, f, a, b = map(real_symbol, "uvqhfab")
 half = sp.Rational(1, 2)
 
 A = Parameter(a, "", 1.3, "", (a > 0,))
@@ -58,16 +58,16 @@ def own_cache(tmp_path_factory):
         yield
 
 
-def fractions(law: Law, system: System) -> tuple[Ground, Fractions]:
+def fractions(law: Law, system: System) -> tuple[LevelSet, FunctionField]:
     """The ground of a law with its field of fractions, at a sample point."""
-    ground = Ground(system, law.on)
-    with precise():
+    ground = LevelSet(system, law.on)
+    with ball_precision():
         values, _ = ground.point(random.Random(3))
     sample = {name: float(value) for name, value in values.items()}
-    return ground, ground.fractions(Fractions, 8, sample, Budget())
+    return ground, ground.fractions(FunctionField, 8, sample, Budget())
 
 
-def numbers(ground: Ground, seed: int = 5):
+def numbers(ground: LevelSet, seed: int = 5):
     values, exact = ground.point(random.Random(seed))
     return ground.numbers(values, exact)
 
@@ -99,15 +99,15 @@ def test_pfaffians_tell_a_special_point_from_a_rank_that_is_too_large():
     rightly = PoissonStructure("law", z * SKEW, rank=2)
     ground, field = fractions(rightly, TURN)
     at_rest = ground.numbers({"x": 1, "y": 2, "z": 0}, exact=True)
-    assert shortfall(rightly, ground, at_rest) == ("the rank of the bracket", "0 instead of 2")
+    assert rank_defect(rightly, ground, at_rest) == ("the rank of the bracket", "0 instead of 2")
     assert all(value == 0 for _, value in pfaffians(rightly, ground, at_rest))
     assert any(not field.vanishes(value) for _, value in pfaffians(rightly, ground, field))
-    assert shortfall(rightly, ground, field) is None
+    assert rank_defect(rightly, ground, field) is None
     wrongly = replace(rightly, matrix=sp.zeros(3))
     found = list(pfaffians(wrongly, ground, field))
     assert len(found) == 3
     assert all(field.vanishes(value) for _, value in found)
-    assert shortfall(wrongly, ground, field) is not None
+    assert rank_defect(wrongly, ground, field) is not None
     form = ConformallyHamiltonian("law", sp.S.One, rightly, SQUARE / 2)
     assert len(list(pfaffians(form, ground, field))) == 3
     assert not list(pfaffians(replace(rightly, rank=None), ground, field))
@@ -198,7 +198,7 @@ def test_a_time_that_stands_still_or_runs_backwards_is_refuted(time):
 
 
 def test_a_time_whose_sign_is_not_settled_is_named():
-    ground = Ground(TURN)
+    ground = LevelSet(TURN)
 
     def needed(time: sp.Expr) -> list[sp.Expr]:
         law = replace(ONTO_PLANE, time=time)
@@ -217,8 +217,8 @@ def test_a_time_whose_sign_is_not_settled_is_named():
 def test_a_time_that_is_never_positive_is_not_proven():
     law = replace(ONTO_PLANE, time=-1 - SQUARE)
     slow = replace(TURN, field={x: y * (1 + SQUARE), y: -x * (1 + SQUARE), z: sp.S.Zero})
-    ground = Ground(slow, law.on)
-    with precise():
+    ground = LevelSet(slow, law.on)
+    with ball_precision():
         for seed in range(8):
             ((what, value),) = unmet(law, ground, numbers(ground, seed))
             assert what == "dτ/dt"
@@ -231,7 +231,7 @@ def test_a_time_that_is_never_positive_is_not_proven():
 
 def test_definitions_that_are_roots_need_no_sign():
     rooted = replace(TURN, definitions={q: sp.sqrt(1 + x), w: x - 1})
-    ground = Ground(rooted)
+    ground = LevelSet(rooted)
     assert positives(replace(ONTO_PLANE, time=1 / q), ground) == ()
     assert positives(replace(ONTO_PLANE, time=q * w), ground) == (("dτ/dt", w),)
 
@@ -241,9 +241,9 @@ def test_definitions_that_are_roots_need_no_sign():
 
 def test_a_density_that_is_nowhere_real_is_not_proven():
     law = Measure("law", {-1 - SQUARE: half})
-    ground = Ground(TURN)
+    ground = LevelSet(TURN)
     assert [formula for _, formula in positives(law, ground)] == [-1 - SQUARE]
-    with precise():
+    with ball_precision():
         assert all(unmet(law, ground, numbers(ground, seed)) for seed in range(8))
     try:
         assert not prove(TURN, law)
@@ -252,16 +252,16 @@ def test_a_density_that_is_nowhere_real_is_not_proven():
 
 
 def test_bases_under_roots_must_be_positive_and_odd_ones_give_the_sign():
-    ground = Ground(replace(TURN, parameters=(A,)))
+    ground = LevelSet(replace(TURN, parameters=(A,)))
     law = Measure("law", {z: half, SQUARE: 3, z - 1: -2, z + 1: a, z + 2: -1, z + 3: 0, z + 4: 1})
     assert [formula for _, formula in positives(law, ground)] == [z, z + 1]
     assert [formula for _, formula in orienting(law, ground)] == [SQUARE, z + 2, z + 4]
     on_level = Measure("law", {z + 1: a}, on=(a - 3,))
-    ground = Ground(ground.system, on_level.on)
+    ground = LevelSet(ground.system, on_level.on)
     assert positives(on_level, ground) == ()
     assert [formula for _, formula in orienting(on_level, ground)] == [z + 1]
     assert prove(TURN, Measure("law", {z**2 + 1: half}))
-    assert orienting(ONTO_PLANE, Ground(TURN)) == ()
+    assert orienting(ONTO_PLANE, LevelSet(TURN)) == ()
 
 
 def test_a_condition_that_follows_from_others_changes_no_volume():
@@ -315,7 +315,7 @@ def test_equations_that_leave_rates_open_are_not_closed(law):
 @pytest.mark.parametrize("taken", ["x", "q", "a"])
 def test_a_quantity_needs_a_name_of_its_own(taken):
     system = replace(PAIR, definitions={q: x + y}, parameters=(A,))
-    name = scalar(taken)
+    name = real_symbol(taken)
     for law in (
         Reduction("law", {name: z**2}, (Rate(name),)),
         Identity("law", name - z**2, quantities={name: z**2}),

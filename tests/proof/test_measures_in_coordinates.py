@@ -9,14 +9,14 @@ import pytest
 import sympy as sp
 
 from chaplygin.core.system import Parameter
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.measures.existence import measure_exists
 from chaplygin.measures.positivity import Signs, definite, positive
 from chaplygin.mechanics.lagrangian.mechanism import Mechanism, coordinates
 from chaplygin.proof.prover import prove
 
-x, y, phi, theta = (scalar(name) for name in ("x", "y", "phi", "theta"))
-m, I, a, b = (scalar(name) for name in ("m", "I", "a", "b"))
+x, y, phi, theta = (real_symbol(name) for name in ("x", "y", "phi", "theta"))
+m, I, a, b = (real_symbol(name) for name in ("m", "I", "a", "b"))
 HALF = sp.Rational(1, 2)
 FRAME = coordinates(x, y, phi)
 xdot, ydot, phidot = FRAME.w
@@ -96,7 +96,7 @@ def test_values_that_were_not_decided_are_told():
 
 def test_a_density_with_zeros_says_where_it_is_positive():
     """The pole of polar coordinates, where these are none."""
-    r = scalar("r")
+    r = real_symbol("r")
     frame = coordinates(r, theta)
     rdot, thetadot = frame.w
     energy = HALF * (rdot**2 + sp.sin(r) ** 2 * thetadot**2)

@@ -24,16 +24,16 @@ from chaplygin.core.laws import (
     Symmetry,
 )
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import Diagonal, cross, dot, explicit, normed, scalar, vectors
+from chaplygin.core.vectors import Diagonal, cross, dot, to_components, norm_squared, real_symbol, vectors
 from chaplygin.errors import InputError
 from chaplygin.proof.prover import prove
 
 M, gamma, omega = vectors("M gamma omega")
 A, J = Diagonal("A"), Diagonal("J")
-u, q = scalar("u"), scalar("q")
+u, q = real_symbol("u"), real_symbol("q")
 half = sp.Rational(1, 2)
 M_1, M_2, M_3 = M.symbols
-ENERGY, AREA, SQUARE = half * dot(M, A * M), dot(M, gamma), normed(M)
+ENERGY, AREA, SQUARE = half * dot(M, A * M), dot(M, gamma), norm_squared(M)
 
 
 @pytest.fixture(autouse=True, scope="module")
@@ -56,20 +56,20 @@ TOP = System(
     title="Free top",
     parameters=moments(A),
     field={M: cross(M, A * M), gamma: cross(gamma, A * M)},
-    relations=(normed(gamma) - 1,),
+    relations=(norm_squared(gamma) - 1,),
 )
 BY_VELOCITY = System(
     name="top-by-velocity",
     title="Free top by its angular velocity",
     parameters=moments(J),
     field={omega: J**-1 * cross(J * omega, omega), gamma: cross(gamma, omega)},
-    relations=(normed(gamma) - 1,),
+    relations=(norm_squared(gamma) - 1,),
 )
 #: A parameter by the name of something that moves in `TOP`.
 OWN = Parameter(M_1, "", 1.0)
 SMALL = replace(BY_VELOCITY, name="small", field=BY_VELOCITY.field[:1], relations=())
 INVERSE = {j: 1 / a for j, a in zip(J.symbols, A.symbols, strict=True)}
-BRACKET = PoissonStructure("bracket", lie_poisson(M, gamma), (normed(gamma), AREA), rank=4)
+BRACKET = PoissonStructure("bracket", lie_poisson(M, gamma), (norm_squared(gamma), AREA), rank=4)
 SPIN = {M: cross(M, A * M), gamma: cross(gamma, A * M)}
 
 RIGHT = {
@@ -93,11 +93,11 @@ RIGHT = {
     ),
     "reduction": Reduction("law", {u: SQUARE * ENERGY}, (Rate(u),)),
     "reduction with constants": Reduction("law", {u: AREA, q: u**2}, (Rate(q), q - u**2)),
-    "identity": Identity("law", (normed(gamma) - 1, dot(gamma, cross(M, gamma)))),
-    "identity with rates": Identity("law", Rate(M_1) - explicit(cross(M, A * M))[0]),
+    "identity": Identity("law", (norm_squared(gamma) - 1, dot(gamma, cross(M, gamma)))),
+    "identity with rates": Identity("law", Rate(M_1) - to_components(cross(M, A * M))[0]),
 }
 WRONG = {
-    "no integral": Integral("law", normed(A * M)),
+    "no integral": Integral("law", norm_squared(A * M)),
     "integral with a wrong root": Integral("law", sp.sqrt(1 + M_1**2)),
     "integral on a level only": replace(RIGHT["integral on a level"], on=()),
     "equal moments only": replace(RIGHT["integral for equal moments"], on=()),
@@ -122,8 +122,8 @@ WRONG = {
     "no reduction": Reduction("law", {u: SQUARE}, (Rate(u) - u,)),
     "second equation wrong": Reduction("law", {u: SQUARE}, (Rate(u), u - 1)),
     "no constant": Reduction("law", {u: M_1}, (Rate(u),)),
-    "no identity": Identity("law", normed(gamma) - 2),
-    "wrong rate": Identity("law", Rate(M_1) + explicit(cross(M, A * M))[0]),
+    "no identity": Identity("law", norm_squared(gamma) - 2),
+    "wrong rate": Identity("law", Rate(M_1) + to_components(cross(M, A * M))[0]),
 }
 
 FAR = {
@@ -135,7 +135,7 @@ FAR = {
 MISTAKES = {
     "unknown symbol": (Integral("law", M_1 * q), "'law' uses q, which is neither"),
     "unknown symbol in a level": (Integral("law", M_1, on=(q - 1,)), "uses q, which is neither"),
-    "empty level": (Integral("law", M_1, on=(normed(gamma) - 2,)), "is empty"),
+    "empty level": (Integral("law", M_1, on=(norm_squared(gamma) - 2,)), "is empty"),
     "level without real points": (Integral("law", ENERGY, on=(SQUARE + 1,)), "is empty"),
     "empty level of parameters": (
         Integral("law", M_1, on=(A.symbols[0] - 1, A.symbols[0] - 2)),
@@ -254,14 +254,14 @@ def test_what_vanishes_with_a_level_holds_on_it_alone(formula, powers):
 
 def written_out(system: System, formula: sp.Expr) -> sp.Expr:
     """A formula in state and parameters alone."""
-    made = explicit(formula)
+    made = to_components(formula)
     for symbol, value in reversed(system.steps):
         made = made.xreplace({symbol: value})
     return made
 
 
 WITNESSES = {
-    "top": (TOP, Integral("law", normed(A * M) + M_1**3), ()),
+    "top": (TOP, Integral("law", norm_squared(A * M) + M_1**3), ()),
     "chaplygin-ball": (
         from_catalogue("chaplygin-ball"),
         Integral("law", SQUARE + dot(omega, gamma)),

@@ -8,11 +8,11 @@ import sympy as sp
 from chaplygin.core.isomorphism import Isomorphism
 from chaplygin.core.laws import Identity, Integral, Rate, Reduction, Symmetry
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.proof.prover import prove
 
-x, y, z, w, k, u = (scalar(name) for name in ("x", "y", "z", "w", "k", "u"))
-a, b = scalar("a"), scalar("b")
+x, y, z, w, k, u = (real_symbol(name) for name in ("x", "y", "z", "w", "k", "u"))
+a, b = real_symbol("a"), real_symbol("b")
 root = sp.sqrt(w)
 
 

@@ -13,14 +13,14 @@ import sympy as sp
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.laws import Measure, Symmetry
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import Diagonal, constant, cross, dot, explicit, normed, scalar, vectors
+from chaplygin.core.vectors import Diagonal, constant, cross, dot, to_components, norm_squared, real_symbol, vectors
 from chaplygin.errors import InputError
-from chaplygin.search import Finding, ask, integrals, measures, symmetries
-from chaplygin.search.phase_space import stage
+from chaplygin.search import SearchResult, search_request, integrals, measures, symmetries
+from chaplygin.search.phase_space import search_space
 
 M, omega, gamma, c = vectors("M omega gamma c")
 I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")
-k, m, R, K = scalar("k"), scalar("m"), scalar("R"), scalar("K")
+k, m, R, K = real_symbol("k"), real_symbol("m"), real_symbol("R"), real_symbol("K")
 
 
 def bare(name: str) -> System:
@@ -28,9 +28,9 @@ def bare(name: str) -> System:
     return replace(from_catalogue(name), laws=())
 
 
-def found_in(system: System, **options: Any) -> list[Finding]:
+def found_in(system: System, **options: Any) -> list[SearchResult]:
     """Integrals that the search comes upon, all of them proven."""
-    found = list(integrals(ask(system, **options)))
+    found = list(integrals(search_request(system, **options)))
     assert all(finding.proven for finding in found), found
     return found
 
@@ -51,7 +51,7 @@ def points(system: System, count: int) -> list[dict[sp.Symbol, sp.Rational]]:
 
 def values(system: System, conditions: list[sp.Expr], formulas: list[sp.Expr]) -> sp.Matrix:
     """Exact values of formulas, points by formulas, for one choice of the parameters."""
-    made = stage(system, conditions)
+    made = search_space(system, conditions)
     numbers = {s: sp.Rational(5 + 3 * i, 3 + i) for i, s in enumerate(made.free)}
     numbers |= {s: value.xreplace(numbers) for s, value in made.substitutions}
     rows = []
@@ -59,12 +59,12 @@ def values(system: System, conditions: list[sp.Expr], formulas: list[sp.Expr]) -
         known = {**numbers, **state}
         for symbol, value in system.needed(formulas):
             known[symbol] = value.xreplace(known)
-        rows.append([explicit(f).xreplace(known) for f in formulas])
+        rows.append([to_components(f).xreplace(known) for f in formulas])
     return sp.Matrix(rows)
 
 
 def expresses(
-    system: System, conditions: list[sp.Expr], found: list[Finding], expected: sp.Expr
+    system: System, conditions: list[sp.Expr], found: list[SearchResult], expected: sp.Expr
 ) -> bool:
     """Whether a function is a polynomial of degree two in the integrals found."""
     simple = [finding.formula for finding in found]
@@ -77,35 +77,35 @@ T = sp.Add(*I.symbols) + m * R**2
 RIGHT = constant(sp.diag(*(T / 2 - moment for moment in I.symbols)))
 PRINTED = constant(sp.diag(*(sp.Add(*I.symbols) / 2 - moment for moment in I.symbols)))
 J_1, J_2, J_3 = J.symbols
-RATIO = (normed(J * omega) + J_1 * J_2 * J_3 * dot(omega, J * omega) * normed(A * gamma)) / dot(
+RATIO = (norm_squared(J * omega) + J_1 * J_2 * J_3 * dot(omega, J * omega) * norm_squared(A * gamma)) / dot(
     gamma, A * gamma
 )
 
 PAPER = {
     "(7.2)": ("chaplygin-ball", {}, (dot(M, gamma), dot(M, omega) / 2)),
-    "(7.4)": ("chaplygin-ball", {}, (normed(M),)),
-    "(8.2)": ("ball-on-sphere", {}, (normed(M), dot(M, omega) / 2)),
+    "(7.4)": ("chaplygin-ball", {}, (norm_squared(M),)),
+    "(8.2)": ("ball-on-sphere", {}, (norm_squared(M), dot(M, omega) / 2)),
     "(8.3)": ("ball-around-sphere", {"at": ["k = -1"]}, (dot(RIGHT * M, gamma),)),
     "(9.4)": (
         "rubber-ball-around-sphere",
         {"at": ["k = -1"], "divisors": ["(γ, A γ)"]},
         (dot(omega, J * omega) / 2, RATIO),
     ),
-    "(6.4)": ("veselova", {}, (normed(cross(I * omega, gamma)),)),
+    "(6.4)": ("veselova", {}, (norm_squared(cross(I * omega, gamma)),)),
     "Remark 15": (
         "veselova-bruns",
         {},
-        (normed(cross(I * omega, gamma)) - K * sp.Mul(*I.symbols) * dot(gamma, A * gamma),),
+        (norm_squared(cross(I * omega, gamma)) - K * sp.Mul(*I.symbols) * dot(gamma, A * gamma),),
     ),
     "(10.3)": (
         "unbalanced-ball",
         {},
-        (normed(M) - m * normed(c - R * gamma) * dot(M, omega),),
+        (norm_squared(M) - m * norm_squared(c - R * gamma) * dot(M, omega),),
     ),
     "(10.5)": (
         "unbalanced-rubber-ball",
         {},
-        (normed(cross(M, gamma)) + 2 * m * R * dot(gamma, c) * dot(M, omega),),
+        (norm_squared(cross(M, gamma)) + 2 * m * R * dot(gamma, c) * dot(M, omega),),
     ),
 }
 SLOW = {"(10.3)", "(10.5)"}
@@ -147,7 +147,7 @@ def test_no_further_integral_of_the_chaplygin_ball() -> None:
 
 def resting(count: int) -> System:
     """Variables that do not change: all are integrals, and so are their products."""
-    names = [scalar(f"x_{i}") for i in range(count)]
+    names = [real_symbol(f"x_{i}") for i in range(count)]
     still = {name: sp.S.Zero for name in names}
     return System(name="resting", title="Rest", field=still)
 
@@ -158,7 +158,7 @@ def test_many_integrals_and_all_their_products() -> None:
 
 def test_more_products_than_points_are_owned_up_to(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys.modules[integrals.__module__], "_RESERVE", 8)
-    found = list(integrals(ask(resting(4), degree=3)))
+    found = list(integrals(search_request(resting(4), degree=3)))
     assert found[-1].law is None
     assert "too many to tell" in found[-1].remark
 
@@ -207,7 +207,7 @@ def test_the_square_of_an_integral_with_a_root() -> None:
 
 def test_numbers_too_large_for_one_prime() -> None:
     """Two frequencies whose squares are ratios of large numbers."""
-    x, y, p, q = (scalar(n) for n in ("x", "y", "p", "q"))
+    x, y, p, q = (real_symbol(n) for n in ("x", "y", "p", "q"))
     square, other = sp.Rational(104_729, 7_919), sp.Rational(611_953, 99_991)
     system = System(
         name="oscillator",
@@ -229,7 +229,7 @@ def test_numbers_too_large_for_one_prime() -> None:
 
 def test_components_where_there_are_no_vectors() -> None:
     """A planar oscillator: two energies, and one more for two frequencies in ratio."""
-    x, y, p, q, stiffness, mass = (scalar(n) for n in ("x", "y", "p", "q", "stiffness", "mass"))
+    x, y, p, q, stiffness, mass = (real_symbol(n) for n in ("x", "y", "p", "q", "stiffness", "mass"))
     system = System(
         name="oscillator",
         title="Oscillator",
@@ -259,54 +259,54 @@ MEASURES = {
 @pytest.mark.parametrize("source", MEASURES)
 def test_measures_of_the_paper_from_the_field_alone(source: str) -> None:
     name, base, exponent = MEASURES[source]
-    (found,) = measures(ask(bare(name)))
+    (found,) = measures(search_request(bare(name)))
     assert found.proven
     assert isinstance(found.law, Measure)
     ((found_base, found_exponent),) = found.law.density
     assert sp.expand(found_exponent - exponent) == 0
-    assert sp.expand(explicit(found_base - base)) == 0
+    assert sp.expand(to_components(found_base - base)) == 0
 
 
 def test_measures_that_are_singular_or_have_several_factors() -> None:
-    (sleigh,) = measures(ask(bare("chaplygin-sleigh")))
+    (sleigh,) = measures(search_request(bare("chaplygin-sleigh")))
     assert sleigh.proven
-    assert sleigh.formula == 1 / scalar("Omega")
+    assert sleigh.formula == 1 / real_symbol("Omega")
     symmetric = ["I_1 = I_2", "c_1 = 0", "c_2 = 0"]
-    found = list(measures(ask(bare("rubber-routh-sphere"), at=symmetric)))
+    found = list(measures(search_request(bare("rubber-routh-sphere"), at=symmetric)))
     assert found
     assert all(finding.proven for finding in found)
 
 
 def test_a_given_base_and_none_that_fits() -> None:
     system = bare("veselova")
-    (found,) = measures(ask(system, bases=["(γ, A γ)"]))
+    (found,) = measures(search_request(system, bases=["(γ, A γ)"]))
     assert found.proven
-    assert list(measures(ask(system, bases=["(γ, I γ)"]))) == []
-    assert list(measures(ask(bare("unbalanced-ball")))) == []
+    assert list(measures(search_request(system, bases=["(γ, I γ)"]))) == []
+    assert list(measures(search_request(bare("unbalanced-ball")))) == []
 
 
 def test_the_measure_of_a_divergence_free_field_is_the_volume() -> None:
-    (found,) = measures(ask(bare("lagrange-top")))
+    (found,) = measures(search_request(bare("lagrange-top")))
     assert found.proven
     assert found.formula == 1
 
 
 def test_the_measure_of_a_phase_space_that_a_field_approaches() -> None:
     """ẋ = −x on x = 0 beside ẏ = y/2, ż = −z/2: the volume there is dy dz, and it is kept."""
-    x, y, z = (scalar(n) for n in "xyz")
+    x, y, z = (real_symbol(n) for n in "xyz")
     system = System(
         name="saddle",
         title="Saddle",
         field={x: -x, y: y / 2, z: -z / 2},
         relations=(x,),
     )
-    (found,) = measures(ask(system, bases=[]))
+    (found,) = measures(search_request(system, bases=[]))
     assert found.proven
     assert found.formula == 1
 
 
 def test_rotations_of_a_symmetric_body() -> None:
-    (found,) = symmetries(ask(bare("veselova"), at=["I_1 = I_2"], degree=1, gamma_degree=1))
+    (found,) = symmetries(search_request(bare("veselova"), at=["I_1 = I_2"], degree=1, gamma_degree=1))
     assert found.proven
     assert isinstance(found.law, Symmetry)
     field = {name: sp.Matrix(value) for name, value in found.law.field}
@@ -314,11 +314,11 @@ def test_rotations_of_a_symmetric_body() -> None:
     (sign,) = {field[gamma][1] / gamma.symbols[0]}
     assert field[omega] == sign * turn * sp.Matrix(omega.symbols)
     assert field[gamma] == sign * turn * sp.Matrix(gamma.symbols)
-    assert list(symmetries(ask(bare("veselova"), degree=1, gamma_degree=1))) == []
+    assert list(symmetries(search_request(bare("veselova"), degree=1, gamma_degree=1))) == []
 
 
 def test_powers_of_an_integral_of_the_coordinates_are_not_repeated() -> None:
-    x, y, p = (scalar(n) for n in ("x", "y", "p"))
+    x, y, p = (real_symbol(n) for n in ("x", "y", "p"))
     system = System(name="wheel", title="Wheel", field={x: y * p, y: -x * p, p: sp.S.Zero})
     found = found_in(system, momenta="p", coordinates="x,y", degree=2, gamma_degree=4)
     assert p in [finding.formula for finding in found]
@@ -326,21 +326,21 @@ def test_powers_of_an_integral_of_the_coordinates_are_not_repeated() -> None:
 
 
 def test_neither_the_field_nor_its_multiples_count_as_symmetries() -> None:
-    x, y = scalar("x"), scalar("y")
+    x, y = real_symbol("x"), real_symbol("y")
     circle = System(name="circle", title="Circle", field={x: y, y: -x})
     for degree in (1, 3):
-        (found,) = symmetries(ask(circle, degree=degree))
+        (found,) = symmetries(search_request(circle, degree=degree))
         assert found.proven
         assert isinstance(found.law, Symmetry)
         assert found.law.field in (((x, x), (y, y)), ((x, -x), (y, -y)))
 
 
 def test_divisors_depend_on_coordinates_alone() -> None:
-    x, p = scalar("x"), scalar("p")
+    x, p = real_symbol("x"), real_symbol("p")
     system = System(
         name="line", title="Line", field={x: p / (1 + p**2) / (2 + x**2), p: x / (3 + x)}
     )
-    question = ask(system, momenta="p", coordinates="x")
+    question = search_request(system, momenta="p", coordinates="x")
     assert set(question.divisors) == {2 + x**2, 3 + x}
     assert {1 + p**2, x, p} <= set(question.bases)
 
@@ -351,8 +351,8 @@ def test_the_energy_of_a_rattleback() -> None:
     system = bare("rattleback")
     (found,) = found_in(system, divisors=[])
     (r,) = vectors("r")
-    energy = dot(M, omega) / 2 - m * scalar("g") * dot(r, gamma)
-    made = stage(system).sample(20, 3, common=True)
+    energy = dot(M, omega) / 2 - m * real_symbol("g") * dot(r, gamma)
+    made = search_space(system).sample(20, 3, common=True)
     assert not made.along(made(energy)).any()
     ratio = made(found.formula / energy)
     assert len(set(ratio.value.tolist())) == 1
@@ -385,20 +385,20 @@ def test_the_energy_of_a_rattleback() -> None:
 )
 def test_mistakes_are_told_in_a_sentence(options: dict[str, Any], words: str) -> None:
     with pytest.raises(InputError, match=re.escape(words)):
-        ask(bare("chaplygin-ball"), **options)
+        search_request(bare("chaplygin-ball"), **options)
 
 
 def test_symmetries_need_more_room_than_integrals() -> None:
-    question = ask(bare("chaplygin-ball"), degree=4, gamma_degree=4, divisors=[])
+    question = search_request(bare("chaplygin-ball"), degree=4, gamma_degree=4, divisors=[])
     with pytest.raises(InputError, match="60,060 coefficients"):
         next(symmetries(replace(question, ansatz=replace(question.ansatz, gamma_degree=10))))
 
 
 def test_a_field_with_an_arc_tangent_is_refused() -> None:
-    x, y = scalar("x"), scalar("y")
+    x, y = real_symbol("x"), real_symbol("y")
     system = System(name="odd", title="Odd", field={x: sp.atan(y), y: x})
     with pytest.raises(InputError, match="atan"):
-        list(integrals(ask(system)))
+        list(integrals(search_request(system)))
 
 
 def test_an_integral_on_a_level() -> None:
@@ -410,7 +410,7 @@ def test_an_integral_on_a_level() -> None:
 
 def test_progress_runs_from_nothing_to_all() -> None:
     seen: list[float] = []
-    question = ask(bare("veselova"), divisors=[])
+    question = search_request(bare("veselova"), divisors=[])
     list(integrals(question, lambda fraction, _: seen.append(fraction)))
     assert seen[0] == 0.0
     assert seen[-1] == 1.0

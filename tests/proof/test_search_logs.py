@@ -10,15 +10,15 @@ import sympy as sp
 
 from chaplygin.core.laws import Integral, Law, Measure
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError
 from chaplygin.proof.verdict import Verdict
-from chaplygin.search import ask, integrals, measures, symmetries
+from chaplygin.search import search_request, integrals, measures, symmetries
 from chaplygin.search.input_formulas import quantities
-from chaplygin.search.phase_space import stage
+from chaplygin.search.phase_space import search_space
 
-x, y, u, v = (scalar(name) for name in ("x", "y", "u", "v"))
-a, b, c, d = (scalar(name) for name in ("a", "b", "c", "d"))
+x, y, u, v = (real_symbol(name) for name in ("x", "y", "u", "v"))
+a, b, c, d = (real_symbol(name) for name in ("a", "b", "c", "d"))
 VOLTERRA = d * x - c * sp.log(x) + b * y - a * sp.log(y)
 PREY = {x: x * (a - b * y), y: y * (-c + d * x)}
 BESIDE = {**PREY, u: v, v: -u}
@@ -46,14 +46,14 @@ def candidates(monkeypatch: pytest.MonkeyPatch) -> list[sp.Expr]:
 @pytest.mark.parametrize("claimed", [VOLTERRA, sp.atan(x) + sp.asin(y) - sp.log(-x)])
 def test_what_is_claimed_stops_no_search(search, claimed):
     laws = (Integral("planted", claimed, "planted"), Measure("planted_too", {sp.atan(x): 1}))
-    found = list(search(ask(predators(BESIDE, *laws))))
+    found = list(search(search_request(predators(BESIDE, *laws))))
     assert found
     assert all(finding.proven for finding in found)
     assert not any(finding.known for finding in found)
 
 
 def test_the_integral_of_lotka_and_volterra(candidates):
-    question = ask(
+    question = search_request(
         predators(PREY, Integral("planted", VOLTERRA, "planted")),
         momenta="x, y",
         coordinates="log(x), log(y)",
@@ -68,7 +68,7 @@ def test_the_integral_of_lotka_and_volterra(candidates):
 
 def test_a_field_with_logarithms(candidates):
     clock = sp.log(x * y)
-    question = ask(
+    question = search_request(
         predators({s: rate * clock for s, rate in PREY.items()}),
         momenta="x, y",
         coordinates="log(x), log(y)",
@@ -91,7 +91,7 @@ def test_a_field_with_logarithms(candidates):
     ],
 )
 def test_logarithms_of_products(zero):
-    sample = stage(predators(PREY)).sample(40, 1, common=False)
+    sample = search_space(predators(PREY)).sample(40, 1, common=False)
     jet = sample(zero)
     good = sample.evaluate.good
     assert good.sum() > 10
@@ -101,7 +101,7 @@ def test_logarithms_of_products(zero):
 
 
 def test_the_slope_of_a_logarithm():
-    sample = stage(predators(PREY)).sample(20, 1, common=False)
+    sample = search_space(predators(PREY)).sample(20, 1, common=False)
     argument = x**2 + 3 * y
     jet = sample(x**2 * argument * sp.log(argument))
     both = (sample(2 * x * argument * sp.log(argument)), sample(x**2 * 2 * x * sp.log(argument)))
@@ -112,9 +112,9 @@ def test_the_slope_of_a_logarithm():
 
 def test_levels_with_logarithms_have_points_where_these_exist():
     with pytest.raises(InputError, match="no points can be found on"):
-        ask(predators(PREY), on=["d*x - c*log(x) + b*y - a*log(y) - 9"])
+        search_request(predators(PREY), on=["d*x - c*log(x) + b*y - a*log(y) - 9"])
     with pytest.raises(InputError, match="is empty: no real point"):
-        ask(predators(PREY), on=["log(x)**2 + 1"])
+        search_request(predators(PREY), on=["log(x)**2 + 1"])
 
 
 def test_formulas_among_quantities():

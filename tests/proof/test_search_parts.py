@@ -9,18 +9,18 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from chaplygin.catalogue import from_catalogue
-from chaplygin.core.vectors import Diagonal, dot, normed, scalar, vectors
+from chaplygin.core.vectors import Diagonal, dot, norm_squared, real_symbol, vectors
 from chaplygin.errors import InputError
 from chaplygin.search.ansatz import Ansatz, table
 from chaplygin.search.input_formulas import condition, formula, quantities, spelt
 from chaplygin.search.modular_jets import PRIMES, Evaluator, Jet, inverse, square_root
 from chaplygin.search.modular_linalg import combination, independent_columns, nullspace, rational
-from chaplygin.search.phase_space import stage
+from chaplygin.search.phase_space import search_space
 from chaplygin.search.scaling import weights
 
 M, omega, gamma = vectors("M omega gamma")
 A, J = Diagonal("A"), Diagonal("J")
-x, y = scalar("x"), scalar("y")
+x, y = real_symbol("x"), real_symbol("y")
 
 PRIME = PRIMES[0]
 
@@ -119,8 +119,8 @@ def test_square_roots_and_reciprocals(number: int) -> None:
 
 
 def test_weights_are_mass_length_and_time() -> None:
-    known = weights(stage(from_catalogue("chaplygin-ball")))
-    m, R, I_1 = (known[scalar(n)] for n in ("m", "R", "I_1"))
+    known = weights(search_space(from_catalogue("chaplygin-ball")))
+    m, R, I_1 = (known[real_symbol(n)] for n in ("m", "R", "I_1"))
     moment = known[M.symbols[0]]
     turn = known[omega.symbols[2]]
     assert sp.Matrix([m, R, turn]).rank() == len(m) == 3
@@ -131,22 +131,22 @@ def test_weights_are_mass_length_and_time() -> None:
 
 def test_entries_that_are_zero_tie_no_weights() -> None:
     """The tensor of a rattleback's shape has zeros; its semi-axes are lengths all the same."""
-    known = weights(stage(from_catalogue("rattleback")))
-    length, square = known[scalar("b_3")], known[scalar("B_33")]
+    known = weights(search_space(from_catalogue("rattleback")))
+    length, square = known[real_symbol("b_3")], known[real_symbol("B_33")]
     assert any(length)
     assert square == tuple(2 * w for w in length)
 
 
 def test_points_lie_on_level_and_phase_space() -> None:
     system = from_catalogue("ball-around-sphere")
-    made = stage(system, [scalar("k") + 1], [])
+    made = search_space(system, [real_symbol("k") + 1], [])
     sample = made.sample(50, 5, common=False)
-    assert not sample(normed(gamma) - 1).value.any()
-    assert (sample(scalar("k")).value == PRIME - 1).all()
-    assert len(set(sample(scalar("m")).value.tolist())) > 40
+    assert not sample(norm_squared(gamma) - 1).value.any()
+    assert (sample(real_symbol("k")).value == PRIME - 1).all()
+    assert len(set(sample(real_symbol("m")).value.tolist())) > 40
     together = made.sample(50, 5, common=True)
-    assert len(set(together(scalar("m")).value.tolist())) == 1
-    level = stage(from_catalogue("chaplygin-ball"), (), [dot(M, gamma)])
+    assert len(set(together(real_symbol("m")).value.tolist())) == 1
+    level = search_space(from_catalogue("chaplygin-ball"), (), [dot(M, gamma)])
     on_level = level.sample(50, 5, common=True)
     assert not on_level(dot(M, gamma)).value.any()
     assert on_level.along(on_level(M.symbols[0])).any()
@@ -155,13 +155,13 @@ def test_points_lie_on_level_and_phase_space() -> None:
 
 def test_a_level_that_cannot_be_solved_is_refused() -> None:
     with pytest.raises(InputError, match="degree one or two"):
-        stage(from_catalogue("chaplygin-ball"), (), [normed(M) ** 2 - 1]).sample(5, 1, common=True)
+        search_space(from_catalogue("chaplygin-ball"), (), [norm_squared(M) ** 2 - 1]).sample(5, 1, common=True)
 
 
 def test_monomials_and_their_rates() -> None:
     system = from_catalogue("chaplygin-ball")
     ansatz = Ansatz(M.symbols, gamma.symbols, 2, 1)
-    sample = stage(system).sample(10, 2, common=True)
+    sample = search_space(system).sample(10, 2, common=True)
     made = table(ansatz, sample)
     assert len(made.exponents) == ansatz.size == 40
     for index in (0, 7, 23, 39):
@@ -179,9 +179,9 @@ def test_monomials_and_their_rates() -> None:
         ("(M, γ) = 1/2", dot(M, gamma) - sp.Rational(1, 2)),
         ("(γ, A γ)", dot(gamma, A * gamma)),
         ("dot(J*gamma, gamma)", dot(J * gamma, gamma)),
-        ("M² − 2", normed(M) - 2),
-        ("γ₃**2 + m", gamma.symbols[2] ** 2 + scalar("m")),
-        ("1 - m*R**2*(γ, A γ)", 1 - scalar("m") * scalar("R") ** 2 * dot(gamma, A * gamma)),
+        ("M² − 2", norm_squared(M) - 2),
+        ("γ₃**2 + m", gamma.symbols[2] ** 2 + real_symbol("m")),
+        ("1 - m*R**2*(γ, A γ)", 1 - real_symbol("m") * real_symbol("R") ** 2 * dot(gamma, A * gamma)),
     ],
 )
 def test_formulas_as_typed(typed: str, meant: sp.Expr) -> None:
@@ -190,8 +190,8 @@ def test_formulas_as_typed(typed: str, meant: sp.Expr) -> None:
 
 def test_conditions_and_names_as_typed() -> None:
     system = from_catalogue("ball-on-sphere")
-    assert condition("k = -1", system) == scalar("k") + 1
-    assert condition("I_1 = I_2", system) == scalar("I_1") - scalar("I_2")
+    assert condition("k = -1", system) == real_symbol("k") + 1
+    assert condition("I_1 = I_2", system) == real_symbol("I_1") - real_symbol("I_2")
     assert quantities("ω, γ_3", system) == (*omega.symbols, gamma.symbols[2])
     assert spelt("Γ₁² λ") == "Gamma_1**2 lambda"
     with pytest.raises(InputError, match="unknown name 'omega_1'"):

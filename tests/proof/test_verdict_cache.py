@@ -12,13 +12,13 @@ from chaplygin.catalogue import entry
 from chaplygin.core.isomorphism import Isomorphism
 from chaplygin.core.laws import Integral
 from chaplygin.core.system import Guard, Parameter, System
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.proof import verdict_cache as memory
 from chaplygin.proof.prover import prove
 from chaplygin.proof.verdict import Verdict
-from chaplygin.proof.verdict_cache import fingerprint, recall, remember
+from chaplygin.proof.verdict_cache import fingerprint, load_verdict, store_verdict
 
-x, p, k = scalar("x"), scalar("p"), scalar("k")
+x, p, k = real_symbol("x"), real_symbol("p"), real_symbol("k")
 ENERGY = Integral("energy", p**2 / 2 + k * x**2 / 2)
 OSCILLATOR = System(
     "oscillator",
@@ -128,35 +128,35 @@ def test_a_failed_attempt_is_not_repeated_and_does_not_stand_in_the_way() -> Non
     few = prove(DISK, "spin", effort=1000)
     assert few.decision == "undecided"
     name = fingerprint(DISK, next(law for law in DISK.laws if law.name == "spin"))
-    assert recall(name, 1000) == few
-    assert recall(name, 999) is None
-    assert recall(name, 1001) is None
+    assert load_verdict(name, 1000) == few
+    assert load_verdict(name, 999) is None
+    assert load_verdict(name, 1001) is None
     assert prove(DISK, "spin")
-    assert recall(name, 1000) == few
-    assert recall(name, 1001) is None
+    assert load_verdict(name, 1000) == few
+    assert load_verdict(name, 1001) is None
 
 
 def test_what_little_effort_led_to_is_not_taken_for_what_more_leads_to() -> None:
     partly = Verdict("law", "proven where", conditions=("x > 0",), effort=50)
-    remember("name", partly, 50)
-    assert recall("name", 50) == partly
-    assert recall("name", 51) is None
-    assert recall("name", 49) is None
+    store_verdict("name", partly, 50)
+    assert load_verdict("name", 50) == partly
+    assert load_verdict("name", 51) is None
+    assert load_verdict("name", 49) is None
     wholly = Verdict("law", "proven", effort=70)
-    remember("name", wholly, 100)
-    assert [recall("name", effort) for effort in (50, 70, 71, 100, 10**9)] == [
+    store_verdict("name", wholly, 100)
+    assert [load_verdict("name", effort) for effort in (50, 70, 71, 100, 10**9)] == [
         partly,
         None,
         wholly,
         wholly,
         wholly,
     ]
-    assert recall("name") == wholly
+    assert load_verdict("name") == wholly
 
 
 def test_what_cannot_be_read_is_not_there(tmp_path: Path) -> None:
-    remember("name", Verdict("law", "proven", effort=1), 2)
-    assert recall("name", 2)
+    store_verdict("name", Verdict("law", "proven", effort=1), 2)
+    assert load_verdict("name", 2)
     (path,) = memory.folder().iterdir()
     path.write_text("{")
-    assert recall("name", 2) is None
+    assert load_verdict("name", 2) is None

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from chaplygin.analysis.classification.facts import Patience
+from chaplygin.analysis.classification.facts import ProofBudget
 from chaplygin.experiment.file.models import load, loads
 from chaplygin.experiment.study import prepare
 from chaplygin.report.write import write_study
@@ -35,7 +35,7 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], str]:
             experiment = load(EXAMPLES / name, short)
         else:
             experiment = loads(f'[system]\nname = "{name}"\n', "x", short)
-        write_study(prepare(experiment), folder, True, Patience(1, 0), Unheard())
+        write_study(prepare(experiment), folder, True, ProofBudget(1, 0), Unheard())
         return (folder / "report.html").read_text(encoding="utf-8")
 
     return made

@@ -8,7 +8,7 @@ from functools import cache
 
 import pytest
 
-from chaplygin.analysis.classification.facts import Patience
+from chaplygin.analysis.classification.facts import ProofBudget
 from chaplygin.experiment.file.models import loads
 from chaplygin.experiment.study import prepare
 from chaplygin.proof.fields.budget import EFFORT
@@ -26,7 +26,7 @@ def report(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], str]:
         folder = tmp_path_factory.mktemp(name)
         made = prepare(loads(f'[system]\nname = "{name}"\n[run]\nuntil = 0.2\nsamples = 5\n'))
         (folder / "figures").mkdir()
-        write_study(made, folder, True, Patience(EFFORT // 20, EFFORT // 5), Unheard())
+        write_study(made, folder, True, ProofBudget(EFFORT // 20, EFFORT // 5), Unheard())
         return (folder / "report.html").read_text(encoding="utf-8")
 
     return page

@@ -23,12 +23,12 @@ from .._version import __version__
 from ..arguments import arguments_checked
 from ..core.source_digest import whole
 from ..errors import InputError
-from ..flow.ensemble.task import UnfinishedError
+from ..flow.ensemble.task import IncompleteError
 from ..printing.mathml import mathml
 from ..proof.fields.budget import EFFORT
 from ..proof.prover import prove
 from ..proof.verdict import Decision, Verdict
-from ..proof.verdict_cache import digest, recall, remember
+from ..proof.verdict_cache import digest, load_verdict, store_verdict
 from . import Case, Claim, claims, remarks
 
 __all__ = ["DECISIONS", "TITLES", "Judgement", "audit", "counts", "page"]
@@ -110,12 +110,12 @@ def _joined(case: Case) -> Verdict:
 
 def _kept(name: str, decide: Callable[[], Case]) -> Verdict:
     """A verdict from an earlier audit, or a new one that is kept."""
-    found = recall(name)
+    found = load_verdict(name)
     if found is not None:
         return found
     started = time.monotonic()
     verdict = replace(_joined(decide()), seconds=time.monotonic() - started)
-    remember(name, verdict)
+    store_verdict(name, verdict)
     return verdict
 
 
@@ -166,8 +166,8 @@ def audit(
     found: dict[int, tuple[Verdict, Verdict | None]] = {}
     waiting = []
     for number, (_, claim) in enumerate(chosen):
-        printed = recall(_name(claim, "printed"))
-        corrected = recall(_name(claim, "corrected")) if claim.corrected else None
+        printed = load_verdict(_name(claim, "printed"))
+        corrected = load_verdict(_name(claim, "corrected")) if claim.corrected else None
         if printed is None or (claim.corrected is not None and corrected is None):
             waiting.append(number)
         else:
@@ -201,7 +201,7 @@ def _judged_by_processes(
         pool.shutdown(wait=False, cancel_futures=True)
         return total - len(found)
     except BrokenProcessPool:
-        raise UnfinishedError(
+        raise IncompleteError(
             f"a process ended before it had an answer, as it does when memory runs out; "
             f"{total - len(found)} claims are not judged. Verdicts are kept: run the same again, "
             "with fewer --workers"

@@ -13,12 +13,12 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ..core.isomorphism import Isomorphism
 from ..core.system import System
-from ..core.vectors import constant, explicit, scalar, vectors
+from ..core.vectors import constant, to_components, real_symbol, vectors
 
 __all__ = ["NORMAL", "SPIN", "in_angles", "phi", "phidot", "theta", "thetadot"]
 
 omega, gamma = vectors("omega gamma")
-theta, phi, thetadot, phidot = (scalar(s) for s in ("theta", "phi", "thetadot", "phidot"))
+theta, phi, thetadot, phidot = (real_symbol(s) for s in ("theta", "phi", "thetadot", "phidot"))
 
 #: γ and ω (body axes) in the angles and their rates.
 NORMAL = constant([sp.sin(theta) * sp.sin(phi), sp.sin(theta) * sp.cos(phi), sp.cos(theta)])
@@ -43,7 +43,7 @@ def in_angles(system: System) -> System:
         With the state ω, γ on γ² = 1, (ω, γ) = 0.
     """
     rates: dict[MatrixExpr, MatrixExpr] = dict(system.field)
-    first, second, third = explicit(rates[omega])
+    first, second, third = to_components(rates[omega])
     return replace(
         system,
         name=f"{system.name}-angles",

@@ -14,8 +14,8 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ..core.laws import ConformallyHamiltonian, Integral, Law, PoissonStructure
 from ..core.system import Parameter, System
-from ..core.vectors import Components, Diagonal, cross, dot, gradient, hat, normed, scalar, vectors
-from ..mechanics.rolling.body import rigid
+from ..core.vectors import Components, Diagonal, cross, dot, gradient, hat, norm_squared, real_symbol, vectors
+from ..mechanics.rolling.body import triangle_inequalities
 
 __all__ = [
     "Gamma",
@@ -31,7 +31,7 @@ __all__ = [
 
 M, Gamma = vectors("M Gamma")
 I = Diagonal("I")
-H = scalar("H")
+H = real_symbol("H")
 
 
 def lie_poisson(first: MatrixExpr, second: MatrixExpr) -> Components:
@@ -49,7 +49,7 @@ def bracket(sign: int = -1) -> PoissonStructure:
     return PoissonStructure(
         "bracket",
         -sign * lie_poisson(M, Gamma),
-        casimirs=(normed(Gamma), dot(M, Gamma)),
+        casimirs=(norm_squared(Gamma), dot(M, Gamma)),
         rank=4,
         meaning=f"bracket of e(3), {{M_i, M_j}} = {'−' if sign < 0 else ''}ε_ijk M_k",
         source="(6.11)",
@@ -65,7 +65,7 @@ def hamiltonian_form(structure: PoissonStructure) -> ConformallyHamiltonian:
 
 def inertia_parameters(moments: tuple[float, float, float]) -> tuple[Parameter, ...]:
     """The principal moments of inertia I_1, I_2, I_3 of a body."""
-    asked = rigid(I.symbols)
+    asked = triangle_inequalities(I.symbols)
     return tuple(
         Parameter(s, f"moment of inertia about body axis {i}", value, "kg m^2", asked[s])
         for i, (s, value) in enumerate(zip(I.symbols, moments, strict=True), 1)
@@ -112,7 +112,7 @@ def e3_system(
             M: cross(M, slope_M) + cross(Gamma, slope_Gamma),
             Gamma: cross(Gamma, slope_M),
         },
-        relations=(normed(Gamma) - 1, *level),
+        relations=(norm_squared(Gamma) - 1, *level),
         laws=(
             Integral("energy", H, "Hamiltonian function", source=source, unit=unit),
             structure,

@@ -7,11 +7,11 @@ from typing import Any
 from sympy.matrices.expressions import MatrixExpr
 
 from ..core.laws import Rate
-from ..core.vectors import constant, explicit
+from ..core.vectors import constant, to_components
 
 __all__ = ["rate"]
 
 
 def rate(vector: MatrixExpr | Any) -> MatrixExpr:
     """The rates of the components of a vector formula along the field of its system."""
-    return constant([Rate(component) for component in explicit(vector)])
+    return constant([Rate(component) for component in to_components(vector)])

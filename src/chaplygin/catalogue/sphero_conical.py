@@ -5,15 +5,15 @@ from __future__ import annotations
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ..core.vectors import Diagonal, dot, scalar
+from ..core.vectors import Diagonal, dot, real_symbol
 
-__all__ = ["coordinates", "cubic", "u", "v"]
+__all__ = ["sphero_conical_coordinates", "cubic", "u", "v"]
 
 I = Diagonal("I")
-u, v, Delta = (scalar(s) for s in ("u", "v", "Delta"))
+u, v, Delta = (real_symbol(s) for s in ("u", "v", "Delta"))
 
 
-def coordinates(normal: MatrixExpr) -> dict[sp.Symbol, sp.Expr]:
+def sphero_conical_coordinates(normal: MatrixExpr) -> dict[sp.Symbol, sp.Expr]:
     """u and v, and before them their distance, for a unit vector in body axes."""
     total = sp.Add(*I.symbols) - dot(normal, I * normal)
     product = sp.Mul(*I.symbols) * dot(normal, I**-1 * normal)

@@ -45,9 +45,9 @@ def command(
         diagram, mark = _diagram(what, overrides)
     if figure is not None:
         from ..report.drawing.files import save
-        from ..report.figures.bifurcation import draw
+        from ..report.figures.bifurcation import draw_bifurcation_diagram
 
-        save(draw(diagram, mark), figure)
+        save(draw_bifurcation_diagram(diagram, mark), figure)
     result = _result(diagram, mark)
     if json:
         print_json(result | {"figure": None if figure is None else str(figure)})

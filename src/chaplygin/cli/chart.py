@@ -64,7 +64,7 @@ def command(
     formulas = dict(_parted(item) for item in let or ())
     study = study_of(what, overrides)
     from ..analysis.scans.grid import axis
-    from ..analysis.scans.scan_task import chart
+    from ..analysis.scans.scan_task import scan
     from ..experiment.scan import chart_of
     from ..flow.ensemble.compute import compute
     from ..report.drawing.files import save
@@ -75,7 +75,7 @@ def command(
         study, of, horizontal, vertical, until=until, formulas=formulas, held=hold or ()
     )
     vacate(output, force)
-    task = chart(made, {"experiment": study.complete_toml()})
+    task = scan(made, {"experiment": study.complete_toml()})
     with progress(made.title) as report, resumable(output, report, force) as update:
         found = compute(task, output, client=client, progress=update)
         report.say("drawing")

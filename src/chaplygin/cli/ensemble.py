@@ -53,12 +53,12 @@ def command(
     study = study_of(what, overrides)
     from dataclasses import replace
 
-    from ..experiment.without_lift import followed
+    from ..experiment.without_lift import without_reconstruction
     from ..flow.ensemble.compute import compute
     from ..flow.ensemble.run import SHARES, ensemble_task
 
     task = ensemble_task(
-        followed(study),
+        without_reconstruction(study),
         _members(study, starts, level, seed, over or []),
         study.times,
         record=record or (),
@@ -95,14 +95,14 @@ def _members(study: Study, starts: int, level: str | None, seed: int, over: list
 
     from ..analysis.scans.grid import axis
     from ..errors import InputError
-    from ..flow.ensemble.run import drawn, grid, one
+    from ..flow.ensemble.run import sampled, grid, single
 
     if starts < 1:
         raise InputError(f"--starts {starts}: there must be one at least")
     if level is not None:
-        everyone = drawn(starts, level_of(level), seed)
+        everyone = sampled(starts, level_of(level), seed)
     elif starts == 1:
-        everyone = one(**given_start(study))
+        everyone = single(**given_start(study))
     else:
         raise InputError(f"--starts {starts}: they are drawn on a level; --level is needed")
     for text in over:

@@ -13,7 +13,7 @@ from .progress import progress
 
 if TYPE_CHECKING:
     from ..core.system import Parameter, System
-    from ..search import Finding, Question
+    from ..search import SearchResult, Question
 
 __all__ = ["command"]
 
@@ -91,11 +91,11 @@ def command(
         if number < 0:
             raise InputError(f"{option} {number}: it must not be negative")
     system = study_of(what, overrides).system
-    from ..search import ask
+    from ..search import search_request
 
     began = time.monotonic()
     conditions = special(system) if at is None else tuple(c for c in at if c.strip() != "none")
-    question = ask(
+    question = search_request(
         system,
         degree=degree,
         gamma_degree=gamma_degree,
@@ -141,12 +141,12 @@ def special(system: System) -> tuple[str, ...]:
     return (*found, *(f"{p.symbol} = 0" for p in values if values[p] == 0))
 
 
-def _collected(kind: str, question: Question) -> tuple[list[Finding], bool]:
+def _collected(kind: str, question: Question) -> tuple[list[SearchResult], bool]:
     """What is found, and whether the search came to its end; Ctrl-C keeps what there is."""
     from ..search import integrals, measures, symmetries
 
     search = {"integrals": integrals, "measure": measures, "symmetries": symmetries}[kind]
-    found: list[Finding] = []
+    found: list[SearchResult] = []
     try:
         with progress(f"searching for {kind}") as report:
 
@@ -196,8 +196,8 @@ def _setting(question: Question) -> str:
     return "\n    ".join(lines)
 
 
-def _shown(finding: Finding) -> list[str]:
-    from ..core.vectors import scalar
+def _shown(finding: SearchResult) -> list[str]:
+    from ..core.vectors import real_symbol
     from ..printing.formula import text
 
     law, verdict = finding.law, finding.verdict
@@ -209,7 +209,7 @@ def _shown(finding: Finding) -> list[str]:
         else f"observed only, {verdict.words}"
     )
     known = f"; repeats {finding.known}" if finding.known else ""
-    label = "ρ" if finding.kind == "measure" else text(scalar(law.name))
+    label = "ρ" if finding.kind == "measure" else text(real_symbol(law.name))
     if finding.kind == "symmetry":
         formula = ",  ".join(f"{text(name)} ↦ {text(value)}" for name, value in finding.formula)
     else:
@@ -222,7 +222,7 @@ def _factors(kind: str, question: Question) -> tuple[Any, ...]:
     return {"integrals": question.divisors, "measure": question.bases}.get(kind, ())
 
 
-def _as_text(kind: str, question: Question, found: list[Finding], complete: bool) -> str:
+def _as_text(kind: str, question: Question, found: list[SearchResult], complete: bool) -> str:
     from ..printing.formula import text
 
     lines = [f"{_TITLES[kind]} of {question.stage.system.title}"]
@@ -245,7 +245,7 @@ def _as_text(kind: str, question: Question, found: list[Finding], complete: bool
 
 
 def _as_json(
-    kind: str, question: Question, found: list[Finding], complete: bool, elapsed: float
+    kind: str, question: Question, found: list[SearchResult], complete: bool, elapsed: float
 ) -> dict[str, Any]:
     from ..printing.formula import latex, text
 
@@ -265,7 +265,7 @@ def _as_json(
     }
 
 
-def _finding_json(finding: Finding, text: Any, latex: Any) -> dict[str, Any]:
+def _finding_json(finding: SearchResult, text: Any, latex: Any) -> dict[str, Any]:
     law, verdict = finding.law, finding.verdict
     if law is None or verdict is None:
         return {"formula": None, "verdict": "observed", "remark": finding.remark}

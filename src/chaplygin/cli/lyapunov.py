@@ -56,23 +56,23 @@ def command(
         raise InputError(f"--until {until:g}: it must be positive and finite")
     numbers = None if level is None else level_of(level)
     study = study_of(what, overrides)
-    from ..analysis.lyapunov.compute import spectrum
+    from ..analysis.lyapunov.compute import lyapunov_spectrum
     from ..analysis.lyapunov.report import Spectrum, record
     from ..analysis.orbits.reversing_symmetries import reversors
-    from ..experiment.without_lift import followed
-    from ..flow.sampling.draw import draw
+    from ..experiment.without_lift import without_reconstruction
+    from ..flow.sampling.draw import sample_level
 
-    system = followed(study)
+    system = without_reconstruction(study)
     if numbers is None:
         start = [float(x) for x in study.start[: len(system.symbols)]]
     else:
-        start = draw(system, 1, numbers, seed=seed)[0].tolist()
+        start = sample_level(system, 1, numbers, seed=seed)[0].tolist()
     length = TIMES_LONGER * study.until if until is None else until
     interrupted = ""
     with ending(NOTHING, "the spectrum of the motion until now is evaluated"):
         try:
             with progress(study.system.title) as report:
-                found = spectrum(system, start, until=length, tolerance=tolerance, progress=report)
+                found = lyapunov_spectrum(system, start, until=length, tolerance=tolerance, progress=report)
         except InterruptionError as stop:
             if not isinstance(stop.partial, Spectrum):
                 raise KeyboardInterrupt from stop

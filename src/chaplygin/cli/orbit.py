@@ -136,17 +136,17 @@ def _searched(
 
     from ..analysis.orbits.continuation import follow
     from ..analysis.orbits.periodic import find
-    from ..analysis.orbits.return_map import Returns, promoted
+    from ..analysis.orbits.return_map import ReturnMap, parameters_to_state
     from ..errors import InputError, RunError
     from ..experiment.poincare import DIRECTIONS
-    from ..experiment.without_lift import followed
-    from ..flow.kernel.equations import section
-    from ..flow.sections.poincare_map import SectionMap
+    from ..experiment.without_lift import without_reconstruction
+    from ..flow.kernel.equations import poincare_section
+    from ..flow.sections.poincare_map import PoincareMap
 
     (on, value, direction, angle), (after, period, tolerance) = where, how
     if direction not in DIRECTIONS:
         raise InputError(f"--direction {direction}: it must be one of {', '.join(DIRECTIONS)}")
-    system = followed(study)
+    system = without_reconstruction(study)
     start = [float(x) for x in study.start[: len(system.symbols)]]
     laws = [law.name for law in system.integrals]
     keeps = list(hold)
@@ -157,15 +157,15 @@ def _searched(
                 f"--follow {varied[0]}: it must be one of {', '.join((*laws, *known))}"
             )
         start.append(dict(system.constants)[varied[0]])
-        system = promoted(system, varied[0])
+        system = parameters_to_state(system, varied[0])
         keeps.append(varied[0])
     for name in hold:
         if name not in laws:
             raise InputError(f"--hold {name}: it must be one of {', '.join(laws) or 'none'}")
     progress(0.0)
     limit = study.until * max(after, 1)
-    made = section(system, on, value, DIRECTIONS[direction], angle)
-    returns = Returns(SectionMap(system, made, tolerance=tolerance, until=limit))
+    made = poincare_section(system, on, value, DIRECTIONS[direction], angle)
+    returns = ReturnMap(PoincareMap(system, made, tolerance=tolerance, until=limit))
     crossed = returns.section.returns(np.array([start]), max(after, 1))
     if crossed.outcome[0]:
         raise RunError(
@@ -173,7 +173,7 @@ def _searched(
             f"{returns.section.reason(int(crossed.outcome[0]))}",
             float(crossed.ended[0]),
         )
-    returns = Returns(SectionMap(system, made, tolerance=tolerance))
+    returns = ReturnMap(PoincareMap(system, made, tolerance=tolerance))
     progress(0.25)
     orbit = find(returns, crossed.states[0, -1], period, keeps)
     progress(1.0 if varied is None else 0.5)

@@ -132,7 +132,7 @@ def _chosen(
 
 
 def _record(tried: _Tried, effort: int) -> dict[str, Any]:
-    from ..printing.laws import level
+    from ..printing.laws import condition_text
     from ..printing.system import latex, law_latex
 
     system, law, verdict, printed = tried
@@ -148,7 +148,7 @@ def _record(tried: _Tried, effort: int) -> dict[str, Any]:
         "effort": verdict.effort,
         "system": system.name,
         "law": law.name,
-        "level": level(law, system, latex),
+        "level": condition_text(law, system, latex),
         "shown": verdict.shown,
         "reason": verdict.reason,
         "terms": verdict.terms,
@@ -178,7 +178,7 @@ def _print(done: list[_Tried]) -> None:
     from rich.markup import escape
     from rich.table import Table
 
-    from ..printing.laws import level
+    from ..printing.laws import condition_text
     from ..printing.system import text
 
     shown = console()
@@ -195,7 +195,7 @@ def _print(done: list[_Tried]) -> None:
             table.add_section()
             table.add_row("", f"[italic]{escape(system.title)}[/]")
         previous = system.title
-        where = level(law, system, text)
+        where = condition_text(law, system, text)
         table.add_row(
             escape(law.name),
             escape(f"{_words(law)} {where}".strip()),

@@ -95,7 +95,7 @@ def command(
     from ..experiment.poincare import Place, Starts, section_of
     from ..flow.ensemble.compute import compute
     from ..report.drawing.files import save
-    from ..report.figures.poincare import draw
+    from ..report.figures.poincare import draw_section
 
     place = Place(on, value, direction, angle, tuple(_slab(text) for text in within or ()))
     chosen = Starts(starts, None if level is None else level_of(level), seed)
@@ -116,7 +116,7 @@ def command(
         rmtree(store)
         reasons = ", ".join(result["outcomes"])
         raise RunError(f"no motion passes {place}: {reasons}", result["longest"])
-    save(draw(found, names), picture)
+    save(draw_section(found, names), picture)
     if json:
         print_json(result)
     else:

@@ -33,7 +33,7 @@ def command(
     if laws and (form != "text" or json):
         raise InputError("--laws prints a text: leave out --as and --json, which has all laws")
     study = study_of(what, overrides)
-    from ..analysis.classification.classifier import standing_of
+    from ..analysis.classification.classifier import classify_quickly
     from ..printing.code import source_code
     from ..printing.system import motion_text
     from ..report.derivation import is_described, told
@@ -47,7 +47,7 @@ def command(
         typer.echo(f"\nchaplygin prove {what} proves them.")
         return
     if json:
-        from ..printing.laws import heading, level
+        from ..printing.laws import heading, condition_text
         from ..printing.system import latex, law_latex
 
         print_json(
@@ -74,14 +74,14 @@ def command(
                         "name": getattr(law, "name", ""),
                         "meaning": getattr(law, "meaning", ""),
                         "value": law_latex(law, system),
-                        "level": level(law, system, latex),
+                        "level": condition_text(law, system, latex),
                         "source": law.source,
                         "misprint": law.misprint,
                     }
                     for law in system.laws
                 ],
                 "notes": list(told(study)),
-                "place": standing_of(system, study.rolling or study.mechanism).record,
+                "place": classify_quickly(system, study.rolling or study.mechanism).record,
             }
         )
         return
@@ -98,7 +98,7 @@ def command(
     for words in filter(None, (legend(study), *told(study)) if form == "text" else ()):
         typer.echo("\n" + textwrap.fill(words, 100))
     if form == "text":
-        place = standing_of(system, study.rolling or study.mechanism)
+        place = classify_quickly(system, study.rolling or study.mechanism)
         typer.echo(f"\n{place}")
         if any("effort" in entry.why for entry in place.uncounted):
             typer.echo(f"\nMore effort may decide what is left: chaplygin prove {what}")

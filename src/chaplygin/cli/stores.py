@@ -78,12 +78,12 @@ def vacate(output: Path, force: bool) -> None:
     import shutil
 
     from ..errors import InputError
-    from ..flow.ensemble.zarr_store import read
+    from ..flow.ensemble.zarr_store import read_store
 
     if output.exists() and force:
         if output.is_symlink():
             raise InputError(f"{output} is a link: give the name of the store itself")
-        read(output).close()
+        read_store(output).close()
         shutil.rmtree(output)
 
 

@@ -48,7 +48,7 @@ def command(
     check_folder(folder, force, what)
     allowed = None if effort is None else operations(effort)
     study = study_of(what, overrides, precision)
-    from ..analysis.classification.facts import Patience
+    from ..analysis.classification.facts import ProofBudget
     from ..report.page import PATIENCE, TIMES
     from ..report.summary import summary, summary_text
     from ..report.write import write_study
@@ -62,7 +62,7 @@ def command(
         return f"what is done is in {folder}; the same command goes on there"
 
     with ending(words), progress(f"integrating: {study.system.title}") as report:
-        patience = Patience(each, altogether, lambda what: report.say(f"proving: {what}"))
+        patience = ProofBudget(each, altogether, lambda what: report.say(f"proving: {what}"))
         try:
             trajectory, failure = write_study(study, folder, force, patience, report)
         except InterruptionError as stop:

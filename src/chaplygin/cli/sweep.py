@@ -62,15 +62,15 @@ def command(
     from dataclasses import replace
 
     from ..errors import InputError
-    from ..experiment.without_lift import followed
+    from ..experiment.without_lift import without_reconstruction
     from ..flow.ensemble.compute import compute
-    from ..flow.ensemble.run import SHARES, ensemble_task, grid, one
+    from ..flow.ensemble.run import SHARES, ensemble_task, grid, single
     from ..report.drawing.files import save
     from ..report.figures.sweep import sweep as drawn
 
-    system = followed(study)
+    system = without_reconstruction(study)
     known = [str(parameter.symbol) for parameter in system.parameters]
-    everyone = one(**given_start(study))
+    everyone = single(**given_start(study))
     for name, numbers in values:
         if name not in known:
             raise InputError(f"--over {name}: no parameter of {system.name}: {', '.join(known)}")

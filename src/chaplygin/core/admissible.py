@@ -11,7 +11,7 @@ import sympy as sp
 from ..errors import InputError
 from .system import Parameter, System
 
-__all__ = ["conditions", "parameters_by_symbol", "require_parameters", "satisfied"]
+__all__ = ["conditions", "parameters_by_symbol", "require_parameters", "satisfies"]
 
 #: Two sides of a condition that differ by this share of them are equal.
 ROUNDING = 1e-12
@@ -27,7 +27,7 @@ def conditions(parameters: Iterable[Parameter]) -> list[tuple[Parameter, Any]]:
     return sorted(found, key=lambda pair: len(pair[1].free_symbols))
 
 
-def satisfied(condition: Any, numbers: Mapping[sp.Symbol, Any]) -> Any:
+def satisfies(condition: Any, numbers: Mapping[sp.Symbol, Any]) -> Any:
     """Where a condition on parameters holds.
 
     Where it allows equality, so does rounding: the moments of inertia of a flat body, of which one

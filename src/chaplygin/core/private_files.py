@@ -26,7 +26,7 @@ from pathlib import Path
 
 import platformdirs
 
-__all__ = ["home", "read", "write"]
+__all__ = ["home", "read_private", "write_private"]
 
 _OTHERS = stat.S_IWGRP | stat.S_IWOTH
 #: A link is not followed, and a pipe is not waited for.
@@ -52,7 +52,7 @@ def _distrust(place: Path) -> str:
     return ""
 
 
-def read(path: Path) -> bytes | None:
+def read_private(path: Path) -> bytes | None:
     """What was written to a file, or None where there is none that counts."""
     try:
         place = _usable(path.parent)
@@ -70,7 +70,7 @@ def read(path: Path) -> bytes | None:
     return content if seal == _seal(path, content) else None
 
 
-def write(path: Path, content: bytes) -> bool:
+def write_private(path: Path, content: bytes) -> bool:
     """Keep a file, which appears complete or not at all; whether that was possible."""
     temporary = None
     try:

@@ -15,11 +15,11 @@ from ..arguments import Declared, Formula, arguments_checked
 from ..errors import InputError
 from .display import Displayed
 from .laws import Integral, Law
-from .vectors import Diagonal, Symmetric, Vector, explicit
+from .vectors import Diagonal, Symmetric, Vector, to_components
 
 __all__ = [
     "Guard",
-    "Motion",
+    "Reconstruction",
     "Observable",
     "Parameter",
     "System",
@@ -99,7 +99,7 @@ class Guard:
 
 
 @dataclass(frozen=True)
-class Motion:
+class Reconstruction:
     """The lift of a reduced system back to space, as further equations.
 
     `field` gives the time derivatives of the further variables in the reduced state and
@@ -120,7 +120,7 @@ def _pairs(mapping: Mapping[Any, Any] | Pairs) -> Pairs:
 
 
 def _symbols_of(formula: Any) -> set[sp.Symbol]:
-    symbols: set[sp.Symbol] = explicit(formula).free_symbols
+    symbols: set[sp.Symbol] = to_components(formula).free_symbols
     return symbols
 
 
@@ -133,7 +133,7 @@ def flat_pairs(pairs: Pairs) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
     """Pairs (named quantity, formula) as pairs (scalar symbol, scalar formula)."""
     found: list[tuple[sp.Symbol, sp.Expr]] = []
     for name, formula in pairs:
-        value = explicit(sp.sympify(formula))
+        value = to_components(sp.sympify(formula))
         if isinstance(name, sp.Symbol):
             found.append((name, value))
         elif isinstance(name, Vector):
@@ -211,7 +211,7 @@ class System(Displayed):
     laws: tuple[Law, ...] = ()
     observables: tuple[Observable, ...] = ()
     guards: tuple[Guard, ...] = ()
-    motion: Motion | None = None
+    motion: Reconstruction | None = None
     source: str = ""
     summary: str = ""
     start: Declared = ()
@@ -295,9 +295,9 @@ class System(Displayed):
         for symbol, value in zip(self.symbols, self.rates, strict=True):
             self._require(value, known, f"the rate of {symbol}")
         for law in self.integrals:
-            self._require(explicit(law.value), known, f"the law {law.name!r}")
+            self._require(to_components(law.value), known, f"the law {law.name!r}")
         for relation in self.relations:
-            self._require(explicit(relation), known, f"the relation {relation}")
+            self._require(to_components(relation), known, f"the relation {relation}")
 
     def _require(self, value: sp.Expr, known: set[sp.Symbol], where: str) -> None:
         missing = unknown_names(value, known)

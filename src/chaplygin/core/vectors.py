@@ -38,14 +38,14 @@ __all__ = [
     "constant",
     "cross",
     "dot",
-    "explicit",
+    "to_components",
     "gradient",
     "hat",
     "identity",
-    "normed",
+    "norm_squared",
     "outer",
-    "scalar",
-    "unit",
+    "real_symbol",
+    "unit_vector",
     "vectors",
     "zero",
 ]
@@ -70,7 +70,7 @@ def by_name(formula: Any, known: Iterable[sp.Symbol]) -> sp.Expr:
     return written.xreplace({s: named[s.name] for s in written.free_symbols if s.name in named})
 
 
-def scalar(name: str) -> sp.Symbol:
+def real_symbol(name: str) -> sp.Symbol:
     """A real scalar symbol, the only kind used in this package."""
     return sp.Symbol(name, real=True)
 
@@ -99,7 +99,7 @@ class Vector(sp.MatrixSymbol):
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """The component symbols, in order."""
-        return tuple(scalar(f"{self.name}_{label}") for label in _LABELS[int(self.shape[0])])
+        return tuple(real_symbol(f"{self.name}_{label}") for label in _LABELS[int(self.shape[0])])
 
     def __iter__(self) -> Iterator[sp.Symbol]:
         return iter(self.symbols)
@@ -126,7 +126,7 @@ class Diagonal(_Tensor):
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """The diagonal, in order."""
-        return tuple(scalar(f"{self.name}_{i}") for i in (1, 2, 3))
+        return tuple(real_symbol(f"{self.name}_{i}") for i in (1, 2, 3))
 
     @property
     def entries(self) -> Components:
@@ -147,7 +147,7 @@ class Symmetric(_Tensor):
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """The upper triangle, row by row."""
-        return tuple(scalar(f"{self.name}_{i + 1}{j + 1}") for i, j in self._pairs)
+        return tuple(real_symbol(f"{self.name}_{i + 1}{j + 1}") for i, j in self._pairs)
 
     @property
     def entries(self) -> Components:
@@ -221,7 +221,7 @@ def vectors(names: str) -> tuple[Vector, ...]:
     return tuple(Vector(name) for name in names.split())
 
 
-def unit(axis: int) -> MatrixExpr:
+def unit_vector(axis: int) -> MatrixExpr:
     """The unit vector along body axis 1, 2 or 3."""
     return constant([int(axis == i) for i in (1, 2, 3)])
 
@@ -280,7 +280,7 @@ def dot(left: MatrixExpr, right: MatrixExpr) -> Scalar:
     return factor * Dot(*ends)
 
 
-def normed(vector: MatrixExpr) -> Scalar:
+def norm_squared(vector: MatrixExpr) -> Scalar:
     """The square (u, u)."""
     return dot(vector, vector)
 
@@ -292,18 +292,18 @@ def outer(left: MatrixExpr, right: MatrixExpr) -> MatrixExpr:
 
 def hat(vector: MatrixExpr) -> Components:
     """The skew matrix with hat(u) v = u × v."""
-    x, y, z = explicit(vector)
+    x, y, z = to_components(vector)
     return Components([[0, -z, y], [z, 0, -x], [-y, x, 0]])
 
 
 def gradient(value: Scalar, variable: Vector, name: str = "U") -> MatrixExpr:
     """∂value/∂variable, shown as ∂U/∂γ; zero when `value` does not depend on it."""
-    if not explicit(value).has(*variable.symbols):
+    if not to_components(value).has(*variable.symbols):
         return zero
-    return Gradient(value, variable, scalar(name))
+    return Gradient(value, variable, real_symbol(name))
 
 
-def explicit(expression: Any) -> Any:
+def to_components(expression: Any) -> Any:
     """Turn a formula into components.
 
     Parameters
@@ -317,7 +317,7 @@ def explicit(expression: Any) -> Any:
         The same without any vector left in it; nothing is expanded.
     """
     if isinstance(expression, sp.MatrixBase):
-        return Components(expression.applyfunc(explicit))
+        return Components(expression.applyfunc(to_components))
     if not isinstance(expression, MatrixExpr):
         # from the top down, so that products inside products are reached with their factors
         return expression.xreplace({d: _explicit_dot(d) for d in expression.atoms(Dot)})
@@ -325,7 +325,7 @@ def explicit(expression: Any) -> Any:
 
 
 def _explicit_dot(product: Dot) -> Scalar:
-    left, right = (explicit(arg) for arg in product.args)
+    left, right = (to_components(arg) for arg in product.args)
     return sp.Add(*(a * b for a, b in zip(left, right, strict=True)))
 
 
@@ -336,24 +336,24 @@ def _explicit_matrix(expression: MatrixExpr) -> Components:
         case Diagonal() | Symmetric():
             return expression.entries
         case Cross():
-            (a, b, c), (x, y, z) = (explicit(arg) for arg in expression.args)
+            (a, b, c), (x, y, z) = (to_components(arg) for arg in expression.args)
             return Components([b * z - c * y, c * x - a * z, a * y - b * x])
         case Gradient():
             value, variable, _ = expression.args
-            return Components([sp.diff(explicit(value), s) for s in variable.symbols])
+            return Components([sp.diff(to_components(value), s) for s in variable.symbols])
         case MatAdd():
-            terms = [explicit(arg) for arg in expression.args]
+            terms = [to_components(arg) for arg in expression.args]
             return Components(sum(terms[1:], terms[0]))
         case MatMul():
             product = sp.S.One
             # from the right, so that matrices act on vectors and dyads never appear
             for arg in reversed(expression.args):
-                product = explicit(arg) * product
+                product = to_components(arg) * product
             return product
         case Transpose():
-            return explicit(expression.arg).T
+            return to_components(expression.arg).T
         case Inverse() | MatPow():
-            matrix = explicit(expression.args[0])
+            matrix = to_components(expression.args[0])
             if expression.args[1] != -1:
                 return Components(matrix ** expression.args[1])
             if matrix.is_diagonal():

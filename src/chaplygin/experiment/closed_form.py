@@ -14,10 +14,10 @@ import xarray as xr
 from markupsafe import Markup
 
 from ..core.system import System
-from ..core.vectors import explicit, scalar
+from ..core.vectors import to_components, real_symbol
 from ..errors import InputError, RunError
 from ..explicit.base.problem import Problem
-from ..explicit.base.solution import Figure, Solution, checked
+from ..explicit.base.solution import NamedConstant, Solution, checked
 from ..explicit.bifurcation import Diagram
 from ..explicit.bifurcation.diagram_of import diagram_of
 from ..explicit.recognise import solution_of
@@ -29,13 +29,13 @@ from ..printing.system import displayed, latex, mathml
 from .study import Study, dataset_of
 
 __all__ = [
-    "Section",
+    "ClosedFormSection",
     "ball",
     "dataset",
     "diagram_if_known",
     "evaluated",
     "number",
-    "section",
+    "closed_form_section",
     "solved",
     "solved_if_known",
     "units",
@@ -124,8 +124,8 @@ def evaluated(study: Study, solution: Solution, times: Any) -> Trajectory:
 
 def _recorded(system: System, states: Any) -> dict[str, Any]:
     """Observables and integrals of a lifted system along states (n, size)."""
-    wanted = {item.name: explicit(item.value) for item in system.observables}
-    wanted |= {f"law_{law.name}": explicit(law.value) for law in system.integrals}
+    wanted = {item.name: to_components(item.value) for item in system.observables}
+    wanted |= {f"law_{law.name}": to_components(law.value) for law in system.integrals}
     scalars = [s for value in wanted.values() for s in _scalars(value)]
     steps = list(system.needed(scalars))
     function = sp.lambdify(
@@ -177,7 +177,7 @@ def units(study: Study, solution: Solution) -> dict[sp.Symbol, str]:
 
 
 @dataclass(frozen=True)
-class Section:
+class ClosedFormSection:
     """What a report says of a closed form, ready for the page.
 
     Attributes
@@ -212,7 +212,7 @@ _CAPTION = (
 _CAPTION_OF_ONE = "Where the separated variable moves."
 
 
-def section(solution: Solution, trajectory: Trajectory) -> Section:
+def closed_form_section(solution: Solution, trajectory: Trajectory) -> ClosedFormSection:
     """The words and formulas of a closed form, and how far an integration is from it.
 
     Parameters
@@ -225,7 +225,7 @@ def section(solution: Solution, trajectory: Trajectory) -> Section:
     states = solution.states(trajectory.times.astype(float))
     integrated = trajectory.states[:, : states.shape[1]].astype(float)
     distance = np.abs(states - integrated).max()
-    return Section(
+    return ClosedFormSection(
         title=form.title,
         motion=form.motion,
         source=form.source,
@@ -266,16 +266,16 @@ def printed(value: str) -> str:
 
 def _symbol(written: str) -> str:
     """A symbol as a formula; what is no name, such as V_1/V_2, as words."""
-    return Markup(mathml(latex(scalar(written)))) if written.isidentifier() else letters(written)
+    return Markup(mathml(latex(real_symbol(written)))) if written.isidentifier() else letters(written)
 
 
 def letters(words: str) -> str:
     """Words with z_1, dtau and Omega in them as z₁, dτ and Ω."""
     named = r"(?<=\bd)tau\b|\b(?:tau|theta|phi|psi|rho|omega|Omega|lambda|Lambda)\b|[A-Za-z]+_\w+"
-    return re.sub(named, lambda found: text(scalar(found[0])), words)
+    return re.sub(named, lambda found: text(real_symbol(found[0])), words)
 
 
-def number(figure: Figure, digits: int = 20) -> str:
+def number(figure: NamedConstant, digits: int = 20) -> str:
     """The value of a figure with its error bound and unit."""
     middle, radius = ball(figure.value, digits)
     unit = "" if figure.unit in ("", "1") else f" {figure.unit}"

@@ -13,7 +13,7 @@ import xarray as xr
 from ..arguments import arguments_checked
 from ..errors import InputError
 from ..flow.integrator import Trajectory
-from ..flow.metadata import FRAMES, LABELS, told_of
+from ..flow.metadata import FRAMES, LABELS, variable_metadata
 from .formats import save
 
 __all__ = ["read", "to_dataset", "write"]
@@ -108,7 +108,7 @@ def _add_state(
     """A variable of the state; what its system does not tell of it follows from its name."""
     values = trajectory[name]
     size = values.shape[1] if values.ndim > 1 else 1
-    meaning, units, source, frame = told_of(trajectory.system, name, size, told)
+    meaning, units, source, frame = variable_metadata(trajectory.system, name, size, told)
     _add(variables, name, values, frame, meaning, units, source)
 
 

@@ -16,7 +16,7 @@ from .file.models import EquationsExperiment, MechanismExperiment, OwnExperiment
 from .file.toml import Key
 from .mechanism import claimed, identifier, mechanism_of, system_of
 
-__all__ = ["described"]
+__all__ = ["build_described_system"]
 
 #: What a refusal speaks of, and where that stands in the file.
 _PLACES: tuple[tuple[str, Key], ...] = (
@@ -32,7 +32,7 @@ _PLACES: tuple[tuple[str, Key], ...] = (
 )
 
 
-def described(
+def build_described_system(
     experiment: MechanismExperiment | EquationsExperiment,
 ) -> tuple[Mechanism | None, System]:
     """The system that a file describes, and the mechanism it was derived from if it was.

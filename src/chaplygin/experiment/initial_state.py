@@ -15,7 +15,7 @@ import numpy as np
 import sympy as sp
 
 from ..core.system import System
-from ..core.vectors import Vector, explicit, normed
+from ..core.vectors import Vector, to_components, norm_squared
 from ..errors import InputError
 from ..flow.initial_states import upright
 from ..mechanics.rolling.attitude import attitude
@@ -24,7 +24,7 @@ from ..parsing import nearest
 from ..printing.formula import text
 from .file.validation import shown
 
-__all__ = ["given_state", "lift_of", "normalised", "on_level", "unit_vectors"]
+__all__ = ["initial_state_from_values", "lift_of", "normalised", "on_level", "unit_vectors"]
 
 #: Components that a vector may have.
 SIZES = (2, 3, 4)
@@ -41,7 +41,7 @@ _DIFFERENCE = mpmath.mpf(10) ** -20
 Values = Mapping[str, float | Sequence[float]]
 
 
-def given_state(system: System, values: Values) -> tuple[Any, ...]:
+def initial_state_from_values(system: System, values: Values) -> tuple[Any, ...]:
     """The state of a system, lifted to space where it has a motion, from values by name.
 
     Parameters
@@ -108,7 +108,7 @@ def on_level(system: System, level: Sequence[sp.Expr], state: Sequence[Any]) -> 
     """Whether all expressions of a level vanish at a state, but for rounding."""
     with mpmath.workdps(DIGITS):
         size = 1 + max((abs(x) for x in state), default=0)
-        found = _function(system, [explicit(e) for e in level])(state)
+        found = _function(system, [to_components(e) for e in level])(state)
         return all(abs(x) <= SLACK * size**2 for x in found)
 
 
@@ -189,11 +189,11 @@ def _numbers(name: str, given: float | Sequence[float], size: int) -> list[Any]:
 
 def unit_vectors(system: System) -> set[str]:
     """Names of the state's vectors whose length the relations make one."""
-    relations = [explicit(relation) for relation in system.relations]
+    relations = [to_components(relation) for relation in system.relations]
     return {
         str(name)
         for name in system.state
-        if isinstance(name, Vector) and explicit(normed(name)) - 1 in relations
+        if isinstance(name, Vector) and to_components(norm_squared(name)) - 1 in relations
     }
 
 
@@ -234,7 +234,7 @@ def _on_relations(lifted: System, state: list[Any]) -> list[Any]:
     """The state moved onto the relations along the shortest way; refused if that is far."""
     if not lifted.relations:
         return state
-    residual = _function(lifted, [explicit(relation) for relation in lifted.relations])
+    residual = _function(lifted, [to_components(relation) for relation in lifted.relations])
     near = _newton(residual, state)
     defects = residual(state)
     if near is not None and _distance(near, state) <= SLACK * (1 + max(map(abs, state))):

@@ -11,7 +11,7 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ..core.laws import Integral, Law, Measure, Symmetry
 from ..core.system import Guard, Observable, Parameter, System
-from ..core.vectors import Diagonal, Vector, explicit
+from ..core.vectors import Diagonal, Vector, to_components
 from ..errors import InputError
 from ..mechanics.lagrangian.mechanism import TIME, Frame, Mechanism, euclidean, rotations
 from ..mechanics.lagrangian.structure_functions import check_structure
@@ -69,8 +69,8 @@ def _check_overrides(experiment: MechanismExperiment, made: Mechanism) -> None:
     """Refuse an option that sets a parameter which no formula uses: a slip of the keyboard."""
     formulas = [made.L, *made.f, *made.F, *made.Q.values(), *made.frame.qdot]
     formulas += [*made.frame.relations, *(value for _, value in made.steps)]
-    formulas += [explicit(o.value) for o in made.observables]
-    formulas += [explicit(law.value) for law in made.laws if isinstance(law, Integral)]
+    formulas += [to_components(o.value) for o in made.observables]
+    formulas += [to_components(law.value) for law in made.laws if isinstance(law, Integral)]
     used = {str(s) for formula in formulas for s in formula.free_symbols}
     for option in experiment.overrides:
         path = experiment.path(option)
@@ -237,11 +237,11 @@ def _positions(
     key = ("constraints", "position")
     moving = set(frame.w)
     for named, value in definitions:
-        if explicit(value).free_symbols & moving:
+        if to_components(value).free_symbols & moving:
             moving |= set(components(named))
     found = names.formulas(texts, *key)
     for text, value in zip(texts, found, strict=True):
-        wrong = sorted(map(str, explicit(value).free_symbols & moving))
+        wrong = sorted(map(str, to_components(value).free_symbols & moving))
         if wrong:
             raise names.error(
                 f"'{text}' contains the velocity {wrong[0]}; it belongs to constraints.velocity",
@@ -289,7 +289,7 @@ def _structure(
         if len(words) != 2:
             raise names.error('a commutator has two velocities, as in "u, v"', *key, pair)
         u, v = (names.get(word, flat, *key, pair) for word in words)
-        value = explicit(names.scalar(text, *key, pair))
+        value = to_components(names.scalar(text, *key, pair))
         row = {w: sp.diff(value, w) for w in flat if value.has(w)}
         if sp.expand(value - sp.Add(*(w * c for w, c in row.items()))) != 0:
             raise names.error("must be linear and homogeneous in the velocities", *key, pair)
@@ -351,7 +351,7 @@ def _observables(names: Names) -> tuple[Observable, ...]:
 
 def _guards(names: Names) -> tuple[Guard, ...]:
     return tuple(
-        Guard(name, explicit(names.scalar(table.value, "guards", name)), table.happening)
+        Guard(name, to_components(names.scalar(table.value, "guards", name)), table.happening)
         for name, table in names.experiment.guards.items()
     )
 
@@ -362,10 +362,10 @@ def _powers(
     """A density as powers whose exponents are constant."""
     moving = moving | set(named)
     powers = {sp.sympify(b): sp.sympify(e) for b, e in density.as_powers_dict().items()}
-    if any(explicit(e).free_symbols & moving for e in powers.values()):
+    if any(to_components(e).free_symbols & moving for e in powers.values()):
         return {density: sp.S.One}
     return powers
 
 
 def _depend_on_time(*formulas: Any) -> bool:
-    return any(explicit(formula).has(TIME) for formula in formulas)
+    return any(to_components(formula).has(TIME) for formula in formulas)

@@ -13,16 +13,16 @@ from ..analysis.scans.coordinates import chart
 from ..analysis.scans.named_quantities import meaning
 from ..core.system import System
 from ..errors import InputError
-from ..flow.batch import section
+from ..flow.batch import poincare_section
 from ..flow.ensemble.task import Task
-from ..flow.sampling.draw import prepared
+from ..flow.sampling.draw import level_sampler
 from ..flow.sections.poincare_dataset import Quantity, section_task
-from ..flow.sections.poincare_map import SectionMap, slab
+from ..flow.sections.poincare_map import PoincareMap, slab
 from ..formulas.evaluate import formula, values
 from .scan import VECTORS
 from .section_coordinates import is_angle, usual, within_a_turn
 from .study import Study
-from .without_lift import followed
+from .without_lift import without_reconstruction
 
 __all__ = ["DIRECTIONS", "Place", "Reduced", "Starts", "coordinates_of", "section_of"]
 
@@ -112,21 +112,21 @@ def section_of(
     InputError
         If place, level or coordinates cannot be used.
     """
-    system = followed(study)
+    system = without_reconstruction(study)
     if place.direction not in DIRECTIONS:
         raise InputError(
             f"--direction {place.direction}: it must be one of {', '.join(DIRECTIONS)}"
         )
     if not until > 0:
         raise InputError(f"--until {until:g}: it must be positive")
-    where = section(system, place.quantity, place.value, DIRECTIONS[place.direction], place.angle)
+    where = poincare_section(system, place.quantity, place.value, DIRECTIONS[place.direction], place.angle)
     for quantity, width in place.within:
         where = slab(where, formula(system, quantity), width)
     names, quantities, columns = coordinates_of(
         system, coordinates, study.variables, place.quantity
     )
     given, told = _starts(study, system, starts)
-    returns = SectionMap(system, where, {}, tolerance, until=until)
+    returns = PoincareMap(system, where, {}, tolerance, until=until)
     task = section_task(
         returns,
         given,
@@ -152,7 +152,7 @@ def _starts(study: Study, system: System, starts: Starts) -> tuple[Any, str]:
     if starts.level is None and starts.count == 1:
         return own, "the start of the experiment"
     level = dict(starts.level or _level(system, own))
-    chosen = prepared(system, level)
+    chosen = level_sampler(system, level)
     held = ", ".join(f"{name} = {value:.6g}" for name, value in level.items())
     told = f"{starts.count} drawn on {held} by the {chosen.measure} (seed {starts.seed})"
     return chosen.draw(starts.count, seed=starts.seed), told

@@ -29,9 +29,9 @@ from ..parsing import nearest
 from .file.models import EquationsExperiment
 from .file.source import Source
 from .file.toml import Key
-from .file.validation import mistakes, shown
+from .file.validation import validation_messages, shown
 from .initial_state import lift_of
-from .study import Study, started
+from .study import Study, described_study
 from .write_equations import plan_table_of, tables_of
 
 __all__ = ["load_python"]
@@ -91,7 +91,7 @@ def load_python(path: Path, overrides: Iterable[str] = ()) -> Study:
     experiment = _validated(tables, source)
     parameters = tuple(_changed(experiment, parameter) for parameter in system.parameters)
     system = replace(system, title=experiment.title or system.title, parameters=parameters)
-    return started(experiment, system, mechanism)
+    return described_study(experiment, system, mechanism)
 
 
 def _changed(experiment: EquationsExperiment, parameter: Parameter) -> Parameter:
@@ -197,7 +197,7 @@ def _validated(tables: dict[str, Any], source: Source) -> EquationsExperiment:
     try:
         experiment = EquationsExperiment.model_validate(tables)
     except ValidationError as error:
-        wrong: dict[Key, str] = mistakes(error, EquationsExperiment, tables)
+        wrong: dict[Key, str] = validation_messages(error, EquationsExperiment, tables)
         lines = (f"{source.where(key)}: {sentence}" for key, sentence in wrong.items())
         raise InputError("\n".join(lines)) from None
     experiment._source = source

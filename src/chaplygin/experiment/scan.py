@@ -6,14 +6,14 @@ from collections.abc import Collection, Mapping
 from dataclasses import replace
 from typing import Any
 
-from ..analysis.scans.grid import Axis, Plane, plane
+from ..analysis.scans.grid import Axis, ScanGrid, scan_grid
 from ..analysis.scans.named_quantities import meaning
-from ..analysis.scans.quantity_names import asked
-from ..analysis.scans.scan_task import Chart
+from ..analysis.scans.quantity_names import quantity_from_text
+from ..analysis.scans.scan_task import Scan
 from ..core.system import System, flat
-from ..flow.batch import lanes
+from ..flow.batch import batch_integrator
 from .study import Study
-from .without_lift import followed
+from .without_lift import without_reconstruction
 
 __all__ = ["VECTORS", "chart_of", "plane_of"]
 
@@ -34,19 +34,19 @@ def chart_of(
     until: float | None = None,
     formulas: Mapping[str, str] | None = None,
     held: Collection[str] = (),
-) -> Chart:
+) -> Scan:
     """A number of the motions of a plane through the start of an experiment.
 
     Parameters
     ----------
     study : Study
     of : str
-        The number; see :func:`chaplygin.analysis.scans.quantity_names.asked`.
+        The number; see :func:`chaplygin.analysis.scans.quantity_names.quantity_from_text`.
     x, y : Axis
     until : float, optional
         How long motions are followed; as long as that of the experiment if left out.
     formulas, held
-        See :func:`chaplygin.analysis.scans.grid.plane`.
+        See :func:`chaplygin.analysis.scans.grid.scan_grid`.
 
     Raises
     ------
@@ -56,9 +56,9 @@ def chart_of(
     made = plane_of(study, x, y, formulas=formulas, held=held)
     span = study.until if until is None else until
     point = [float(value) for value in study.start[: len(made.system.symbols)]]
-    lanes(made.system, backward=span < 0).require_reach(point, span)
-    number = asked(made.system, of, span, variables={**VECTORS, **study.variables})
-    return Chart(made, number.rule, number.name, number.title, number.unit)
+    batch_integrator(made.system, backward=span < 0).require_reach(point, span)
+    number = quantity_from_text(made.system, of, span, variables={**VECTORS, **study.variables})
+    return Scan(made, number.rule, number.name, number.title, number.unit)
 
 
 def plane_of(
@@ -68,9 +68,9 @@ def plane_of(
     *,
     formulas: Mapping[str, str] | None = None,
     held: Collection[str] = (),
-) -> Plane:
+) -> ScanGrid:
     """A plane through the start of an experiment; its axes know their meaning and unit."""
-    system = followed(study)
+    system = without_reconstruction(study)
     told = {**VECTORS, **study.variables}
 
     def described(item: Axis) -> Axis:
@@ -78,7 +78,7 @@ def plane_of(
         return replace(item, meaning=words, unit=unit)
 
     start = _start(study, system)
-    return plane(system, described(x), described(y), start, formulas=formulas, held=held)
+    return scan_grid(system, described(x), described(y), start, formulas=formulas, held=held)
 
 
 def _start(study: Study, system: System) -> dict[str, Any]:

@@ -7,7 +7,7 @@ import sympy as sp
 
 from ..analysis.scans.coordinates import chart
 from ..core.system import System
-from ..core.vectors import Vector, explicit
+from ..core.vectors import Vector, to_components
 from ..errors import InputError
 from ..flow.sections.poincare_dataset import Quantity
 from ..formulas.evaluate import values
@@ -75,7 +75,7 @@ def is_angle(system: System, symbol: sp.Symbol) -> bool:
 
 
 def _entries(rate: object) -> list[sp.Expr]:
-    found = explicit(sp.sympify(rate))
+    found = to_components(sp.sympify(rate))
     return list(found) if isinstance(found, sp.MatrixBase) else [found]
 
 

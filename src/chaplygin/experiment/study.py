@@ -26,15 +26,15 @@ from ..mechanics.ball.initial_state import ball_state
 from ..mechanics.lagrangian.mechanism import TIME, Mechanism
 from ..mechanics.lagrangian.plan import Plan
 from ..mechanics.rolling.body import Body
-from ..mechanics.rolling.equations import Field, Rolling
+from ..mechanics.rolling.equations import Forces, Rolling
 from ..mechanics.rolling.gauss_map import centre_outside
-from ..mechanics.rolling.initial_state import starting_state
+from ..mechanics.rolling.initial_state import initial_state
 from ..mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Shape, Torus
 from ..mechanics.rolling.surfaces import Plane, Sphere
 from ..parsing import parse
 from .ball import ball_title, potential_of, rolling_ball, smooth_surface
 from .dataset import to_dataset
-from .described_system import described
+from .described_system import build_described_system
 from .file.ball_tables import BallStartTable
 from .file.models import (
     BallExperiment,
@@ -59,11 +59,11 @@ from .file.tables import (
     SystemStartTable,
     TorusTable,
 )
-from .initial_state import given_state, normalised, on_level, unit_vectors
+from .initial_state import initial_state_from_values, normalised, on_level, unit_vectors
 from .mechanism import identifier
 from .plan import described_plan
 
-__all__ = ["Study", "dataset_of", "prepare", "shape_name", "started"]
+__all__ = ["Study", "dataset_of", "prepare", "shape_name", "described_study"]
 
 
 @dataclass(frozen=True)
@@ -141,7 +141,7 @@ class Study:
         start = self.experiment.start
         with _at(self.experiment, "start"):
             if isinstance(start, StartTable | SystemStartTable):
-                return starting_state(
+                return initial_state(
                     self.system,
                     self.given["omega"],
                     self.given["gamma"],
@@ -151,7 +151,7 @@ class Study:
             if self.ball is not None and isinstance(start, BallStartTable):
                 place = self.given["contact" if self.ball.carrier == "support" else "centre"]
                 return ball_state(self.ball, self.system, place, start.omega)
-            return given_state(self.system, self.given)
+            return initial_state_from_values(self.system, self.given)
 
     @cached_property
     def watched(self) -> System:
@@ -278,8 +278,8 @@ def prepare(experiment: Experiment) -> Study:
         If its parts do not fit together; the message names the place in the file.
     """
     if isinstance(experiment, MechanismExperiment | EquationsExperiment):
-        mechanism, system = described(experiment)
-        return started(experiment, system, mechanism)
+        mechanism, system = build_described_system(experiment)
+        return described_study(experiment, system, mechanism)
     if isinstance(experiment, BallExperiment):
         return _with_ball(experiment)
     if not isinstance(experiment, RollingExperiment):
@@ -335,7 +335,7 @@ def _with_ball(experiment: BallExperiment) -> Study:
     return Study(experiment, system, None, given, until, ball_variables, ball=ball)
 
 
-def started(
+def described_study(
     experiment: MechanismExperiment | EquationsExperiment,
     system: System,
     mechanism: Mechanism | None = None,
@@ -359,7 +359,7 @@ def _rolling(experiment: RollingExperiment) -> Rolling:
     forces = experiment.field
     with _at(experiment, "field"):
         potential = _formula(forces, forces.potential) if forces.potential else sp.S.Zero
-        field = Field(forces.gravity, potential, _values(forces))
+        field = Forces(forces.gravity, potential, _values(forces))
     return Rolling(body, ground, experiment.contact.model, field)
 
 

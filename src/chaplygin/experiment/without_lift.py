@@ -7,10 +7,10 @@ from dataclasses import replace
 from ..core.system import System
 from .study import Study
 
-__all__ = ["followed"]
+__all__ = ["without_reconstruction"]
 
 
-def followed(study: Study) -> System:
+def without_reconstruction(study: Study) -> System:
     """The system without its lift to space; a contact that is to hold on is not guarded."""
     guards = study.system.guards
     if study.experiment.run.on_liftoff == "warn":

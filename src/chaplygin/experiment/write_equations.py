@@ -10,7 +10,7 @@ import sympy as sp
 
 from ..core.laws import Integral, Measure, Symmetry
 from ..core.system import System
-from ..core.vectors import Vector, explicit
+from ..core.vectors import Vector, to_components
 from ..errors import InputError
 from ..mechanics.lagrangian.plan import Plan
 from ..parsing import FUNCTIONS
@@ -94,7 +94,7 @@ def _all(formulas: Iterable[Any]) -> list[str]:
 
 def _written(formula: Any) -> str:
     """A formula as a user would type it, its numbers exact."""
-    value = explicit(sp.sympify(formula))
+    value = to_components(sp.sympify(formula))
     if isinstance(value, sp.MatrixBase):
         return f"[{', '.join(map(_written, value))}]"
     for part in sp.preorder_traversal(value):

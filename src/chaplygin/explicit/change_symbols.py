@@ -9,15 +9,15 @@ from typing import Any
 import sympy as sp
 
 from ..core.system import System
-from ..core.vectors import constant, explicit, scalar
-from .genus_two.separation import Separable
+from ..core.vectors import constant, to_components, real_symbol
+from .genus_two.separation import SeparatedSystem
 
-__all__ = ["expressed", "translation"]
+__all__ = ["in_symbols_of", "translation"]
 
 
-def expressed(
-    separable: Separable, system: System, parameters: Mapping[sp.Symbol, Any]
-) -> Separable:
+def in_symbols_of(
+    separable: SeparatedSystem, system: System, parameters: Mapping[sp.Symbol, Any]
+) -> SeparatedSystem:
     """The separation of a system whose field is that of ``separable.system``.
 
     Parameters
@@ -41,7 +41,7 @@ def expressed(
     names = dict(zip(separable.system.symbols, system.symbols, strict=True))
 
     def told(formula: Any) -> Any:
-        value = explicit(sp.sympify(formula))
+        value = to_components(sp.sympify(formula))
         made = value.xreplace(known)
         return constant(list(made)) if isinstance(value, sp.MatrixBase) else made
 
@@ -85,15 +85,15 @@ def translation(
     return known
 
 
-def _constants(separable: Separable, system: System) -> dict[sp.Symbol, sp.Symbol]:
+def _constants(separable: SeparatedSystem, system: System) -> dict[sp.Symbol, sp.Symbol]:
     """New names for constants whose letters mean something else in a system."""
     taken = {*system.symbols, *system.defaults, *(symbol for symbol, _ in system.steps)}
     clashes = [symbol for symbol, _ in separable.constants if symbol in taken]
-    return {symbol: scalar(f"{symbol}_const") for symbol in clashes}
+    return {symbol: real_symbol(f"{symbol}_const") for symbol in clashes}
 
 
 def _parts(name: Any, formula: Any) -> list[tuple[sp.Symbol, Any]]:
     """A pair of a state name and its formula, by components."""
     if isinstance(name, sp.Symbol):
         return [(name, formula)]
-    return list(zip(name.symbols, explicit(formula), strict=True))
+    return list(zip(name.symbols, to_components(formula), strict=True))

@@ -15,11 +15,11 @@ from ..arguments import Numbers, Written, arguments_checked
 from ..core.system import System
 from ..errors import InputError
 from ..formulas.balls import components, evaluated, number
-from .base.solution import ClosedForm, Figure, Solution
+from .base.solution import ClosedForm, NamedConstant, Solution
 from .genus_two.reconstruction import Lift, lift, on_arrays
-from .genus_two.separated_motion import Prepared, prepared
-from .genus_two.separation import Separable, nu
-from .genus_two.time_map import Clock, clock_of
+from .genus_two.separated_motion import SeparatedMotion, separate
+from .genus_two.separation import SeparatedSystem, nu
+from .genus_two.time_map import TimeMap, clock_of
 
 __all__ = ["BITS", "GenusTwo", "solved"]
 
@@ -45,15 +45,15 @@ class GenusTwo(Solution):
     system: System
     parameters: Mapping[sp.Symbol, Any]
     start: tuple[Any, ...]
-    prepared: Prepared
+    prepared: SeparatedMotion
 
     @property
-    def separable(self) -> Separable:
+    def separable(self) -> SeparatedSystem:
         """The formulas."""
         return self.prepared.separable
 
     @cached_property
-    def clock(self) -> Clock:
+    def clock(self) -> TimeMap:
         """t as a function of τ and back."""
         return clock_of(self.prepared, BITS)
 
@@ -128,22 +128,22 @@ def _form(solution: GenusTwo) -> ClosedForm:
     clock = solution.clock
     figures = [
         *(
-            Figure(str(name), motion.values[name], *_told(motion, motion.values[name]))
+            NamedConstant(str(name), motion.values[name], *_told(motion, motion.values[name]))
             for name, _ in separable.constants
         ),
         *(
-            Figure(f"e_{i}", root, "root of the curve")
+            NamedConstant(f"e_{i}", root, "root of the curve")
             for i, root in enumerate(motion.curve.roots, 1)
         ),
-        *(Figure(f"V_{i}", x, f"turns of z_{i} per unit of τ") for i, x in enumerate(turns, 1)),
-        Figure("V_1/V_2", turns[0] / turns[1], "rotation number"),
+        *(NamedConstant(f"V_{i}", x, f"turns of z_{i} per unit of τ") for i, x in enumerate(turns, 1)),
+        NamedConstant("V_1/V_2", turns[0] / turns[1], "rotation number"),
         *(
-            Figure(f"Y_{i + 1}{j + 1}", torus.lattice.Y[i, j], "period matrix iY")
+            NamedConstant(f"Y_{i + 1}{j + 1}", torus.lattice.Y[i, j], "period matrix iY")
             for i, j in ((0, 0), (0, 1), (1, 1))
         ),
-        Figure("mean dt/dtau", clock.mean, "mean rate of the clock (error estimated)"),
+        NamedConstant("mean dt/dtau", clock.mean, "mean rate of the clock (error estimated)"),
         *(
-            Figure(f"Omega_{i}", x / clock.mean, f"frequency of z_{i} (error estimated)", "turns/s")
+            NamedConstant(f"Omega_{i}", x / clock.mean, f"frequency of z_{i} (error estimated)", "turns/s")
             for i, x in enumerate(turns, 1)
         ),
     ]
@@ -170,7 +170,7 @@ def _form(solution: GenusTwo) -> ClosedForm:
     )
 
 
-def _told(motion: Prepared, value: Any) -> tuple[str, str]:
+def _told(motion: SeparatedMotion, value: Any) -> tuple[str, str]:
     """Meaning and unit of a constant: those of the integral whose value it is, if there is one."""
     system = motion.separable.system
     known = {**motion.values, **dict(zip(system.symbols, motion.state, strict=True))}
@@ -182,7 +182,7 @@ def _told(motion: Prepared, value: Any) -> tuple[str, str]:
     return "constant", ""
 
 
-def solved(separable: Separable, values: Mapping[sp.Symbol, Any], start: Sequence[Any]) -> GenusTwo:
+def solved(separable: SeparatedSystem, values: Mapping[sp.Symbol, Any], start: Sequence[Any]) -> GenusTwo:
     """Solve one motion of a separable system.
 
     Parameters
@@ -207,5 +207,5 @@ def solved(separable: Separable, values: Mapping[sp.Symbol, Any], start: Sequenc
             f"start: it has {len(start)} numbers; {lifted.name} needs {len(lifted.symbols)}"
         )
     with ctx.workprec(BITS):
-        motion = prepared(separable, values, start[: len(system.symbols)])
+        motion = separate(separable, values, start[: len(system.symbols)])
     return GenusTwo(lifted, dict(values), tuple(start), motion)

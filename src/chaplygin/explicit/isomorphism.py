@@ -17,11 +17,11 @@ import sympy as sp
 from ..core.isomorphism import Isomorphism
 from ..core.laws import Identity
 from ..core.system import System, flat_pairs
-from ..core.vectors import Vector, constant, explicit, normed, scalar
+from ..core.vectors import Vector, constant, to_components, norm_squared, real_symbol
 from ..errors import InputError
-from .genus_two.separation import Separable
+from .genus_two.separation import SeparatedSystem
 
-__all__ = ["inverse", "pulled_back", "pushed_forward", "there_and_back", "written_out"]
+__all__ = ["inverse", "pull_back", "push_forward", "inverse_identity", "written_out"]
 
 #: Scalar symbols with what is put in for them.
 Formulas: TypeAlias = dict[sp.Symbol, sp.Expr]
@@ -46,10 +46,10 @@ def inverse(system: System, law: Isomorphism) -> Formulas:
     InputError
         If the map is of another kind.
     """
-    images = [(name, written_out(system, explicit(formula))) for name, formula in law.map]
+    images = [(name, written_out(system, to_components(formula))) for name, formula in law.map]
     vectors = [name for name in system.state if isinstance(name, Vector)]
     if len(vectors) == len(system.state) == len(images):
-        for unit in (v for v in vectors if normed(v) - 1 in system.relations):
+        for unit in (v for v in vectors if norm_squared(v) - 1 in system.relations):
             for name, image in images:
                 if image.free_symbols.isdisjoint(_others(system, unit)):
                     place = _unstretched(system, unit, name, image)
@@ -98,7 +98,7 @@ def _linear(
     return {s: f.xreplace(place) for s, f in zip(other.symbols, found, strict=True)}
 
 
-def there_and_back(system: System, law: Isomorphism) -> Identity:
+def inverse_identity(system: System, law: Isomorphism) -> Identity:
     """That the inverse undoes the map, as a law of `system`."""
     images = dict(flat_pairs(law.map))
     back = inverse(system, law)
@@ -114,9 +114,9 @@ def there_and_back(system: System, law: Isomorphism) -> Identity:
 # --- systems that separate, carried over ---------------------------------------------------
 
 
-def pulled_back(
-    system: System, law: Isomorphism, separable: Separable, fixed: tuple[Any, ...] = ()
-) -> Separable:
+def pull_back(
+    system: System, law: Isomorphism, separable: SeparatedSystem, fixed: tuple[Any, ...] = ()
+) -> SeparatedSystem:
     """A system that separates because the target of an isomorphism does.
 
     Parameters
@@ -150,7 +150,7 @@ def pulled_back(
 
     state = {s: _put(f, names) for s, f in flat_pairs(separable.state)}
     back = {s: _put(f, state) for s, f in inverse(system, law).items()}
-    rate = _put(written_out(system, explicit(law.time)), back)
+    rate = _put(written_out(system, to_components(law.time)), back)
     return replace(
         _renamed(separable, told, names),
         name=system.name,
@@ -158,10 +158,10 @@ def pulled_back(
         system=system,
         level=law.on,
         constants=(
-            *((names[p], explicit(formula)) for p, formula in law.constants),
-            *((names[s], told(explicit(formula))) for s, formula in separable.constants),
+            *((names[p], to_components(formula)) for p, formula in law.constants),
+            *((names[s], told(to_components(formula))) for s, formula in separable.constants),
         ),
-        clock=_put(explicit(separable.clock), names) / rate,
+        clock=_put(to_components(separable.clock), names) / rate,
         state=tuple(back.items()),
         fixed=fixed,
         laws=(law,),
@@ -169,7 +169,7 @@ def pulled_back(
     )
 
 
-def pushed_forward(system: System, law: Isomorphism, separable: Separable) -> Separable:
+def push_forward(system: System, law: Isomorphism, separable: SeparatedSystem) -> SeparatedSystem:
     """The target of an isomorphism as a system that separates because the other side does.
 
     Parameters
@@ -217,16 +217,16 @@ def pushed_forward(system: System, law: Isomorphism, separable: Separable) -> Se
         return _put(written_out(system, formula), names | back)
 
     state = {s: _put(written_out(system, f), names) for s, f in flat_pairs(separable.state)}
-    rate = _put(_put(written_out(system, explicit(law.time)), names), state)
+    rate = _put(_put(written_out(system, to_components(law.time)), names), state)
     image = {s: written_out(system, f) for s, f in flat_pairs(law.map)}
     return replace(
         _renamed(separable, told, names),
         name=target.name,
         title=target.title,
         system=target,
-        level=tuple(told(explicit(condition)) for condition in law.on),
-        constants=tuple((names[s], told(explicit(formula))) for s, formula in separable.constants),
-        clock=_put(written_out(system, explicit(separable.clock)), names) * rate,
+        level=tuple(told(to_components(condition)) for condition in law.on),
+        constants=tuple((names[s], told(to_components(formula))) for s, formula in separable.constants),
+        clock=_put(written_out(system, to_components(separable.clock)), names) * rate,
         state=tuple((s, _put(_put(f, names), state)) for s, f in image.items()),
         fixed=(),
         laws=(),
@@ -234,7 +234,7 @@ def pushed_forward(system: System, law: Isomorphism, separable: Separable) -> Se
     )
 
 
-def _renamed(separable: Separable, told: Any, names: Formulas) -> Separable:
+def _renamed(separable: SeparatedSystem, told: Any, names: Formulas) -> SeparatedSystem:
     """The curve in other names, ν and ν′ told in another state."""
 
     def each(formulas: Iterable[Any]) -> Any:
@@ -242,8 +242,8 @@ def _renamed(separable: Separable, told: Any, names: Formulas) -> Separable:
 
     return replace(
         separable,
-        direction=told(explicit(separable.direction)),
-        turning=told(explicit(separable.turning)),
+        direction=told(to_components(separable.direction)),
+        turning=told(to_components(separable.turning)),
         poles=each(separable.poles),
         weights=each(separable.weights),
         leading=_put(sp.sympify(separable.leading), names),
@@ -262,7 +262,7 @@ def _fresh(symbols: Iterable[sp.Symbol], system: System) -> Formulas:
 
 def _tilde(symbol: sp.Symbol) -> sp.Symbol:
     stem, bar, index = str(symbol).partition("_")
-    return scalar(f"{stem}tilde{bar}{index}")
+    return real_symbol(f"{stem}tilde{bar}{index}")
 
 
 def _put(formula: Any, values: Mapping[sp.Symbol, Any]) -> Any:
@@ -271,7 +271,7 @@ def _put(formula: Any, values: Mapping[sp.Symbol, Any]) -> Any:
 
 def written_out(system: System, formula: Any) -> Any:
     """A formula of a system with its definitions put in."""
-    value = explicit(sp.sympify(formula))
+    value = to_components(sp.sympify(formula))
     for name, meaning in reversed(system.needed([value])):
         value = value.xreplace({name: meaning})
     return constant(list(value)) if isinstance(value, sp.MatrixBase) else value

@@ -17,12 +17,12 @@ from numpy.polynomial import chebyshev
 
 from ..core.isomorphism import Isomorphism
 from ..core.system import System, flat_pairs
-from ..core.vectors import explicit
+from ..core.vectors import to_components
 from ..errors import InputError
 from ..formulas.balls import array_function, number
 from .isomorphism import inverse, written_out
 
-__all__ = ["Carrier"]
+__all__ = ["IsomorphismMap"]
 
 #: Times (n,) ↦ states (n, size).
 Motion: TypeAlias = Callable[[Any], Any]
@@ -37,7 +37,7 @@ _AHEAD = 0.1
 
 
 @dataclass(frozen=True)
-class Carrier:
+class IsomorphismMap:
     """An isomorphism at numbers.
 
     Attributes
@@ -82,7 +82,7 @@ class Carrier:
     @cached_property
     def rate(self) -> Callable[[Any], Any]:
         """dτ/dt at states of the system, (n,)."""
-        formula = written_out(self.system, explicit(self.law.time))
+        formula = written_out(self.system, to_components(self.law.time))
         on = self._arrays(self.system.symbols, [formula])
         return lambda states: on(states)[:, 0]
 

@@ -20,7 +20,7 @@ from ..mechanics.rolling.shapes import Ball
 from .base.problem import Problem, exact
 from .base.solution import ClosedForm, Solution
 
-__all__ = ["Turned", "in_principal_axes", "told_back"]
+__all__ = ["PrincipalAxesSolution", "in_principal_axes", "to_original_axes"]
 
 #: Digits with which principal axes are computed.
 DIGITS = 220
@@ -28,7 +28,7 @@ SPACE, QUATERNION = 3, 4
 
 
 @dataclass(frozen=True)
-class Turned(Solution):
+class PrincipalAxesSolution(Solution):
     """A motion known in other body axes.
 
     Attributes
@@ -131,10 +131,10 @@ def _order(problem: Problem, rolling: Rolling) -> tuple[int, int, int] | None:
     return (1, 2, 0) if second == third else (2, 0, 1)
 
 
-def told_back(problem: Problem, inner: Solution, matrix: Any) -> Turned:
+def to_original_axes(problem: Problem, inner: Solution, matrix: Any) -> PrincipalAxesSolution:
     """A solution in principal axes as one in the axes of the problem."""
     lifted = problem.system.lifted() if problem.system.motion else problem.system
-    return Turned(lifted, problem.parameters, inner, matrix)
+    return PrincipalAxesSolution(lifted, problem.parameters, inner, matrix)
 
 
 def _turned(rolling: Rolling, moments: Sequence[float], axes: Any) -> Rolling:

@@ -23,19 +23,19 @@ from ..catalogue import entry
 from ..catalogue.entry import bruns_factor
 from ..core.isomorphism import Isomorphism
 from ..core.system import System, flat_pairs
-from ..core.vectors import explicit, scalar
+from ..core.vectors import to_components, real_symbol
 from ..formulas.balls import ball, evaluated
 from ..formulas.relative_zero import RESOLUTION, ROUNDED
 from ..mechanics.rolling.equations import Rolling
 from .base.no_closed_form import Condition, degenerate, refusal
 from .base.problem import Problem, exact, rational, same_field
 from .base.solution import Solution
-from .change_symbols import expressed, translation
-from .genus_two.separation import Separable
-from .principal_axes import in_principal_axes, told_back
+from .change_symbols import in_symbols_of, translation
+from .genus_two.separation import SeparatedSystem
+from .principal_axes import in_principal_axes, to_original_axes
 from .recover_body import rolling_of
 
-__all__ = ["RECOGNISERS", "Likeness", "likeness", "solution_of"]
+__all__ = ["RECOGNISERS", "Match", "find_match", "solution_of"]
 
 #: A motion in closed form, or None where it is not of this kind.
 Recogniser: TypeAlias = Callable[[Problem], Solution | None]
@@ -67,7 +67,7 @@ def solution_of(problem: Problem) -> Solution:
         solution = recogniser(problem)
         if solution is not None:
             return solution
-    near = likeness(problem)
+    near = find_match(problem)
     raise refusal(problem, () if near is None else near.level)
 
 
@@ -75,7 +75,7 @@ def solution_of(problem: Problem) -> Solution:
 
 
 @dataclass(frozen=True)
-class Place:
+class SeparationEntry:
     """Where a system that separates on a curve of genus two is told of.
 
     Attributes
@@ -107,35 +107,35 @@ class Place:
 
 #: In the order in which they are tried, but for those with the letters of a problem.
 SEPARABLE = (
-    Place("rubber_ball_plane", "rubber_ball_plane", "omega gamma", "mR"),
-    Place("rubber_sphere", "on_plane", "omega n"),
-    Place("veselova", "veselova", "omega gamma"),
-    Place("chaplygin_ball", "chaplygin_ball", "M gamma", "mR"),
-    Place("chaplygin_area", "chaplygin_area", "M gamma", "mR"),
-    Place("rubber_sphere", "hollow_ball", "omega gamma", "mRa"),
-    Place("rubber_sphere", "of_ratio", "omega n"),
-    Place("rubber_sphere", "on_e3", "M gamma"),
-    Place("ball_sphere", "hollow_ball", "M gamma", "mRa"),
-    Place("ball_sphere", "of_tensor", "M n"),
-    Place("neumann", "neumann_system", "M Gamma"),
-    Place("clebsch", "clebsch_case", "M Gamma"),
-    Place("fedorov", "fedorov", "K gamma"),
-    Place("bruns", "veselova_in_bruns_field", "omega gamma"),
-    Place("bruns", "rubber_ball_in_bruns_field", "omega gamma", "mRK"),
-    Place("bruns_ball", "chaplygin_ball_in_bruns_field", "M gamma", "mRK"),
-    Place("bruns_sphere", "hollow_ball_in_bruns_field", "M gamma", "mRaK"),
+    SeparationEntry("rubber_ball_plane", "rubber_ball_plane", "omega gamma", "mR"),
+    SeparationEntry("rubber_sphere", "on_plane", "omega n"),
+    SeparationEntry("veselova", "veselova", "omega gamma"),
+    SeparationEntry("chaplygin_ball", "chaplygin_ball", "M gamma", "mR"),
+    SeparationEntry("chaplygin_area", "chaplygin_area", "M gamma", "mR"),
+    SeparationEntry("rubber_sphere", "hollow_ball", "omega gamma", "mRa"),
+    SeparationEntry("rubber_sphere", "of_ratio", "omega n"),
+    SeparationEntry("rubber_sphere", "on_e3", "M gamma"),
+    SeparationEntry("ball_sphere", "hollow_ball", "M gamma", "mRa"),
+    SeparationEntry("ball_sphere", "of_tensor", "M n"),
+    SeparationEntry("neumann", "neumann_system", "M Gamma"),
+    SeparationEntry("clebsch", "clebsch_case", "M Gamma"),
+    SeparationEntry("fedorov", "fedorov", "K gamma"),
+    SeparationEntry("bruns", "veselova_in_bruns_field", "omega gamma"),
+    SeparationEntry("bruns", "rubber_ball_in_bruns_field", "omega gamma", "mRK"),
+    SeparationEntry("bruns_ball", "chaplygin_ball_in_bruns_field", "M gamma", "mRK"),
+    SeparationEntry("bruns_sphere", "hollow_ball_in_bruns_field", "M gamma", "mRaK"),
 )
 
 
 @lru_cache(maxsize=len(SEPARABLE))
-def _told(place: Place) -> Separable:
+def _told(place: SeparationEntry) -> SeparatedSystem:
     module = import_module(f".separations.{place.module}", __package__)
-    made: Separable = getattr(module, place.function)()
+    made: SeparatedSystem = getattr(module, place.function)()
     return made
 
 
 @dataclass(frozen=True)
-class Likeness:
+class Match:
     """A system that separates and has the field of a problem.
 
     Attributes
@@ -149,12 +149,12 @@ class Likeness:
         are on its level.
     """
 
-    known: Separable
-    own: Separable
+    known: SeparatedSystem
+    own: SeparatedSystem
     level: tuple[Condition, ...]
 
 
-def likeness(problem: Problem) -> Likeness | None:
+def find_match(problem: Problem) -> Match | None:
     """The system that separates and has the field of a problem.
 
     What depends on parameters alone must vanish exactly.  What depends on the start must vanish
@@ -164,8 +164,8 @@ def likeness(problem: Problem) -> Likeness | None:
     numbers = {symbol: exact(value) for symbol, value in problem.parameters.items()}
     if not rational(problem.system, numbers):
         return None
-    rounded: Likeness | None = None
-    missed: Likeness | None = None
+    rounded: Match | None = None
+    missed: Match | None = None
     places = [place for place in SEPARABLE if place.may_be(problem)]
     for place in sorted(places, key=lambda place: not place.fits(problem)):
         known = _told(place)
@@ -183,19 +183,19 @@ def likeness(problem: Problem) -> Likeness | None:
     return rounded or missed
 
 
-def _like(problem: Problem, known: Separable, formulas: Formulas, part: fmpq) -> Likeness:
+def _like(problem: Problem, known: SeparatedSystem, formulas: Formulas, part: fmpq) -> Match:
     """The likeness of a system, whose level may be missed by a part of the terms."""
-    own = expressed(known, problem.system, formulas)
+    own = in_symbols_of(known, problem.system, formulas)
     names = translation(known.system, problem.system, formulas)
     numbers = {s: sp.Rational(str(exact(x))) for s, x in problem.parameters.items()}
     state = set(problem.system.symbols)
     # what the known system has as a relation may be a condition on the start in the problem's
     kept = {
-        sp.expand(sign * explicit(relation))
+        sp.expand(sign * to_components(relation))
         for relation in problem.system.relations
         for sign in (1, -1)
     }
-    relations = [(r, explicit(r).xreplace(names)) for r in known.system.relations]
+    relations = [(r, to_components(r).xreplace(names)) for r in known.system.relations]
     conditions = [
         *zip(known.level, own.level, strict=True),
         *(pair for pair in relations if sp.expand(pair[1]) not in kept),
@@ -209,7 +209,7 @@ def _like(problem: Problem, known: Separable, formulas: Formulas, part: fmpq) ->
             holds = sp.sympify(formula).xreplace(numbers) == 0
         if not holds:
             missed.append(Condition(told, formula))
-    return Likeness(known, replace(own, level=tuple(moving)), tuple(missed))
+    return Match(known, replace(own, level=tuple(moving)), tuple(missed))
 
 
 def _matches(problem: Problem, target: System) -> Iterator[Formulas]:
@@ -234,7 +234,7 @@ def _field(rolling: Rolling | None) -> dict[sp.Symbol, Any]:
     if rolling is None or not rolling.body.principal:
         return {}
     factor = bruns_factor(rolling.field.potential)
-    return {} if factor is None else {scalar("K"): factor}
+    return {} if factor is None else {real_symbol("K"): factor}
 
 
 def _written_out(system: System, law: Isomorphism) -> dict[sp.Symbol, sp.Expr]:
@@ -265,7 +265,7 @@ def _separated(problem: Problem) -> Solution | None:
     from .genus_two.curve import DegenerateError
     from .genus_two_solution import solved
 
-    found = likeness(problem)
+    found = find_match(problem)
     if found is None:
         return None
     values = {s: x if isinstance(x, arb) else exact(x) for s, x in problem.parameters.items()}
@@ -284,7 +284,7 @@ def _separated(problem: Problem) -> Solution | None:
         raise degenerate(problem) from None
 
 
-def _axial(problem: Problem, found: Likeness, values: Mapping[sp.Symbol, Any]) -> Solution | None:
+def _axial(problem: Problem, found: Match, values: Mapping[sp.Symbol, Any]) -> Solution | None:
     """Bodies with two equal moments, and those that turn uniformly."""
     from .degenerate.exact_start import PRECISION
     from .degenerate.recognise_axisymmetric import chaplygin_of_revolution, veselova_of_revolution
@@ -297,14 +297,14 @@ def _axial(problem: Problem, found: Likeness, values: Mapping[sp.Symbol, Any]) -
         moments = evaluated(own.poles, numbers)
         if name in TURNING:
             return veselova_of_revolution(problem.system, values, problem.start, moments)
-        m, R = (numbers[scalar(s)] for s in ("m", "R"))
+        m, R = (numbers[real_symbol(s)] for s in ("m", "R"))
         D = m * R * R
         return chaplygin_of_revolution(problem.system, values, problem.start, moments, D, R)
 
 
 def _principal(problem: Problem) -> Solution | None:
     found = in_principal_axes(problem)
-    return None if found is None else told_back(problem, solution_of(found[0]), found[1])
+    return None if found is None else to_original_axes(problem, solution_of(found[0]), found[1])
 
 
 def _revolution(problem: Problem) -> Solution | None:

@@ -11,13 +11,13 @@ from ..core.system import System
 from ..core.vectors import Diagonal, Symmetric
 from ..errors import InputError
 from ..mechanics.rolling.body import Body
-from ..mechanics.rolling.equations import Field, Model, Rolling
+from ..mechanics.rolling.equations import Forces, ContactModel, Rolling
 from ..mechanics.rolling.shapes import Ball
 from ..mechanics.rolling.surfaces import Plane, Sphere, Surface
 
 __all__ = ["rolling_of"]
 
-MODELS: tuple[Model, Model] = ("marble", "rubber")
+MODELS: tuple[ContactModel, ContactModel] = ("marble", "rubber")
 
 
 def rolling_of(system: System, values: Mapping[Any, Any]) -> Rolling | None:
@@ -72,7 +72,7 @@ def _balls(numbers: Mapping[str, float]) -> Iterator[Rolling]:
         x, xy, xz, y, yz, z = inertia
         inertia = ((x, xy, xz), (xy, y, yz), (xz, yz, z))
     surface: Surface = Sphere(numbers["a"]) if "a" in numbers else Plane()
-    field = Field(numbers.get("g", 0.0))
+    field = Forces(numbers.get("g", 0.0))
     for hollow, model in product((False, True), MODELS):
         body = Body(numbers["m"], inertia, Ball(numbers["R"], hollow))
         yield Rolling(body, surface, model, field)

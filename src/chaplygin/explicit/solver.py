@@ -31,7 +31,7 @@ def solve(
         One of those that have a closed form, under whatever name and in whatever symbols.
     start : sequence of numbers, or mapping of str to number or numbers
         The state at t = 0 in flat order, with the motion in space, as
-        :func:`chaplygin.mechanics.rolling.initial_state.starting_state` gives it, or without, which
+        :func:`chaplygin.mechanics.rolling.initial_state.initial_state` gives it, or without, which
         gives the motion of the state alone; or by name (ω and γ, or the variables of the state).
     parameters : mapping of Symbol or name to number, optional
         Values that replace the system's defaults.

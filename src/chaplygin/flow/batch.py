@@ -23,29 +23,29 @@ import numpy as np
 from ..arguments import arguments_checked
 from ..core.system import System
 from ..errors import InputError
-from ..formulas.evaluate import doubles, relation_terms
+from ..formulas.evaluate import as_float_array, relation_terms
 from ..formulas.graph import Term
 from .cost import TooMuchError
 from .initial_states import reduced_rows
 from .kernel import jit as native
 from .kernel.arithmetic import Double, Pair
 from .kernel.double_double import paired, parameter_pairs
-from .kernel.equations import Equations, Section, equations_of, section, serial
-from .kernel.runge_kutta import ENDS, STEPS, march
+from .kernel.equations import Equations, Section, equations_of, poincare_section, serial
+from .kernel.runge_kutta import STATUS_MESSAGES, STEPS, runge_kutta_loop
 from .kernel.tableaux import explicit, explicit_fine
 from .validation import moments as read_moments
-from .validation import require_on_phase_space, require_rows
+from .validation import require_on_phase_space, check_state_shape
 
 __all__ = [
     "THREADS",
-    "Crossed",
-    "Lanes",
-    "Marched",
+    "BatchCrossings",
+    "BatchIntegrator",
+    "BatchTrajectories",
     "Section",
-    "lanes",
+    "batch_integrator",
     "reason",
-    "section",
-    "threads_here",
+    "poincare_section",
+    "available_threads",
 ]
 
 #: Numbers that one call may give back.
@@ -59,7 +59,7 @@ FEW_STEPS = 2_000
 
 
 @dataclass(frozen=True)
-class Marched:
+class BatchTrajectories:
     """Motions at given times.
 
     Attributes
@@ -86,7 +86,7 @@ class Marched:
 
 
 @dataclass(frozen=True)
-class Crossed:
+class BatchCrossings:
     """Motions where they cross a section.
 
     Attributes
@@ -117,7 +117,7 @@ _SIGNATURE = (_I, _I, _P, _P, _I, _P, _I, _D, _I, _P, _P, _P, _P, _P, _P, _P)
 
 
 @dataclass(frozen=True)
-class Lanes:
+class BatchIntegrator:
     """The flow of a System as vector code.
 
     Attributes
@@ -159,7 +159,7 @@ class Lanes:
         *,
         deviations: Any = None,
         threads: int | None = None,
-    ) -> Marched:
+    ) -> BatchTrajectories:
         """Motions from time 0 through given times.
 
         Parameters
@@ -187,7 +187,7 @@ class Lanes:
         rows, constants = self._rows(starts, parameters, deviations)
         found, _, _, ends = self._call(rows, constants, moments, len(moments), threads)
         states, tangents, rest = self._parted(found)
-        return Marched(states, tangents, *ends, rest)
+        return BatchTrajectories(states, tangents, *ends, rest)
 
     def returns(
         self,
@@ -198,7 +198,7 @@ class Lanes:
         until: float = np.inf,
         deviations: Any = None,
         threads: int | None = None,
-    ) -> Crossed:
+    ) -> BatchCrossings:
         """Crossings of the section; a start that lies on it is not one.
 
         Two crossings within one step are told apart where a cubic through its ends shows both.
@@ -226,7 +226,7 @@ class Lanes:
         rows, constants = self._rows(starts, parameters, deviations)
         found, moments, counts, ends = self._call(rows, constants, end, count, threads)
         states, tangents, rest = self._parted(found)
-        return Crossed(states, self._signed(moments), tangents, counts, *ends, rest)
+        return BatchCrossings(states, self._signed(moments), tangents, counts, *ends, rest)
 
     def require_reach(
         self, start: Any, until: float, parameters: Mapping[Any, Any] | None = None
@@ -259,7 +259,7 @@ class Lanes:
     ) -> tuple[Any, Any]:
         given = reduced_rows(self.system, self._words("starts", starts))
         points = given[..., 0]
-        require_rows(self.system, points)
+        check_state_shape(self.system, points)
         constants = parameter_pairs(self.system, parameters, len(points))[..., : self.words]
         require_on_phase_space(self.system, self._relations, points, constants[..., 0])
         if self.deviations == 0:
@@ -287,7 +287,7 @@ class Lanes:
     def _words(self, name: str, numbers: Any) -> Any:
         """Numbers with a last axis for the doubles of each."""
         if self.digits == 16:
-            return doubles(name, numbers)[..., None]
+            return as_float_array(name, numbers)[..., None]
         return paired(name, numbers)
 
     def _parted(self, found: Any) -> tuple[Any, Any, Any]:
@@ -337,8 +337,8 @@ class Lanes:
                 work.ctypes.data,
             )
 
-        workers = threads_here() if threads is None else threads
-        spread(part, number, workers)
+        workers = available_threads() if threads is None else threads
+        run_in_threads(part, number, workers)
         return states, times, counts, (outcome, self._signed(ended), steps)
 
 
@@ -373,10 +373,10 @@ THREADS: ContextVar[int] = ContextVar("THREADS", default=2**31)
 
 def reason(system: System, code: int) -> str:
     """What the outcome of a motion means, in words; nothing for 0."""
-    return ENDS[code] if code < len(ENDS) else system.guards[code - len(ENDS)].happening
+    return STATUS_MESSAGES[code] if code < len(STATUS_MESSAGES) else system.guards[code - len(STATUS_MESSAGES)].happening
 
 
-def threads_here() -> int:
+def available_threads() -> int:
     """Processors that this part of the program may use."""
     if hasattr(os, "sched_getaffinity"):
         there = len(os.sched_getaffinity(0))
@@ -385,7 +385,7 @@ def threads_here() -> int:
     return min(there, THREADS.get())
 
 
-def spread(part: Any, number: int, threads: int) -> None:
+def run_in_threads(part: Any, number: int, threads: int) -> None:
     """Do parts [first, last) of a number of motions in some threads."""
     # few motions are done sooner than a thread begins
     pieces = 1 if threads == 1 else min(4 * threads, number // 32)
@@ -401,7 +401,7 @@ def spread(part: Any, number: int, threads: int) -> None:
 
 @lru_cache(maxsize=64)
 @arguments_checked
-def lanes(
+def batch_integrator(
     system: System,
     *,
     tolerance: float = 1e-13,
@@ -409,7 +409,7 @@ def lanes(
     section: Section | None = None,
     backward: bool = False,
     digits: Literal[16, 30] = 16,
-) -> Lanes:
+) -> BatchIntegrator:
     """The flow of a system as vector code for this processor, from the cache where it is there.
 
     Parameters
@@ -448,12 +448,12 @@ def lanes(
         raise InputError(f"deviations = {deviations}: there cannot be fewer than none")
     equations = equations_of(system, deviations, section, backward)
     width = native.width()
-    code = native.load(
+    code = native.load_code(
         f"march {width} {digits} {serial(equations)}",
         lambda: _text(digits, equations, width),
         {"march": _SIGNATURE},
     )
-    return Lanes(system, tolerance, deviations, section, backward, digits, code)
+    return BatchIntegrator(system, tolerance, deviations, section, backward, digits, code)
 
 
 def _require_count(count: Any) -> None:
@@ -470,5 +470,5 @@ def _require_numbers(tolerance: Any, deviations: Any) -> None:
 
 def _text(digits: int, equations: Equations, width: int) -> tuple[str, int]:
     if digits == 16:
-        return march(Double, explicit(), equations, width)
-    return march(Pair, explicit_fine(), equations, width)
+        return runge_kutta_loop(Double, explicit(), equations, width)
+    return runge_kutta_loop(Pair, explicit_fine(), equations, width)

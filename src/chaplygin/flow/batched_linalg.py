@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["applied", "dots", "solved", "squares"]
+__all__ = ["batched_matvec", "row_dots", "batched_solve", "norm_squared_columns"]
 
 
-def squares(columns: Any) -> Any:
+def norm_squared_columns(columns: Any) -> Any:
     """(v, v) for vectors in columns, array (n, k)."""
     total = columns[0] * columns[0]
     for row in columns[1:]:
@@ -20,7 +20,7 @@ def squares(columns: Any) -> Any:
     return total
 
 
-def dots(left: Any, right: Any) -> Any:
+def row_dots(left: Any, right: Any) -> Any:
     """(u, v) for vectors in rows, arrays (k, n)."""
     total = np.zeros(left.shape[0])
     for i in range(left.shape[1]):
@@ -28,15 +28,15 @@ def dots(left: Any, right: Any) -> Any:
     return total
 
 
-def applied(matrices: Any, vectors: Any) -> Any:
+def batched_matvec(matrices: Any, vectors: Any) -> Any:
     """A v for matrices (k, m, n) and vectors (k, n): array (k, m)."""
     made = np.zeros(matrices.shape[:2])
     for i in range(matrices.shape[1]):
-        made[:, i] = dots(matrices[:, i], vectors)
+        made[:, i] = row_dots(matrices[:, i], vectors)
     return made
 
 
-def solved(matrices: Any, right: Any) -> Any:
+def batched_solve(matrices: Any, right: Any) -> Any:
     """A⁻¹ v for matrices (k, n, n) and vectors (k, n): array (k, n)."""
     if right.shape[1] == 0:
         return right

@@ -17,20 +17,20 @@ import numpy as np
 from ..arguments import Numbers, Parameters, arguments_checked
 from ..core.system import System
 from ..errors import InputError
-from ..formulas.evaluate import doubles, numbers, parameter_rows, read_system, relation_terms
+from ..formulas.evaluate import as_float_array, numbers, parameter_rows, read_formulas, relation_terms
 from ..formulas.graph import Term
-from .batch import FEW_STEPS, MOST_STEPS, reason, require_steps, spread, threads_here
+from .batch import FEW_STEPS, MOST_STEPS, reason, require_steps, run_in_threads, available_threads
 from .initial_states import reduced_rows
 from .kernel import jit as native
 from .kernel.double_double import paired, parameter_pairs
 from .kernel.equations import equations_of, serial, serial_terms
 from .kernel.gauss_legendre import gauss_loop
-from .kernel.projection_terms import correction
+from .kernel.projection_terms import projection_terms
 from .kernel.tableaux import gauss
 from .validation import moments as read_moments
-from .validation import require_on_phase_space, require_rows
+from .validation import require_on_phase_space, check_state_shape
 
-__all__ = ["Precise", "PreciseMotions", "precise"]
+__all__ = ["GaussIntegrator", "GaussTrajectories", "gauss_integrator"]
 
 #: Stages, and what the highest coefficient of the rates over a step may be, relative to the state.
 _METHODS = {16: (8, 1e-7), 30: (16, 3e-15)}
@@ -40,7 +40,7 @@ _SIGNATURE = (_I, _I, _P, _P, _I, _P, _I, _D, _I, _P, _P, _P, _P, _P)
 
 
 @dataclass(frozen=True)
-class PreciseMotions:
+class GaussTrajectories:
     """Motions at given times.
 
     Attributes
@@ -51,7 +51,7 @@ class PreciseMotions:
         What is to be added: the next 16 digits, of which 14 are right with 30 digits; with 16
         digits they only say how the last digit was rounded.
     outcome, ended, steps : arrays (motions,)
-        As in :class:`chaplygin.flow.batch.Marched`.
+        As in :class:`chaplygin.flow.batch.BatchTrajectories`.
     """
 
     states: Any
@@ -62,7 +62,7 @@ class PreciseMotions:
 
 
 @dataclass(frozen=True)
-class Precise:
+class GaussIntegrator:
     """The flow of a System by Gauss–Legendre collocation, a lane for each stage.
 
     Attributes
@@ -97,7 +97,7 @@ class Precise:
         parameters: Mapping[Any, Any] | None = None,
         *,
         threads: int | None = None,
-    ) -> PreciseMotions:
+    ) -> GaussTrajectories:
         """Motions from time 0 through given times.
 
         Parameters
@@ -139,10 +139,10 @@ class Precise:
         parameters: Mapping[Any, Any] | None,
         threads: int | None,
         most: int,
-    ) -> PreciseMotions:
+    ) -> GaussTrajectories:
         rows = reduced_rows(self.system, paired("starts", starts))
         size = len(self.system.symbols)
-        require_rows(self.system, rows[..., 0])
+        check_state_shape(self.system, rows[..., 0])
         constants = parameter_pairs(self.system, parameters, len(rows))
         require_on_phase_space(self.system, self._relations, rows[..., 0], constants[..., 0])
         stride = constants[0].size if len(constants) > 1 else 0
@@ -160,20 +160,20 @@ class Precise:
                 *(a.ctypes.data for a in (states, outcome, ended, steps, work)),
             )
 
-        spread(part, number, threads_here() if threads is None else threads)
+        run_in_threads(part, number, available_threads() if threads is None else threads)
         ended = -ended if self.backward else ended
-        return PreciseMotions(states[..., 0], states[..., 1], outcome, ended, steps)
+        return GaussTrajectories(states[..., 0], states[..., 1], outcome, ended, steps)
 
 
 @arguments_checked
-def precise(
+def gauss_integrator(
     system: System,
     start: Numbers,
     parameters: Parameters = None,
     digits: Literal[16, 30] = 16,
     *,
     backward: bool = False,
-) -> Precise:
+) -> GaussIntegrator:
     """The flow of a system with all digits, compiled or fetched from the cache.
 
     Parameters
@@ -196,7 +196,7 @@ def precise(
     """
     if digits not in _METHODS:
         raise InputError(f"digits = {digits}: single motions are computed to 16 or to 30 digits")
-    point = reduced_rows(system, doubles("start", start)[np.newaxis])[0]
+    point = reduced_rows(system, as_float_array("start", start)[np.newaxis])[0]
     if point.shape != (len(system.symbols),):
         order = ", ".join(map(str, system.symbols))
         raise InputError(
@@ -208,13 +208,13 @@ def precise(
 
 
 @lru_cache(maxsize=64)
-def _compiled(system: System, digits: int, backward: bool, names: tuple[str, ...]) -> Precise:
+def _compiled(system: System, digits: int, backward: bool, names: tuple[str, ...]) -> GaussIntegrator:
     equations = equations_of(system, 0, None, backward)
-    reader, _ = read_system(system)
+    reader, _ = read_formulas(system)
     held = dict(_candidates(system))
     kept = None
     if names:
-        kept = correction(
+        kept = projection_terms(
             reader.graph,
             [held[name] for name in names if not name.startswith("=")],
             [held[name[1:]] for name in names if name.startswith("=")],
@@ -224,17 +224,17 @@ def _compiled(system: System, digits: int, backward: bool, names: tuple[str, ...
     stages, _ = _METHODS[digits]
     levels = serial_terms([held[name.lstrip("=")] for name in names])
     key = f"gauss {stages} {digits} {serial(equations)} {names} {levels}"
-    code = native.load(
+    code = native.load_code(
         key,
         lambda: gauss_loop(gauss(stages), equations, kept, digits == 30),
         {"gauss": _SIGNATURE},
     )
-    return Precise(system, digits, backward, tuple(name.lstrip("=") for name in names), code)
+    return GaussIntegrator(system, digits, backward, tuple(name.lstrip("=") for name in names), code)
 
 
 def _candidates(system: System) -> list[tuple[str, Term]]:
     """Integrals and relations by name."""
-    reader, _ = read_system(system)
+    reader, _ = read_formulas(system)
     found = [(law.name, reader(law.value)) for law in system.integrals]
     return found + [(f"relation {k + 1}", reader(r)) for k, r in enumerate(system.relations)]
 
@@ -247,7 +247,7 @@ def _standing(
 
     A relation that stands still only where it vanishes is marked with "=".
     """
-    reader, rates = read_system(system)
+    reader, rates = read_formulas(system)
     graph = reader.graph
     size = len(point)
     constants = np.array(parameters)

@@ -12,13 +12,13 @@ import numpy as np
 import sympy as sp
 
 from ..core.system import System
-from ..core.vectors import explicit
+from ..core.vectors import to_components
 from ..errors import InputError, RunError
 from ..formulas.evaluate import values
-from .gauss import Precise, precise
+from .gauss import GaussIntegrator, gauss_integrator
 from .kernel.double_double import unpaired
-from .kernel.runge_kutta import ENDS
-from .trajectory import Happening, Statistics, Trajectory
+from .kernel.runge_kutta import STATUS_MESSAGES
+from .trajectory import Event, Statistics, Trajectory
 
 __all__ = ["collocate"]
 
@@ -71,14 +71,14 @@ def collocate(
     if digits == 30:
         constants = {symbol: _decimal(value) for symbol, value in constants.items()}
         point = [_decimal(x) for x in start]
-    flow = precise(watched, point, constants, digits, backward=backward)
+    flow = gauss_integrator(watched, point, constants, digits, backward=backward)
     flow.require_reach(point, float(moments[-1] - moments[0]), constants)
     found = flow.until([point], moments - moments[0], constants)
     outcome, reached = int(found.outcome[0]), float(found.ended[0] + moments[0])
-    happenings: tuple[Happening, ...] = ()
-    if outcome >= len(ENDS):
-        guard = watched.guards[outcome - len(ENDS)]
-        happenings = (Happening(reached, guard, True),)
+    happenings: tuple[Event, ...] = ()
+    if outcome >= len(STATUS_MESSAGES):
+        guard = watched.guards[outcome - len(STATUS_MESSAGES)]
+        happenings = (Event(reached, guard, True),)
         earlier = [t for t in moments if abs(t - moments[0]) < abs(reached - moments[0])]
         moments = np.array([*earlier, reached] if reached != moments[0] else [reached])
         found = flow.until([point], moments - moments[0], constants)
@@ -94,12 +94,12 @@ def collocate(
         from_cache=flow.code.found,
     )
     trajectory = replace(trajectory, happenings=happenings, statistics=statistics)
-    if 0 < outcome < len(ENDS):
+    if 0 < outcome < len(STATUS_MESSAGES):
         raise RunError(f"{system.name}: {flow.reason(outcome)}", reached, trajectory)
     return trajectory
 
 
-def _states(flow: Precise, found: Any, good: Any) -> Any:
+def _states(flow: GaussIntegrator, found: Any, good: Any) -> Any:
     states = found.states[0, good]
     return states if flow.digits == 16 else unpaired(states, found.rest[0, good])
 
@@ -122,8 +122,8 @@ def _recorded(
     system: System, constants: dict[sp.Symbol, Any], times: Any, states: Any
 ) -> Trajectory:
     """A trajectory with observables and integrals at its states."""
-    items = [(item.name, explicit(item.value)) for item in system.observables]
-    items += [(f"law_{law.name}", explicit(law.value)) for law in system.integrals]
+    items = [(item.name, to_components(item.value)) for item in system.observables]
+    items += [(f"law_{law.name}", to_components(law.value)) for law in system.integrals]
     parts = [list(v) if isinstance(v, sp.MatrixBase) else [v] for _, v in items]
     numbers = states.astype(float)
     doubles = {symbol: float(value) for symbol, value in constants.items()}

@@ -9,7 +9,7 @@ import heyoka as hy
 import sympy as sp
 
 from ..core.system import System
-from ..core.vectors import explicit
+from ..core.vectors import to_components
 from ..errors import InputError
 
 __all__ = ["Translator"]
@@ -52,13 +52,13 @@ class Translator:
 
     def __call__(self, formula: sp.Expr) -> Any:
         """The heyoka expression of a scalar formula."""
-        return self._visit(explicit(formula))
+        return self._visit(to_components(formula))
 
     def all(self, formulas: Iterable[sp.Expr]) -> list[Any]:
         """Several at once; vectors are flattened."""
         flat: list[Any] = []
         for formula in formulas:
-            value = explicit(formula)
+            value = to_components(formula)
             flat.extend(
                 map(self._visit, value)
                 if isinstance(value, sp.MatrixBase)

@@ -35,7 +35,7 @@ def reduced_start(
     system : System
     start : mapping of str to number or numbers, or sequence of numbers
         By name (ω and γ, or the variables of the state), or in flat order, with the motion in
-        space, as :func:`chaplygin.starting_state` gives it, or without.
+        space, as :func:`chaplygin.initial_state` gives it, or without.
     parameters : mapping of Symbol or name to number, optional
         Values that replace the defaults where the state follows from ω and γ.
 

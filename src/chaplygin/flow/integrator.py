@@ -16,9 +16,9 @@ import numpy as np
 import sympy as sp
 
 from ..arguments import Numbers, Parameters, Start, arguments_checked
-from ..core.admissible import conditions, parameters_by_symbol, satisfied
+from ..core.admissible import conditions, parameters_by_symbol, satisfies
 from ..core.system import System
-from ..core.vectors import explicit
+from ..core.vectors import to_components
 from ..errors import InputError, InterruptionError, RunError
 from .cost import Pace
 from .extreme_values import too_extreme
@@ -26,9 +26,9 @@ from .gauss_trajectory import collocate
 from .initial_states import whole_start
 from .projection import Projector, call
 from .taylor import Compiled, Direction, Precision, compile_system, number_type
-from .trajectory import Dense, Happening, Statistics, Trajectory
+from .trajectory import DenseOutput, Event, Statistics, Trajectory
 
-__all__ = ["Dense", "Happening", "Statistics", "Trajectory", "integrate"]
+__all__ = ["DenseOutput", "Event", "Statistics", "Trajectory", "integrate"]
 
 #: Residuals of the relations that are left alone, per precision.
 LEFT_ALONE = {"double": 1e-15, "quad": 1e-32}
@@ -46,7 +46,7 @@ class _Log:
 
     times: list[Any] = field(default_factory=list)
     states: list[Any] = field(default_factory=list)
-    happenings: list[Happening] = field(default_factory=list)
+    happenings: list[Event] = field(default_factory=list)
     dense: list[tuple[Any, Any, Any]] = field(default_factory=list)
     steps: int = 0
     corrections: int = 0
@@ -76,7 +76,7 @@ def integrate(
         If it has a motion in space, that is integrated with it.
     start : sequence of numbers, or mapping of str to number or numbers
         State at ``times[0]`` in flat order, with the motion in space, as
-        :func:`chaplygin.mechanics.rolling.initial_state.starting_state` gives it, or without; or by
+        :func:`chaplygin.mechanics.rolling.initial_state.initial_state` gives it, or without; or by
         name (ω and γ, or the variables of the state).  The motion in space begins at zero where it
         is left out, with γ pointing upward.
     times : sequence of numbers
@@ -204,7 +204,7 @@ def _check_admissible(system: System, values: Mapping[sp.Symbol, Any]) -> None:
             raise InputError(f"{system.name}: {symbol} = {value} must be a finite number")
     numbers = {symbol: float(value) for symbol, value in values.items()}
     for parameter, condition in conditions(system.parameters):
-        if not satisfied(condition, numbers):
+        if not satisfies(condition, numbers):
             raise InputError(
                 f"{system.name}: {parameter.symbol} = {values[parameter.symbol]} is not "
                 f"admissible; {condition} must hold"
@@ -423,14 +423,14 @@ class _Run:
             if guard.lift_off and not float(value) > 0:
                 go_on = on_liftoff == "warn"
                 pressed = replace(guard, happening="the normal force is negative at the start")
-                log.happenings.append(Happening(float(now), pressed, not go_on))
+                log.happenings.append(Event(float(now), pressed, not go_on))
         return go_on
 
     def _passed(self, code: int, now: Any, log: _Log, on_liftoff: str) -> bool:
         """Note that a guard was passed; return whether to go on."""
         guard = self.system.guards[self.code.watched[-code - 1 if code < 0 else code]]
         go_on = guard.lift_off and on_liftoff == "warn"
-        log.happenings.append(Happening(float(now), guard, not go_on))
+        log.happenings.append(Event(float(now), guard, not go_on))
         if not go_on and now != log.times[-1]:
             self._record(log, now, self.stepper.state)
         return go_on
@@ -446,7 +446,7 @@ class _Run:
         for guard, first, value in guards:
             if not guard.lift_off and float(value) < VANISHED * float(first):
                 self.keep_last(log)
-                log.happenings.append(Happening(float(now), guard, True))
+                log.happenings.append(Event(float(now), guard, True))
                 return
         raise _StoppedError(reason)
 
@@ -513,7 +513,7 @@ def _layout(system: System) -> list[tuple[str, int]]:
         *((item.name, item.value) for item in system.observables),
         *((f"law_{law.name}", law.value) for law in system.integrals),
     ]
-    shapes = [(name, explicit(value)) for name, value in recorded]
+    shapes = [(name, to_components(value)) for name, value in recorded]
     return [(name, len(shape) if isinstance(shape, sp.MatrixBase) else 0) for name, shape in shapes]
 
 
@@ -522,19 +522,19 @@ def _quadratures(system: System) -> list[int]:
     """Columns on which neither rates nor relations nor guards depend."""
     formulas = [
         *system.rates,
-        *map(explicit, system.relations),
-        *(explicit(guard.value) for guard in system.guards),
+        *map(to_components, system.relations),
+        *(to_components(guard.value) for guard in system.guards),
     ]
     used = {s for formula in formulas for s in formula.free_symbols}
     used |= {s for _, value in system.needed(formulas) for s in value.free_symbols}
     return [i for i, symbol in enumerate(system.symbols) if symbol not in used]
 
 
-def _dense(log: _Log, kind: Any) -> Dense | None:
+def _dense(log: _Log, kind: Any) -> DenseOutput | None:
     if not log.dense:
         return None
     begins, ends, coefficients = zip(*log.dense, strict=True)
-    return Dense(np.array(begins, dtype=kind), np.array(ends, dtype=kind), np.array(coefficients))
+    return DenseOutput(np.array(begins, dtype=kind), np.array(ends, dtype=kind), np.array(coefficients))
 
 
 # outcomes of a heyoka step: below these lie failures, above them events

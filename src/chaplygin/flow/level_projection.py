@@ -12,7 +12,7 @@ import numpy as np
 
 from ..formulas.batch import Formulas
 
-__all__ = ["picked", "projected"]
+__all__ = ["select_parameters", "projected"]
 
 #: Steps of Newton's method, at most.
 STEPS = 60
@@ -59,7 +59,7 @@ def projected(
     best, missed = found.copy(), np.full(len(found), np.inf)
     pending = np.arange(len(found))
     for _ in range(STEPS):
-        defects = formulas(found[pending], picked(parameters, pending)) - wanted[pending]
+        defects = formulas(found[pending], select_parameters(parameters, pending)) - wanted[pending]
         size = np.abs(defects).max(axis=1, initial=0.0) / scale[pending]
         better = size < missed[pending]
         best[pending[better]] = found[pending[better]]
@@ -69,7 +69,7 @@ def projected(
         pending, defects = pending[going], defects[going]
         if not len(pending) or not len(free):
             break
-        slopes = formulas.slopes(found[pending], picked(parameters, pending))[:, :, free]
+        slopes = formulas.slopes(found[pending], select_parameters(parameters, pending))[:, :, free]
         usable = np.isfinite(slopes).all(axis=(1, 2))
         pending, defects = pending[usable], defects[usable]
         inverse = np.linalg.pinv(slopes[usable], rcond=REDUNDANT)
@@ -77,7 +77,7 @@ def projected(
     return best, missed <= MET
 
 
-def picked(parameters: Mapping[Any, Any] | None, chosen: Any) -> dict[Any, Any]:
+def select_parameters(parameters: Mapping[Any, Any] | None, chosen: Any) -> dict[Any, Any]:
     """The parameters of some of the motions: arrays are indexed, numbers stay."""
     return {
         name: value[chosen] if np.ndim(value) else value

@@ -25,13 +25,13 @@ import sympy as sp
 from ..arguments import arguments_checked
 from ..core.laws import Law, Symmetry
 from ..core.system import System
-from ..core.vectors import explicit
+from ..core.vectors import to_components
 from ..errors import InputError
 from ..formulas.multiprecision import number, slopes
 from .initial_states import reduced_start
 from .multiprecision_linalg import complement, shortest, without
 
-__all__ = ["Linearisation", "components", "linearise", "steady", "taking_part"]
+__all__ = ["Linearisation", "components", "linear_stability", "steady", "taking_part"]
 
 NEWTON_STEPS = 60
 
@@ -97,7 +97,7 @@ class Linearisation:
 
 
 @arguments_checked
-def linearise(
+def linear_stability(
     system: System,
     state: Mapping[Any, Any] | Sequence[Any],
     parameters: Mapping[Any, Any] | None = None,
@@ -237,7 +237,7 @@ class _Frozen:
         """Whether a law is a symmetry on all of the phase space, with these parameters."""
         if not isinstance(law, Symmetry):
             return False
-        level = [explicit(condition) for condition in law.on]
+        level = [to_components(condition) for condition in law.on]
         moving = set(self.system.symbols) | {s for s, _ in self.system.steps}
         if any(condition.free_symbols & moving for condition in level):
             return False
@@ -293,7 +293,7 @@ def _brief(formula: sp.Expr) -> str:
 
 
 def _relations(system: System) -> list[sp.Expr]:
-    return [explicit(relation) for relation in system.relations]
+    return [to_components(relation) for relation in system.relations]
 
 
 def _rates(system: System, variables: Sequence[sp.Symbol]) -> list[sp.Expr]:
@@ -305,7 +305,7 @@ def components(law: Symmetry, variables: Sequence[sp.Symbol]) -> list[sp.Expr]:
     """The components of a symmetry field along some state variables."""
     named: dict[sp.Symbol, sp.Expr] = {}
     for name, formula in law.field:
-        value = explicit(formula)
+        value = to_components(formula)
         if isinstance(name, sp.Symbol):
             named[name] = value
         else:

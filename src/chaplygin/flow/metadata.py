@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..core.system import System
 
-__all__ = ["FRAMES", "LABELS", "UNKNOWN", "told_of"]
+__all__ = ["FRAMES", "LABELS", "UNKNOWN", "variable_metadata"]
 
 #: Frames in which vectors are given: the name of the axis, and what its places are called.
 FRAMES = {
@@ -40,7 +40,7 @@ _TOUCHING = {
 UNKNOWN = "unknown"
 
 
-def told_of(
+def variable_metadata(
     system: System, name: str, size: int, told: tuple[str, str] | None = None
 ) -> tuple[str, str, str, str]:
     """What is known of a variable of the state; it follows from its name unless it is told.

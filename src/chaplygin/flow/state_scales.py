@@ -14,10 +14,10 @@ import numpy as np
 
 from ..core.system import System
 from ..formulas.batch import Formulas
-from .batch import lanes
+from .batch import batch_integrator
 from .kernel.equations import groups
 
-__all__ = ["sizes_along", "sizes_at"]
+__all__ = ["state_scales", "state_scales_at"]
 
 Array: TypeAlias = Any
 Values: TypeAlias = Mapping[Any, Any] | None
@@ -30,7 +30,7 @@ SMALL = 1e-10
 COUPLED = 1e-4
 
 
-def sizes_along(
+def state_scales(
     system: System, starts: Array, until: float, parameters: Values = None, tolerance: float = 1e-12
 ) -> Array:
     """The greatest sizes of the vectors of the state over the first tenth of motions.
@@ -45,7 +45,7 @@ def sizes_along(
     parameters : mapping of Symbol or name to number or (n,) array, optional
         Values that replace the defaults.
     tolerance : float
-        See :func:`chaplygin.flow.batch.lanes`.
+        See :func:`chaplygin.flow.batch.batch_integrator`.
 
     Returns
     -------
@@ -53,12 +53,12 @@ def sizes_along(
         For each variable the size of the vector to which it belongs, positive; see `sizes_at`.
     """
     times = STRETCH * until * np.arange(1, LOOKS + 1) / LOOKS
-    run = lanes(system, tolerance=tolerance).until(starts, times, parameters)
+    run = batch_integrator(system, tolerance=tolerance).until(starts, times, parameters)
     first = np.asarray(starts, dtype=np.float64)
-    return sizes_at(system, np.concatenate([first[:, None], run.states], axis=1), parameters)
+    return state_scales_at(system, np.concatenate([first[:, None], run.states], axis=1), parameters)
 
 
-def sizes_at(system: System, states: Array, parameters: Values = None) -> Array:
+def state_scales_at(system: System, states: Array, parameters: Values = None) -> Array:
     """The greatest sizes of the vectors of the state among some states of each motion.
 
     A vector u that is zero beside others v has the size with which each acts on the other as

@@ -1,6 +1,6 @@
 """Small deviations carried along many motions, and how fast they grow.
 
-The variational equations of :func:`chaplygin.flow.batch.lanes` carry deviations over a short
+The variational equations of :func:`chaplygin.flow.batch.batch_integrator` carry deviations over a short
 interval; there they are made orthonormal again, and the logarithms of the lengths that are lost
 add up to the Lyapunov exponents (Benettin et al. 1980).  What cannot grow is taken out at the end
 of every interval, so that rounding cannot bring it back: deviations stay tangent to relations and
@@ -22,8 +22,8 @@ import numpy as np
 
 from ..core.system import System
 from ..formulas.batch import Formulas
-from .batch import Lanes
-from .level_projection import REDUNDANT, picked
+from .batch import BatchIntegrator
+from .level_projection import REDUNDANT, select_parameters
 
 __all__ = ["Stretch", "TangentSpace", "orthonormal", "propagate"]
 
@@ -144,7 +144,7 @@ class TangentSpace:
             return states
         states, measures = states.copy(), np.broadcast_to(sizes, states.shape)
         for _ in range(STEPS):
-            some = picked(parameters, far)
+            some = select_parameters(parameters, far)
             normals = self.normals(states[far], some, measures[far])
             lengths = np.sqrt((normals**2).sum(axis=2))
             excess = self.level(states[far], some) - level[far]
@@ -269,7 +269,7 @@ class Stretch:
 
 
 def propagate(
-    lanes: Lanes,
+    lanes: BatchIntegrator,
     space: TangentSpace,
     starts: Array,
     interval: float,

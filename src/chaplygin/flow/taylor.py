@@ -11,7 +11,7 @@ import numpy as np
 import sympy as sp
 
 from ..core.system import System
-from ..core.vectors import explicit
+from ..core.vectors import to_components
 from ..errors import InputError
 from .heyoka_expressions import Translator
 from .kernel import code_cache as cache
@@ -105,7 +105,7 @@ class _Plan:
             [guard.value for guard in system.guards],
         ]
         # srepr keeps every digit of a decimal number, which str does not
-        formulas = (sp.srepr([explicit(item) for item in part]) for part in shape)
+        formulas = (sp.srepr([to_components(item) for item in part]) for part in shape)
         return cache.digest(*formulas, repr(self.tolerance), self.precision, self.direction)
 
     def compile(self) -> Compiled:

@@ -13,7 +13,7 @@ from ..arguments import arguments_checked
 from ..core.system import Guard, System
 from ..errors import InputError
 
-__all__ = ["Dense", "Happening", "Statistics", "Trajectory", "by_name"]
+__all__ = ["DenseOutput", "Event", "Statistics", "Trajectory", "by_name"]
 
 
 def by_name(system: System, states: Any, name: str) -> Any:
@@ -35,7 +35,7 @@ def by_name(system: System, states: Any, name: str) -> Any:
 
 
 @dataclass(frozen=True)
-class Happening:
+class Event:
     """A guard that was passed: what happened, and when."""
 
     time: float
@@ -61,7 +61,7 @@ class Statistics:
 
 
 @dataclass(frozen=True)
-class Dense:
+class DenseOutput:
     """A continuous trajectory: the Taylor polynomials of all steps.
 
     Calling it with times inside `span` gives states, shape (times, state).
@@ -131,9 +131,9 @@ class Trajectory:
     times: Any
     states: Any
     recorded: Mapping[str, Any]
-    happenings: tuple[Happening, ...]
+    happenings: tuple[Event, ...]
     statistics: Statistics
-    dense: Dense | None = None
+    dense: DenseOutput | None = None
 
     def __getitem__(self, name: str) -> Any:
         """A state variable or an observable by name."""

@@ -9,10 +9,10 @@ import numpy as np
 
 from ..core.system import System
 from ..errors import InputError
-from ..formulas.evaluate import doubles, numbers
+from ..formulas.evaluate import as_float_array, numbers
 from ..formulas.graph import Term
 
-__all__ = ["moments", "require_on_phase_space", "require_rows"]
+__all__ = ["moments", "require_on_phase_space", "check_state_shape"]
 
 #: A start may miss a relation by this share of what it consists of, and by so much besides.
 SLACK, LEAST = 1e-9, 1e-13
@@ -26,7 +26,7 @@ def moments(times: Any, backward: bool = False) -> Any:
     InputError
         If there are none, or they do not go on from 0 in that direction.
     """
-    given = np.atleast_1d(doubles("times", times))
+    given = np.atleast_1d(as_float_array("times", times))
     if given.ndim != 1 or not given.size or not np.all(np.isfinite(given)):
         raise InputError("times: there must be a row of at least one, and all finite numbers")
     ahead = -given if backward else given
@@ -36,7 +36,7 @@ def moments(times: Any, backward: bool = False) -> Any:
     return np.ascontiguousarray(ahead)
 
 
-def require_rows(system: System, points: Any) -> None:
+def check_state_shape(system: System, points: Any) -> None:
     """Refuse starts that are not rows of a state each."""
     size = len(system.symbols)
     if points.ndim != 2 or points.shape[1] != size:

@@ -13,7 +13,7 @@ import sympy as sp
 from flint import acb, arb, fmpq
 from sympy.printing.pycode import PythonCodePrinter
 
-from ..core.vectors import explicit
+from ..core.vectors import to_components
 
 __all__ = [
     "Steps",
@@ -76,7 +76,7 @@ def number(value: Any) -> float:
 
 def components(formula: Any) -> tuple[sp.Expr, ...]:
     """A scalar or vector formula as scalar formulas."""
-    value = explicit(sp.sympify(formula))
+    value = to_components(sp.sympify(formula))
     return tuple(value) if isinstance(value, sp.MatrixBase) else (value,)
 
 

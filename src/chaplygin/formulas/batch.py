@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..core.system import System
-from ..core.vectors import explicit
+from ..core.vectors import to_components
 from ..errors import InputError
 from .evaluate import numbers, parameter_rows
 from .graph import Graph, Reader, Term
@@ -69,7 +69,7 @@ class Formulas:
     @cached_property
     def _terms(self) -> list[Term]:
         known = {*self.system.symbols, *self.system.defaults, *dict(self.system.steps)}
-        formulas = [explicit(formula) for formula in self.formulas]
+        formulas = [to_components(formula) for formula in self.formulas]
         for formula in formulas:
             strange = sorted(map(str, formula.free_symbols - known))
             if strange:

@@ -13,7 +13,7 @@ import numpy as np
 from ..core.system import System
 from .graph import Graph, Reader, Term, ordered
 
-__all__ = ["Compiled", "Sheet"]
+__all__ = ["Compiled", "SystemFormulas"]
 
 #: How an operation is written in Python on arrays.
 _WRITTEN: Mapping[str, str] = {
@@ -67,7 +67,7 @@ class Compiled:
             return self._function(states, parameters, np.empty((self._many, states.shape[1])))
 
 
-class Sheet:
+class SystemFormulas:
     """The formulas of one System as terms, with derivatives in the state.
 
     Attributes

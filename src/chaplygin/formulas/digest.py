@@ -17,7 +17,7 @@ from ..core.laws import Integral, Law, Measure, Symmetry
 from ..core.system import System
 from ..errors import InputError
 
-__all__ = ["digest", "parts", "settled"]
+__all__ = ["digest", "field_digests", "canonical"]
 
 #: What of a System shapes its motions.
 _OF_A_SYSTEM = ("name", "field", "definitions", "parameters", "relations", "guards", "start")
@@ -40,7 +40,7 @@ def digest(value: Any) -> str:
     return hashlib.sha256(_text(value)).hexdigest()[:32]
 
 
-def parts(work: Any) -> dict[str, str]:
+def field_digests(work: Any) -> dict[str, str]:
     """Digests of a piece of work by the names of what it is made of.
 
     Parameters
@@ -65,7 +65,7 @@ def parts(work: Any) -> dict[str, str]:
 
 
 @lru_cache(maxsize=64)
-def settled(system: System) -> System:
+def canonical(system: System) -> System:
     """The same system, written so that its formulas stay as they are when it is sent to a worker.
 
     SymPy writes some of its own products, such as −(a + b), in another way when it unpickles them;
@@ -99,7 +99,7 @@ def _content(value: Any) -> tuple[str, bytes]:
         case sp.Basic() | sp.MatrixBase():
             return "formula", sp.srepr(value).encode()
         case functools.partial():
-            return "partial", _joined([_text(parts(value))])
+            return "partial", _joined([_text(field_digests(value))])
         case System():
             return "System", _joined([_text(item) for item in _of_a_system(value)])
         case Mapping():

@@ -8,7 +8,7 @@ __all__ = [
     "NoRealValueError",
     "NotExactError",
     "OutOfReachError",
-    "SpareNeededError",
+    "NeedMoreGeneratorsError",
     "UnknownSymbolError",
 ]
 
@@ -29,7 +29,7 @@ class NoRealValueError(OutOfReachError):
     """A root of what is negative, at all points that are spoken of."""
 
 
-class SpareNeededError(Exception):
+class NeedMoreGeneratorsError(Exception):
     """More auxiliary symbols are needed than were provided."""
 
 

@@ -9,15 +9,15 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from ..core.admissible import conditions, require_parameters, satisfied
+from ..core.admissible import conditions, require_parameters, satisfies
 from ..core.system import Quantity, System
-from ..core.vectors import explicit
+from ..core.vectors import to_components
 from ..errors import InputError
 from ..parsing import parse_formula
-from .digest import settled
+from .digest import canonical
 from .graph import Reader, Term, of_system, ordered
 
-__all__ = ["doubles", "formula", "parameter_rows", "read_system", "relation_terms", "values"]
+__all__ = ["as_float_array", "formula", "parameter_rows", "read_formulas", "relation_terms", "values"]
 
 _NUMPY: Mapping[str, Any] = {
     "add": np.add,
@@ -49,7 +49,7 @@ def relation_terms(system: System) -> tuple[Term, ...]:
 
     The size of f is Σ |xᵢ ∂f/∂xᵢ|.
     """
-    reader, _ = read_system(system)
+    reader, _ = read_formulas(system)
     graph = reader.graph
     states = [graph.state(i) for i in range(len(system.symbols))]
     relations = [reader(relation) for relation in system.relations]
@@ -62,14 +62,14 @@ def relation_terms(system: System) -> tuple[Term, ...]:
 
 
 @lru_cache(maxsize=64)
-def read_system(system: System) -> tuple[Reader, tuple[Term, ...]]:
+def read_formulas(system: System) -> tuple[Reader, tuple[Term, ...]]:
     """A reader of a system's formulas and the rates of its state, kept for later."""
     # as a worker gets it, so that bits are the same everywhere
-    reader, rates = of_system(settled(system))
+    reader, rates = of_system(canonical(system))
     return reader, tuple(rates)
 
 
-def doubles(name: str, given: Any) -> Any:
+def as_float_array(name: str, given: Any) -> Any:
     """Numbers as doubles.
 
     Raises
@@ -107,7 +107,7 @@ def formula(system: System, quantity: Any) -> Any:
             found = parse_formula(quantity, _names(system), f"{system.name}: quantity")
     else:
         found = quantity
-    value = explicit(sp.sympify(found))
+    value = to_components(sp.sympify(found))
     if isinstance(value, sp.MatrixBase):
         raise InputError(f"{system.name}: {quantity} is a vector; name one of its components")
     return value
@@ -139,7 +139,7 @@ def parameter_rows(system: System, parameters: Mapping[Any, Any] | None, count: 
     require_parameters(system, parameters)
     columns: dict[str, Any] = dict(system.constants)
     for key, value in (parameters or {}).items():
-        column = doubles(f"{system.name}: {key}", value)
+        column = as_float_array(f"{system.name}: {key}", value)
         if column.shape not in ((), (count,)):
             raise InputError(
                 f"{system.name}: {key} has the shape {column.shape}; it must be one number or "
@@ -160,7 +160,7 @@ def parameter_rows(system: System, parameters: Mapping[Any, Any] | None, count: 
 def _require_admissible(system: System, rows: Any) -> None:
     columns = {p.symbol: rows[:, place] for place, p in enumerate(system.parameters)}
     for parameter, condition in conditions(system.parameters):
-        holds = satisfied(condition, columns)
+        holds = satisfies(condition, columns)
         bad = np.flatnonzero(~np.broadcast_to(holds, len(rows)))
         if bad.size:
             value = columns[parameter.symbol][bad[0]]
@@ -196,13 +196,13 @@ def values(
     InputError
         If a formula or a parameter cannot be used.
     """
-    points = doubles("states", states)
+    points = as_float_array("states", states)
     size = len(system.symbols)
     if points.shape[-1:] != (size,):
         raise InputError(
             f"{system.name}: states have the shape {points.shape}; their last axis must be {size}"
         )
-    reader, _ = read_system(system)
+    reader, _ = read_formulas(system)
     terms = [reader(formula(system, f)) for f in formulas]
     rows = parameter_rows(system, parameters, len(points))
     spread = rows.reshape(len(rows), *([1] * (points.ndim - 2)), rows.shape[1])

@@ -21,7 +21,7 @@ from ..errors import InputError
 from ..parsing.exact_decimals import exact_number
 from .taylor import Numbers, Series
 
-__all__ = ["Germs", "angles", "combination", "expanded", "turned"]
+__all__ = ["TaylorExpansion", "angles", "combination", "expanded", "add_angle"]
 
 Steps = Mapping[sp.Symbol, sp.Expr]
 #: Angles α of which sines and cosines are taken, with n where those of α/n are needed.
@@ -60,7 +60,7 @@ def angles(formulas: Iterable[sp.Expr], steps: Steps, kinds: Sequence[Any] = _CI
     return found
 
 
-class Germs:
+class TaylorExpansion:
     """Taylor series of formulas about one point.
 
     Parameters
@@ -167,7 +167,7 @@ class Germs:
         total = (zero, one)
         for core, factor in combination(formula.args[0], self.steps).items():
             unit = self.circles[core]
-            total = turned(total, unit, int(factor * self.units[core]), (zero, one))
+            total = add_angle(total, unit, int(factor * self.units[core]), (zero, one))
         s, c = self.series(formula.args[0]).circle(*total)
         return s if isinstance(formula, sp.sin) else c if isinstance(formula, sp.cos) else s / c
 
@@ -221,7 +221,7 @@ class Germs:
         return Series(self.numbers, self.ring, parts)
 
 
-def turned(
+def add_angle(
     start: tuple[Any, Any], unit: tuple[Any, Any], times: int, none: tuple[Any, Any]
 ) -> tuple[Any, Any]:
     """Sine and cosine of an angle increased by a multiple of the unit."""

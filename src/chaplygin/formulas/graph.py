@@ -14,7 +14,7 @@ from typing import Any
 import sympy as sp
 
 from ..core.system import System
-from ..core.vectors import explicit
+from ..core.vectors import to_components
 from ..errors import InputError
 
 __all__ = ["Graph", "Term", "of_system"]
@@ -291,7 +291,7 @@ class Reader:
 
     def __call__(self, formula: Any) -> Term:
         """The term of a scalar formula."""
-        return self._visit(explicit(sp.sympify(formula)))
+        return self._visit(to_components(sp.sympify(formula)))
 
     def _visit(self, node: sp.Expr) -> Term:
         found = self._known.get(node)

@@ -17,7 +17,7 @@ from ..core.laws import Rate
 from ..parsing.exact_decimals import exact_number
 from .errors import OutOfReachError, UnknownSymbolError
 
-__all__ = ["Evaluator", "Exchange", "Inversion", "Jet"]
+__all__ = ["Evaluator", "GeneratorSwap", "Inversion", "Jet"]
 
 #: Multiples of an angle whose sine is written in the sine and cosine of the angle.
 MOST_MULTIPLES = 24
@@ -52,7 +52,7 @@ class Jet:
 
 
 @dataclass(frozen=True)
-class Exchange:
+class GeneratorSwap:
     """A definition ``name = factor·parameter + rest`` read as one of the parameter.
 
     The name becomes a generator, and what is divided by it stays short: with J = I + m r² one
@@ -106,7 +106,7 @@ class Evaluator:
         field: Any,
         seed: Callable[[sp.Symbol], Jet | None],
         steps: Mapping[sp.Symbol, sp.Expr],
-        exchanged: Sequence[Exchange] = (),
+        exchanged: Sequence[GeneratorSwap] = (),
         zeros: Collection[sp.Expr] = (),
         inverted: Sequence[Inversion] = (),
         moving: bool = False,

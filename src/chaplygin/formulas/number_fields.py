@@ -1,6 +1,6 @@
 """Fields of numbers in which laws are tried at a point: exact rationals, and balls.
 
-Both offer what :class:`chaplygin.proof.fields.function_field.Fractions` offers, so that one
+Both offer what :class:`chaplygin.proof.fields.function_field.FunctionField` offers, so that one
 evaluation of a law serves its proof and its refutation.
 """
 
@@ -16,13 +16,13 @@ from flint import arb, ctx, fmpq
 
 from .errors import NotExactError
 
-__all__ = ["Balls", "Rationals", "exact_root", "precise"]
+__all__ = ["Balls", "Rationals", "exact_root", "ball_precision"]
 
 #: Digits (binary) carried by balls.
 PRECISION = 320
 
 
-def precise() -> AbstractContextManager[None]:
+def ball_precision() -> AbstractContextManager[None]:
     """The precision with which balls are computed, as a context."""
     made: AbstractContextManager[None] = ctx.workprec(PRECISION)
     return made

@@ -16,9 +16,9 @@ from itertools import count
 
 import sympy as sp
 
-from ..core.vectors import scalar
+from ..core.vectors import real_symbol
 
-__all__ = ["Derivation", "Tape", "tidied"]
+__all__ = ["Derivation", "Tape", "simplify_small"]
 
 SHORT = 2
 """Operations up to which a value is written out instead of being named."""
@@ -77,7 +77,7 @@ class Tape:
 
     def fresh(self, label: str) -> sp.Symbol:
         """A name that nothing bears yet: `label` if it is free and ends in a digit."""
-        symbol = scalar(self._free(label))
+        symbol = real_symbol(self._free(label))
         self._taken.add(str(symbol))
         return symbol
 
@@ -135,7 +135,7 @@ class Tape:
             written = written.xreplace(inner)
             if sp.count_ops(written) > LARGEST:
                 return value
-        found = tidied(written)
+        found = simplify_small(written)
         return found if sp.count_ops(found) <= max(SMALL // 2, sp.count_ops(value)) else value
 
     def steps(self, wanted: Iterable[sp.Expr]) -> tuple[Step, ...]:
@@ -158,7 +158,7 @@ class Tape:
         return tuple((s, self._values[s]) for s in TopologicalSorter(ordered).static_order())
 
 
-def tidied(value: sp.Expr) -> sp.Expr:
+def simplify_small(value: sp.Expr) -> sp.Expr:
     """A small formula as short as cancelling and sin² + cos² = 1 make it; a large one unchanged."""
     if value.is_Atom or sp.count_ops(value) > LARGEST or _spread(value) > SPREAD:
         return value

@@ -15,22 +15,22 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from ..core.vectors import Diagonal, Symmetric, Vector, dot, explicit, normed, scalar
-from ..formulas.number_fields import Balls, precise
+from ..core.vectors import Diagonal, Symmetric, Vector, dot, to_components, norm_squared, real_symbol
+from ..formulas.number_fields import Balls, ball_precision
 from ..mechanics.rolling.contact import contact
 from ..mechanics.rolling.equations import Rolling
 from ..mechanics.rolling.shapes import Ball, Ellipsoid, Implicit
 from ..mechanics.rolling.surfaces import Plane
 from ..parsing.exact_decimals import exact_number
-from ..proof.level.level_set import Ground
+from ..proof.level.level_set import LevelSet
 from .one_form import OneForm, Powers
 
 __all__ = ["closed_form", "density"]
 
 gamma, r, gammatilde = Vector("gamma"), Vector("r"), Vector("gammatilde")
 I = Diagonal("I")
-m, a = scalar("m"), scalar("a")
-b = tuple(scalar(f"b_{i}") for i in (1, 2, 3))
+m, a = real_symbol("m"), real_symbol("a")
+b = tuple(real_symbol(f"b_{i}") for i in (1, 2, 3))
 
 POINTS = 10
 SEED = 20080830
@@ -79,7 +79,7 @@ def _bases(rolling: Rolling) -> tuple[sp.Expr, ...]:
 
 def _of_ellipsoid() -> list[sp.Expr]:
     """α + m r², and (γ, (βB + δE)γ) of the line α + βI_i b_i² + δ(I_i − m b_i²) = 0."""
-    found = [I.symbols[0] - m * b[0] ** 2 + m * normed(r)]
+    found = [I.symbols[0] - m * b[0] ** 2 + m * norm_squared(r)]
     for i, j in ((0, 1), (1, 2)):
         beta, delta = (
             (I.symbols[i] - m * b[i] ** 2) - (I.symbols[j] - m * b[j] ** 2),
@@ -120,7 +120,7 @@ def closed_form(rolling: Rolling, form: OneForm, numbers: Sequence[sp.Expr]) -> 
             exponents = [Fraction(float(e)).limit_denominator(DENOMINATOR) for e in found]
             if max(abs(float(e) - x) for e, x in zip(exponents, found, strict=True)) < AGREE:
                 return tuple(
-                    (explicit(bases[i]), form.scale * sp.Rational(e.numerator, e.denominator))
+                    (to_components(bases[i]), form.scale * sp.Rational(e.numerator, e.denominator))
                     for i, e in zip(chosen, exponents, strict=True)
                 )
     return None
@@ -130,11 +130,11 @@ def _samples(
     form: OneForm, bases: Sequence[sp.Expr], level: tuple[sp.Expr, ...]
 ) -> tuple[Any, Any]:
     """Derivatives of log b_i, and θ/scale, along tangent vectors at some points."""
-    ground = Ground(form.system, level)
+    ground = LevelSet(form.system, level)
     dice = random.Random(SEED)
     rows: list[list[float]] = []
     right: list[float] = []
-    with precise():
+    with ball_precision():
         while len(rows) < POINTS:
             try:
                 row, value = _at_point(form, bases, ground, dice)
@@ -146,7 +146,7 @@ def _samples(
 
 
 def _at_point(
-    form: OneForm, bases: Sequence[sp.Expr], ground: Ground, dice: random.Random
+    form: OneForm, bases: Sequence[sp.Expr], ground: LevelSet, dice: random.Random
 ) -> tuple[list[float], float]:
     """Derivatives along one tangent vector of the state, the one across γ and a fixed vector."""
     values, _ = ground.point(dice)
@@ -161,7 +161,7 @@ def _at_point(
     row = []
     for base in bases:
         try:
-            jet = partial(explicit(base))
+            jet = partial(to_components(base))
             slope = sum((jet.slopes.get(i, field.zero) * along[i] for i in range(3)), field.zero)
             row.append(float((slope / jet.value).mid()))
         except ZeroDivisionError:
@@ -195,15 +195,15 @@ def density(rolling: Rolling, powers: Powers) -> Powers:
     implicit = isinstance(rolling.body.shape, Implicit)
     plane = isinstance(rolling.surface, Plane)
     if not plane and not isinstance(rolling.body.shape, Ball):
-        found.append((scalar("A_a"), sp.S.One))
+        found.append((real_symbol("A_a"), sp.S.One))
     if implicit:
-        found.append((scalar("ell"), sp.S.One))
+        found.append((real_symbol("ell"), sp.S.One))
         if plane:
-            found.append((scalar("kappa"), sp.S.One))
+            found.append((real_symbol("kappa"), sp.S.One))
     reach = contact(rolling.body.shape, rolling.surface).r
-    written = {} if isinstance(reach, Vector) else dict(zip(r, explicit(reach), strict=True))
+    written = {} if isinstance(reach, Vector) else dict(zip(r, to_components(reach), strict=True))
     total: dict[sp.Expr, sp.Expr] = {}
     for base, exponent in found:
-        formula = explicit(base).xreplace(written)
+        formula = to_components(base).xreplace(written)
         total[formula] = total.get(formula, sp.S.Zero) + exponent
     return tuple((base, exponent) for base, exponent in total.items() if exponent != 0)

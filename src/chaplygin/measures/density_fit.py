@@ -13,7 +13,7 @@ from ..core.system import System
 from ..formulas.expansion import expanded
 from ..formulas.taylor import IrrationalError, Rational
 from ..mechanics.constraints.distribution import Distribution
-from ..mechanics.constraints.exact_points import NoPointError, drawn
+from ..mechanics.constraints.exact_points import NoPointError, random_point
 from .lifted_fields import Lifted
 from .parameter_conditions import Level, settled
 from .positivity import Powers
@@ -190,7 +190,7 @@ def _rows(
     """One equation for each admissible field at a random point, with random parameters."""
     free = tuple(s for s, _ in home.constants)
     space = home.space(free, (*theta, *bases))
-    germs = drawn(space, Rational(), dice).germs(space, 1)
+    germs = random_point(space, Rational(), dice).germs(space, 1)
     made = []
     logs = []
     for base in bases:

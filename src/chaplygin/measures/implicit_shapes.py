@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from ..core.vectors import Symmetric, Vector, scalar
+from ..core.vectors import Symmetric, Vector, real_symbol
 from ..errors import InputError
 from .one_form import OneForm
 from .quadrature import arc, evaluated
@@ -42,7 +42,7 @@ def log_density_on_surface(
 
     system = form.system
     gamma, hessian = Vector("gamma").symbols, Symmetric("F").symbols
-    curvatures = (scalar("ell"), scalar("sigma"), scalar("kappa"))
+    curvatures = (real_symbol("ell"), real_symbol("sigma"), real_symbol("kappa"))
     values = evaluated(system, (*form.form.symbols, *gamma, *hessian, *curvatures))
     first = _leaving(form, np.asarray(toward, dtype=float))
     start = values(first)[3:6]

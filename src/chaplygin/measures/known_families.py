@@ -12,7 +12,7 @@ from itertools import combinations
 import sympy as sp
 
 from ..core.system import Parameter
-from ..core.vectors import Diagonal, Vector, scalar
+from ..core.vectors import Diagonal, Vector, real_symbol
 from ..mechanics.rolling.equations import Rolling
 from ..mechanics.rolling.shapes import Ball, Ellipsoid
 from ..mechanics.rolling.surfaces import Plane
@@ -23,8 +23,8 @@ __all__ = ["Level", "criterion", "levels"]
 Level = tuple[sp.Expr, ...]
 
 I, c = Diagonal("I"), Vector("c")
-m, R, a, delta = scalar("m"), scalar("R"), scalar("a"), scalar("delta")
-b = tuple(scalar(f"b_{i}") for i in (1, 2, 3))
+m, R, a, delta = real_symbol("m"), real_symbol("R"), real_symbol("a"), real_symbol("delta")
+b = tuple(real_symbol(f"b_{i}") for i in (1, 2, 3))
 #: All principal moments are equal.
 SPHERICAL: Level = (I.symbols[0] - I.symbols[1], I.symbols[1] - I.symbols[2])
 #: Lengths and moments of which some may agree.

@@ -19,7 +19,7 @@ from itertools import count
 import sympy as sp
 
 from ..core.system import Parameter
-from ..core.vectors import scalar
+from ..core.vectors import real_symbol
 from ..errors import InputError
 from ..formulas.tape import Derivation, Tape
 from ..mechanics.constraints.distribution import Distribution
@@ -84,7 +84,7 @@ def lift(restriction: Restriction) -> Lifted:
     steps = tape.steps([*theta, *(value for field in fields for value in field.values())])
     _check_levels(restriction, fields, dict(steps))
     taken = {str(s) for s in (*q, *mechanism.frame.w, *parameters, *(s for s, _ in steps))}
-    height = scalar(next(n for n in _heights() if n not in taken))
+    height = real_symbol(next(n for n in _heights() if n not in taken))
     constants = tuple((p.symbol, p.default) for p in mechanism.parameters)
 
     def spanned(

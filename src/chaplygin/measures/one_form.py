@@ -31,9 +31,9 @@ from ..core.vectors import (
     cross,
     dot,
     identity,
-    normed,
-    scalar,
-    unit,
+    norm_squared,
+    real_symbol,
+    unit_vector,
     zero,
 )
 from ..mechanics.rolling.equations import Rolling
@@ -50,7 +50,7 @@ Powers = tuple[tuple[sp.Expr, sp.Expr], ...]
 gamma, r, gammatilde, theta, turn = (
     Vector(name) for name in ("gamma", "r", "gammatilde", "Theta", "u")
 )
-m, a = scalar("m"), scalar("a")
+m, a = real_symbol("m"), real_symbol("a")
 
 
 @dataclass(frozen=True)
@@ -113,7 +113,7 @@ def one_form(rolling: Rolling) -> OneForm:
     here = geometry(body.shape, rolling.surface)
     inertia = Diagonal("I") if body.principal else Symmetric("I")
     J, A = type(inertia)("J"), type(inertia)("A")
-    lever, share = Vector("l"), scalar("s_r")
+    lever, share = Vector("l"), real_symbol("s_r")
     parameters = (
         Parameter(m, "mass", body.mass, "kg", (m > 0,)),
         *(
@@ -124,7 +124,7 @@ def one_form(rolling: Rolling) -> OneForm:
     )
     definitions: Pairs = (
         *here.definitions,
-        (J, inertia + m * normed(r) * identity),
+        (J, inertia + m * norm_squared(r) * identity),
         (A, J**-1),
         (lever, A * r),
         (share, m / (1 - m * dot(r, lever))),
@@ -139,8 +139,8 @@ def one_form(rolling: Rolling) -> OneForm:
         definitions += ((gammatilde, inverse(gamma)),)
         form = (1 - here.trace) / dot(gamma, gammatilde) * here.stretch(gammatilde)
     else:
-        trace = sp.Add(*(A.entries[i, i] for i in range(3))) + share * normed(lever)
-        tau, wander = scalar("tau_A"), Vector("V_r")
+        trace = sp.Add(*(A.entries[i, i] for i in range(3))) + share * norm_squared(lever)
+        tau, wander = real_symbol("tau_A"), Vector("V_r")
         definitions += (
             (wander, here.spread(here.contract(r))),
             (tau, _twist(here, inverse)),
@@ -164,7 +164,7 @@ def one_form(rolling: Rolling) -> OneForm:
         _scale(rolling),
         spin,
         Measure("closed", (), meaning="the 1-form is closed"),
-        Identity("period", dot(theta, cross(unit(3), gamma)), "no period about body axis 3"),
+        Identity("period", dot(theta, cross(unit_vector(3), gamma)), "no period about body axis 3"),
     )
 
 
@@ -181,7 +181,7 @@ def _twist(here: Geometry, inverse: Any) -> sp.Expr:
     """τ = Σ (A e_i, V(γ×e_i)), the trace of AVγ×."""
     return sp.Add(
         *(
-            dot(inverse(unit(i)), here.spread(here.contract(cross(gamma, unit(i)))))
+            dot(inverse(unit_vector(i)), here.spread(here.contract(cross(gamma, unit_vector(i)))))
             for i in (1, 2, 3)
         )
     )

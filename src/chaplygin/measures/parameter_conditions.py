@@ -16,8 +16,8 @@ import sympy as sp
 
 from ..formulas.tape import Derivation, Tape
 from ..formulas.taylor import Rational
-from ..mechanics.constraints.distribution import Field
-from ..mechanics.constraints.exact_points import NoPointError, drawn
+from ..mechanics.constraints.distribution import VectorField
+from ..mechanics.constraints.exact_points import NoPointError, random_point
 from ..mechanics.reduction.rational_evaluation import (
     Formulas,
     Quotient,
@@ -143,7 +143,7 @@ def _tidied(level: Level) -> Level:
     return tuple(s - v for s, v in settled(level).items())
 
 
-def _brackets(given: Lifted, tape: Tape, steps: int) -> list[Field]:
+def _brackets(given: Lifted, tape: Tape, steps: int) -> list[VectorField]:
     """The lifted fields and their commutators with them, so many times."""
     fields = [dict(field) for field in given.lifted.frame]
     rows, last = list(fields), list(fields)
@@ -158,7 +158,7 @@ def _brackets(given: Lifted, tape: Tape, steps: int) -> list[Field]:
     return list(rows)
 
 
-def _bracket(tape: Tape, first: Field, second: Field) -> dict[sp.Symbol, sp.Expr]:
+def _bracket(tape: Tape, first: VectorField, second: VectorField) -> dict[sp.Symbol, sp.Expr]:
     along_first, along_second = (Derivation(tuple(f.items())) for f in (first, second))
     found = {}
     for x in {**first, **second}:
@@ -173,7 +173,7 @@ def _bracket(tape: Tape, first: Field, second: Field) -> dict[sp.Symbol, sp.Expr
 def _point(given: Lifted, dice: random.Random, one: Quotient) -> dict[sp.Symbol, Any]:
     """A rational point of the configuration space, with sines and cosines, and z = 0."""
     parameters = tuple(s for s, _ in given.lifted.constants)
-    place = drawn(given.lifted.space(parameters), Rational(), dice)
+    place = random_point(given.lifted.space(parameters), Rational(), dice)
     found = {x: one * place.values[x] for x in given.lifted.coordinates}
     for core, pair in place.circles.items():
         if core.is_Symbol:

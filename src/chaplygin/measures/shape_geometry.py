@@ -15,7 +15,7 @@ import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from ..core.system import Parameter
-from ..core.vectors import Symmetric, Vector, constant, cross, dot, normed, scalar
+from ..core.vectors import Symmetric, Vector, constant, cross, dot, norm_squared, real_symbol
 from ..mechanics.rolling.shapes import Implicit, Shape
 from ..mechanics.rolling.surfaces import Plane, Surface
 
@@ -25,7 +25,7 @@ Pairs = tuple[tuple[Any, Any], ...]
 Operator = Callable[[MatrixExpr], MatrixExpr]
 
 gamma, r = Vector("gamma"), Vector("r")
-a = scalar("a")
+a = real_symbol("a")
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,7 @@ def geometry(shape: Shape, surface: Surface) -> Geometry:
     return _with_sphere(
         surface,
         state=gamma,
-        relations=(normed(gamma) - 1,),
+        relations=(norm_squared(gamma) - 1,),
         parameters=gauss.parameters + shape.offset_parameters,
         definitions=(*gauss.definitions, (r, shape.offset + gauss.reach)),
         spread=spread,
@@ -107,7 +107,7 @@ def _with_sphere(
     if not isinstance(surface, Plane):
         meaning = "radius of the supporting sphere, negative inside"
         parameters += (Parameter(a, meaning, surface.radius, "m", (sp.Ne(a, 0),)),)
-        tau, area = scalar("tau"), scalar("A_a")
+        tau, area = real_symbol("tau"), real_symbol("A_a")
         definitions += ((tau, invariants[0]), (area, a**2 + a * tau + invariants[1]))
         trace = (2 * a**2 + a * tau) / area
 
@@ -124,15 +124,15 @@ def _with_sphere(
 
 def _through_surface(shape: Implicit, surface: Surface) -> Geometry:
     """A shape f(r − c) = 0 with r as state: W is the inverse of its shape operator S."""
-    x, slope, ell = Vector("x"), Vector("nu"), scalar("ell")
+    x, slope, ell = Vector("x"), Vector("nu"), real_symbol("ell")
     F, G = Symmetric("F"), Symmetric("G")
-    mean, gauss = scalar("sigma"), scalar("kappa")
+    mean, gauss = real_symbol("sigma"), real_symbol("kappa")
     f = shape.surface.xreplace(dict(zip(shape.coordinates, x.symbols, strict=True)))
     hessian = constant(sp.hessian(f, x.symbols))
     definitions: Pairs = (
         (x, r - shape.offset),
         (slope, constant([sp.diff(f, s) for s in x.symbols])),
-        (ell, sp.sqrt(normed(slope))),
+        (ell, sp.sqrt(norm_squared(slope))),
         (gamma, -slope / ell),
         (F, hessian),
         (G, constant(F.entries.adjugate())),

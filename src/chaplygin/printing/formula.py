@@ -28,17 +28,17 @@ from sympy.matrices.expressions import (
 
 from ..core.laws import Rate
 from ..core.vectors import Cross, Diagonal, Dot, Gradient, Symmetric, Vector
-from .notation import LATEX, UNICODE, Level, Notation, Piece
+from .notation import LATEX, UNICODE, Precedence, Notation, Fragment
 from .ordering import (
     Factors,
-    along_axis,
+    as_unit_vector_multiple,
     common_fraction,
     factors_of,
     is_negative,
-    ordered,
+    sort_terms,
     vector_of,
 )
-from .symbol_names import Letter, letter_of
+from .symbol_names import SymbolName, letter_of
 
 __all__ = ["LATEX", "UNICODE", "Notation", "latex", "rate", "signed_terms", "text", "width"]
 
@@ -82,7 +82,7 @@ def signed_terms(formula: Any, notation: Notation) -> list[tuple[str, str]]:
     found = []
     for index, (negative, piece) in enumerate(writer.terms(sp.sympify(formula))):
         plus = "+" if index else ""
-        found.append((notation.minus if negative else plus, notation.guard(piece, Level.RATIO)))
+        found.append((notation.minus if negative else plus, notation.guard(piece, Precedence.RATIO)))
     return found
 
 
@@ -97,31 +97,31 @@ class _Writer:
 
     notation: Notation
 
-    def piece(self, formula: Any) -> Piece:
+    def piece(self, formula: Any) -> Fragment:
         """Any formula."""
         found = self.terms(formula)
         if len(found) == 1 and not found[0][0]:
             return found[0][1]
         written = ""
         for negative, term in found:
-            body = self.notation.guard(term, Level.RATIO)
+            body = self.notation.guard(term, Precedence.RATIO)
             if written:
                 written += f" {self.notation.minus if negative else '+'} {body}"
             else:
                 written = (self.notation.minus if negative else "") + body
-        return Piece(written, Level.SUM)
+        return Fragment(written, Precedence.SUM)
 
-    def terms(self, formula: Any) -> list[tuple[bool, Piece]]:
+    def terms(self, formula: Any) -> list[tuple[bool, Fragment]]:
         """The terms of a sum in order, each with its sign; anything else is a single term."""
         share = common_fraction(formula)
         if share != 1:
             rest = sp.Add(*(term / share for term in formula.args))
             return [self._product(factors_of(sp.Mul(share, rest, evaluate=False)))]
         if isinstance(formula, (sp.Add, MatAdd)):
-            return [self._term(term) for term in ordered(map(along_axis, formula.args))]
-        return [self._term(along_axis(formula))]
+            return [self._term(term) for term in sort_terms(map(as_unit_vector_multiple, formula.args))]
+        return [self._term(as_unit_vector_multiple(formula))]
 
-    def _term(self, formula: Any) -> tuple[bool, Piece]:
+    def _term(self, formula: Any) -> tuple[bool, Fragment]:
         if isinstance(formula, (sp.Add, MatAdd)):
             return False, self.piece(formula)
         if isinstance(formula, sp.Float):
@@ -132,7 +132,7 @@ class _Writer:
             return self._product(factors_of(formula))
         return False, self._whole(formula)
 
-    def _product(self, factors: Factors) -> tuple[bool, Piece]:
+    def _product(self, factors: Factors) -> tuple[bool, Fragment]:
         above = [self.piece(factor) for factor in factors.above]
         below = [self.piece(factor) for factor in factors.below]
         vector = self._chain(factors.tensors) if factors.tensors else None
@@ -142,30 +142,30 @@ class _Writer:
             if len(above) == 1 and not vector:
                 return factors.negative, above[0]
         if factors.coefficient[1] == 1 and not (above or below or vector):
-            return factors.negative, Piece(str(factors.coefficient[0]))
+            return factors.negative, Fragment(str(factors.coefficient[0]))
         written = self.notation.product(factors.coefficient, above, below, vector)
         return factors.negative, written
 
-    def _chain(self, tensors: Sequence[Any]) -> Piece:
+    def _chain(self, tensors: Sequence[Any]) -> Fragment:
         """Tensors and vectors one after the other; u ⊗ v for a column times a row."""
         for index, tensor in enumerate(tensors):
             if index and isinstance(tensor, Transpose) and tensor.arg.shape[1] == 1:
                 left = self._chain(tensors[:index])
                 right = self.piece(tensor.arg)
                 guard = self.notation.guard
-                dyad = self.notation.dyad.join(guard(x, Level.PRODUCT) for x in (left, right))
-                piece = Piece(dyad, Level.CROSS)
+                dyad = self.notation.dyad.join(guard(x, Precedence.PRODUCT) for x in (left, right))
+                piece = Fragment(dyad, Precedence.CROSS)
                 rest = tensors[index + 1 :]
                 return piece if not rest else self._beside(piece, self._chain(rest))
         pieces = [self.piece(tensor) for tensor in tensors]
         return pieces[0] if len(pieces) == 1 else self._beside(*pieces)
 
-    def _beside(self, *pieces: Piece) -> Piece:
-        return Piece(
-            " ".join(self.notation.guard(piece, Level.PRODUCT) for piece in pieces), Level.PRODUCT
+    def _beside(self, *pieces: Fragment) -> Fragment:
+        return Fragment(
+            " ".join(self.notation.guard(piece, Precedence.PRODUCT) for piece in pieces), Precedence.PRODUCT
         )
 
-    def _whole(self, formula: Any) -> Piece:
+    def _whole(self, formula: Any) -> Fragment:
         """A formula that is neither a sum nor a product."""
         if isinstance(formula, (MatrixExpr, sp.MatrixBase)):
             return self._tensor(formula)
@@ -187,21 +187,21 @@ class _Writer:
                 return self._function(formula, 1)
             case Relational():
                 sides = (self.piece(side).text for side in formula.args)
-                return Piece(f" {notation.relations[formula.rel_op]} ".join(sides), Level.SUM)
+                return Fragment(f" {notation.relations[formula.rel_op]} ".join(sides), Precedence.SUM)
         if formula in notation.constants:
-            return Piece(notation.constants[formula])
-        return Piece(notation.fallback(formula), Level.SUM)
+            return Fragment(notation.constants[formula])
+        return Fragment(notation.fallback(formula), Precedence.SUM)
 
-    def _dot(self, product: Dot, exponent: int) -> Piece:
+    def _dot(self, product: Dot, exponent: int) -> Fragment:
         """(u, v), and u² or a power of it for (u, u)."""
         left, right = product.args
         if left == right:
             return self.notation.power(self.piece(left), str(2 * exponent))
         inside = ", ".join(self.piece(side).text for side in product.args)
-        pair = Piece(self.notation.brackets(inside))
+        pair = Fragment(self.notation.brackets(inside))
         return pair if exponent == 1 else self.notation.power(pair, str(exponent))
 
-    def _power(self, formula: sp.Pow) -> Piece:
+    def _power(self, formula: sp.Pow) -> Fragment:
         base, exponent = formula.args
         whole = exponent.is_Integer
         if isinstance(base, Dot) and whole:
@@ -219,17 +219,17 @@ class _Writer:
             written = str(exponent)
         return self.notation.power(self.piece(base), written or self.piece(exponent).text)
 
-    def _function(self, formula: sp.Function, exponent: int) -> Piece:
+    def _function(self, formula: sp.Function, exponent: int) -> Fragment:
         name = str(formula.func.__name__)
         if isinstance(formula, AppliedUndef):
             head = self.notation.letter(letter_of(name), bold=False).text
             written = f"{head}{self.notation.brackets(self._arguments(formula))}"
-            piece = Piece(written, Level.ATOM)
+            piece = Fragment(written, Precedence.ATOM)
             return piece if exponent == 1 else self.notation.power(piece, str(exponent))
         arguments = [self.piece(argument).text for argument in formula.args]
         return self.notation.call(_FUNCTION_NAMES.get(name, name), arguments, exponent)
 
-    def _rate(self, formula: Any) -> Piece:
+    def _rate(self, formula: Any) -> Fragment:
         """ẋ for a letter, d(…)/dt for a formula."""
         inner, times = formula, 0
         while isinstance(inner, Rate):
@@ -239,19 +239,19 @@ class _Writer:
             for _ in range(times):
                 letter = letter.dotted()
             return self.notation.letter(letter, bold=False)
-        below = self.notation.power(Piece("dt"), str(times)).text if times > 1 else "dt"
-        above = self.notation.power(Piece("d"), str(times)).text if times > 1 else "d"
-        shown = self.notation.guard(self.piece(inner), Level.ATOM)
+        below = self.notation.power(Fragment("dt"), str(times)).text if times > 1 else "dt"
+        above = self.notation.power(Fragment("d"), str(times)).text if times > 1 else "d"
+        shown = self.notation.guard(self.piece(inner), Precedence.ATOM)
         return self.notation.quotient(f"{above} {shown}", below)
 
-    def _derivative(self, formula: sp.Derivative) -> Piece:
+    def _derivative(self, formula: sp.Derivative) -> Fragment:
         """U′(x), U″(x) or ∂U/∂γ₁ of a function that is left open."""
         inner, order = formula.expr, sum(count for _, count in formula.variable_count)
         name = self.notation.letter(letter_of(str(inner.func.__name__)), bold=False).text
         if len(inner.args) == 1 and order <= 3:
             letter = replace(letter_of(str(inner.func.__name__)), primes=order)
             head = self.notation.letter(letter, bold=False).text
-            return Piece(f"{head}{self.notation.brackets(self._arguments(inner))}", Level.POWER)
+            return Fragment(f"{head}{self.notation.brackets(self._arguments(inner))}", Precedence.POWER)
         below = " ".join(
             self.notation.partial(self.piece(s).text, int(count))
             for s, count in formula.variable_count
@@ -268,19 +268,19 @@ class _Writer:
             listed = listed[3:] if whole is not None else listed[1:]
         return ", ".join(shown)
 
-    def _tensor(self, formula: Any) -> Piece:
+    def _tensor(self, formula: Any) -> Fragment:
         """A vector or tensor that is neither a sum nor a product."""
         notation = self.notation
         match formula:
             case Vector() | Diagonal() | Symmetric():
                 return notation.letter(letter_of(formula.name), bold=True)
             case Identity():
-                return notation.letter(Letter("E"), bold=True)
+                return notation.letter(SymbolName("E"), bold=True)
             case ZeroMatrix():
-                return Piece("0")
+                return Fragment("0")
             case Cross():
-                sides = (notation.guard(self.piece(x), Level.PRODUCT) for x in formula.args)
-                return Piece(notation.cross.join(sides), Level.CROSS)
+                sides = (notation.guard(self.piece(x), Precedence.PRODUCT) for x in formula.args)
+                return Fragment(notation.cross.join(sides), Precedence.CROSS)
             case Gradient():
                 _, variable, name = formula.args
                 return notation.gradient(self.piece(name).text, self.piece(variable).text)
@@ -292,9 +292,9 @@ class _Writer:
                 return notation.power(self.piece(base), f"{minus}{abs(exponent)}")
             case sp.MatrixBase():
                 return self._components(formula)
-        return Piece(notation.fallback(formula), Level.SUM)
+        return Fragment(notation.fallback(formula), Precedence.SUM)
 
-    def _components(self, matrix: sp.MatrixBase) -> Piece:
+    def _components(self, matrix: sp.MatrixBase) -> Fragment:
         """A vector or tensor given by its entries."""
         rows, columns = matrix.shape
         entries = list(matrix)

@@ -25,13 +25,13 @@ from ..core.laws import (
     Separation,
     Symmetry,
 )
-from ..core.vectors import Diagonal, Vector, explicit, scalar
+from ..core.vectors import Diagonal, Vector, to_components, real_symbol
 from .formula import LATEX, UNICODE, Notation, latex, rate, text
 
 if TYPE_CHECKING:
     from ..core.system import System
 
-__all__ = ["caption", "equation", "formulas", "heading", "level", "sides"]
+__all__ = ["caption", "equation", "formulas", "heading", "condition_text", "equation_sides"]
 
 #: A left side, written; and a formula, or what is written already.
 Side: TypeAlias = tuple[str, Any]
@@ -89,13 +89,13 @@ def _solved(vanishing: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     return (-left, -right) if left.could_extract_minus_sign() else (left, right)
 
 
-def level(law: Law, system: System, write: Callable[[Any], str]) -> str:
+def condition_text(law: Law, system: System, write: Callable[[Any], str]) -> str:
     """Where a law holds: "for k = −1" or "on (M, γ) = 0"; empty when it holds everywhere."""
     constants = set(system.defaults)
     for_: list[str] = []
     on: list[str] = []
     for zero in law.on:
-        alone = not explicit(zero).free_symbols - constants
+        alone = not to_components(zero).free_symbols - constants
         (for_ if alone else on).append(write(sp.Eq(*equation(zero), evaluate=False)))
     parts = [f"for {', '.join(for_)}"] if for_ else []
     parts += [f"on {', '.join(on)}"] if on else []
@@ -107,7 +107,7 @@ def caption(law: Law, system: System, write: Callable[[Any], str]) -> str:
     meaning = getattr(law, "meaning", "")
     if meaning.casefold() == heading(law).casefold():
         meaning = ""
-    words = ", ".join(filter(None, (meaning, level(law, system, write))))
+    words = ", ".join(filter(None, (meaning, condition_text(law, system, write))))
     source = law.source
     if law.misprint:
         source = f"{source} (misprinted there: {law.misprint})".strip()
@@ -139,7 +139,7 @@ def formulas(law: Law) -> list[Any]:
     return [sp.sympify(formula) for formula in (*found, *law.on)]
 
 
-def sides(law: Law, system: System, notation: Notation) -> list[Side]:
+def equation_sides(law: Law, system: System, notation: Notation) -> list[Side]:
     """The equations that state a law.
 
     Parameters
@@ -159,7 +159,7 @@ def sides(law: Law, system: System, notation: Notation) -> list[Side]:
         case Integral():
             return [(law.name if notation is UNICODE else rf"\text{{{law.name}}}", law.value)]
         case Measure():
-            return [(write(scalar("rho")), law.value)]
+            return [(write(real_symbol("rho")), law.value)]
         case Symmetry():
             return _field(law, system, notation)
         case PoissonStructure():
@@ -206,20 +206,20 @@ def _field(law: Symmetry, system: System, notation: Notation) -> list[Side]:
         if lines:
             minus = term.startswith(notation.minus)
             term = f"{notation.minus} {term[1:]}" if minus else f"+ {term}"
-        lines.append(("" if lines else write(scalar("u")), term))
+        lines.append(("" if lines else write(real_symbol("u")), term))
     return lines
 
 
 def _hamiltonian(law: ConformallyHamiltonian, system: System, notation: Notation) -> list[Side]:
     """ẋ = N {x, H}, then N, H and the bracket unless it is a law by itself."""
     write = text if notation is UNICODE else latex
-    x, N, H = (write(scalar(name)) for name in ("x", "N", "H"))
+    x, N, H = (write(real_symbol(name)) for name in ("x", "N", "H"))
     bracket = _curly(f"{x}, {H}", notation)
     lines: list[Side] = []
     if law.multiplier == 1:
-        lines.append((rate(scalar("x"), notation), bracket))
+        lines.append((rate(real_symbol("x"), notation), bracket))
     else:
-        lines += [(rate(scalar("x"), notation), f"{N} {bracket}"), (N, law.multiplier)]
+        lines += [(rate(real_symbol("x"), notation), f"{N} {bracket}"), (N, law.multiplier)]
     lines.append((H, law.hamiltonian))
     if law.structure not in system.laws:
         lines += _structure(law.structure, system, notation)
@@ -239,7 +239,7 @@ def _isomorphism(law: Isomorphism, system: System, notation: Notation) -> list[S
         left, right = equation(_renamed(condition, named))
         lines.append((write(left), right))
     if law.time != 1:
-        tau, t = write(scalar("tau")), write(scalar("t"))
+        tau, t = write(real_symbol("tau")), write(real_symbol("t"))
         gone = notation.gradient(tau, t).text.replace("∂", "d").replace(r"\partial", "d")
         lines.append((gone, law.time))
     return lines
@@ -251,7 +251,7 @@ def _primed(name: Any, needed: bool, write: Callable[[Any], str]) -> str:
 
 def _primed_symbol(name: Any) -> Any:
     base, bar, index = str(name).partition("_")
-    kind = Vector if isinstance(name, Vector) else scalar
+    kind = Vector if isinstance(name, Vector) else real_symbol
     return kind(f"{base}prime{bar}{index}")
 
 
@@ -274,7 +274,7 @@ def _curly(inner: str, notation: Notation) -> str:
 
 def _structure(law: PoissonStructure, system: System, notation: Notation) -> list[Side]:
     write = text if notation is UNICODE else latex
-    matrix = explicit(law.matrix)
+    matrix = to_components(law.matrix)
     lines: list[Side] = []
     places = _places(system)
     for index, (one, rows) in enumerate(places):
@@ -319,7 +319,7 @@ def _block(
         sums = _combination(twist, system)
         if sums is None:
             vector = sp.ImmutableDenseMatrix(twist)
-            return [(indexed, f"{head} {write(scalar('w_k'))}"), (write(Vector("w")), vector)]
+            return [(indexed, f"{head} {write(real_symbol('w_k'))}"), (write(Vector("w")), vector)]
         shown, minus = _guarded(sums("k"), notation), notation.minus
         sign = minus if shown.startswith(minus) else ""
         return [(indexed, f"{sign}{head} {shown.removeprefix(minus)}")]
@@ -358,7 +358,7 @@ def _common_factor(entries: tuple[sp.Expr, ...]) -> tuple[sp.Expr, tuple[sp.Expr
 
 
 def _component(name: Any, index: str, write: Callable[[Any], str]) -> str:
-    return write(name) if isinstance(name, sp.Symbol) else write(scalar(f"{name}_{index}"))
+    return write(name) if isinstance(name, sp.Symbol) else write(real_symbol(f"{name}_{index}"))
 
 
 def _entries(one: Any, other: Any, block: sp.MatrixBase, notation: Notation) -> list[Side]:
@@ -390,7 +390,7 @@ def _combination(triple: tuple[sp.Expr, ...], system: System) -> Callable[[str],
         if all(_vanishes(x - y) for x, y in zip(triple, values, strict=True)):
 
             def component(index: str, chosen: Any = choice) -> sp.Expr:
-                return sp.Add(*(c * scalar(f"{v}_{index}") for c, v in chosen))
+                return sp.Add(*(c * real_symbol(f"{v}_{index}") for c, v in chosen))
 
             return component
     return None

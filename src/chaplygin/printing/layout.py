@@ -8,19 +8,19 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from ..core.vectors import Diagonal, Gradient, Symmetric, Vector, explicit
+from ..core.vectors import Diagonal, Gradient, Symmetric, Vector, to_components
 from .laws import formulas
 
 if TYPE_CHECKING:
     from ..core.system import System
 
-__all__ = ["Page", "Pairs", "motion_of", "page_of"]
+__all__ = ["Layout", "Pairs", "reconstruction_layout", "layout"]
 
 Pairs = tuple[tuple[Any, Any], ...]
 
 
 @dataclass(frozen=True)
-class Page:
+class Layout:
     """The formulas of a system as a reader needs them.
 
     Attributes
@@ -40,7 +40,7 @@ class Page:
     further: Pairs
 
 
-def page_of(system: System) -> Page:
+def layout(system: System) -> Layout:
     """The formulas of a system, each once, in the order in which a reader needs them.
 
     What is defined to vanish is left out of the formulas of the motion.
@@ -62,7 +62,7 @@ def _without(zeros: dict[sp.Symbol, Any], value: Any) -> Any:
     return value.xreplace(zeros) if plain and value.free_symbols & zeros.keys() else value
 
 
-def _page_of(system: System) -> Page:
+def _page_of(system: System) -> Layout:
     field, spelt_out = _spelt_out(system, system.field)
     needed = _needed(system, [formula for _, formula in system.field])
     where = tuple(pair for pair in needed if pair[0] not in spelt_out)
@@ -71,21 +71,21 @@ def _page_of(system: System) -> Page:
     extra = tuple(pair for pair in _needed(system, claims) if pair not in needed)
     given = _given(system, [formula for _, formula in (*field, *where)])
     given_too = _given(system, [*claims, *(formula for _, formula in extra)])
-    return Page(
+    return Layout(
         field=field,
         where=given + where,
         further=tuple(pair for pair in given_too if pair not in given) + extra,
     )
 
 
-def motion_of(system: System) -> Page:
+def reconstruction_layout(system: System) -> Layout:
     """The equations of the lift to space, with the definitions that the other page lacks."""
     field, spelt_out = _spelt_out(system, system.motion.field if system.motion else ())
-    page = page_of(system)
+    page = layout(system)
     shown = {s for name in spelt_out for s in _scalars(name)}
     shown |= {s for name, _ in (*page.where, *page.further) for s in _scalars(name)}
     steps = system.needed(formula for _, formula in field)
-    return Page(field, tuple(pair for pair in steps if pair[0] not in shown), ())
+    return Layout(field, tuple(pair for pair in steps if pair[0] not in shown), ())
 
 
 def _spelt_out(system: System, field: Pairs) -> tuple[Pairs, set[Any]]:
@@ -110,7 +110,7 @@ def _scalars(name: Any) -> set[sp.Symbol]:
 def _mentioned(formula: Any) -> set[sp.Symbol]:
     """Symbols on which a formula depends or whose name it shows, as ∂U/∂γ shows U."""
     shown: set[sp.Symbol] = {gradient.args[2] for gradient in formula.atoms(Gradient)}
-    return shown.union(explicit(formula).free_symbols)
+    return shown.union(to_components(formula).free_symbols)
 
 
 def _needed(system: System, formulas: Iterable[Any]) -> Pairs:
@@ -130,6 +130,6 @@ def _given(system: System, formulas: Iterable[Any]) -> Pairs:
     atoms = set().union(*(formula.atoms(Vector, Diagonal, Symmetric) for formula in formulas))
     found = []
     for name in sorted(atoms - known, key=str):
-        entries = explicit(name) if isinstance(name, Vector) else name.entries
+        entries = to_components(name) if isinstance(name, Vector) else name.entries
         found.append((name, entries))
     return tuple(found)

@@ -12,12 +12,12 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
-from .symbol_names import GREEK, Letter
+from .symbol_names import GREEK, SymbolName
 
-__all__ = ["LATEX", "UNICODE", "Level", "Notation", "Piece"]
+__all__ = ["LATEX", "UNICODE", "Precedence", "Notation", "Fragment"]
 
 
-class Level(IntEnum):
+class Precedence(IntEnum):
     """How strongly a piece of a formula holds together, loosest first."""
 
     SUM = 0
@@ -29,11 +29,11 @@ class Level(IntEnum):
 
 
 @dataclass(frozen=True)
-class Piece:
+class Fragment:
     """A formula written, and how strongly it holds together."""
 
     text: str
-    level: Level = Level.ATOM
+    level: Precedence = Precedence.ATOM
 
 
 class Notation(ABC):
@@ -45,7 +45,7 @@ class Notation(ABC):
     relations: ClassVar[Mapping[str, str]]
     constants: ClassVar[Mapping[Any, str]]
 
-    def guard(self, piece: Piece, level: Level) -> str:
+    def guard(self, piece: Fragment, level: Precedence) -> str:
         """`piece` as it stands where at least `level` is needed: in brackets if it is looser."""
         return piece.text if piece.level >= level else self.brackets(piece.text)
 
@@ -54,49 +54,49 @@ class Notation(ABC):
         """(inner), also the scalar product when inner is "u, v"."""
 
     @abstractmethod
-    def norm(self, inner: str) -> Piece:
+    def norm(self, inner: str) -> Fragment:
         """|inner|, the length of a vector or the absolute value of a scalar."""
 
     @abstractmethod
-    def letter(self, letter: Letter, bold: bool) -> Piece:
+    def letter(self, letter: SymbolName, bold: bool) -> Fragment:
         """A name."""
 
     @abstractmethod
-    def number(self, value: sp.Float) -> Piece:
+    def number(self, value: sp.Float) -> Fragment:
         """A positive decimal number."""
 
     @abstractmethod
     def product(
         self,
         coefficient: tuple[int, int],
-        above: Sequence[Piece],
-        below: Sequence[Piece],
-        vector: Piece | None,
-    ) -> Piece:
+        above: Sequence[Fragment],
+        below: Sequence[Fragment],
+        vector: Fragment | None,
+    ) -> Fragment:
         """(p/q) · above / below · vector."""
 
     @abstractmethod
-    def power(self, base: Piece, exponent: str) -> Piece:
+    def power(self, base: Fragment, exponent: str) -> Fragment:
         """The exponent is a formula in this notation."""
 
     @abstractmethod
-    def root(self, inner: Piece) -> Piece:
+    def root(self, inner: Fragment) -> Fragment:
         """The square root."""
 
     @abstractmethod
-    def call(self, function: str, arguments: Sequence[str], exponent: int = 1) -> Piece:
+    def call(self, function: str, arguments: Sequence[str], exponent: int = 1) -> Fragment:
         """A function of its arguments, raised to a power."""
 
     @abstractmethod
-    def transpose(self, base: Piece) -> Piece:
+    def transpose(self, base: Fragment) -> Fragment:
         """The transposed tensor."""
 
     @abstractmethod
-    def gradient(self, value: str, variable: str) -> Piece:
+    def gradient(self, value: str, variable: str) -> Fragment:
         """∂value/∂variable."""
 
     @abstractmethod
-    def quotient(self, above: str, below: str) -> Piece:
+    def quotient(self, above: str, below: str) -> Fragment:
         """A derivative: what is above the line and what is below, both written."""
 
     @abstractmethod
@@ -104,7 +104,7 @@ class Notation(ABC):
         """∂²U above the line of a derivative, ∂x² below it."""
 
     @abstractmethod
-    def matrix(self, rows: Sequence[Sequence[str]]) -> Piece:
+    def matrix(self, rows: Sequence[Sequence[str]]) -> Fragment:
         """All entries, row by row."""
 
     @abstractmethod
@@ -147,10 +147,10 @@ class _Unicode(Notation):
     def brackets(self, inner: str) -> str:
         return f"({inner})"
 
-    def norm(self, inner: str) -> Piece:
-        return Piece(f"|{inner}|")
+    def norm(self, inner: str) -> Fragment:
+        return Fragment(f"|{inner}|")
 
-    def letter(self, letter: Letter, bold: bool) -> Piece:
+    def letter(self, letter: SymbolName, bold: bool) -> Fragment:
         base = GREEK.get(letter.base, letter.base)
         marks = "".join(_ACCENTS[accent] for accent in letter.accents)
         if len(base) == 1 or not marks:
@@ -165,69 +165,69 @@ class _Unicode(Notation):
             sub = "".join(_LOWERED[character] for character in sub)
         else:
             sub = f"_{sub}"
-        return Piece(head + "′″‴"[letter.primes - 1 : letter.primes] + sub)
+        return Fragment(head + "′″‴"[letter.primes - 1 : letter.primes] + sub)
 
-    def number(self, value: sp.Float) -> Piece:
-        return Piece(f"{float(value):.15g}")
+    def number(self, value: sp.Float) -> Fragment:
+        return Fragment(f"{float(value):.15g}")
 
     def product(
         self,
         coefficient: tuple[int, int],
-        above: Sequence[Piece],
-        below: Sequence[Piece],
-        vector: Piece | None,
-    ) -> Piece:
+        above: Sequence[Fragment],
+        below: Sequence[Fragment],
+        vector: Fragment | None,
+    ) -> Fragment:
         p, q = coefficient
-        factors = [self.guard(piece, Level.PRODUCT) for piece in above]
+        factors = [self.guard(piece, Precedence.PRODUCT) for piece in above]
         if not below and coefficient in _FRACTIONS:
             factors.insert(0, _FRACTIONS[coefficient])
             p, q = 1, 1
         if p != 1 or not (factors or vector):
             factors.insert(0, str(p))
-        divisors = [self.guard(piece, Level.POWER) for piece in below]
+        divisors = [self.guard(piece, Precedence.POWER) for piece in below]
         if q != 1:
             divisors.insert(0, str(q))
-        level = Level.PRODUCT
+        level = Precedence.PRODUCT
         if vector:
-            factors.append(self.guard(vector, Level.CROSS))
-            level = min(level, max(vector.level, Level.CROSS))
+            factors.append(self.guard(vector, Precedence.CROSS))
+            level = min(level, max(vector.level, Precedence.CROSS))
         head = " ".join(factors)
         if not divisors:
-            return Piece(head, level)
+            return Fragment(head, level)
         tail = divisors[0] if len(divisors) == 1 else self.brackets(" ".join(divisors))
-        return Piece(f"{head} / {tail}", Level.RATIO)
+        return Fragment(f"{head} / {tail}", Precedence.RATIO)
 
-    def power(self, base: Piece, exponent: str) -> Piece:
-        head = self.guard(base, Level.ATOM)
+    def power(self, base: Fragment, exponent: str) -> Fragment:
+        head = self.guard(base, Precedence.ATOM)
         if re.fullmatch(r"−?\d+", exponent):
-            return Piece(head + exponent.translate(_RAISED), Level.POWER)
+            return Fragment(head + exponent.translate(_RAISED), Precedence.POWER)
         simple = re.fullmatch(r"\w", exponent)
-        return Piece(f"{head}^{exponent if simple else self.brackets(exponent)}", Level.POWER)
+        return Fragment(f"{head}^{exponent if simple else self.brackets(exponent)}", Precedence.POWER)
 
-    def root(self, inner: Piece) -> Piece:
-        return Piece(f"√{self.guard(inner, Level.ATOM)}", Level.POWER)
+    def root(self, inner: Fragment) -> Fragment:
+        return Fragment(f"√{self.guard(inner, Precedence.ATOM)}", Precedence.POWER)
 
-    def call(self, function: str, arguments: Sequence[str], exponent: int = 1) -> Piece:
+    def call(self, function: str, arguments: Sequence[str], exponent: int = 1) -> Fragment:
         raised = "" if exponent == 1 else str(exponent).translate(_RAISED)
-        return Piece(f"{function}{raised}({', '.join(arguments)})", Level.POWER)
+        return Fragment(f"{function}{raised}({', '.join(arguments)})", Precedence.POWER)
 
-    def transpose(self, base: Piece) -> Piece:
-        return Piece(self.guard(base, Level.ATOM) + "ᵀ", Level.POWER)
+    def transpose(self, base: Fragment) -> Fragment:
+        return Fragment(self.guard(base, Precedence.ATOM) + "ᵀ", Precedence.POWER)
 
-    def gradient(self, value: str, variable: str) -> Piece:
-        return Piece(f"∂{value}/∂{variable}", Level.PRODUCT)
+    def gradient(self, value: str, variable: str) -> Fragment:
+        return Fragment(f"∂{value}/∂{variable}", Precedence.PRODUCT)
 
-    def quotient(self, above: str, below: str) -> Piece:
-        return Piece(f"{above}/{self.brackets(below) if ' ' in below else below}", Level.PRODUCT)
+    def quotient(self, above: str, below: str) -> Fragment:
+        return Fragment(f"{above}/{self.brackets(below) if ' ' in below else below}", Precedence.PRODUCT)
 
     def partial(self, name: str, order: int, above: bool = False) -> str:
         raised = "" if order == 1 else str(order).translate(_RAISED)
         return f"∂{raised}{name}" if above else f"∂{name}{raised}"
 
-    def matrix(self, rows: Sequence[Sequence[str]]) -> Piece:
+    def matrix(self, rows: Sequence[Sequence[str]]) -> Fragment:
         if all(len(row) == 1 for row in rows):
-            return Piece(f"({', '.join(row[0] for row in rows)})")
-        return Piece(f"[{'; '.join(', '.join(row) for row in rows)}]")
+            return Fragment(f"({', '.join(row[0] for row in rows)})")
+        return Fragment(f"[{'; '.join(', '.join(row) for row in rows)}]")
 
     def fallback(self, formula: Any) -> str:
         return str(sp.sstr(formula))
@@ -259,10 +259,10 @@ class _Latex(Notation):
     def brackets(self, inner: str) -> str:
         return rf"\left({inner}\right)"
 
-    def norm(self, inner: str) -> Piece:
-        return Piece(rf"\left|{inner}\right|")
+    def norm(self, inner: str) -> Fragment:
+        return Fragment(rf"\left|{inner}\right|")
 
-    def letter(self, letter: Letter, bold: bool) -> Piece:
+    def letter(self, letter: SymbolName, bold: bool) -> Fragment:
         head = self._symbol(letter.base)
         if bold and letter.base in GREEK:
             head = rf"\boldsymbol{{{head}}}"
@@ -279,7 +279,7 @@ class _Latex(Notation):
             head += f"_{{{','.join(parts)}}}"
         if letter.primes:
             head += "^{" + r"\prime" * letter.primes + "}"
-        return Piece(head, Level.POWER if letter.primes else Level.ATOM)
+        return Fragment(head, Precedence.POWER if letter.primes else Precedence.ATOM)
 
     @staticmethod
     def _symbol(name: str) -> str:
@@ -287,29 +287,29 @@ class _Latex(Notation):
             return _GREEK.get(name, rf"\{name}")
         return name if len(name) == 1 or name.isdigit() else rf"\text{{{name}}}"
 
-    def number(self, value: sp.Float) -> Piece:
+    def number(self, value: sp.Float) -> Fragment:
         mantissa, _, exponent = f"{float(value):.15g}".partition("e")
         if not exponent:
-            return Piece(mantissa)
-        return Piece(rf"{mantissa} \cdot 10^{{{int(exponent)}}}", Level.PRODUCT)
+            return Fragment(mantissa)
+        return Fragment(rf"{mantissa} \cdot 10^{{{int(exponent)}}}", Precedence.PRODUCT)
 
     def product(
         self,
         coefficient: tuple[int, int],
-        above: Sequence[Piece],
-        below: Sequence[Piece],
-        vector: Piece | None,
-    ) -> Piece:
+        above: Sequence[Fragment],
+        below: Sequence[Fragment],
+        vector: Fragment | None,
+    ) -> Fragment:
         p, q = coefficient
         divisors = [str(q)] if q != 1 else []
         alone = len(below) == 1 and not divisors
-        divisors += [self.guard(x, Level.SUM if alone else Level.PRODUCT) for x in below]
+        divisors += [self.guard(x, Precedence.SUM if alone else Precedence.PRODUCT) for x in below]
         first = [str(p)] if p != 1 else []
         # a bare rational coefficient stands before the factors, not above them
         lifted = bool(divisors) and (bool(below) or not (above or vector))
         alone = lifted and len(above) == 1 and not first
-        factors = [self.guard(x, Level.SUM if alone else Level.PRODUCT) for x in above]
-        level = Level.PRODUCT
+        factors = [self.guard(x, Precedence.SUM if alone else Precedence.PRODUCT) for x in above]
+        level = Precedence.PRODUCT
         if lifted:
             head = [rf"\frac{{{' '.join(first + factors) or '1'}}}{{{' '.join(divisors)}}}"]
         elif divisors:
@@ -317,41 +317,41 @@ class _Latex(Notation):
         else:
             head = first + factors
         if vector:
-            head.append(self.guard(vector, Level.CROSS))
-            level = min(level, max(vector.level, Level.CROSS))
-        return Piece(" ".join(head) or "1", level)
+            head.append(self.guard(vector, Precedence.CROSS))
+            level = min(level, max(vector.level, Precedence.CROSS))
+        return Fragment(" ".join(head) or "1", level)
 
-    def power(self, base: Piece, exponent: str) -> Piece:
-        return Piece(f"{self.guard(base, Level.ATOM)}^{{{exponent}}}", Level.POWER)
+    def power(self, base: Fragment, exponent: str) -> Fragment:
+        return Fragment(f"{self.guard(base, Precedence.ATOM)}^{{{exponent}}}", Precedence.POWER)
 
-    def root(self, inner: Piece) -> Piece:
-        return Piece(rf"\sqrt{{{inner.text}}}", Level.POWER)
+    def root(self, inner: Fragment) -> Fragment:
+        return Fragment(rf"\sqrt{{{inner.text}}}", Precedence.POWER)
 
-    def call(self, function: str, arguments: Sequence[str], exponent: int = 1) -> Piece:
+    def call(self, function: str, arguments: Sequence[str], exponent: int = 1) -> Fragment:
         known = function in self._functions
         name = rf"\{function}" if known else rf"\operatorname{{{function}}}"
         raised = "" if exponent == 1 else f"^{{{exponent}}}"
-        return Piece(f"{name}{raised}{self.brackets(', '.join(arguments))}", Level.POWER)
+        return Fragment(f"{name}{raised}{self.brackets(', '.join(arguments))}", Precedence.POWER)
 
-    def transpose(self, base: Piece) -> Piece:
+    def transpose(self, base: Fragment) -> Fragment:
         return self.power(base, r"\top")
 
-    def gradient(self, value: str, variable: str) -> Piece:
-        return Piece(rf"\frac{{\partial {value}}}{{\partial {variable}}}", Level.PRODUCT)
+    def gradient(self, value: str, variable: str) -> Fragment:
+        return Fragment(rf"\frac{{\partial {value}}}{{\partial {variable}}}", Precedence.PRODUCT)
 
-    def quotient(self, above: str, below: str) -> Piece:
-        return Piece(rf"\frac{{{above}}}{{{below}}}", Level.PRODUCT)
+    def quotient(self, above: str, below: str) -> Fragment:
+        return Fragment(rf"\frac{{{above}}}{{{below}}}", Precedence.PRODUCT)
 
     def partial(self, name: str, order: int, above: bool = False) -> str:
         raised = "" if order == 1 else f"^{{{order}}}"
         return rf"\partial{raised} {name}" if above else rf"\partial {name}{raised}"
 
-    def matrix(self, rows: Sequence[Sequence[str]]) -> Piece:
+    def matrix(self, rows: Sequence[Sequence[str]]) -> Fragment:
         listed = r",\, ".join(row[0] for row in rows)
         if len(rows[0]) == 1 and len(listed) <= self._longest_list:
-            return Piece(self.brackets(listed))
+            return Fragment(self.brackets(listed))
         body = r" \\ ".join(" & ".join(row) for row in rows)
-        return Piece(rf"\begin{{pmatrix}} {body} \end{{pmatrix}}")
+        return Fragment(rf"\begin{{pmatrix}} {body} \end{{pmatrix}}")
 
     def fallback(self, formula: Any) -> str:
         return str(sp.latex(formula))

@@ -14,12 +14,12 @@ from .symbol_names import GREEK, letter_of
 
 __all__ = [
     "Factors",
-    "along_axis",
+    "as_unit_vector_multiple",
     "common_fraction",
     "factors_of",
     "is_negative",
     "negated",
-    "ordered",
+    "sort_terms",
     "vector_of",
 ]
 
@@ -74,7 +74,7 @@ def negated(tensor: Any) -> Any:
     return -1 * tensor
 
 
-def along_axis(formula: Any) -> Any:
+def as_unit_vector_multiple(formula: Any) -> Any:
     """A column with a single entry c other than 0 and 1 as c e_i; anything else as it is."""
     if isinstance(formula, sp.MatrixBase) and formula.shape[1] == 1:
         present = [i for i, entry in enumerate(formula) if entry != 0]
@@ -84,7 +84,7 @@ def along_axis(formula: Any) -> Any:
     return formula
 
 
-def ordered(terms: Iterable[Any]) -> list[Any]:
+def sort_terms(terms: Iterable[Any]) -> list[Any]:
     """Terms in the order of `_term_key`, but a positive one at the head if there is one."""
     found = sorted(terms, key=_term_key)
     head = next((term for term in found if not is_negative(term)), found[0])

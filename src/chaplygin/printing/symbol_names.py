@@ -6,7 +6,7 @@ import re
 import unicodedata
 from dataclasses import dataclass
 
-__all__ = ["GREEK", "Letter", "letter_of"]
+__all__ = ["GREEK", "SymbolName", "letter_of"]
 
 GREEK = {
     **{
@@ -37,7 +37,7 @@ _NAME = re.compile(
 
 
 @dataclass(frozen=True)
-class Letter:
+class SymbolName:
     """A name as spelt in code, taken apart: ``rdot_1`` is r with a dot and subscript 1."""
 
     base: str
@@ -45,24 +45,24 @@ class Letter:
     primes: int = 0
     subscript: str = ""
 
-    def dotted(self) -> Letter:
+    def dotted(self) -> SymbolName:
         """The same name for the rate of what it names."""
         accents = (*self.accents, "dot")
         if accents[-2:] == ("dot", "dot"):
             accents = (*accents[:-2], "ddot")
-        return Letter(self.base, accents, self.primes, self.subscript)
+        return SymbolName(self.base, accents, self.primes, self.subscript)
 
 
-def letter_of(name: str) -> Letter:
+def letter_of(name: str) -> SymbolName:
     """The letter that a name in code spells."""
     match = _NAME.fullmatch(name)
     if match is None:
-        return Letter(name)
+        return SymbolName(name)
     base, accent, primes, number, sub = match.group("base", "accent", "primes", "number", "sub")
     parts = [part for part in (number, *(sub or "").split("_")) if part]
     subscript = ",".join(parts)
     if accent is None:
-        return Letter(base, subscript=subscript)
+        return SymbolName(base, subscript=subscript)
     if accent.startswith("prime"):
-        return Letter(base, primes=int(primes or 1), subscript=subscript)
-    return Letter(base, (accent,), subscript=subscript)
+        return SymbolName(base, primes=int(primes or 1), subscript=subscript)
+    return SymbolName(base, (accent,), subscript=subscript)

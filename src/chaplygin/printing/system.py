@@ -13,8 +13,8 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from .formula import LATEX, UNICODE, Notation, latex, rate, signed_terms, text, width
-from .laws import caption, equation, heading, sides
-from .layout import Page, Pairs, motion_of, page_of
+from .laws import caption, equation, heading, equation_sides
+from .layout import Layout, Pairs, reconstruction_layout, layout
 from .mathml import mathml, width_of
 from .numerals import number, unit
 
@@ -58,7 +58,7 @@ def system_text(system: System) -> str:
         Title and summary, equations of motion, what their letters stand for, phase space,
         parameters, laws and source.
     """
-    page = page_of(system)
+    page = layout(system)
     blocks = [[system.title, *_paragraph(system.summary)]]
     blocks.append(["Equations of motion", *_field_lines(page)])
     if page.where:
@@ -89,23 +89,23 @@ def _law_blocks(system: System) -> list[list[str]]:
         laws = [row for law in system.integrals for row in _law_rows(law, system)]
         blocks.append(["Constant along the motion", *_table(laws)])
     blocks += [_law_lines(law, system) for law in _others(system)]
-    if further := page_of(system).further:
+    if further := layout(system).further:
         blocks.append(["In the laws", *_equations(_written(further))])
     return blocks
 
 
 def field_text(system: System) -> list[str]:
     """The equations of motion alone, as indented lines at most 100 columns wide."""
-    return _field_lines(page_of(system))
+    return _field_lines(layout(system))
 
 
 def motion_text(system: System) -> list[str]:
     """The equations of the lift to space, as indented lines; none without a lift."""
-    page = motion_of(system)
+    page = reconstruction_layout(system)
     return _field_lines(page) + _equations(_written(page.where))
 
 
-def _field_lines(page: Page) -> list[str]:
+def _field_lines(page: Layout) -> list[str]:
     return _equations((rate(name, UNICODE), text(formula)) for name, formula in page.field)
 
 
@@ -137,7 +137,7 @@ def _others(system: System) -> list[Law]:
 def _law_lines(law: Law, system: System) -> list[str]:
     """A law of any kind: what it is, its equations, its caption."""
     lines = [heading(law)]
-    for left, right in sides(law, system, UNICODE):
+    for left, right in equation_sides(law, system, UNICODE):
         head = f"{_INDENT}{left} = " if left else _INDENT * 2
         lines += _broken(head, right if isinstance(right, str) else text(right))
     told = caption(law, system, text)
@@ -206,7 +206,7 @@ def system_latex(system: System) -> str:
     str
         LaTeX for math mode; long sums are broken into several lines.
     """
-    page = page_of(system)
+    page = layout(system)
     rows = _aligned_rows((rate(name, LATEX), formula) for name, formula in page.field)
     if page.where:
         rows.append(r"\text{where} \quad &")
@@ -265,7 +265,7 @@ def system_html(system: System) -> str:
         One ``<section class="chaplygin-system">`` with title, equations, what their letters
         stand for, phase space, parameters, laws and source.
     """
-    page = page_of(system)
+    page = layout(system)
     parts = [_STYLE, f"<h3>{html.escape(system.title)}</h3>"]
     if system.summary:
         parts.append(f"<p>{html.escape(system.summary)}</p>")
@@ -291,7 +291,7 @@ def system_html(system: System) -> str:
 
 def motion_html(system: System) -> str:
     """The equations of the lift to space as HTML; empty without a lift."""
-    page = motion_of(system)
+    page = reconstruction_layout(system)
     rows = _aligned_rows((rate(name, LATEX), formula) for name, formula in page.field)
     return _display(rows + _defining_rows(page.where)) if rows else ""
 
@@ -308,7 +308,7 @@ def law_html(law: Law, system: System) -> str:
 def claims_html(system: System) -> str:
     """All laws of a system, integrals too, and what their letters stand for; empty without any."""
     parts = [law_html(law, system) for law in system.laws]
-    further = page_of(system).further
+    further = layout(system).further
     if parts and further:
         parts += ["<h4>In the laws</h4>", _display(_defining_rows(further))]
     return "\n".join(parts)
@@ -323,7 +323,7 @@ def law_latex(law: Law, system: System) -> str:
 
 def _law_rows_latex(law: Law, system: System) -> list[str]:
     rows = []
-    for left, right in sides(law, system, LATEX):
+    for left, right in equation_sides(law, system, LATEX):
         if isinstance(right, str):
             rows.append(f"{left} &= {right}" if left else rf"&\quad {right}")
         else:

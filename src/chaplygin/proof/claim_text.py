@@ -19,7 +19,7 @@ from ..core.laws import (
     Symmetry,
 )
 from ..core.system import System
-from ..core.vectors import explicit
+from ..core.vectors import to_components
 from .level.named_formulas import scalars
 
 __all__ = ["admissible", "claim_text", "guards", "powers_text", "terms_text"]
@@ -47,7 +47,7 @@ def _system(system: System) -> Text:
 
 def guards(system: System) -> tuple[sp.Expr, ...]:
     """What is positive inside the domain, apart from conditions on parameters."""
-    declared = [explicit(guard.value) for guard in system.guards if not guard.lift_off]
+    declared = [to_components(guard.value) for guard in system.guards if not guard.lift_off]
     assumed = [s for s in system.symbols if s.is_positive]
     assumed += [-s for s in system.symbols if s.is_negative]
     return (*declared, *assumed)
@@ -83,9 +83,9 @@ def _law(system: System, law: Law) -> Text:
 
 def _content(system: System, law: Law) -> Text:
     if isinstance(law, Integral):
-        return {"value": str(explicit(law.value))}
+        return {"value": str(to_components(law.value))}
     if isinstance(law, Measure):
-        density = [[str(explicit(base)), str(sp.sympify(power))] for base, power in law.density]
+        density = [[str(to_components(base)), str(sp.sympify(power))] for base, power in law.density]
         return {"density": density}
     if isinstance(law, Symmetry):
         return {"field": _pairs(law.field)}
@@ -93,15 +93,15 @@ def _content(system: System, law: Law) -> Text:
         return _bracket(law)
     if isinstance(law, ConformallyHamiltonian):
         return {
-            "multiplier": str(explicit(law.multiplier)),
-            "hamiltonian": str(explicit(law.hamiltonian)),
+            "multiplier": str(to_components(law.multiplier)),
+            "hamiltonian": str(to_components(law.hamiltonian)),
             "structure": {"name": law.structure.name, **_bracket(law.structure)},
         }
     if isinstance(law, Isomorphism):
         return {
             "target": _system(law.target),
             "map": _pairs(law.map),
-            "time": str(explicit(law.time)),
+            "time": str(to_components(law.time)),
             "constants": _pairs(law.constants),
             "onto": [str(_there(system, law, condition)) for condition in law.onto],
         }
@@ -117,7 +117,7 @@ def _there(system: System, law: Isomorphism, condition: Any) -> Any:
     target = law.target
     theirs = {*target.symbols, *target.defaults, *(s for s, _ in target.steps)}
     steps = {s: value for s, value in system.steps if s not in theirs}
-    formula = explicit(condition)
+    formula = to_components(condition)
     while formula.free_symbols & steps.keys():
         formula = formula.xreplace(steps)
     return formula
@@ -133,7 +133,7 @@ def _bracket(law: PoissonStructure) -> Text:
 
 
 def _formulas(formulas: Iterable[Any]) -> list[str]:
-    return [str(explicit(formula)) for formula in formulas]
+    return [str(to_components(formula)) for formula in formulas]
 
 
 def _pairs(pairs: Iterable[tuple[Any, Any]]) -> list[list[str]]:

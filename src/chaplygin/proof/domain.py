@@ -19,19 +19,19 @@ from ..formulas.errors import OutOfReachError, UnknownSymbolError
 from ..formulas.jets import Evaluator, Jet
 from .fields.quotient_ring import Element
 from .fields.unreduced_fields import Unreduced
-from .level.level_set import Ground
+from .level.level_set import LevelSet
 from .level.named_formulas import named
 from .level.time_derivatives import without_second_rates
 from .residuals import arrived
 
-__all__ = ["Divisor", "divisors", "read"]
+__all__ = ["Divisor", "divisors", "sympy_formula"]
 
 #: Formula, where it stands ("own" or "target"), its value, and whether it must be positive.
 Divisor = tuple[str, str, Element, bool]
 _Value = Callable[[Formula], tuple[str, Element]]
 
 
-def divisors(claim: CheckedClaim, law: Law, ground: Ground, made: Unreduced) -> Iterator[Divisor]:
+def divisors(claim: CheckedClaim, law: Law, ground: LevelSet, made: Unreduced) -> Iterator[Divisor]:
     """All divisors and radicands of a law, apart from those that have no value in the field."""
     settled = {str(s): parse(str(v), "a settled parameter") for s, v in ground.settled.items()}
     found = domain(claim, settled)
@@ -55,24 +55,24 @@ def divisors(claim: CheckedClaim, law: Law, ground: Ground, made: Unreduced) -> 
             yield GRAM, "own", value, False
 
 
-def _own(law: Law, ground: Ground, made: Unreduced) -> list[_Value]:
+def _own(law: Law, ground: LevelSet, made: Unreduced) -> list[_Value]:
     """Values with derivatives along the motion, and without, which may be written otherwise."""
     quantities = named(law, ground) if isinstance(law, Reduction | Identity) else {}
     evaluators = (ground.along(made), ground.evaluator(made), ground.partial(made))
     return [_value(ground, quantities, e.with_steps(quantities)) for e in evaluators]
 
 
-def _value(ground: Ground, quantities: Mapping[sp.Symbol, sp.Expr], evaluate: Evaluator) -> _Value:
+def _value(ground: LevelSet, quantities: Mapping[sp.Symbol, sp.Expr], evaluate: Evaluator) -> _Value:
     table = {**ground.named, **{str(s): s for s in quantities}}
 
     def value(formula: Formula) -> tuple[str, Element]:
-        made_of = read(formula, table)
+        made_of = sympy_formula(formula, table)
         return str(made_of), evaluate.value(without_second_rates(made_of, ground, quantities))
 
     return value
 
 
-def _target(law: Law, ground: Ground, made: Unreduced) -> list[_Value]:
+def _target(law: Law, ground: LevelSet, made: Unreduced) -> list[_Value]:
     if not isinstance(law, Isomorphism):
         return []
     along = ground.along(made)
@@ -81,13 +81,13 @@ def _target(law: Law, ground: Ground, made: Unreduced) -> list[_Value]:
     table = {str(s): s for s in (*given, *(s for s, _ in law.target.steps))}
 
     def value(formula: Formula) -> tuple[str, Element]:
-        made_of = read(formula, table)
+        made_of = sympy_formula(formula, table)
         return str(made_of), there.value(made_of)
 
     return [value]
 
 
-def _volumes(ground: Ground, made: Unreduced) -> Iterator[Element]:
+def _volumes(ground: LevelSet, made: Unreduced) -> Iterator[Element]:
     """The leading minors of the Gram matrix of the conditions."""
     partial = ground.partial(made)
     symbols = ground.system.symbols
@@ -115,9 +115,9 @@ def _determinant(made: Unreduced, rows: Sequence[Sequence[Element]]) -> Element:
     return total
 
 
-def read(formula: Formula, table: Mapping[str, sp.Symbol]) -> sp.Expr:
+def sympy_formula(formula: Formula, table: Mapping[str, sp.Symbol]) -> sp.Expr:
     """A formula of the check as one of SymPy."""
-    parts = [read(part, table) for part in formula.parts]
+    parts = [sympy_formula(part, table) for part in formula.parts]
     if formula.kind == "number":
         return sp.Rational(formula.word.numerator, formula.word.denominator)
     if formula.kind == "name":

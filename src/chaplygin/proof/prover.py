@@ -25,22 +25,22 @@ from ..check.claim.claim import Claim as CheckedClaim
 from ..check.claim.claim import read_claim
 from ..check.claim.errors import UndefinedError
 from ..check.witness import located
-from ..core.admissible import conditions, satisfied
+from ..core.admissible import conditions, satisfies
 from ..core.isomorphism import Isomorphism
 from ..core.laws import Law, Measure, PoissonStructure, Separation
 from ..core.system import System
-from ..core.vectors import explicit
+from ..core.vectors import to_components
 from ..errors import InputError
-from ..formulas.errors import NotExactError, OutOfReachError, SpareNeededError, UnknownSymbolError
-from ..formulas.number_fields import precise
+from ..formulas.errors import NotExactError, OutOfReachError, NeedMoreGeneratorsError, UnknownSymbolError
+from ..formulas.number_fields import ball_precision
 from ..printing.formula import text
 from .claim_text import claim_text
 from .fields.budget import EFFORT, Budget, allowed
-from .fields.function_field import Fractions
+from .fields.function_field import FunctionField
 from .fields.signs import Sign
 from .level.alternatives import Alternative, alternatives
-from .level.level_set import EmptyGroundError, Ground
-from .level.polynomial_problems import Claim, standing
+from .level.level_set import EmptyGroundError, LevelSet
+from .level.polynomial_problems import Claim, polynomial_problems
 from .level.positivity import orienting, positives
 from .level.sample_points import far, near
 from .random_test import Trial, backwards, trials
@@ -48,8 +48,8 @@ from .rank import DIMENSION
 from .remarks import remark
 from .symbolic_proof import Proof, proof
 from .verdict import Verdict
-from .verdict_cache import fingerprint, recall, remember
-from .witness_points import Witness, place, witness
+from .verdict_cache import fingerprint, load_verdict, store_verdict
+from .witness_points import Witness, witness_point, witness
 
 __all__ = ["prove"]
 
@@ -92,13 +92,13 @@ def prove(
     _check_defaults(system)
     _check_formulas(system, law)
     name = fingerprint(system, law)
-    kept = recall(name, effort)
+    kept = load_verdict(name, effort)
     if kept is not None:
         return kept
     started = time.monotonic()
     budget = Budget(effort=effort)
     try:
-        with precise():
+        with ball_precision():
             verdict = replace(_decided(system, law, budget), terms=budget.largest)
     except UnknownSymbolError as symbol:
         raise InputError(
@@ -108,7 +108,7 @@ def prove(
     except OutOfReachError as reason:
         verdict = Verdict(law.name, "undecided", reason=str(reason))
     verdict = replace(verdict, effort=budget.used, seconds=time.monotonic() - started)
-    remember(name, verdict, effort)
+    store_verdict(name, verdict, effort)
     return verdict
 
 
@@ -120,7 +120,7 @@ def _check_defaults(system: System) -> None:
                 f"{system.name}: the default {parameter.default} of {parameter.symbol} is no number"
             )
     for parameter, condition in conditions(system.parameters):
-        if condition.free_symbols <= set(system.defaults) and not satisfied(
+        if condition.free_symbols <= set(system.defaults) and not satisfies(
             condition, system.defaults
         ):
             raise InputError(
@@ -260,7 +260,7 @@ class _Checked:
     def read(self) -> CheckedClaim:
         return read_claim(claim_text(self.system, self.law), "the claim")
 
-    def refutation(self, claim: Claim, ground: Ground, trial: Trial) -> _Part | None:
+    def refutation(self, claim: Claim, ground: LevelSet, trial: Trial) -> _Part | None:
         """That the law fails at a point; None where the check does not find so."""
         try:
             found = witness(self.read, claim, ground, trial.values)
@@ -270,7 +270,7 @@ class _Checked:
             return None
         return _Part((), trial=trial, point=ground.point_shown(trial.field), witness=found)
 
-    def _beyond(self, claim: Claim, ground: Ground, trial: Trial) -> bool:
+    def _beyond(self, claim: Claim, ground: LevelSet, trial: Trial) -> bool:
         """Whether the check has the point, but not the residual, which it does not know.
 
         It knows rates of the conditions as they are given, not of the equations of a component;
@@ -279,7 +279,7 @@ class _Checked:
         what = trial.witness[0] if trial.witness else ""
         if not (isinstance(self.law, Separation) or what.startswith(("invariance", "dτ/dt"))):
             return False
-        made = place(claim, ground, trial.values)
+        made = witness_point(claim, ground, trial.values)
         if made is not None:
             located(self.read, made)
         return made is not None
@@ -288,12 +288,12 @@ class _Checked:
 def _of_alternative(alternative: Alternative, budget: Budget, checked: _Checked) -> Iterator[_Part]:
     """The law on the components of one alternative of its level."""
     try:
-        claims = standing(alternative.system, alternative.law)
+        claims = polynomial_problems(alternative.system, alternative.law)
     except OutOfReachError as reason:
         yield _Part(alternative.chosen, Proof(0, failure=str(reason)))
         return
     for claim in claims:
-        grounds = Ground(claim.system, claim.law.on).components
+        grounds = LevelSet(claim.system, claim.law.on).components
         for ground in grounds:
             part = _on(ground, claim, budget, checked)
             yield replace(part, chosen=(*alternative.chosen, *ground.chosen))
@@ -303,7 +303,7 @@ def _of_alternative(alternative: Alternative, budget: Budget, checked: _Checked)
             yield _Part((*alternative.chosen, excluded), Proof(0, failure="not decided"))
 
 
-def _on(ground: Ground, claim: Claim, budget: Budget, checked: _Checked) -> _Part:
+def _on(ground: LevelSet, claim: Claim, budget: Budget, checked: _Checked) -> _Part:
     """The law on one component."""
     # motions may leave a part on which an initial vanishes for the rest of the component
     points = replace(ground, inner=True) if ground.parent else ground
@@ -344,9 +344,9 @@ def _on(ground: Ground, claim: Claim, budget: Budget, checked: _Checked) -> _Par
     return _Part((), found, needs=_needs(law, ground), remark=_remark(law, ground, first))
 
 
-def _needs(law: Law, ground: Ground) -> tuple[tuple[str, str], ...]:
+def _needs(law: Law, ground: LevelSet) -> tuple[tuple[str, str], ...]:
     """Time must run forward: rates of time not known to be positive, in words and as formulas."""
-    if not isinstance(law, Isomorphism) or ground.sign(explicit(law.time)) is Sign.POSITIVE:
+    if not isinstance(law, Isomorphism) or ground.sign(to_components(law.time)) is Sign.POSITIVE:
         return ()
     return tuple(
         (f"{what} > 0", f"{formula} > 0")
@@ -355,22 +355,22 @@ def _needs(law: Law, ground: Ground) -> tuple[tuple[str, str], ...]:
     )
 
 
-def _remark(law: Law, ground: Ground, first: Trial | None) -> str:
+def _remark(law: Law, ground: LevelSet, first: Trial | None) -> str:
     """What is to be said of a law that holds: where a density is real, what is trivial."""
     if isinstance(law, Measure):
         return _of_density(law, ground)
     try:
         said = first is not None and remark(law, ground, first.field)
         return f"; {said}" if said and said == remark(law, ground, _symbols(ground)) else ""
-    except (NotExactError, OutOfReachError, SpareNeededError, ZeroDivisionError):
+    except (NotExactError, OutOfReachError, NeedMoreGeneratorsError, ZeroDivisionError):
         return ""
 
 
-def _symbols(ground: Ground) -> Fractions:
-    return ground.fractions(Fractions, 32, None, Budget())
+def _symbols(ground: LevelSet) -> FunctionField:
+    return ground.fractions(FunctionField, 32, None, Budget())
 
 
-def _of_density(law: Measure, ground: Ground) -> str:
+def _of_density(law: Measure, ground: LevelSet) -> str:
     real = [
         f"{text(formula)} > 0"
         for _, formula in positives(law, ground)

@@ -12,10 +12,10 @@ from ..core.isomorphism import Isomorphism
 from ..core.laws import Law
 from ..formulas.errors import NotExactError, OutOfReachError
 from ..formulas.number_fields import Balls, Rationals
-from .level.level_set import Draw, Ground
+from .level.level_set import Draw, LevelSet
 from .level.positivity import unmet
 from .level.sample_points import broad, far, near
-from .rank import shortfall
+from .rank import rank_defect
 from .residuals import preserved, residuals
 
 __all__ = ["Trial", "backwards", "everything", "trials"]
@@ -47,14 +47,14 @@ class Trial:
     lack: tuple[str, Any] | None = None
 
 
-def everything(law: Law, ground: Ground, field: Any) -> Iterator[tuple[str, Any]]:
+def everything(law: Law, ground: LevelSet, field: Any) -> Iterator[tuple[str, Any]]:
     """All residuals: of the level being invariant, and of the law."""
     yield from preserved(ground, field)
     yield from residuals(law, ground, field)
 
 
 def trials(
-    law: Law, ground: Ground, draws: Sequence[Draw] = (near, near, far, far, far, far)
+    law: Law, ground: LevelSet, draws: Sequence[Draw] = (near, near, far, far, far, far)
 ) -> Iterator[Trial]:
     """A law at random points of the domain; fewer than asked for where there are not enough.
 
@@ -77,7 +77,7 @@ def trials(
         yield found
 
 
-def backwards(law: Law, ground: Ground) -> Trial | None:
+def backwards(law: Law, ground: LevelSet) -> Trial | None:
     """A point of the domain at which the time of an isomorphism does not run forward."""
     if not isinstance(law, Isomorphism):
         return None
@@ -91,7 +91,7 @@ def backwards(law: Law, ground: Ground) -> Trial | None:
 
 def _first(
     compute: Callable[[Any, Mapping[str, Any]], Trial],
-    ground: Ground,
+    ground: LevelSet,
     generator: random.Random,
     draw: Draw,
 ) -> Trial | None:
@@ -112,7 +112,7 @@ def _first(
     return None
 
 
-def _at(law: Law, ground: Ground, field: Any, values: Mapping[str, Any]) -> Trial:
+def _at(law: Law, ground: LevelSet, field: Any, values: Mapping[str, Any]) -> Trial:
     if unmet(law, ground, field):
         # the law makes no sense here
         raise ZeroDivisionError
@@ -120,6 +120,6 @@ def _at(law: Law, ground: Ground, field: Any, values: Mapping[str, Any]) -> Tria
         if not field.vanishes(residual):
             return Trial(field, values, (what, residual))
     try:
-        return Trial(field, values, lack=shortfall(law, ground, field))
+        return Trial(field, values, lack=rank_defect(law, ground, field))
     except OutOfReachError as reason:
         return Trial(field, values, lack=(str(reason), "not certain"))

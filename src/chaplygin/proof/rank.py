@@ -25,18 +25,18 @@ from ..core.laws import (
     Reduction,
     Separation,
 )
-from ..core.vectors import explicit
+from ..core.vectors import to_components
 from ..formulas.errors import OutOfReachError
 from ..formulas.jets import Evaluator, Jet
 from .level.alternatives import alternatives
 from .level.closedness import closing, up_to_time
-from .level.level_set import Ground
+from .level.level_set import LevelSet
 from .level.named_formulas import components
 from .level.separability import of_separation
 from .level.time_derivatives import without_rates
 from .residuals import arrived, pfaffian
 
-__all__ = ["DIMENSION", "pfaffians", "rank", "shortfall"]
+__all__ = ["DIMENSION", "pfaffians", "rank", "rank_defect"]
 
 Row = Sequence[Any]
 
@@ -62,7 +62,7 @@ def rank(field: Any, matrix: Sequence[Row]) -> int:
 
 
 @singledispatch
-def shortfall(law: Law, ground: Ground, field: Any) -> tuple[str, Any] | None:
+def rank_defect(law: Law, ground: LevelSet, field: Any) -> tuple[str, Any] | None:
     """What a law lacks in rank, or None.
 
     Parameters
@@ -89,7 +89,7 @@ def shortfall(law: Law, ground: Ground, field: Any) -> tuple[str, Any] | None:
 # --- brackets ------------------------------------------------------------------------------
 
 
-def pfaffians(law: Law, ground: Ground, field: Any) -> Iterator[tuple[str, Any]]:
+def pfaffians(law: Law, ground: LevelSet, field: Any) -> Iterator[tuple[str, Any]]:
     """The Pfaffians of the size of the rank claimed, of a bracket or of the form that uses one.
 
     The rank is attained where one of them is not zero; it is attained nowhere if all of them vanish
@@ -103,7 +103,7 @@ def pfaffians(law: Law, ground: Ground, field: Any) -> Iterator[tuple[str, Any]]
         yield f"Pfaffian of {rows}", pfaffian(field, values, rows)
 
 
-def _entries(law: PoissonStructure, ground: Ground, field: Any) -> list[list[Any]]:
+def _entries(law: PoissonStructure, ground: LevelSet, field: Any) -> list[list[Any]]:
     plain = ground.evaluator(field)
     size = len(ground.system.symbols)
     return [
@@ -112,29 +112,29 @@ def _entries(law: PoissonStructure, ground: Ground, field: Any) -> list[list[Any
     ]
 
 
-@shortfall.register
-def _(law: PoissonStructure, ground: Ground, field: Any) -> tuple[str, Any] | None:
+@rank_defect.register
+def _(law: PoissonStructure, ground: LevelSet, field: Any) -> tuple[str, Any] | None:
     if not law.rank:
         return None
     found = rank(field, _entries(law, ground, field))
     return _lacking("the rank of the bracket", found, law.rank, field)
 
 
-@shortfall.register
-def _(law: ConformallyHamiltonian, ground: Ground, field: Any) -> tuple[str, Any] | None:
-    multiplier = ground.evaluator(field).value(explicit(law.multiplier))
+@rank_defect.register
+def _(law: ConformallyHamiltonian, ground: LevelSet, field: Any) -> tuple[str, Any] | None:
+    multiplier = ground.evaluator(field).value(to_components(law.multiplier))
     if field.vanishes(multiplier):
         if not field.exact:
             raise OutOfReachError("with balls it is not certain that the multiplier is not zero")
         return "the multiplier", "0"
-    return shortfall(law.structure, ground, field)
+    return rank_defect(law.structure, ground, field)
 
 
 # --- isomorphisms --------------------------------------------------------------------------
 
 
-@shortfall.register
-def _(law: Isomorphism, ground: Ground, field: Any) -> tuple[str, Any] | None:
+@rank_defect.register
+def _(law: Isomorphism, ground: LevelSet, field: Any) -> tuple[str, Any] | None:
     """The map must be a local diffeomorphism from the level onto the target's phase space.
 
     The level is where the conditions hold and the constants have fixed values; the phase space is
@@ -158,7 +158,7 @@ def _(law: Isomorphism, ground: Ground, field: Any) -> tuple[str, Any] | None:
 
 
 def _too_large(
-    law: Isomorphism, ground: Ground, field: Any, size: int, bounds: list[Row]
+    law: Isomorphism, ground: LevelSet, field: Any, size: int, bounds: list[Row]
 ) -> tuple[str, Any] | None:
     """Whether the target has directions that no motion of the source takes."""
     target = law.target
@@ -178,7 +178,7 @@ def _too_large(
 
     bound = rank(field, bounds)
     here = size - bound
-    relations = normals(Ground(target, law.onto).conditions)
+    relations = normals(LevelSet(target, law.onto).conditions)
     cut = rank(field, relations)
     if here != len(number) - cut:
         # the conditions may be products, whose differentials vanish where two factors do
@@ -207,7 +207,7 @@ def _around(law: Isomorphism, field: Any, there: Evaluator) -> tuple[sp.Expr, ..
     """
     whole = Identity("phase space", sp.S.Zero, on=law.onto)
     for alternative in alternatives(law.target, whole):
-        for part in Ground(alternative.system, alternative.law.on).components:
+        for part in LevelSet(alternative.system, alternative.law.on).components:
             if not part.parent and all(field.vanishes(there.value(c)) for c in part.conditions):
                 return part.conditions
     raise OutOfReachError("the component of the target to which the map leads is not known")
@@ -216,8 +216,8 @@ def _around(law: Isomorphism, field: Any, there: Evaluator) -> tuple[sp.Expr, ..
 # --- reductions ----------------------------------------------------------------------------
 
 
-@shortfall.register
-def _(law: Reduction, ground: Ground, field: Any) -> tuple[str, Any] | None:
+@rank_defect.register
+def _(law: Reduction, ground: LevelSet, field: Any) -> tuple[str, Any] | None:
     """The equations must determine all rates, or the ratios of two independent ones at least."""
     stated, known, unknowns = closing(law, ground, field)
     wanted = unknowns
@@ -230,8 +230,8 @@ def _(law: Reduction, ground: Ground, field: Any) -> tuple[str, Any] | None:
     return _lacking("the rank of the equations in the rates", found, wanted, field)
 
 
-@shortfall.register
-def _(law: Separation, ground: Ground, field: Any) -> tuple[str, Any] | None:
+@rank_defect.register
+def _(law: Separation, ground: LevelSet, field: Any) -> tuple[str, Any] | None:
     """The quantities that separate must be independent on a level of the constants."""
     bounds, quantities = of_separation(law, ground, field)
     found = rank(field, [*bounds, *quantities]) - rank(field, bounds)

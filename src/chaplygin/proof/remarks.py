@@ -6,9 +6,9 @@ from functools import singledispatch
 from typing import Any
 
 from ..core.laws import Integral, Law, Reduction, Symmetry
-from ..core.vectors import explicit
+from ..core.vectors import to_components
 from .level.closedness import up_to_time
-from .level.level_set import Ground
+from .level.level_set import LevelSet
 from .level.named_formulas import components
 from .level.time_derivatives import without_rates
 from .rank import rank
@@ -17,7 +17,7 @@ __all__ = ["remark"]
 
 
 @singledispatch
-def remark(law: Law, ground: Ground, field: Any) -> str:
+def remark(law: Law, ground: LevelSet, field: Any) -> str:
     """A few words on a law that holds, or nothing.
 
     Parameters
@@ -32,11 +32,11 @@ def remark(law: Law, ground: Ground, field: Any) -> str:
 
 
 @remark.register
-def _(law: Integral, ground: Ground, field: Any) -> str:
+def _(law: Integral, ground: LevelSet, field: Any) -> str:
     """Whether the function is constant: no motion is told from another by it."""
     partial = ground.partial(field)
     size = len(ground.system.symbols)
-    formulas = [*ground.moving, without_rates(explicit(law.value), ground)]
+    formulas = [*ground.moving, without_rates(to_components(law.value), ground)]
     slopes = [partial(formula).slopes for formula in formulas]
     rows = [[s.get(i, field.zero) for i in range(size)] for s in slopes]
     same = rank(field, rows) == rank(field, rows[:-1])
@@ -44,7 +44,7 @@ def _(law: Integral, ground: Ground, field: Any) -> str:
 
 
 @remark.register
-def _(law: Symmetry, ground: Ground, field: Any) -> str:
+def _(law: Symmetry, ground: LevelSet, field: Any) -> str:
     """Whether the field is zero."""
     evaluate = ground.evaluator(field)
     values = [evaluate.value(formula) for formula in components(law.field, ground).values()]
@@ -52,6 +52,6 @@ def _(law: Symmetry, ground: Ground, field: Any) -> str:
 
 
 @remark.register
-def _(law: Reduction, ground: Ground, field: Any) -> str:
+def _(law: Reduction, ground: LevelSet, field: Any) -> str:
     """Whether the equations leave the time open."""
     return "up to the time" if up_to_time(law, ground) else ""

@@ -25,11 +25,11 @@ from ..core.laws import (
     Separation,
     Symmetry,
 )
-from ..core.vectors import explicit
+from ..core.vectors import to_components
 from ..errors import InputError
 from ..formulas.jets import Evaluator, Jet
 from ..printing.formula import text
-from .level.level_set import Ground
+from .level.level_set import LevelSet
 from .level.named_formulas import components, named, scalars
 from .level.separability import separated
 from .level.time_derivatives import without_rates, without_second_rates
@@ -40,12 +40,12 @@ Residuals: TypeAlias = Iterator[tuple[str, Any]]
 
 
 @singledispatch
-def residuals(law: Law, ground: Ground, field: Any) -> Residuals:
+def residuals(law: Law, ground: LevelSet, field: Any) -> Residuals:
     """What must vanish for `law` to hold on `ground`, evaluated in `field`."""
     raise InputError(f"a law of kind {type(law).__name__} cannot be proved")
 
 
-def preserved(ground: Ground, field: Any) -> Residuals:
+def preserved(ground: LevelSet, field: Any) -> Residuals:
     """Rates of the conditions: they vanish when the phase space and the level are invariant."""
     along = ground.along(field)
     for condition in ground.moving:
@@ -56,12 +56,12 @@ def preserved(ground: Ground, field: Any) -> Residuals:
 
 
 @residuals.register
-def _(law: Integral, ground: Ground, field: Any) -> Residuals:
-    yield "v(F)", ground.along(field).slope(without_rates(explicit(law.value), ground))
+def _(law: Integral, ground: LevelSet, field: Any) -> Residuals:
+    yield "v(F)", ground.along(field).slope(without_rates(to_components(law.value), ground))
 
 
 @residuals.register
-def _(law: Identity, ground: Ground, field: Any) -> Residuals:
+def _(law: Identity, ground: LevelSet, field: Any) -> Residuals:
     quantities = named(law, ground)
     formulas = [without_second_rates(f, ground, quantities) for f in scalars(law.value)]
     if not formulas:
@@ -73,16 +73,16 @@ def _(law: Identity, ground: Ground, field: Any) -> Residuals:
 
 
 @residuals.register
-def _(law: Reduction, ground: Ground, field: Any) -> Residuals:
+def _(law: Reduction, ground: LevelSet, field: Any) -> Residuals:
     quantities = named(law, ground)
     evaluate = ground.along(field).with_steps(quantities)
     for i, equation in enumerate(law.equations, 1):
-        formula = without_second_rates(explicit(equation), ground, quantities)
+        formula = without_second_rates(to_components(equation), ground, quantities)
         yield f"equation {i}", evaluate.value(formula)
 
 
 @residuals.register
-def _(law: Separation, ground: Ground, field: Any) -> Residuals:
+def _(law: Separation, ground: LevelSet, field: Any) -> Residuals:
     yield from residuals.dispatch(Reduction)(law, ground, field)
     evaluate = ground.evaluator(field).with_steps(named(law, ground))
     for what, formula in separated(law, ground):
@@ -93,14 +93,14 @@ def _(law: Separation, ground: Ground, field: Any) -> Residuals:
 
 
 @residuals.register
-def _(law: Measure, ground: Ground, field: Any) -> Residuals:
+def _(law: Measure, ground: LevelSet, field: Any) -> Residuals:
     partial = ground.partial(field)
     rates = [partial(rate) for rate in ground.system.rates]
     total = field.zero
     for i, rate in enumerate(rates):
         total = total + _slope(field, rate, i)
     for base, exponent in law.density:
-        inner, power = partial(without_rates(explicit(base), ground)), partial(sp.sympify(exponent))
+        inner, power = partial(without_rates(to_components(base), ground)), partial(sp.sympify(exponent))
         if power.slopes:
             raise InputError(
                 f"the law {law.name!r}: the exponent {exponent} of a density must not depend on "
@@ -124,7 +124,7 @@ def _along(field: Any, jet: Jet, rates: Sequence[Jet]) -> Any:
     return total
 
 
-def _transverse(ground: Ground, field: Any, partial: Evaluator, rates: Sequence[Jet]) -> Any:
+def _transverse(ground: LevelSet, field: Any, partial: Evaluator, rates: Sequence[Jet]) -> Any:
     """The part of the divergence that points out of the phase space.
 
     With v(F_i) = Σ C_ij F_j for the conditions F it is the trace of C.
@@ -180,7 +180,7 @@ def _solution(field: Any, matrix: Sequence[Sequence[Any]], right: Sequence[Any])
 
 
 @residuals.register
-def _(law: Symmetry, ground: Ground, field: Any) -> Residuals:
+def _(law: Symmetry, ground: LevelSet, field: Any) -> Residuals:
     partial = ground.partial(field)
     given = components(law.field, ground)
     symbols = ground.system.symbols
@@ -201,7 +201,7 @@ def _(law: Symmetry, ground: Ground, field: Any) -> Residuals:
 
 
 @residuals.register
-def _(law: PoissonStructure, ground: Ground, field: Any) -> Residuals:
+def _(law: PoissonStructure, ground: LevelSet, field: Any) -> Residuals:
     partial = ground.partial(field)
     size = len(ground.system.symbols)
     if law.matrix.shape != (size, size):
@@ -226,7 +226,7 @@ def _(law: PoissonStructure, ground: Ground, field: Any) -> Residuals:
         yield f"Jacobi identity {i + 1}, {j + 1}, {k + 1}", total
     for casimir in law.casimirs:
         yield from _casimir(
-            field, f"{{·, {casimir}}}", partial(without_rates(explicit(casimir), ground)), values
+            field, f"{{·, {casimir}}}", partial(without_rates(to_components(casimir), ground)), values
         )
     if law.rank is not None:
         for rows in combinations(range(size), law.rank + 2):
@@ -255,12 +255,12 @@ def pfaffian(field: Any, matrix: Sequence[Sequence[Any]], rows: tuple[int, ...])
 
 
 @residuals.register
-def _(law: ConformallyHamiltonian, ground: Ground, field: Any) -> Residuals:
+def _(law: ConformallyHamiltonian, ground: LevelSet, field: Any) -> Residuals:
     yield from residuals(law.structure, ground, field)
     partial = ground.partial(field)
     size = len(ground.system.symbols)
-    gradient = partial(without_rates(explicit(law.hamiltonian), ground)).slopes
-    multiplier = partial.value(explicit(law.multiplier))
+    gradient = partial(without_rates(to_components(law.hamiltonian), ground)).slopes
+    multiplier = partial.value(to_components(law.multiplier))
     for i, rate in enumerate(ground.system.rates):
         total = field.zero
         for j in range(size):
@@ -274,7 +274,7 @@ def _(law: ConformallyHamiltonian, ground: Ground, field: Any) -> Residuals:
 
 
 @residuals.register
-def _(law: Isomorphism, ground: Ground, field: Any) -> Residuals:
+def _(law: Isomorphism, ground: LevelSet, field: Any) -> Residuals:
     along = ground.along(field)
     target = law.target
     images = components(law.map, ground)
@@ -283,15 +283,15 @@ def _(law: Isomorphism, ground: Ground, field: Any) -> Residuals:
     given = {s: Jet(jet.value, {}) for s, jet in arrived(law, ground, along).items()}
     there = Evaluator(field, given.get, dict(target.steps))
     for relation in target.relations:
-        yield f"{relation} in {target.name}", there.value(explicit(relation))
+        yield f"{relation} in {target.name}", there.value(to_components(relation))
     for condition in law.onto:
-        yield f"{condition} in {target.name}", there.value(explicit(condition))
-    speed = along.value(explicit(law.time))
+        yield f"{condition} in {target.name}", there.value(to_components(condition))
+    speed = along.value(to_components(law.time))
     for symbol, rate in zip(target.symbols, target.rates, strict=True):
         yield f"rate of {symbol}", along.slope(images[symbol]) - speed * there.value(rate)
 
 
-def arrived(law: Isomorphism, ground: Ground, evaluate: Evaluator) -> dict[sp.Symbol, Jet]:
+def arrived(law: Isomorphism, ground: LevelSet, evaluate: Evaluator) -> dict[sp.Symbol, Jet]:
     """State and parameters of the target, as this system gives them, and what `onto` needs.
 
     Raises
@@ -322,7 +322,7 @@ def arrived(law: Isomorphism, ground: Ground, evaluate: Evaluator) -> dict[sp.Sy
         constants[symbol] = symbol
     theirs = {*images, *constants, *(s for s, _ in target.steps)}
     state = set(ground.system.symbols)
-    beside = {s for condition in law.onto for s in explicit(condition).free_symbols} - theirs
+    beside = {s for condition in law.onto for s in to_components(condition).free_symbols} - theirs
     if turning := {s for s in beside if ground.expanded(s).free_symbols & state}:
         raise InputError(
             f"the law {law.name!r}: its level of {target.name} uses "

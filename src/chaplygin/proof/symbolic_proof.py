@@ -14,13 +14,13 @@ from dataclasses import field as dataclass_field
 from typing import Any
 
 from ..core.laws import Law
-from ..formulas.errors import EffortSpentError, NoRealValueError, OutOfReachError, SpareNeededError
+from ..formulas.errors import EffortSpentError, NoRealValueError, OutOfReachError, NeedMoreGeneratorsError
 from .fields.budget import Budget
 from .fields.formal_roots import FormalRoots
-from .fields.function_field import Fractions
-from .level.level_set import Ground
+from .fields.function_field import FunctionField
+from .level.level_set import LevelSet
 from .random_test import everything
-from .rank import shortfall
+from .rank import rank_defect
 
 __all__ = ["MOST_RUNS", "Proof", "proof", "turned"]
 
@@ -54,7 +54,7 @@ class Proof:
 class _Run:
     """One run, with the signs it decided on in words, in order."""
 
-    field: Fractions
+    field: FunctionField
     residuals: int = 0
     failure: str = ""
     void: bool = False
@@ -63,7 +63,7 @@ class _Run:
 
 def proof(
     law: Law,
-    ground: Ground,
+    ground: LevelSet,
     sample: Mapping[str, float] | None,
     budget: Budget,
     attained: bool,
@@ -80,13 +80,13 @@ def proof(
     attained : bool
         Whether the law is known to have the rank it claims.
     """
-    first = _run(Fractions, law, ground, sample, budget, {})
+    first = _run(FunctionField, law, ground, sample, budget, {})
     if first.failure:
         return Proof(first.residuals, failure=first.failure)
     if not (attained or first.void):
         try:
-            lack = shortfall(law, ground, first.field)
-        except (OutOfReachError, SpareNeededError) as reason:
+            lack = rank_defect(law, ground, first.field)
+        except (OutOfReachError, NeedMoreGeneratorsError) as reason:
             return Proof(first.residuals, failure=f"{reason}")
         if lack is not None:
             return Proof(first.residuals, lack=lack)
@@ -104,7 +104,7 @@ def proof(
         if origin in failed:
             continue
         runs += 1
-        made = _run(Fractions, law, ground, sample, budget, signs) if runs <= MOST_RUNS else None
+        made = _run(FunctionField, law, ground, sample, budget, signs) if runs <= MOST_RUNS else None
         if made is None or made.failure:
             failed.add(origin)
             continue
@@ -117,7 +117,7 @@ def proof(
     return Proof(proven[0].residuals, conditions)
 
 
-def turned(field: Fractions, size: int) -> list[tuple[dict[str, int], int, str]]:
+def turned(field: FunctionField, size: int) -> list[tuple[dict[str, int], int, str]]:
     """Signs for runs in which a decision beyond the first `size` of a field is turned around.
 
     Each with the number of signs that are fixed by it, and the decision that is turned.
@@ -131,9 +131,9 @@ def turned(field: Fractions, size: int) -> list[tuple[dict[str, int], int, str]]
 
 
 def _run(
-    kind: type[Fractions],
+    kind: type[FunctionField],
     law: Law,
-    ground: Ground,
+    ground: LevelSet,
     sample: Mapping[str, float] | None,
     budget: Budget,
     signs: Mapping[str, int],
@@ -144,7 +144,7 @@ def _run(
         run = _Run(made)
         try:
             run.residuals, run.failure = _reduced(law, ground, made)
-        except SpareNeededError:
+        except NeedMoreGeneratorsError:
             spare *= 2
             continue
         except (NoRealValueError, ZeroDivisionError):
@@ -158,7 +158,7 @@ def _run(
         return run
 
 
-def _reduced(law: Law, ground: Ground, made: Fractions) -> tuple[int, str]:
+def _reduced(law: Law, ground: LevelSet, made: FunctionField) -> tuple[int, str]:
     count = 0
     for what, residual in everything(law, ground, made):
         if not made.vanishes(residual):

@@ -22,7 +22,7 @@ from ..core.source_digest import core
 from ..core.system import Guard, Parameter, System
 from .verdict import Verdict
 
-__all__ = ["digest", "fingerprint", "recall", "remember"]
+__all__ = ["digest", "fingerprint", "load_verdict", "store_verdict"]
 
 
 FOR_THE_READER = frozenset({"as_printed", "meaning", "misprint", "source", "unit"})
@@ -68,7 +68,7 @@ def _written(value: Any) -> str:
     return repr(value)
 
 
-def recall(name: str, effort: int | None = None) -> Verdict | None:
+def load_verdict(name: str, effort: int | None = None) -> Verdict | None:
     """The verdict kept under a name, if there is one that can be read.
 
     Parameters
@@ -84,7 +84,7 @@ def recall(name: str, effort: int | None = None) -> Verdict | None:
     return _read(_limited(name, effort))
 
 
-def remember(name: str, verdict: Verdict, effort: int | None = None) -> None:
+def store_verdict(name: str, verdict: Verdict, effort: int | None = None) -> None:
     """Keep a verdict; where the disk does not allow it, it is computed again next time.
 
     Parameters
@@ -98,7 +98,7 @@ def remember(name: str, verdict: Verdict, effort: int | None = None) -> None:
     if effort is not None and verdict.effort >= effort:
         name = _limited(name, effort)
     content = {n: v for n, v in vars(verdict).items() if n not in ("certificate", "uncertified")}
-    private_files.write(_file(name), json.dumps(content).encode())
+    private_files.write_private(_file(name), json.dumps(content).encode())
 
 
 def _limited(name: str, effort: int) -> str:
@@ -111,7 +111,7 @@ def _file(name: str) -> Path:
 
 
 def _read(name: str) -> Verdict | None:
-    stored = private_files.read(_file(name))
+    stored = private_files.read_private(_file(name))
     if stored is None:
         return None
     try:

@@ -15,13 +15,13 @@ from ..check.claim.claim import Claim as CheckedClaim
 from ..check.witness import failing
 from ..formulas.errors import NotExactError
 from ..formulas.number_fields import Rationals
-from .level.level_set import Ground
+from .level.level_set import LevelSet
 from .level.polynomial_problems import Claim
 
-__all__ = ["Witness", "place", "witness"]
+__all__ = ["Witness", "witness_point", "witness"]
 
 
-def place(claim: Claim, ground: Ground, values: Mapping[str, Any]) -> dict[str, Any] | None:
+def witness_point(claim: Claim, ground: LevelSet, values: Mapping[str, Any]) -> dict[str, Any] | None:
     """State and parameters of the system that a claim is made of, or None if one has no formula.
 
     Parameters
@@ -91,10 +91,10 @@ class Witness:
 
 
 def witness(
-    read: CheckedClaim, claim: Claim, ground: Ground, values: Mapping[str, Any]
+    read: CheckedClaim, claim: Claim, ground: LevelSet, values: Mapping[str, Any]
 ) -> Witness | None:
     """A point at which a law fails by the check of certificates, or None where it does not."""
-    made = place(claim, ground, values)
+    made = witness_point(claim, ground, values)
     if made is None:
         return None
     try:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..core.system import Observable, System
-from ..core.vectors import scalar
+from ..core.vectors import real_symbol
 from ..errors import InputError
 from ..experiment.file.models import OwnExperiment
 from ..experiment.study import Study
@@ -48,9 +48,9 @@ def _observables(system: System) -> tuple[Observable, ...]:
 
 def _recorded(study: Study) -> str:
     listed = [
-        text(scalar(item.name))
+        text(real_symbol(item.name))
         if item.meaning in ("", item.name)
-        else f"{text(scalar(item.name))} ({item.meaning})"
+        else f"{text(real_symbol(item.name))} ({item.meaning})"
         for item in _observables(study.system)
     ]
     return f"Recorded besides the state: {'; '.join(listed)}." if listed else ""

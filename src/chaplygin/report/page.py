@@ -11,14 +11,14 @@ from markupsafe import Markup
 from matplotlib.figure import Figure
 
 from .._version import __version__
-from ..analysis.classification.classifier import place
-from ..analysis.classification.facts import Patience
-from ..analysis.classification.place import Place, rows
+from ..analysis.classification.classifier import classify
+from ..analysis.classification.facts import ProofBudget
+from ..analysis.classification.place import Classification, rows
 from ..core.laws import Law
-from ..core.vectors import Vector, scalar
+from ..core.vectors import Vector, real_symbol
 from ..errors import RunError
 from ..experiment.ball import setting as ball_setting
-from ..experiment.closed_form import section
+from ..experiment.closed_form import closed_form_section
 from ..experiment.file.models import BallExperiment
 from ..experiment.study import Study, shape_name
 from ..explicit.base.solution import Solution
@@ -84,7 +84,7 @@ def render(
     trajectory: Trajectory,
     dataset: xr.Dataset,
     pictures: Mapping[str, Figure],
-    patience: Patience,
+    patience: ProofBudget,
     failure: RunError | None = None,
     solution: Solution | None = None,
 ) -> str:
@@ -120,7 +120,7 @@ def render(
     )
     system = trajectory.system
     verdicts = patience.verdicts(study.system)
-    stands = place(study.system, verdicts, patience, study.mechanism or study.rolling)
+    stands = classify(study.system, verdicts, patience, study.mechanism or study.rolling)
     drawn = {name: _drawn(name, figure) for name, figure in pictures.items()}
     return environment.get_template("report.html").render(
         signed=signed,
@@ -158,7 +158,7 @@ def render(
             }
             for law in system.integrals
         ],
-        closed=None if solution is None else section(solution, trajectory),
+        closed=None if solution is None else closed_form_section(solution, trajectory),
         closed_figure=drawn.get("closed_form"),
         diagram=drawn.get("bifurcation"),
         claims=Markup(claims_html(replace(study.system, laws=_unobserved(study)))),
@@ -197,7 +197,7 @@ def _start(study: Study, dataset: xr.Dataset) -> list[dict[str, object]]:
     rows: list[dict[str, object]] = []
     for name, value in study.given.items():
         numbers = value if isinstance(value, (tuple, list)) else (value,)
-        letter = Vector(name) if len(numbers) == 3 else scalar(name)
+        letter = Vector(name) if len(numbers) == 3 else real_symbol(name)
         known = dataset[name].attrs if name in dataset else {}
         meaning, units = study.variables.get(name, ("", ""))
         units = units or str(known.get("units", ""))
@@ -214,7 +214,7 @@ def _start(study: Study, dataset: xr.Dataset) -> list[dict[str, object]]:
     return rows
 
 
-def _section(part: Place) -> dict[str, object]:
+def _section(part: Classification) -> dict[str, object]:
     """A place in the hierarchy, as the page shows it."""
     return {"level": part.level, "rows": [row for row in rows(part) if row[1]]}
 

@@ -8,7 +8,7 @@ from typing import Protocol
 import xarray as xr
 from matplotlib.figure import Figure
 
-from ..analysis.classification.facts import Patience
+from ..analysis.classification.facts import ProofBudget
 from ..errors import InterruptionError, RunError
 from ..experiment.closed_form import diagram_if_known, solved_if_known
 from ..experiment.dataset import write
@@ -39,7 +39,7 @@ class Report(Protocol):
 
 
 def write_study(
-    study: Study, folder: Path, force: bool, patience: Patience, report: Report
+    study: Study, folder: Path, force: bool, patience: ProofBudget, report: Report
 ) -> tuple[Trajectory, RunError | None]:
     """Integrate and write everything; a failed run is written as far as it went.
 

@@ -11,8 +11,8 @@ the phase space, and what is found there becomes a formula in the parameters and
 
 from .integrals import integrals
 from .measures import measures
-from .request import ask
-from .result import Finding, Question
+from .request import search_request
+from .result import SearchResult, Question
 from .symmetries import symmetries
 
-__all__ = ["Finding", "Question", "ask", "integrals", "measures", "symmetries"]
+__all__ = ["SearchResult", "Question", "search_request", "integrals", "measures", "symmetries"]

@@ -9,16 +9,16 @@ import numpy as np
 import sympy as sp
 from sympy.matrices.expressions import Inverse, MatPow
 
-from ..core.vectors import Diagonal, Symmetric, dot, explicit
+from ..core.vectors import Diagonal, Symmetric, dot, to_components
 from .modular_jets import Integers, inverse, prime
-from .vector_invariants import Vocabulary
+from .vector_invariants import VectorInvariants
 
 __all__ = ["natural_bases", "natural_divisors"]
 
 _POINTS = 12
 
 
-def natural_divisors(vocabulary: Vocabulary) -> tuple[sp.Expr, ...]:
+def natural_divisors(vocabulary: VectorInvariants) -> tuple[sp.Expr, ...]:
     """Functions of the coordinates by which integrals are often divided.
 
     These are the factors of denominators, the principal values of tensors that vary, and
@@ -28,7 +28,7 @@ def natural_divisors(vocabulary: Vocabulary) -> tuple[sp.Expr, ...]:
     return tuple(_distinct(vocabulary, _candidates(vocabulary), _places(vocabulary)))
 
 
-def natural_bases(vocabulary: Vocabulary) -> tuple[sp.Expr, ...]:
+def natural_bases(vocabulary: VectorInvariants) -> tuple[sp.Expr, ...]:
     """Functions of whose powers densities are often made: the divisors, and single variables."""
     symbols = vocabulary.stage.system.symbols
     named = {n for n, _ in vocabulary.stage.system.definitions if isinstance(n, sp.Symbol)}
@@ -38,12 +38,12 @@ def natural_bases(vocabulary: Vocabulary) -> tuple[sp.Expr, ...]:
     return tuple(_distinct(vocabulary, everything, set(symbols)))
 
 
-def _places(vocabulary: Vocabulary) -> set[sp.Symbol]:
+def _places(vocabulary: VectorInvariants) -> set[sp.Symbol]:
     return {s for c in vocabulary.ansatz.coordinates for s in c.free_symbols}
 
 
 def _distinct(
-    vocabulary: Vocabulary, candidates: Iterable[sp.Expr], allowed: set[sp.Symbol]
+    vocabulary: VectorInvariants, candidates: Iterable[sp.Expr], allowed: set[sp.Symbol]
 ) -> Iterator[sp.Expr]:
     """Those that vary, depend on what is allowed alone, and are not proportional to another."""
     stage = vocabulary.stage
@@ -64,7 +64,7 @@ def _proportional(left: Integers, right: Integers) -> bool:
     return bool((ratio == ratio[0]).all())
 
 
-def _candidates(vocabulary: Vocabulary) -> Iterator[sp.Expr]:
+def _candidates(vocabulary: VectorInvariants) -> Iterator[sp.Expr]:
     for pair in vocabulary.tensors:
         for tensor in pair:
             if tensor is not None:
@@ -82,7 +82,7 @@ def _denominators(formula: Any) -> Iterator[sp.Expr]:
             if isinstance(tensor, Diagonal):
                 yield from tensor.symbols
             elif isinstance(tensor, Symmetric):
-                yield explicit(tensor).det(method="berkowitz")
+                yield to_components(tensor).det(method="berkowitz")
         elif isinstance(node, sp.Pow) and node.exp.is_negative:
             for factor in sp.Mul.make_args(node.base):
                 yield factor.base if isinstance(factor, sp.Pow) else factor

@@ -17,10 +17,10 @@ from .ansatz import Ansatz, Exponents, Table, table
 from .modular_jets import Integers, inverse, power, prime
 from .modular_linalg import combination, independent_columns, nullspace, product, rank
 from .phase_space import Sample
-from .rational_reconstruction import Draw, Part, Scalars, Solution, lifted
-from .result import Finding, Progress, Question, silent
+from .rational_reconstruction import Draw, Part, Scalars, RationalLaw, lifted
+from .result import SearchResult, Progress, Question, silent
 from .scaling import Weight, weight_of, weights
-from .vector_invariants import Vocabulary, component_scalars
+from .vector_invariants import VectorInvariants, component_scalars
 
 __all__ = ["integrals"]
 
@@ -31,7 +31,7 @@ _FEW, _MANY = 15_000, 60_000
 _SEED = 20080830
 
 
-def integrals(question: Question, progress: Progress = silent) -> Iterator[Finding]:
+def integrals(question: Question, progress: Progress = silent) -> Iterator[SearchResult]:
     """First integrals of the form P/Qˢ with P polynomial and Q a divisor, one after the other.
 
     An integral that is a polynomial in earlier ones and functions of the parameters is not
@@ -51,7 +51,7 @@ def integrals(question: Question, progress: Progress = silent) -> Iterator[Findi
     for family in families:
         family.check()
     search = _Search(question)
-    steps: list[tuple[str, Iterator[Finding]]] = []
+    steps: list[tuple[str, Iterator[SearchResult]]] = []
     for degree in range(question.ansatz.degree + 1):
         steps.append(("vector formulas", search.simple(degree)))
         steps += [
@@ -63,7 +63,7 @@ def integrals(question: Question, progress: Progress = silent) -> Iterator[Findi
         progress(number / len(steps), words)
         yield from found
         if search.full:
-            yield Finding(
+            yield SearchResult(
                 "integral",
                 None,
                 None,
@@ -128,18 +128,18 @@ class _Search:
         self.known = _Known()
         self.formulas: list[sp.Expr] = []
         self.weights: dict[sp.Symbol, Weight] = weights(self.stage)
-        self.vocabulary = Vocabulary(self.stage, question.ansatz, self.weights)
+        self.vocabulary = VectorInvariants(self.stage, question.ansatz, self.weights)
 
     # --- one shell -------------------------------------------------------------------------
 
-    def simple(self, degree: int) -> Iterator[Finding]:
+    def simple(self, degree: int) -> Iterator[SearchResult]:
         """Integrals that are simple vector formulas, whether or not they are polynomials."""
         plain = _Shell(self.question.ansatz, degree, sp.S.One, 0)
         for size in range(min(_SIMPLE, self.question.parameter_degree) + 1):
             for law in self._accepted(self._vectorial(plain, size, _FEW), degree):
                 yield self._finding(law, degree)
 
-    def findings(self, shell: _Shell) -> Iterator[Finding]:
+    def findings(self, shell: _Shell) -> Iterator[SearchResult]:
         """Integrals of one shell that do not follow from those found before."""
         exponents, value, rate = self._monomials(shell)
         over, change = _divided(self.sample, shell)
@@ -156,7 +156,7 @@ class _Search:
         left = self._fresh(found, shell.degree)
         if left:
             self.known.values += [(shell.degree, found[i]) for i in left]
-            yield Finding(
+            yield SearchResult(
                 "integral",
                 None,
                 None,
@@ -277,11 +277,11 @@ class _Search:
 
     # --- findings --------------------------------------------------------------------------
 
-    def _finding(self, formula: sp.Expr, degree: int) -> Finding:
+    def _finding(self, formula: sp.Expr, degree: int) -> SearchResult:
         name = f"F_{len(self.formulas)}"
         law = Integral(name, formula, on=self.stage.on)
         verdict = prove(self.stage.system, law, effort=self.question.effort)
-        return Finding("integral", law, verdict, known=self._recognised(formula, degree))
+        return SearchResult("integral", law, verdict, known=self._recognised(formula, degree))
 
     def _recognised(self, formula: sp.Expr, degree: int) -> str:
         """The law of the catalogue that a formula repeats, up to earlier integrals."""
@@ -310,7 +310,7 @@ def _divided(sample: Sample, shell: _Shell) -> tuple[Integers, Integers]:
     return power(below, shell.exponent), rate
 
 
-def _formula(solution: Solution, parts: Sequence[Part], scalars: Scalars) -> sp.Expr:
+def _formula(solution: RationalLaw, parts: Sequence[Part], scalars: Scalars) -> sp.Expr:
     """A solution written with coprime integers, its simplest term positive."""
     numbers = [number for number, _, _ in solution.terms]
     simplest = min(

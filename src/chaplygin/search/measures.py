@@ -15,13 +15,13 @@ import sympy as sp
 from flint import nmod_mat
 
 from ..core.laws import Measure
-from ..core.vectors import explicit
+from ..core.vectors import to_components
 from ..errors import InputError
 from ..proof.prover import prove
 from .modular_jets import Integers, inverse, prime
 from .modular_linalg import combination, rational
-from .phase_space import Sample, Stage
-from .result import Finding, Progress, Question, silent
+from .phase_space import Sample, SearchSpace
+from .result import SearchResult, Progress, Question, silent
 
 __all__ = ["measures"]
 
@@ -33,7 +33,7 @@ _SEED = 20080830
 Exponents = tuple[int, ...]
 
 
-def measures(question: Question, progress: Progress = silent) -> Iterator[Finding]:
+def measures(question: Question, progress: Progress = silent) -> Iterator[SearchResult]:
     """Invariant measures with a density made of powers of the bases of the question.
 
     The simplest are tried first; the search ends with the first number of factors for which
@@ -83,9 +83,9 @@ def measures(question: Question, progress: Progress = silent) -> Iterator[Findin
     progress(1.0, "")
 
 
-def _unwritten(bases: Sequence[sp.Expr]) -> Finding:
+def _unwritten(bases: Sequence[sp.Expr]) -> SearchResult:
     shown = " and ".join(map(str, bases))
-    return Finding(
+    return SearchResult(
         "measure",
         None,
         None,
@@ -93,14 +93,14 @@ def _unwritten(bases: Sequence[sp.Expr]) -> Finding:
     )
 
 
-def _finding(question: Question, density: tuple[tuple[sp.Expr, sp.Expr], ...]) -> Finding:
+def _finding(question: Question, density: tuple[tuple[sp.Expr, sp.Expr], ...]) -> SearchResult:
     stage = question.stage
     law = Measure("density", density, on=stage.on)
     verdict = prove(stage.system, law, effort=question.effort)
-    return Finding("measure", law, verdict, known=_recognised(stage, law))
+    return SearchResult("measure", law, verdict, known=_recognised(stage, law))
 
 
-def _recognised(stage: Stage, law: Measure) -> str:
+def _recognised(stage: SearchSpace, law: Measure) -> str:
     """The measure of the catalogue whose density has the same logarithmic rate."""
     sample = stage.sample(_POINTS, _SEED + _SETS, common=False)
     target = _divergence(stage, sample)
@@ -124,7 +124,7 @@ def _logarithmic(sample: Sample, base: sp.Expr) -> Integers:
     return sample.along(jet) * inverse(jet.value) % prime()
 
 
-def _divergence(stage: Stage, sample: Sample) -> Integers:
+def _divergence(stage: SearchSpace, sample: Sample) -> Integers:
     """div v for the volume on the phase space, at the points of a sample.
 
     On the phase space v(Rᵢ) = Σ Cᵢⱼ Rⱼ; cutting out the volume takes the trace of C away.
@@ -148,10 +148,10 @@ def _divergence(stage: Stage, sample: Sample) -> Integers:
     return total
 
 
-def _rate(stage: Stage, relation: sp.Expr) -> sp.Expr:
+def _rate(stage: SearchSpace, relation: sp.Expr) -> sp.Expr:
     """v(R) as a formula, definitions inside R written out."""
     system = stage.system
-    formula = explicit(relation)
+    formula = to_components(relation)
     for symbol, value in reversed(system.needed([formula])):
         formula = formula.xreplace({symbol: value})
     return sp.Add(
@@ -162,7 +162,7 @@ def _rate(stage: Stage, relation: sp.Expr) -> sp.Expr:
 # --- exponents -----------------------------------------------------------------------------
 
 
-def _exponent(stage: Stage, samples: Sequence[Sample], residues: Sequence[int]) -> sp.Expr | None:
+def _exponent(stage: SearchSpace, samples: Sequence[Sample], residues: Sequence[int]) -> sp.Expr | None:
     """The number, or simple function of the parameters, with these residues at the samples.
 
     Tried are q, and q₀ + q₁ f for f one of s, 1/s and s/t with parameters or constants s, t.

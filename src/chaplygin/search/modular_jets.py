@@ -18,7 +18,7 @@ import numpy as np
 import numpy.typing as npt
 import sympy as sp
 
-from ..core.vectors import Dot, explicit
+from ..core.vectors import Dot, to_components
 from ..errors import InputError
 from ..parsing.exact_decimals import exact_number
 
@@ -189,7 +189,7 @@ class Evaluator:
             case sp.Symbol() if formula in self._definitions:
                 return self(self._definitions[formula])
             case Dot():
-                return self(explicit(formula))
+                return self(to_components(formula))
             case sp.NumberSymbol():
                 # transcendental: any number will do that has roots
                 return self.constant(pow(int(1000 * sp.N(formula)), 2 * _WILD, prime()))
@@ -247,9 +247,9 @@ class Evaluator:
 
     def _written_out(self, formula: sp.Expr) -> sp.Expr:
         """A formula without definitions."""
-        formula = explicit(formula)
+        formula = to_components(formula)
         while used := formula.free_symbols & set(self._definitions):
-            formula = formula.xreplace({s: explicit(self._definitions[s]) for s in used})
+            formula = formula.xreplace({s: to_components(self._definitions[s]) for s in used})
         return formula
 
     def _circular(self, formula: sp.Expr) -> Jet:

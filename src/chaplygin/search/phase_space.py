@@ -15,13 +15,13 @@ import numpy as np
 import sympy as sp
 
 from ..core.system import System
-from ..core.vectors import explicit
+from ..core.vectors import to_components
 from ..errors import InputError
 from ..printing.formula import text
 from .modular_jets import Evaluator, Integers, Jet, inverse, prime, square_root
 from .real_points import has_real_points
 
-__all__ = ["Sample", "Stage", "stage"]
+__all__ = ["Sample", "SearchSpace", "search_space"]
 
 _PROBE = 64
 _PATIENCE = 3
@@ -65,7 +65,7 @@ class Sample:
 
 
 @dataclass(frozen=True)
-class Stage:
+class SearchSpace:
     """A system with conditions on its parameters, restricted to a level; see :func:`stage`.
 
     Attributes
@@ -110,7 +110,7 @@ class Stage:
     @cached_property
     def relations(self) -> tuple[sp.Expr, ...]:
         """Relations and level as scalar formulas."""
-        return tuple(explicit(r) for r in (*self.system.relations, *self.level))
+        return tuple(to_components(r) for r in (*self.system.relations, *self.level))
 
     @cached_property
     def order(self) -> tuple[tuple[sp.Expr, sp.Symbol], ...]:
@@ -290,9 +290,9 @@ class Stage:
         return reached
 
 
-def stage(
+def search_space(
     system: System, conditions: Sequence[sp.Expr] = (), level: Sequence[sp.Expr] = ()
-) -> Stage:
+) -> SearchSpace:
     """Restrict a system to conditions on its parameters and to a level.
 
     Parameters
@@ -309,17 +309,17 @@ def stage(
         If a condition cannot be solved or contradicts what is admissible, or if the level is
         empty or not invariant.
     """
-    bare = Stage(system, tuple(conditions), (), ())
-    made = Stage(system, tuple(conditions), tuple(level), _solutions(bare))
+    bare = SearchSpace(system, tuple(conditions), (), ())
+    made = SearchSpace(system, tuple(conditions), tuple(level), _solutions(bare))
     _check_level(made)
     return made
 
 
-def _solutions(bare: Stage) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+def _solutions(bare: SearchSpace) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
     system = bare.system
     solved: dict[sp.Symbol, sp.Expr] = {}
     for condition in bare.conditions:
-        formula = explicit(condition).xreplace(bare.constants).xreplace(solved)
+        formula = to_components(condition).xreplace(bare.constants).xreplace(solved)
         top, _ = sp.fraction(sp.together(formula))
         symbol, value = _linear_root(
             condition, sp.expand(top), [p.symbol for p in system.parameters]
@@ -357,7 +357,7 @@ def _linear_root(
     return symbol, value
 
 
-def _check_level(made: Stage) -> None:
+def _check_level(made: SearchSpace) -> None:
     """Refuse a level that has no real points or does not stay where it is."""
     if not made.level:
         return

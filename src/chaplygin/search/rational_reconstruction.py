@@ -23,7 +23,7 @@ from .modular_jets import PRIMES, Integers, modulo, prime
 from .modular_linalg import independent_columns, nullspace, rational
 from .scaling import Weight, total
 
-__all__ = ["LARGEST", "Draw", "Part", "Plan", "Scalars", "Solution", "lifted", "plan"]
+__all__ = ["LARGEST", "Draw", "Part", "Plan", "Scalars", "RationalLaw", "lifted", "plan"]
 
 LARGEST = 1000
 """The largest number of unknowns of one linear system; of more, the simplest are taken."""
@@ -81,7 +81,7 @@ class Plan:
 
 
 @dataclass(frozen=True)
-class Solution:
+class RationalLaw:
     """A law: rational numbers in front of products of scalars and a part."""
 
     terms: tuple[tuple[Fraction, Product, int], ...]
@@ -131,7 +131,7 @@ def plan(parts: Sequence[Part], scalars: Scalars, degree: int) -> Plan:
 
 def lifted(
     parts: Sequence[Part], scalars: Scalars, degree: int, draw: Callable[[int], Draw]
-) -> list[Solution]:
+) -> list[RationalLaw]:
     """Laws with coefficients up to a degree in the scalars, the simplest first.
 
     Parameters
@@ -192,7 +192,7 @@ def _joined(left: _Kernel, right: _Kernel, modulus: int, extra: int) -> _Kernel:
 
 def _solution(
     kernel: _Kernel, modulus: int, parts: Sequence[Part], scalars: Scalars
-) -> Solution | None:
+) -> RationalLaw | None:
     terms = []
     effort = 0
     for residue, (index, chosen) in zip(kernel.residues, kernel.terms, strict=True):
@@ -202,4 +202,4 @@ def _solution(
                 return None
             terms.append((number, chosen, index))
             effort += 3 + parts[index].effort + scalars.effort(chosen)
-    return Solution(tuple(terms), effort)
+    return RationalLaw(tuple(terms), effort)

@@ -12,18 +12,18 @@ from ..proof.fields.budget import EFFORT, allowed
 from .ansatz import Ansatz, default_momenta
 from .candidate_factors import natural_bases, natural_divisors
 from .input_formulas import condition, formula, quantities
-from .phase_space import stage
+from .phase_space import search_space
 from .result import Question
 from .scaling import weights
-from .vector_invariants import Vocabulary
+from .vector_invariants import VectorInvariants
 
-__all__ = ["ask"]
+__all__ = ["search_request"]
 
 _MOMENTUM_LIKE = ("M", "omega")
 _CIRCULAR = (sp.sin, sp.cos, sp.tan, sp.cot)
 
 
-def ask(
+def search_request(
     system: System,
     *,
     degree: int = 2,
@@ -97,12 +97,12 @@ def ask(
     places = _without_angles(system, second)
     ansatz, *also = (Ansatz(family, places, degree, gamma_degree) for family in families)
     ansatz.check()
-    made = stage(
+    made = search_space(
         system,
         [condition(text, system, "at") for text in at],
         [formula(text, system, "on") for text in on],
     )
-    vocabulary = Vocabulary(made, ansatz, weights(made))
+    vocabulary = VectorInvariants(made, ansatz, weights(made))
     return Question(
         stage=made,
         ansatz=ansatz,

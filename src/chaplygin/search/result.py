@@ -12,9 +12,9 @@ from ..core.laws import Integral, Measure, Symmetry
 from ..proof.fields.budget import EFFORT
 from ..proof.verdict import Verdict
 from .ansatz import Ansatz
-from .phase_space import Stage
+from .phase_space import SearchSpace
 
-__all__ = ["Finding", "Kind", "Progress", "Question", "silent"]
+__all__ = ["SearchResult", "Kind", "Progress", "Question", "silent"]
 
 Kind = Literal["integral", "measure", "symmetry"]
 Progress = Callable[[float, str], None]
@@ -49,7 +49,7 @@ class Question:
         Term operations that the proof of one law may take.
     """
 
-    stage: Stage
+    stage: SearchSpace
     ansatz: Ansatz
     also: tuple[Ansatz, ...] = ()
     divisors: tuple[sp.Expr, ...] = ()
@@ -60,7 +60,7 @@ class Question:
 
 
 @dataclass(frozen=True)
-class Finding:
+class SearchResult:
     """A law that a search came upon.
 
     Attributes

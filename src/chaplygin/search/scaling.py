@@ -15,7 +15,7 @@ from typing import Any, TypeAlias
 import sympy as sp
 from flint import fmpq, fmpq_mat
 
-from .phase_space import Stage
+from .phase_space import SearchSpace
 
 __all__ = ["Weight", "total", "weight_of", "weights"]
 
@@ -71,7 +71,7 @@ class _Walk:
         return {}
 
 
-def weights(made: Stage) -> dict[sp.Symbol, Weight]:
+def weights(made: SearchSpace) -> dict[sp.Symbol, Weight]:
     """Weights of all states, parameters and definitions of a system.
 
     Every scaling of these symbols and of time that keeps field, definitions, relations, level

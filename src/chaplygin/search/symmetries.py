@@ -15,8 +15,8 @@ from .integrals import integrals
 from .modular_jets import Integers, prime
 from .modular_linalg import independent_columns, nullspace, product
 from .phase_space import Sample
-from .rational_reconstruction import Draw, Part, Scalars, Solution, lifted
-from .result import Finding, Progress, Question, silent
+from .rational_reconstruction import Draw, Part, Scalars, RationalLaw, lifted
+from .result import SearchResult, Progress, Question, silent
 from .scaling import Weight, weight_of, weights
 from .vector_invariants import component_scalars
 
@@ -26,7 +26,7 @@ _SPARE = 24
 _SEED = 20080830
 
 
-def symmetries(question: Question, progress: Progress = silent) -> Iterator[Finding]:
+def symmetries(question: Question, progress: Progress = silent) -> Iterator[SearchResult]:
     """Polynomial vector fields u with [u, v] = 0, tangent to the phase space.
 
     v itself, and what follows from known symmetries on multiplication with integrals, is left
@@ -72,7 +72,7 @@ class _Search:
         """Take note of a symmetry, by its components at the points, shape (n, N)."""
         self.spanned += [(field * factor % prime()).ravel() for factor in self.factors]
 
-    def findings(self, progress: Progress) -> Iterator[Finding]:
+    def findings(self, progress: Progress) -> Iterator[SearchResult]:
         """All symmetries of the ansatz, the simplest first."""
         monomials: Table = table(self.question.ansatz, self.sample)
         kept = independent_columns(monomials.value.T)
@@ -96,7 +96,7 @@ class _Search:
         stacked = np.array([*self.spanned, field]).T
         return independent_columns(stacked)[-1] == len(self.spanned)
 
-    def _lifted(self, vector: Integers, exponents: Sequence[Exponents]) -> Finding:
+    def _lifted(self, vector: Integers, exponents: Sequence[Exponents]) -> SearchResult:
         """The field as a formula: on the monomials that occur, with unknown coefficients."""
         variables = (*self.question.ansatz.momenta, *self.question.ansatz.coordinates)
         parts = []
@@ -112,7 +112,7 @@ class _Search:
             found = self._simplest(parts, scalars, size)
             if found is not None:
                 return self._finding(found, parts, scalars)
-        return Finding(
+        return SearchResult(
             "symmetry",
             None,
             None,
@@ -120,7 +120,7 @@ class _Search:
             f"{self.question.parameter_degree} in the parameters",
         )
 
-    def _simplest(self, parts: Sequence[Part], scalars: Scalars, size: int) -> Solution | None:
+    def _simplest(self, parts: Sequence[Part], scalars: Scalars, size: int) -> RationalLaw | None:
         """A symmetry with coefficients up to a degree in the parameters."""
         names = [str(s) for s in self.symbols]
         places = []
@@ -142,7 +142,7 @@ class _Search:
         found = lifted(parts, scalars, size, draw)
         return found[0] if found else None
 
-    def _finding(self, found: Solution, parts: Sequence[Part], scalars: Scalars) -> Finding:
+    def _finding(self, found: RationalLaw, parts: Sequence[Part], scalars: Scalars) -> SearchResult:
         components = {s: sp.S.Zero for s in self.symbols}
         names = {str(s): s for s in self.symbols}
         for number, chosen, index in found.terms:
@@ -159,7 +159,7 @@ class _Search:
                 field.append((name, constant([components[s] for s in name.symbols])))
         self.count += 1
         law = Symmetry(f"u_{self.count}", tuple(field), on=self.stage.on)
-        return Finding("symmetry", law, prove(self.stage.system, law, effort=self.question.effort))
+        return SearchResult("symmetry", law, prove(self.stage.system, law, effort=self.question.effort))
 
 
 def _fields(

@@ -15,24 +15,24 @@ from typing import Any
 import sympy as sp
 from sympy.matrices.expressions import MatAdd, MatMul
 
-from ..core.vectors import Diagonal, Symmetric, Vector, dot, explicit
+from ..core.vectors import Diagonal, Symmetric, Vector, dot, to_components
 from .ansatz import Ansatz
-from .phase_space import Stage
+from .phase_space import SearchSpace
 from .rational_reconstruction import Part, Scalars
 from .scaling import Weight, total, weight_of
 
-__all__ = ["Vocabulary", "component_scalars"]
+__all__ = ["VectorInvariants", "component_scalars"]
 
 _MOMENTA = ("M", "omega")
 _GROUPS = 4
 
 
-def _parameters(made: Stage, table: dict[sp.Symbol, Weight]) -> list[sp.Symbol]:
+def _parameters(made: SearchSpace, table: dict[sp.Symbol, Weight]) -> list[sp.Symbol]:
     """Free parameters, and definitions that are numbers' worth of them and not tensors."""
     return [s for s in made.free if s in table]
 
 
-def component_scalars(made: Stage, table: dict[sp.Symbol, Weight]) -> Scalars:
+def component_scalars(made: SearchSpace, table: dict[sp.Symbol, Weight]) -> Scalars:
     """The free parameters one by one, principal moments at the contact instead of at the centre."""
     formulas: list[sp.Expr] = _parameters(made, table)
     scalars = [s for s in _numbers(made) if s in table]
@@ -40,7 +40,7 @@ def component_scalars(made: Stage, table: dict[sp.Symbol, Weight]) -> Scalars:
     return Scalars(tuple(found), tuple(table[s] for s in found))
 
 
-def _numbers(made: Stage) -> list[sp.Symbol]:
+def _numbers(made: SearchSpace) -> list[sp.Symbol]:
     """Scalar definitions that depend on parameters alone, such as k = a/(a + R)."""
     named = {name for name, _ in made.system.definitions if isinstance(name, sp.Symbol)}
     return [s for s, value in made.constants.items() if s in named and value.free_symbols]
@@ -58,7 +58,7 @@ class _Atom:
 
 
 @dataclass(frozen=True)
-class Vocabulary:
+class VectorInvariants:
     """What formulas about a system are made of.
 
     Parameters
@@ -70,7 +70,7 @@ class Vocabulary:
         Weights of all symbols.
     """
 
-    stage: Stage
+    stage: SearchSpace
     ansatz: Ansatz
     table: dict[sp.Symbol, Weight]
 
@@ -213,7 +213,7 @@ class Vocabulary:
             found.append((product, weight))
         for tensor, _ in self.tensors:
             weight = self._weight(tensor)
-            entries = explicit(tensor)
+            entries = to_components(tensor)
             found.append((sp.trace(entries), weight))
             found.append((entries.det(method="berkowitz"), tuple(3 * w for w in weight)))
         for u, v in combinations_with_replacement(self.constants, 2):

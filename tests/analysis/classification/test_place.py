@@ -9,14 +9,14 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
-from chaplygin.analysis.classification.classifier import place
+from chaplygin.analysis.classification.classifier import classify
 from chaplygin.analysis.classification.conserved_covectors import sources
-from chaplygin.analysis.classification.facts import Patience
+from chaplygin.analysis.classification.facts import ProofBudget
 from chaplygin.analysis.classification.lie_theorem import fields, lie
-from chaplygin.analysis.classification.place import Place
-from chaplygin.analysis.classification.ranks import Standing
+from chaplygin.analysis.classification.place import Classification
+from chaplygin.analysis.classification.ranks import RankSample
 from chaplygin.analysis.classification.sign_test import sign
-from chaplygin.analysis.classification.statements import Uncounted
+from chaplygin.analysis.classification.statements import IgnoredLaw
 from chaplygin.catalogue import entry
 from chaplygin.core.laws import (
     ConformallyHamiltonian,
@@ -28,30 +28,30 @@ from chaplygin.core.laws import (
     Symmetry,
 )
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import cross, dot, normed, scalar, vectors
+from chaplygin.core.vectors import cross, dot, norm_squared, real_symbol, vectors
 from chaplygin.proof.fields.budget import EFFORT
 from chaplygin.proof.verdict import Verdict
 
 x, p = vectors("x p")
 
 
-def found(system: System, **verdicts: Verdict) -> Place:
+def found(system: System, **verdicts: Verdict) -> Classification:
     """The place, with some verdicts replaced."""
-    patience = Patience(EFFORT // 5)
-    return place(system, patience.verdicts(system) | verdicts, Patience(EFFORT // 5))
+    patience = ProofBudget(EFFORT // 5)
+    return classify(system, patience.verdicts(system) | verdicts, ProofBudget(EFFORT // 5))
 
 
-def of(name: str, **parameters: float) -> Place:
+def of(name: str, **parameters: float) -> Classification:
     """The place of a system of the catalogue."""
     return found(entry(name).system(parameters))
 
 
-def kinds(standing: Place) -> list[str]:
+def kinds(standing: Classification) -> list[str]:
     """Names of its classes."""
     return [kind.name for kind in standing.kinds]
 
 
-def motions(standing: Place) -> str:
+def motions(standing: Classification) -> str:
     """Everything said of its motions."""
     return " ".join(statement.text for statement in standing.dynamics)
 
@@ -114,10 +114,10 @@ def test_a_density_with_zeros_excludes_no_asymptotic_motion() -> None:
 def test_a_density_is_shown_to_be_positive_or_to_change_sign() -> None:
     ball = entry("chaplygin-ball").system()
     (measure,) = (law for law in ball.laws if isinstance(law, Measure))
-    assert sign(Standing(ball), [base for base, _ in measure.density]) == "kept"
-    assert sign(Standing(ball), [ball.symbols[0]]) == "changes"
+    assert sign(RankSample(ball), [base for base, _ in measure.density]) == "kept"
+    assert sign(RankSample(ball), [ball.symbols[0]]) == "changes"
     # a square vanishes somewhere without changing sign
-    assert sign(Standing(ball), [ball.symbols[3] ** 2]) == "unknown"
+    assert sign(RankSample(ball), [ball.symbols[3] ** 2]) == "unknown"
 
 
 # --- what counts ---------------------------------------------------------------------------
@@ -133,7 +133,7 @@ def test_what_is_undecided_or_unknown_does_not_count() -> None:
         ("momentum", "undecided: not proven within 1 s")
     ]
     assert "momentum: undecided" in str(standing)
-    assert place(entry("rattleback").system(), {}).uncounted[0].why == "without a verdict"
+    assert classify(entry("rattleback").system(), {}).uncounted[0].why == "without a verdict"
 
 
 def test_what_is_refuted_does_not_count() -> None:
@@ -155,7 +155,7 @@ def test_functions_of_known_integrals_do_not_count() -> None:
 def test_relations_do_not_count_as_integrals() -> None:
     ball = entry("chaplygin-ball").system()
     gamma = ball.state[1]
-    assert found(ball.with_laws(Integral("length", normed(gamma)))).count == 3
+    assert found(ball.with_laws(Integral("length", norm_squared(gamma)))).count == 3
 
 
 @pytest.mark.parametrize(("a", "names"), [(0.3, ["measure"]), (0.0, ["measure", "volume"])])
@@ -190,7 +190,7 @@ def test_linear_equations_give_integrals() -> None:
 
 
 def test_nonlinear_reductions_give_none() -> None:
-    u, q, w = scalar("u"), scalar("q"), scalar("w")
+    u, q, w = real_symbol("u"), real_symbol("q"), real_symbol("w")
     free = Reduction("free", {u: u, q: q}, (Rate(q) - q**2 * Rate(u),))
     forced = Reduction("forced", {u: u, q: q}, (Rate(q) - u * Rate(u),))
     other = Reduction("other", {u: u, q: q, w: w}, (Rate(q) - w * q * Rate(u),))
@@ -229,9 +229,9 @@ def test_volume_and_rotations_are_tried_where_nothing_is_stated() -> None:
 
 def central(*laws: Symmetry | Integral) -> System:
     """A particle in a central field, by place and momentum."""
-    k = Parameter(scalar("k"), "stiffness", 0.7)
-    energy = Integral("energy", normed(p) / 2 + k.symbol * normed(x) ** 2)
-    field = {x: p, p: -4 * k.symbol * normed(x) * x}
+    k = Parameter(real_symbol("k"), "stiffness", 0.7)
+    energy = Integral("energy", norm_squared(p) / 2 + k.symbol * norm_squared(x) ** 2)
+    field = {x: p, p: -4 * k.symbol * norm_squared(x) * x}
     return System("central", "Particle in a central field", field, (k,), laws=(energy, *laws))
 
 
@@ -243,7 +243,7 @@ def turning(i: int) -> Symmetry:
 
 def solved_by(system: System, needed: int) -> list[str]:
     """Symmetry fields by which Theorem 3 applies, if `needed` are enough."""
-    standing, patience = Standing(system), Patience(EFFORT // 10)
+    standing, patience = RankSample(system), ProofBudget(EFFORT // 10)
     chosen = fields(standing, system.laws, patience)
     own = [s for s in sources(system.laws) if len(s.functions) == 1]
     return [f.law for f in lie(standing, needed, own, chosen, patience)]
@@ -278,7 +278,7 @@ def test_integrals_must_be_in_involution() -> None:
     assert [str(s) for s in system.symbols] == names
     two = found(system.with_laws(form, *components[:2]))
     assert "liouville" not in kinds(two)
-    square = Integral("square", normed(momentum))
+    square = Integral("square", norm_squared(momentum))
     complete = found(system.with_laws(form, components[0], square))
     assert "liouville" in kinds(complete)
 
@@ -306,13 +306,13 @@ def test_a_fast_answer_says_what_it_leaves_out(
 ) -> None:
     monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path))
     system = entry("chaplygin-ball").system()
-    patience = Patience(EFFORT, 1)
+    patience = ProofBudget(EFFORT, 1)
     patience.spent = 1
     verdicts = patience.verdicts(system)
     assert {v.decision for v in verdicts.values()} == {"undecided"}
     assert all("was spent" in v.reason for v in verdicts.values())
     named = replace(system, laws=system.laws[:1])
-    assert "was spent" in str(place(named, verdicts, patience))
+    assert "was spent" in str(classify(named, verdicts, patience))
 
 
 def test_what_is_proven_where_a_condition_holds_does_not_count() -> None:
@@ -324,7 +324,7 @@ def test_what_is_proven_where_a_condition_holds_does_not_count() -> None:
     standing = found(system, **{name: partly})
     words = "proven where gamma_3 > 0, not omega_1 = 0"
     assert name not in {density.law.law for density in standing.measures}
-    assert Uncounted(name, words) in standing.uncounted
+    assert IgnoredLaw(name, words) in standing.uncounted
 
 
 def test_a_measure_left_open_is_named_where_it_would_decide() -> None:
@@ -343,26 +343,26 @@ def test_a_measure_left_open_is_named_where_it_would_decide() -> None:
 
 def classified_with(system: System, verdict: Verdict) -> str:
     """What is said of motions, with nothing proven besides."""
-    return " ".join(str(place(system, {verdict.law: verdict}, Patience(1, 1))).split())
+    return " ".join(str(classify(system, {verdict.law: verdict}, ProofBudget(1, 1))).split())
 
 
 # --- measures on the configuration ---------------------------------------------------------
 
 
-def with_what_moves(name: str) -> Place:
+def with_what_moves(name: str) -> Classification:
     """The place, with the body and the surface known."""
-    item, patience = entry(name), Patience(EFFORT // 5)
+    item, patience = entry(name), ProofBudget(EFFORT // 5)
     system = item.system()
-    return place(system, patience.verdicts(system), patience, item.rolling())
+    return classify(system, patience.verdicts(system), patience, item.rolling())
 
 
 def test_a_question_that_was_not_tried_is_told() -> None:
     item = entry("rattleback")
     system = item.system()
-    told = str(place(replace(system, laws=()), {}, Patience(1, 0), item.rolling()))
+    told = str(classify(replace(system, laws=()), {}, ProofBudget(1, 0), item.rolling()))
     words = "whether one has a density that depends on the configuration alone was not tried"
     assert words in " ".join(told.split())
-    told = str(place(replace(system, laws=()), {}, Patience(EFFORT // 10), item.rolling()))
+    told = str(classify(replace(system, laws=()), {}, ProofBudget(EFFORT // 10), item.rolling()))
     assert "was not tried" not in told
 
 
@@ -388,19 +388,19 @@ def test_the_question_is_not_asked_where_a_measure_is_proven() -> None:
 
 
 def test_a_root_by_which_the_equations_divide_is_positive() -> None:
-    s, q, w = scalar("s"), scalar("q"), scalar("w")
+    s, q, w = real_symbol("s"), real_symbol("q"), real_symbol("w")
     root = sp.sqrt(q**2 + w**4)
     divided = System("divided", "Divided", {q: w, w: q / s}, definitions={s: root})
     whole = System("whole", "Whole", {q: w, w: q * s}, definitions={s: root})
-    assert sign(Standing(divided), [s]) == "kept"
-    assert sign(Standing(whole), [s]) == "unknown"
+    assert sign(RankSample(divided), [s]) == "kept"
+    assert sign(RankSample(whole), [s]) == "unknown"
 
 
 def test_a_place_out_of_reach_says_why() -> None:
-    q, w = scalar("q"), scalar("w")
+    q, w = real_symbol("q"), real_symbol("w")
     steady = Integral("steady", w)
     made = System("out", "Out", {q: w, w: 0 * w}, relations=(q - sp.exp(w),), laws=(steady,))
-    standing = place(made, {"steady": Verdict("steady", "proven")})
+    standing = classify(made, {"steady": Verdict("steady", "proven")})
     assert kinds(standing) == ["none known"]
     assert standing.reason
     assert "not determined" in str(standing)
@@ -408,7 +408,7 @@ def test_a_place_out_of_reach_says_why() -> None:
 
 
 def test_relations_with_angles_are_read_by_sine_and_cosine() -> None:
-    q, w, u = scalar("q"), scalar("w"), scalar("u")
+    q, w, u = real_symbol("q"), real_symbol("w"), real_symbol("u")
     relation = u * sp.cos(q) - w * sp.sin(q)
     field = {q: sp.S.One, u: -w, w: u}
     made = found(System("turning", "Turning", field, relations=(relation,)))

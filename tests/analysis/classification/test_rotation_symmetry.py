@@ -7,8 +7,8 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 
-from chaplygin.analysis.classification.ranks import Standing
-from chaplygin.analysis.classification.rotation_symmetry import turning
+from chaplygin.analysis.classification.ranks import RankSample
+from chaplygin.analysis.classification.rotation_symmetry import is_rotation_invariant
 from chaplygin.catalogue import entry
 from chaplygin.core.laws import Symmetry
 from chaplygin.core.system import System
@@ -17,17 +17,17 @@ from chaplygin.core.vectors import (
     Symmetric,
     cross,
     dot,
-    explicit,
-    normed,
+    to_components,
+    norm_squared,
     outer,
-    scalar,
+    real_symbol,
     vectors,
 )
 from chaplygin.proof.prover import prove
 
 x, y, f = vectors("x y f")
 e_3 = sp.ImmutableMatrix([0, 0, 1])
-a = scalar("a")
+a = real_symbol("a")
 
 
 @pytest.mark.parametrize(
@@ -41,8 +41,8 @@ a = scalar("a")
     ],
 )
 def test_bodies_of_revolution_turn_about_their_axis(name: str, about: list[bool]) -> None:
-    standing = Standing(entry(name).system())
-    assert [turning(standing, axis) is not None for axis in range(3)] == about
+    standing = RankSample(entry(name).system())
+    assert [is_rotation_invariant(standing, axis) is not None for axis in range(3)] == about
 
 
 def test_a_slight_asymmetry_is_seen() -> None:
@@ -51,15 +51,15 @@ def test_a_slight_asymmetry_is_seen() -> None:
         replace(p, default=p.default * 1.0001) if str(p.symbol) == "I_2" else p
         for p in disk.parameters
     ]
-    assert turning(Standing(replace(disk, parameters=tuple(other))), 2) is None
+    assert is_rotation_invariant(RankSample(replace(disk, parameters=tuple(other))), 2) is None
 
 
 def system() -> System:
     """ẋ = y, with a force from definitions of every kind."""
     definitions = {
-        a: normed(x) + 1,
+        a: norm_squared(x) + 1,
         Symmetric("S"): outer(x, x) + sp.diag(3, 3, 1),
-        Diagonal("D"): sp.diag(a, a, normed(x)),
+        Diagonal("D"): sp.diag(a, a, norm_squared(x)),
         f: Symmetric("S") * x + Diagonal("D") * cross(x, e_3),
     }
     return System("made", "Made", {x: y, y: f}, definitions=definitions)
@@ -67,12 +67,12 @@ def system() -> System:
 
 def test_every_kind_of_definition() -> None:
     made = system()
-    found = turning(Standing(made), 2)
+    found = is_rotation_invariant(RankSample(made), 2)
     assert found is not None
     assert found.keeps(dot(x, y))
-    assert found.keeps(x.symbols[2] * normed(y))
+    assert found.keeps(x.symbols[2] * norm_squared(y))
     assert not found.keeps(x.symbols[0])
-    assert turning(Standing(made), 0) is None
+    assert is_rotation_invariant(RankSample(made), 0) is None
     field = {v: cross(e_3, v) for v in (x, y)}
     assert prove(made, Symmetry("turning", field))
 
@@ -80,13 +80,13 @@ def test_every_kind_of_definition() -> None:
 def test_a_tensor_that_does_not_turn() -> None:
     made = system()
     crooked = {**dict(made.definitions), Symmetric("S"): outer(x, x) + sp.diag(3, 2, 1)}
-    assert turning(Standing(replace(made, definitions=tuple(crooked.items()))), 2) is None
+    assert is_rotation_invariant(RankSample(replace(made, definitions=tuple(crooked.items()))), 2) is None
     crooked = {**dict(made.definitions), Diagonal("D"): sp.diag(a, 2 * a, 1)}
-    assert turning(Standing(replace(made, definitions=tuple(crooked.items()))), 2) is None
+    assert is_rotation_invariant(RankSample(replace(made, definitions=tuple(crooked.items()))), 2) is None
 
 
 def test_a_relation_must_turn_too() -> None:
     made = system()
-    assert turning(Standing(replace(made, relations=(normed(x) - 1,))), 2) is not None
-    tilted = explicit(dot(x, sp.ImmutableMatrix([1, 0, 1])))
-    assert turning(Standing(replace(made, relations=(tilted,))), 2) is None
+    assert is_rotation_invariant(RankSample(replace(made, relations=(norm_squared(x) - 1,))), 2) is not None
+    tilted = to_components(dot(x, sp.ImmutableMatrix([1, 0, 1])))
+    assert is_rotation_invariant(RankSample(replace(made, relations=(tilted,))), 2) is None

@@ -5,12 +5,12 @@ from __future__ import annotations
 import pytest
 
 from analysis.backwards import runs_backwards
-from chaplygin.analysis.classification.classifier import place
-from chaplygin.analysis.classification.facts import Patience
+from chaplygin.analysis.classification.classifier import classify
+from chaplygin.analysis.classification.facts import ProofBudget
 from chaplygin.analysis.classification.sign_reversal import reversal
 from chaplygin.catalogue import entry
 from chaplygin.core.system import System
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.proof.fields.budget import EFFORT
 from chaplygin.proof.prover import prove
 
@@ -37,7 +37,7 @@ def test_the_prover_agrees() -> None:
 
 
 def test_parities_follow_through_definitions() -> None:
-    x, y, f, g = map(scalar, "xyfg")
+    x, y, f, g = map(real_symbol, "xyfg")
     even = System("even", "Even", {x: y, y: f * g + 1}, definitions={f: y**3, g: x * y})
     assert reversal(even) == (y,)
     mixed = System("mixed", "Mixed", {x: y + 1, y: f}, definitions={f: x + y})
@@ -45,10 +45,10 @@ def test_parities_follow_through_definitions() -> None:
 
 
 def test_what_it_means_is_told() -> None:
-    patience = Patience(EFFORT // 10)
+    patience = ProofBudget(EFFORT // 10)
     system = entry("rattleback").system()
-    standing = place(system, patience.verdicts(system), patience)
+    standing = classify(system, patience.verdicts(system), patience)
     assert standing.reversal == ("M",)
     assert "to every attracting set there belongs a repelling" in str(standing)
     ball = entry("chaplygin-ball").system()
-    assert "repelling" not in str(place(ball, patience.verdicts(ball), patience))
+    assert "repelling" not in str(classify(ball, patience.verdicts(ball), patience))

@@ -11,22 +11,22 @@ import pytest
 import sympy as sp
 
 from analysis.motions import carousel, henon_heiles, henon_heiles_start, lorenz, saddle, top
-from chaplygin.analysis.lyapunov.compute import spectrum
+from chaplygin.analysis.lyapunov.compute import lyapunov_spectrum
 from chaplygin.analysis.lyapunov.report import Spectrum, kaplan_yorke, record, remarks
-from chaplygin.analysis.lyapunov.zero_exponents import forced
+from chaplygin.analysis.lyapunov.zero_exponents import trivial_directions
 from chaplygin.catalogue import CATALOGUE
 from chaplygin.core.laws import Integral, Symmetry
 from chaplygin.core.system import System
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError, RunError
 from chaplygin.experiment.file.models import catalogue_experiment
 from chaplygin.experiment.study import prepare
-from chaplygin.flow.linear_stability import linearise
+from chaplygin.flow.linear_stability import linear_stability
 
 
 @pytest.fixture(scope="module")
 def butterfly() -> Spectrum:
-    return spectrum(lorenz(), [1.0, 1.0, 20.0], until=1000.0)
+    return lyapunov_spectrum(lorenz(), [1.0, 1.0, 20.0], until=1000.0)
 
 
 def _start(name: str) -> tuple[System, list[float]]:
@@ -66,7 +66,7 @@ def test_dimension_of_lorenz(butterfly: Spectrum) -> None:
 
 def test_henon_heiles() -> None:
     start = henon_heiles_start(1 / 8, -0.25, 1e-3)
-    found = spectrum(henon_heiles(), start, until=3000.0)
+    found = lyapunov_spectrum(henon_heiles(), start, until=3000.0)
     assert _removed(found) == ["energy", "flow"]
     assert found.chaotic and found.symmetric
     assert found.total.zero
@@ -75,7 +75,7 @@ def test_henon_heiles() -> None:
 
 
 def test_hyperbolic_linear_system() -> None:
-    found = spectrum(saddle(), [0.0, 0.0, 0.0], until=50.0)
+    found = lyapunov_spectrum(saddle(), [0.0, 0.0, 0.0], until=50.0)
     assert found.values == pytest.approx([0.3, -1.1], abs=1e-3)
     assert _removed(found) == ["z"]
     assert found.dependent == ("flow",)
@@ -85,7 +85,7 @@ def test_hyperbolic_linear_system() -> None:
 @pytest.mark.parametrize("name", ["chaplygin-ball", "rubber-chaplygin-ball", "veselova", "clebsch"])
 def test_integrable_systems_have_only_zeros(name: str) -> None:
     system, start = _start(name)
-    found = spectrum(system, start, until=500.0, intervals=200)
+    found = lyapunov_spectrum(system, start, until=500.0, intervals=200)
     assert found.settled
     assert all(item.zero for item in found.exponents)
     assert all(item.error < 0.05 for item in found.exponents)
@@ -93,7 +93,7 @@ def test_integrable_systems_have_only_zeros(name: str) -> None:
 
 
 def test_limit_cycle() -> None:
-    found = spectrum(carousel(), [0.3, 0.1, 0.0], until=60.0)
+    found = lyapunov_spectrum(carousel(), [0.3, 0.1, 0.0], until=60.0)
     # u and v are measured by sizes of their own, equal but for where the cycle was looked at
     assert found.values == pytest.approx([-2.0], abs=1e-4)
     assert set(_removed(found)) == {"s", "flow"} or set(_removed(found)) == {"s", "turning"}
@@ -105,8 +105,8 @@ def test_steady_turns_of_a_top(axis: int, growth: float) -> None:
     system = dataclasses.replace(top(), laws=())
     start = [0.0, 0.0, 0.0]
     start[axis] = 1.0
-    found = spectrum(system, start, until=100.0)
-    linear = linearise(system, start)
+    found = lyapunov_spectrum(system, start, until=100.0)
+    linear = linear_stability(system, start)
     expected = sorted((float(value.real) for value in linear.eigenvalues), reverse=True)
     assert found.values == pytest.approx(expected, abs=0.02)
     assert found.values[0] == pytest.approx(growth, abs=0.02)
@@ -116,7 +116,7 @@ def test_separatrix_of_a_top() -> None:
     # M² = 2 E I₂: the motion tends to the turn about the middle axis, where the flow vanishes and
     # both integrals have parallel gradients, like 1/cosh(t/√12)
     start = [sqrt(1 / 4), 0.0, sqrt(3 / 4)]
-    found = spectrum(top(), start, until=80.0)
+    found = lyapunov_spectrum(top(), start, until=80.0)
     assert set(found.fading) == {"flow", "square"}
     assert _removed(found) == ["energy"]
     assert found.values == pytest.approx([sqrt(1 / 12), -sqrt(1 / 12)], abs=1e-3)
@@ -135,7 +135,7 @@ def test_exponents_and_divergence_agree_to_rounding(name: str) -> None:
     system, start = _start(name)
     system = dataclasses.replace(system, guards=())
     # short, since some run into singular points and others vary fast
-    found = spectrum(system, start, until=CATALOGUE[name].start.until / 40, intervals=100)
+    found = lyapunov_spectrum(system, start, until=CATALOGUE[name].start.until / 40, intervals=100)
     size = 1 + abs(found.volume.divergence.value)
     assert abs(found.volume.balance) < 1e-8 * size
     assert all(abs(defect) < 1e-8 * size for defect in found.volume.measures.values())
@@ -146,7 +146,7 @@ def test_exponents_and_divergence_agree_to_rounding(name: str) -> None:
 
 def test_forced_zeros_are_named() -> None:
     system, start = _start("chaplygin-ball")
-    made = forced(system, start)
+    made = trivial_directions(system, start)
     assert [item.name for item in made.removed] == [
         "γ² = 1",
         "energy",
@@ -162,33 +162,33 @@ def test_forced_zeros_are_named() -> None:
 def test_dependent_integrals_force_nothing() -> None:
     system, start = _start("clebsch")
     twice = system.with_laws(Integral("again", 3 * system.integrals[0].value))
-    assert "again" in forced(twice, start).dependent
-    assert forced(twice, start).space.dimension == forced(system, start).space.dimension
+    assert "again" in trivial_directions(twice, start).dependent
+    assert trivial_directions(twice, start).space.dimension == trivial_directions(system, start).space.dimension
 
 
 def test_levels_of_integrals_are_respected() -> None:
-    x, y = scalar("x"), scalar("y")
+    x, y = real_symbol("x"), real_symbol("y")
     system = System(
         "turn",
         "Turn",
         {x: -y * (1 + x), y: x * (1 + x)},
         laws=(Integral("somewhere", x - y, on=(x**2 + y**2 - 1,)),),
     )
-    assert [item.name for item in forced(system, [1.0, 0.5]).removed] == ["flow"]
+    assert [item.name for item in trivial_directions(system, [1.0, 0.5]).removed] == ["flow"]
 
 
 def test_a_motion_at_rest_has_no_direction() -> None:
-    assert "flow" in forced(top(), [0.0, 1.0, 0.0]).dependent
+    assert "flow" in trivial_directions(top(), [0.0, 1.0, 0.0]).dependent
 
 
 def test_symmetries_are_removed() -> None:
     system, start = _start("heavy-disk")
-    assert "rotation" in [item.name for item in forced(system, start).removed]
+    assert "rotation" in [item.name for item in trivial_directions(system, start).removed]
 
 
 def test_combinations_of_symmetries_within_a_level() -> None:
     # both raise z; once the one and twice less the other keeps it and is the flow
-    x, z = scalar("x"), scalar("z")
+    x, z = real_symbol("x"), real_symbol("z")
     system = System(
         "lift",
         "Lift",
@@ -199,7 +199,7 @@ def test_combinations_of_symmetries_within_a_level() -> None:
             Symmetry("up", {z: sp.S.One}),
         ),
     )
-    made = forced(system, [1.0, 2.0])
+    made = trivial_directions(system, [1.0, 2.0])
     assert made.space.dimension == 0
 
 
@@ -208,7 +208,7 @@ def test_combinations_of_symmetries_within_a_level() -> None:
 
 def test_a_short_motion_is_said_not_to_have_settled() -> None:
     # the first part of the motion leaves a saddle, the rest falls onto a cycle
-    found = spectrum(carousel(), [1e-30, 0.0, 0.0], until=110.0)
+    found = lyapunov_spectrum(carousel(), [1e-30, 0.0, 0.0], until=110.0)
     assert not found.settled
     assert any("has not settled" in text for text in remarks(found))
 
@@ -239,7 +239,7 @@ def test_dataset(butterfly: Spectrum) -> None:
 
 
 def test_the_same_bits_again() -> None:
-    runs = [spectrum(saddle(), [0.1, 0.2, 0.0], until=20.0, intervals=100) for _ in range(2)]
+    runs = [lyapunov_spectrum(saddle(), [0.1, 0.2, 0.0], until=20.0, intervals=100) for _ in range(2)]
     assert np.array_equal(runs[0].growth, runs[1].growth)
 
 
@@ -270,17 +270,17 @@ def test_kaplan_yorke(exponents: list[float], dimension: float) -> None:
 )
 def test_mistakes(start: list[float], until: float, intervals: int, message: str) -> None:
     with pytest.raises(InputError, match=message):
-        spectrum(lorenz(), start, until=until, intervals=intervals)
+        lyapunov_spectrum(lorenz(), start, until=until, intervals=intervals)
 
 
 def test_a_start_off_the_phase_space() -> None:
     system, start = _start("chaplygin-ball")
     start[3] += 1e-3
     with pytest.raises(InputError, match="misses the phase space"):
-        spectrum(system, start, until=10.0)
+        lyapunov_spectrum(system, start, until=10.0)
 
 
 def test_a_motion_that_ends() -> None:
-    x = scalar("x")
+    x = real_symbol("x")
     with pytest.raises(RunError):
-        spectrum(System("burst", "Burst", {x: x**2}), [1.0], until=10.0)
+        lyapunov_spectrum(System("burst", "Burst", {x: x**2}), [1.0], until=10.0)

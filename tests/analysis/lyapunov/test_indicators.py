@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.analysis.lyapunov.indicators import Alignment, Exponent, Fastest, Megno, Total
+from chaplygin.analysis.lyapunov.indicators import SmallerAlignmentIndex, MaximalExponent, FastLyapunovIndicator, Megno, ExponentSum
 from chaplygin.core.laws import Integral
 from chaplygin.core.system import Parameter, System
 from chaplygin.errors import InputError
@@ -27,7 +27,7 @@ SWINGS = np.array([[0.5, 0.0], [1.0, 0.0], [2.0, 0.0], [0.0, 2.5]])
 
 
 def test_the_largest_exponent() -> None:
-    found = Exponent(SADDLE, 200.0)(ORIGIN, RATES)
+    found = MaximalExponent(SADDLE, 200.0)(ORIGIN, RATES)
     assert np.all(np.abs(found["value"] - RATES[s]) <= 1e-7)
     assert np.all(found["error"] < 0.05)
     assert not found["outcome"].any()
@@ -35,56 +35,56 @@ def test_the_largest_exponent() -> None:
 
 
 def test_the_sum_of_exponents() -> None:
-    found = Total(SADDLE, 100.0)(ORIGIN, RATES)
+    found = ExponentSum(SADDLE, 100.0)(ORIGIN, RATES)
     assert np.all(np.abs(found["value"] - (RATES[s] - RATES[r])) <= 1e-9)
 
 
 def test_indicators_of_an_exponential() -> None:
     growth = RATES[s] * 100.0
-    assert np.all(np.abs(Fastest(SADDLE, 100.0)(ORIGIN, RATES)["value"] - growth) < 3.0)
+    assert np.all(np.abs(FastLyapunovIndicator(SADDLE, 100.0)(ORIGIN, RATES)["value"] - growth) < 3.0)
     megno = Megno(SADDLE, 100.0, intervals=400)(ORIGIN, RATES)["value"]
     assert np.all(np.abs(megno - growth / 2) < 1.0)
-    sali = Alignment(SADDLE, 20.0)(ORIGIN, RATES)["value"]
+    sali = SmallerAlignmentIndex(SADDLE, 20.0)(ORIGIN, RATES)["value"]
     assert np.all(np.diff(sali) < -0.5)
 
 
 def test_regular_motions_part_evenly() -> None:
     assert np.all(np.abs(Megno(PENDULUM, 2000.0)(SWINGS, {})["value"] - 2.0) < 0.2)
-    found = Exponent(PENDULUM, 2000.0)(SWINGS, {})
+    found = MaximalExponent(PENDULUM, 2000.0)(SWINGS, {})
     assert np.all(np.abs(found["value"]) <= found["error"])
-    assert np.all(Fastest(PENDULUM, 2000.0)(SWINGS, {})["value"] < 10.0)
+    assert np.all(FastLyapunovIndicator(PENDULUM, 2000.0)(SWINGS, {})["value"] < 10.0)
 
 
 def test_no_neighbour_matters_and_the_end_of_one_is_told() -> None:
     blowing = System(name="blowing", title="Blowing", field={x: x**2 + y**2, y: -y, z: sp.S.One})
     starts = np.array([[-1.0, 0.0, 0.0], [0.5, 0.0, 0.0], [-2.0, 0.0, 0.0]])
-    found = Exponent(blowing, 10.0)(starts, {})
+    found = MaximalExponent(blowing, 10.0)(starts, {})
     assert found["outcome"][1] != 0
     assert 1.9 < found["ended"][1] < 2.0 + 1e-9
     assert np.isnan(found["value"][1])
-    alone = Exponent(blowing, 10.0)(starts[[0, 2]], {})
+    alone = MaximalExponent(blowing, 10.0)(starts[[0, 2]], {})
     assert np.array_equal(found["value"][[0, 2]], alone["value"])
 
 
 def test_nothing_can_part() -> None:
     energy = Integral("energy", y**2 / 2 - sp.cos(x), "energy")
     with pytest.raises(InputError, match="neighbours cannot part"):
-        Exponent(PENDULUM.with_laws(energy), 10.0)(SWINGS, {})
+        MaximalExponent(PENDULUM.with_laws(energy), 10.0)(SWINGS, {})
 
 
 def test_too_few_intervals() -> None:
     with pytest.raises(InputError, match="intervals = 10: at least 32 are needed"):
-        Exponent(SADDLE, 10.0, intervals=10)
+        MaximalExponent(SADDLE, 10.0, intervals=10)
 
 
 def test_intervals_are_parted_where_neighbours_part_fast() -> None:
     # within an interval of 1, one deviation shrinks by exp(−100) beside the other
-    found = Total(SADDLE, 32.0, intervals=32)(ORIGIN[:1], {s: 0.5, r: 100.0})
+    found = ExponentSum(SADDLE, 32.0, intervals=32)(ORIGIN[:1], {s: 0.5, r: 100.0})
     assert found["value"] == pytest.approx([0.5 - 100.0], rel=1e-6)
 
 
 @pytest.mark.slow
 def test_no_number_is_told_where_they_part_too_fast() -> None:
-    found = Total(SADDLE, 32.0, intervals=32)(ORIGIN[:2], {s: 0.5, r: np.array([3000.0, 0.5])})
+    found = ExponentSum(SADDLE, 32.0, intervals=32)(ORIGIN[:2], {s: 0.5, r: np.array([3000.0, 0.5])})
     assert np.isnan(found["value"][0])
     assert found["value"][1] == pytest.approx(0.0, abs=1e-9)

@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 
 from analysis.known_maps import TURN, arnold
-from chaplygin.analysis.orbits.arnold_tongues import displacement, plateau, plateaus, staircase
+from chaplygin.analysis.orbits.arnold_tongues import displacement, locked_interval, plateaus, staircase
 from chaplygin.analysis.orbits.return_map import Circle
 from chaplygin.catalogue.bodies.unbalanced_rubber_ball_centred import torus
 from chaplygin.errors import InputError
-from chaplygin.flow.batch import section
-from chaplygin.flow.sections.poincare_map import SectionMap
+from chaplygin.flow.batch import poincare_section
+from chaplygin.flow.sections.poincare_map import PoincareMap
 
 
 def test_edges_of_the_main_tongue():
-    found = plateau(arnold(0.8), Fraction(0), (-0.3, 0.3), 1e-15)
+    found = locked_interval(arnold(0.8), Fraction(0), (-0.3, 0.3), 1e-15)
     assert (found.low, found.high) == pytest.approx((-0.8 / TURN, 0.8 / TURN), abs=1e-14)
     assert found.slope == pytest.approx(1.0)
     assert found.open
@@ -26,12 +26,12 @@ def test_edges_of_the_main_tongue():
 def test_width_of_the_tongue_of_one_half():
     """K²/(4π) to leading order, relative corrections of order K²."""
     for coupling in (1e-2, 1e-3):
-        found = plateau(arnold(coupling), Fraction(1, 2), (0.4, 0.6), 1e-15)
+        found = locked_interval(arnold(coupling), Fraction(1, 2), (0.4, 0.6), 1e-15)
         assert found.width == pytest.approx(coupling**2 / (2 * TURN), rel=coupling**2)
 
 
 def test_a_rotation_has_no_steps():
-    found = plateau(arnold(0.0), Fraction(2, 5), (0.3, 0.5))
+    found = locked_interval(arnold(0.0), Fraction(2, 5), (0.3, 0.5))
     assert not found.open
     assert found.width < 1e-14
 
@@ -59,7 +59,7 @@ def test_extrema_of_a_displacement():
 
 def test_a_bracket_without_the_step_is_refused():
     with pytest.raises(InputError, match="does not pass 1/2"):
-        plateau(arnold(0.5), Fraction(1, 2), (0.1, 0.2))
+        locked_interval(arnold(0.5), Fraction(1, 2), (0.1, 0.2))
 
 
 def test_step_of_the_unbalanced_rubber_ball():
@@ -67,12 +67,12 @@ def test_step_of_the_unbalanced_rubber_ball():
     made = torus()
     offsets = {"kappa_1": 0.05, "kappa_2": -0.1, "kappa_3": 0.15}
     moments = {"J_1": 0.5, "J_2": 2.75, "J_3": 2.8}
-    across = section(made, "beta", angle=True)
+    across = poincare_section(made, "beta", angle=True)
 
     def step(share):
         values = moments | {name: share * offset for name, offset in offsets.items()}
-        maps = Circle(SectionMap(made, across, values), "alpha", "lambda", {"beta": 0.0})
-        return plateau(maps, Fraction(2), (0.8, 1.1))
+        maps = Circle(PoincareMap(made, across, values), "alpha", "lambda", {"beta": 0.0})
+        return locked_interval(maps, Fraction(2), (0.8, 1.1))
 
     wide, flat = step(1.0), step(0.0)
     assert wide.low < 0.95 < wide.high

@@ -8,11 +8,11 @@ import pytest
 from analysis.known_maps import DELAYED, HENON, STANDARD, TWICE, TWIST
 from chaplygin.analysis.orbits.continuation import follow
 from chaplygin.analysis.orbits.periodic import find
-from chaplygin.analysis.orbits.return_map import Returns, promoted
+from chaplygin.analysis.orbits.return_map import ReturnMap, parameters_to_state
 from chaplygin.catalogue import from_catalogue
 from chaplygin.errors import InputError
-from chaplygin.flow.batch import section
-from chaplygin.flow.sections.poincare_map import SectionMap
+from chaplygin.flow.batch import poincare_section
+from chaplygin.flow.sections.poincare_map import PoincareMap
 
 
 def events(made, guess, varied, until, **options):
@@ -66,15 +66,15 @@ def test_a_limit_cycle_is_followed_in_a_parameter():
     ball = from_catalogue("unbalanced-rubber-ball-centred")
     hold = {"energy": 0.5, "quadratic": 0.95}
     near = np.array([-1.31476800, 0.10200860, -0.24651476, 0.0, -0.92401353, -0.38235977])
-    system = promoted(ball, "kappa_3")
-    made = Returns(SectionMap(system, section(system, "gamma_1"), tolerance=1e-15))
+    system = parameters_to_state(ball, "kappa_3")
+    made = ReturnMap(PoincareMap(system, poincare_section(system, "gamma_1"), tolerance=1e-15))
     orbit = find(made, np.append(near, 0.15), hold=hold | {"kappa_3": 0.15})
     branch = follow(made, orbit, "kappa_3", 0.12, hold)
     last = branch.orbits[-1]
     assert branch.reason == "kappa_3 reached 0.12"
     assert last.kind == "attracting"
     assert last.multipliers.forced == ("flow", "energy", "quadratic", "kappa_3")
-    direct = Returns(SectionMap(ball, section(ball, "gamma_1"), {"kappa_3": 0.12}, 1e-15))
+    direct = ReturnMap(PoincareMap(ball, poincare_section(ball, "gamma_1"), {"kappa_3": 0.12}, 1e-15))
     same = find(direct, last.points[0, :6], hold=hold)
     assert last.points[0, :6] == pytest.approx(same.points[0], abs=1e-12)
     assert last.multipliers.values == pytest.approx(same.multipliers.values, abs=1e-11)

@@ -6,25 +6,25 @@ import mpmath
 import numpy as np
 import pytest
 
-from chaplygin.analysis.orbits.high_precision import refined
+from chaplygin.analysis.orbits.high_precision import refine_orbit
 from chaplygin.analysis.orbits.periodic import find
-from chaplygin.analysis.orbits.return_map import Returns
+from chaplygin.analysis.orbits.return_map import ReturnMap
 from chaplygin.catalogue import from_catalogue
 from chaplygin.catalogue.ball_on_sphere import rubber_ball_ratio
-from chaplygin.flow.batch import section
-from chaplygin.flow.sections.poincare_map import SectionMap
+from chaplygin.flow.batch import poincare_section
+from chaplygin.flow.sections.poincare_map import PoincareMap
 
 
 @pytest.mark.slow
 def test_a_period_in_closed_form():
     """A ball that turns about its third axis along a great circle: k ω T = 2π."""
     system = rubber_ball_ratio.rolling().with_laws(rubber_ball_ratio.ENERGY)
-    made = Returns(SectionMap(system, section(system, "n_2"), {"k": -0.5}))
+    made = ReturnMap(PoincareMap(system, poincare_section(system, "n_2"), {"k": -0.5}))
     guess = np.array([1e-3, 0.0, 0.7, 1.0, 0.0, 0.0])
     # the energy of ω = 0.7 about an axis with the moment 3.1, as a double
     energy = 3.1 * 0.7**2 / 2
     orbit = find(made, guess, hold={"energy": energy})
-    found = refined(made, orbit, {"energy": energy})
+    found = refine_orbit(made, orbit, {"energy": energy})
     with mpmath.workdps(40):
         omega = mpmath.sqrt(2 * mpmath.mpf(energy) / mpmath.mpf(3.1))
         assert abs(found.duration - 4 * mpmath.pi / omega) < 1e-28
@@ -34,11 +34,11 @@ def test_a_period_in_closed_form():
 @pytest.mark.slow
 def test_limit_cycle_against_the_orbit_in_doubles():
     ball = from_catalogue("unbalanced-rubber-ball-centred")
-    made = Returns(SectionMap(ball, section(ball, "gamma_1"), tolerance=1e-15))
+    made = ReturnMap(PoincareMap(ball, poincare_section(ball, "gamma_1"), tolerance=1e-15))
     near = np.array([-1.31476800, 0.10200860, -0.24651476, 0.0, -0.92401353, -0.38235977])
     hold = {"energy": 0.5, "quadratic": 0.95}
     orbit = find(made, near, hold=hold)
-    found = refined(made, orbit, hold)
+    found = refine_orbit(made, orbit, hold)
     assert found.error < 1e-28
     assert [float(x) for x in found.point] == pytest.approx(orbit.points[0].tolist(), abs=1e-12)
     assert float(found.duration) == pytest.approx(orbit.duration, abs=1e-12)

@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from flint import arb
 
-from chaplygin.analysis.orbits.limit_cycles import trapped
+from chaplygin.analysis.orbits.limit_cycles import enclose_limit_cycle
 from chaplygin.core.system import Parameter, System
 from chaplygin.errors import InputError
 
@@ -28,7 +28,7 @@ SINES = torus(w - e * sp.sin(alpha))
     [(("0.2", "0.5"), -1, "attracting"), (("2.6", "3.0"), 1, "repelling")],
 )
 def test_cycles_of_sines(interval, sign, kind):
-    found = trapped(SINES, {"w": "0.1", "e": "0.3"}, interval, 0, steps=300, steepest=1.0)
+    found = enclose_limit_cycle(SINES, {"w": "0.1", "e": "0.3"}, interval, 0, steps=300, steepest=1.0)
     wanted = (sign * 2 * arb.pi() * (arb("0.3") ** 2 - arb("0.1") ** 2).sqrt()).exp()
     assert found.kind == kind
     assert found.multiplier.contains(wanted)
@@ -36,35 +36,35 @@ def test_cycles_of_sines(interval, sign, kind):
 
 
 def test_nothing_is_proven_without_a_cycle():
-    found = trapped(torus(w + e / 10 * sp.cos(alpha)), {}, ("0.2", "0.5"), 0, steps=100)
+    found = enclose_limit_cycle(torus(w + e / 10 * sp.cos(alpha)), {}, ("0.2", "0.5"), 0, steps=100)
     assert found.kind == "undecided"
 
 
 def test_a_rotation_is_undecided():
-    assert trapped(torus(1 + 0 * w), {}, ("0.2", "0.5"), 1, steps=50).kind == "undecided"
+    assert enclose_limit_cycle(torus(1 + 0 * w), {}, ("0.2", "0.5"), 1, steps=50).kind == "undecided"
 
 
 def test_mistakes_are_told():
     with pytest.raises(ArithmeticError, match="exceeds its assumed bound"):
-        trapped(SINES, {}, ("0.2", "0.5"), 0, steps=50, steepest=0.01)
+        enclose_limit_cycle(SINES, {}, ("0.2", "0.5"), 0, steps=50, steepest=0.01)
     with pytest.raises(InputError, match="no parameter q"):
-        trapped(SINES, {"q": "1"}, ("0.2", "0.5"), 0)
+        enclose_limit_cycle(SINES, {"q": "1"}, ("0.2", "0.5"), 0)
     with pytest.raises(InputError, match="its state must be"):
-        trapped(SINES, {}, ("0.2", "0.5"), 0, angle="phi")
+        enclose_limit_cycle(SINES, {}, ("0.2", "0.5"), 0, angle="phi")
 
 
 def test_a_clock_that_runs_back_or_turns_is_refused():
     # α = π repels in time, but attracts while β decreases
     back = System("back", "Back", {alpha: -sp.sin(alpha), beta: -1})
     with pytest.raises(ArithmeticError, match="beta does not grow"):
-        trapped(back, {}, ("2.9", "3.4"), 0, steps=100)
+        enclose_limit_cycle(back, {}, ("2.9", "3.4"), 0, steps=100)
     turning = System("turning", "Turning", {alpha: -sp.sin(alpha), beta: sp.cos(alpha)})
     with pytest.raises(ArithmeticError, match="beta does not grow"):
-        trapped(turning, {}, ("1.4", "1.7"), 0, steps=100)
+        enclose_limit_cycle(turning, {}, ("1.4", "1.7"), 0, steps=100)
 
 
 def test_numbers_that_cannot_be_read_are_refused():
     with pytest.raises(InputError, match="interval = x: it must be a decimal number"):
-        trapped(SINES, {}, ("x", "0.5"), 0)
+        enclose_limit_cycle(SINES, {}, ("x", "0.5"), 0)
     with pytest.raises(InputError, match="w = abc: it must be a decimal number"):
-        trapped(SINES, {"w": "abc"}, ("0.2", "0.5"), 0)
+        enclose_limit_cycle(SINES, {"w": "abc"}, ("0.2", "0.5"), 0)

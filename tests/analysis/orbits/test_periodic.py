@@ -8,11 +8,11 @@ import pytest
 from analysis.known_maps import HENON, STANDARD, TWIST
 from chaplygin.analysis.orbits.floquet import stability
 from chaplygin.analysis.orbits.periodic import NoOrbitError, find
-from chaplygin.analysis.orbits.return_map import Returns, promoted
+from chaplygin.analysis.orbits.return_map import ReturnMap, parameters_to_state
 from chaplygin.catalogue import from_catalogue
 from chaplygin.errors import InputError
-from chaplygin.flow.batch import section
-from chaplygin.flow.sections.poincare_map import SectionMap
+from chaplygin.flow.batch import poincare_section
+from chaplygin.flow.sections.poincare_map import PoincareMap
 
 
 def test_fixed_point_of_the_henon_map():
@@ -81,8 +81,8 @@ def test_kinds(values, kind):
 @pytest.mark.slow
 def test_closed_orbit_of_a_ball_on_a_sphere():
     """It turns about its third axis, along a great circle."""
-    system = promoted(from_catalogue("rubber-ball-of-ratio"), "k")
-    made = Returns(SectionMap(system, section(system, "n_2")))
+    system = parameters_to_state(from_catalogue("rubber-ball-of-ratio"), "k")
+    made = ReturnMap(PoincareMap(system, poincare_section(system, "n_2")))
     start = np.array([0.0, 0.0, 0.5, -1.0, 0.0, 0.0, 1.0])
     orbit = find(made, start, hold=("energy", "k"))
     assert orbit.duration == pytest.approx(4 * np.pi, abs=1e-11)
@@ -99,7 +99,7 @@ def test_mistakes_are_told():
     with pytest.raises(InputError, match="guess: its shape"):
         find(HENON, np.zeros(2))
     with pytest.raises(InputError, match="no parameter q"):
-        promoted(from_catalogue("rubber-ball-of-ratio"), "q")
+        parameters_to_state(from_catalogue("rubber-ball-of-ratio"), "q")
 
 
 def test_no_orbit_is_said_to_be_found_where_there_is_none():
@@ -117,7 +117,7 @@ def test_orbits_are_the_same_in_all_units(scale):
     found = []
     for factor in (1.0, scale):
         numbers = {str(symbol): factor * value for symbol, value in ball.defaults.items()}
-        made = Returns(SectionMap(ball, section(ball, "gamma_1"), numbers))
+        made = ReturnMap(PoincareMap(ball, poincare_section(ball, "gamma_1"), numbers))
         hold = {"energy": 0.5 * factor, "quadratic": 0.95 * factor**2}
         found.append(find(made, made.section.iterate(near[None], 100)[0], hold=hold))
     plain, scaled = found

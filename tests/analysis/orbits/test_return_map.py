@@ -8,12 +8,12 @@ import sympy as sp
 
 from chaplygin.analysis.orbits import return_map as module
 from chaplygin.analysis.orbits.periodic import onto
-from chaplygin.analysis.orbits.return_map import Circle, Returns, promoted, rotations
+from chaplygin.analysis.orbits.return_map import Circle, ReturnMap, parameters_to_state, rotations
 from chaplygin.catalogue.ball_on_sphere import rubber_ball_ratio
 from chaplygin.catalogue.bodies.unbalanced_rubber_ball_centred import torus
 from chaplygin.errors import InputError
-from chaplygin.flow.batch import section
-from chaplygin.flow.sections.poincare_map import SectionMap
+from chaplygin.flow.batch import poincare_section
+from chaplygin.flow.sections.poincare_map import PoincareMap
 
 SYSTEM = rubber_ball_ratio.rolling().with_laws(
     rubber_ball_ratio.ENERGY, rubber_ball_ratio.ON_PLANE, rubber_ball_ratio.AROUND
@@ -21,7 +21,7 @@ SYSTEM = rubber_ball_ratio.rolling().with_laws(
 
 
 def returns(k):
-    return Returns(SectionMap(SYSTEM, section(SYSTEM, "n_2"), {"k": k}))
+    return ReturnMap(PoincareMap(SYSTEM, poincare_section(SYSTEM, "n_2"), {"k": k}))
 
 
 @pytest.mark.parametrize(
@@ -53,9 +53,9 @@ def test_slopes_keep_integrals_and_agree_with_differences():
 
 
 def test_a_promoted_parameter_stays_what_it_is():
-    system = promoted(SYSTEM, "k", "J_1")
+    system = parameters_to_state(SYSTEM, "k", "J_1")
     assert [str(s) for s in system.symbols[-2:]] == ["k", "J_1"]
-    made = Returns(SectionMap(system, section(system, "n_2")))
+    made = ReturnMap(PoincareMap(system, poincare_section(system, "n_2")))
     assert made.integrals.names[-2:] == ("k", "J_1")
     start = np.array([[0.3, 0.0, 0.4, -0.8, 0.0, 0.6, 1.0, 2.0]])
     plain = returns(1.0).image(start[:, :6])
@@ -71,7 +71,7 @@ def test_rotation_numbers_do_not_depend_on_how_many_are_followed_at_once(monkeyp
         [np.cos(theta), zero, -np.sin(theta), np.sin(theta), zero, np.cos(theta)], axis=1
     )
     parameters = {"k": np.linspace(0.9, 1.0, 6)}
-    made = SectionMap(SYSTEM, section(SYSTEM, "n_2"), parameters)
+    made = PoincareMap(SYSTEM, poincare_section(SYSTEM, "n_2"), parameters)
     n = SYSTEM.symbols[3:]
     angle = sp.atan2(n[0], n[2])
     whole = rotations(made, starts, angle, 100)
@@ -84,7 +84,7 @@ def test_rotation_numbers_do_not_depend_on_how_many_are_followed_at_once(monkeyp
 def test_a_motion_that_does_not_return_is_marked():
     start = np.array([[0.0, 0.0, 0.5, 1.0, 0.0, 0.0], [0.5, 0.0, 0.0, 1.0, 0.0, 0.0]])
     start[1, :3] = 0.0
-    made = SectionMap(SYSTEM, section(SYSTEM, "n_2"), {"k": 1.0}, until=2000.0)
+    made = PoincareMap(SYSTEM, poincare_section(SYSTEM, "n_2"), {"k": 1.0}, until=2000.0)
     found = rotations(made, start, sp.atan2(SYSTEM.symbols[3], SYSTEM.symbols[5]), 20)
     assert np.isfinite(found.values[0])
     assert np.isnan(found.values[1])
@@ -94,12 +94,12 @@ def test_a_motion_that_does_not_return_is_marked():
 
 def test_mistakes_are_told():
     flow = torus()
-    across = SectionMap(flow, section(flow, "beta", angle=True))
+    across = PoincareMap(flow, poincare_section(flow, "beta", angle=True))
     with pytest.raises(InputError, match="delta is not a state variable"):
         Circle(across, "delta", "lambda", {})
     with pytest.raises(InputError, match="varied: no parameter mu"):
         Circle(across, "alpha", "mu", {})
     with pytest.raises(InputError, match="angles: delta is not"):
-        Returns(across, {"delta": 1.0})
+        ReturnMap(across, {"delta": 1.0})
     with pytest.raises(InputError, match="one value of a parameter"):
-        Returns(SectionMap(flow, across.section, {"J_1": np.ones(3)}))
+        ReturnMap(PoincareMap(flow, across.section, {"J_1": np.ones(3)}))

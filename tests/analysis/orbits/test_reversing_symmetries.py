@@ -9,11 +9,11 @@ from analysis.backwards import runs_backwards
 from chaplygin.analysis.orbits.reversing_symmetries import Reversor, reversors
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.formulas.batch import Formulas
 from chaplygin.proof.prover import prove
 
-x, y, a = map(scalar, "xya")
+x, y, a = map(real_symbol, "xya")
 
 
 def _named(found: Reversor) -> tuple[str, str]:
@@ -73,7 +73,7 @@ def test_conditions_are_as_weak_as_can_be() -> None:
 
 
 def test_parameters_that_must_be_positive_are_kept() -> None:
-    b = scalar("b")
+    b = real_symbol("b")
     positive = Parameter(b, "positive", 0.5, "", (b > 0,))
     system = System("push", "Push", {x: y + b, y: x**3}, (positive,))
     assert {_named(r) for r in reversors(system)} == {("x", "")}

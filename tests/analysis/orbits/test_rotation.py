@@ -20,8 +20,8 @@ from chaplygin.analysis.orbits.rotation import (
 )
 from chaplygin.catalogue.fixed_point import veselova
 from chaplygin.errors import InputError
-from chaplygin.flow.batch import section
-from chaplygin.flow.sections.poincare_map import SectionMap
+from chaplygin.flow.batch import poincare_section
+from chaplygin.flow.sections.poincare_map import PoincareMap
 
 GOLDEN = (np.sqrt(5) - 1) / 2
 
@@ -107,7 +107,7 @@ def test_rotation_numbers_of_many_motions():
         starts[0, 3:] * (starts[0, :3] @ starts[0, 3:]) / (starts[0, 3:] @ starts[0, 3:])
     )
     starts[0, 3:] /= np.linalg.norm(starts[0, 3:])
-    made = SectionMap(system, section(system, str(gamma[1])))
+    made = PoincareMap(system, poincare_section(system, str(gamma[1])))
     found = rotations(made, starts, sp.atan2(gamma[2], gamma[0]), 300)
     assert found.outcome.tolist() == [0, 0]
     assert np.isfinite(found.values).all()

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from chaplygin.analysis.scans.coordinates import CHARTS, Chart, chart
+from chaplygin.analysis.scans.coordinates import CHARTS, StateCoordinates, chart
 from chaplygin.catalogue import from_catalogue
 from chaplygin.errors import InputError
-from chaplygin.flow.sampling.draw import draw
+from chaplygin.flow.sampling.draw import sample_level
 from chaplygin.formulas.evaluate import values
 
 BALL, VESELOVA = from_catalogue("chaplygin-ball"), from_catalogue("veselova")
@@ -23,7 +23,7 @@ def grid(*axes: Any) -> Any:
 
 @pytest.mark.parametrize("name", ["andoyer", "andoyer-ratio"])
 def test_both_ways(name: str) -> None:
-    states = draw(BALL, 200, {"energy": 1.0}, seed=1)
+    states = sample_level(BALL, 200, {"energy": 1.0}, seed=1)
     made = chart(BALL, name)
     points = made.point(states)
     assert points.shape == (200, 5)
@@ -33,7 +33,7 @@ def test_both_ways(name: str) -> None:
         assert period == 0 or (column.min() >= 0 and column.max() < period)
 
 
-def section(energy: float, area: float, parameters: dict[str, float] | None = None) -> Chart:
+def section(energy: float, area: float, parameters: dict[str, float] | None = None) -> StateCoordinates:
     """(l, L/G) on the section g = π/2 of a level."""
     made = chart(BALL, "andoyer-ratio", parameters=parameters)
     return made.fixed({"g": PI / 2, "H": area}).solved("G", "energy", energy)

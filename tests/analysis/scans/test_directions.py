@@ -8,7 +8,7 @@ import pytest
 from chaplygin.analysis.scans.directions import Directions, frame
 from chaplygin.catalogue import from_catalogue
 from chaplygin.errors import InputError
-from chaplygin.flow.sampling.draw import draw
+from chaplygin.flow.sampling.draw import sample_level
 
 
 def test_the_frame_is_orthonormal_and_right_handed() -> None:
@@ -30,7 +30,7 @@ def test_the_frame_is_orthonormal_and_right_handed() -> None:
 def test_both_ways(name: str, level: dict[str, float], drawn: dict[str, float]) -> None:
     system = from_catalogue(name)
     maps = Directions(system, level, None)
-    states = draw(system, 200, drawn, seed=1).T
+    states = sample_level(system, 200, drawn, seed=1).T
     points = maps.points(states)
     assert np.abs(points[3] - 1).max() < 1e-13
     here, again = maps.states(points)

@@ -7,14 +7,14 @@ import pickle
 import numpy as np
 import pytest
 
-from chaplygin.analysis.scans.grid import INADMISSIBLE, NO_STATE, axis, plane
+from chaplygin.analysis.scans.grid import INADMISSIBLE, NO_STATE, axis, scan_grid
 from chaplygin.analysis.scans.named_quantities import named
 from chaplygin.catalogue import entry
-from chaplygin.catalogue.ball_on_sphere.ball_on_sphere_equations import equations
+from chaplygin.catalogue.ball_on_sphere.ball_on_sphere_equations import equations_on_sphere
 from chaplygin.errors import InputError
 from chaplygin.formulas.evaluate import values
 
-BALL = equations()
+BALL = equations_on_sphere()
 START = {"M": (1.0, 0.5, 1.2), "n": (0.2, -0.3, 0.93)}
 ENTRY = entry("ball-on-sphere")
 ROLLING = ENTRY.system()
@@ -47,7 +47,7 @@ def test_axes_that_are_none(text: str, message: str) -> None:
 
 
 def test_parameters_and_components_stand_as_given() -> None:
-    made = plane(BALL, axis("k=-1:1:5"), axis("n_1=-0.9:0.9:4"), START)
+    made = scan_grid(BALL, axis("k=-1:1:5"), axis("n_1=-0.9:0.9:4"), START)
     cells = made.cells(1, 3)
     assert not cells.reasons.any()
     ((symbol, ratios),) = cells.parameters.items()
@@ -59,7 +59,7 @@ def test_parameters_and_components_stand_as_given() -> None:
 
 
 def test_rows_do_not_depend_on_the_block() -> None:
-    made = plane(BALL, axis("k=-1:1:5"), axis("energy=0.5:0.9:6"), START)
+    made = scan_grid(BALL, axis("k=-1:1:5"), axis("energy=0.5:0.9:6"), START)
     whole = made.cells(0, 6).starts
     parts = [made.cells(row, row + 1).starts for row in range(6)]
     assert np.array_equal(whole, np.concatenate(parts))
@@ -68,7 +68,7 @@ def test_rows_do_not_depend_on_the_block() -> None:
 
 
 def test_levels_move_the_momentum_and_not_the_normal() -> None:
-    made = plane(
+    made = scan_grid(
         BALL,
         axis("energy=0.51:0.77:4"),
         axis("theta=0:3:5"),
@@ -96,7 +96,7 @@ def test_levels_move_the_momentum_and_not_the_normal() -> None:
 
 
 def test_a_start_by_angular_velocity_stays_what_it_is() -> None:
-    made = plane(
+    made = scan_grid(
         ROLLING,
         axis("k=-2:0.75:5"),
         axis("I_3=2:2.4:3"),
@@ -110,7 +110,7 @@ def test_a_start_by_angular_velocity_stays_what_it_is() -> None:
 
 
 def test_cells_without_a_motion_say_why() -> None:
-    made = plane(BALL, axis("I_1=-0.5:1:4"), axis("n_1=-1.5:1.5:4"), START)
+    made = scan_grid(BALL, axis("I_1=-0.5:1:4"), axis("n_1=-1.5:1.5:4"), START)
     cells = made.cells(0, 4)
     reasons = cells.reasons.reshape(4, 4)
     assert np.all(reasons[:, :2] == INADMISSIBLE)
@@ -120,7 +120,7 @@ def test_cells_without_a_motion_say_why() -> None:
 
 
 def test_cells_of_bodies_that_cannot_be_say_so() -> None:
-    made = plane(ROLLING, axis("I_1=-1:4:6"), axis("m=-1:1:3"), ENTRY.start.values)
+    made = scan_grid(ROLLING, axis("I_1=-1:4:6"), axis("m=-1:1:3"), ENTRY.start.values)
     reasons = made.cells(0, 3).reasons.reshape(3, 6)
     assert np.all(reasons[:2] == INADMISSIBLE)
     # I_2 + I_3 = 3.6
@@ -129,8 +129,8 @@ def test_cells_of_bodies_that_cannot_be_say_so() -> None:
 
 def test_what_is_held_is_not_moved() -> None:
     x, y = axis("energy=0.6:0.8:3"), axis("k=0:1:3")
-    free = plane(BALL, x, y, {**START, "n": (0.0, 0.6, 0.8)}).cells(0, 3).starts
-    held = plane(BALL, x, y, {**START, "n": (0.0, 0.6, 0.8)}, held=["M_1", "n"]).cells(0, 3)
+    free = scan_grid(BALL, x, y, {**START, "n": (0.0, 0.6, 0.8)}).cells(0, 3).starts
+    held = scan_grid(BALL, x, y, {**START, "n": (0.0, 0.6, 0.8)}, held=["M_1", "n"]).cells(0, 3)
     assert np.ptp(free[:, 0]) > 1e-3
     assert np.array_equal(held.starts[:, [0, 3, 4, 5]], np.tile([1.0, 0.0, 0.6, 0.8], (9, 1)))
 
@@ -149,12 +149,12 @@ def test_what_is_held_is_not_moved() -> None:
 )
 def test_mistakes(x: str, y: str, more: dict[str, object], message: str) -> None:
     with pytest.raises(InputError, match=message):
-        plane(BALL, axis(x), axis(y), START, **more)
+        scan_grid(BALL, axis(x), axis(y), START, **more)
 
 
 def test_a_mistake_names_what_is_of_use_in_the_order_of_declaration() -> None:
     with pytest.raises(InputError) as caught:
-        plane(BALL, axis("k_9=0:1:2"), axis("energy=0:1:2"), START)
+        scan_grid(BALL, axis("k_9=0:1:2"), axis("energy=0:1:2"), START)
     told = str(caught.value)
     names = [*map(str, (*BALL.defaults, *BALL.symbols)), *named(BALL)]
     assert told.endswith(f"allowed: {', '.join(names)}")
@@ -163,6 +163,6 @@ def test_a_mistake_names_what_is_of_use_in_the_order_of_declaration() -> None:
 def test_starts_that_are_incomplete() -> None:
     x, y = axis("k=0:1:2"), axis("d=0:1:2")
     with pytest.raises(InputError, match="the start gives no n"):
-        plane(BALL, x, y, {"M": (1.0, 0.5, 1.2)})
+        scan_grid(BALL, x, y, {"M": (1.0, 0.5, 1.2)})
     with pytest.raises(InputError, match="n: 3 numbers are needed, not 2"):
-        plane(BALL, x, y, {**START, "n": (1.0, 0.0)})
+        scan_grid(BALL, x, y, {**START, "n": (1.0, 0.0)})

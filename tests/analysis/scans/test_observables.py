@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import sympy as sp
 
-from chaplygin.analysis.scans.observables import Duration, Frequency, Highest, Lowest, Mean, watched
+from chaplygin.analysis.scans.observables import SurvivalTime, Frequency, Maximum, Minimum, TimeAverage, observe
 from chaplygin.core.system import Guard, Parameter, System
-from chaplygin.flow.batch import lanes
+from chaplygin.flow.batch import batch_integrator
 
 x, y, c = sp.symbols("x y c", real=True)
 
@@ -24,14 +24,14 @@ RATES = {c: np.array([1.0, 2.0, 0.5])}
 
 
 def test_means() -> None:
-    found = Mean(CIRCLE, 10.0, x**2)(STARTS, RATES)
+    found = TimeAverage(CIRCLE, 10.0, x**2)(STARTS, RATES)
     rates = RATES[c]
     exact = STARTS[:, 0] ** 2 * (0.5 + np.sin(20.0 * rates) / (40.0 * rates))
     assert np.abs(found["value"] - exact).max() < 1e-11
 
 
 def test_extremes() -> None:
-    for rule, sign in ((Highest, 1.0), (Lowest, -1.0)):
+    for rule, sign in ((Maximum, 1.0), (Minimum, -1.0)):
         found = rule(CIRCLE, 20.0, x + 1)(STARTS, RATES)["value"]
         assert np.abs(found - (1.0 + sign * STARTS[:, 0])).max() < 1e-3
 
@@ -61,7 +61,7 @@ def test_durations() -> None:
         guards=(Guard("left", x + 1, "x has fallen to -1"),),
     )
     starts = STARTS - [[0.5, 0.0]]
-    found = Duration(half, 4.0)(starts, RATES)
+    found = SurvivalTime(half, 4.0)(starts, RATES)
     assert found["value"][0] == 4.0
     assert (
         np.abs(found["value"] - [4.0, *np.arccos(-1.0 / starts[1:, 0]) / RATES[c][1:]]).max() < 1e-9
@@ -70,7 +70,7 @@ def test_durations() -> None:
 
 
 def test_few_states_at_a_time_are_the_same_as_all() -> None:
-    flow = lanes(CIRCLE, tolerance=1e-12)
-    seen = watched(flow, x, STARTS, 30.0, 300, RATES).values
+    flow = batch_integrator(CIRCLE, tolerance=1e-12)
+    seen = observe(flow, x, STARTS, 30.0, 300, RATES).values
     times = np.linspace(0.0, 30.0, 301)
     assert np.abs(seen - STARTS[:, :1] * np.cos(RATES[c][:, None] * times)).max() < 1e-9

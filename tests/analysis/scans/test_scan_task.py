@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.analysis.scans.grid import axis, plane
-from chaplygin.analysis.scans.observables import Highest
-from chaplygin.analysis.scans.quantity_names import KINDS, asked
-from chaplygin.analysis.scans.scan_task import Chart, chart
+from chaplygin.analysis.scans.grid import axis, scan_grid
+from chaplygin.analysis.scans.observables import Maximum
+from chaplygin.analysis.scans.quantity_names import KINDS, quantity_from_text
+from chaplygin.analysis.scans.scan_task import Scan, scan
 from chaplygin.catalogue import entry
 from chaplygin.core.system import Guard, Observable, Parameter, System
 from chaplygin.errors import InputError
@@ -25,8 +25,8 @@ PENDULUM = System(
     guards=(Guard("over", 2.5 - x, "it has gone over"),),
     observables=(Observable("height", -sp.cos(x), "height", "m"),),
 )
-PLANE = plane(PENDULUM, axis("c=-0.5:2:6"), axis("y=0:2.5:5"), {"x": 0.0, "y": 0.0})
-TASK = chart(Chart(PLANE, Highest(PENDULUM, 20.0, x), "highest", "highest angle", "rad"))
+PLANE = scan_grid(PENDULUM, axis("c=-0.5:2:6"), axis("y=0:2.5:5"), {"x": 0.0, "y": 0.0})
+TASK = scan(Scan(PLANE, Maximum(PENDULUM, 20.0, x), "highest", "highest angle", "rad"))
 
 
 def test_numbers_and_reasons() -> None:
@@ -98,20 +98,20 @@ def test_every_kind_of_number_is_finite(word: str) -> None:
         parameters=PENDULUM.parameters,
         observables=PENDULUM.observables,
     )
-    made = plane(free, axis("c=0.5:2:3"), axis("y=0.1:1.5:2"), {"x": 0.5, "y": 0.0})
+    made = scan_grid(free, axis("c=0.5:2:3"), axis("y=0.1:1.5:2"), {"x": 0.5, "y": 0.0})
     of = "x" if word == "frequency" else "height"
-    number = asked(free, f"{word}:{of}" if KINDS[word].of else word, 30.0)
-    found = compute(chart(Chart(made, number.rule, number.name, number.title, number.unit)))
+    number = quantity_from_text(free, f"{word}:{of}" if KINDS[word].of else word, 30.0)
+    found = compute(scan(Scan(made, number.rule, number.name, number.title, number.unit)))
     assert np.isfinite(found[number.name].values).all()
     assert not found["outcome"].values.any()
 
 
 def test_numbers_of_formulas() -> None:
-    assert asked(PENDULUM, "mean:height", 1.0).unit == "m"
-    assert asked(PENDULUM, "mean:x", 1.0).unit == "unknown"
-    assert asked(PENDULUM, "mean:x", 1.0, variables={"x": ("angle", "rad")}).unit == "rad"
-    assert asked(PENDULUM, "highest: x + y", 1.0).title == "highest value of x + y"
-    assert asked(PENDULUM, "frequency:x", 1.0).unit == "1/s"
+    assert quantity_from_text(PENDULUM, "mean:height", 1.0).unit == "m"
+    assert quantity_from_text(PENDULUM, "mean:x", 1.0).unit == "unknown"
+    assert quantity_from_text(PENDULUM, "mean:x", 1.0, variables={"x": ("angle", "rad")}).unit == "rad"
+    assert quantity_from_text(PENDULUM, "highest: x + y", 1.0).title == "highest value of x + y"
+    assert quantity_from_text(PENDULUM, "frequency:x", 1.0).unit == "1/s"
 
 
 @pytest.mark.parametrize(
@@ -126,7 +126,7 @@ def test_numbers_of_formulas() -> None:
 )
 def test_numbers_that_are_none(text: str, message: str) -> None:
     with pytest.raises(InputError, match=message):
-        asked(PENDULUM, text, 1.0)
+        quantity_from_text(PENDULUM, text, 1.0)
 
 
 @pytest.mark.parametrize(
@@ -140,17 +140,17 @@ def test_numbers_that_are_none(text: str, message: str) -> None:
 def test_what_is_no_angle_has_no_frequency(quantity: str, wrong: str) -> None:
     ball = entry("chaplygin-ball").system()
     with pytest.raises(InputError, match=wrong):
-        asked(ball, f"frequency:{quantity}", 1.0)
-    assert asked(ball, "frequency:atan2(gamma_2, gamma_1)", 1.0).unit == "1/s"
+        quantity_from_text(ball, f"frequency:{quantity}", 1.0)
+    assert quantity_from_text(ball, "frequency:atan2(gamma_2, gamma_1)", 1.0).unit == "1/s"
 
 
 def test_an_axis_like_a_result_is_refused() -> None:
     with pytest.raises(InputError, match="must not have the name of a result"):
-        made = plane(
+        made = scan_grid(
             PENDULUM,
             axis("ended=0.5:2:3"),
             axis("y=0:1:2"),
             {"x": 0, "y": 0},
             formulas={"c": "ended"},
         )
-        chart(Chart(made, Highest(PENDULUM, 2.0, x), "highest", "highest angle"))
+        scan(Scan(made, Maximum(PENDULUM, 2.0, x), "highest", "highest angle"))

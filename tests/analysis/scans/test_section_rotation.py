@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import sympy as sp
 
-from chaplygin.analysis.scans.quantity_names import asked
+from chaplygin.analysis.scans.quantity_names import quantity_from_text
 from chaplygin.core.system import Parameter, System
 
 x, y, u, v, c = sp.symbols("x y u v c", real=True)
@@ -20,7 +20,7 @@ PAIR = System(
 
 
 def test_the_ratio_of_two_oscillators() -> None:
-    number = asked(PAIR, "rotation: atan2(v, u) on y", 4000.0)
+    number = quantity_from_text(PAIR, "rotation: atan2(v, u) on y", 4000.0)
     assert number.title == "rotation number of atan2(v, u) on y"
     ratios = np.array([0.5 * (5**0.5 - 1), 0.25, 2**0.5, 0.1])
     starts = np.tile([1.0, 0.0, 0.7, 0.1], (4, 1))
@@ -30,7 +30,7 @@ def test_the_ratio_of_two_oscillators() -> None:
 
 
 def test_motions_that_do_not_return_say_why() -> None:
-    rule = asked(PAIR, "rotation: atan2(v, u) on y", 50.0).rule
+    rule = quantity_from_text(PAIR, "rotation: atan2(v, u) on y", 50.0).rule
     found = rule(np.array([[1.0, 0.0, 0.7, 0.1]]), {})
     assert found["outcome"][0] > 0
     assert np.isnan(found["value"][0])

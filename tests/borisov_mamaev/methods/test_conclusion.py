@@ -7,7 +7,7 @@ import pytest
 from chaplygin.borisov_mamaev.methods.conclusion import concluded
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.laws import Integral
-from chaplygin.core.vectors import normed, vectors
+from chaplygin.core.vectors import norm_squared, vectors
 from chaplygin.proof.verdict import Verdict
 
 (M,) = vectors("M")
@@ -16,7 +16,7 @@ PROVEN = Verdict("first", "proven", shown="x", terms=7, seconds=2.0)
 
 def test_a_conclusion_is_proven_when_all_it_rests_on_is():
     ball = from_catalogue("chaplygin-ball")
-    found = concluded("both", "what follows", (PROVEN, (ball, Integral("square", normed(M)))))
+    found = concluded("both", "what follows", (PROVEN, (ball, Integral("square", norm_squared(M)))))
     assert found.decision == "proven"
     assert found.shown == "what follows"
     assert not found.reason

@@ -7,7 +7,7 @@ import pytest
 import sympy as sp
 
 from catalogue import built
-from chaplygin.core.vectors import explicit
+from chaplygin.core.vectors import to_components
 
 
 @pytest.mark.parametrize(
@@ -18,8 +18,8 @@ def test_integrals_leave_two_dimensions(name: str, cyclic: int) -> None:
     made = built.study(name)
     system = made.system
     state = list(system.symbols)
-    functions = [explicit(law.value) for law in system.integrals]
-    functions += [explicit(relation) for relation in system.relations]
+    functions = [to_components(law.value) for law in system.integrals]
+    functions += [to_components(relation) for relation in system.relations]
     if name == "ball-bearing":
         # angles between the supports are constant too
         alpha, beta, gamma = (np.array(v.symbols) for v in system.state[1:])

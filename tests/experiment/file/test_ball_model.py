@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-from chaplygin.analysis.classification.facts import Patience
+from chaplygin.analysis.classification.facts import ProofBudget
 from chaplygin.errors import InputError
 from chaplygin.experiment.ball import setting, smooth_surface
 from chaplygin.experiment.file.ball_model import BallExperiment, moment
@@ -203,7 +203,7 @@ def test_what_is_made_in_python_is_checked_too():
 def test_a_study_draws_the_ball(made, tmp_path):
     experiment = loads(BALL) if made == "file" else catalogue_experiment("marble-ball-on-cone")
     study = prepare(experiment)
-    _, failure = write_study(study, tmp_path, False, Patience(1, 0), Unheard())
+    _, failure = write_study(study, tmp_path, False, ProofBudget(1, 0), Unheard())
     assert failure is None
     drawn = {path.name for path in (tmp_path / "figures").iterdir()}
     assert {"scene.png", "scene.svg", "state.png", "normal_force.png", "drift.png"} <= drawn

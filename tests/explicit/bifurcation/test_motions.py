@@ -11,11 +11,11 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from chaplygin.catalogue import from_catalogue
-from chaplygin.core.vectors import explicit
+from chaplygin.core.vectors import to_components
 from chaplygin.explicit.bifurcation import bifurcation_diagram
 from chaplygin.explicit.bifurcation.families import SEPARATED
 from chaplygin.explicit.separations.chaplygin_area import chaplygin_area
-from chaplygin.flow.linear_stability import linearise
+from chaplygin.flow.linear_stability import linear_stability
 from explicit.tori_followed import counted
 
 QUICK = ("veselova", "chaplygin-ball", "neumann", "rubber-ball-of-ratio")
@@ -74,7 +74,7 @@ def test_tori_of_other_bodies(name, seed):
 
 
 def _numeric(system, formulas, parameters):
-    wanted = [explicit(sp.sympify(formula)) for formula in formulas]
+    wanted = [to_components(sp.sympify(formula)) for formula in formulas]
     for symbol, value in reversed(system.steps):
         wanted = [formula.xreplace({symbol: value}) for formula in wanted]
     known = {s: sp.Rational(str(v)) for s, v in parameters.items()}
@@ -122,7 +122,7 @@ def test_equilibria_linearised(name, normal, moving):
     for corner in diagram.equilibria:
         state = {f"{moving}_{i}": 0 for i in (1, 2, 3)}
         state |= {f"{normal}_{i}": int(i == corner.axis) for i in (1, 2, 3)}
-        rates = linearise(system, state).eigenvalues
+        rates = linear_stability(system, state).eigenvalues
         growing = sum(1 for rate in rates if rate.real > 1e-6)
         turning = sum(1 for rate in rates if rate.imag > 1e-6)
         assert (growing, turning) == (2 - corner.centres, corner.centres)
@@ -142,7 +142,7 @@ def test_vertical_rotations_of_the_ball_linearised(axis):
         {diagram.axes[0].symbol: 1 / (2 * sp.Rational(inertia)), diagram.axes[1].symbol: 1}
     )
     assert on == 0
-    growing = [rate for rate in linearise(system, state).eigenvalues if rate.real > 1e-6]
+    growing = [rate for rate in linear_stability(system, state).eigenvalues if rate.real > 1e-6]
     assert bool(growing) != boundary.stable
 
 

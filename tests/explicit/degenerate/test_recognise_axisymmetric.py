@@ -19,7 +19,7 @@ from chaplygin.explicit.degenerate.recognise_axisymmetric import (
 )
 from chaplygin.explicit.degenerate.uniform_motion import UniformSolution
 from chaplygin.flow.integrator import integrate
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.initial_state import initial_state
 
 GAMMA = (0.48, 0.6, 0.64)
 TIMES = [0.0, 1.0, 10.0, 40.0]
@@ -55,7 +55,7 @@ def case(
         symbol: dict(zip(("I_1", "I_2", "I_3"), moments, strict=True)).get(str(symbol), number)
         for symbol, number in system.defaults.items()
     }
-    start = starting_state(system, omega, gamma, heading=0.4, parameters=values)
+    start = initial_state(system, omega, gamma, heading=0.4, parameters=values)
     numbers = {symbol: exact(value) for symbol, value in values.items()}
     balls = [exact(moment) for moment in moments]
     with ctx.workprec(420):

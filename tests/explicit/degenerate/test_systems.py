@@ -12,10 +12,10 @@ from flint import arb, ctx
 
 from chaplygin.explicit.base.problem import exact
 from chaplygin.explicit.degenerate import solved_degenerate
-from chaplygin.explicit.degenerate.solution import Degenerate
+from chaplygin.explicit.degenerate.solution import DegenerateSolution
 from chaplygin.explicit.degenerate.theta_motion import Asymptotic, Periodic
 from chaplygin.explicit.genus_two.separated_motion import flat_state
-from chaplygin.explicit.genus_two.separation import Separable, nu, nuprime
+from chaplygin.explicit.genus_two.separation import SeparatedSystem, nu, nuprime
 from chaplygin.explicit.recognise import SEPARABLE
 from chaplygin.flow.integrator import integrate
 from chaplygin.formulas.balls import evaluated
@@ -23,7 +23,7 @@ from chaplygin.formulas.balls import evaluated
 TIMES = [0.0, 0.5, 4.0]
 
 
-def reduced(made: Separable) -> Separable:
+def reduced(made: SeparatedSystem) -> SeparatedSystem:
     """Without the motion in space, on the level of the state alone."""
     system = replace(made.system, motion=None)
     moving = set(system.symbols)
@@ -31,7 +31,7 @@ def reduced(made: Separable) -> Separable:
     return replace(made, system=system, level=level)
 
 
-SYSTEMS: dict[str, Separable] = {}
+SYSTEMS: dict[str, SeparatedSystem] = {}
 for _place in SEPARABLE:
     _module = __import__(
         f"chaplygin.explicit.separations.{_place.module}", fromlist=[_place.function]
@@ -46,11 +46,11 @@ PLAIN = [
 ]
 
 
-def slip(made: Separable, start: Any, kind: type) -> float:
+def slip(made: SeparatedSystem, start: Any, kind: type) -> float:
     system = made.system
     numbers = {symbol: exact(value) for symbol, value in system.defaults.items()}
     found = solved_degenerate(made, numbers, start)
-    assert isinstance(found, Degenerate)
+    assert isinstance(found, DegenerateSolution)
     assert type(found.motion) is kind
     run = integrate(system, start, TIMES, precision="quad")
     return float(np.abs(found.states(np.array(TIMES)) - run.states.astype(float)).max())
@@ -82,7 +82,7 @@ def test_error_bounds_contain_the_integrated_state() -> None:
     with ctx.workprec(300):
         start = focal(made, (0.3, 0.7, -0.4))
     found = solved_degenerate(made, numbers, start)
-    assert isinstance(found, Degenerate)
+    assert isinstance(found, DegenerateSolution)
     run = integrate(made.system, start, [0.0, 3.0], precision="quad")
     with ctx.workprec(150):
         for ball, wanted in zip(found.rigorous(3.0, 12), run.states[1], strict=True):
@@ -90,7 +90,7 @@ def test_error_bounds_contain_the_integrated_state() -> None:
             assert abs(ball - arb(str(wanted))) < 1e-20
 
 
-def focal(made: Separable, push: tuple[float, float, float]) -> list[Any]:
+def focal(made: SeparatedSystem, push: tuple[float, float, float]) -> list[Any]:
     """A state where both variables are at the middle pole: it is on a separatrix whatever ν′ is."""
     system = made.system
     known: dict[Any, Any] = {s: arb(repr(float(x))) for s, x in system.defaults.items()}

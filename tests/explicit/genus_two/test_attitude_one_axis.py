@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.core.vectors import explicit, scalar, vectors
+from chaplygin.core.vectors import to_components, real_symbol, vectors
 from chaplygin.explicit.genus_two.attitude_one_axis import (
     Reference,
     farthest,
@@ -63,14 +63,14 @@ LEVER = ("1.3", "1.8", "0.7")
 
 
 def test_the_attitude_of_a_motion():
-    psi = scalar("psi")
+    psi = real_symbol("psi")
     system = BALL.system
     known = {nu: BALL.direction, nuprime: BALL.turning}
     formula = spinning(BALL, references(BALL)[0]).subs(
         [
             pair
             for name, value in known.items()
-            for pair in zip(name.symbols, explicit(value), strict=True)
+            for pair in zip(name.symbols, to_components(value), strict=True)
         ]
     )
     lifted = replace(system.lifted(), observables=())

@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from chaplygin.explicit.base.no_closed_form import NoClosedFormError
 from chaplygin.explicit.genus_two.floquet_attitude import reduction
-from chaplygin.explicit.genus_two.separated_motion import prepared
+from chaplygin.explicit.genus_two.separated_motion import separate
 from chaplygin.explicit.separations.rubber_sphere import of_ratio
 from chaplygin.formulas.balls import number
 
@@ -103,7 +103,7 @@ def test_the_rubber_ball_around_a_sphere():
     numbers = (*map(Fraction, ("1.3", "2", "2.7")), Fraction(-1))
     values = dict(zip((p.symbol for p in separable.system.parameters), numbers, strict=True))
     with ctx.workprec(200):
-        torus = prepared(replace(separable, level=()), values, start).torus
+        torus = separate(replace(separable, level=()), values, start).torus
     V, v_0 = (np.array([number(x) for x in pair]) for pair in (torus.V, torus.v_0))
 
     def turning(v):

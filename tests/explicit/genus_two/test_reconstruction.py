@@ -2,9 +2,9 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.core.vectors import explicit
+from chaplygin.core.vectors import to_components
 from chaplygin.explicit.separations import ball_sphere, bruns, bruns_ball, rubber_sphere
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.initial_state import initial_state
 from explicit.followed_states import GAMMA, OMEGA, miss, solution, without
 
 
@@ -34,9 +34,9 @@ def test_a_ball_around_a_sphere_turns_about_its_momentum() -> None:
 
     def area(spin: float) -> float:
         """(AM, n), linear in ω."""
-        start = starting_state(of.system, (spin, OMEGA[1], OMEGA[2]), tuple(GAMMA))
+        start = initial_state(of.system, (spin, OMEGA[1], OMEGA[2]), tuple(GAMMA))
         known = {**of.system.defaults, **dict(zip(of.system.symbols, start, strict=False))}
-        (level,) = (explicit(f) for f in of.level if explicit(f).has(of.system.symbols[0]))
+        (level,) = (to_components(f) for f in of.level if to_components(f).has(of.system.symbols[0]))
         return float(level.xreplace({s: sp.Float(str(x), 30) for s, x in known.items()}))
 
     at_zero, at_one = area(0.0), area(1.0)

@@ -4,18 +4,18 @@ import numpy as np
 import pytest
 from flint import arb, ctx
 
-from chaplygin.explicit.genus_two.separated_motion import prepared
+from chaplygin.explicit.genus_two.separated_motion import separate
 from chaplygin.explicit.separations.veselova import veselova
 from chaplygin.formulas.balls import number
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.initial_state import initial_state
 from explicit.followed_states import GAMMA, OMEGA, without
 
-START = starting_state(veselova().system, tuple(without(OMEGA, GAMMA)), tuple(GAMMA))[:6]
+START = initial_state(veselova().system, tuple(without(OMEGA, GAMMA)), tuple(GAMMA))[:6]
 
 
 def test_the_derivative_is_along_the_flow() -> None:
     with ctx.workprec(256):
-        torus = prepared(veselova(), veselova().system.defaults, START).torus
+        torus = separate(veselova(), veselova().system.defaults, START).torus
         step = arb(2) ** -60
 
         def at(tau: arb) -> tuple[tuple[arb, ...], tuple[arb, ...]]:
@@ -29,7 +29,7 @@ def test_the_derivative_is_along_the_flow() -> None:
 
 def test_arrays_agree_with_balls() -> None:
     with ctx.workprec(256):
-        torus = prepared(veselova(), veselova().system.defaults, START).torus
+        torus = separate(veselova(), veselova().system.defaults, START).torus
         v = np.array([[0.3, -0.8], [1.7, 0.2]])
         direction, turning = torus.values(v)
         for place, row in enumerate(v):
@@ -39,7 +39,7 @@ def test_arrays_agree_with_balls() -> None:
 
 
 def test_the_direction_has_period_two() -> None:
-    torus = prepared(veselova(), veselova().system.defaults, START).torus
+    torus = separate(veselova(), veselova().system.defaults, START).torus
     here, shifted = (torus.values(np.array([[x, y]]))[0] for x, y in ((0.3, 0.4), (2.3, -3.6)))
     assert here == pytest.approx(shifted, abs=1e-14)
 
@@ -48,11 +48,11 @@ def test_a_wrong_weight_is_noticed() -> None:
     of = veselova()
     wrong = replace(of, weights=(of.weights[0], 2 * of.weights[1], of.weights[2]))
     with ctx.workprec(256), pytest.raises(ArithmeticError, match="does not pass through its start"):
-        prepared(wrong, of.system.defaults, START)
+        separate(wrong, of.system.defaults, START)
 
 
 def test_a_wrong_root_is_noticed() -> None:
     of = veselova()
     wrong = replace(of, roots=(*of.roots[:4], of.roots[4] * 21 / 20))
     with ctx.workprec(256), pytest.raises(ArithmeticError, match="does not pass through its start"):
-        prepared(wrong, of.system.defaults, START)
+        separate(wrong, of.system.defaults, START)

@@ -12,12 +12,12 @@ from chaplygin.errors import InputError
 from chaplygin.explicit.revolution import solve_rolling
 from chaplygin.explicit.revolution.diagram import Diagram, motions_at, revolution_diagram
 from chaplygin.mechanics.rolling.body import Body
-from chaplygin.mechanics.rolling.equations import Field, Rolling
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.equations import Forces, Rolling
+from chaplygin.mechanics.rolling.initial_state import initial_state
 from chaplygin.mechanics.rolling.shapes import Ball, Disk
 from chaplygin.report.figures.bifurcation_revolution import diagram_of_revolution
 
-DISK = Rolling(Body(1.0, (0.25, 0.25, 0.5), Disk(1.0)), contact="rubber", field=Field(9.81))
+DISK = Rolling(Body(1.0, (0.25, 0.25, 0.5), Disk(1.0)), contact="rubber", field=Forces(9.81))
 SPINS = (0.5, 1.0, 2.0, 3.0, 3.2, 4.0)
 
 
@@ -51,7 +51,7 @@ def test_numbers_of_motions(diagram: Diagram) -> None:
 
 
 def test_a_motion_lies_where_its_integrals_say(diagram: Diagram) -> None:
-    state = starting_state(DISK.system(), (0.3, 1.0, 1.0), (1.0, -0.3, 0.0))
+    state = initial_state(DISK.system(), (0.3, 1.0, 1.0), (1.0, -0.3, 0.0))
     solution = solve_rolling(DISK, DISK.system(), state)
     assert solution is not None
     h, K, *_ = (float(figure.value) for figure in solution.form.figures)
@@ -78,12 +78,12 @@ def test_figure(diagram: Diagram) -> None:
 def test_refusals() -> None:
     with pytest.raises(InputError, match="must be positive"):
         revolution_diagram(DISK, [0.0])
-    marble = Rolling(DISK.body, contact="marble", field=Field(9.81))
+    marble = Rolling(DISK.body, contact="marble", field=Forces(9.81))
     with pytest.raises(InputError, match="rubber body of revolution"):
         revolution_diagram(marble, [1.0])
     with pytest.raises(InputError, match="merge"):
         # at K² = g the three rotations of the disk become one
-        revolution_diagram(Rolling(DISK.body, contact="rubber", field=Field(4.0)), [2.0])
+        revolution_diagram(Rolling(DISK.body, contact="rubber", field=Forces(4.0)), [2.0])
 
 
 def test_ball_without_gravity_has_one_rotation() -> None:

@@ -9,7 +9,7 @@ import mpmath
 import pytest
 import sympy as sp
 
-from chaplygin.explicit.genus_two.separation_laws import stated
+from chaplygin.explicit.genus_two.separation_laws import separation_laws
 from chaplygin.explicit.separations.ball_sphere import hollow_ball, of_tensor
 from chaplygin.explicit.separations.ball_sphere_coordinates import in_coordinates
 from chaplygin.proof.prover import prove
@@ -65,7 +65,7 @@ def test_a_slip_in_the_curve_is_refuted(slip):
 @pytest.mark.parametrize("slip", STATED)
 def test_a_slip_is_refuted(slip):
     changes, name = STATED[slip]
-    (law,) = (law for law in stated(replace(BY_TENSOR, **changes)) if law.name == name)
+    (law,) = (law for law in separation_laws(replace(BY_TENSOR, **changes)) if law.name == name)
     assert prove(BY_TENSOR.system, law).decision == "refuted"
 
 

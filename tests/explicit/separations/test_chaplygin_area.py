@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 
 from chaplygin.core.laws import Identity
-from chaplygin.core.vectors import explicit
+from chaplygin.core.vectors import to_components
 from chaplygin.explicit.genus_two.separation import nuprime
 from chaplygin.explicit.separations.chaplygin_area import M, chaplygin_area, even_clock, gamma
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
@@ -48,7 +48,7 @@ def test_proven_at_a_level(law):
 @pytest.mark.parametrize("law", CHART.laws[2:], ids=lambda law: law.name)
 def test_a_slip_on_the_chart_is_refuted(law):
     (symbol,) = CHART.laws[0].value.free_symbols
-    values = list(sp.flatten([explicit(sp.sympify(law.value))]))
+    values = list(sp.flatten([to_components(sp.sympify(law.value))]))
     wrong = Identity(law.name, (*values[:-1], values[-1] + symbol))
     assert prove(CHART, wrong).decision == "refuted"
 

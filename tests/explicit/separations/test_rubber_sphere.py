@@ -8,7 +8,7 @@ import mpmath
 import pytest
 import sympy as sp
 
-from chaplygin.explicit.genus_two.separation_laws import stated
+from chaplygin.explicit.genus_two.separation_laws import separation_laws
 from chaplygin.explicit.separations.rubber_sphere import hollow_ball, of_ratio, on_e3, on_plane
 from chaplygin.proof.prover import prove
 from explicit.along import abel_sums, at, located, restored, states
@@ -80,7 +80,7 @@ PLANTED = {
 @pytest.mark.parametrize("slip", PLANTED)
 def test_a_slip_is_refuted(slip):
     changes, name = PLANTED[slip]
-    (law,) = (law for law in stated(replace(FAMILY, **changes)) if law.name == name)
+    (law,) = (law for law in separation_laws(replace(FAMILY, **changes)) if law.name == name)
     assert prove(FAMILY.system, law).decision == "refuted"
 
 

@@ -22,7 +22,7 @@ import xarray as xr
 
 from chaplygin.errors import InputError
 from chaplygin.flow.ensemble.compute import compute
-from chaplygin.flow.ensemble.task import Task, UnfinishedError, Variable
+from chaplygin.flow.ensemble.task import Task, IncompleteError, Variable
 from counted import deadly, mistaken, task
 
 
@@ -120,7 +120,7 @@ def test_a_block_that_brings_down_its_workers(
     experiment = Task(deadly, 6, 2, {"x": Variable()})
     with (
         distributed.Client(cluster) as client,
-        pytest.raises(UnfinishedError, match="members 2 to 3 brought down one worker after"),
+        pytest.raises(IncompleteError, match="members 2 to 3 brought down one worker after"),
     ):
         compute(experiment, tmp_path / "a.zarr", client=client)
 

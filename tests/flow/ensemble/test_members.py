@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from chaplygin.errors import InputError
-from chaplygin.flow.ensemble.members import Members, drawn, grid, listed, one
+from chaplygin.flow.ensemble.members import Members, sampled, grid, from_lists, single
 
 
 def test_a_list_goes_row_by_row() -> None:
-    everyone = listed(M=[[1, 2, 3], [4, 5, 6]], m=[7, 8])
+    everyone = from_lists(M=[[1, 2, 3], [4, 5, 6]], m=[7, 8])
     assert everyone.size == 2
     values, points = everyone.rows(1, 2)
     assert values["M"].tolist() == [[4, 5, 6]]
@@ -28,7 +28,7 @@ def test_a_grid_has_every_combination() -> None:
 
 
 def test_a_product_is_associative_and_its_last_factor_fastest() -> None:
-    a, b, c = listed(x=[1, 2]), listed(y=[3, 4], z=[5, 6]), drawn(2, {"energy": 1.0}, seed=7)
+    a, b, c = from_lists(x=[1, 2]), from_lists(y=[3, 4], z=[5, 6]), sampled(2, {"energy": 1.0}, seed=7)
     for everyone in (a * b * c, a * (b * c)):
         assert everyone.size == 8
         values, points = everyone.rows(2, 7)
@@ -39,7 +39,7 @@ def test_a_product_is_associative_and_its_last_factor_fastest() -> None:
 
 
 def test_rows_are_the_same_in_any_blocks() -> None:
-    everyone = grid(m=np.arange(7.0)) * listed(x=np.arange(5.0)) * drawn(3, {"energy": 1.0})
+    everyone = grid(m=np.arange(7.0)) * from_lists(x=np.arange(5.0)) * sampled(3, {"energy": 1.0})
     whole, points = everyone.rows(0, everyone.size)
     for first in range(0, everyone.size, 11):
         last = min(first + 11, everyone.size)
@@ -49,7 +49,7 @@ def test_rows_are_the_same_in_any_blocks() -> None:
 
 
 def test_many_members_need_no_memory() -> None:
-    everyone = drawn(10**9, {"energy": 1.0}) * grid(m=np.arange(1000.0))
+    everyone = sampled(10**9, {"energy": 1.0}) * grid(m=np.arange(1000.0))
     assert everyone.size == 10**12
     values, points = everyone.rows(10**12 - 2, 10**12)
     assert values["m"].tolist() == [998, 999]
@@ -57,24 +57,24 @@ def test_many_members_need_no_memory() -> None:
 
 
 def test_they_say_what_they_are() -> None:
-    everyone = drawn(5, {"energy": 1.0, "area": 0.5}, seed=3) * grid(m=[1, 2])
+    everyone = sampled(5, {"energy": 1.0, "area": 0.5}, seed=3) * grid(m=[1, 2])
     assert str(everyone) == "5 drawn on energy = 1.0, area = 0.5 (seed 3) × 2 of m"
 
 
 @pytest.mark.parametrize(
     ("made", "told"),
     [
-        (listed, "at least one is needed"),
+        (from_lists, "at least one is needed"),
         (grid, "at least one is needed"),
-        (lambda: listed(m=[]), "at least one is needed"),
-        (lambda: drawn(0, {"energy": 1.0}), "at least one is needed"),
-        (lambda: drawn("few", {}), "few starts cannot be drawn; at least one is needed"),
-        (lambda: listed(m="abc"), "m: all must be real numbers"),
-        (lambda: one(M=[[1], [1, 2]]), "M: all must be real numbers, in rows of one length"),
-        (lambda: listed(m=[1, 2], R=[1]), r"different lengths \(m 2, R 1\)"),
-        (lambda: one(m=float("nan")), "m must be finite numbers"),
-        (lambda: one(m=1) * grid(m=[1, 2]), "m is given twice"),
-        (lambda: drawn(1, {}) * drawn(1, {}), "starts are drawn twice"),
+        (lambda: from_lists(m=[]), "at least one is needed"),
+        (lambda: sampled(0, {"energy": 1.0}), "at least one is needed"),
+        (lambda: sampled("few", {}), "few starts cannot be drawn; at least one is needed"),
+        (lambda: from_lists(m="abc"), "m: all must be real numbers"),
+        (lambda: single(M=[[1], [1, 2]]), "M: all must be real numbers, in rows of one length"),
+        (lambda: from_lists(m=[1, 2], R=[1]), r"different lengths \(m 2, R 1\)"),
+        (lambda: single(m=float("nan")), "m must be finite numbers"),
+        (lambda: single(m=1) * grid(m=[1, 2]), "m is given twice"),
+        (lambda: sampled(1, {}) * sampled(1, {}), "starts are drawn twice"),
     ],
     ids=[
         "list",
@@ -96,6 +96,6 @@ def test_mistakes_are_told(made: Any, told: str) -> None:
 
 
 def test_one_is_one() -> None:
-    everyone: Members = one(M=(1, 2, 3), m=4)
+    everyone: Members = single(M=(1, 2, 3), m=4)
     assert everyone.size == 1
     assert everyone.rows(0, 1)[0]["M"].tolist() == [[1, 2, 3]]

@@ -15,17 +15,17 @@ import xarray as xr
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import Guard
 from chaplygin.errors import InputError
-from chaplygin.flow.batch import lanes
-from chaplygin.flow.ensemble.run import drawn, ensemble, ensemble_task, grid, listed, one
+from chaplygin.flow.batch import batch_integrator
+from chaplygin.flow.ensemble.run import sampled, ensemble, ensemble_task, grid, from_lists, single
 from chaplygin.flow.ensemble.task import Divisible
 from chaplygin.flow.integrator import integrate
-from chaplygin.flow.sampling.draw import draw
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.flow.sampling.draw import sample_level
+from chaplygin.mechanics.rolling.initial_state import initial_state
 
 BALL = from_catalogue("chaplygin-ball")
 TIMES = np.linspace(0, 5, 6)
 LEVEL = {"energy": 1.0}
-SPUN = one(omega=(0.7, 0.4, 1.1), gamma=(0.2, -0.3, 0.93))
+SPUN = single(omega=(0.7, 0.4, 1.1), gamma=(0.2, -0.3, 0.93))
 
 
 def bits(data: xr.Dataset) -> dict[str, bytes]:
@@ -37,7 +37,7 @@ def test_it_agrees_with_heyoka() -> None:
     for run, mass in enumerate((1.0, 2.0)):
         given = {"m": mass, "R": 1.2}
         known = {s: given.get(str(s), v) for s, v in BALL.defaults.items()}
-        start = starting_state(BALL, (0.7, 0.4, 1.1), (0.2, -0.3, 0.93), parameters=known)
+        start = initial_state(BALL, (0.7, 0.4, 1.1), (0.2, -0.3, 0.93), parameters=known)
         path = integrate(BALL, start, TIMES, parameters=known)
         for name in ("M", "gamma", "omega"):
             assert np.allclose(data[name][run], np.float64(path[name]), rtol=0, atol=1e-11)
@@ -45,7 +45,7 @@ def test_it_agrees_with_heyoka() -> None:
 
 
 def test_the_conventions_of_datasets() -> None:
-    data = ensemble(BALL, drawn(4, LEVEL, seed=5) * grid(m=[1, 2, 3]), TIMES, record=("omega",))
+    data = ensemble(BALL, sampled(4, LEVEL, seed=5) * grid(m=[1, 2, 3]), TIMES, record=("omega",))
     assert data.sizes == {"run": 12, "time": 6, "axis": 3}
     assert set(data.coords) == {"time", "axis", "m", "start"}
     assert data.m.dims == data.start.dims == ("run",)
@@ -66,7 +66,7 @@ def test_the_conventions_of_datasets() -> None:
 
 def test_motion_in_space() -> None:
     lifted = BALL.lifted()
-    start = np.float64(starting_state(BALL, (0.7, 0.4, 1.1), (0.2, -0.3, 0.93)))
+    start = np.float64(initial_state(BALL, (0.7, 0.4, 1.1), (0.2, -0.3, 0.93)))
     data = ensemble(lifted, start[np.newaxis], TIMES, record=("centre",))
     assert data.attitude.dims == ("run", "time", "quaternion")
     assert data.centre.dims == ("run", "time", "space")
@@ -76,11 +76,11 @@ def test_motion_in_space() -> None:
 
 
 EVERYONE = {
-    "drawn": drawn(23, LEVEL, seed=1),
-    "drawn by grid": drawn(8, LEVEL, seed=1) * grid(m=[1.0, 2.0, 3.0]),
-    "grid by drawn": grid(m=[1.0, 2.0, 3.0]) * drawn(8, LEVEL, seed=1),
+    "drawn": sampled(23, LEVEL, seed=1),
+    "drawn by grid": sampled(8, LEVEL, seed=1) * grid(m=[1.0, 2.0, 3.0]),
+    "grid by drawn": grid(m=[1.0, 2.0, 3.0]) * sampled(8, LEVEL, seed=1),
     "spun": SPUN * grid(m=np.linspace(1, 2, 5), R=np.linspace(1, 2, 5)),
-    "listed": listed(
+    "listed": from_lists(
         M=np.linspace(-1, 1, 69).reshape(23, 3), gamma=[[0, 0.6, 0.8]] * 23, m=np.linspace(1, 2, 23)
     ),
 }
@@ -100,11 +100,11 @@ def test_bits_do_not_depend_on_blocks(name: str, tmp_path: Path) -> None:
 
 
 def test_starts_are_those_of_the_level_at_their_own_parameters() -> None:
-    data = ensemble(BALL, drawn(3, LEVEL, seed=9) * grid(R=[1.0, 1.5]), [0.0], record=("energy",))
+    data = ensemble(BALL, sampled(3, LEVEL, seed=9) * grid(R=[1.0, 1.5]), [0.0], record=("energy",))
     assert np.allclose(data.law_energy, 1.0, rtol=0, atol=1e-13)
     for run in range(6):
         number, radius = divmod(run, 2)
-        state = draw(BALL, 1, LEVEL, {"R": (1.0, 1.5)[radius]}, seed=9, first=number)[0]
+        state = sample_level(BALL, 1, LEVEL, {"R": (1.0, 1.5)[radius]}, seed=9, first=number)[0]
         assert np.array_equal(data.M[run, 0], state[:3])
         assert np.array_equal(data.gamma[run, 0], state[3:])
 
@@ -113,7 +113,7 @@ def test_why_motions_ended() -> None:
     # a boundary that some motions reach
     upright = Guard("upright", sp.Symbol("gamma_3", real=True) + sp.Rational(1, 2), "it lies down")
     guarded = replace(BALL, guards=(upright,))
-    starts = draw(BALL, 40, LEVEL, seed=2)
+    starts = sample_level(BALL, 40, LEVEL, seed=2)
     starts = starts[starts[:, 5] > -0.5]
     data = ensemble(guarded, starts, TIMES)
     flags = data.outcome.attrs
@@ -133,15 +133,15 @@ def test_why_motions_ended() -> None:
 
 
 def test_lanes_do_the_work() -> None:
-    starts = draw(BALL, 5, LEVEL)
+    starts = sample_level(BALL, 5, LEVEL)
     data = ensemble(BALL, starts, TIMES, tolerance=1e-9)
-    marched = lanes(BALL, tolerance=1e-9).until(starts, TIMES)
+    marched = batch_integrator(BALL, tolerance=1e-9).until(starts, TIMES)
     assert np.array_equal(data.M, marched.states[:, :, :3])
     assert np.array_equal(data.steps, marched.steps)
 
 
 def test_there_and_back() -> None:
-    there = ensemble(BALL, draw(BALL, 5, LEVEL), TIMES)
+    there = ensemble(BALL, sample_level(BALL, 5, LEVEL), TIMES)
     last = np.concatenate([there.M[:, -1], there.gamma[:, -1]], axis=1)
     back = ensemble(BALL, last, -TIMES)
     assert np.allclose(back.M[:, -1], there.M[:, 0], rtol=0, atol=1e-11)
@@ -149,26 +149,26 @@ def test_there_and_back() -> None:
 
 
 def test_a_block_is_bounded_whatever_the_size() -> None:
-    small = ensemble_task(BALL, drawn(10**9, LEVEL), TIMES)
+    small = ensemble_task(BALL, sampled(10**9, LEVEL), TIMES)
     assert small.size == 10**9
     assert small.block == 4096
-    long = ensemble_task(BALL, drawn(10**9, LEVEL), np.linspace(0, 1, 10**4))
+    long = ensemble_task(BALL, sampled(10**9, LEVEL), np.linspace(0, 1, 10**4))
     assert long.block * 10**4 * 6 <= 1 << 22
 
 
 @pytest.mark.parametrize(("size", "blocks"), [(100, 7), (10**4, 64), (10**6, 245)])
 def test_workers_find_something_to_do(size: int, blocks: int) -> None:
-    assert ensemble_task(BALL, drawn(size, LEVEL), TIMES, shares=64).blocks == blocks
+    assert ensemble_task(BALL, sampled(size, LEVEL), TIMES, shares=64).blocks == blocks
 
 
 @pytest.mark.parametrize(
     ("members", "options", "told"),
     [
-        (one(M=(1, 2, 3)), {}, "the start does not tell gamma_1, gamma_2, gamma_3"),
-        (one(M=(1, 2, 3), gamma=(0, 0, 1), mass=1), {}, "there is no mass"),
-        (one(M=(1, 2, 3), gamma=(0, 0, 1.1)), {}, "runs 0 to 0: chaplygin-ball: start 0 misses"),
-        (drawn(3, LEVEL) * grid(M_1=[1, 2]), {}, "only parameters can be given besides, not M_1"),
-        (drawn(3, {"anger": 1.0}), {}, "anger"),
+        (single(M=(1, 2, 3)), {}, "the start does not tell gamma_1, gamma_2, gamma_3"),
+        (single(M=(1, 2, 3), gamma=(0, 0, 1), mass=1), {}, "there is no mass"),
+        (single(M=(1, 2, 3), gamma=(0, 0, 1.1)), {}, "runs 0 to 0: chaplygin-ball: start 0 misses"),
+        (sampled(3, LEVEL) * grid(M_1=[1, 2]), {}, "only parameters can be given besides, not M_1"),
+        (sampled(3, {"anger": 1.0}), {}, "anger"),
         (SPUN * grid(m=[1, 2]), {"parameters": {"m": 1.0}}, "m is given twice"),
         (SPUN, {"parameters": {"mass": 1.0}}, "no parameter"),
         (SPUN, {"record": ("height",)}, "there is no height to be recorded; there are law_energy"),
@@ -216,7 +216,7 @@ def test_the_same_numbers_are_the_same_experiment(tmp_path: Path) -> None:
 
 def test_no_store_is_begun_for_a_mistake_that_shows(tmp_path: Path) -> None:
     with pytest.raises(InputError):
-        ensemble(BALL, one(M=(1, 2), gamma=(0, 0, 1)), TIMES, where=tmp_path / "a.zarr")
+        ensemble(BALL, single(M=(1, 2), gamma=(0, 0, 1)), TIMES, where=tmp_path / "a.zarr")
     assert not [*tmp_path.iterdir()]
 
 
@@ -235,7 +235,7 @@ def test_a_share_gives_the_same(name: str) -> None:
 
 
 def test_a_share_is_small() -> None:
-    many = listed(M=np.ones((10**5, 3)), gamma=[[0, 0, 1]] * 10**5)
+    many = from_lists(M=np.ones((10**5, 3)), gamma=[[0, 0, 1]] * 10**5)
     work = ensemble_task(BALL, many, TIMES).work
     assert isinstance(work, Divisible)
     assert len(pickle.dumps(work.part(50, 60))) < len(pickle.dumps(work)) / 100
@@ -243,7 +243,7 @@ def test_a_share_is_small() -> None:
 
 def test_another_start_is_another_experiment(tmp_path: Path) -> None:
     ensemble(BALL, SPUN, TIMES, where=tmp_path / "a.zarr")
-    other = one(omega=(0.7, 0.4, 1.2), gamma=(0.2, -0.3, 0.93))
+    other = single(omega=(0.7, 0.4, 1.2), gamma=(0.2, -0.3, 0.93))
     with pytest.raises(InputError, match="another experiment: its members of the work is another"):
         ensemble(BALL, other, TIMES, where=tmp_path / "a.zarr")
     with pytest.raises(InputError, match="another experiment: its tolerance is 1e-13, not 1e-12;"):

@@ -22,8 +22,8 @@ import zarr
 import counted
 from chaplygin.errors import InputError
 from chaplygin.flow.ensemble.compute import compute
-from chaplygin.flow.ensemble.task import Task, UnfinishedError, Variable
-from chaplygin.flow.ensemble.zarr_store import read
+from chaplygin.flow.ensemble.task import Task, IncompleteError, Variable
+from chaplygin.flow.ensemble.zarr_store import read_store
 from counted import task
 
 
@@ -77,7 +77,7 @@ def test_what_is_finished_is_not_computed_again(tmp_path: Path) -> None:
 
 
 def test_a_store_goes_on_in_its_own_blocks(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    with pytest.raises(UnfinishedError):
+    with pytest.raises(IncompleteError):
         stopping_after(2, monkeypatch)
         compute(task(block=10), tmp_path / "a.zarr")
     monkeypatch.undo()
@@ -190,7 +190,7 @@ def test_a_finished_block_that_lost_a_part(emptied: bool, tmp_path: Path) -> Non
         if emptied:
             chunk.touch()
     with pytest.raises(InputError) as told:
-        read(place)
+        read_store(place)
     assert str(told.value) == (
         f"{place} is damaged: of its finished blocks 2 have lost a part, the first is 1; run the "
         "same into it again, and they are computed again"
@@ -210,7 +210,7 @@ def test_marks_that_cannot_be_read(content: bytes, tmp_path: Path) -> None:
     )
     refused(told, task(), place)
     with pytest.raises(InputError) as error:
-        read(place)
+        read_store(place)
     assert str(error.value) == told
 
 
@@ -251,7 +251,7 @@ def test_a_full_disk_keeps_what_was_written(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     stopping_after(2, monkeypatch)
-    with pytest.raises(UnfinishedError) as told:
+    with pytest.raises(IncompleteError) as told:
         compute(task(), tmp_path / "a.zarr")
     assert str(told.value) == (
         f"{tmp_path / 'a.zarr'}: the disk is full; 2 of 4 blocks are written and stay: put right "
@@ -274,7 +274,7 @@ def test_a_limit_of_the_operating_system(tmp_path: Path) -> None:
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, hard))
     try:
-        with pytest.raises(UnfinishedError, match="File too large; 0 of 4 blocks are written"):
+        with pytest.raises(IncompleteError, match="File too large; 0 of 4 blocks are written"):
             compute(wide, tmp_path / "a.zarr")
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
@@ -313,9 +313,9 @@ def test_a_foreign_store_is_left_alone(name: str, tmp_path: Path) -> None:
 
 def test_reading_what_is_not_there(tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"a\.zarr: there is no such folder$"):
-        read(tmp_path / "a.zarr")
+        read_store(tmp_path / "a.zarr")
     with pytest.raises(InputError, match="is no store of a computation in blocks"):
-        read(tmp_path)
+        read_store(tmp_path)
 
 
 def test_an_empty_folder_will_do(tmp_path: Path) -> None:
@@ -361,7 +361,7 @@ def test_a_store_of_another_experiment(changed: Task, difference: str, tmp_path:
 
 
 def test_a_store_of_another_version(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    with pytest.raises(UnfinishedError):
+    with pytest.raises(IncompleteError):
         stopping_after(2, monkeypatch)
         compute(task(), tmp_path / "a.zarr")
     monkeypatch.undo()

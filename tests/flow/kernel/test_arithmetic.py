@@ -16,7 +16,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from chaplygin.flow.kernel.arithmetic import Double, Pair
-from chaplygin.flow.kernel.ir_writer import Writer
+from chaplygin.flow.kernel.ir_writer import IRWriter
 from flow.machine import run
 
 ARITHMETICS = pytest.mark.parametrize("kind", [Double, Pair])
@@ -99,7 +99,7 @@ def test_leading_whole_and_choice(kind: Any) -> None:
 
 def test_memory_of_pairs() -> None:
     """The words of a number lie beside each other, a vector each."""
-    number = Pair(Writer(4))
+    number = Pair(IRWriter(4))
     number.store(("%high", "%low"), "%place", 3)
     text = "\n".join(number.writer.lines)
     assert "getelementptr [2 x <4 x double>], ptr %place, i64 3" in text

@@ -17,7 +17,7 @@ from chaplygin.catalogue import CATALOGUE
 from chaplygin.core.system import Parameter, System
 from chaplygin.flow.kernel.arithmetic import Double, Pair
 from chaplygin.flow.kernel.codegen import evaluate, hoisted
-from chaplygin.flow.kernel.ir_writer import Writer, literal
+from chaplygin.flow.kernel.ir_writer import IRWriter, literal
 from chaplygin.formulas.graph import Graph, Reader, Term, of_system
 from flow.machine import exact, pairs, run
 from flow.terms import balls
@@ -134,12 +134,12 @@ def test_products_are_fused_into_sums_once() -> None:
     """A product used once is part of a fused instruction; one used twice is computed."""
     graph = Graph()
     p, q, r = (graph.state(i) for i in range(3))
-    w = Writer(4)
+    w = IRWriter(4)
     evaluate(Double(w), [p * q + r, p * r - q, p - q * r], _leaf(["%a", "%b", "%c"]))
     text = "\n".join(w.lines)
     assert text.count("@llvm.fma") == 3
     assert "fmul" not in text
-    w = Writer(4)
+    w = IRWriter(4)
     evaluate(Double(w), [p * q + r, p * q - r], _leaf(["%a", "%b", "%c"]))
     text = "\n".join(w.lines)
     assert (text.count("fmul"), text.count("@llvm.fma")) == (1, 0)

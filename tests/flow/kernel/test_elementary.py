@@ -12,7 +12,7 @@ import pytest
 
 from chaplygin.flow.kernel.arithmetic import Double, Pair
 from chaplygin.flow.kernel.elementary import FUNCTIONS
-from chaplygin.flow.kernel.ir_writer import Writer
+from chaplygin.flow.kernel.ir_writer import IRWriter
 from flow.machine import exact, run
 
 DIGITS = 60
@@ -219,7 +219,7 @@ def test_bits_do_not_depend_on_the_number_of_lanes(name: str, arithmetic: Any) -
 @pytest.mark.parametrize("name", sorted(FUNCTIONS))
 def test_no_branches_and_no_calls(name: str, arithmetic: Any) -> None:
     """Nothing is written that would take lanes one by one."""
-    w = Writer(8)
+    w = IRWriter(8)
     k = arithmetic(w)
     operands = [k.load("%given", i) for i in range(2 if name == "atan2" else 1)]
     FUNCTIONS[name](k, *operands)

@@ -9,13 +9,13 @@ import pytest
 import sympy as sp
 
 from chaplygin.core.system import Guard, Parameter, System
-from chaplygin.core.vectors import explicit
+from chaplygin.core.vectors import to_components
 from chaplygin.errors import InputError
 from chaplygin.flow.kernel.equations import (
     Equations,
     Section,
     equations_of,
-    section,
+    poincare_section,
     serial,
     serial_terms,
 )
@@ -71,7 +71,7 @@ def test_sections(backward: bool, sign: int, direction: int) -> None:
 
 
 def test_a_section_needs_no_condition() -> None:
-    equations = equations_of(OSCILLATOR, 0, section(OSCILLATOR, x), False)
+    equations = equations_of(OSCILLATOR, 0, poincare_section(OSCILLATOR, x), False)
     assert len(equations.pieces["section"]) == 2
     assert equations.where is None
     assert set(equations_of(OSCILLATOR, 0, None, False).pieces) == {"rates"}
@@ -85,11 +85,11 @@ def test_components_of_a_vector_are_measured_together() -> None:
 
 def test_what_a_section_says() -> None:
     """Formulas, texts, names of integrals, values, angles."""
-    area = explicit(M.T * gamma)[0]
-    assert section(OSCILLATOR, "x", 0.5) == Section(x - sp.Float(0.5), 1, None)
-    assert section(OSCILLATOR, "energy", direction=-1).value == y**2 + p * x**2
-    assert sp.expand(section(body("chaplygin-ball"), "area").value - area) == 0
-    angle = section(OSCILLATOR, x + y, sp.pi / 3, direction=0, angle=True)
+    area = to_components(M.T * gamma)[0]
+    assert poincare_section(OSCILLATOR, "x", 0.5) == Section(x - sp.Float(0.5), 1, None)
+    assert poincare_section(OSCILLATOR, "energy", direction=-1).value == y**2 + p * x**2
+    assert sp.expand(poincare_section(body("chaplygin-ball"), "area").value - area) == 0
+    angle = poincare_section(OSCILLATOR, x + y, sp.pi / 3, direction=0, angle=True)
     assert angle.value == sp.sin(x + y - sp.pi / 3)
     assert angle.where == sp.cos(x + y - sp.pi / 3)
     assert angle.direction == 0
@@ -97,27 +97,27 @@ def test_what_a_section_says() -> None:
 
 MISTAKES: dict[str, tuple[Any, str]] = {
     "direction": (
-        lambda: section(OSCILLATOR, x, direction=2),
+        lambda: poincare_section(OSCILLATOR, x, direction=2),
         "direction = 2: it must be 1 (rising), -1 (falling) or 0",
     ),
     "no state": (
-        lambda: section(OSCILLATOR, "p", 3),
+        lambda: poincare_section(OSCILLATOR, "p", 3),
         "oscillator: the section p = 3 contains no state",
     ),
     "state that cancels": (
-        lambda: section(OSCILLATOR, x - x + p),
+        lambda: poincare_section(OSCILLATOR, x - x + p),
         "oscillator: the section p = 0 contains no state",
     ),
     "vector": (
-        lambda: section(TOP, "M"),
+        lambda: poincare_section(TOP, "M"),
         "top: M is a vector; name one of its components",
     ),
     "function": (
-        lambda: section(OSCILLATOR, sp.zeta(x)),
+        lambda: poincare_section(OSCILLATOR, sp.zeta(x)),
         "zeta(x): the machine code has no function zeta",
     ),
     "complex value": (
-        lambda: section(OSCILLATOR, x, sp.I),
+        lambda: poincare_section(OSCILLATOR, x, sp.I),
         "-I: a number in a formula must be real and finite",
     ),
     "foreign symbol": (

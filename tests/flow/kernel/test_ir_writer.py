@@ -11,19 +11,19 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from chaplygin.flow.kernel.ir_writer import Writer, literal
-from chaplygin.flow.kernel.jit import aligned, load
+from chaplygin.flow.kernel.ir_writer import IRWriter, literal
+from chaplygin.flow.kernel.jit import aligned, load_code
 
 WIDTHS = pytest.mark.parametrize("lanes", [1, 2, 4, 8, 16])
 _P = ctypes.c_void_p
 
 
-def run(lanes: int, write: Callable[[Writer], None], given: list[float]) -> list[float]:
+def run(lanes: int, write: Callable[[IRWriter], None], given: list[float]) -> list[float]:
     """What instructions make of an array of doubles."""
-    w = Writer(lanes)
+    w = IRWriter(lanes)
     write(w)
     text = w.text("void @work(ptr %data, i64 %count)", "#0")
-    code = load(text, lambda: (text, 0), {"work": (_P, ctypes.c_int64)})
+    code = load_code(text, lambda: (text, 0), {"work": (_P, ctypes.c_int64)})
     data = aligned(max(len(given), lanes))
     data[: len(given)] = given
     code.functions["work"](data.ctypes.data, len(given))
@@ -41,7 +41,7 @@ def test_literals_are_the_number_to_the_bit(value: float) -> None:
 def test_loops_and_branches() -> None:
     """Each even entry is doubled, each odd one left; a loop within a loop counts up."""
 
-    def write(w: Writer) -> None:
+    def write(w: IRWriter) -> None:
         with w.count("%count") as i:
             place = w.at("double", "%data", i)
             even = w.emit(f"icmp eq i64 {w.emit(f'urem i64 {i}, 2')}, 0")
@@ -56,7 +56,7 @@ def test_loops_and_branches() -> None:
 
 
 def test_a_loop_without_turns() -> None:
-    def write(w: Writer) -> None:
+    def write(w: IRWriter) -> None:
         with w.count("%count", 7) as i:
             w.store("double", literal(-1.0), w.at("double", "%data", i))
 
@@ -66,7 +66,7 @@ def test_a_loop_without_turns() -> None:
 def test_leaving_a_loop_from_several_places() -> None:
     """Sum until the total passes 10 or the array ends; a place keeps it through the loop."""
 
-    def write(w: Writer) -> None:
+    def write(w: IRWriter) -> None:
         total = w.variable("double", "0.0")
         index = w.variable("i64", "0")
         with w.forever() as leave:
@@ -86,7 +86,7 @@ def test_leaving_a_loop_from_several_places() -> None:
 def test_masks(lanes: int) -> None:
     """Compared, joined, turned round, chosen by; a NaN is in no order."""
 
-    def write(w: Writer) -> None:
+    def write(w: IRWriter) -> None:
         x = w.load(w.type, "%data")
         above = w.compare("ogt", x, w.constant(1.0))
         below = w.compare("olt", x, w.constant(3.0))
@@ -104,7 +104,7 @@ def test_masks(lanes: int) -> None:
 def test_any_and_splat(lanes: int) -> None:
     """A bit for all lanes decides; the first entry is spread over them."""
 
-    def write(w: Writer) -> None:
+    def write(w: IRWriter) -> None:
         x = w.load(w.type, "%data")
         with w.when(w.any(w.compare("olt", x, w.constant(0.0)))):
             w.store(w.type, w.splat(w.load("double", "%data")), "%data")
@@ -116,7 +116,7 @@ def test_any_and_splat(lanes: int) -> None:
 
 
 def test_a_narrow_writer_shares_its_text() -> None:
-    w = Writer(8)
+    w = IRWriter(8)
     thin = w.narrow()
     assert (thin.lanes, thin.type) == (1, "<1 x double>")
     names = [w.name(), thin.name(), w.name()]
@@ -127,7 +127,7 @@ def test_a_narrow_writer_shares_its_text() -> None:
 
 def test_places_are_made_in_the_first_block() -> None:
     """A place made in a loop takes room once, not in every turn."""
-    w = Writer(4)
+    w = IRWriter(4)
     with w.count(5):
         w.variable("double", "0.0")
     text = w.text("void @f()")

@@ -16,12 +16,12 @@ import pytest
 import sympy as sp
 
 from chaplygin.core.system import Guard, Parameter, System
-from chaplygin.flow.batch import lanes
+from chaplygin.flow.batch import batch_integrator
 from chaplygin.flow.gauss import _compiled
 from chaplygin.flow.kernel import code_cache as cache
 from chaplygin.flow.kernel import jit as native
-from chaplygin.flow.kernel.equations import equations_of, section, serial
-from chaplygin.flow.kernel.ir_writer import Writer
+from chaplygin.flow.kernel.equations import equations_of, poincare_section, serial
+from chaplygin.flow.kernel.ir_writer import IRWriter
 from flow.small import OSCILLATOR, body, p, x, y
 
 _P = ctypes.c_void_p
@@ -29,11 +29,11 @@ _P = ctypes.c_void_p
 
 def doubling(lanes_of: int, factor: str = "2.0") -> Any:
     """Code that multiplies a vector by a number."""
-    w = Writer(lanes_of)
+    w = IRWriter(lanes_of)
     place = w.at(w.type, "%given", 0)
     w.store(w.type, w.op("fmul", w.load(w.type, place), w.constant(float(factor))), place)
     text = w.text("void @doubled(ptr %given)", "#0")
-    return native.load(text, lambda: (text, lanes_of), {"doubled": (_P,)})
+    return native.load_code(text, lambda: (text, lanes_of), {"doubled": (_P,)})
 
 
 def run(code: native.Native) -> list[float]:
@@ -184,7 +184,7 @@ def test_every_change_of_the_formulas_is_other_code(name: str) -> None:
 def test_every_option_is_other_code(folder: Path) -> None:
     """Deviations, sections, their direction, what time does, digits; not the tolerance."""
     system = System(**BASE)
-    rising = section(system, x)
+    rising = poincare_section(system, x)
     options: list[dict[str, Any]] = [
         {},
         {"deviations": 1},
@@ -195,10 +195,10 @@ def test_every_option_is_other_code(folder: Path) -> None:
         {"backward": True},
         {"digits": 30},
     ]
-    made = [lanes.__wrapped__(system, **chosen) for chosen in options]
+    made = [batch_integrator.__wrapped__(system, **chosen) for chosen in options]
     assert not any(flow.code.found for flow in made)
-    assert lanes.__wrapped__(system, tolerance=1e-6).code.found
-    assert lanes.__wrapped__(replace(system, title="Another word")).code.found
+    assert batch_integrator.__wrapped__(system, tolerance=1e-6).code.found
+    assert batch_integrator.__wrapped__(replace(system, title="Another word")).code.found
 
 
 def test_what_is_held_is_part_of_the_key(folder: Path) -> None:
@@ -225,4 +225,4 @@ def test_width_fills_two_registers() -> None:
 
 def test_lanes_of_a_body_are_compiled_once_for_all_processes(folder: Path) -> None:
     ball = body("chaplygin-ball")
-    assert [lanes.__wrapped__(ball).code.found for _ in range(2)] == [False, True]
+    assert [batch_integrator.__wrapped__(ball).code.found for _ in range(2)] == [False, True]

@@ -10,17 +10,17 @@ import sympy as sp
 
 from chaplygin.core.system import System
 from chaplygin.flow.kernel.equations import equations_of
-from chaplygin.flow.kernel.projection_terms import Kept, correction
-from chaplygin.formulas.evaluate import numbers, read_system, values
+from chaplygin.flow.kernel.projection_terms import ProjectionTerms, projection_terms
+from chaplygin.formulas.evaluate import numbers, read_formulas, values
 from flow.small import KEPLER, OSCILLATOR, TOP, body, starts, u, v, x, y
 
 
-def kept_of(system: System, names: list[Any], vanishing: tuple[Any, ...] = ()) -> Kept:
+def kept_of(system: System, names: list[Any], vanishing: tuple[Any, ...] = ()) -> ProjectionTerms:
     """The correction that keeps some formulas and makes others vanish."""
-    reader, _ = read_system(system)
+    reader, _ = read_formulas(system)
     laws = {law.name: law.value for law in system.integrals}
     groups = equations_of(system, 0, None, False).groups
-    return correction(
+    return projection_terms(
         reader.graph,
         [reader(laws.get(name, name)) for name in names],
         [reader(formula) for formula in vanishing],
@@ -29,7 +29,7 @@ def kept_of(system: System, names: list[Any], vanishing: tuple[Any, ...] = ()) -
     )
 
 
-def moved(system: System, kept: Kept, state: Any, targets: Any) -> tuple[Any, Any]:
+def moved(system: System, kept: ProjectionTerms, state: Any, targets: Any) -> tuple[Any, Any]:
     """A state after the correction, and its residuals before it."""
     parameters = np.array([float(q.default) for q in system.parameters])
     filled = np.append(state, targets)[None]

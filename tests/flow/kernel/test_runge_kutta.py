@@ -16,12 +16,12 @@ from scipy.optimize import brentq
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import Guard, System
 from chaplygin.flow import batch as lanes_module
-from chaplygin.flow.batch import Lanes, Section, lanes, section
+from chaplygin.flow.batch import BatchIntegrator, Section, batch_integrator, poincare_section
 from chaplygin.flow.integrator import integrate
 from chaplygin.flow.kernel import jit as native
 from chaplygin.flow.kernel.arithmetic import Double, Pair
 from chaplygin.flow.kernel.equations import equations_of
-from chaplygin.flow.kernel.runge_kutta import COLLAPSED, ENDS, NOT_A_NUMBER, OVER, STEPS, march
+from chaplygin.flow.kernel.runge_kutta import COLLAPSED, STATUS_MESSAGES, NOT_A_NUMBER, OVER, STEPS, runge_kutta_loop
 from chaplygin.flow.kernel.tableaux import explicit
 from chaplygin.formulas.evaluate import values
 from flow.small import (
@@ -44,21 +44,21 @@ from flow.small import (
 def test_a_singularity_is_found_and_named() -> None:
     """x = x₀/(1 − x₀ t) ends at 1/x₀; lanes beside it go on."""
     first = np.array([1.0, 2.0, -1.0, 0.5, 8.0])
-    flow = lanes(RUNAWAY)
+    flow = batch_integrator(RUNAWAY)
     found = flow.until(first[:, None], [0.1, 1.5])
     assert found.outcome.tolist() == [COLLAPSED, COLLAPSED, 0, 0, COLLAPSED]
     np.testing.assert_allclose(found.ended, [1, 0.5, 1.5, 1.5, 0.125], atol=1e-11)
     np.testing.assert_allclose(found.states[:, 0, 0], first / (1 - 0.1 * first), rtol=1e-12)
     np.testing.assert_allclose(found.states[2:4, 1, 0], [-0.4, 2.0], rtol=1e-11)
     assert np.isnan(found.states[[0, 1, 4], 1]).all()
-    assert flow.reason(COLLAPSED) == ENDS[COLLAPSED]
+    assert flow.reason(COLLAPSED) == STATUS_MESSAGES[COLLAPSED]
     assert flow.reason(0) == ""
 
 
 def test_a_state_that_is_no_number() -> None:
     """The logarithm of what has become negative, and starts that are none."""
     first = [[1.0, 0.0], [2.0, 0.0], [-1.0, 0.0], [np.nan, 0.0], [0.0, 0.0]]
-    found = lanes(LOGARITHM).until(first, [0.25, 1.5])
+    found = batch_integrator(LOGARITHM).until(first, [0.25, 1.5])
     assert found.outcome.tolist() == [NOT_A_NUMBER, 0, *[NOT_A_NUMBER] * 3]
     np.testing.assert_allclose(found.ended, [1, 1.5, 0, 0, 0], atol=1e-11)
     assert np.isnan(found.states[2:]).all()
@@ -70,9 +70,9 @@ def test_a_guard_ends_its_lane_at_its_moment() -> None:
     """The oscillator reaches a fence at a known time; which fence is told."""
     first = [[1.0, 0.0], [0.0, -1.0], [-1.0, 0.0], [0.2, 0.0], [0.0, 3.0], [0.0, 1.0]]
     fences = {"p": 0.5, "q": [9, 9, 9, 9, 2, 1.0001]}
-    flow = lanes(FENCED)
+    flow = batch_integrator(FENCED)
     found = flow.until(first, [0.2, 3.0], fences)
-    left, right = len(ENDS), len(ENDS) + 1
+    left, right = len(STATUS_MESSAGES), len(STATUS_MESSAGES) + 1
     assert found.outcome.tolist() == [left, left, left, 0, right, 0]
     angle = np.arcsin(0.5)
     ends = [np.pi / 2 + angle, angle, 0.0, 3.0, np.arcsin(2 / 3), 3.0]
@@ -86,7 +86,7 @@ def test_a_body_that_leaves_the_plane() -> None:
     """Against the moment at which the reference sees the normal force change its sign."""
     system = replace(from_catalogue("rattleback"), motion=None, observables=())
     states = starts("rattleback", 4) * [30, 30, 30, 1, 1, 1]
-    flow = lanes(system, tolerance=1e-14)
+    flow = batch_integrator(system, tolerance=1e-14)
     found = flow.until(states, [1.0])
     assert {flow.reason(int(code)) for code in found.outcome} == {system.guards[0].happening}
     for start, ended in zip(states, found.ended, strict=True):
@@ -97,7 +97,7 @@ def test_a_body_that_leaves_the_plane() -> None:
 
 def test_the_largest_number_of_steps(monkeypatch: pytest.MonkeyPatch) -> None:
     """A lane that needs more is given up, at a time that it has reached."""
-    flow, first = lanes(OSCILLATOR), [[1.0, 0.0], [0.0, 0.0], [2.0, 1.0]]
+    flow, first = batch_integrator(OSCILLATOR), [[1.0, 0.0], [0.0, 0.0], [2.0, 1.0]]
     whole = flow.until(first, [0.5, 100.0])
     monkeypatch.setattr(lanes_module, "MOST_STEPS", 10)
     found = flow.until(first, [0.5, 100.0])
@@ -122,9 +122,9 @@ EDGE = System(
 def test_failing_lanes_do_not_disturb_their_neighbours(chosen: list[int]) -> None:
     """Guards, logarithms of nothing, not-a-number, in any company: the same bits."""
     first = np.array([[a, b] for a in (0.0, -2.9, 1.0, 60.0) for b in (0.0, 1.0, np.nan)])
-    flow = lanes(EDGE)
+    flow = batch_integrator(EDGE)
     whole = flow.until(first, [0.1, 2.0, 4.0])
-    assert set(whole.outcome) == {0, NOT_A_NUMBER, len(ENDS)}
+    assert set(whole.outcome) == {0, NOT_A_NUMBER, len(STATUS_MESSAGES)}
     part = flow.until(first[chosen], [0.1, 2.0, 4.0])
     for mine, all_of_them in zip(vars(part).values(), vars(whole).values(), strict=True):
         if mine is not None:
@@ -134,9 +134,9 @@ def test_failing_lanes_do_not_disturb_their_neighbours(chosen: list[int]) -> Non
 # --- crossings of a section -------------------------------------------------------------------
 
 
-def crossings(direction: int, **options: Any) -> Lanes:
+def crossings(direction: int, **options: Any) -> BatchIntegrator:
     cut = Section(x - p / 2, direction)
-    return lanes(OSCILLATOR, section=cut, **options)
+    return batch_integrator(OSCILLATOR, section=cut, **options)
 
 
 #: Of x = sin t with x = 1/2: it rises at 30° and falls at 150°.
@@ -174,14 +174,14 @@ def test_backward_the_same_crossings_come_in_the_other_order(direction: int) -> 
 
 
 def test_a_start_on_the_section_is_not_a_crossing() -> None:
-    cut = lanes(OSCILLATOR, section=section(OSCILLATOR, x, direction=0))
+    cut = batch_integrator(OSCILLATOR, section=poincare_section(OSCILLATOR, x, direction=0))
     found = cut.returns([[0.0, 1.0], [0.0, -2.0], [1e-17, 1.0], [-1e-17, 1.0]], 2)
     np.testing.assert_allclose(found.times, [[np.pi, 2 * np.pi]] * 4, atol=1e-11)
 
 
 def test_crossings_that_count() -> None:
     """Only where y > 0 and the frequency of the lane says so."""
-    cut = lanes(OSCILLATOR, section=Section(x, 0, y))
+    cut = batch_integrator(OSCILLATOR, section=Section(x, 0, y))
     found = cut.returns([[0.0, 1.0]] * 2, 2, {"p": [1.0, 4.0]})
     np.testing.assert_allclose(found.times, [[TURN, 2 * TURN], [np.pi, TURN]], atol=1e-11)
     assert (found.states[..., 1] > 0).all()
@@ -189,13 +189,13 @@ def test_crossings_that_count() -> None:
 
 def test_angles_go_on_beyond_a_turn() -> None:
     """Each whole turn is a crossing, of an angle that is never reduced, both ways."""
-    cut = lanes(TURNING, section=section(TURNING, x - y, 1.0, direction=0, angle=True))
+    cut = batch_integrator(TURNING, section=poincare_section(TURNING, x - y, 1.0, direction=0, angle=True))
     found = cut.returns([[0.5, 0.5], [1.0, 0.0]], 7, {"p": [2.0, -2.0]})
     angle = found.states[..., 0] - found.states[..., 1] - 1
     turns = angle / TURN
     np.testing.assert_allclose(turns[0], np.arange(7), atol=1e-13)
     np.testing.assert_allclose(turns[1], -np.arange(1, 8), atol=1e-13)
-    rising = lanes(TURNING, section=section(TURNING, x, 1.0, direction=1, angle=True))
+    rising = batch_integrator(TURNING, section=poincare_section(TURNING, x, 1.0, direction=1, angle=True))
     found = rising.returns([[0.5, 0.5]], 2, {"p": -2.0}, until=20.0)
     assert found.counts.tolist() == [0]
     assert found.outcome.tolist() == [OVER]
@@ -203,7 +203,7 @@ def test_angles_go_on_beyond_a_turn() -> None:
 
 def test_what_is_not_reached() -> None:
     """A section that is not crossed, or only touched, ends with the time."""
-    cut = lanes(OSCILLATOR, section=section(OSCILLATOR, x, 2.0))
+    cut = batch_integrator(OSCILLATOR, section=poincare_section(OSCILLATOR, x, 2.0))
     found = cut.returns([[0.0, 1.0], [2.0, 0.0], [3.0, 0.0], [np.nan, 0.0]], 3, until=15.0)
     assert found.counts.tolist() == [0, 0, 2, 0]
     assert found.outcome.tolist() == [OVER, OVER, OVER, NOT_A_NUMBER]
@@ -224,7 +224,7 @@ def test_deviations_at_crossings() -> None:
 def test_a_pericentre() -> None:
     """The nearest points of a planet: (r, v) rises through zero once in a turn."""
     e = 0.6
-    cut = lanes(KEPLER, section=section(KEPLER, "x*u + y*v"))
+    cut = batch_integrator(KEPLER, section=poincare_section(KEPLER, "x*u + y*v"))
     found = cut.returns([[1 - e, 0, 0, np.sqrt((1 + e) / (1 - e))]], 3)
     np.testing.assert_allclose(found.times[0], TURN * np.arange(1, 4), atol=1e-10)
     assert np.abs(values(KEPLER, ["x*u + y*v"], found.states[0])).max() < 1e-13
@@ -235,7 +235,7 @@ def test_crossings_of_a_body_against_the_reference(name: str) -> None:
     """Where γ₃ falls through zero on the continuous motion of another integrator."""
     ball = body(name)
     states = starts(name, 12)
-    cut = lanes(ball, tolerance=1e-14, section=section(ball, "gamma_3", direction=-1))
+    cut = batch_integrator(ball, tolerance=1e-14, section=poincare_section(ball, "gamma_3", direction=-1))
     found = cut.returns(states, 3, until=40.0)
     crossed = np.flatnonzero(found.counts == 3)
     assert crossed.size >= 2
@@ -272,28 +272,28 @@ def test_bits_do_not_depend_on_the_width(
     tangent = np.ones((21, deviations, 4)) if deviations else None
     planet = replace(KEPLER, guards=(Guard("near", 10 - x, "it is far"),))
     options = {"tolerance": 1e-12, "digits": digits, "deviations": deviations}
-    cut = section(planet, "x*u + y*v", direction=0)
+    cut = poincare_section(planet, "x*u + y*v", direction=0)
     found = set()
     for width in (4, 8, 16):
         monkeypatch.setattr(native, "width", lambda width=width: width)
         # past the memory of what has been made
-        made = lanes.__wrapped__(planet, **options)
+        made = batch_integrator.__wrapped__(planet, **options)
         results: list[Any] = [made.until(first, [0.5, 1.0], deviations=tangent)]
         if digits == 16:
-            crossed = lanes.__wrapped__(planet, section=cut, **options)
+            crossed = batch_integrator.__wrapped__(planet, section=cut, **options)
             results.append(crossed.returns(first, 1, until=3.0, deviations=tangent))
         arrays = [a for result in results for a in vars(result).values() if a is not None]
         found.add(b"".join(a.tobytes() for a in arrays))
-        assert set(results[0].outcome) == {0, len(ENDS)}
+        assert set(results[0].outcome) == {0, len(STATUS_MESSAGES)}
     assert len(found) == 1
 
 
 def _errors(table: Any, tolerances: Any) -> tuple[Any, Any]:
     """Errors and numbers of steps of the oscillator, by machine code from a table."""
     equations = equations_of(OSCILLATOR, 0, None, False)
-    text, room = march(Double, table, equations, 4)
-    code = native.load(text, lambda: (text, room), {"march": lanes_module._SIGNATURE})
-    flow = replace(lanes(OSCILLATOR), code=code)
+    text, room = runge_kutta_loop(Double, table, equations, 4)
+    code = native.load_code(text, lambda: (text, room), {"march": lanes_module._SIGNATURE})
+    flow = replace(batch_integrator(OSCILLATOR), code=code)
     found = [replace(flow, tolerance=t).until([[0.0, 1.0]], [100.0]) for t in tolerances]
     errors = [abs(f.states[0, 0, 0] - np.sin(100.0)) for f in found]
     return np.array(errors), np.array([f.steps[0] for f in found])
@@ -318,12 +318,12 @@ def test_a_wrong_coefficient_is_noticed() -> None:
 def test_text_and_room_grow_with_what_lanes_carry() -> None:
     """Pairs need twice the room of doubles; unused pieces are not written."""
     plain = equations_of(OSCILLATOR, 0, None, False)
-    text, room = march(Double, explicit(), plain, 4)
+    text, room = runge_kutta_loop(Double, explicit(), plain, 4)
     assert "@section" not in text
     assert "@guards" not in text
-    fenced, _ = march(Double, explicit(), equations_of(FENCED, 0, None, False), 4)
+    fenced, _ = runge_kutta_loop(Double, explicit(), equations_of(FENCED, 0, None, False), 4)
     assert "@guards" in fenced
-    _, wide = march(Double, explicit(), plain, 8)
-    _, pairs = march(Pair, explicit(), plain, 4)
+    _, wide = runge_kutta_loop(Double, explicit(), plain, 8)
+    _, pairs = runge_kutta_loop(Pair, explicit(), plain, 4)
     assert wide == 2 * room
     assert room < pairs <= 2 * room

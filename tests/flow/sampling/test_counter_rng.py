@@ -7,7 +7,7 @@ import pytest
 from scipy import stats
 
 from chaplygin.errors import InputError
-from chaplygin.flow.sampling.counter_rng import normals, philox, uniforms
+from chaplygin.flow.sampling.counter_rng import counter_normals, philox, uniforms
 
 
 @pytest.mark.parametrize(
@@ -34,9 +34,9 @@ def test_known_answers(
 
 def test_numbers_depend_on_their_place_alone() -> None:
     members, attempts = np.arange(100), np.repeat([3, 4], 50)
-    whole = normals(7, members, attempts, 5)
-    assert (normals(7, members[61:64], attempts[61:64], 5) == whole[:, 61:64]).all()
-    assert (normals(7, members[:1], attempts[:1], 5) == whole[:, :1]).all()
+    whole = counter_normals(7, members, attempts, 5)
+    assert (counter_normals(7, members[61:64], attempts[61:64], 5) == whole[:, 61:64]).all()
+    assert (counter_normals(7, members[:1], attempts[:1], 5) == whole[:, :1]).all()
 
 
 def test_seeds_members_and_attempts_differ() -> None:
@@ -52,7 +52,7 @@ def test_seeds_members_and_attempts_differ() -> None:
 def test_distributions() -> None:
     members = np.arange(50_000)
     flat = uniforms(1, members, np.zeros(50_000), 3)
-    bell = normals(2, members, np.zeros(50_000), 3)
+    bell = counter_normals(2, members, np.zeros(50_000), 3)
     assert flat.min() > 0 and flat.max() < 1
     for row in flat:
         assert stats.kstest(row, "uniform").pvalue > 1e-4

@@ -16,10 +16,10 @@ from scipy import integrate, special, stats
 from chaplygin.catalogue import CATALOGUE, from_catalogue
 from chaplygin.core.laws import Integral, Law, Measure
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import Diagonal, cross, dot, normed, vectors
+from chaplygin.core.vectors import Diagonal, cross, dot, norm_squared, vectors
 from chaplygin.errors import InputError
-from chaplygin.flow.batch import lanes
-from chaplygin.flow.sampling.draw import Level, draw, prepared
+from chaplygin.flow.batch import batch_integrator
+from chaplygin.flow.sampling.draw import LevelSampler, sample_level, level_sampler
 from chaplygin.formulas.evaluate import values
 from spread import spread
 
@@ -41,7 +41,7 @@ def free_body(*laws: Law) -> System:
         ),
         laws=(
             Integral("energy", dot(M, A * M) / 2),
-            Integral("square", normed(M)),
+            Integral("square", norm_squared(M)),
             *laws,
         ),
     )
@@ -55,7 +55,7 @@ def uniform(numbers: Any) -> float:
 
 
 def test_uniform_on_a_sphere() -> None:
-    directions = draw(free_body(), 20_000, {"square": 1.0}, seed=1)
+    directions = sample_level(free_body(), 20_000, {"square": 1.0}, seed=1)
     assert np.abs((directions**2).sum(axis=1) - 1).max() < 1e-15
     for column in directions.T:
         assert uniform((column + 1) / 2) > LEAST
@@ -83,7 +83,7 @@ def bands(axes: Any) -> Any:
 
 
 def test_area_of_an_ellipsoid() -> None:
-    found = draw(free_body(), 20_000, {"energy": 1.0}, seed=2)
+    found = sample_level(free_body(), 20_000, {"energy": 1.0}, seed=2)
     axes = np.sqrt(2 / np.array(RATES))
     counts = np.histogram(found[:, 2] / axes[2], EDGES)[0]
     assert stats.chisquare(counts, bands(axes) * len(found)).pvalue > LEAST
@@ -92,7 +92,7 @@ def test_area_of_an_ellipsoid() -> None:
 
 
 def test_invariant_volume_on_an_ellipsoid() -> None:
-    level = prepared(free_body(VOLUME), {"energy": 1.0})
+    level = level_sampler(free_body(VOLUME), {"energy": 1.0})
     assert level.invariant and level.measure == "invariant measure: volume"
     found = level.draw(20_000, seed=3)
     for column, rate in zip(found.T, RATES, strict=True):
@@ -106,7 +106,7 @@ def test_time_is_uniform_on_a_level_of_the_euler_top() -> None:
     below, above = 2.0 - first * 2.2, last * 2.2 - 2.0
     p, q = np.sqrt(below / (middle - first)), np.sqrt(below / (last - first))
     modulus = (last - middle) * below / ((middle - first) * above)
-    found = draw(free_body(VOLUME), 500, {"energy": 1.0, "square": 2.2}, seed=4)
+    found = sample_level(free_body(VOLUME), 500, {"energy": 1.0, "square": 2.2}, seed=4)
     time = special.ellipkinc(np.arctan2(found[:, 1] / p, found[:, 2] / q), modulus)
     assert uniform(0.5 + time / (4 * special.ellipk(modulus))) > LEAST
     assert stats.binomtest(int((found[:, 0] > 0).sum()), 500).pvalue > LEAST
@@ -114,7 +114,7 @@ def test_time_is_uniform_on_a_level_of_the_euler_top() -> None:
 
 def test_the_fibres_of_the_veselova_system_are_of_one_size() -> None:
     # the density √(γ, I⁻¹γ) cancels what the ellipses weigh: γ is uniform on its sphere
-    found = draw(from_catalogue("veselova"), 20_000, {"energy": 1.0}, seed=5)
+    found = sample_level(from_catalogue("veselova"), 20_000, {"energy": 1.0}, seed=5)
     for column in found[:, 3:].T:
         assert uniform((column + 1) / 2) > LEAST
 
@@ -129,10 +129,10 @@ LEVELS: Mapping[str, tuple[str, dict[str, float], int]] = {
 
 
 @cache
-def known(name: str) -> Level:
+def known(name: str) -> LevelSampler:
     """A level, prepared once for all tests."""
     system, level, _ = LEVELS[name]
-    return prepared(from_catalogue(system), level)
+    return level_sampler(from_catalogue(system), level)
 
 
 def mixed(system: System, states: Any, others: Any) -> float:
@@ -148,7 +148,7 @@ def test_the_motion_keeps_the_distribution(name: str) -> None:
     made = chosen.system
     assert chosen.invariant
     begin, later = chosen.draw(count, seed=6), chosen.draw(count, seed=7)
-    end = lanes(made, tolerance=1e-9).until(begin, [3.0]).states[:, -1]
+    end = batch_integrator(made, tolerance=1e-9).until(begin, [3.0]).states[:, -1]
     assert mixed(made, end, later) > LEAST
 
 
@@ -156,11 +156,11 @@ def test_a_wrong_measure_is_not_kept() -> None:
     level = {"energy": 1.0, "area": 0.3}
     made = from_catalogue("lagrange-top")
     bare = replace(made, laws=tuple(law for law in made.laws if not isinstance(law, Measure)))
-    chosen = prepared(bare, level)
+    chosen = level_sampler(bare, level)
     assert not chosen.invariant
     assert chosen.measure == "surface measure"
     begin, later = chosen.draw(20_000, seed=6), chosen.draw(20_000, seed=7)
-    end = lanes(made, tolerance=1e-9).until(begin, [3.0]).states[:, -1]
+    end = batch_integrator(made, tolerance=1e-9).until(begin, [3.0]).states[:, -1]
     assert mixed(made, begin, later) > LEAST
     assert mixed(made, end, later) < 1e-6
 
@@ -168,7 +168,7 @@ def test_a_wrong_measure_is_not_kept() -> None:
 def test_the_place_of_a_ball_on_an_ellipsoid_is_uniform_by_area() -> None:
     # the fibres are alike without a field, and the density is that of the area
     system, still = from_catalogue("marble-ball-on-ellipsoid"), {"kappa": 0.0}
-    chosen = prepared(system, {"energy": 1.0}, still)
+    chosen = level_sampler(system, {"energy": 1.0}, still)
     assert chosen.invariant
     axes = np.array([system.defaults[s] for s in sp.symbols("a_1:4", real=True)])
     places = chosen.draw(20_000, seed=11)[:, :3] / axes
@@ -180,9 +180,9 @@ def test_the_place_of_a_ball_on_an_ellipsoid_is_uniform_by_area() -> None:
 
 def test_a_density_of_both_signs_is_no_measure() -> None:
     # rho = 1/(I_13 omega_1 + I_23 omega_2)
-    level = prepared(from_catalogue("suslov"), {"energy": 1.0})
+    level = level_sampler(from_catalogue("suslov"), {"energy": 1.0})
     assert level.measure == "surface measure"
-    straight = prepared(from_catalogue("suslov"), {"energy": 1.0}, {"I_13": 0.0, "I_23": 0.0})
+    straight = level_sampler(from_catalogue("suslov"), {"energy": 1.0}, {"I_13": 0.0, "I_23": 0.0})
     assert straight.measure.startswith("invariant measure")
 
 
@@ -208,7 +208,7 @@ def test_points_lie_on_the_level(name: str) -> None:
 
 def test_other_parameters() -> None:
     made = from_catalogue("chaplygin-ball")
-    states = draw(made, 10, {"energy": 1.0}, {"I_1": 3.0}, seed=1)
+    states = sample_level(made, 10, {"energy": 1.0}, {"I_1": 3.0}, seed=1)
     assert np.abs(values(made, ["energy"], states, {"I_1": 3.0}) - 1).max() < 2e-15
 
 
@@ -240,7 +240,7 @@ def test_other_parameters() -> None:
 )
 def test_refusals(name: str, level: dict[str, float], said: str) -> None:
     with pytest.raises(InputError, match=said):
-        draw(from_catalogue(name), 1, level)
+        sample_level(from_catalogue(name), 1, level)
 
 
 #: What no exact method here reaches, and why.
@@ -268,9 +268,9 @@ def test_the_catalogue(name: str) -> None:
     level = {bound: 40.0}
     if name in " ".join(REFUSED.values()).split():
         with pytest.raises(InputError, match="is not bounded in a way that can be seen"):
-            draw(system, 1, level)
+            sample_level(system, 1, level)
         return
-    states = draw(system, 20, level, seed=1)
+    states = sample_level(system, 20, level, seed=1)
     assert np.abs(values(system, [bound], states) - 40.0).max() < 1e-11
     if system.relations:
         assert np.abs(values(system, system.relations, states)).max() < 1e-14

@@ -12,20 +12,20 @@ import sympy as sp
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.laws import Integral
 from chaplygin.core.system import System
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError
-from chaplygin.flow.sampling.counter_rng import normals
-from chaplygin.flow.sampling.fibration import Bundle
-from chaplygin.flow.sampling.find_fibration import bundle
-from chaplygin.formulas.compiled import Sheet
+from chaplygin.flow.sampling.counter_rng import counter_normals
+from chaplygin.flow.sampling.fibration import Fibration
+from chaplygin.flow.sampling.find_fibration import find_fibration
+from chaplygin.formulas.compiled import SystemFormulas
 from chaplygin.formulas.evaluate import parameter_rows
 
-theta, p, x = (scalar(name) for name in ["theta", "p", "x"])
+theta, p, x = (real_symbol(name) for name in ["theta", "p", "x"])
 
 
-def found(system: System, level: dict[str, float]) -> Bundle:
+def found(system: System, level: dict[str, float]) -> Fibration:
     values = parameter_rows(system, None, 1)[0]
-    return bundle(system, Sheet(system), level, values)
+    return find_fibration(system, SystemFormulas(system), level, values)
 
 
 @pytest.mark.parametrize(
@@ -78,7 +78,7 @@ def test_rays_end_on_the_level_and_weigh_its_volume() -> None:
     system = from_catalogue("veselova")
     made = found(system, {"energy": 1.0})
     values = parameter_rows(system, None, 1)[0]
-    gauss = normals(1, np.arange(40_000), np.zeros(40_000), made.numbers)
+    gauss = counter_normals(1, np.arange(40_000), np.zeros(40_000), made.numbers)
     # one base point: the mean over rays is the volume of the fibre, 2π/√(det I (γ, I⁻¹γ))
     gauss[:3] = np.array([[1.0], [2.0], [-2.0]])
     rays = made.over(made.normed(gauss), values)
@@ -94,5 +94,5 @@ def test_rays_end_on_the_level_and_weigh_its_volume() -> None:
 
 def test_normal_numbers_of_places() -> None:
     made = found(pendulum(sp.cos(theta)), {"energy": 2.0})
-    places = made.normed(normals(2, np.arange(20), np.zeros(20), made.numbers))
+    places = made.normed(counter_normals(2, np.arange(20), np.zeros(20), made.numbers))
     assert np.abs(made.normed(made.gauss(places)) - places).max() < 1e-12

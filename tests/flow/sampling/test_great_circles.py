@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from chaplygin.catalogue import from_catalogue
-from chaplygin.flow.sampling.counter_rng import normals
-from chaplygin.flow.sampling.find_fibration import bundle
-from chaplygin.flow.sampling.great_circles import Slice, crossings
-from chaplygin.formulas.compiled import Sheet
+from chaplygin.flow.sampling.counter_rng import counter_normals
+from chaplygin.flow.sampling.find_fibration import find_fibration
+from chaplygin.flow.sampling.great_circles import GreatCircleProposal, crossings
+from chaplygin.formulas.compiled import SystemFormulas
 from chaplygin.formulas.evaluate import parameter_rows
 
 
@@ -58,9 +58,9 @@ def test_slopes_along_geodesics_are_difference_quotients(
     name: str, level: dict[str, float]
 ) -> None:
     system, step = from_catalogue(name), 1e-5
-    sheet, parameters = Sheet(system), parameter_rows(system, None, 1)[0]
-    chosen = Slice.of(bundle(system, sheet, level, parameters), sheet, parameters)
-    numbers = normals(1, np.arange(100), np.zeros(100), chosen.numbers)
+    sheet, parameters = SystemFormulas(system), parameter_rows(system, None, 1)[0]
+    chosen = GreatCircleProposal.of(find_fibration(system, sheet, level, parameters), sheet, parameters)
+    numbers = counter_normals(1, np.arange(100), np.zeros(100), chosen.numbers)
     places, pushes = chosen.curves(numbers)
     inside = chosen.excess(places)[0] > 0.05
     for quantity in (chosen.excess, chosen.value):

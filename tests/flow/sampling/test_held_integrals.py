@@ -8,7 +8,7 @@ import pytest
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import System
 from chaplygin.errors import InputError
-from chaplygin.flow.sampling.held_integrals import check, measures, shown, told
+from chaplygin.flow.sampling.held_integrals import validate_level, measures, level_label, measure_label
 from chaplygin.formulas.evaluate import parameter_rows
 
 
@@ -18,11 +18,11 @@ def values(system: System, **given: float) -> np.ndarray:
 
 def test_an_integral_with_a_condition() -> None:
     system = from_catalogue("chaplygin-ball-gyrostat")
-    check(system, {"area": 0.3}, values(system))
+    validate_level(system, {"area": 0.3}, values(system))
     disk = from_catalogue("rubber-disk")
-    check(disk, {"spin": 0.3}, values(disk))
+    validate_level(disk, {"spin": 0.3}, values(disk))
     with pytest.raises(InputError, match="spin is an integral only where I_1 - I_2 = 0"):
-        check(disk, {"spin": 0.3}, values(disk, I_1=0.3, I_2=0.31, I_3=0.5))
+        validate_level(disk, {"spin": 0.3}, values(disk, I_1=0.3, I_2=0.31, I_3=0.5))
 
 
 def test_a_measure_with_a_condition() -> None:
@@ -33,8 +33,8 @@ def test_a_measure_with_a_condition() -> None:
 
 def test_words() -> None:
     (law,) = measures(from_catalogue("veselova"), {}, np.array([1.0, 1.5, 2.1]))
-    assert told(law) == "invariant measure ρ d³ω d³γ (6.3)"
+    assert measure_label(law) == "invariant measure ρ d³ω d³γ (6.3)"
     (law,) = measures(from_catalogue("lagrange-top"), {}, np.ones(3))
-    assert told(law) == "invariant measure: volume of M and Γ §3.3"
-    assert told(None) == "surface measure"
-    assert shown({"energy": 1.0, "area": 0.3}) == "energy = 1 and area = 0.3"
+    assert measure_label(law) == "invariant measure: volume of M and Γ §3.3"
+    assert measure_label(None) == "surface measure"
+    assert level_label({"energy": 1.0, "area": 0.3}) == "energy = 1 and area = 0.3"

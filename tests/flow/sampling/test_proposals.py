@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 from chaplygin.catalogue import from_catalogue
-from chaplygin.flow.sampling.find_fibration import bundle
-from chaplygin.flow.sampling.proposals import Ends, highest
-from chaplygin.formulas.compiled import Sheet
+from chaplygin.flow.sampling.find_fibration import find_fibration
+from chaplygin.flow.sampling.proposals import RayProposal, maximise
+from chaplygin.formulas.compiled import SystemFormulas
 from chaplygin.formulas.evaluate import parameter_rows
 
 SYSTEM = from_catalogue("veselova")
 VALUES = parameter_rows(SYSTEM, None, 1)[0]
-MADE = bundle(SYSTEM, Sheet(SYSTEM), {"energy": 1.0}, VALUES)
+MADE = find_fibration(SYSTEM, SystemFormulas(SYSTEM), {"energy": 1.0}, VALUES)
 PEAK = np.array([0.36, 0.48, -0.8])
 
 
@@ -29,7 +29,7 @@ def test_a_narrow_peak_is_found() -> None:
         off = places[:3] - PEAK[:, None]
         return places, np.exp(-1000 * (off * off).sum(axis=0))
 
-    top, place = highest(MADE, height, same, MADE.numbers)
+    top, place = maximise(MADE, height, same, MADE.numbers)
     assert top == pytest.approx(1.0, abs=1e-5)
     assert place[:3] == pytest.approx(PEAK, abs=1e-3)
 
@@ -38,11 +38,11 @@ def test_nothing_is_less_than_anything() -> None:
     def empty(gauss: Any) -> tuple[Any, Any]:
         return gauss[:, :0], np.zeros(0)
 
-    assert highest(MADE, empty, same, MADE.numbers)[0] == -np.inf
+    assert maximise(MADE, empty, same, MADE.numbers)[0] == -np.inf
 
 
 def test_every_throw_on_a_level_of_the_whole_sphere_gives_a_point() -> None:
-    ends = Ends(MADE, VALUES)
+    ends = RayProposal(MADE, VALUES)
     gauss = np.random.default_rng(1).normal(size=(ends.numbers, 30))
     spots = ends.spots(gauss)
     assert spots.which.tolist() == list(range(30))

@@ -15,24 +15,24 @@ import pytest
 import xarray as xr
 
 from chaplygin.catalogue import entry
-from chaplygin.core.vectors import explicit
+from chaplygin.core.vectors import to_components
 from chaplygin.errors import InputError
-from chaplygin.flow.batch import section
+from chaplygin.flow.batch import poincare_section
 from chaplygin.flow.ensemble.compute import compute
 from chaplygin.flow.ensemble.task import Task
-from chaplygin.flow.sampling.draw import draw
+from chaplygin.flow.sampling.draw import sample_level
 from chaplygin.flow.sections import poincare_dataset as section_points
 from chaplygin.flow.sections.poincare_dataset import Quantity, section_task
-from chaplygin.flow.sections.poincare_map import SectionMap
+from chaplygin.flow.sections.poincare_map import PoincareMap
 
 BALL = entry("unbalanced-ball").system({})
-RETURNS = SectionMap(BALL, section(BALL, "gamma_3"), until=400.0)
-M, GAMMA = (explicit(name) for name in BALL.state)
+RETURNS = PoincareMap(BALL, poincare_section(BALL, "gamma_3"), until=400.0)
+M, GAMMA = (to_components(name) for name in BALL.state)
 AREA = Quantity("area", M.dot(GAMMA), "area integral", "kg m^2/s")
 
 
 def task(motions: int = 24, points: int = 40) -> Task:
-    starts = draw(BALL, motions, {"energy": 1.0}, seed=5)
+    starts = sample_level(BALL, motions, {"energy": 1.0}, seed=5)
     return section_task(RETURNS, starts, points, [AREA], attributes={"seed": 5})
 
 
@@ -122,9 +122,9 @@ def _chunks(store: Path) -> list[Path]:
     ],
 )
 def test_mistakes_are_told(options: dict[str, Any], sentence: str) -> None:
-    arguments = {"starts": draw(BALL, 2, {"energy": 1.0}), "count": 3} | options
+    arguments = {"starts": sample_level(BALL, 2, {"energy": 1.0}), "count": 3} | options
     with pytest.raises(InputError, match=sentence):
         section_task(RETURNS, **arguments)
-    varied = SectionMap(BALL, section(BALL, "gamma_3"), {"I_1": np.array([1.0, 1.1])})
+    varied = PoincareMap(BALL, poincare_section(BALL, "gamma_3"), {"I_1": np.array([1.0, 1.1])})
     with pytest.raises(InputError, match="the same parameters"):
         section_task(varied, np.zeros((2, 6)), 3)

@@ -13,13 +13,13 @@ import sympy as sp
 
 from chaplygin.catalogue import entry
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import explicit
+from chaplygin.core.vectors import to_components
 from chaplygin.errors import InputError
-from chaplygin.flow.batch import Crossed, Section, section
+from chaplygin.flow.batch import BatchCrossings, Section, poincare_section
 from chaplygin.flow.heyoka_expressions import Translator
-from chaplygin.flow.sections.poincare_map import SectionMap, slab
+from chaplygin.flow.sections.poincare_map import PoincareMap, slab
 from chaplygin.formulas.batch import Formulas
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.initial_state import initial_state
 
 BODIES = ("chaplygin-ball", "unbalanced-ball", "rattleback")
 
@@ -40,13 +40,13 @@ def starts(name: str) -> Any:
     for _ in range(3):
         gamma = random.normal(size=3)
         gamma /= np.linalg.norm(gamma)
-        state = starting_state(system, random.normal(size=3), gamma)
+        state = initial_state(system, random.normal(size=3), gamma)
         found.append([float(value) for value in state[: len(system.symbols)]])
     return np.array(found)
 
 
-def map_of(name: str, **options: Any) -> SectionMap:
-    return SectionMap(body(name), section(body(name), "gamma_3"), **options)
+def map_of(name: str, **options: Any) -> PoincareMap:
+    return PoincareMap(body(name), poincare_section(body(name), "gamma_3"), **options)
 
 
 def test_a_pendulum_returns_after_its_period() -> None:
@@ -56,14 +56,14 @@ def test_a_pendulum_returns_after_its_period() -> None:
         field={x: v, v: -(omega**2) * x},
         parameters=(Parameter(omega, "frequency", 1.0),),
     )
-    back = SectionMap(oscillator, Section(x), {"omega": np.array([1.0, 2.0, 3.0])})
+    back = PoincareMap(oscillator, Section(x), {"omega": np.array([1.0, 2.0, 3.0])})
     points = np.array([[0.0, 1.0], [0.0, 0.3], [0.0, 5.0]])
     crossed = back.returns(points, 3)
     assert np.abs(crossed.times - np.outer(2 * np.pi / np.arange(1, 4), [1, 2, 3])).max() < 1e-11
     assert np.abs(crossed.states - points[:, None]).max() < 1e-11
-    assert np.abs(SectionMap(oscillator, Section(x, 0))(points[0]) + points[0]).max() < 1e-11
-    angle = section(oscillator, sp.atan2(x, v), 0.5, angle=True)
-    (turned,) = SectionMap(oscillator, angle)(np.array([[0.0, 1.0]]))
+    assert np.abs(PoincareMap(oscillator, Section(x, 0))(points[0]) + points[0]).max() < 1e-11
+    angle = poincare_section(oscillator, sp.atan2(x, v), 0.5, angle=True)
+    (turned,) = PoincareMap(oscillator, angle)(np.array([[0.0, 1.0]]))
     assert np.allclose(turned, [np.sin(0.5), np.cos(0.5)], atol=1e-12)
 
 
@@ -92,7 +92,7 @@ def integrator(name: str) -> tuple[Any, list[Any]]:
         adaptive.update_d_output(time)
         found.append((time, adaptive.d_output.copy()))
 
-    (value,) = translate.all([explicit(section(system, "gamma_3").value)])
+    (value,) = translate.all([to_components(poincare_section(system, "gamma_3").value)])
     event = hy.nt_event(value, note, direction=hy.event_direction.positive)
     rates = list(zip(translate.variables, translate.all(system.rates), strict=True))
     numbers = [float(n) for n in system.defaults.values()]
@@ -127,7 +127,7 @@ def test_the_inverse_leads_back(name: str) -> None:
     assert (back.inverse.returns(first, 2).times < 0).all()
 
 
-def _growth(back: SectionMap, points: Any, count: int) -> float:
+def _growth(back: PoincareMap, points: Any, count: int) -> float:
     """By how much errors grow at most."""
     return float(np.abs(back.derivative(points, count).matrices).max())
 
@@ -158,7 +158,7 @@ def test_the_derivative_is_a_difference(name: str) -> None:
         slope = np.einsum("nj,nj->n", made.time_slopes, deviation)
         assert np.abs(delay - slope).max() < 1e-6 * np.abs(made.time_slopes).max()
     # images stay on the section, the length of gamma is kept, and the flow is annulled
-    kept = Formulas(system, (back.section.value, explicit(system.relations[0])))
+    kept = Formulas(system, (back.section.value, to_components(system.relations[0])))
     held = kept.slopes(points)
     held[:, 0] = 0.0
     size = np.abs(made.matrices).max()
@@ -167,7 +167,7 @@ def test_the_derivative_is_a_difference(name: str) -> None:
     assert np.abs(np.einsum("nij,nj->ni", made.matrices, rates)).max() < 1e-12 * size**2
 
 
-def _moved(back: SectionMap, points: Any) -> Crossed:
+def _moved(back: PoincareMap, points: Any) -> BatchCrossings:
     """The first returns of points that are put back on the phase space."""
     points[:, 3:] /= np.linalg.norm(points[:, 3:], axis=1, keepdims=True)
     return back.returns(points, 1)
@@ -183,7 +183,7 @@ def test_the_dimension_counts_what_is_kept() -> None:
 def test_a_section_of_the_section() -> None:
     back = map_of("unbalanced-ball", until=1e4)
     (start, *_) = back(starts("unbalanced-ball"))
-    first, second = explicit(back.system.state[1])[0], explicit(back.system.state[0])[1]
+    first, second = to_components(back.system.state[1])[0], to_components(back.system.state[0])[1]
     thin = back.within(second, 0.2)
     every = back.returns(start[None], 400).states[0]
     near = every[np.abs(every[:, 1]) < 0.2]

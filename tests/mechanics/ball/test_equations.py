@@ -15,8 +15,8 @@ from chaplygin.mechanics.ball.mechanism import ball_mechanism
 from chaplygin.mechanics.ball.surface import FlatSurface, ImplicitSurface, SphericalSurface
 from chaplygin.mechanics.lagrangian.poincare_suslov import equations
 from chaplygin.mechanics.rolling.body import Body
-from chaplygin.mechanics.rolling.equations import Field, roll
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.equations import Forces, roll
+from chaplygin.mechanics.rolling.initial_state import initial_state
 from chaplygin.mechanics.rolling.shapes import Ball
 from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
 from chaplygin.proof.prover import prove
@@ -52,10 +52,10 @@ def test_it_moves_as_a_rolling_body_does(contact, radius):
     """On planes and spheres every body rolls, by equations in body axes derived elsewhere."""
     ground = Plane() if radius is None else Sphere(radius)
     body = Body(1.0, (0.036,) * 3, Ball(0.3))
-    rolling = roll(body, ground, contact, Field(9.81))
+    rolling = roll(body, ground, contact, Forces(9.81))
     omega = (1.0, 6.0, 0.0 if contact == "rubber" else 4.0)
     up = (0.0, 0.0, 1.0)
-    start = starting_state(rolling, omega, up, normal=up)
+    start = initial_state(rolling, omega, up, normal=up)
     theirs = integrate(rolling, start, TIMES, on_liftoff="warn").recorded
     side = "inside" if radius is not None and radius < 0 else "outside"
     surface = FlatSurface() if radius is None else SphericalSurface(abs(radius), side=side)

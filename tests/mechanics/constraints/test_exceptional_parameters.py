@@ -5,15 +5,15 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from chaplygin import Ball, Body, Ellipsoid, Field, Plane, Rolling, Sphere
+from chaplygin import Ball, Body, Ellipsoid, Forces, Plane, Rolling, Sphere
 from chaplygin.core.system import Parameter
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError
 from chaplygin.mechanics.constraints.exceptional_parameters import exceptional
 from chaplygin.mechanics.lagrangian.mechanism import Mechanism, coordinates
 from chaplygin.mechanics.rolling.mechanism import rolling_mechanism
 
-x, y, z, k = (scalar(name) for name in "xyzk")
+x, y, z, k = (real_symbol(name) for name in "xyzk")
 PLAIN = coordinates(x, y, z)
 u, v, w = PLAIN.w
 
@@ -44,25 +44,25 @@ def test_planted_values(constraint, values):
 
 def ball(contact, radius=2.0):
     body = Body(1.0, (0.3, 0.4, 0.5), Ball(0.8))
-    return rolling_mechanism(Rolling(body, Sphere(radius), contact, Field(gravity=9.81)))
+    return rolling_mechanism(Rolling(body, Sphere(radius), contact, Forces(gravity=9.81)))
 
 
 @pytest.mark.parametrize("radius", [2.0, 0.8, -2.0])
 def test_rubber_balls_of_equal_radii_are_the_only_exception(radius):
-    (only,) = exceptional(ball("rubber", radius), scalar("a"))
+    (only,) = exceptional(ball("rubber", radius), real_symbol("a"))
     assert (only.value, only.growth, only.usual) == (sp.Rational(4, 5), (2,), (2, 3, 5))
 
 
 def test_a_marble_ball_on_a_sphere_has_no_exceptional_ratio():
-    assert exceptional(ball("marble"), scalar("a")) == ()
+    assert exceptional(ball("marble"), real_symbol("a")) == ()
 
 
 def test_mistakes():
     with pytest.raises(InputError, match="has no parameter b; its parameters are"):
-        exceptional(ball("rubber"), scalar("b"))
+        exceptional(ball("rubber"), real_symbol("b"))
     body = Body(1.0, (0.3, 0.4, 0.5), Ellipsoid((1.0, 0.8, 0.6)))
     with pytest.raises(InputError, match="does not enter the constraints rationally"):
-        exceptional(rolling_mechanism(Rolling(body, Plane(), "marble")), scalar("b_1"))
+        exceptional(rolling_mechanism(Rolling(body, Plane(), "marble")), real_symbol("b_1"))
     made = Mechanism(
         "circle",
         PLAIN,

@@ -12,7 +12,7 @@ from chaplygin import (
     Body,
     Disk,
     Ellipsoid,
-    Field,
+    Forces,
     Implicit,
     Integral,
     Plane,
@@ -29,10 +29,10 @@ from chaplygin.core.vectors import (
     constant,
     cross,
     dot,
-    explicit,
+    to_components,
     gradient,
-    normed,
-    scalar,
+    norm_squared,
+    real_symbol,
     vectors,
 )
 from chaplygin.errors import InputError
@@ -50,7 +50,7 @@ from chaplygin.mechanics.lagrangian.mechanism import (
 from chaplygin.mechanics.rolling.contact import contact as contact_of
 from chaplygin.mechanics.rolling.mechanism import rolling_mechanism
 
-x, y, z, k = (scalar(name) for name in "xyzk")
+x, y, z, k = (real_symbol(name) for name in "xyzk")
 PLAIN = coordinates(x, y, z)
 u, v, w = PLAIN.w
 omega, velocity, gamma, r = vectors("omega v gamma r")
@@ -76,7 +76,7 @@ def proven_by_the_prover(given: Distribution, function: sp.Expr) -> bool:
     if function.has(sp.log, sp.atan):
         own = given.fixed.fields
         return all(sp.simplify(along(field, function)) == 0 for field in own)
-    speeds = [scalar(f"speed_{i}") for i, _ in enumerate(given.fields)]
+    speeds = [real_symbol(f"speed_{i}") for i, _ in enumerate(given.fields)]
     table = {s: sp.Rational(repr(value)) for s, value in given.constants}
     rates = {
         q: sum(
@@ -235,7 +235,7 @@ SHAPES = {
         {"marble": (3, 5), "rubber": (2, 3, 5)},
     ),
     "revolution": (
-        Revolution(1 + scalar("gamma_3") ** 2 / 10),
+        Revolution(1 + real_symbol("gamma_3") ** 2 / 10),
         {"marble": (3, 5), "rubber": (2, 3, 5)},
     ),
     "quartic": (Implicit(x**4 + y**4 + z**4 - 1), {"marble": (3, 5), "rubber": (2, 3, 5)}),
@@ -244,7 +244,7 @@ SHAPES = {
 
 def rolling(shape, surface, contact) -> Mechanism:
     body = Body(1.0, (0.3, 0.4, 0.5), shape)
-    return rolling_mechanism(Rolling(body, surface, contact, Field(gravity=9.81)))
+    return rolling_mechanism(Rolling(body, surface, contact, Forces(gravity=9.81)))
 
 
 @pytest.mark.slow
@@ -260,8 +260,8 @@ def test_on_a_plane_the_height_is_the_only_holonomic_constraint(name, contact):
     (integral,) = found.integrals
     given = distribution(made)
     assert proven_by_the_prover(given, integral.formula)
-    height = scalar("R_3") + explicit(dot(gamma, contact_of(shape, Plane()).r))
-    slope = sp.diff(integral.formula, scalar("R_3"))
+    height = real_symbol("R_3") + to_components(dot(gamma, contact_of(shape, Plane()).r))
+    slope = sp.diff(integral.formula, real_symbol("R_3"))
     assert slope.is_Rational and slope > 0
     assert proven_by_the_prover(given, sp.expand(height - integral.formula / slope))
 
@@ -274,7 +274,7 @@ def any_body(contact) -> Mechanism:
         Frame(
             {gamma: cross(gamma, omega)},
             (omega, velocity),
-            (normed(gamma) - 1,),
+            (norm_squared(gamma) - 1,),
             euclidean(omega, velocity),
         ),
         sp.S.Zero,
@@ -287,7 +287,7 @@ def any_body(contact) -> Mechanism:
 def test_remark_5_for_every_support_function_at_once(contact, growth):
     found = nonholonomy(any_body(contact))
     assert (found.growth, found.proven) == (growth, True)
-    assert [f.formula for f in found.integrals] == [scalar("R_3") - h]
+    assert [f.formula for f in found.integrals] == [real_symbol("R_3") - h]
 
 
 @pytest.mark.parametrize("radius", [2.0, 2.4, 0.8, -2.0])
@@ -324,7 +324,7 @@ def test_a_rubber_ball_on_an_equal_one_is_its_mirror_image():
 def test_a_homogeneous_ball_on_a_surface_that_nobody_specified(contact):
     place = Vector("R")
     surface = sp.Function("f", real=True)(*place.symbols)
-    numbers = tuple(Parameter(scalar(s), s, 0.5) for s in ("m", "mu", "b"))
+    numbers = tuple(Parameter(real_symbol(s), s, 0.5) for s in ("m", "mu", "b"))
     found = nonholonomy(ball_mechanism(contact, surface, sp.S.Zero, numbers))
     assert found.growth == ((3, 5) if contact == "marble" else (2, 3, 5))
     assert [f.formula for f in found.integrals] == [surface]
@@ -339,7 +339,7 @@ def test_a_shape_that_turns_into_a_needle_has_more_constraints():
         Frame(
             {gamma: cross(gamma, omega)},
             (omega, velocity),
-            (normed(gamma) - 1,),
+            (norm_squared(gamma) - 1,),
             euclidean(omega, velocity),
         ),
         sp.S.Zero,
@@ -387,7 +387,7 @@ def test_the_fields_satisfy_the_constraints():
     made = rolling(Ellipsoid((1.0, 0.8, 0.6)), Plane(), "rubber")
     given = distribution(made)
     assert len(given.fields) == 2
-    heights = [along(field, scalar("R_3")) for field in given.fields]
+    heights = [along(field, real_symbol("R_3")) for field in given.fields]
     assert any(height != 0 for height in heights)
 
 

@@ -9,14 +9,14 @@ import pytest
 import sympy as sp
 
 from chaplygin import Ball, Body, Ellipsoid, InputError, Plane, Rolling
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.mechanics.lagrangian.constrained_frame import restricted
-from chaplygin.mechanics.lagrangian.generic_points import Sample, samples
+from chaplygin.mechanics.lagrangian.generic_points import GenericPoint, samples
 from chaplygin.mechanics.lagrangian.mechanism import TIME, Mechanism, coordinates
 from chaplygin.mechanics.lagrangian.poincare_suslov import equations
 from chaplygin.mechanics.rolling.mechanism import rolling_mechanism
 
-x, y, phi, m, a, J = (scalar(n) for n in ("x", "y", "phi", "m", "a", "J"))
+x, y, phi, m, a, J = (real_symbol(n) for n in ("x", "y", "phi", "m", "a", "J"))
 FRAME = coordinates(x, y, phi)
 xdot, ydot, phidot = FRAME.w
 AHEAD = xdot * sp.cos(phi) + ydot * sp.sin(phi)
@@ -57,12 +57,12 @@ def test_equations_on_the_distribution_are_those_of_the_mechanism(name: str) -> 
     with mpmath.workdps(50):
         chosen = {s: point[s] for s in made.velocities}
         base = {s: value for s, value in point.items() if s not in mechanism.frame.w}
-        known = Sample(base, [p for p in made.definitions if _still(p, mechanism)])
+        known = GenericPoint(base, [p for p in made.definitions if _still(p, mechanism)])
         w = {
             s: sum(known.value(row[i]) * chosen[made.velocities[i]] for i in count)
             for s, row in zip(mechanism.frame.w, made.basis, strict=True)
         }
-        motion = Sample(base | {s: w[s] for s in system.symbols if s in w}, system.steps)
+        motion = GenericPoint(base | {s: w[s] for s in system.symbols if s in w}, system.steps)
         rates = {s: motion.value(r) for s, r in zip(system.symbols, system.rates, strict=True)}
         g = [[known.value(e) for e in row] for row in made.kinetic]
         P = [sum(g[s][r] * chosen[made.velocities[r]] for r in count) for s in count]
@@ -89,7 +89,7 @@ def _still(step: Any, mechanism: Mechanism) -> bool:
     return not step[1].free_symbols & set(mechanism.frame.w)
 
 
-def _structure(made: Any, known: Sample, r: int, s: int) -> list[Any]:
+def _structure(made: Any, known: GenericPoint, r: int, s: int) -> list[Any]:
     if r == s:
         return [0] * len(made.velocities)
     sign = 1 if r < s else -1
@@ -102,7 +102,7 @@ STEP = mpmath.mpf(10) ** -12
 def _shifted(made: Any, mechanism: Mechanism, base: Any, by: Any) -> list[list[Any]]:
     """g at a configuration moved by a small vector, in the coordinates of the ambient space."""
     place = {q: base[q] + d for q, d in zip(mechanism.frame.coordinates, by, strict=True)}
-    there = Sample(base | place, [p for p in made.definitions if _still(p, mechanism)])
+    there = GenericPoint(base | place, [p for p in made.definitions if _still(p, mechanism)])
     return [[there.value(e) for e in row] for row in made.kinetic]
 
 
@@ -118,7 +118,7 @@ def _difference(
 
 
 def _anchored(made: Any, mechanism: Mechanism, base: Any, y: list[Any]) -> list[Any]:
-    here = Sample(base, [p for p in made.definitions if _still(p, mechanism)])
+    here = GenericPoint(base, [p for p in made.definitions if _still(p, mechanism)])
     return [
         sum((here.value(e) * v for e, v in zip(row, y, strict=True)), mpmath.mpf(0))
         for row in made.anchor

@@ -5,12 +5,12 @@ import pytest
 import sympy as sp
 
 from chaplygin.core.system import Parameter
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism, coordinates
 from chaplygin.mechanics.lagrangian.plan import plan_of
 
-x, y, z, phi, psi, l = (scalar(name) for name in ("x", "y", "z", "phi", "psi", "l"))
-xdot, ydot, zdot, phidot, psidot = (scalar(f"{q}dot") for q in (x, y, z, phi, psi))
+x, y, z, phi, psi, l = (real_symbol(name) for name in ("x", "y", "z", "phi", "psi", "l"))
+xdot, ydot, zdot, phidot, psidot = (real_symbol(f"{q}dot") for q in (x, y, z, phi, psi))
 
 
 def with_trailer(drawbar=0.8, sign=1):
@@ -44,7 +44,7 @@ def test_wheels_and_the_rod_between_them(sign):
 
 
 def test_in_velocities_of_ones_own():
-    u, v, turn = (scalar(name) for name in ("u", "v", "Omega"))
+    u, v, turn = (real_symbol(name) for name in ("u", "v", "Omega"))
     rates = {
         x: u * sp.cos(phi) - v * sp.sin(phi),
         y: u * sp.sin(phi) + v * sp.cos(phi),

@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from chaplygin import InputError
-from chaplygin.core.vectors import Vector, cross, dot, explicit, normed, scalar
+from chaplygin.core.vectors import Vector, cross, dot, to_components, norm_squared, real_symbol
 from chaplygin.mechanics.lagrangian.mechanism import Frame, coordinates, euclidean, rotations
 from chaplygin.mechanics.lagrangian.structure_functions import (
     check_structure,
@@ -17,9 +17,9 @@ from chaplygin.mechanics.lagrangian.structure_functions import (
 )
 
 omega, v, alpha, beta, gamma, R = (Vector(n) for n in ("omega", "v", "alpha", "beta", "gamma", "R"))
-x, y, u, w, theta, phi, psi = (scalar(n) for n in ("x", "y", "u", "w", "theta", "phi", "psi"))
+x, y, u, w, theta, phi, psi = (real_symbol(n) for n in ("x", "y", "u", "w", "theta", "phi", "psi"))
 ORTHONORMAL = (
-    *(normed(a) - 1 for a in (alpha, beta, gamma)),
+    *(norm_squared(a) - 1 for a in (alpha, beta, gamma)),
     dot(alpha, beta),
     dot(beta, gamma),
     dot(gamma, alpha),
@@ -113,6 +113,6 @@ def test_what_is_given_must_be_possible() -> None:
 
 def test_commutator_is_a_derivation() -> None:
     first, second = {x: y}, {y: x * y}
-    assert explicit(sp.Matrix(list(commutator(first, second).values()))) == sp.ImmutableMatrix(
+    assert to_components(sp.Matrix(list(commutator(first, second).values()))) == sp.ImmutableMatrix(
         [-x * y, y**2]
     )

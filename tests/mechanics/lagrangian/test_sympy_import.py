@@ -28,7 +28,7 @@ from sympy.physics.mechanics import System as SympySystem
 from chaplygin import InputError, prove
 from chaplygin.core.laws import Identity, Rate
 from chaplygin.core.system import System
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.constraints.integrability import nonholonomy
 from chaplygin.mechanics.lagrangian.poincare_suslov import equations
@@ -60,11 +60,11 @@ def agrees_with_sympy(system: System, method: Any, unknown: list[Any]) -> None:
         point = {s: mpmath.mpf(dice.randint(1, 99)) / 101 for s in system.symbols}
         point |= {p.symbol: mpmath.mpf(repr(p.default)) for p in system.parameters}
         plain: dict[Any, Any] = {
-            x.diff(t): scalar(f"{x.func}dot") for x in method.q if x.diff(t) in method.u
+            x.diff(t): real_symbol(f"{x.func}dot") for x in method.q if x.diff(t) in method.u
         }
-        plain |= {f: scalar(str(f.func)) for f in (*method.q, *method.u) if f.is_Function}
-        plain |= {s: scalar(str(s)) for s in method.mass_matrix.free_symbols - {t}}
-        plain |= {s: scalar(str(s)) for s in method.forcing.free_symbols - {t}}
+        plain |= {f: real_symbol(str(f.func)) for f in (*method.q, *method.u) if f.is_Function}
+        plain |= {s: real_symbol(str(s)) for s in method.mass_matrix.free_symbols - {t}}
+        plain |= {s: real_symbol(str(s)) for s in method.forcing.free_symbols - {t}}
         rates = rates_at(system, point)
         matrix = method.mass_matrix.xreplace(plain)
         forcing = method.forcing.xreplace(plain)
@@ -104,8 +104,8 @@ def test_lagranges_method_with_a_nonholonomic_constraint():
     mechanism = mechanism_from_sympy(method, numbers)
     assert nonholonomy(mechanism).verdict == "completely nonholonomic"
     system = from_sympy(method, numbers)
-    turn = scalar("phidot")
-    law = Identity("turning", Rate(turn) + scalar("l") * turn / scalar("k"))
+    turn = real_symbol("phidot")
+    law = Identity("turning", Rate(turn) + real_symbol("l") * turn / real_symbol("k"))
     assert prove(system, law).decision == "proven"
     names = {o.name for o in system.observables}
     assert "lambda_1" in names
@@ -145,8 +145,8 @@ def test_a_holonomic_constraint_becomes_a_relation():
         Lagrangian(N, bob), [x, y], hol_coneqs=[x**2 + y**2 - length**2], frame=N
     )
     system = from_sympy(method, {"m": 1, "g": 9.81, "l": 2})
-    x_, y_ = scalar("x"), scalar("y")
-    assert x_**2 + y_**2 - scalar("l") ** 2 in system.relations
+    x_, y_ = real_symbol("x"), real_symbol("y")
+    assert x_**2 + y_**2 - real_symbol("l") ** 2 in system.relations
     assert {law.name for law in system.integrals} == {"energy"}
     assert prove(system, "energy").decision == "proven"
 
@@ -193,7 +193,7 @@ def test_a_system_whose_speeds_are_rates_goes_by_lagranges_method():
     model.add_joints(PrismaticJoint("J", wall, place, q, q.diff(t)))
     model.add_loads(Force(place, -k * q * model.x))
     system = from_sympy(model, {"m": 1, "k": 4})
-    law = Identity("spring", Rate(scalar("qdot")) + scalar("k") * scalar("q") / scalar("m"))
+    law = Identity("spring", Rate(real_symbol("qdot")) + real_symbol("k") * real_symbol("q") / real_symbol("m"))
     assert prove(system, law).decision == "proven"
     assert model.eom_method is None
 
@@ -247,7 +247,7 @@ def test_a_system_formed_by_lagranges_method_keeps_it():
     model.add_loads(Torque(wall, 0 * N.z))
     model.form_eoms(LagrangesMethod)
     system = from_sympy(model, {"m": 1, "k": 4})
-    law = Identity("spring", Rate(scalar("qdot")) + scalar("k") * scalar("q") / scalar("m"))
+    law = Identity("spring", Rate(real_symbol("qdot")) + real_symbol("k") * real_symbol("q") / real_symbol("m"))
     assert prove(system, law).decision == "proven"
 
 

@@ -18,7 +18,7 @@ from sympy.physics.mechanics import System as SympySystem
 from chaplygin import InputError, prove
 from chaplygin.core.laws import Identity, Rate
 from chaplygin.core.system import Parameter
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.constraints.integrability import nonholonomy
 from chaplygin.mechanics.lagrangian.mechanism import TIME
@@ -50,10 +50,10 @@ NUMBERS = {"m": 2.0, "g": 9.81, "l": 0.5, "k": 0.1}
 
 def test_a_pendulum_by_kanes_method():
     system = from_sympy(pendulum(), NUMBERS, name="pendulum", title="Pendulum")
-    angle, speed = scalar("q"), scalar("u")
+    angle, speed = real_symbol("q"), real_symbol("u")
     assert system.symbols == (angle, speed)
     assert {str(p.symbol): p.default for p in system.parameters} == NUMBERS
-    m_, g_, l_, k_ = (scalar(name) for name in NUMBERS)
+    m_, g_, l_, k_ = (real_symbol(name) for name in NUMBERS)
     right = -g_ / l_ * sp.sin(angle) - k_ * speed / (m_ * l_**2)
     law = Identity("equation", (Rate(angle) - speed, Rate(speed) - right))
     assert prove(system, law).decision == "proven"
@@ -97,7 +97,7 @@ def test_auxiliary_speeds_bring_out_reactions():
     )
     system = from_sympy(method, {"m": 2, "g": 9.81, "l": 0.5})
     shown = {o.name: o.value for o in system.observables}
-    m_, g_, l_, q_, u_ = (scalar(name) for name in ("m", "g", "l", "q", "u"))
+    m_, g_, l_, q_, u_ = (real_symbol(name) for name in ("m", "g", "l", "q", "u"))
     pull = Identity("along", shown["along"] + m_ * (g_ * sp.cos(q_) + l_ * u_**2))
     assert prove(system, pull).decision == "proven"
     # the bob is free to move across: the pivot feels nothing
@@ -129,7 +129,7 @@ def test_constraints_become_relations_and_multipliers_observables():
     system = from_sympy(constrained(), {"m": 2, "g": 9.81, "l": 0.5})
     x, y, u1, u2 = system.symbols
     assert len(system.relations) == 2
-    m_, g_, _ = (scalar(name) for name in "mgl")
+    m_, g_, _ = (real_symbol(name) for name in "mgl")
     tension = m_ * (-(u1**2) - u2**2 + g_ * y) / (x**2 + y**2)
     law = Identity("equation", (Rate(u1) - tension * x / m_, Rate(x) - u1))
     assert prove(system, law).decision == "proven"
@@ -156,8 +156,8 @@ def test_massless_speeds_are_allowed_where_a_constraint_moves_them():
         forcelist=[(place, -k * x * N.x)],
     )
     system = from_sympy(method, {"m": 2, "k": 3, "l": 0.5})
-    u1_, x_ = scalar("u1"), scalar("x")
-    law = Identity("equation", Rate(u1_) + scalar("k") * x_ / scalar("m"))
+    u1_, x_ = real_symbol("u1"), real_symbol("x")
+    law = Identity("equation", Rate(u1_) + real_symbol("k") * x_ / real_symbol("m"))
     assert prove(system, law).decision == "proven"
 
 
@@ -198,9 +198,9 @@ def test_kanes_models_become_mechanisms_that_are_told_their_nonholonomy():
     mechanism = mechanism_from_sympy(wheel_on_a_rail(), {"m": 1, "g": 9, "k": 1, "l": 1})
     assert nonholonomy(mechanism).verdict == "holonomic"
     one = equations(mechanism)
-    u2 = scalar("u2")
-    right = scalar("m") * scalar("g") * scalar("l") / (scalar("k") + scalar("m") * scalar("l") ** 2)
-    symbol = u2 if u2 in one.symbols else scalar("u1") / scalar("l")
+    u2 = real_symbol("u2")
+    right = real_symbol("m") * real_symbol("g") * real_symbol("l") / (real_symbol("k") + real_symbol("m") * real_symbol("l") ** 2)
+    symbol = u2 if u2 in one.symbols else real_symbol("u1") / real_symbol("l")
     assert prove(one, Identity("rolling down", Rate(symbol) - right)).decision == "proven"
 
 
@@ -256,7 +256,7 @@ def test_constants_need_defaults_of_their_own():
     with pytest.raises(InputError, match="g = heavy is not a number"):
         from_sympy(pendulum(), {**NUMBERS, "g": "heavy"})
     with pytest.raises(InputError, match="m is given as M"):
-        from_sympy(pendulum(), {**NUMBERS, "m": Parameter(scalar("M"), "mass", 1.0)})
+        from_sympy(pendulum(), {**NUMBERS, "m": Parameter(real_symbol("M"), "mass", 1.0)})
 
 
 def test_inputs_must_be_inputs_of_the_model():

@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from chaplygin.core.laws import Measure
-from chaplygin.core.vectors import dot, explicit, scalar
+from chaplygin.core.vectors import dot, to_components, real_symbol
 from chaplygin.errors import InputError
 from chaplygin.mechanics.lagrangian.mechanism import TIME, Mechanism, coordinates
 from chaplygin.mechanics.reduction.base import base
@@ -45,13 +45,13 @@ from mechanics.reducible import (
     y,
 )
 
-z = scalar("z")
+z = real_symbol("z")
 SPACE = coordinates(x, y, z)
 DX, DY, DZ = SPACE.w
 FREE = (DX**2 + DY**2 + DZ**2) / 2
 J = [i + m * R**2 for i in I.symbols]
 U = sp.Function("U")(*gamma.symbols)
-THETA, PHI = scalar("theta"), scalar("phi")
+THETA, PHI = real_symbol("theta"), real_symbol("phi")
 ANGLES = dict(
     zip(
         gamma.symbols,
@@ -176,14 +176,14 @@ def test_veselova_with_rotors() -> None:
     turning = Mechanism(
         "veselova-gyrostat",
         plain.frame,
-        plain.L + explicit(dot(rotors, omega)),
+        plain.L + to_components(dot(rotors, omega)),
         plain.constraints,
         parameters=(*plain.parameters, *ROTORS),
     )
     form = chaplygin_form(turning)
     assert form.multiplier == chaplygin_form(plain).multiplier
     assert form.multiplier is not None
-    carried = explicit(dot(rotors, gamma))
+    carried = to_components(dot(rotors, gamma))
     assert form.gyroscopic is not None
     assert sp.simplify(form.gyroscopic / form.multiplier.value - sp.sin(THETA) * carried) == 0
     assert form.flux is not None
@@ -290,7 +290,7 @@ def test_another_exponent_is_refuted() -> None:
 @pytest.mark.slow
 def test_another_gyroscopic_force_is_no_motion_of_the_ball() -> None:
     form = of_ball()
-    S = scalar("S")
+    S = real_symbol("S")
     bent = replace(
         form.system,
         definitions=tuple((n, 2 * f if n == S else f) for n, f in form.system.definitions),
@@ -378,7 +378,7 @@ def test_a_level_on_which_no_integral_serves() -> None:
     here = base(mechanism, moved)
     # no integral: the energy keeps a part linear in the rates of the angles
     crooked = Linear(omega.symbols[2], omega.symbols[2])
-    up = lift(here, [crooked], [scalar("c")])
+    up = lift(here, [crooked], [real_symbol("c")])
     with pytest.raises(InputError, match="part linear in the velocities"):
         balanced(mechanism, moved, up)
 

@@ -8,9 +8,9 @@ from flint import fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from chaplygin.core.vectors import Vector, scalar
+from chaplygin.core.vectors import Vector, real_symbol
 from chaplygin.errors import InputError
-from chaplygin.mechanics.reduction.factors import Chart, determinant, in_angles, on_sphere
+from chaplygin.mechanics.reduction.factors import HalfAngleChart, determinant, in_angles, on_sphere
 from chaplygin.mechanics.reduction.rational_evaluation import (
     Formulas,
     circle,
@@ -21,7 +21,7 @@ from chaplygin.mechanics.reduction.rational_evaluation import (
     quotients,
 )
 
-x, y, theta, phi, J = (scalar(name) for name in ("x", "y", "theta", "phi", "J"))
+x, y, theta, phi, J = (real_symbol(name) for name in ("x", "y", "theta", "phi", "J"))
 ONE, NAMES = quotients([x, y])
 NUMBERS = st.fractions(min_value=-9, max_value=9, max_denominator=7)
 
@@ -88,7 +88,7 @@ def test_multiple_angles_and_tangents() -> None:
 
 
 def test_a_factor_back_in_the_angles_and_in_the_unit_vector() -> None:
-    chart = Chart.of((theta, phi), [*circle(theta), *circle(phi)])
+    chart = HalfAngleChart.of((theta, phi), [*circle(theta), *circle(phi)])
     one, names = quotients([*chart.variables, J])
     place = {**names, **chart.point([names[t] for t in chart.variables])}
     gamma = Vector("gamma")
@@ -107,7 +107,7 @@ def test_a_factor_back_in_the_angles_and_in_the_unit_vector() -> None:
 
 
 def test_what_is_no_function_on_the_sphere() -> None:
-    chart = Chart.of((theta, phi), [*circle(theta), *circle(phi)])
+    chart = HalfAngleChart.of((theta, phi), [*circle(theta), *circle(phi)])
     one, names = quotients([*chart.variables, J])
     place = {**names, **chart.point([names[t] for t in chart.variables])}
     (value,) = Formulas([sp.cos(phi) ** 2 + J]).at(place, one)

@@ -7,13 +7,13 @@ import pytest
 import sympy as sp
 
 import reference
-from chaplygin.core.vectors import Vector, explicit
+from chaplygin.core.vectors import Vector, to_components
 from chaplygin.mechanics.rolling.attitude import (
     attitude,
     attitude_observable,
     quaternion_rate,
     rotation,
-    tie,
+    attitude_relations,
     unit_length,
 )
 
@@ -28,7 +28,7 @@ UNIT_QUATERNIONS = [
 
 def at(formula, quaternion, more=()):
     values = dict(zip(attitude.symbols, quaternion, strict=True)) | dict(more)
-    return sp.Matrix(explicit(formula)).xreplace(values)
+    return sp.Matrix(to_components(formula)).xreplace(values)
 
 
 def hat(v):
@@ -80,12 +80,12 @@ def test_relations_vanish_where_they_should_only(quaternion):
     gamma = Vector("gamma")
     third = at(rotation(), quaternion).row(2)
     upright = values | dict(zip(gamma.symbols, third, strict=True))
-    assert [defect.xreplace(upright) for defect in tie(gamma)] == [0, 0, 0]
+    assert [defect.xreplace(upright) for defect in attitude_relations(gamma)] == [0, 0, 0]
     tilted = values | dict(zip(gamma.symbols, -third, strict=True))
-    assert [defect.xreplace(tilted) for defect in tie(gamma)] == [2 * x for x in third]
+    assert [defect.xreplace(tilted) for defect in attitude_relations(gamma)] == [2 * x for x in third]
 
 
 def test_observable_is_the_quaternion():
     observable = attitude_observable()
     assert (observable.name, observable.frame) == ("attitude", "quaternion")
-    assert tuple(explicit(observable.value)) == attitude.symbols
+    assert tuple(to_components(observable.value)) == attitude.symbols

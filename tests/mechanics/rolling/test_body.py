@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 import reference
 from chaplygin.errors import InputError
-from chaplygin.mechanics.rolling.body import Body, rigid
+from chaplygin.mechanics.rolling.body import Body, triangle_inequalities
 from chaplygin.mechanics.rolling.equations import Rolling
 from chaplygin.mechanics.rolling.shapes import Ball
 
@@ -111,7 +111,7 @@ def test_diagonal_matrix_means_principal_axes():
 
 def test_what_the_moments_of_a_body_must_satisfy() -> None:
     a, b, c = symbols = sp.symbols("a b c", real=True)
-    asked = rigid(symbols)
+    asked = triangle_inequalities(symbols)
     assert asked == {a: (a > 0, a <= b + c), b: (b > 0, b <= a + c), c: (c > 0, c <= a + b)}
 
 

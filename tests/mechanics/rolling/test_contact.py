@@ -11,7 +11,7 @@ from chaplygin.errors import InputError
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.contact import contact
 from chaplygin.mechanics.rolling.equations import roll
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.initial_state import initial_state
 from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
 from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
 from mechanics.bodies import COMBINATIONS, FULL, SHAPES, SURFACES, portrait, state_of
@@ -157,7 +157,7 @@ def test_body_larger_than_its_bowl_is_refused_at_the_start(shape):
     """Both radii of curvature exceed that of the bowl, so that their product alone looks right."""
     system = roll(Body(1.0, (1.0, 1.0, 1.0), shape), Sphere(-0.4))
     with pytest.raises(InputError, match="the body does not fit into the sphere at the contact"):
-        starting_state(system, (1.0, 0.0, 0.0), (0.3, 0.2, 0.9))
+        initial_state(system, (1.0, 0.0, 0.0), (0.3, 0.2, 0.9))
 
 
 @pytest.mark.parametrize("shape", [Disk(1.0), Torus(0.8, 0.2)], ids=["disk", "torus"])

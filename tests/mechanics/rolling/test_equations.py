@@ -10,11 +10,11 @@ import sympy as sp
 from hypothesis import assume, given, settings
 
 import reference
-from chaplygin.core.vectors import explicit, scalar
+from chaplygin.core.vectors import to_components, real_symbol
 from chaplygin.errors import InputError
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.rolling.body import Body
-from chaplygin.mechanics.rolling.equations import Field, Rolling, roll
+from chaplygin.mechanics.rolling.equations import Forces, Rolling, roll
 from chaplygin.mechanics.rolling.shapes import Ball, Ellipsoid
 from mechanics import bodies
 from mechanics.bodies import (
@@ -154,7 +154,7 @@ def field_along(slope, axis):
     linear, square = (
         sum(float(x) * s for x, s in zip(v, GAMMA, strict=True)) for v in (slope, axis)
     )
-    return Field(1.7, linear + square**2)
+    return Forces(1.7, linear + square**2)
 
 
 def turned_pair(turn, shape, turned_shape, surface, contact):
@@ -237,7 +237,7 @@ RESTING: dict[tuple[str, str], list[Portrait]] = {}
 @pytest.mark.parametrize("shape", ["ball", "implicit"])
 @pytest.mark.parametrize("gravity", [0.0, 9.81])
 def test_state_has_what_it_needs(shape, surface, contact, gravity):
-    system = roll(Body(1.3, FULL, SHAPES[shape]), SURFACES[surface], contact, Field(gravity))
+    system = roll(Body(1.3, FULL, SHAPES[shape]), SURFACES[surface], contact, Forces(gravity))
     expected = ["M" if contact == "marble" else "omega", "r" if shape == "implicit" else "gamma"]
     if gravity and surface != "plane":
         expected.append("zeta")
@@ -265,7 +265,7 @@ def test_potential_may_use_the_parameters_of_the_body():
     potential = strength * moment * mass * GAMMA[2]
     system = roll(
         Body(2.0, PRINCIPAL, SHAPES["ball"]),
-        field=Field(potential=potential, values={strength: 0.5}),
+        field=Forces(potential=potential, values={strength: 0.5}),
     )
     one = Portrait(system)
     here = one.at(one.state(gamma=np.array([0.0, 0.6, 0.8])))
@@ -277,15 +277,15 @@ def test_potential_may_use_the_parameters_of_the_body():
 def test_constant_potential_moves_nothing(shape, surface):
     body = Body(1.3, FULL, SHAPES[shape])
     free, constant = (
-        roll(body, SURFACES[surface], field=Field(potential=value))
+        roll(body, SURFACES[surface], field=Forces(potential=value))
         for value in (sp.S.Zero, sp.Integer(2))
     )
     assert constant.rates == free.rates
     (difference,) = {
-        explicit(one.value) - explicit(other.value)
+        to_components(one.value) - to_components(other.value)
         for one, other in zip(constant.laws, free.laws, strict=True)
     }
-    assert difference == scalar("U")
+    assert difference == real_symbol("U")
 
 
 MISTAKES = {
@@ -293,23 +293,23 @@ MISTAKES = {
         lambda: roll(Body(1.0, PRINCIPAL, Ball(1.0)), contact="glue"),
         "contact 'glue': it must be 'marble' or 'rubber'",
     ),
-    "gravity": (lambda: Field(-9.81), "gravity -9.81: it must be finite and not negative"),
-    "infinite gravity": (lambda: Field(np.inf), "gravity inf: it must be finite and not negative"),
+    "gravity": (lambda: Forces(-9.81), "gravity -9.81: it must be finite and not negative"),
+    "infinite gravity": (lambda: Forces(np.inf), "gravity inf: it must be finite and not negative"),
     "symbol of a potential": (
         lambda: roll(
             Body(1.0, PRINCIPAL, Ball(1.0)),
-            field=Field(1.0, XYZ[0] * GAMMA[0] + sp.Symbol("depth")),
+            field=Forces(1.0, XYZ[0] * GAMMA[0] + sp.Symbol("depth")),
         ),
         "depth, x is not known; it may use gamma_1, gamma_2, gamma_3 and m, I_1, I_2, I_3, R, g",
     ),
     "parameter of a potential": (
-        lambda: Field(1.0, XYZ[0] * GAMMA[0], {XYZ[0]: np.nan}),
+        lambda: Forces(1.0, XYZ[0] * GAMMA[0], {XYZ[0]: np.nan}),
         "parameter x = nan: it must be a finite number",
     ),
     "name in use": (
         lambda: roll(
             Body(1.0, PRINCIPAL, Ball(1.0)),
-            field=Field(1.0, scalar("m") * GAMMA[0], {scalar("m"): 2.0}),
+            field=Forces(1.0, real_symbol("m") * GAMMA[0], {real_symbol("m"): 2.0}),
         ),
         "m stands for two things",
     ),

@@ -9,7 +9,7 @@ import sympy as sp
 import reference
 from chaplygin.core.vectors import Vector
 from chaplygin.errors import InputError
-from chaplygin.mechanics.rolling.gauss_map import centre_outside, contact_points, touching
+from chaplygin.mechanics.rolling.gauss_map import centre_outside, contact_points, contact_points_of_normals
 from chaplygin.mechanics.rolling.shapes import (
     Ball,
     Disk,
@@ -54,7 +54,7 @@ def test_points_near_a_flat_spot():
     """On x^4 + y^4 + z^4 = 1 the gradient is along the cubes of the coordinates."""
     gamma = np.array([[1e-3, -2e-3, 1.0], [0.3, 0.5, -0.8]])
     gamma /= np.linalg.norm(gamma, axis=1)[:, None]
-    points = touching(X**4 + Y**4 + Z**4 - 1, XYZ, gamma)
+    points = contact_points_of_normals(X**4 + Y**4 + Z**4 - 1, XYZ, gamma)
     cubes = points**3
     np.testing.assert_allclose(
         cubes / np.linalg.norm(cubes, axis=1)[:, None], -gamma, rtol=0, atol=1e-12
@@ -64,7 +64,7 @@ def test_points_near_a_flat_spot():
 
 def test_open_surface_is_refused():
     with pytest.raises(InputError, match="surface f = 0: it is not closed, f stays negative"):
-        touching(X**2 + Y**2 - 1, XYZ, np.array([[0.0, 0.0, 1.0]]))
+        contact_points_of_normals(X**2 + Y**2 - 1, XYZ, np.array([[0.0, 0.0, 1.0]]))
 
 
 CUSHION = XYZ[0] ** 4 + XYZ[1] ** 4 + XYZ[2] ** 4 - 1

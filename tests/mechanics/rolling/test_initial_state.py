@@ -13,11 +13,11 @@ import sympy as sp
 from hypothesis import given, settings
 
 import reference
-from chaplygin.core.vectors import Vector, explicit, scalar
+from chaplygin.core.vectors import Vector, to_components, real_symbol
 from chaplygin.errors import InputError
 from chaplygin.mechanics.rolling.body import Body
-from chaplygin.mechanics.rolling.equations import Field, roll
-from chaplygin.mechanics.rolling.initial_state import evaluate, starting_state
+from chaplygin.mechanics.rolling.equations import Forces, roll
+from chaplygin.mechanics.rolling.initial_state import evaluate, initial_state
 from chaplygin.mechanics.rolling.shapes import Ball, Ellipsoid, Implicit, Revolution
 from chaplygin.mechanics.rolling.surfaces import Plane, Sphere
 from mechanics.bodies import CENTRE, FIELD, FULL, QUARTIC, SHAPES, SURFACES
@@ -45,12 +45,12 @@ def told(system, state, formulas):
     with mpmath.workdps(50):
         known = {s: mpmath.mpf(repr(x)) for s, x in system.defaults.items()}
         known |= dict(zip(system.lifted().symbols, state, strict=True))
-        return evaluate(system, [explicit(f) for f in formulas], known)
+        return evaluate(system, [to_components(f) for f in formulas], known)
 
 
 def observed(system, state, name):
     (value,) = [o.value for o in system.lifted().observables if o.name == name]
-    return told(system, state, list(explicit(value)))
+    return told(system, state, list(to_components(value)))
 
 
 def floats(numbers):
@@ -69,7 +69,7 @@ def test_start_lies_on_the_phase_space_to_45_digits(shape, surface, contact):
     system = simple(contact, SURFACES[surface], SHAPES[shape])
     omega, gamma = (0.4, 0.8, 0.3), (0.36, -0.48, 0.8)
     normal = (0.0, 0.0, 1.0) if surface == "plane" else (0.1, -0.3, 0.9)
-    state = starting_state(system, omega, gamma, heading=0.4, normal=normal)
+    state = initial_state(system, omega, gamma, heading=0.4, normal=normal)
     defects = told(system, state, system.lifted().relations)
     assert max(abs(defect) for defect in defects) < TINY
     spin, found = (told(system, state, [*Vector(name)]) for name in ("omega", "gamma"))
@@ -82,7 +82,7 @@ def test_start_lies_on_the_phase_space_to_45_digits(shape, surface, contact):
 def test_decimals_mean_decimals():
     """0.1 is one tenth, not the nearest binary number."""
     system = roll(Body(1.0, (1.0, 1.0, 1.0), Ball(1.0)), contact="rubber")
-    state = starting_state(system, (0.1, 0.2, 0.0), (0.0, 0.0, 1.0))
+    state = initial_state(system, (0.1, 0.2, 0.0), (0.0, 0.0, 1.0))
     with mpmath.workdps(50):
         tenth = mpmath.mpf(1) / 10
         assert abs(state[0] - tenth) < TINY
@@ -93,16 +93,16 @@ def test_numbers_of_many_digits_are_kept():
     system = roll(Body(1.0, (1.0, 1.0, 1.0), Ball(1.0)), contact="rubber")
     with mpmath.workdps(50):
         third = mpmath.mpf(1) / 3
-        state = starting_state(system, (third, 0, 0), (0, 0, 1))
+        state = initial_state(system, (third, 0, 0), (0, 0, 1))
         assert state[0] == third
 
 
 def test_parameters_replace_the_defaults():
     system = simple()
     start = {"omega": (0.3, -0.7, 0.4), "gamma": (0.0, 0.6, 0.8)}
-    mass = scalar("m")
-    light = starting_state(system, **start)
-    heavy = starting_state(system, **start, parameters={mass: 2.6})
+    mass = real_symbol("m")
+    light = initial_state(system, **start)
+    heavy = initial_state(system, **start, parameters={mass: 2.6})
     arm = np.array(CENTRE) - 0.7 * np.array(start["gamma"])
     orbital = np.cross(arm, np.cross(start["omega"], arm))
     change = floats(heavy[:3]) - floats(light[:3])
@@ -117,9 +117,9 @@ def test_parameters_replace_the_defaults():
 @given(gamma=directions, normal=directions)
 @settings(max_examples=15, deadline=None)
 def test_attitude_carries_the_normal_and_heading_turns_about_it(gamma, normal):
-    system = roll(Body(1.0, MOMENTS, Ball(1.0)), Sphere(2.0), "marble", Field(1.0))
+    system = roll(Body(1.0, MOMENTS, Ball(1.0)), Sphere(2.0), "marble", Forces(1.0))
     for heading in (0.0, 1.1):
-        state = starting_state(system, (0.0, 0.0, 0.0), gamma, heading=heading, normal=normal)
+        state = initial_state(system, (0.0, 0.0, 0.0), gamma, heading=heading, normal=normal)
         found = floats(read(system, state, "attitude"))
         short = reference.attitude_with_normal(gamma, normal, heading)
         np.testing.assert_allclose(reference.rotation(found) @ gamma, normal, rtol=0, atol=1e-14)
@@ -133,7 +133,7 @@ def test_attitude_carries_the_normal_and_heading_turns_about_it(gamma, normal):
 def test_upside_down_start(gamma, heading):
     """The shortest way from a direction to its opposite is not unique, but there is one."""
     system = simple()
-    state = starting_state(system, (0.1, 0.2, 0.3), gamma, heading=heading)
+    state = initial_state(system, (0.1, 0.2, 0.3), gamma, heading=heading)
     turn = reference.rotation(floats(read(system, state, "attitude")))
     np.testing.assert_allclose(turn @ np.array(gamma), (0.0, 0.0, 1.0), rtol=0, atol=1e-15)
     assert max(abs(x) for x in told(system, state, system.lifted().relations)) < 1e-19
@@ -142,7 +142,7 @@ def test_upside_down_start(gamma, heading):
 @pytest.mark.parametrize("shape", ["ball", "ellipsoid", "implicit"])
 def test_contact_on_a_plane_begins_at_the_origin(shape):
     system = simple(shape=SHAPES[shape])
-    state = starting_state(system, (0.1, 0.2, 0.3), (0.3, -0.2, 0.7), heading=0.8)
+    state = initial_state(system, (0.1, 0.2, 0.3), (0.3, -0.2, 0.7), heading=0.8)
     assert max(abs(x) for x in observed(system, state, "contact")) < TINY
     height = observed(system, state, "centre")[2]
     assert height > 0.5
@@ -151,7 +151,7 @@ def test_contact_on_a_plane_begins_at_the_origin(shape):
 def test_contact_on_a_sphere_begins_at_the_normal():
     system = simple(surface=Sphere(-2.5))
     normal = np.array([0.36, 0.48, -0.8])
-    state = starting_state(system, (0.1, 0.2, 0.3), (0.3, -0.2, 0.7), normal=normal)
+    state = initial_state(system, (0.1, 0.2, 0.3), (0.3, -0.2, 0.7), normal=normal)
     found = floats(observed(system, state, "contact"))
     np.testing.assert_allclose(found, -2.5 * normal, rtol=0, atol=1e-15)
 
@@ -170,25 +170,25 @@ def test_nearest_admissible_omega_is_named_and_accepted(omega, gamma):
     if abs(excess) < 1e-6:
         return
     with pytest.raises(InputError) as refused:
-        starting_state(system, spin, gamma)
+        initial_state(system, spin, gamma)
     message = str(refused.value)
     assert "a body that must not spin about the normal needs 0" in message
     shown = message.partition("the nearest admissible omega is ")[2]
     nearest = np.array(ast.literal_eval(shown))
     np.testing.assert_allclose(nearest, spin - excess * gamma, rtol=0, atol=1e-14)
-    state = starting_state(system, nearest, gamma)
+    state = initial_state(system, nearest, gamma)
     assert abs(told(system, state, [system.relations[1]])[0]) < TINY
 
 
 def test_spin_of_rounding_is_taken_out():
     system = roll(Body(1.0, MOMENTS, Ball(1.0)), contact="rubber")
-    state = starting_state(system, (1.0, 0.0, 1e-13), (0.0, 0.0, 1.0))
+    state = initial_state(system, (1.0, 0.0, 1e-13), (0.0, 0.0, 1.0))
     assert abs(state[2]) < TINY
 
 
 def test_marble_may_spin():
     system = simple()
-    state = starting_state(system, (0.0, 0.0, 5.0), (0.0, 0.0, 1.0))
+    state = initial_state(system, (0.0, 0.0, 5.0), (0.0, 0.0, 1.0))
     spin = told(system, state, [*Vector("omega")])
     assert abs(spin[2] - 5) < TINY
 
@@ -203,7 +203,7 @@ def test_marble_may_spin():
 def test_contact_point_of_an_implicit_body(gamma):
     """The gradient is opposite to gamma, on the surface."""
     system = simple(shape=SHAPES["implicit"])
-    state = starting_state(system, (0.0, 0.0, 0.0), gamma)
+    state = initial_state(system, (0.0, 0.0, 0.0), gamma)
     s = floats(read(system, state, "r")) - CENTRE
     gradient = np.array([float(QUARTIC.diff(v).subs(dict(zip(XYZ, s, strict=True)))) for v in XYZ])
     np.testing.assert_allclose(gradient / np.linalg.norm(gradient), -gamma, rtol=0, atol=1e-13)
@@ -216,7 +216,7 @@ def test_very_long_body_has_its_contact_point():
     gamma = np.array([0.02, 0.6, 0.8])
     gamma /= np.linalg.norm(gamma)
     system = roll(Body(1.0, MOMENTS, Implicit(form)))
-    state = starting_state(system, (0.0, 0.0, 0.0), gamma)
+    state = initial_state(system, (0.0, 0.0, 0.0), gamma)
     squares = np.array(axes) ** 2
     expected = -squares * gamma / np.sqrt(gamma @ (squares * gamma))
     np.testing.assert_allclose(floats(read(system, state, "r")), expected, rtol=1e-13)
@@ -252,7 +252,7 @@ MISTAKES = {
 def test_mistake_is_named(wrong, message):
     right = {"omega": (0.1, 0.2, 0.3), "gamma": (0.0, 0.0, 1.0)}
     with pytest.raises(InputError, match=re.escape(message)):
-        starting_state(simple(), **(right | wrong))
+        initial_state(simple(), **(right | wrong))
 
 
 def test_spin_is_refused_with_its_amount():
@@ -262,7 +262,7 @@ def test_spin_is_refused_with_its_amount():
         "the nearest admissible omega is [1.0, 0.0, 0.0]"
     )
     with pytest.raises(InputError, match=re.escape(message)):
-        starting_state(system, (1.0, 0.0, 0.5), (0.0, 0.0, 2.0))
+        initial_state(system, (1.0, 0.0, 0.5), (0.0, 0.0, 2.0))
 
 
 @pytest.mark.parametrize("axis", range(3))
@@ -272,14 +272,14 @@ def test_contact_at_a_flat_point_is_refused(axis, side):
     system = roll(Body(1.0, (1.0, 1.0, 1.0), CUBE))
     gamma = side * np.eye(3)[axis]
     with pytest.raises(InputError, match=re.escape(NO_CONTACT)):
-        starting_state(system, (0.1, 0.2, 0.3), gamma)
+        initial_state(system, (0.1, 0.2, 0.3), gamma)
 
 
 def test_contact_near_a_flat_point_is_found():
     system = roll(Body(1.0, (1.0, 1.0, 1.0), CUBE))
     gamma = np.array([1e-3, -2e-3, 1.0])
     gamma /= np.linalg.norm(gamma)
-    state = starting_state(system, (0.1, 0.2, 0.3), gamma)
+    state = initial_state(system, (0.1, 0.2, 0.3), gamma)
     r = floats(read(system, state, "r"))
     np.testing.assert_allclose(r**3 / np.linalg.norm(r**3), -gamma, rtol=0, atol=1e-14)
 
@@ -294,8 +294,8 @@ def test_open_surface_is_refused(form):
 def test_body_outside_the_domain_is_refused():
     system = roll(Body(1.0, (1.0, 1.0, 1.0), Ellipsoid((1.0, 1.0, 2.0))), Sphere(-3.0))
     with pytest.raises(InputError, match="gamma: this start is outside the domain; the body does"):
-        starting_state(system, (1.0, 0.0, 0.0), (1.0, 0.0, 0.0))
-    assert starting_state(system, (1.0, 0.0, 0.0), (0.0, 0.0, 1.0))
+        initial_state(system, (1.0, 0.0, 0.0), (1.0, 0.0, 0.0))
+    assert initial_state(system, (1.0, 0.0, 0.0), (0.0, 0.0, 1.0))
 
 
 def test_body_of_revolution_does_not_start_on_a_flat_face():
@@ -303,13 +303,13 @@ def test_body_of_revolution_does_not_start_on_a_flat_face():
     rim = sp.sqrt(1 - Vector("gamma").symbols[2] ** 2)
     system = roll(Body(1.0, (1.0, 1.0, 1.0), Revolution(rim + sp.Rational(1, 5))))
     with pytest.raises(InputError, match="the contact leaves the convex part of the body"):
-        starting_state(system, (1.0, 0.0, 0.0), (0.0, 0.0, 1.0))
+        initial_state(system, (1.0, 0.0, 0.0), (0.0, 0.0, 1.0))
 
 
 def test_system_with_more_to_its_state_is_refused():
     """A start gives omega and gamma; here one more angle would be needed."""
     system = simple()
-    angle = scalar("angle")
+    angle = real_symbol("angle")
     wider = replace(system, field=(*system.field, (angle, sp.S.One)), name="wider")
     with pytest.raises(InputError, match="wider: omega and gamma do not determine angle"):
-        starting_state(wider, (0.1, 0.2, 0.3), (0.0, 0.0, 1.0))
+        initial_state(wider, (0.1, 0.2, 0.3), (0.0, 0.0, 1.0))

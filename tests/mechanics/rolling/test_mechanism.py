@@ -14,7 +14,7 @@ from chaplygin import (
     Body,
     Disk,
     Ellipsoid,
-    Field,
+    Forces,
     Implicit,
     Isomorphism,
     Plane,
@@ -34,13 +34,13 @@ from chaplygin.core.vectors import (
     constant,
     cross,
     dot,
-    explicit,
-    normed,
-    scalar,
+    to_components,
+    norm_squared,
+    real_symbol,
     zero,
 )
 from chaplygin.mechanics.lagrangian.assembly import balance
-from chaplygin.mechanics.lagrangian.generic_points import Sample, samples
+from chaplygin.mechanics.lagrangian.generic_points import GenericPoint, samples
 from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism, euclidean
 from chaplygin.mechanics.lagrangian.poincare_suslov import equations
 from chaplygin.mechanics.rolling.contact import contact
@@ -49,8 +49,8 @@ from chaplygin.mechanics.rolling.mechanism import rolling_mechanism
 omega, v, N, r, rdot, gamma, zeta, X, M, k = (
     Vector(n) for n in ("omega", "v", "N", "r", "rdot", "gamma", "zeta", "X", "M", "k")
 )
-m, g, R_3 = (scalar(n) for n in ("m", "g", "R_3"))
-x, y, z = (scalar(n) for n in "xyz")
+m, g, R_3 = (real_symbol(n) for n in ("m", "g", "R_3"))
+x, y, z = (real_symbol(n) for n in "xyz")
 g_3 = gamma.symbols[2]
 
 SHAPES = {
@@ -68,8 +68,8 @@ SURFACES = {"plane": Plane(), "dome": Sphere(5.0), "bowl": Sphere(-7.0)}
 
 def any_contact(model: str, inertia: Any, vertical: Vector) -> Mechanism:
     """A body in contact with anything: γ̇ = K ω, ṙ = P ω with arbitrary matrices K and P."""
-    K, P = (sp.Matrix(3, 3, lambda i, j, n=n: scalar(f"{n}_{i}{j}")) for n in "KP")
-    turn = explicit(omega)
+    K, P = (sp.Matrix(3, 3, lambda i, j, n=n: real_symbol(f"{n}_{i}{j}")) for n in "KP")
+    turn = to_components(omega)
     rates = {gamma: constant(K * turn), r: constant(P * turn), R_3: dot(vertical, v)}
     if vertical != gamma:
         rates[vertical] = cross(vertical, omega)
@@ -77,7 +77,7 @@ def any_contact(model: str, inertia: Any, vertical: Vector) -> Mechanism:
     return Mechanism(
         "any-contact",
         Frame(rates, (omega, v), (), euclidean(omega, v)),
-        m * normed(v) / 2 + dot(omega, inertia * omega) / 2 + dot(k, omega) - m * g * R_3,
+        m * norm_squared(v) / 2 + dot(omega, inertia * omega) / 2 + dot(k, omega) - m * g * R_3,
         constraints=(v + cross(omega, r), *([dot(omega, gamma)] if model == "rubber" else [])),
         parameters=tuple(Parameter(s, "", 1.0 + i / 7) for i, s in enumerate(symbols)),
     )
@@ -101,7 +101,7 @@ def test_newton_and_euler_for_every_body_and_surface(
         field={omega: turning, **kinematics},
         parameters=(
             *mechanism.parameters,
-            *(Parameter(s, "", 1.0) for s in (*turning.symbols, scalar("lambda_0"))),
+            *(Parameter(s, "", 1.0) for s in (*turning.symbols, real_symbol("lambda_0"))),
         ),
         definitions={
             v: cross(r, omega),
@@ -110,7 +110,7 @@ def test_newton_and_euler_for_every_body_and_surface(
         },
     )
     spin = inertia * omega + m * cross(r, cross(omega, r))
-    twist = scalar("lambda_0") * gamma if model == "rubber" else zero
+    twist = real_symbol("lambda_0") * gamma if model == "rubber" else zero
     euler = (
         inertia * turning
         + m * cross(r, cross(turning, r))
@@ -120,7 +120,7 @@ def test_newton_and_euler_for_every_body_and_surface(
         - twist
     )
     steps = dict(parts.tape.steps([*parts.push, *parts.momenta]))
-    reactions = [*N.symbols, scalar("lambda_0")]
+    reactions = [*N.symbols, real_symbol("lambda_0")]
     balance_of = []
     for i, push in enumerate(parts.push):
         reaction = sp.Add(*(x * row[i] for x, row in zip(reactions, parts.slopes, strict=False)))
@@ -143,7 +143,7 @@ CASES = [(shape, surface) for shape in SHAPES for surface in SURFACES]
 
 def rolling(shape: str, surface: str, model: Any) -> Rolling:
     body = Body(1.1, (1.0, 1.5, 2.1), SHAPES[shape], gyrostat=(0.1, 0.2, -0.3))
-    return Rolling(body, SURFACES[surface], model, Field(gravity=9.81))
+    return Rolling(body, SURFACES[surface], model, Forces(gravity=9.81))
 
 
 @pytest.mark.slow
@@ -159,7 +159,7 @@ def test_contact_vector_moves_as_the_contact_says(shape: str, surface: str) -> N
         relations=touch.relations,
         parameters=(*touch.parameters, *(Parameter(s, "", 0.4) for s in omega.symbols)),
     )
-    moving = constant([Rate(e) for e in explicit(touch.r)])
+    moving = constant([Rate(e) for e in to_components(touch.r)])
     verdict = prove(system, Identity("rate of r", moving - touch.rdot))
     assert verdict.decision == "proven", verdict
 
@@ -181,7 +181,7 @@ def test_acceleration_solves_the_equations(shape: str, surface: str, model: str)
     system = rolling(shape, surface, model).system()
     touch = contact(SHAPES[shape], SURFACES[surface])
     turning = Vector("omegadot")
-    twist = scalar("lambda_0") * gamma if model == "rubber" else zero
+    twist = real_symbol("lambda_0") * gamma if model == "rubber" else zero
     turned = m * cross(touch.r, cross(turning, touch.r))
     law = Identity("Euler", Diagonal("I") * turning + turned - X - twist)
     assert prove(system, law).decision == "proven"
@@ -197,23 +197,23 @@ def test_accelerations_and_reactions_to_forty_digits(shape: str, surface: str, m
     touch = contact(made.body.shape, made.surface)
     point = dict(samples("test", mechanism.frame, mechanism)[0].point)
     with mpmath.workdps(50):
-        before = Sample(point, mechanism.steps)
-        normal = [before.value(e) for e in explicit(gamma)]
+        before = GenericPoint(point, mechanism.steps)
+        normal = [before.value(e) for e in to_components(gamma)]
         if model == "rubber":
             spin = sum(point[s] * n for s, n in zip(omega.symbols, normal, strict=True))
             point |= {s: point[s] - spin * n for s, n in zip(omega.symbols, normal, strict=True)}
         if made.surface != Plane():
-            place = explicit(scalar("a") * gamma - touch.r)
+            place = to_components(real_symbol("a") * gamma - touch.r)
             point |= dict(zip(X.symbols, map(before.value, place), strict=True))
-        momentum = explicit(dict(closed.start).get(M, zero))
-        found = Sample({s: x for s, x in point.items() if s not in v.symbols}, derived.steps)
+        momentum = to_components(dict(closed.start).get(M, zero))
+        found = GenericPoint({s: x for s, x in point.items() if s not in v.symbols}, derived.steps)
         point |= dict(zip(M.symbols, map(found.value, momentum), strict=True))
         names = {s for s, _ in closed.steps}
-        expected = Sample({s: x for s, x in point.items() if s not in names}, closed.steps)
+        expected = GenericPoint({s: x for s, x in point.items() if s not in names}, closed.steps)
         rates = dict(zip(derived.symbols, derived.rates, strict=True))
         pairs = [
             *zip((rates[s] for s in omega.symbols), Vector("omegadot").symbols, strict=True),
-            *zip((scalar(f"lambda_{i}") for i in (1, 2, 3)), N.symbols, strict=True),
+            *zip((real_symbol(f"lambda_{i}") for i in (1, 2, 3)), N.symbols, strict=True),
         ]
         for ours, theirs in pairs:
             assert abs(found.value(ours) - expected.value(theirs)) < mpmath.mpf(10) ** -40
@@ -229,7 +229,7 @@ def test_balls_are_carried_onto_each_other(surface: str, model: str) -> None:
     touch = contact(made.body.shape, made.surface)
     level: tuple[Any, ...] = (R_3 + dot(touch.r, gamma),)
     if surface != "plane":
-        level = tuple(explicit(X - scalar("a") * gamma + touch.r))
+        level = tuple(to_components(X - real_symbol("a") * gamma + touch.r))
     same = {n: n for n in closed.state} | dict(closed.start)
     law = Isomorphism("same motion", closed, same, on=level)
     assert prove(equations(rolling_mechanism(made)), law).decision == "proven"

@@ -9,11 +9,11 @@ import pytest
 import sympy as sp
 from hypothesis import assume, given, settings
 
-from chaplygin.core.vectors import Vector, explicit, scalar
+from chaplygin.core.vectors import Vector, to_components, real_symbol
 from chaplygin.errors import InputError
 from chaplygin.mechanics.rolling.body import Body
-from chaplygin.mechanics.rolling.equations import Field, roll
-from chaplygin.mechanics.rolling.initial_state import starting_state
+from chaplygin.mechanics.rolling.equations import Forces, roll
+from chaplygin.mechanics.rolling.initial_state import initial_state
 from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
 from chaplygin.mechanics.rolling.surfaces import Plane
 from mechanics.bodies import CENTRE, FIELD, FULL, QUARTIC, ROTORS, SHAPES, SURFACES
@@ -31,27 +31,27 @@ def compiled(shape):
     body = shape.gauss()
     first, second = Vector("u"), Vector("v")
     formulas = [
-        *explicit(body.reach),
+        *to_components(body.reach),
         body.support,
         body.trace,
         body.determinant,
-        *explicit(body.spread(first)),
-        *explicit(body.spread(second)),
+        *to_components(body.spread(first)),
+        *to_components(body.spread(second)),
     ]
     steps = [
         step
         for name, value in body.definitions
         for step in (
-            [(name, explicit(value))]
+            [(name, to_components(value))]
             if isinstance(name, sp.Symbol)
-            else zip(name.symbols, name.independent(explicit(value)), strict=True)
+            else zip(name.symbols, name.independent(to_components(value)), strict=True)
         )
     ]
     names = [p.symbol for p in body.parameters]
     numbers = [p.default for p in body.parameters]
     function = sp.lambdify(
         [*names, *GAMMA, *first, *second],
-        [explicit(e) for e in formulas],
+        [to_components(e) for e in formulas],
         "numpy",
         cse=lambda e: (steps, e),
     )
@@ -181,8 +181,8 @@ TWINS = {
     "implicit ellipsoid by parameters": (
         Ellipsoid((1.0, 1.25, 0.8), **AT),
         Implicit(
-            scalar("p_x") * X**2 + Y**2 / scalar("l_y") ** 2 + Z**2 / scalar("l_z") ** 2 - 1,
-            {scalar("p_x"): 1.0, scalar("l_y"): 1.25, scalar("l_z"): 0.8},
+            real_symbol("p_x") * X**2 + Y**2 / real_symbol("l_y") ** 2 + Z**2 / real_symbol("l_z") ** 2 - 1,
+            {real_symbol("p_x"): 1.0, real_symbol("l_y"): 1.25, real_symbol("l_z"): 0.8},
             **AT,
         ),
     ),
@@ -313,7 +313,7 @@ def test_body_of_revolution_ends_where_it_is_not_convex():
 def test_disk_does_not_start_flat():
     system = roll(Body(1.0, (1.0, 1.0, 2.0), Disk(1.0)))
     with pytest.raises(InputError, match=r"the body lies flat \(tilt below 1e-06 rad\)"):
-        starting_state(system, (0.0, 0.0, 1.0), (0.0, 0.0, 1.0))
+        initial_state(system, (0.0, 0.0, 1.0), (0.0, 0.0, 1.0))
 
 
 # ---------------------------------------------------------------------------------------------
@@ -321,7 +321,7 @@ def test_disk_does_not_start_flat():
 
 
 A_PROFILE = "-gamma_3 chi_1 + (1 - gamma_3^2) chi_1' + gamma_3 chi_2' is"
-bulge = scalar("bulge")
+bulge = real_symbol("bulge")
 
 MISTAKES = {
     "ball": (lambda: Ball(-1.0), "radius -1.0 of the ball: it must be a positive finite number"),
@@ -436,17 +436,17 @@ def test_symbols_are_known_by_their_names() -> None:
     """A symbol without real=True is meant as the one of this name."""
     loose, a = sp.Symbol("gamma_3"), sp.Symbol("a")
     shape = Revolution(1 + a * loose / 10, ((a, 0.5),))
-    assert shape == Revolution(1 + scalar("a") * scalar("gamma_3") / 10, ((scalar("a"), 0.5),))
+    assert shape == Revolution(1 + real_symbol("a") * real_symbol("gamma_3") / 10, ((real_symbol("a"), 0.5),))
     assert Revolution.from_profile(sp.S(-1), -loose).support == 1
     x, y, z = sp.symbols("x y z")
     assert Implicit(x**2 + y**2 + a * z**2 - 1, ((a, 2.0),)).surface.free_symbols == {
         *Implicit.coordinates,
-        scalar("a"),
+        real_symbol("a"),
     }
     body = Body(1.0, (1.0, 1.5, 2.1), Ball(1.0))
     loaded = [
-        roll(body, Plane(), "marble", Field(0.0, potential, ((b, 2.0),)))
-        for potential, b in ((a * loose**2, a), (scalar("a") * scalar("gamma_3") ** 2, scalar("a")))
+        roll(body, Plane(), "marble", Forces(0.0, potential, ((b, 2.0),)))
+        for potential, b in ((a * loose**2, a), (real_symbol("a") * real_symbol("gamma_3") ** 2, real_symbol("a")))
     ]
     assert loaded[0] == loaded[1]
 

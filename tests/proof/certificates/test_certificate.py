@@ -14,15 +14,15 @@ from chaplygin.catalogue import from_catalogue
 from chaplygin.check import BadInputError, CheckError, check
 from chaplygin.core.laws import Identity, Integral, Law, Measure, Rate, Separation
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.proof.certificates.certificate import certified
 from check.corrupted import corrupted, put
 from proof.test_prover import FAR, RIGHT, TOP, WRONG
 
 Certificate = dict[str, Any]
 
-x, y, z, a, k, w = map(scalar, ("x", "y", "z", "a", "k", "w"))
-q = scalar("q")
+x, y, z, a, k, w = map(real_symbol, ("x", "y", "z", "a", "k", "w"))
+q = real_symbol("q")
 POSITIVE = (Parameter(a, "", 2.0, admissible=(a > 0,)),)
 
 #: Refuted by dimensions, which no single point shows.

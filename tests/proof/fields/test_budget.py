@@ -9,7 +9,7 @@ import pytest
 from chaplygin.errors import InputError
 from chaplygin.formulas.errors import EffortSpentError, OutOfReachError
 from chaplygin.proof.fields.budget import STEP, Budget, allowed
-from chaplygin.proof.fields.quotient_ring import Quotients
+from chaplygin.proof.fields.quotient_ring import QuotientRing
 
 
 def sized(terms: int) -> list[int]:
@@ -35,7 +35,7 @@ def test_the_last_operation_allowed_is_done_and_no_more() -> None:
 
 def test_a_product_that_is_too_much_is_refused_before_it_is_made() -> None:
     budget = Budget(effort=10**6)
-    field = Quotients(("x", "y"), budget)
+    field = QuotientRing(("x", "y"), budget)
     x, y = (field.generator(name) for name in field.names)
     power = field.integer_power(x + y + field.one, 60)
     began = time.perf_counter()

@@ -10,13 +10,13 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from chaplygin.formulas.errors import NoRealValueError, OutOfReachError, SpareNeededError
+from chaplygin.formulas.errors import NoRealValueError, OutOfReachError, NeedMoreGeneratorsError
 from chaplygin.proof.fields.budget import Budget
-from chaplygin.proof.fields.function_field import Fractions
+from chaplygin.proof.fields.function_field import FunctionField
 
 
 def plain(names="xyz", **options):
-    return Fractions(list(names), **options)
+    return FunctionField(list(names), **options)
 
 
 def evaluated(element, point):
@@ -156,7 +156,7 @@ def test_functions_of_equal_arguments_are_equal():
 def test_too_many_auxiliary_symbols_are_reported():
     field = plain(spare=1)
     field.root(field.generator("x"), 2)
-    with pytest.raises(SpareNeededError):
+    with pytest.raises(NeedMoreGeneratorsError):
         field.root(field.generator("y"), 2)
 
 

@@ -9,10 +9,10 @@ from chaplygin import prove
 from chaplygin.check import CheckError, check
 from chaplygin.core.laws import Integral, Measure
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.proof.certificates.certificate import certified
 
-x, y, z, u, v, w, g = (scalar(n) for n in ("x", "y", "z", "u", "v", "w", "g"))
+x, y, z, u, v, w, g = (real_symbol(n) for n in ("x", "y", "z", "u", "v", "w", "g"))
 HEIGHT = sp.Function("f")(x, y)
 f_x, f_y = sp.diff(HEIGHT, x), sp.diff(HEIGHT, y)
 

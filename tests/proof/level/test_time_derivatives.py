@@ -7,11 +7,11 @@ import pytest
 from chaplygin.core.isomorphism import Isomorphism
 from chaplygin.core.laws import Identity, Integral, Rate, Reduction
 from chaplygin.core.system import System
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.proof.prover import prove
 
-x, y, q, v = (scalar(name) for name in "xyqv")
-energy = scalar("energy")
+x, y, q, v = (real_symbol(name) for name in "xyqv")
+energy = real_symbol("energy")
 
 OSCILLATOR = System("oscillator", "oscillator", field={x: energy, y: -x}, definitions={energy: y})
 TARGET = System("target", "target", field={q: v, v: -q})

@@ -18,12 +18,12 @@ from chaplygin.core.laws import (
     Symmetry,
 )
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 from chaplygin.formulas.errors import OutOfReachError
 from chaplygin.proof.certificates.certificate import certified
 from chaplygin.proof.level.trigonometric import circles
 
-phi, u, v, w, a = (scalar(n) for n in ("phi", "u", "v", "w", "a"))
+phi, u, v, w, a = (real_symbol(n) for n in ("phi", "u", "v", "w", "a"))
 s, c = sp.sin(phi), sp.cos(phi)
 
 
@@ -72,7 +72,7 @@ def test_half_angles_have_a_circle_of_their_own() -> None:
 
 
 def test_a_frequency_times_the_time() -> None:
-    t, nu = scalar("t"), scalar("nu")
+    t, nu = real_symbol("t"), real_symbol("nu")
     swing = nu * sp.cos(nu * t)
     system = System(
         "driven",

@@ -12,7 +12,7 @@ from chaplygin.errors import InputError
 from chaplygin.explicit.bifurcation import bifurcation_diagram
 from chaplygin.report.drawing.style import COMPONENTS
 from chaplygin.report.figures import save
-from chaplygin.report.figures.bifurcation import draw
+from chaplygin.report.figures.bifurcation import draw_bifurcation_diagram
 from chaplygin.report.figures.bifurcation_layout import window
 
 NAMES = ("veselova", "neumann", "chaplygin-ball-area", "chaplygin-ball-fedorov")
@@ -38,7 +38,7 @@ def texts(figure):
 @pytest.mark.parametrize("name", NAMES)
 def test_regions_and_boundaries_are_named(diagrams, name):
     diagram = diagrams[name]
-    shown = texts(draw(diagram))
+    shown = texts(draw_bifurcation_diagram(diagram))
     for region in diagram.regions:
         if region.tori:
             assert f"{region.number}: {region.tori} tori" in shown
@@ -50,7 +50,7 @@ def test_regions_and_boundaries_are_named(diagrams, name):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_nothing_is_cut_off_or_written_over(diagrams, name):
-    figure = draw(diagrams[name], MOTIONS[name])
+    figure = draw_bifurcation_diagram(diagrams[name], MOTIONS[name])
     renderer = FigureCanvasAgg(figure).get_renderer()
     figure.draw(renderer)
     drawn = figure.get_tightbbox(renderer)
@@ -72,7 +72,7 @@ def test_labels_stand_in_their_regions(diagrams, name):
     diagram = diagrams[name]
     frame = window(diagram, None)
     for region in diagram.regions:
-        text = texts(draw(diagram)).get(f"{region.number}: {region.tori} tori")
+        text = texts(draw_bifurcation_diagram(diagram)).get(f"{region.number}: {region.tori} tori")
         if text is None:
             continue
         # the tip of a leader where there is one
@@ -85,7 +85,7 @@ def test_labels_stand_in_their_regions(diagrams, name):
 def test_boundaries_lie_on_their_curves(diagrams, name):
     diagram = diagrams[name]
     frame = window(diagram, None)
-    (axes,) = draw(diagram).axes
+    (axes,) = draw_bifurcation_diagram(diagram).axes
     symbols = [axis.symbol for axis in diagram.axes]
     lines = [line for line in axes.lines if len(line.get_xdata()) > 2]
     assert {to_hex(line.get_color()) for line in lines} >= set(COMPONENTS)
@@ -103,11 +103,11 @@ def test_boundaries_lie_on_their_curves(diagrams, name):
 def test_the_given_motion_is_marked(diagrams):
     diagram = diagrams["neumann"]
     mark = MOTIONS["neumann"]
-    figure = draw(diagram, mark)
+    figure = draw_bifurcation_diagram(diagram, mark)
     assert "the given motion" in texts(figure)
     (star,) = (line for line in figure.axes[0].lines if line.get_marker() == "*")
     assert tuple(star.get_xydata()[0]) == window(diagram, mark).drawn(mark)
-    assert "the given motion" not in texts(draw(diagram))
+    assert "the given motion" not in texts(draw_bifurcation_diagram(diagram))
 
 
 @pytest.mark.parametrize("mark", [(0.5, -4.0), (9.0, 9.0)])
@@ -119,12 +119,12 @@ def test_the_window_holds_every_mark(diagrams, mark):
 
 def test_a_mark_that_is_no_point_is_refused(diagrams):
     with pytest.raises(InputError, match="pair of finite numbers"):
-        draw(diagrams["veselova"], (np.nan, 1.0))
+        draw_bifurcation_diagram(diagrams["veselova"], (np.nan, 1.0))
 
 
 def test_written_twice_it_is_the_same(diagrams, tmp_path):
     first, second = (
-        save(draw(diagrams["veselova"], (0.4, 1.1)), tmp_path / name).read_bytes()
+        save(draw_bifurcation_diagram(diagrams["veselova"], (0.4, 1.1)), tmp_path / name).read_bytes()
         for name in ("first.png", "second.png")
     )
     assert first == second

@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from ...core.laws import Law
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...printing.formula import text
-from ...printing.laws import level
+from ...printing.laws import condition_text
 from ...proof.verdict import Verdict
-from .ranks import Standing
-from .statements import Uncounted
+from .ranks import RankSample
+from .statements import IgnoredLaw
 
 __all__ = ["Sorted", "sorted_laws"]
 
@@ -32,10 +32,10 @@ class Sorted:
 
     general: tuple[Law, ...]
     levels: dict[tuple[Any, ...], tuple[Law, ...]]
-    uncounted: tuple[Uncounted, ...]
+    uncounted: tuple[IgnoredLaw, ...]
 
 
-def sorted_laws(whole: Standing, verdicts: Mapping[str, Verdict]) -> Sorted:
+def sorted_laws(whole: RankSample, verdicts: Mapping[str, Verdict]) -> Sorted:
     """The laws of the system by where they count.
 
     Parameters
@@ -53,13 +53,13 @@ def sorted_laws(whole: Standing, verdicts: Mapping[str, Verdict]) -> Sorted:
     for law in system.laws:
         verdict = verdicts.get(law.name)
         if not verdict:
-            uncounted.append(Uncounted(law.name, _why(verdict)))
+            uncounted.append(IgnoredLaw(law.name, _why(verdict)))
             continue
-        moving = tuple(c for c in law.on if whole.expanded(explicit(c)).free_symbols & state)
+        moving = tuple(c for c in law.on if whole.expanded(to_components(c)).free_symbols & state)
         fixed = tuple(c for c in law.on if c not in moving)
         if not all(map(whole.vanishes, fixed)):
-            where = level(replace(law, on=fixed), system, text)
-            uncounted.append(Uncounted(law.name, f"proven {where}, not at the present parameters"))
+            where = condition_text(replace(law, on=fixed), system, text)
+            uncounted.append(IgnoredLaw(law.name, f"proven {where}, not at the present parameters"))
         elif moving:
             levels[moving] = (*levels.get(moving, ()), law)
         else:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from .facts import Fact
-from .statements import Bracket, Density, Kind, Statement
+from .statements import Bracket, Density, IntegrabilityClass, Statement
 
 __all__ = ["Found", "classified"]
 
@@ -99,7 +99,7 @@ class Found:
 _ORDER = {"kept": 0, "unknown": 1, "changes": 2}
 
 
-def classified(found: Found) -> tuple[tuple[Kind, ...], tuple[Statement, ...]]:
+def classified(found: Found) -> tuple[tuple[IntegrabilityClass, ...], tuple[Statement, ...]]:
     """The classes of a system, and what its motions can be."""
     return _kinds(found), (*_motions(found), *_attraction(found), *_pairing(found))
 
@@ -120,11 +120,11 @@ def _pairing(found: Found) -> list[Statement]:
 # --- classes -------------------------------------------------------------------------------
 
 
-def _kinds(found: Found) -> tuple[Kind, ...]:
-    kinds: list[Kind] = []
+def _kinds(found: Found) -> tuple[IntegrabilityClass, ...]:
+    kinds: list[IntegrabilityClass] = []
     if found.remaining <= 1:
         kinds.append(
-            Kind(
+            IntegrabilityClass(
                 "curves",
                 "integrable by its integrals alone: a common level is a curve, and the motion on "
                 "it a quadrature",
@@ -133,7 +133,7 @@ def _kinds(found: Found) -> tuple[Kind, ...]:
         )
     if found.lie:
         kinds.append(
-            Kind(
+            IntegrabilityClass(
                 "lie",
                 f"integrable by Lie's theorem: {_number(found.count, 'integral')} and "
                 f"{_number(len(found.lie), 'symmetry field')} that leave them alone and span a "
@@ -143,7 +143,7 @@ def _kinds(found: Found) -> tuple[Kind, ...]:
         )
     if found.euler_jacobi and found.volume is not None:
         kinds.append(
-            Kind(
+            IntegrabilityClass(
                 "euler-jacobi",
                 f"integrable by Euler and Jacobi: {_number(found.count, 'integral')} in "
                 f"{found.dimension} dimensions and an invariant measure, whose density is the last "
@@ -152,10 +152,10 @@ def _kinds(found: Found) -> tuple[Kind, ...]:
             )
         )
     kinds += _hamiltonian(found)
-    return tuple(kinds) or (Kind("none known", _lacking(found), found.reductions),)
+    return tuple(kinds) or (IntegrabilityClass("none known", _lacking(found), found.reductions),)
 
 
-def _hamiltonian(found: Found) -> list[Kind]:
+def _hamiltonian(found: Found) -> list[IntegrabilityClass]:
     best = found.form
     if best is None:
         return []
@@ -170,17 +170,17 @@ def _hamiltonian(found: Found) -> list[Kind]:
             "changes": ", except where the multiplier vanishes or is infinite",
         }[best.sign]
         kinds.append(
-            Kind(
+            IntegrabilityClass(
                 "conformally hamiltonian",
                 f"conformally Hamiltonian: Hamiltonian in a new time{where}; {rank}",
                 (best.law,),
             )
         )
     else:
-        kinds.append(Kind("hamiltonian", f"Hamiltonian; {rank}", (best.law,)))
+        kinds.append(IntegrabilityClass("hamiltonian", f"Hamiltonian; {rank}", (best.law,)))
     if found.complete:
         kinds.append(
-            Kind(
+            IntegrabilityClass(
                 "liouville",
                 "integrable after Liouville"
                 + (", in the new time" if best.conformal else "")

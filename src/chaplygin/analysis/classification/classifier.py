@@ -11,42 +11,42 @@ from ...arguments import arguments_checked
 from ...core.isomorphism import Isomorphism
 from ...core.laws import ConformallyHamiltonian, Integral, Law, Measure, Reduction
 from ...core.system import System
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from ...errors import InputError
 from ...formulas.errors import OutOfReachError
 from ...mechanics.lagrangian.mechanism import Mechanism
 from ...mechanics.rolling.equations import Rolling
 from ...printing.formula import text
-from ...printing.laws import heading, level
+from ...printing.laws import heading, condition_text
 from ...proof.fields.budget import EFFORT
 from ...proof.level.trigonometric import circles, without_angles
 from ...proof.verdict import Verdict
 from .applicable_laws import sorted_laws
 from .classes import Found, classified
 from .conserved_covectors import sources
-from .facts import Fact, Patience, fact_of
+from .facts import Fact, ProofBudget, fact_of
 from .hamiltonian_forms import Forms, hamiltonian, measures
 from .lie_theorem import fields, lie
 from .measure_absence import Decided, decided
-from .place import Place
-from .ranks import Standing, at_present, present
+from .place import Classification
+from .ranks import RankSample, with_numeric_parameters, rational_parameters
 from .sign_reversal import reversal
-from .statements import Kind
-from .via_isomorphism import There, followed
+from .statements import IntegrabilityClass
+from .via_isomorphism import TargetResults, through_isomorphisms
 
-__all__ = ["place", "standing_of"]
+__all__ = ["classify", "classify_quickly"]
 
 #: Term operations for the proof of one law, and for all, where the place must be there at once.
 PATIENCE = EFFORT // 50
 ALTOGETHER = EFFORT // 25
 
 
-def counted(
+def classify_laws(
     system: System,
     verdicts: Mapping[str, Verdict],
-    patience: Patience,
+    patience: ProofBudget,
     given: Rolling | Mechanism | None,
-) -> Place:
+) -> Classification:
     """The place of a system; see :func:`place`."""
     try:
         whole = _without_angles(system)
@@ -56,7 +56,7 @@ def counted(
     return _in_angles(place, len(whole.symbols) - len(system.symbols))
 
 
-def _in_angles(place: Place, more: int) -> Place:
+def _in_angles(place: Classification, more: int) -> Classification:
     """A place with its variables counted as in the system, an angle as one."""
     return replace(
         place,
@@ -70,8 +70,8 @@ def _reversed(system: System) -> tuple[str, ...]:
     """What changes sign when time runs backwards; that of a sine alone is that of its angle."""
     names = reversal(system)
     return tuple(
-        text(scalar(str(n).removeprefix("sin_")))
-        if str(n).startswith("sin_") and scalar(f"cos_{str(n)[4:]}") not in names
+        text(real_symbol(str(n).removeprefix("sin_")))
+        if str(n).startswith("sin_") and real_symbol(f"cos_{str(n)[4:]}") not in names
         else text(n)
         for n in names
     )
@@ -82,7 +82,7 @@ def _without_angles(system: System) -> System:
     try:
         made = circles(system)
     except OutOfReachError:
-        system = replace(at_present(system, present(system)), laws=system.laws)
+        system = replace(with_numeric_parameters(system, rational_parameters(system)), laws=system.laws)
         made = circles(system)
     if made is None:
         return system
@@ -94,27 +94,27 @@ def _without_angles(system: System) -> System:
     return replace(made.system, laws=tuple(laws))
 
 
-def _unknown(system: System, verdicts: Mapping[str, Verdict], reason: str) -> Place:
+def _unknown(system: System, verdicts: Mapping[str, Verdict], reason: str) -> Classification:
     """A place of which nothing can be counted."""
     proven = tuple(fact_of(law) for law in system.laws if verdicts.get(law.name))
-    kind = Kind("none known", f"not determined: {reason}", proven)
-    return Place(system.title, "", len(system.symbols), 0, kinds=(kind,), reason=reason)
+    kind = IntegrabilityClass("none known", f"not determined: {reason}", proven)
+    return Classification(system.title, "", len(system.symbols), 0, kinds=(kind,), reason=reason)
 
 
 def _counted(
     system: System,
     verdicts: Mapping[str, Verdict],
-    patience: Patience,
+    patience: ProofBudget,
     given: Rolling | Mechanism | None,
-) -> Place:
-    whole = Standing(system)
+) -> Classification:
+    whole = RankSample(system)
     laws = sorted_laws(whole, verdicts)
     found = []
     for on, special in laws.levels.items():
         kept = [law for law in laws.general if _holds(system, law, on, patience)]
-        words = level(replace(special[0], on=on), system, text)
+        words = condition_text(replace(special[0], on=on), system, text)
         try:
-            made = _placed(Standing(system, on), (*special, *kept), patience)
+            made = _placed(RankSample(system, on), (*special, *kept), patience)
         except (OutOfReachError, InputError) as reason:
             made = _unknown(replace(system, laws=special), verdicts, str(reason))
         found.append(replace(made, level=words))
@@ -133,7 +133,7 @@ def _open(system: System, verdicts: Mapping[str, Verdict]) -> tuple[str, ...]:
     )
 
 
-def _holds(system: System, law: Law, on: tuple[Any, ...], patience: Patience) -> bool:
+def _holds(system: System, law: Law, on: tuple[Any, ...], patience: ProofBudget) -> bool:
     """Whether a law holds for a level by itself: functions do, the rest is proven."""
     if isinstance(law, Integral | Reduction | Isomorphism):
         return True
@@ -144,18 +144,18 @@ def _holds(system: System, law: Law, on: tuple[Any, ...], patience: Patience) ->
 
 
 def _placed(
-    standing: Standing,
+    standing: RankSample,
     laws: Sequence[Law],
-    patience: Patience,
+    patience: ProofBudget,
     given: Rolling | Mechanism | None = None,
     left: tuple[str, ...] = (),
-) -> Place:
+) -> Classification:
     system = standing.system
     variables = len(system.symbols)
     forms = hamiltonian(standing, laws, patience)
-    there = There()
+    there = TargetResults()
     if not forms.brackets:
-        there = followed(standing, laws, patience)
+        there = through_isomorphisms(standing, laws, patience)
         forms = Forms(there.brackets, there.liouville)
     own = sources(laws)
     every = [*own, *there.sources]
@@ -183,7 +183,7 @@ def _placed(
     if not found.lasting and not standing.on:
         found = replace(found, reversal=_reversed(system))
     kinds, dynamics = classified(found)
-    return Place(
+    return Classification(
         system=system.title,
         level="",
         variables=variables,
@@ -208,12 +208,12 @@ def _told(law: Law) -> Fact:
 
 
 @arguments_checked
-def place(
+def classify(
     system: System,
     verdicts: Mapping[str, Verdict] | None = None,
-    patience: Patience | None = None,
+    patience: ProofBudget | None = None,
     given: Rolling | Mechanism | None = None,
-) -> Place:
+) -> Classification:
     """The place of a system in the hierarchy of dynamics.
 
     Parameters
@@ -234,11 +234,11 @@ def place(
     -------
     Place
     """
-    patience = patience or Patience(PATIENCE, ALTOGETHER)
+    patience = patience or ProofBudget(PATIENCE, ALTOGETHER)
     known = patience.verdicts(system) if verdicts is None else verdicts
-    return counted(system, known, patience, given)
+    return classify_laws(system, known, patience, given)
 
 
-def standing_of(system: System, given: Rolling | Mechanism | None = None) -> Place:
+def classify_quickly(system: System, given: Rolling | Mechanism | None = None) -> Classification:
     """The place of a system by what can be proven with little effort, in a few seconds."""
-    return place(system, given=given)
+    return classify(system, given=given)

@@ -15,7 +15,7 @@ import sympy as sp
 
 from ...core.isomorphism import Isomorphism
 from ...core.laws import ConformallyHamiltonian, Integral, Law, Rate, Reduction
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...proof.level.time_derivatives import without_rates
 from .facts import Fact, fact_of
 from .ranks import View
@@ -47,7 +47,7 @@ class Source:
 
 def many_valued(formula: Any) -> bool:
     """Whether a function may have many values at one point."""
-    return bool(explicit(sp.sympify(formula)).has(*_MANY_VALUED))
+    return bool(to_components(sp.sympify(formula)).has(*_MANY_VALUED))
 
 
 def casimirs(law: ConformallyHamiltonian) -> tuple[Any, ...]:
@@ -140,7 +140,7 @@ def _rows(
     named: Mapping[sp.Symbol, Any], variable: sp.Symbol, slopes: Mapping[sp.Symbol, Any]
 ) -> Callable[[View], list[list[Any]]]:
     def rows(view: View) -> list[list[Any]]:
-        names = {s: without_rates(explicit(f), view.ground, named) for s, f in named.items()}
+        names = {s: without_rates(to_components(f), view.ground, named) for s, f in named.items()}
         reading = view.evaluate.with_steps(names)
         along = view.differential(names[variable])
         found = []

@@ -12,7 +12,7 @@ from ...printing.laws import heading
 from ...proof.prover import prove
 from ...proof.verdict import UNTRIED, Verdict
 
-__all__ = ["HERE", "Fact", "Patience", "fact_of"]
+__all__ = ["HERE", "Fact", "ProofBudget", "fact_of"]
 
 NOT_TRIED = f"{UNTRIED}, as the effort for all laws together was spent"
 """Why a law is left undecided that no work was left for."""
@@ -63,7 +63,7 @@ def fact_of(law: Law, system: str = "") -> Fact:
 
 
 @dataclass
-class Patience:
+class ProofBudget:
     """How much work proofs may take, counted so that every machine comes to the same answer.
 
     What a verdict costs is what its proof took, whether it was made now or kept on disk, and a

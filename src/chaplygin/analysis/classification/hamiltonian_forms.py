@@ -10,12 +10,12 @@ from typing import Any
 import sympy as sp
 
 from ...core.laws import ConformallyHamiltonian, Integral, Law, Measure
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...printing.formula import text
 from ...proof.rank import rank
 from .conserved_covectors import casimirs
-from .facts import HERE, Fact, Patience, fact_of
-from .ranks import Standing, View, settled
+from .facts import HERE, Fact, ProofBudget, fact_of
+from .ranks import RankSample, View, settled
 from .sign_test import sign
 from .statements import Bracket, Density
 
@@ -34,13 +34,13 @@ class Forms:
     liouville: tuple[Fact, ...] = ()
 
 
-def density(standing: Standing, law: Measure) -> Density:
+def density(standing: RankSample, law: Measure) -> Density:
     """An invariant measure with what is known of the sign of its density."""
     bases = [base for base, exponent in law.density if exponent != 0 and base != 1]
     return Density(fact_of(law), sign(standing, bases))
 
 
-def measures(standing: Standing, laws: Sequence[Law], patience: Patience) -> tuple[Density, ...]:
+def measures(standing: RankSample, laws: Sequence[Law], patience: ProofBudget) -> tuple[Density, ...]:
     """The proven measures; where none is stated, whether the volume is invariant is tried."""
     found = tuple(density(standing, law) for law in laws if isinstance(law, Measure))
     if found:
@@ -51,7 +51,7 @@ def measures(standing: Standing, laws: Sequence[Law], patience: Patience) -> tup
     return (density(standing, volume),) if proven else ()
 
 
-def hamiltonian(standing: Standing, laws: Sequence[Law], patience: Patience) -> Forms:
+def hamiltonian(standing: RankSample, laws: Sequence[Law], patience: ProofBudget) -> Forms:
     """The proven Hamiltonian forms; and enough integrals in involution for one, if there are.
 
     Parameters
@@ -77,7 +77,7 @@ def hamiltonian(standing: Standing, laws: Sequence[Law], patience: Patience) -> 
     return Forms(tuple(brackets), complete)
 
 
-def _bracket(standing: Standing, law: ConformallyHamiltonian) -> Bracket:
+def _bracket(standing: RankSample, law: ConformallyHamiltonian) -> Bracket:
     values = casimirs(law)
     kept, _ = standing.independent([partial(_differential, c) for c in values])
     conformal = law.multiplier != 1
@@ -94,17 +94,17 @@ def _bracket(standing: Standing, law: ConformallyHamiltonian) -> Bracket:
 
 def _entries(view: View, law: ConformallyHamiltonian) -> list[list[Any]]:
     """The Poisson structure at a point."""
-    matrix = explicit(law.structure.matrix)
+    matrix = to_components(law.structure.matrix)
     places = range(matrix.shape[0])
     return [[view.jet(matrix[i, j]).value for j in places] for i in places]
 
 
 def _involution(
-    standing: Standing,
+    standing: RankSample,
     law: ConformallyHamiltonian,
     integrals: Sequence[Integral],
     wanted: int,
-    patience: Patience,
+    patience: ProofBudget,
 ) -> tuple[Integral, ...] | None:
     """Integrals in involution whose Hamiltonian fields, with that of H, span `wanted` dimensions.
 
@@ -142,16 +142,16 @@ def _fields(law: ConformallyHamiltonian, values: Sequence[Any], view: View) -> l
 
 
 def _commute(
-    standing: Standing,
+    standing: RankSample,
     law: ConformallyHamiltonian,
     one: Integral,
     other: Integral,
-    patience: Patience,
+    patience: ProofBudget,
 ) -> bool:
     """Whether two integrals are in involution: the field of one leaves the other alone; proven."""
     system = standing.ground.system
-    formula = standing.expanded(explicit(one.value))
+    formula = standing.expanded(to_components(one.value))
     gradient = sp.Matrix([sp.diff(formula, s) for s in system.symbols])
-    field = dict(zip(system.symbols, explicit(law.structure.matrix) * gradient, strict=True))
+    field = dict(zip(system.symbols, to_components(law.structure.matrix) * gradient, strict=True))
     named = f"{other.name} along {one.name}"
     return bool(patience.verdict(replace(system, field=field), Integral(named, other.value)))

@@ -9,20 +9,20 @@ from typing import Any
 import sympy as sp
 
 from ...core.laws import Integral, Law, Symmetry
-from ...core.vectors import Vector, explicit
+from ...core.vectors import Vector, to_components
 from ...proof.level.named_formulas import components
 from ...proof.rank import rank
 from .conserved_covectors import Source
-from .facts import HERE, Fact, Patience, fact_of
-from .ranks import Standing, View, settled
-from .rotation_symmetry import Turning, turning
+from .facts import HERE, Fact, ProofBudget, fact_of
+from .ranks import RankSample, View, settled
+from .rotation_symmetry import Turning, is_rotation_invariant
 
 __all__ = ["fields", "lie"]
 
 Components = dict[sp.Symbol, Any]
 
 
-def fields(standing: Standing, laws: Sequence[Law], patience: Patience) -> list[Symmetry]:
+def fields(standing: RankSample, laws: Sequence[Law], patience: ProofBudget) -> list[Symmetry]:
     """The proven symmetry fields that are independent of the motion and of one another.
 
     Where none is stated, rotations about the body axes are tried at the present parameters.
@@ -33,17 +33,17 @@ def fields(standing: Standing, laws: Sequence[Law], patience: Patience) -> list[
         stated = [
             law
             for axis, law in tried
-            if turning(standing, axis) or patience.verdict(standing.system, law)
+            if is_rotation_invariant(standing, axis) or patience.verdict(standing.system, law)
         ]
     return _independent(standing, stated)
 
 
 def lie(
-    standing: Standing,
+    standing: RankSample,
     needed: int,
     chosen: Sequence[Source],
     symmetries: Sequence[Symmetry],
-    patience: Patience,
+    patience: ProofBudget,
 ) -> tuple[Fact, ...]:
     """The symmetry fields of Theorem 3, if there are as many as needed.
 
@@ -68,7 +68,7 @@ def lie(
     return tuple(fact_of(law) for law in fitting)
 
 
-def _rotations(standing: Standing, on: tuple[Any, ...]) -> list[Symmetry]:
+def _rotations(standing: RankSample, on: tuple[Any, ...]) -> list[Symmetry]:
     """Rotations about the three body axes, as candidates; none where the state has scalars."""
     state = standing.system.state
     names = [name for name in state if isinstance(name, Vector) and len(name.symbols) == 3]
@@ -77,20 +77,20 @@ def _rotations(standing: Standing, on: tuple[Any, ...]) -> list[Symmetry]:
     found = []
     for i in range(3):
         axis = sp.Matrix([int(i == j) for j in range(3)])
-        field = {name: axis.cross(sp.Matrix(explicit(name))) for name in names}
+        field = {name: axis.cross(sp.Matrix(to_components(name))) for name in names}
         words = f"rotation about body axis {i + 1}"
         made = Symmetry(f"rotation_{i + 1}", field, words, on=on, source=HERE)
         found.append(made)
     return found
 
 
-def _full(standing: Standing, law: Symmetry) -> Components:
+def _full(standing: RankSample, law: Symmetry) -> Components:
     """The components of a symmetry field along all state variables, in the state alone."""
     given = components(law.field, standing.ground)
     return {s: standing.expanded(given.get(s, sp.S.Zero)) for s in standing.system.symbols}
 
 
-def _independent(standing: Standing, laws: Sequence[Symmetry]) -> list[Symmetry]:
+def _independent(standing: RankSample, laws: Sequence[Symmetry]) -> list[Symmetry]:
     if not laws:
         return []
     found = [_full(standing, law) for law in laws]
@@ -109,7 +109,7 @@ def _independent(standing: Standing, laws: Sequence[Symmetry]) -> list[Symmetry]
 
 
 def _tangent(
-    standing: Standing, law: Symmetry, chosen: Sequence[Source], patience: Patience
+    standing: RankSample, law: Symmetry, chosen: Sequence[Source], patience: ProofBudget
 ) -> bool:
     """Whether a symmetry field leaves every one of some integrals alone; proven."""
     if not all(source.functions for source in chosen):
@@ -125,15 +125,15 @@ def _tangent(
     )
 
 
-def _as_rotation(standing: Standing, field: Components) -> Turning | None:
+def _as_rotation(standing: RankSample, field: Components) -> Turning | None:
     """The rotation about a body axis that a field is, if it is one and shown a symmetry."""
     for axis, law in enumerate(_rotations(standing, ())):
         if _full(standing, law) == field:
-            return turning(standing, axis)
+            return is_rotation_invariant(standing, axis)
     return None
 
 
-def _solvable(standing: Standing, laws: Sequence[Symmetry]) -> bool:
+def _solvable(standing: RankSample, laws: Sequence[Symmetry]) -> bool:
     """Whether some fields span a solvable Lie algebra, with constant coefficients; exact."""
     made = [_full(standing, law) for law in laws]
     structure = _structure(made, standing.system.symbols)

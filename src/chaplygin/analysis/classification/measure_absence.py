@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from ...errors import InputError
 from ...formulas.errors import OutOfReachError
 from ...measures.existence import Existence, measure_exists
@@ -16,7 +16,7 @@ from ...mechanics.lagrangian.mechanism import Mechanism
 from ...mechanics.rolling.equations import Rolling
 from ...parsing.exact_decimals import exact_number
 from ...printing.formula import text
-from .facts import HERE, Fact, Patience
+from .facts import HERE, Fact, ProofBudget
 from .statements import Density
 
 __all__ = ["Decided", "decided"]
@@ -44,7 +44,7 @@ class Decided:
     open: str = ""
 
 
-def decided(given: Rolling | Mechanism | None, patience: Patience) -> Decided:
+def decided(given: Rolling | Mechanism | None, patience: ProofBudget) -> Decided:
     """Whether what moves keeps a measure whose density depends on the configuration alone.
 
     Parameters
@@ -105,7 +105,7 @@ def _witness(found: Existence) -> str:
     if not found.obstruction:
         return found.reason
     point: dict[str, Any] = found.obstruction["point"]
-    shown = {text(scalar(name)): _short(value) for name, value in point.items()}
+    shown = {text(real_symbol(name)): _short(value) for name, value in point.items()}
     # of a rolling body the vertical says where; parameters and the rest are left to the report
     told = [name for name in shown if "γ" in name] or list(shown)
     place = ", ".join(f"{name} = {shown[name]}" for name in told)

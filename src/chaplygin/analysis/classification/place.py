@@ -15,9 +15,9 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from .facts import HERE, Fact
-from .statements import Bracket, Density, Kind, Statement, Uncounted
+from .statements import Bracket, Density, IntegrabilityClass, Statement, IgnoredLaw
 
-__all__ = ["Place", "listed", "rows"]
+__all__ = ["Classification", "listed", "rows"]
 
 
 WIDTH = 100
@@ -36,7 +36,7 @@ _MULTIPLIERS = {
 
 
 @dataclass(frozen=True)
-class Place:
+class Classification:
     """The place of a system, or of one of its levels, in the hierarchy of dynamics.
 
     Attributes
@@ -87,10 +87,10 @@ class Place:
     symmetries: tuple[Fact, ...] = ()
     reversal: tuple[str, ...] = ()
     reductions: tuple[Fact, ...] = ()
-    kinds: tuple[Kind, ...] = ()
+    kinds: tuple[IntegrabilityClass, ...] = ()
     dynamics: tuple[Statement, ...] = ()
-    uncounted: tuple[Uncounted, ...] = ()
-    levels: tuple[Place, ...] = ()
+    uncounted: tuple[IgnoredLaw, ...] = ()
+    levels: tuple[Classification, ...] = ()
     reason: str = ""
 
     @property
@@ -117,7 +117,7 @@ class Place:
         return record(self)
 
     def __str__(self) -> str:
-        return told(self)
+        return to_text(self)
 
 
 def listed(facts: Iterable[Fact]) -> str:
@@ -125,7 +125,7 @@ def listed(facts: Iterable[Fact]) -> str:
     return "; ".join(dict.fromkeys(map(str, facts)))
 
 
-def rows(place: Place) -> list[tuple[str, list[Statement]]]:
+def rows(place: Classification) -> list[tuple[str, list[Statement]]]:
     """What is counted: headings with statements."""
     if place.reason:
         return [("class", [Statement(kind.text, kind.by) for kind in place.kinds])]
@@ -144,7 +144,7 @@ def rows(place: Place) -> list[tuple[str, list[Statement]]]:
 _NO_FORM = Statement("no Hamiltonian form proven")
 
 
-def _space(place: Place) -> str:
+def _space(place: Classification) -> str:
     told = f"{place.dimension}-dimensional: {place.variables} variables"
     if place.conditions:
         what = "condition" if place.conditions == 1 else "conditions"
@@ -152,7 +152,7 @@ def _space(place: Place) -> str:
     return told
 
 
-def _integrals(place: Place) -> list[Statement]:
+def _integrals(place: Classification) -> list[Statement]:
     if not place.count:
         return [Statement("none proven")]
     told = f"{place.count} independent, common levels of dimension {place.remaining}"
@@ -162,7 +162,7 @@ def _integrals(place: Place) -> list[Statement]:
     return found
 
 
-def _measures(place: Place) -> list[Statement]:
+def _measures(place: Classification) -> list[Statement]:
     if place.measures:
         return [Statement(_measure(d), (d.law,)) for d in place.measures]
     if place.brackets:
@@ -188,7 +188,7 @@ def _bracket(bracket: Bracket) -> Statement:
     )
 
 
-def _symmetry(place: Place) -> Statement:
+def _symmetry(place: Classification) -> Statement:
     count = len(place.symmetries)
     if not count:
         return Statement("no field proven")
@@ -196,7 +196,7 @@ def _symmetry(place: Place) -> Statement:
     return Statement(f"{told} besides the motion itself", place.symmetries)
 
 
-def told(place: Place) -> str:
+def to_text(place: Classification) -> str:
     """The place as text, lines of at most 100 characters."""
     lines = ["Place in the hierarchy of dynamics"]
     lines += _lines(place)
@@ -209,7 +209,7 @@ def told(place: Place) -> str:
     return "\n".join(lines)
 
 
-def _lines(place: Place) -> list[str]:
+def _lines(place: Classification) -> list[str]:
     lines: list[str] = []
     for name, entries in rows(place):
         write = _named if name in ("class", "motions") else _sourced
@@ -236,7 +236,7 @@ def _entry(name: str, entries: Iterable[str]) -> list[str]:
     return lines
 
 
-def record(place: Place) -> dict[str, Any]:
+def record(place: Classification) -> dict[str, Any]:
     """The place for another program: plain lists and mappings."""
     levels = [record(part) for part in place.levels]
     return {

@@ -14,17 +14,17 @@ from flint import arb
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Law
 from ...core.system import System
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...formulas.errors import NotExactError, OutOfReachError
 from ...formulas.jets import Evaluator, Jet
-from ...formulas.number_fields import precise
+from ...formulas.number_fields import ball_precision
 from ...parsing.exact_decimals import exact_number
-from ...proof.level.level_set import Ground
+from ...proof.level.level_set import LevelSet
 from ...proof.level.named_formulas import components
 from ...proof.level.time_derivatives import without_rates
 from ...proof.rank import rank
 
-__all__ = ["Standing", "View", "at_present", "present", "settled"]
+__all__ = ["RankSample", "View", "with_numeric_parameters", "rational_parameters", "settled"]
 
 T = TypeVar("T")
 
@@ -33,12 +33,12 @@ ATTEMPTS = 400
 SEED = 20130400
 
 
-def present(system: System) -> dict[sp.Symbol, sp.Rational]:
+def rational_parameters(system: System) -> dict[sp.Symbol, sp.Rational]:
     """The present values of all parameters as the rational numbers that their decimals say."""
     return {p.symbol: exact_number(p.default) for p in system.parameters}
 
 
-def at_present(system: System, values: Mapping[sp.Symbol, Any]) -> System:
+def with_numeric_parameters(system: System, values: Mapping[sp.Symbol, Any]) -> System:
     """A system whose parameters are numbers: they become definitions with a constant value."""
     return System(
         name=system.name,
@@ -67,12 +67,12 @@ class View:
 
     field: Any
     evaluate: Evaluator
-    ground: Ground
+    ground: LevelSet
     size: int
 
     def jet(self, formula: Any) -> Jet:
         """A formula of the system with its derivatives."""
-        return self.evaluate(without_rates(explicit(sp.sympify(formula)), self.ground))
+        return self.evaluate(without_rates(to_components(sp.sympify(formula)), self.ground))
 
     def differential(self, formula: Any) -> list[Any]:
         """The partial derivatives of a function by the state variables."""
@@ -87,13 +87,13 @@ class View:
         for parameter in law.target.parameters:
             if parameter.symbol not in given:
                 given[parameter.symbol] = self.evaluate(parameter.symbol)
-        there = Ground(law.target)
+        there = LevelSet(law.target)
         reading = Evaluator(self.field, given.get, dict(law.target.steps))
         return View(self.field, reading, there, self.size)
 
 
 @dataclass(frozen=True)
-class Standing:
+class RankSample:
     """The points of a phase space at the present parameters, or of a level in it.
 
     Parameters
@@ -110,14 +110,14 @@ class Standing:
     values: Mapping[sp.Symbol, Any] | None = None
 
     @cached_property
-    def ground(self) -> Ground:
+    def ground(self) -> LevelSet:
         """The level, with parameters that are numbers."""
-        return Ground(at_present(self.system, self.parameters), self.on)
+        return LevelSet(with_numeric_parameters(self.system, self.parameters), self.on)
 
     @property
     def parameters(self) -> Mapping[sp.Symbol, Any]:
         """Values of the parameters."""
-        return present(self.system) if self.values is None else self.values
+        return rational_parameters(self.system) if self.values is None else self.values
 
     def expanded(self, formula: Any) -> sp.Expr:
         """A formula in the state alone: definitions written out, parameters as numbers."""
@@ -133,7 +133,7 @@ class Standing:
         """
         generator = random.Random(SEED)
         found: list[T] = []
-        with precise():
+        with ball_precision():
             for attempt in range(ATTEMPTS):
                 values, exact = self.ground.point(generator)
                 if attempt < ATTEMPTS // 2 and not self.ground.inside(values, exact):
@@ -218,17 +218,17 @@ class Standing:
         """Signs that a formula certainly takes, at points of the level."""
         generator = random.Random(SEED)
         found: set[int] = set()
-        with precise():
+        with ball_precision():
             for _ in range(points):
                 values, exact = self.ground.point(generator)
                 found.update(self._computed(lambda view: _sign(view, formula), values, exact))
         return found - {0}
 
 
-def settled(standing: Standing, laws: Sequence[Law]) -> tuple[Any, ...]:
+def settled(standing: RankSample, laws: Sequence[Law]) -> tuple[Any, ...]:
     """Conditions on parameters under which some laws hold."""
     state = set(standing.system.symbols)
-    conditions = (explicit(c) for law in laws for c in law.on)
+    conditions = (to_components(c) for law in laws for c in law.on)
     fixed = (c for c in conditions if not standing.expanded(c).free_symbols & state)
     return tuple(dict.fromkeys(fixed))
 

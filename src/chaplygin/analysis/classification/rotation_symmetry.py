@@ -13,16 +13,16 @@ from typing import Any
 import sympy as sp
 
 from ...core.system import flat_pairs
-from ...core.vectors import Diagonal, Symmetric, Vector, explicit
-from .ranks import Standing
+from ...core.vectors import Diagonal, Symmetric, Vector, to_components
+from .ranks import RankSample
 
-__all__ = ["Turning", "turning", "vanishes"]
+__all__ = ["Turning", "is_rotation_invariant", "vanishes"]
 
 #: Operations in a formula above which this proof gives up: definitions are to be short.
 LARGEST = 1500
 
 
-def turning(standing: Standing, axis: int) -> Turning | None:
+def is_rotation_invariant(standing: RankSample, axis: int) -> Turning | None:
     """The rotation of all vectors of the state about a body axis, where it is shown a symmetry.
 
     Parameters
@@ -58,7 +58,7 @@ def turning(standing: Standing, axis: int) -> Turning | None:
 class Turning:
     """How every symbol changes under an infinitesimal rotation, as far as it is known."""
 
-    def __init__(self, standing: Standing, axis: int) -> None:
+    def __init__(self, standing: RankSample, axis: int) -> None:
         self.hat = sp.ImmutableMatrix(3, 3, lambda i, j: -sp.LeviCivita(axis, i, j))
         self.across = [i for i in range(3) if i != axis]
         self.motion: dict[sp.Symbol, Any] = {}
@@ -97,7 +97,7 @@ class Turning:
 
     def keeps(self, formula: Any) -> bool:
         """Whether a scalar formula is shown not to change."""
-        return vanishes(self._change(self.written(explicit(sp.sympify(formula)))))
+        return vanishes(self._change(self.written(to_components(sp.sympify(formula)))))
 
     def agree(self, values: Sequence[Any], wanted: Sequence[Any]) -> bool:
         """Whether formulas change as they must."""

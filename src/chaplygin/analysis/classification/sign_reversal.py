@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 
 from ...core.system import Name, System, flat
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from .rotation_symmetry import vanishes
 
 __all__ = ["reversal", "reverses"]
@@ -69,7 +69,7 @@ def reverses(system: System, odd: Set[sp.Symbol]) -> bool:
         if parity is None:
             return False
         signs[symbol] = parity
-    if any(_parity(explicit(f).xreplace(zeros), signs) is None for f in system.relations):
+    if any(_parity(to_components(f).xreplace(zeros), signs) is None for f in system.relations):
         return False
     rates = zip(system.symbols, (f.xreplace(zeros) for f in system.rates), strict=True)
     return all(f == 0 or _parity(f, signs) == -signs[s] for s, f in rates)

@@ -12,10 +12,10 @@ from typing import Any, Literal
 import sympy as sp
 from flint import arb
 
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...formulas.errors import NotExactError, OutOfReachError
-from ...formulas.number_fields import precise
-from .ranks import Standing
+from ...formulas.number_fields import ball_precision
+from .ranks import RankSample
 
 __all__ = ["Sign", "sign"]
 
@@ -25,7 +25,7 @@ Sign = Literal["kept", "changes", "unknown"]
 BOXES = 3000
 
 
-def sign(standing: Standing, formulas: Sequence[Any]) -> Sign:
+def sign(standing: RankSample, formulas: Sequence[Any]) -> Sign:
     """Whether none of some formulas vanishes or becomes infinite on a phase space.
 
     Parameters
@@ -46,8 +46,8 @@ def sign(standing: Standing, formulas: Sequence[Any]) -> Sign:
     return "unknown" if "unknown" in found else "kept"
 
 
-def _of_one(standing: Standing, formula: Any) -> Sign:
-    formula = explicit(sp.sympify(formula))
+def _of_one(standing: RankSample, formula: Any) -> Sign:
+    formula = to_components(sp.sympify(formula))
     expanded = standing.expanded(formula)
     if expanded.is_positive or expanded.is_negative or _divides(standing, formula):
         return "kept"
@@ -59,7 +59,7 @@ def _of_one(standing: Standing, formula: Any) -> Sign:
         return "unknown"
 
 
-def _divides(standing: Standing, formula: Any) -> bool:
+def _divides(standing: RankSample, formula: Any) -> bool:
     """Whether a formula is a root by which the equations divide: positive where they hold."""
     steps = dict(standing.system.steps)
     inner = steps.get(formula, formula)
@@ -70,7 +70,7 @@ def _divides(standing: Standing, formula: Any) -> bool:
     return any(power.base == formula for power in powers)
 
 
-def _bounds(standing: Standing, names: set[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+def _bounds(standing: RankSample, names: set[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
     """Bounds of state variables whose squares, with positive weights, add up to a number."""
     found: dict[sp.Symbol, sp.Expr] = {}
     for condition in standing.ground.moving:
@@ -86,7 +86,7 @@ def _bounds(standing: Standing, names: set[sp.Symbol]) -> dict[sp.Symbol, sp.Exp
     return found
 
 
-def _covered(standing: Standing, formula: Any, expanded: sp.Expr) -> bool:
+def _covered(standing: RankSample, formula: Any, expanded: sp.Expr) -> bool:
     """Whether no box of a cover of the bounded variables lets the formula vanish."""
     names = expanded.free_symbols & set(standing.system.symbols)
     bounds = _bounds(standing, names)
@@ -96,7 +96,7 @@ def _covered(standing: Standing, formula: Any, expanded: sp.Expr) -> bool:
     conditions = [c for c in standing.ground.moving if c.free_symbols <= set(bounds)]
     # a little wider than the bound itself, which need not be a binary fraction
     waiting = [tuple((arb(0), arb(float(bounds[s])) * arb("1.0001")) for s in order)]
-    with precise():
+    with ball_precision():
         for _ in range(BOXES):
             if not waiting:
                 return True
@@ -109,7 +109,7 @@ def _covered(standing: Standing, formula: Any, expanded: sp.Expr) -> bool:
     return False
 
 
-def _clear(standing: Standing, formula: Any, values: dict[str, Any]) -> bool:
+def _clear(standing: RankSample, formula: Any, values: dict[str, Any]) -> bool:
     """Whether a formula is certainly not zero, and finite, on a box."""
     field = standing.ground.numbers(values, False)
     try:

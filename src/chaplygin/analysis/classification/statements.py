@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from .facts import Fact
 
-__all__ = ["Bracket", "Density", "Kind", "Statement", "Uncounted"]
+__all__ = ["Bracket", "Density", "IntegrabilityClass", "Statement", "IgnoredLaw"]
 
 
 @dataclass(frozen=True)
@@ -18,7 +18,7 @@ class Statement:
 
 
 @dataclass(frozen=True)
-class Kind:
+class IntegrabilityClass:
     """A class of systems to which this one belongs.
 
     Attributes
@@ -76,7 +76,7 @@ class Bracket:
 
 
 @dataclass(frozen=True)
-class Uncounted:
+class IgnoredLaw:
     """A law that does not count, and why."""
 
     law: str

@@ -20,20 +20,20 @@ from ...formulas.errors import OutOfReachError
 from ...proof.level.named_formulas import components
 from .applicable_laws import sorted_laws
 from .conserved_covectors import Source, carried, sources
-from .facts import Fact, Patience
+from .facts import Fact, ProofBudget
 from .hamiltonian_forms import density, hamiltonian
-from .ranks import Standing, View, present
+from .ranks import RankSample, View, rational_parameters
 from .sign_test import sign
 from .statements import Bracket, Density
 
-__all__ = ["There", "followed"]
+__all__ = ["TargetResults", "through_isomorphisms"]
 
 #: Isomorphisms that are followed one after another.
 DEPTH = 2
 
 
 @dataclass(frozen=True)
-class There:
+class TargetResults:
     """What the targets of isomorphisms give."""
 
     sources: tuple[Source, ...] = ()
@@ -42,9 +42,9 @@ class There:
     measures: tuple[Density, ...] = ()
 
 
-def followed(
-    standing: Standing, laws: Sequence[Law], patience: Patience, depth: int = DEPTH
-) -> There:
+def through_isomorphisms(
+    standing: RankSample, laws: Sequence[Law], patience: ProofBudget, depth: int = DEPTH
+) -> TargetResults:
     """What is proven of the targets of the isomorphisms among some proven laws.
 
     Parameters
@@ -57,11 +57,11 @@ def followed(
     depth : int
         How many isomorphisms may follow one another.
     """
-    found = There()
+    found = TargetResults()
     for law in laws:
         if isinstance(law, Isomorphism) and depth:
             more = _through(standing, law, patience, depth)
-            found = There(
+            found = TargetResults(
                 found.sources + more.sources,
                 found.brackets + more.brackets,
                 found.liouville or more.liouville,
@@ -70,22 +70,22 @@ def followed(
     return found
 
 
-def _through(standing: Standing, law: Isomorphism, patience: Patience, depth: int) -> There:
+def _through(standing: RankSample, law: Isomorphism, patience: ProofBudget, depth: int) -> TargetResults:
     values, moving = _constants(standing, law)
     target = _with_laws(law.target)
-    there = Standing(target, values=values)
+    there = RankSample(target, values=values)
     laws = sorted_laws(there, patience.verdicts(target)).general
     if moving:
         # what holds at one value of a parameter need not hold along all of them
         laws = tuple(each for each in laws if not each.on)
-    beyond = There() if moving else followed(there, laws, patience, depth - 1)
+    beyond = TargetResults() if moving else through_isomorphisms(there, laws, patience, depth - 1)
     constant = tuple(carried(law, s) for s in (*sources(laws), *beyond.sources))
     if not _diffeomorphic(standing, there, law, moving):
-        return There(constant)
+        return TargetResults(constant)
     forms = hamiltonian(there, laws, patience)
     volumes = tuple(density(there, each) for each in laws if isinstance(each, Measure))
     brackets = forms.brackets + beyond.brackets
-    return There(
+    return TargetResults(
         constant,
         tuple(_bracket(standing, law, b) for b in brackets[:1]),
         tuple(_fact(law, fact) for fact in forms.liouville or beyond.liouville),
@@ -109,7 +109,7 @@ def _fact(law: Isomorphism, fact: Fact) -> Fact:
     return Fact(law.name, fact.words, fact.source, fact.system or law.target.title)
 
 
-def _bracket(standing: Standing, law: Isomorphism, bracket: Bracket) -> Bracket:
+def _bracket(standing: RankSample, law: Isomorphism, bracket: Bracket) -> Bracket:
     """A Hamiltonian form of the target as one of the system itself."""
     timed = law.time != 1
     kept = sign(standing, [law.time]) if timed else "kept"
@@ -123,7 +123,7 @@ def _bracket(standing: Standing, law: Isomorphism, bracket: Bracket) -> Bracket:
 
 
 def _constants(
-    standing: Standing, law: Isomorphism
+    standing: RankSample, law: Isomorphism
 ) -> tuple[dict[sp.Symbol, Any], list[sp.Symbol]]:
     """Values of the parameters of the target, and those of them that depend on the state.
 
@@ -131,7 +131,7 @@ def _constants(
     """
     named = dict(components(law.constants, standing.ground))
     state = set(standing.system.symbols)
-    values = present(law.target)
+    values = rational_parameters(law.target)
     moving = []
     for parameter in values:
         formula = standing.expanded(named.get(parameter, parameter))
@@ -143,7 +143,7 @@ def _constants(
 
 
 def _diffeomorphic(
-    standing: Standing, there: Standing, law: Isomorphism, moving: Sequence[sp.Symbol]
+    standing: RankSample, there: RankSample, law: Isomorphism, moving: Sequence[sp.Symbol]
 ) -> bool:
     """Whether the map, with the constants that it gives, has an inverse near almost every point.
 

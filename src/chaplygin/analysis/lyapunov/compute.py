@@ -16,21 +16,21 @@ import numpy as np
 from ...arguments import Parameters, Start, arguments_checked
 from ...core.system import System
 from ...errors import EarlyEndError, InputError, InterruptionError, RunError
-from ...flow.batch import Lanes, lanes
+from ...flow.batch import BatchIntegrator, batch_integrator
 from ...flow.initial_states import reduced_start
-from ...flow.state_scales import sizes_along
+from ...flow.state_scales import state_scales
 from ...flow.tangent_space import propagate
 from ...flow.validation import require_on_phase_space
 from ...formulas.evaluate import parameter_rows, relation_terms
 from .averages import average, resolution
-from .divergence import NODES, Followed, volume
+from .divergence import NODES, Followed, divergence_average
 from .report import Spectrum
-from .zero_exponents import Forced, forced
+from .zero_exponents import TrivialDirections, trivial_directions
 
 if TYPE_CHECKING:
     pass
 
-__all__ = ["spectrum"]
+__all__ = ["lyapunov_spectrum"]
 
 Array: TypeAlias = Any
 Values: TypeAlias = Mapping[Any, Any] | None
@@ -47,7 +47,7 @@ FIRST = 8
 
 
 @arguments_checked
-def spectrum(
+def lyapunov_spectrum(
     system: System,
     start: Start,
     parameters: Parameters = None,
@@ -98,15 +98,15 @@ def spectrum(
     start = [float(x) for x in reduced_start(system, start, parameters)]
     _check(system, start, parameters)
     told = progress or (lambda done: None)
-    lanes(system, tolerance=tolerance).require_reach(start, until, parameters)
-    sizes = sizes_along(system, [start], until, parameters, tolerance)[0]
-    found = forced(system, start, parameters, sizes=sizes)
+    batch_integrator(system, tolerance=tolerance).require_reach(start, until, parameters)
+    sizes = state_scales(system, [start], until, parameters, tolerance)[0]
+    found = trivial_directions(system, start, parameters, sizes=sizes)
     kept: tuple[str, ...] = ()
     try:
         run = _followed(found, start, (until, intervals), parameters, tolerance, told)
         kept = _not_forced(found, run)
         if kept:
-            found = forced(system, start, parameters, kept, sizes)
+            found = trivial_directions(system, start, parameters, kept, sizes)
             run = _followed(found, start, (until, intervals), parameters, tolerance, told)
     except _StoppedError as stop:
         run = stop.run
@@ -128,7 +128,7 @@ class _StoppedError(Exception):
 
 
 def _followed(
-    found: Forced,
+    found: TrivialDirections,
     start: Sequence[float],
     times: tuple[float, int],
     parameters: Values,
@@ -137,7 +137,7 @@ def _followed(
 ) -> Followed:
     """The motion, in intervals so short that deviations keep apart."""
     space = found.space
-    machine = lanes(space.system, tolerance=tolerance, deviations=space.dimension)
+    machine = batch_integrator(space.system, tolerance=tolerance, deviations=space.dimension)
     until, count = times
     while (run := _run(machine, found, start, (until, count), parameters, progress)) is None:
         count *= 2
@@ -146,7 +146,7 @@ def _followed(
     return run
 
 
-def _not_forced(found: Forced, run: Followed) -> tuple[str, ...]:
+def _not_forced(found: TrivialDirections, run: Followed) -> tuple[str, ...]:
     """Names of fields and integrals whose size does not last: their exponent is not zero.
 
     So it is with the flow where the motion comes to rest.
@@ -170,8 +170,8 @@ def _check(system: System, start: Sequence[float], parameters: Values) -> None:
 
 
 def _run(
-    machine: Lanes,
-    found: Forced,
+    machine: BatchIntegrator,
+    found: TrivialDirections,
     start: Sequence[float],
     times: tuple[float, int],
     parameters: Values,
@@ -216,7 +216,7 @@ def _run(
 
 def _evaluated(
     system: System,
-    found: Forced,
+    found: TrivialDirections,
     run: Followed,
     until: float,
     tolerance: float,
@@ -248,7 +248,7 @@ def _evaluated(
         found.dependent,
         kept,
         average(counted.sum(axis=1), run.interval, began),
-        volume(system, found, run, skipped, parameters),
+        divergence_average(system, found, run, skipped, parameters),
         run.lengths[:, order],
         tolerance,
     )

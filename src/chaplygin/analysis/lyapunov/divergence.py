@@ -10,13 +10,13 @@ import numpy as np
 
 from ...core.laws import Measure
 from ...core.system import System
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...flow.tangent_space import orthonormal
 from ...formulas.batch import Formulas
 from .averages import Average, average
-from .zero_exponents import Forced, vanish
+from .zero_exponents import TrivialDirections, vanish
 
-__all__ = ["NODES", "Followed", "Volume", "volume"]
+__all__ = ["NODES", "Followed", "Volume", "divergence_average"]
 
 Array: TypeAlias = Any
 Values: TypeAlias = Mapping[Any, Any] | None
@@ -59,11 +59,11 @@ class Volume:
     measures: dict[str, float]
 
 
-def volume(
-    system: System, found: Forced, run: Followed, skipped: int, parameters: Values
+def divergence_average(
+    system: System, found: TrivialDirections, run: Followed, skipped: int, parameters: Values
 ) -> Volume:
     """The divergence along the motion, and what it must agree with."""
-    relations = [explicit(relation) for relation in system.relations]
+    relations = [to_components(relation) for relation in system.relations]
     _, weights = np.polynomial.legendre.leggauss(NODES)
     kept = run.nodes[skipped:]
     growth = np.empty(len(kept))
@@ -92,18 +92,18 @@ def _densities(
 ) -> Iterator[tuple[str, float]]:
     """For each invariant measure, the growth of volumes that it allows between two states."""
     moving = set(system.symbols) | {symbol for symbol, _ in system.steps}
-    relations = [explicit(relation) for relation in system.relations]
+    relations = [to_components(relation) for relation in system.relations]
     gradients = Formulas(system, relations).slopes(ends, parameters) * sizes
     _, lengths = orthonormal(gradients)
     for law in system.laws:
         if not isinstance(law, Measure):
             continue
-        level = [explicit(condition) for condition in law.on]
+        level = [to_components(condition) for condition in law.on]
         if any(condition.free_symbols & moving for condition in level):
             continue
         if not vanish(system, level, ends[0], parameters, sizes):
             continue
-        density = Formulas(system, [explicit(law.value)])(ends, parameters)[:, 0]
+        density = Formulas(system, [to_components(law.value)])(ends, parameters)[:, 0]
         # volumes are those of the surface: the form of the law times the size of the gradients
         logarithm = np.log(lengths).sum(axis=1) - np.log(np.abs(density))
         yield law.name, float(logarithm[1] - logarithm[0])

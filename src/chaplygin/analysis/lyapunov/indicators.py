@@ -20,23 +20,23 @@ import numpy as np
 
 from ...core.parameters import Parameters
 from ...core.system import System
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...errors import InputError
-from ...flow.batch import lanes
-from ...flow.level_projection import picked
-from ...flow.state_scales import sizes_along
+from ...flow.batch import batch_integrator
+from ...flow.level_projection import select_parameters
+from ...flow.state_scales import state_scales
 from ...flow.tangent_space import TangentSpace, orthonormal
 
 __all__ = [
-    "Alignment",
-    "Exponent",
-    "Fastest",
-    "Grown",
+    "SmallerAlignmentIndex",
+    "MaximalExponent",
+    "FastLyapunovIndicator",
+    "TangentGrowth",
     "Megno",
-    "Parting",
-    "Total",
-    "across",
-    "grown",
+    "ChaosIndicator",
+    "ExponentSum",
+    "transverse_space",
+    "tangent_growth",
     "tangent",
 ]
 
@@ -50,7 +50,7 @@ APART, PARTED = 16.0, 64
 
 
 @dataclass(frozen=True)
-class Parting(ABC):
+class ChaosIndicator(ABC):
     """A number that tells how neighbours of a motion part.
 
     Attributes
@@ -59,7 +59,7 @@ class Parting(ABC):
     until : float
         How long motions are followed.
     tolerance : float
-        See :func:`chaplygin.flow.batch.lanes`.
+        See :func:`chaplygin.flow.batch.batch_integrator`.
     intervals : int
         After each of which deviations are made of length one.
 
@@ -92,7 +92,7 @@ _Arrays: TypeAlias = tuple[Any, Any, Any, Any, Any]
 
 
 @dataclass(frozen=True)
-class Grown:
+class TangentGrowth:
     """Deviations along motions.
 
     Attributes
@@ -116,16 +116,16 @@ class Grown:
 
 def tangent(system: System) -> TangentSpace:
     """Deviations tangent to the relations: all that are possible."""
-    relations = tuple(explicit(relation) for relation in system.relations)
+    relations = tuple(to_components(relation) for relation in system.relations)
     return _some(TangentSpace(system, relations, (), np.zeros((0, 0))))
 
 
-def across(system: System) -> TangentSpace:
+def transverse_space(system: System) -> TangentSpace:
     """Those tangent to the integrals that hold everywhere as well, modulo the flow.
 
     What is left out has the exponent zero in any case.
     """
-    kept = tuple(explicit(law.value) for law in system.integrals if not law.on)
+    kept = tuple(to_components(law.value) for law in system.integrals if not law.on)
     free = tangent(system)
     conditions = (*free.conditions, *kept)
     return _some(TangentSpace(system, conditions, (system.rates,), np.eye(1)))
@@ -140,9 +140,9 @@ def _some(space: TangentSpace) -> TangentSpace:
     return space
 
 
-def grown(
-    rule: Parting, space: TangentSpace, deviations: int, starts: Any, parameters: Parameters
-) -> Grown:
+def tangent_growth(
+    rule: ChaosIndicator, space: TangentSpace, deviations: int, starts: Any, parameters: Parameters
+) -> TangentGrowth:
     """Deviations along many motions.
 
     Parameters
@@ -158,17 +158,17 @@ def grown(
     parameters : mapping of Symbol or name to number or (n,) array
     """
     states = np.array(starts, dtype=np.float64)
-    sizes = sizes_along(rule.system, states, rule.until, parameters, rule.tolerance)
+    sizes = state_scales(rule.system, states, rule.until, parameters, rule.tolerance)
     found = _grown(rule, space, (deviations, 1), (states, sizes), parameters)
     pieces = 2
     while pieces <= PARTED and len(lost := np.flatnonzero(_lost(found))):
-        chosen = picked(parameters, lost)
+        chosen = select_parameters(parameters, lost)
         again = _grown(rule, space, (deviations, pieces), (states[lost], sizes[lost]), chosen)
         for known, new in zip(found, again, strict=True):
             known[lost] = new
         pieces *= 2
     found[0][_lost(found)] = np.nan
-    return Grown(*found[:4])
+    return TangentGrowth(*found[:4])
 
 
 def _lost(found: _Arrays) -> Any:
@@ -178,7 +178,7 @@ def _lost(found: _Arrays) -> Any:
 
 
 def _grown(
-    rule: Parting,
+    rule: ChaosIndicator,
     space: TangentSpace,
     counts: tuple[int, int],
     begin: tuple[Any, Any],
@@ -194,7 +194,7 @@ def _grown(
         The starts, and the sizes by which deviations are measured.
     """
     deviations, pieces = counts
-    flow = lanes(rule.system, tolerance=rule.tolerance, deviations=deviations)
+    flow = batch_integrator(rule.system, tolerance=rule.tolerance, deviations=deviations)
     states, sizes = begin[0].copy(), begin[1]
     relations = tangent(rule.system)
     frames = space.frames(states, parameters, flow.deviations, sizes)
@@ -205,13 +205,13 @@ def _grown(
         live = np.flatnonzero(outcome == 0)
         if not len(live):
             break
-        chosen = picked(parameters, live)
+        chosen = select_parameters(parameters, live)
         carried = frames[live] * sizes[live, None]
         run = flow.until(states[live], [interval], chosen, deviations=carried)
         ended[live] = k * interval + run.ended
         outcome[live] = run.outcome
         going = run.outcome == 0
-        live, chosen = live[going], picked(chosen, going)
+        live, chosen = live[going], select_parameters(chosen, going)
         level = np.zeros((len(live), len(relations.conditions)))
         states[live] = relations.kept(run.states[going, 0], level, chosen, sizes[live])
         basis, _ = space.excluded(states[live], chosen, sizes[live])
@@ -224,7 +224,7 @@ def _grown(
     return parted.sum(axis=2), frames, outcome, ended, shrunk.max(axis=1)
 
 
-class Exponent(Parting):
+class MaximalExponent(ChaosIndicator):
     """The largest Lyapunov exponent but for that of the flow, and its error.
 
     The first fifth of the motion is left out: there the deviation finds its direction.
@@ -237,12 +237,12 @@ class Exponent(Parting):
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Values, errors, outcomes and times reached, (n,) each."""
-        found = grown(self, across(self.system), 1, starts, parameters)
+        found = tangent_growth(self, transverse_space(self.system), 1, starts, parameters)
         value, error = _rate(found.logarithms[:, :, 0], self.until)
         return {"value": value, "error": error, "outcome": found.outcome, "ended": found.ended}
 
 
-class Total(Parting):
+class ExponentSum(ChaosIndicator):
     """The sum of all exponents that relations, integrals and the flow leave.
 
     Where a measure is preserved it is zero; where it is negative the motion is attracted.
@@ -252,8 +252,8 @@ class Total(Parting):
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Values, errors, outcomes and times reached, (n,) each."""
-        space = across(self.system)
-        found = grown(self, space, space.dimension, starts, parameters)
+        space = transverse_space(self.system)
+        found = tangent_growth(self, space, space.dimension, starts, parameters)
         value, error = _rate(found.logarithms.sum(axis=2), self.until)
         return {"value": value, "error": error, "outcome": found.outcome, "ended": found.ended}
 
@@ -270,17 +270,17 @@ def _rate(logarithms: Any, until: float) -> tuple[Any, Any]:
     return batches.mean(axis=1), np.maximum(spread, unseen)
 
 
-class Fastest(Parting):
+class FastLyapunovIndicator(ChaosIndicator):
     """The fast Lyapunov indicator: the greatest logarithm of the growth so far."""
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Values, outcomes and times reached, (n,) each."""
-        found = grown(self, tangent(self.system), 1, starts, parameters)
+        found = tangent_growth(self, tangent(self.system), 1, starts, parameters)
         value = np.cumsum(found.logarithms[:, :, 0], axis=1).max(axis=1)
         return {"value": value, "outcome": found.outcome, "ended": found.ended}
 
 
-class Megno(Parting):
+class Megno(ChaosIndicator):
     """The mean of MEGNO: 2 on a regular motion, λ/2 times the time on a chaotic one.
 
     Where all neighbours keep their distance (equal frequencies, a stable rest) it is 0.
@@ -291,7 +291,7 @@ class Megno(Parting):
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Values, outcomes and times reached, (n,) each."""
-        found = grown(self, tangent(self.system), 1, starts, parameters)
+        found = tangent_growth(self, tangent(self.system), 1, starts, parameters)
         total = np.cumsum(found.logarithms[:, :, 0], axis=1)
         before = np.concatenate([np.zeros((len(total), 1)), total[:, :-1]], axis=1)
         count = np.arange(1, self.intervals + 1)
@@ -299,7 +299,7 @@ class Megno(Parting):
         return {"value": now.mean(axis=1), "outcome": found.outcome, "ended": found.ended}
 
 
-class Alignment(Parting):
+class SmallerAlignmentIndex(ChaosIndicator):
     """SALI: how far two deviations are from being parallel at the end.
 
     The logarithm (base 10) of the smaller of |u + v| and |u − v| of two deviations of length one
@@ -314,7 +314,7 @@ class Alignment(Parting):
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Values, outcomes and times reached, (n,) each."""
-        found = grown(self, tangent(self.system), 2, starts, parameters)
+        found = tangent_growth(self, tangent(self.system), 2, starts, parameters)
         u, v = found.frames[:, 0], found.frames[:, 1]
         apart = np.minimum(np.linalg.norm(u + v, axis=1), np.linalg.norm(u - v, axis=1))
         value = np.log10(np.maximum(apart, np.finfo(float).eps))

@@ -14,7 +14,7 @@ from ...core.system import System
 from ..orbits.reversing_symmetries import Reversor
 from .averages import Average, batched
 from .divergence import Volume
-from .zero_exponents import Removed
+from .zero_exponents import TrivialExponent
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -67,7 +67,7 @@ class Spectrum:
     interval: float
     began: float
     exponents: tuple[Average, ...]
-    removed: tuple[tuple[Removed, float | None], ...]
+    removed: tuple[tuple[TrivialExponent, float | None], ...]
     dependent: tuple[str, ...]
     fading: tuple[str, ...]
     total: Average

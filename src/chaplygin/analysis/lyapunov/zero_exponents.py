@@ -18,15 +18,15 @@ import sympy as sp
 
 from ...core.laws import Law, Symmetry
 from ...core.system import System
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...flow.linear_stability import components, taking_part
-from ...flow.state_scales import sizes_at
+from ...flow.state_scales import state_scales_at
 from ...flow.tangent_space import TangentSpace
 from ...formulas.batch import Formulas
 from ...printing.formula import text
 from ...printing.laws import equation
 
-__all__ = ["Forced", "Removed", "forced", "vanish"]
+__all__ = ["TrivialDirections", "TrivialExponent", "trivial_directions", "vanish"]
 
 Values: TypeAlias = Mapping[Any, Any] | None
 Kind = Literal["relation", "integral", "flow", "symmetry", "quadrature"]
@@ -48,7 +48,7 @@ _REASONS: Mapping[Kind, str] = {
 
 
 @dataclass(frozen=True)
-class Removed:
+class TrivialExponent:
     """One dimension taken out of the tangent space.
 
     Attributes
@@ -74,7 +74,7 @@ class Removed:
 
 
 @dataclass(frozen=True)
-class Forced:
+class TrivialDirections:
     """What has to be removed along a motion, and what is left.
 
     Attributes
@@ -89,18 +89,18 @@ class Forced:
     """
 
     space: TangentSpace
-    removed: tuple[Removed, ...]
+    removed: tuple[TrivialExponent, ...]
     dependent: tuple[str, ...]
     sizes: Any
 
 
-def forced(
+def trivial_directions(
     system: System,
     start: Sequence[float],
     parameters: Values = None,
     kept: Collection[str] = (),
     sizes: Any = None,
-) -> Forced:
+) -> TrivialDirections:
     """The zero exponents that laws and relations force on the motion from a start.
 
     Parameters
@@ -122,10 +122,10 @@ def forced(
         motion.
     """
     state = np.array([start], dtype=np.float64)
-    measures = sizes_at(system, state[:, None], parameters)[0] if sizes is None else sizes
+    measures = state_scales_at(system, state[:, None], parameters)[0] if sizes is None else sizes
     at = _At(system, state, measures, parameters)
     across, along = _Span(), _Span()
-    removed: list[Removed] = []
+    removed: list[TrivialExponent] = []
     dependent: list[str] = []
     conditions: list[Any] = []
     for item in _conditions(at):
@@ -155,7 +155,7 @@ def forced(
     directions = tuple(item.formulas for item in fields)
     mixed = np.array(rows).reshape(len(rows), len(fields))
     space = TangentSpace(system, tuple(conditions), directions, mixed)
-    return Forced(space, tuple(removed), tuple(dependent), measures)
+    return TrivialDirections(space, tuple(removed), tuple(dependent), measures)
 
 
 def vanish(
@@ -188,7 +188,7 @@ def _floor(vectors: Any) -> float:
 class _Item:
     """Something that may force a zero: a function or a field."""
 
-    removed: Removed
+    removed: TrivialExponent
     formulas: tuple[Any, ...]
     on: tuple[Any, ...] = ()
 
@@ -254,14 +254,14 @@ def _conditions(at: _At) -> Iterator[_Item]:
     system = at.system
     for relation in system.relations:
         name = " = ".join(map(text, equation(relation)))
-        yield _Item(Removed(name, "relation"), (explicit(relation),))
+        yield _Item(TrivialExponent(name, "relation"), (to_components(relation),))
     idle = set(_idle(system))
     for law in sorted(system.integrals, key=lambda law: bool(law.on)):
-        value = explicit(law.value)
+        value = to_components(law.value)
         used = {s for _, step in system.needed([value]) for s in step.free_symbols}
         # a variable on which nothing depends is removed as such
         if not idle & (used | value.free_symbols):
-            yield _Item(Removed(law.name, "integral"), (value,), _level(law))
+            yield _Item(TrivialExponent(law.name, "integral"), (value,), _level(law))
 
 
 def _fields(at: _At) -> Iterator[_Item]:
@@ -273,12 +273,12 @@ def _fields(at: _At) -> Iterator[_Item]:
     system = at.system
     for symbol in _idle(system):
         unit = tuple(sp.Integer(s == symbol) for s in system.symbols)
-        yield _Item(Removed(str(symbol), "quadrature"), unit)
+        yield _Item(TrivialExponent(str(symbol), "quadrature"), unit)
     for law in system.laws:
         if isinstance(law, Symmetry):
             parts = tuple(components(law, system.symbols))
-            yield _Item(Removed(law.name, "symmetry"), parts, _level(law))
-    yield _Item(Removed("flow", "flow"), system.rates)
+            yield _Item(TrivialExponent(law.name, "symmetry"), parts, _level(law))
+    yield _Item(TrivialExponent("flow", "flow"), system.rates)
 
 
 def _idle(system: System) -> list[sp.Symbol]:
@@ -287,10 +287,10 @@ def _idle(system: System) -> list[sp.Symbol]:
 
 
 def _level(law: Law) -> tuple[Any, ...]:
-    return tuple(explicit(condition) for condition in law.on)
+    return tuple(to_components(condition) for condition in law.on)
 
 
-def _tangent(at: _At, fields: Sequence[_Item], across: _Span) -> Iterator[tuple[Removed, Any]]:
+def _tangent(at: _At, fields: Sequence[_Item], across: _Span) -> Iterator[tuple[TrivialExponent, Any]]:
     """Fields tangent to the conditions, and combinations of the others that are.
 
     The combinations have constant coefficients: the rate of an integral along a symmetry is an
@@ -308,7 +308,7 @@ def _tangent(at: _At, fields: Sequence[_Item], across: _Span) -> Iterator[tuple[
         for row in rotation[rank:]:
             mixed = np.zeros(len(fields))
             mixed[loose] = row / sizes[loose]
-            yield Removed(f"a combination of {names}", "symmetry"), mixed
+            yield TrivialExponent(f"a combination of {names}", "symmetry"), mixed
     for item, tangent, row in zip(fields, within, np.eye(len(fields)), strict=True):
         if tangent:
             yield item.removed, row

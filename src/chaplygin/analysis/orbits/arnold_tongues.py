@@ -21,7 +21,7 @@ from ...errors import InputError, RunError
 from .maps import Array
 from .rotation import FIRST, average
 
-__all__ = ["CircleMaps", "Plateau", "Staircase", "displacement", "plateau", "plateaus", "staircase"]
+__all__ = ["CircleMaps", "Plateau", "DevilsStaircase", "displacement", "locked_interval", "plateaus", "staircase"]
 
 #: Error of one step of an integrated map, turns.
 ACCURACY = 1e-13
@@ -59,7 +59,7 @@ class CircleMaps(Protocol):
 
 
 @dataclass(frozen=True)
-class Staircase:
+class DevilsStaircase:
     """Rotation numbers over a parameter.
 
     Attributes
@@ -142,7 +142,7 @@ def staircase(
     start: float = 0.0,
     target: float = 1e-10,
     most: int = 1 << 14,
-) -> Staircase:
+) -> DevilsStaircase:
     """Rotation numbers for many values of a parameter, each with as many steps as it takes.
 
     Parameters
@@ -164,7 +164,7 @@ def staircase(
         rotations[pending], errors[pending] = average(np.diff(orbits, axis=1))
         pending = pending[errors[pending] > target]
         count *= 2
-    return Staircase(values, rotations, errors)
+    return DevilsStaircase(values, rotations, errors)
 
 
 def displacement(
@@ -236,7 +236,7 @@ def _extrema(moved: Array, noise: float) -> Displacement:
     return Displacement(least, greatest, (low % 1.0, high % 1.0), noise, float(moved.mean()))
 
 
-def plateau(
+def locked_interval(
     maps: CircleMaps,
     fraction: Fraction,
     bracket: tuple[float, float],
@@ -299,7 +299,7 @@ def _slope(
 
 
 def plateaus(
-    maps: CircleMaps, stairs: Staircase, longest: int, turns: Iterable[int] = ()
+    maps: CircleMaps, stairs: DevilsStaircase, longest: int, turns: Iterable[int] = ()
 ) -> list[Plateau]:
     """All steps that a staircase passes, of cycles up to a length, in the order of the parameter.
 
@@ -326,7 +326,7 @@ def plateaus(
     return sorted(found, key=lambda step: step.low)
 
 
-def _around(maps: CircleMaps, stairs: Staircase, fraction: Fraction) -> list[Plateau]:
+def _around(maps: CircleMaps, stairs: DevilsStaircase, fraction: Fraction) -> list[Plateau]:
     """The plateaus of a fraction, one for each time the staircase passes it."""
     known = np.flatnonzero(np.isfinite(stairs.rotations))
     values, excess = stairs.values[known], stairs.rotations[known] - float(fraction)
@@ -338,7 +338,7 @@ def _around(maps: CircleMaps, stairs: Staircase, fraction: Fraction) -> list[Pla
         if excess[i] * excess[j] < 0:
             low, high = _outwards(maps, values, (int(i), int(j)), fraction)
             if low >= 0 and high < len(values):
-                found.append(plateau(maps, fraction, (values[low], values[high])))
+                found.append(locked_interval(maps, fraction, (values[low], values[high])))
     return found
 
 

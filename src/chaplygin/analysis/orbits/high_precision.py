@@ -13,16 +13,16 @@ from typing import Any
 import mpmath
 import numpy as np
 
-from ...core.vectors import explicit
-from ...flow.batch import lanes
-from ...flow.gauss import precise
+from ...core.vectors import to_components
+from ...flow.batch import batch_integrator
+from ...flow.gauss import gauss_integrator
 from ...flow.kernel.double_double import unpaired
 from ...formulas.multiprecision import slopes
 from .maps import Array, measured
 from .periodic import NoOrbitError, Orbit, held_values, shortest, wrapped
-from .return_map import Returns
+from .return_map import ReturnMap
 
-__all__ = ["Refined", "refined"]
+__all__ = ["Refined", "refine_orbit"]
 
 #: Digits of mpmath; steps at most; a step at which the iteration rests, relative to the state.
 _DIGITS, _STEPS, _REST = 36, 8, 1e-29
@@ -46,7 +46,7 @@ class Refined:
     error: float
 
 
-def refined(made: Returns, orbit: Orbit, hold: Mapping[str, float] | Iterable[str] = ()) -> Refined:
+def refine_orbit(made: ReturnMap, orbit: Orbit, hold: Mapping[str, float] | Iterable[str] = ()) -> Refined:
     """An orbit to 30 digits.
 
     Parameters
@@ -92,7 +92,7 @@ class _Problem:
     Point and duration are measured by `sizes`.
     """
 
-    made: Returns
+    made: ReturnMap
     held: Mapping[str, float]
     sizes: Array
 
@@ -103,12 +103,12 @@ class _Problem:
         parameters = section.parameters
         rough = np.array([float(x) for x in point])
         whole = float(duration)
-        flow = precise(system, rough, parameters, digits=30)
+        flow = gauss_integrator(system, rough, parameters, digits=30)
         found = flow.until(np.array([point], dtype=object), [whole], parameters)
         end = unpaired(found.states[0, 0], found.rest[0, 0])
         if found.outcome[0] != 0:
             raise NoOrbitError(flow.reason(int(found.outcome[0])), rough[None])
-        moved = lanes(system, deviations=size).until(
+        moved = batch_integrator(system, deviations=size).until(
             rough[None], [whole], parameters, deviations=np.eye(size)[None]
         )
         (rates, _) = self._numbers(system.rates, end)
@@ -139,7 +139,7 @@ class _Problem:
         section = self.made.section
         laws = {law.name: law.value for law in section.system.integrals}
         wanted = [*section.system.relations, section.section.value, *(laws[n] for n in self.held)]
-        values, rows = self._numbers([explicit(f) for f in wanted], point)
+        values, rows = self._numbers([to_components(f) for f in wanted], point)
         targets = [0.0] * (len(wanted) - len(self.held)) + list(self.held.values())
         excess = [float(v - mpmath.mpf(t)) for v, t in zip(values, targets, strict=True)]
         made = [[float(rows[i, j]) for j in range(len(point))] for i in range(len(wanted))]

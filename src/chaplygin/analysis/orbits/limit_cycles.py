@@ -20,7 +20,7 @@ from ...core.system import System
 from ...errors import InputError
 from ...formulas.graph import Term, of_system, ordered
 
-__all__ = ["Cycle", "trapped"]
+__all__ = ["Cycle", "enclose_limit_cycle"]
 
 #: Bits of the numbers: the polygons are much rougher than these.
 _BITS = 64
@@ -132,7 +132,7 @@ def _parts(whole: Any) -> list[Any]:
     return [whole.mid() + (2 * k + 1 - count) * half + arb(0, 1) * half for k in range(count)]
 
 
-def trapped(
+def enclose_limit_cycle(
     system: System,
     parameters: Mapping[str, Any],
     interval: tuple[Any, Any],

@@ -16,21 +16,21 @@ import sympy as sp
 
 from ...core.laws import Integral
 from ...core.system import System
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...errors import InputError
-from ...flow.sections.poincare_map import SectionMap
-from ...flow.state_scales import sizes_at
+from ...flow.sections.poincare_map import PoincareMap
+from ...flow.state_scales import state_scales_at
 from ...formulas.batch import Formulas
 from .maps import Array, Image, Kept
 from .rotation import average, lifted
 
-__all__ = ["Circle", "Returns", "Rotations", "promoted", "rotations"]
+__all__ = ["Circle", "ReturnMap", "Rotations", "parameters_to_state", "rotations"]
 
 #: Numbers kept at once when many motions are followed.
 AT_ONCE = 1 << 23
 
 
-def promoted(system: System, *names: str) -> System:
+def parameters_to_state(system: System, *names: str) -> System:
     """A system with some parameters as state variables that stay what they are.
 
     Parameters
@@ -65,7 +65,7 @@ def promoted(system: System, *names: str) -> System:
 
 
 @dataclass(frozen=True)
-class Returns:
+class ReturnMap:
     """The first return to a section.
 
     Parameters
@@ -80,7 +80,7 @@ class Returns:
     See the page docs/orbits.md.
     """
 
-    section: SectionMap
+    section: PoincareMap
     angles: Mapping[str, float] = field(default_factory=dict)
     forced: tuple[str, ...] = ("flow",)
 
@@ -115,7 +115,7 @@ class Returns:
         return self._kept(tuple(law.name for law in laws), tuple(law.value for law in laws))
 
     def _kept(self, names: tuple[str, ...], formulas: tuple[Any, ...]) -> Kept:
-        made = Formulas(self.section.system, tuple(explicit(f) for f in formulas))
+        made = Formulas(self.section.system, tuple(to_components(f) for f in formulas))
         parameters = self.section.parameters
         return Kept(
             names,
@@ -128,14 +128,14 @@ class Returns:
         system = self.section.system
         given = {str(name): value for name, value in self.section.parameters.items()}
         values = {s: given.get(str(s), default) for s, default in system.defaults.items()}
-        conditions = [explicit(condition) for condition in law.on]
+        conditions = [to_components(condition) for condition in law.on]
         if any(condition.free_symbols - set(values) for condition in conditions):
             return False
         return all(abs(float(condition.subs(values))) < 1e-12 for condition in conditions)
 
     def sizes(self, points: Array) -> Array:
         """The greatest sizes of the vectors of the state at points (n, size), (size,)."""
-        found: Array = sizes_at(self.section.system, points[None], self.section.parameters)[0]
+        found: Array = state_scales_at(self.section.system, points[None], self.section.parameters)[0]
         return found
 
     def image(self, points: Array, count: int = 1, *, slopes: bool = False) -> Image:
@@ -164,7 +164,7 @@ class Circle:
         The other state variables on the section.
     """
 
-    section: SectionMap
+    section: PoincareMap
     angle: str
     varied: str
     state: Mapping[str, float]
@@ -187,7 +187,7 @@ class Circle:
         return np.concatenate([turns[:, None], found.states[:, :, place] / (2 * np.pi)], axis=1)
 
 
-def _require_variable(section: SectionMap, name: str, where: str) -> None:
+def _require_variable(section: PoincareMap, name: str, where: str) -> None:
     names = [str(symbol) for symbol in section.system.symbols]
     if name not in names:
         raise InputError(f"{where}: {name} is not a state variable; there are {', '.join(names)}")
@@ -210,7 +210,7 @@ class Rotations:
     outcome: Array
 
 
-def rotations(section: SectionMap, starts: Array, angle: Any, count: int = 1000) -> Rotations:
+def rotations(section: PoincareMap, starts: Array, angle: Any, count: int = 1000) -> Rotations:
     """Rotation numbers of an angle on a section, for many starts and parameters of each.
 
     Parameters
@@ -228,7 +228,7 @@ def rotations(section: SectionMap, starts: Array, angle: Any, count: int = 1000)
     starts = np.asarray(starts, dtype=float)
     values, errors = np.full(len(starts), np.nan), np.full(len(starts), np.nan)
     outcome = np.zeros(len(starts), dtype=int)
-    formula = Formulas(section.system, (explicit(sp.sympify(angle)),))
+    formula = Formulas(section.system, (to_components(sp.sympify(angle)),))
     rows = max(1, AT_ONCE // (count * section.size))
     for first in range(0, len(starts), rows):
         part = slice(first, min(first + rows, len(starts)))

@@ -28,7 +28,7 @@ from ...formulas.batch import Formulas
 from .andoyer import Andoyer
 from .directions import Directions
 
-__all__ = ["CHARTS", "Chart", "chart"]
+__all__ = ["CHARTS", "StateCoordinates", "chart"]
 
 _TURN = 2 * np.pi
 
@@ -41,7 +41,7 @@ _NEWTON = 2
 
 
 @dataclass(frozen=True)
-class Chart:
+class StateCoordinates:
     """Coordinates of states.
 
     Attributes
@@ -130,7 +130,7 @@ class Chart:
             )
             raise InputError(f"{self.system.name}: no state at {place}; {self.domain}")
 
-    def fixed(self, values: Mapping[str, float]) -> Chart:
+    def fixed(self, values: Mapping[str, float]) -> StateCoordinates:
         """The same chart with some coordinates held at given values."""
         for name in values:
             self._place(name)
@@ -153,7 +153,7 @@ class Chart:
             _range=span,
         )
 
-    def solved(self, name: str, integral: str, value: float) -> Chart:
+    def solved(self, name: str, integral: str, value: float) -> StateCoordinates:
         """The chart without a coordinate, which is found from the value of an integral.
 
         Parameters
@@ -220,7 +220,7 @@ def chart(
     name: str,
     level: Mapping[str, float] | None = None,
     parameters: Mapping[Any, Any] | None = None,
-) -> Chart:
+) -> StateCoordinates:
     """Coordinates of the states of a system.
 
     Parameters
@@ -250,9 +250,9 @@ def chart(
     return CHARTS[name](system, dict(level or {}), dict(parameters or {}))
 
 
-def _ratio(system: System, _: Mapping[str, float], parameters: Mapping[Any, Any]) -> Chart:
+def _ratio(system: System, _: Mapping[str, float], parameters: Mapping[Any, Any]) -> StateCoordinates:
     maps = Andoyer(system)
-    return Chart(
+    return StateCoordinates(
         system=system,
         parameters=parameters,
         names=maps.names,
@@ -264,7 +264,7 @@ def _ratio(system: System, _: Mapping[str, float], parameters: Mapping[Any, Any]
     )
 
 
-def _andoyer(system: System, level: Mapping[str, float], parameters: Mapping[Any, Any]) -> Chart:
+def _andoyer(system: System, level: Mapping[str, float], parameters: Mapping[Any, Any]) -> StateCoordinates:
     ratio = _ratio(system, level, parameters)
 
     def every(points: Any) -> tuple[Any, Any]:
@@ -292,9 +292,9 @@ def _andoyer(system: System, level: Mapping[str, float], parameters: Mapping[Any
     )
 
 
-def _directions(system: System, level: Mapping[str, float], parameters: Mapping[Any, Any]) -> Chart:
+def _directions(system: System, level: Mapping[str, float], parameters: Mapping[Any, Any]) -> StateCoordinates:
     maps = Directions(system, level, parameters)
-    return Chart(
+    return StateCoordinates(
         system=system,
         parameters=parameters,
         names=maps.names,
@@ -307,7 +307,7 @@ def _directions(system: System, level: Mapping[str, float], parameters: Mapping[
 
 
 #: What :func:`chart` knows.
-CHARTS: Mapping[str, Callable[[System, Mapping[str, float], Mapping[Any, Any]], Chart]] = {
+CHARTS: Mapping[str, Callable[[System, Mapping[str, float], Mapping[Any, Any]], StateCoordinates]] = {
     "andoyer": _andoyer,
     "andoyer-ratio": _ratio,
     "directions": _directions,
@@ -318,7 +318,7 @@ CHARTS: Mapping[str, Callable[[System, Mapping[str, float], Mapping[Any, Any]], 
 class _Search:
     """All values of one coordinate at which an integral has a value."""
 
-    chart: Chart
+    chart: StateCoordinates
     place: int
     formula: Formulas
     value: float

@@ -16,9 +16,9 @@ import numpy as np
 
 from ...core.system import System
 from ...errors import InputError
-from ...flow.batched_linalg import dots
-from ...flow.sampling.find_fibration import bundle
-from ...formulas.compiled import Sheet
+from ...flow.batched_linalg import row_dots
+from ...flow.sampling.find_fibration import find_fibration
+from ...formulas.compiled import SystemFormulas
 from ...formulas.evaluate import parameter_rows
 
 __all__ = ["Directions"]
@@ -58,7 +58,7 @@ class Directions:
             raise InputError(f"{system.name}: these coordinates need an integral named energy")
         held = {**level, "energy": 0.0}
         self.values = parameter_rows(system, parameters, 1)[0]
-        self.made = bundle(system, Sheet(system), held, self.values)
+        self.made = find_fibration(system, SystemFormulas(system), held, self.values)
         shape = [len(part) for part in (self.made.ground, self.made.fibre, self.made.linear)]
         if shape != [3, 3, 1] or self.made.further or self.made.quadratic.name != "energy":
             raise InputError(
@@ -103,10 +103,10 @@ class Directions:
             centre = level.fill(ground, np.nan_to_num(rising), self.values).centre
         vector = states[list(self.made.fibre)].T
         off = vector - centre
-        psi = np.arctan2(dots(off, turning.T), dots(off, rising.T))
+        psi = np.arctan2(row_dots(off, turning.T), row_dots(off, rising.T))
         _, _, A, b, c = self.made.parts(ground, self.values)
         applied = (A * vector[:, None, :]).sum(axis=2)
-        energy = c + dots(b, vector) + 0.5 * dots(vector, applied)
+        energy = c + row_dots(b, vector) + 0.5 * row_dots(vector, applied)
         return np.stack([theta, phi, psi, energy])
 
     @staticmethod

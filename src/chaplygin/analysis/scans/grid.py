@@ -15,9 +15,9 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from ...core.admissible import conditions, satisfied
+from ...core.admissible import conditions, satisfies
 from ...core.system import System, flat
-from ...core.vectors import Vector, explicit, normed
+from ...core.vectors import Vector, to_components, norm_squared
 from ...errors import InputError
 from ...flow.level_projection import projected
 from ...formulas.batch import Formulas
@@ -25,7 +25,7 @@ from ...formulas.evaluate import formula
 from ...parsing import nearest, parse
 from .named_quantities import named
 
-__all__ = ["NO_NUMBER", "REASONS", "Axis", "Cells", "Plane", "axis", "directions", "plane"]
+__all__ = ["NO_NUMBER", "REASONS", "Axis", "GridCells", "ScanGrid", "axis", "directions", "scan_grid"]
 
 #: Why a cell has no motion or no number; −1 in a store is what is not computed yet.
 NO_STATE, INADMISSIBLE, NO_NUMBER = -2, -3, -4
@@ -85,7 +85,7 @@ def axis(text: str, where: str = "") -> Axis:
 
 
 @dataclass(frozen=True)
-class Cells:
+class GridCells:
     """Motions to be followed.
 
     Attributes
@@ -104,7 +104,7 @@ class Cells:
 
 
 @dataclass(frozen=True)
-class Plane:
+class ScanGrid:
     """A plane of motions of a system; made by :func:`plane`.
 
     Attributes
@@ -135,7 +135,7 @@ class Plane:
     levels: tuple[tuple[sp.Expr, sp.Expr], ...]
     held: tuple[sp.Symbol, ...]
 
-    def cells(self, first: int, last: int) -> Cells:
+    def cells(self, first: int, last: int) -> GridCells:
         """The cells of rows first, …, last − 1, row by row."""
         y, x = (
             a.ravel() for a in np.meshgrid(self.y.values[first:last], self.x.values, indexing="ij")
@@ -161,13 +161,13 @@ class Plane:
         reasons[good & ~met] = NO_STATE
         states = Formulas(self.given, self.system.symbols)(starts, parameters)
         states[reasons != 0] = np.nan
-        return Cells(states, parameters, reasons)
+        return GridCells(states, parameters, reasons)
 
     def _placed(
         self, starts: Any, targets: Sequence[Any], parameters: Mapping[sp.Symbol, Any]
     ) -> tuple[Any, Any]:
         """Starts on the relations and then on the levels, and whether they are there."""
-        relations = tuple(explicit(relation) for relation in self.given.relations)
+        relations = tuple(to_components(relation) for relation in self.given.relations)
         met = np.isfinite(starts).all(axis=1)
         fixed = {*self.held, *(symbol for symbol, _ in self.set)}
         if relations:
@@ -189,7 +189,7 @@ class Plane:
         return [symbol not in fixed for symbol in self.given.symbols]
 
 
-def plane(
+def scan_grid(
     system: System,
     x: Axis,
     y: Axis,
@@ -197,7 +197,7 @@ def plane(
     *,
     formulas: Mapping[str, str] | None = None,
     held: Collection[str] = (),
-) -> Plane:
+) -> ScanGrid:
     """A plane of motions.
 
     Parameters
@@ -251,7 +251,7 @@ def plane(
             )
     # parameters first: formulas of the start may use them
     made.sort(key=lambda pair: pair[0] not in system.defaults)
-    return Plane(system, given, base, x, y, tuple(made), tuple(asked), _held(given, held))
+    return ScanGrid(system, given, base, x, y, tuple(made), tuple(asked), _held(given, held))
 
 
 def _useful(system: System) -> list[str]:
@@ -309,9 +309,9 @@ def _by_velocity(system: System, start: Mapping[str, Any]) -> System:
 
 def directions(system: System) -> set[sp.Symbol]:
     """Components of the vectors whose length the relations make one."""
-    relations = [explicit(relation) for relation in system.relations]
+    relations = [to_components(relation) for relation in system.relations]
     vectors = [name for name in system.state if isinstance(name, Vector)]
-    unit = [name for name in vectors if explicit(normed(name)) - 1 in relations]
+    unit = [name for name in vectors if to_components(norm_squared(name)) - 1 in relations]
     return set(flat(unit))
 
 
@@ -331,5 +331,5 @@ def _admissible(system: System, known: Mapping[sp.Symbol, Any], count: int) -> A
         good &= np.isfinite(known[parameter.symbol])
     with np.errstate(all="ignore"):
         for _, condition in conditions(system.parameters):
-            good &= satisfied(condition, known)
+            good &= satisfies(condition, known)
     return good

@@ -7,15 +7,15 @@ from collections.abc import Mapping
 import sympy as sp
 
 from ...core.system import System
-from ...core.vectors import Vector, explicit
+from ...core.vectors import Vector, to_components
 
 __all__ = ["meaning", "named"]
 
 
 def named(system: System) -> dict[str, sp.Expr]:
     """Scalar integrals and observables of a system by name; the integral of two of one name."""
-    values = {item.name: explicit(item.value) for item in system.observables}
-    values |= {item.name: explicit(item.value) for item in system.integrals}
+    values = {item.name: to_components(item.value) for item in system.observables}
+    values |= {item.name: to_components(item.value) for item in system.integrals}
     return {name: v for name, v in values.items() if not isinstance(v, sp.MatrixBase)}
 
 

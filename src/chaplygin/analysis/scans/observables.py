@@ -15,12 +15,12 @@ import sympy as sp
 
 from ...core.parameters import Parameters
 from ...core.system import System
-from ...flow.batch import Lanes, lanes
-from ...flow.level_projection import picked
+from ...flow.batch import BatchIntegrator, batch_integrator
+from ...flow.level_projection import select_parameters
 from ...formulas.evaluate import values
 from ..orbits.rotation import average
 
-__all__ = ["Duration", "Frequency", "Highest", "Lowest", "Mean", "Watched", "watched"]
+__all__ = ["SurvivalTime", "Frequency", "Maximum", "Minimum", "TimeAverage", "ObservedSeries", "observe"]
 
 
 #: States of a motion that are kept at a time.
@@ -30,7 +30,7 @@ TOTAL = sp.Symbol("integral_in_time", real=True)
 
 
 @dataclass(frozen=True)
-class Duration:
+class SurvivalTime:
     """How long a motion lasts: until a guard of the system or a failure ends it.
 
     Attributes
@@ -39,7 +39,7 @@ class Duration:
     until : float
         Time at which to stop.
     tolerance : float
-        See :func:`chaplygin.flow.batch.lanes`.
+        See :func:`chaplygin.flow.batch.batch_integrator`.
     """
 
     system: System
@@ -49,12 +49,12 @@ class Duration:
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Times, outcomes and times reached, (n,) each."""
-        run = lanes(self.system, tolerance=self.tolerance).until(starts, [self.until], parameters)
+        run = batch_integrator(self.system, tolerance=self.tolerance).until(starts, [self.until], parameters)
         return {"value": run.ended, "outcome": run.outcome, "ended": run.ended}
 
 
 @dataclass(frozen=True)
-class Mean:
+class TimeAverage:
     """The mean of a formula in time, integrated along with the motion.
 
     Attributes
@@ -73,14 +73,14 @@ class Mean:
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Means, outcomes and times reached, (n,) each."""
-        flow = lanes(_with_total(self.system, self.formula), tolerance=self.tolerance)
+        flow = batch_integrator(_with_total(self.system, self.formula), tolerance=self.tolerance)
         run = flow.until(_from_zero(starts), [self.until], parameters)
         mean = run.states[:, 0, -1] / self.until
         return {"value": mean, "outcome": run.outcome, "ended": run.ended}
 
 
 @dataclass(frozen=True)
-class Highest:
+class Maximum:
     """The greatest value of a formula among equidistant samples of a motion.
 
     Attributes
@@ -102,13 +102,13 @@ class Highest:
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Values, outcomes and times reached, (n,) each."""
-        flow = lanes(self.system, tolerance=self.tolerance)
-        seen = watched(flow, self.formula, starts, self.until, self.samples, parameters)
+        flow = batch_integrator(self.system, tolerance=self.tolerance)
+        seen = observe(flow, self.formula, starts, self.until, self.samples, parameters)
         return {"value": seen.values.max(axis=1), "outcome": seen.outcome, "ended": seen.ended}
 
 
 @dataclass(frozen=True)
-class Lowest:
+class Minimum:
     """The least value of a formula among equidistant samples of a motion; see `Highest`."""
 
     system: System
@@ -120,7 +120,7 @@ class Lowest:
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Values, outcomes and times reached, (n,) each."""
-        turned = Highest(self.system, self.until, -self.formula, self.samples, self.tolerance)
+        turned = Maximum(self.system, self.until, -self.formula, self.samples, self.tolerance)
         found = turned(starts, parameters)
         return {**found, "value": -found["value"]}
 
@@ -151,8 +151,8 @@ class Frequency:
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Values, errors, outcomes and times reached, (n,) each."""
         turns = _with_total(self.system, _rate(self.system, self.formula) / (2 * sp.pi))
-        flow = lanes(turns, tolerance=self.tolerance)
-        seen = watched(flow, TOTAL, _from_zero(starts), self.until, self.samples, parameters)
+        flow = batch_integrator(turns, tolerance=self.tolerance)
+        seen = observe(flow, TOTAL, _from_zero(starts), self.until, self.samples, parameters)
         value, error = average(np.diff(seen.values, axis=1) * (self.samples / self.until))
         return {"value": value, "error": error, "outcome": seen.outcome, "ended": seen.ended}
 
@@ -179,7 +179,7 @@ def _changing(formula: Any, rates: Mapping[Any, Any]) -> Any:
 
 
 @dataclass(frozen=True)
-class Watched:
+class ObservedSeries:
     """A formula along motions.
 
     Attributes
@@ -197,9 +197,9 @@ class Watched:
     ended: Any
 
 
-def watched(
-    flow: Lanes, formula: Any, starts: Any, until: float, samples: int, parameters: Parameters
-) -> Watched:
+def observe(
+    flow: BatchIntegrator, formula: Any, starts: Any, until: float, samples: int, parameters: Parameters
+) -> ObservedSeries:
     """A formula along motions at equidistant times; few states are kept at a time.
 
     Parameters
@@ -224,9 +224,9 @@ def watched(
         live = np.flatnonzero(outcome == 0)
         if not len(live):
             break
-        chosen = picked(parameters, live)
+        chosen = select_parameters(parameters, live)
         run = flow.until(states[live], times[some] - times[first], chosen)
         found[live, some] = values(flow.system, [formula], run.states, chosen)[..., 0]
         outcome[live], states[live] = run.outcome, run.states[:, -1]
         ended[live] = times[first] + run.ended
-    return Watched(found, outcome, ended)
+    return ObservedSeries(found, outcome, ended)

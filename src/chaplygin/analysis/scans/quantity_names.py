@@ -9,21 +9,21 @@ from typing import Any
 
 from ...core.system import System
 from ...errors import InputError
-from ...flow.batch import section
+from ...flow.batch import poincare_section
 from ...formulas.evaluate import formula
 from ...parsing import nearest
-from ..lyapunov.indicators import Alignment, Exponent, Fastest, Megno, Total
+from ..lyapunov.indicators import SmallerAlignmentIndex, MaximalExponent, FastLyapunovIndicator, Megno, ExponentSum
 from .grid import directions
 from .named_quantities import meaning
-from .observables import Duration, Frequency, Highest, Lowest, Mean
+from .observables import SurvivalTime, Frequency, Maximum, Minimum, TimeAverage
 from .scan_task import Rule
 from .section_rotation import Winding
 
-__all__ = ["KINDS", "Asked", "asked"]
+__all__ = ["KINDS", "NamedQuantity", "quantity_from_text"]
 
 
 @dataclass(frozen=True)
-class Asked:
+class NamedQuantity:
     """A number that was asked for.
 
     Attributes
@@ -52,15 +52,15 @@ class _Kind:
 
 
 KINDS: Mapping[str, _Kind] = {
-    "lyapunov": _Kind(Exponent, "largest Lyapunov exponent", "1/s"),
-    "fli": _Kind(Fastest, "fast Lyapunov indicator"),
+    "lyapunov": _Kind(MaximalExponent, "largest Lyapunov exponent", "1/s"),
+    "fli": _Kind(FastLyapunovIndicator, "fast Lyapunov indicator"),
     "megno": _Kind(Megno, "MEGNO"),
-    "sali": _Kind(Alignment, "logarithm of SALI"),
-    "sum": _Kind(Total, "sum of Lyapunov exponents", "1/s"),
-    "duration": _Kind(Duration, "time until the motion ends", "s"),
-    "mean": _Kind(Mean, "mean of {}", "{}", of=True),
-    "highest": _Kind(Highest, "highest value of {}", "{}", of=True),
-    "lowest": _Kind(Lowest, "lowest value of {}", "{}", of=True),
+    "sali": _Kind(SmallerAlignmentIndex, "logarithm of SALI"),
+    "sum": _Kind(ExponentSum, "sum of Lyapunov exponents", "1/s"),
+    "duration": _Kind(SurvivalTime, "time until the motion ends", "s"),
+    "mean": _Kind(TimeAverage, "mean of {}", "{}", of=True),
+    "highest": _Kind(Maximum, "highest value of {}", "{}", of=True),
+    "lowest": _Kind(Minimum, "lowest value of {}", "{}", of=True),
     "frequency": _Kind(Frequency, "frequency of {}", "1/s", of=True),
     "rotation": _Kind(Winding, "rotation number of {}", of=True),
 }
@@ -71,14 +71,14 @@ A rotation number needs a section as well, where a quantity rises through zero:
 """
 
 
-def asked(
+def quantity_from_text(
     system: System,
     text: str,
     until: float,
     *,
     tolerance: float = 1e-12,
     variables: Mapping[str, tuple[str, str]] | None = None,
-) -> Asked:
+) -> NamedQuantity:
     """A number of the motions of a system.
 
     Parameters
@@ -113,14 +113,14 @@ def asked(
     if kind.make is Winding:
         return _rotation(kind, system, quantity, until, tolerance)
     if not kind.of:
-        return Asked(kind.make(system, until, tolerance=tolerance), word, kind.title, kind.unit)
+        return NamedQuantity(kind.make(system, until, tolerance=tolerance), word, kind.title, kind.unit)
     value: Any = formula(system, quantity)
     made = kind.make(system, until, value, tolerance=tolerance)
     measured = meaning(system, quantity, variables or {})[1] or "unknown"
     if kind.make is Frequency:
         _require_angle(system, text, value, measured)
     unit = kind.unit.format(measured)
-    return Asked(made, word, kind.title.format(quantity), unit)
+    return NamedQuantity(made, word, kind.title.format(quantity), unit)
 
 
 def _require_angle(system: System, text: str, value: Any, unit: str) -> None:
@@ -135,7 +135,7 @@ def _require_angle(system: System, text: str, value: Any, unit: str) -> None:
     raise InputError(f"{text}: {wrong}; an angle is needed, such as atan2(gamma_2, gamma_1)")
 
 
-def _rotation(kind: _Kind, system: System, text: str, until: float, tolerance: float) -> Asked:
+def _rotation(kind: _Kind, system: System, text: str, until: float, tolerance: float) -> NamedQuantity:
     """A rotation number, from its angle and its section."""
     angle, on, place = text.partition(" on ")
     if not on:
@@ -143,6 +143,6 @@ def _rotation(kind: _Kind, system: System, text: str, until: float, tolerance: f
             f"rotation:{text}: a section is needed, where a quantity rises through zero, such as "
             f"rotation:{text} on gamma_3"
         )
-    where = section(system, place.strip())
+    where = poincare_section(system, place.strip())
     made = kind.make(system, until, formula(system, angle.strip()), where, tolerance=tolerance)
-    return Asked(made, "rotation", kind.title.format(text), kind.unit)
+    return NamedQuantity(made, "rotation", kind.title.format(text), kind.unit)

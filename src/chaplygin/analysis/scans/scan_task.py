@@ -15,12 +15,12 @@ import numpy as np
 from ..._version import __version__
 from ...core.system import System
 from ...errors import InputError
-from ...flow.batch import lanes
+from ...flow.batch import batch_integrator
 from ...flow.ensemble.task import Coordinate, Task, Variable
-from ...flow.kernel.runge_kutta import ENDS
-from .grid import NO_NUMBER, REASONS, Axis, Plane
+from ...flow.kernel.runge_kutta import STATUS_MESSAGES
+from .grid import NO_NUMBER, REASONS, Axis, ScanGrid
 
-__all__ = ["Chart", "Rule", "chart"]
+__all__ = ["Scan", "Rule", "scan"]
 
 #: Motions that are computed at once, about.
 AT_ONCE = 2048
@@ -50,7 +50,7 @@ class Rule(Protocol):
 
 
 @dataclass(frozen=True)
-class Chart:
+class Scan:
     """A number over a plane: rows first, …, last − 1 ↦ arrays of numbers.
 
     Attributes
@@ -64,7 +64,7 @@ class Chart:
         What it is, in words, and its unit.
     """
 
-    plane: Plane
+    plane: ScanGrid
     rule: Rule
     name: str
     title: str
@@ -93,7 +93,7 @@ class Chart:
         return {self.name: "value", **{f"{self.name}_{key}": key for key in self.rule.further}}
 
 
-def chart(made: Chart, attributes: Mapping[str, Any] | None = None) -> Task:
+def scan(made: Scan, attributes: Mapping[str, Any] | None = None) -> Task:
     """The task that computes a chart; see :func:`chaplygin.flow.ensemble.compute.compute`.
 
     Parameters
@@ -165,9 +165,9 @@ def _listed(values: Mapping[Any, float]) -> list[str]:
 
 def _outcomes(rule: Rule) -> dict[str, Any]:
     """What outcomes mean: numbers, and as many words for them, with underscores for blanks."""
-    flow = lanes(rule.system, tolerance=rule.tolerance)
+    flow = batch_integrator(rule.system, tolerance=rule.tolerance)
     reasons = {0: "followed to the end", -1: "not computed yet", **REASONS}
-    reasons |= {code: flow.reason(code) for code in range(1, len(ENDS) + len(rule.system.guards))}
+    reasons |= {code: flow.reason(code) for code in range(1, len(STATUS_MESSAGES) + len(rule.system.guards))}
     return {
         **_attributes("why there is no number", ""),
         "flag_values": list(reasons),

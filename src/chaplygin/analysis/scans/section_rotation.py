@@ -11,7 +11,7 @@ import numpy as np
 from ...core.parameters import Parameters
 from ...core.system import System
 from ...flow.batch import Section
-from ...flow.sections.poincare_map import SectionMap
+from ...flow.sections.poincare_map import PoincareMap
 from ..orbits.return_map import rotations
 
 __all__ = ["Winding"]
@@ -31,7 +31,7 @@ class Winding:
     section : Section
         Where the motion is looked at.
     tolerance : float
-        See :func:`chaplygin.flow.batch.lanes`.
+        See :func:`chaplygin.flow.batch.batch_integrator`.
     count : int
         Returns that are looked at.
     """
@@ -46,7 +46,7 @@ class Winding:
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Values, errors and outcomes, (n,) each; the times reached are not told."""
-        returning = SectionMap(
+        returning = PoincareMap(
             self.system, self.section, dict(parameters), self.tolerance, until=self.until
         )
         found = rotations(returning, starts, self.formula, self.count)

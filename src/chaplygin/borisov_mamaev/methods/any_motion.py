@@ -18,8 +18,8 @@ from ...core.vectors import (
     cross,
     dot,
     gradient,
-    normed,
-    scalar,
+    norm_squared,
+    real_symbol,
     vectors,
 )
 from . import unspecified
@@ -29,7 +29,7 @@ __all__ = ["TORQUE", "any_motion", "driven", "newton_euler", "reaction", "reduce
 
 omega, gamma, r, X, omegadot, rdot, gammadot = vectors("omega gamma r X omegadot rdot gammadot")
 I, K = Diagonal("I"), Symmetric("K")
-m, lambda_0 = scalar("m"), scalar("lambda_0")
+m, lambda_0 = real_symbol("m"), real_symbol("lambda_0")
 
 #: γ×∂U/∂γ.
 TORQUE: MatrixExpr = cross(gamma, gradient(POTENTIAL, gamma))
@@ -69,7 +69,7 @@ def newton_euler() -> MatrixExpr:
 
 def tensor(vector: MatrixExpr) -> MatrixExpr:
     """Ĩu = Iu + m r²u − m r(r, u)."""
-    return I * vector + m * normed(r) * vector - m * dot(r, vector) * r
+    return I * vector + m * norm_squared(r) * vector - m * dot(r, vector) * r
 
 
 def reduced() -> MatrixExpr:

@@ -11,10 +11,10 @@ from dataclasses import replace
 import sympy as sp
 
 from ...core.system import Parameter, System
-from ...core.vectors import Diagonal, constant, cross, explicit, gradient, scalar, vectors
+from ...core.vectors import Diagonal, constant, cross, to_components, gradient, real_symbol, vectors
 from ...mechanics.rolling.attitude import attitude, quaternion_rate, rotation, unit_length
 from . import unspecified
-from .growth import Field, commutator
+from .growth import VectorField, commutator
 
 __all__ = [
     "COORDINATES",
@@ -29,14 +29,14 @@ __all__ = [
 alpha, beta, gamma, R, omega, v, r = vectors("alpha beta gamma R omega v r")
 lambda_ = vectors("lambda")[0]
 I = Diagonal("I")
-m, lambda_0 = scalar("m"), scalar("lambda_0")
+m, lambda_0 = real_symbol("m"), real_symbol("lambda_0")
 
 #: α, β, γ and R: the coordinates of (1.10), redundant on SO(3).
 COORDINATES = (*alpha.symbols, *beta.symbols, *gamma.symbols, *R.symbols)
 POTENTIAL = sp.Function("U")(*gamma.symbols)
 
 
-def turn(axis: int) -> Field:
+def turn(axis: int) -> VectorField:
     """ξ_k of (1.11): −Σ ε_kij (α_i ∂/∂α_j + β_i ∂/∂β_j + γ_i ∂/∂γ_j)."""
     found = {}
     for direction in (alpha, beta, gamma):
@@ -47,13 +47,13 @@ def turn(axis: int) -> Field:
     return found
 
 
-def shift(axis: int) -> Field:
+def shift(axis: int) -> VectorField:
     """ζ_k of (1.11), with the component k: α_k ∂/∂R_1 + β_k ∂/∂R_2 + γ_k ∂/∂R_3."""
     directions = (alpha, beta, gamma)
     return {R.symbols[i]: direction.symbols[axis] for i, direction in enumerate(directions)}
 
 
-def bracket(first: Field, second: Field) -> Field:
+def bracket(first: VectorField, second: VectorField) -> VectorField:
     """The commutator of two fields on α, β, γ and R."""
     return commutator(first, second)
 
@@ -64,7 +64,7 @@ def moving() -> System:
     return unspecified.system(
         "free-body",
         "Body in space",
-        {attitude: quaternion_rate(omega), R: constant(rows * explicit(v))},
+        {attitude: quaternion_rate(omega), R: constant(rows * to_components(v))},
         parameters=(
             *(Parameter(x, "angular velocity", 0.3 + i / 5) for i, x in enumerate(omega)),
             *(Parameter(x, "velocity", 0.2 - i / 3) for i, x in enumerate(v)),

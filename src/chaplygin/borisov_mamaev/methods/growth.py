@@ -8,14 +8,14 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 
 from ...mechanics.constraints import growth as mechanics
-from ...mechanics.constraints.distribution import Field, along, commutator
+from ...mechanics.constraints.distribution import VectorField, along, commutator
 from ...proof.verdict import Verdict
 
-__all__ = ["Field", "along", "commutator", "counted", "growth"]
+__all__ = ["VectorField", "along", "commutator", "counted", "growth"]
 
 
 def growth(
-    fields: Sequence[Field], coordinates: Sequence[sp.Symbol], point: Mapping[sp.Symbol, sp.Expr]
+    fields: Sequence[VectorField], coordinates: Sequence[sp.Symbol], point: Mapping[sp.Symbol, sp.Expr]
 ) -> tuple[int, ...]:
     """Growth vector of a distribution, with its last entry twice."""
     counts = mechanics.growth(fields, coordinates, point)

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 
 from ...core.system import System
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...parsing.exact_decimals import exact_number
 from ...proof.verdict import Verdict
 
@@ -52,7 +52,7 @@ def independent(
     started = time.monotonic()
     rows = []
     for function in functions:
-        value = explicit(function)
+        value = to_components(function)
         for symbol, formula in reversed(system.steps):
             value = value.xreplace({symbol: formula})
         rows.append([sp.diff(value, s).xreplace(dict(point)) for s in system.symbols])

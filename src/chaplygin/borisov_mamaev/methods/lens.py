@@ -17,17 +17,17 @@ import sympy as sp
 
 from ...core.laws import Integral
 from ...core.system import System
-from ...core.vectors import scalar, vectors
+from ...core.vectors import real_symbol, vectors
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import Field, roll
+from ...mechanics.rolling.equations import Forces, roll
 from ...mechanics.rolling.shapes import Revolution
 
 __all__ = ["curvatures", "height", "lens", "linear_integral", "slope"]
 
 M, omega, gamma, r = vectors("M omega gamma r")
-m, I_1, I_2, I_3 = (scalar(s) for s in ("m", "I_1", "I_2", "I_3"))
+m, I_1, I_2, I_3 = (real_symbol(s) for s in ("m", "I_1", "I_2", "I_3"))
 #: The names that the mechanics gives to the support function and its derivatives.
-height, slope, bend = scalar("p"), scalar("pprime"), scalar("pprime2")
+height, slope, bend = real_symbol("p"), real_symbol("pprime"), real_symbol("pprime2")
 g_1, g_2, g_3 = gamma.symbols
 LEAN = 1 - g_3**2
 POTENTIAL = sp.Function("U")(g_3)
@@ -47,7 +47,7 @@ def lens(potential: sp.Expr = POTENTIAL) -> System:
     State M, γ, and p, p′ at the contact, whose rates follow from the equation of the profile.
     """
     any_profile = Revolution(1 + g_3**2 / 4)
-    made = roll(Body(1.0, (0.3, 0.3, 0.2), any_profile), field=Field(9.81, potential))
+    made = roll(Body(1.0, (0.3, 0.3, 0.2), any_profile), field=Forces(9.81, potential))
     along, across = curvatures()
     nod = g_1 * omega.symbols[1] - g_2 * omega.symbols[0]
     kept = tuple(item for item in made.definitions if item[0] not in (height, slope, bend))

@@ -20,7 +20,7 @@ from operator import add, mul
 import sympy as sp
 
 from ...core.system import System
-from ...core.vectors import explicit, vectors
+from ...core.vectors import to_components, vectors
 
 __all__ = ["divergence_of_spin"]
 
@@ -40,7 +40,7 @@ def divergence_of_spin(system: System, place: Sequence[Fraction]) -> Fraction:
         γ, a unit vector.
     """
     spinning = _known(system, dict(zip(omega.symbols, place, strict=True)), place)
-    momentum = [_evaluated(part, spinning) for part in explicit(dict(system.start)[M])]
+    momentum = [_evaluated(part, spinning) for part in to_components(dict(system.start)[M])]
     rates = dict(zip(system.symbols, system.rates, strict=True))
     total = Fraction(0)
     for i, symbol in enumerate(M.symbols):

@@ -24,7 +24,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ...core.vectors import Diagonal, Vector, scalar
+from ...core.vectors import Diagonal, Vector, real_symbol
 from ...measures.one_form import one_form
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Rolling
@@ -35,7 +35,7 @@ from ...proof.verdict import Verdict
 __all__ = ["curl", "only_symmetric_balls"]
 
 J, kappa, gamma = Diagonal("J").symbols, Vector("kappa").symbols, Vector("gamma").symbols
-cosine, sine = scalar("C"), scalar("S")
+cosine, sine = real_symbol("C"), real_symbol("S")
 
 Point = tuple[sp.Expr, sp.Expr, sp.Expr]
 

@@ -15,14 +15,14 @@ import time
 
 import sympy as sp
 
-from ...core.vectors import Diagonal, explicit, scalar, vectors
+from ...core.vectors import Diagonal, to_components, real_symbol, vectors
 from ...proof.verdict import Verdict
 
 __all__ = ["conditions", "no_quadratic_integral"]
 
 J = Diagonal("J")
 (gamma,) = vectors("gamma")
-s = scalar("s")
+s = real_symbol("s")
 C_11, C_22, C_12, C_13, C_23 = sp.symbols("C_11 C_22 C_12 C_13 C_23", real=True)
 
 
@@ -36,7 +36,7 @@ def conditions() -> list[sp.Expr]:
         [-2 * s * x * (j / form - 1 / square) for j, x in zip(J.symbols, place, strict=True)]
     )
     tensor = sp.Matrix([[C_11, C_12, C_13], [C_12, C_22, C_23], [C_13, C_23, 0]])
-    turned = tensor * sp.Matrix(explicit(place)).cross(slope)
+    turned = tensor * sp.Matrix(to_components(place)).cross(slope)
     divergence = sp.Add(*(sp.diff(turned[i], place[i]) for i in range(3))) + slope.dot(turned)
     excess = divergence - 2 * place.dot(turned) / square
     numerator = sp.numer(sp.together(excess / s))

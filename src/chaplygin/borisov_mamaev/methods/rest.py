@@ -12,7 +12,7 @@ from collections.abc import Mapping
 import sympy as sp
 
 from ...core.system import System
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...parsing.exact_decimals import exactly
 from ...proof.verdict import Verdict
 
@@ -60,7 +60,7 @@ def divergence(system: System, point: Point) -> sp.Expr:
     """
     values, slopes = _jets(system, point)
     moving = [*system.rates, *system.relations]
-    if any(sp.simplify(explicit(formula).xreplace(values)) != 0 for formula in moving):
+    if any(sp.simplify(to_components(formula).xreplace(values)) != 0 for formula in moving):
         raise ValueError(f"{system.name}: the point is not a rest point of the phase space")
     total = sp.S.Zero
     for symbol, rate in zip(system.symbols, system.rates, strict=True):

@@ -26,7 +26,7 @@ from ...catalogue.ball_on_sphere import ball_around_sphere_coordinates as chart
 from ...catalogue.ball_on_sphere import ball_on_sphere_equations as ball
 from ...core.laws import Law
 from ...core.system import System
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from ...explicit.separations.chaplygin_ball import chaplygin_ball
 from ...explicit.separations.fedorov import fedorov
 from ...proof.verdict import Verdict
@@ -34,7 +34,7 @@ from .conclusion import concluded
 
 __all__ = ["alike", "level_factor", "not_the_same", "roots_that_move"]
 
-h, f, w = scalar("h"), scalar("f"), scalar("w")
+h, f, w = real_symbol("h"), real_symbol("f"), real_symbol("w")
 
 
 def level_factor() -> sp.Expr:
@@ -65,13 +65,13 @@ def roots_that_move() -> tuple[int, int]:
         for place, value in places.items()
     ]
     around = 2 if all(vanishing) and all(known) and sp.degree(with_h, w) == 2 else 0
-    level = {scalar("f"), scalar("h")}
+    level = {real_symbol("f"), real_symbol("h")}
     own = sum(bool(sp.sympify(root).free_symbols & level) for root in chaplygin_ball().roots)
     return around, own
 
 
 def _separations() -> tuple[tuple[System, Law], ...]:
-    around = chart.coordinates()
+    around = chart.coordinates_around_sphere()
     return (
         *((made.system, law) for made in (chaplygin_ball(), fedorov()) for law in made.laws),
         *((around, law) for law in around.laws),

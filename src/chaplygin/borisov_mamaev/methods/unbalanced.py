@@ -7,18 +7,18 @@ from typing import Any
 from sympy.matrices.expressions import MatrixExpr
 
 from ...core.laws import Rate
-from ...core.vectors import Diagonal, constant, cross, explicit, scalar, vectors
+from ...core.vectors import Diagonal, constant, cross, to_components, real_symbol, vectors
 
 M, omega, gamma, r, c = vectors("M omega gamma r c")
 I = Diagonal("I")
-m, R = scalar("m"), scalar("R")
+m, R = real_symbol("m"), real_symbol("R")
 
 NORMAL: dict[str, object] = {"gamma_1": "2/7", "gamma_2": "-3/7", "gamma_3": "6/7"}
 #: a of r = −Rγ − a; c goes from the centre of mass to the geometric centre.
 OFFSET = -c
 
 M_RATE, OMEGA_RATE, GAMMA_RATE, R_RATE = (
-    constant([Rate(s) for s in explicit(vector)]) for vector in (M, omega, gamma, r)
+    constant([Rate(s) for s in to_components(vector)]) for vector in (M, omega, gamma, r)
 )
 
 

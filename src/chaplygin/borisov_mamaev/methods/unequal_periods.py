@@ -28,7 +28,7 @@ from flint import acb, arb, arb_series, ctx
 from ...catalogue.chaplygin_ball.chaplygin_bracket import DET_J, PARAMETERS, TENSORS, A, D, I
 from ...core.laws import Identity
 from ...core.system import Parameter, System
-from ...core.vectors import constant, dot, scalar
+from ...core.vectors import constant, dot, real_symbol
 from ...explicit.genus_two.separation import nu
 from ...explicit.separations.chaplygin_ball import CLOCK, chaplygin_ball
 from ...explicit.separations.fedorov import fedorov
@@ -48,7 +48,7 @@ STEPS, ORDER = 64, 12
 STEEPEST = 8
 PRECISION = 128
 
-z_1, z_2 = scalar("z_1"), scalar("z_2")
+z_1, z_2 = real_symbol("z_1"), real_symbol("z_2")
 
 
 def _numbers(ball: Ball) -> tuple[Any, Any, Any, Any]:
@@ -172,7 +172,7 @@ def clock() -> tuple[System, Identity]:
             Parameter(z_2, "second root", 1.8),
         ),
         definitions={**TENSORS, nu: constant(places)},
-        field={scalar("tau"): sp.S.One},
+        field={real_symbol("tau"): sp.S.One},
     )
     squared = DET_J * (1 - D * dot(nu, A * nu))
     law = Identity(

@@ -10,7 +10,7 @@ import sympy as sp
 from ...catalogue.angles import NORMAL, in_angles, phi, phidot, theta, thetadot
 from ...catalogue.fixed_point import veselova as catalogue
 from ...core.system import System
-from ...core.vectors import Diagonal, Vector, constant, dot, explicit, gradient, scalar
+from ...core.vectors import Diagonal, Vector, constant, dot, to_components, gradient, real_symbol
 
 __all__ = [
     "ANGLES",
@@ -30,7 +30,7 @@ __all__ = [
 
 I = Diagonal("I")
 gamma = Vector("gamma")
-psi, psidot = scalar("psi"), scalar("psidot")
+psi, psidot = real_symbol("psi"), real_symbol("psidot")
 ANGLES, RATES = (theta, phi), (thetadot, phidot)
 HALF = sp.Rational(1, 2)
 
@@ -66,12 +66,12 @@ def body() -> System:
 
 def slope_of_potential(angle: sp.Symbol) -> sp.Expr:
     """∂U/∂θ or ∂U/∂φ of U(γ)."""
-    return dot(gradient(catalogue.ANY, gamma), constant(explicit(NORMAL).diff(angle)))
+    return dot(gradient(catalogue.ANY, gamma), constant(to_components(NORMAL).diff(angle)))
 
 
 def multiplier(tensor: sp.MatrixBase) -> sp.Expr:
     """(γ, `tensor` γ)^(−1/2) in the angles."""
-    normal = sp.Matrix(explicit(NORMAL))
+    normal = sp.Matrix(to_components(NORMAL))
     return 1 / sp.sqrt(normal.dot(tensor * normal))
 
 

@@ -16,15 +16,15 @@ import sympy as sp
 from ...catalogue.rates import rate
 from ...core.laws import Identity, Rate
 from ...core.system import Parameter, System
-from ...core.vectors import Symmetric, constant, cross, dot, explicit, gradient, scalar, vectors
+from ...core.vectors import Symmetric, constant, cross, dot, to_components, gradient, real_symbol, vectors
 from ..claim import Case, Claim, Remark
 from ..methods import unspecified
 
 q, v, a_1, a_2, Q, slope, push, vdot = vectors("q v a_1 a_2 Q slope push vdot")
 A, B = Symmetric("A"), Symmetric("B")
-det = scalar("det")
-b = (scalar("b_1"), scalar("b_2"))
-multiplier = (scalar("lambda_1"), scalar("lambda_2"))
+det = real_symbol("det")
+b = (real_symbol("b_1"), real_symbol("b_2"))
+multiplier = (real_symbol("lambda_1"), real_symbol("lambda_2"))
 HALF = sp.Rational(1, 2)
 CONSTRAINTS = (dot(a_1, v) + b[0], dot(a_2, v) + b[1])
 NORMALS = (a_1, a_2)
@@ -49,7 +49,7 @@ def _along(formula: Any) -> Any:
 
 
 MATRIX = _matrix(q)
-SPEED = explicit(v)
+SPEED = to_components(v)
 #: Ȧ q̇ and ∂T/∂q for T = ½ (v, A(q) v).
 DRIFT = constant(MATRIX.applyfunc(_along) * SPEED)
 SLOPE = constant([HALF * (SPEED.T * sp.diff(MATRIX, s) * SPEED)[0] for s in q])

@@ -14,12 +14,12 @@ import sympy as sp
 
 from ...core.laws import Identity, Rate
 from ...core.system import Parameter, System
-from ...core.vectors import constant, scalar, vectors
+from ...core.vectors import constant, real_symbol, vectors
 from ..claim import Case, Claim, Remark
 from ..methods import unspecified
 
 q, w, v, s = vectors("q w v s")
-lambda_0, det = scalar("lambda_0"), scalar("det")
+lambda_0, det = real_symbol("lambda_0"), real_symbol("det")
 THREE = range(3)
 
 LAGRANGE = sp.Function("L")(*q, *v)

@@ -18,10 +18,10 @@ from ...core.vectors import (
     constant,
     cross,
     dot,
-    explicit,
+    to_components,
     gradient,
-    normed,
-    unit,
+    norm_squared,
+    unit_vector,
     vectors,
 )
 from ...mechanics.rolling.attitude import rotation
@@ -31,7 +31,7 @@ from ...mechanics.rolling.shapes import Ellipsoid
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.free_body import COORDINATES, bracket, moving, shift, turn
-from ..methods.growth import Field, along
+from ..methods.growth import VectorField, along
 
 alpha, beta, gamma, R, omega, v, r, c = vectors("alpha beta gamma R omega v r c")
 I, B = Diagonal("I"), Diagonal("B")
@@ -39,7 +39,7 @@ THREE = range(3)
 HALF = sp.Rational(1, 2)
 DIRECTIONS = (alpha, beta, gamma)
 #: Q of (1.10), with the columns α, β, γ.
-Q = sp.ImmutableDenseMatrix.hstack(*(explicit(u) for u in DIRECTIONS))
+Q = sp.ImmutableDenseMatrix.hstack(*(to_components(u) for u in DIRECTIONS))
 FUNCTION = sp.Function("h_f")(*COORDINATES)
 
 
@@ -61,11 +61,11 @@ def ellipsoid() -> System:
     return roll(Body(1.0, (1.0, 1.5, 2.1), Ellipsoid((1.0, 0.9, 0.8))))
 
 
-def _same(first: Field, second: Field) -> list[sp.Expr]:
+def _same(first: VectorField, second: VectorField) -> list[sp.Expr]:
     return [first.get(s, sp.S.Zero) - second.get(s, sp.S.Zero) for s in COORDINATES]
 
 
-def _scaled(field: Field, number: sp.Expr) -> Field:
+def _scaled(field: VectorField, number: sp.Expr) -> VectorField:
     return {symbol: number * value for symbol, value in field.items()}
 
 
@@ -85,7 +85,7 @@ def redundant() -> Verdict:
     ]
     symbols = COORDINATES[:9]
     point = dict(zip(symbols, rational_rotation().flat(), strict=True))
-    rows = [[sp.diff(explicit(f), s).xreplace(point) for s in symbols] for f in relations]
+    rows = [[sp.diff(to_components(f), s).xreplace(point) for s in symbols] for f in relations]
     rank = sp.Matrix(rows).rank()
     return Verdict(
         "redundant",
@@ -139,13 +139,13 @@ def rates_of_attitude() -> Case:
     tilde = sp.Matrix(
         3, 3, lambda i, j: sum(sp.LeviCivita(i, j, k) * w for k, w in enumerate(omega))
     )
-    change = sp.ImmutableDenseMatrix.hstack(*(explicit(rate(u)) for u in DIRECTIONS))
+    change = sp.ImmutableDenseMatrix.hstack(*(to_components(rate(u)) for u in DIRECTIONS))
     return body(), Identity("attitude", change - constant(tilde) * Q)
 
 
 def rates_of_place() -> Case:
     """Ṙ = Q⁻¹v, in the form QṘ = v."""
-    return body(), Identity("place", Q * explicit(rate(R)) - explicit(v))
+    return body(), Identity("place", Q * to_components(rate(R)) - to_components(v))
 
 
 # --- constraints ---------------------------------------------------------------------------
@@ -154,20 +154,20 @@ def rates_of_place() -> Case:
 def no_slip() -> Case:
     """The velocity of the point r of the body is v + ω×r."""
     point = constant([x + dot(u, r) for x, u in zip(R, DIRECTIONS, strict=True)])
-    slip = explicit(v + cross(omega, r))
+    slip = to_components(v + cross(omega, r))
     return body(), Identity("no_slip", rate(point) - constant(Q.T * slip))
 
 
 def inward_normal() -> Case:
     """γ = −∇f/|∇f| at the contact point of an ellipsoid."""
     slope = 2 * B**-1 * r
-    length = sp.sqrt(normed(slope))
+    length = sp.sqrt(norm_squared(slope))
     return ellipsoid(), Identity("normal", (gamma + slope / length, dot(r, B**-1 * r) - 1))
 
 
 def no_spin() -> Case:
     """(ω, γ) is the third component of the angular velocity in space."""
-    return body(), Identity("no_spin", (rotation() * explicit(omega))[2] - dot(omega, gamma))
+    return body(), Identity("no_spin", (rotation() * to_components(omega))[2] - dot(omega, gamma))
 
 
 # --- energies ------------------------------------------------------------------------------
@@ -176,12 +176,12 @@ def no_spin() -> Case:
 def kinetic() -> Case:
     """Three pairs of point masses on the axes: any mass and any principal moments."""
     masses = [sp.Symbol(f"r_{i}", real=True) ** 2 for i in (1, 2, 3)]
-    velocities = [v + sign * cross(omega, unit(i + 1)) for i in THREE for sign in (-1, 1)]
-    total = sp.Add(*(HALF * masses[n // 2] * normed(u) for n, u in enumerate(velocities)))
+    velocities = [v + sign * cross(omega, unit_vector(i + 1)) for i in THREE for sign in (-1, 1)]
+    total = sp.Add(*(HALF * masses[n // 2] * norm_squared(u) for n, u in enumerate(velocities)))
     whole = 2 * sp.Add(*masses)
     moments = [whole - 2 * mass for mass in masses]
     inertia = sp.Add(*(i * w**2 for i, w in zip(moments, omega, strict=True)))
-    return body(), Identity("kinetic", total - HALF * whole * normed(v) - HALF * inertia)
+    return body(), Identity("kinetic", total - HALF * whole * norm_squared(v) - HALF * inertia)
 
 
 def height() -> Case:
@@ -192,8 +192,8 @@ def height() -> Case:
 def weight() -> Case:
     """∂(r, γ)/∂γ × γ = r×γ: the couple of U = −mg(r, γ) is that of the reaction mgγ at r."""
     slope = gradient(SUPPORT, gamma, "h")
-    lever = dot(c, gamma) + (dot(gamma, slope) - SUPPORT) * normed(gamma) - dot(gamma, slope)
-    arm = constant([sp.diff(explicit(lever), s) for s in gamma])
+    lever = dot(c, gamma) + (dot(gamma, slope) - SUPPORT) * norm_squared(gamma) - dot(gamma, slope)
+    arm = constant([sp.diff(to_components(lever), s) for s in gamma])
     return rubber(), Identity("weight", cross(arm, gamma) - cross(r, gamma))
 
 

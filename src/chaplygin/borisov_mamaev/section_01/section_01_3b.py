@@ -19,10 +19,10 @@ from ...core.vectors import (
     constant,
     cross,
     dot,
-    explicit,
+    to_components,
     gradient,
-    normed,
-    scalar,
+    norm_squared,
+    real_symbol,
     vectors,
 )
 from ..claim import Case, Claim, Remark
@@ -34,7 +34,7 @@ from ..methods.growth import along
 alpha, beta, gamma, R, omega, v, r = vectors("alpha beta gamma R omega v r")
 lambda_, X = vectors("lambda X")
 I, K = Diagonal("I"), Symmetric("K")
-m, lambda_0, psi = scalar("m"), scalar("lambda_0"), scalar("psi")
+m, lambda_0, psi = real_symbol("m"), real_symbol("lambda_0"), real_symbol("psi")
 HALF = sp.Rational(1, 2)
 THREE = range(3)
 DIRECTIONS = (alpha, beta, gamma)
@@ -78,9 +78,9 @@ def _turned(index: int, pairs: tuple[tuple[Vector, sp.ImmutableDenseMatrix], ...
 
 def suslov() -> Case:
     """(1.9) in the fields ξ, ζ with the constants of (1.12), for the constraints (1.14), (1.15)."""
-    lagrangian = explicit(HALF * m * normed(v) + HALF * dot(I * omega, omega) - POTENTIAL)
-    slip, spin = explicit(v + cross(omega, r)), explicit(dot(omega, gamma))
-    work = (explicit(lambda_).T * slip)[0] + lambda_0 * spin
+    lagrangian = to_components(HALF * m * norm_squared(v) + HALF * dot(I * omega, omega) - POTENTIAL)
+    slip, spin = to_components(v + cross(omega, r)), to_components(dot(omega, gamma))
+    work = (to_components(lambda_).T * slip)[0] + lambda_0 * spin
     angular, linear = (constant([sp.diff(lagrangian, s) for s in u]) for u in (omega, v))
     residuals = []
     for i in THREE:
@@ -143,7 +143,7 @@ def spin_torque() -> Case:
 @cache
 def in_euler_angles() -> System:
     """Any motion in which (ω, γ) = 0, by the Euler angles."""
-    nutation, rotation = scalar("s_1"), scalar("s_2")
+    nutation, rotation = real_symbol("s_1"), real_symbol("s_2")
     return unspecified.system(
         "euler-angles",
         "Euler angles of a rubber body",

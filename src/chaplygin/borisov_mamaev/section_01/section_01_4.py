@@ -19,13 +19,13 @@ from ...core.vectors import (
     dot,
     gradient,
     identity,
-    normed,
+    norm_squared,
     outer,
-    scalar,
+    real_symbol,
     vectors,
 )
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import Field, roll
+from ...mechanics.rolling.equations import Forces, roll
 from ...mechanics.rolling.shapes import Ball, Ellipsoid
 from ...mechanics.rolling.surfaces import Sphere
 from ..claim import Case, Claim, Remark
@@ -35,7 +35,7 @@ from ..methods.free_body import POTENTIAL
 M, omega, gamma, r, gammatilde, X = vectors("M omega gamma r gammatilde X")
 rdot, gammadot, omegadot, torque = vectors("rdot gammadot omegadot torque")
 I, A = Diagonal("I"), Diagonal("A")
-m, R, a, kappa, nu, lambda_0 = (scalar(name) for name in ("m", "R", "a", "kappa", "nu", "lambda_0"))
+m, R, a, kappa, nu, lambda_0 = (real_symbol(name) for name in ("m", "R", "a", "kappa", "nu", "lambda_0"))
 COUPLE = cross(gamma, gradient(POTENTIAL, gamma))
 NUMBERS = (1.0, 1.5, 2.1)
 
@@ -43,14 +43,14 @@ NUMBERS = (1.0, 1.5, 2.1)
 @cache
 def ball() -> System:
     """The Chaplygin ball in an unspecified potential, derived from mechanics."""
-    return roll(Body(1.0, NUMBERS, Ball(1.0)), field=Field(potential=POTENTIAL))
+    return roll(Body(1.0, NUMBERS, Ball(1.0)), field=Forces(potential=POTENTIAL))
 
 
 @cache
 def ball_on_sphere() -> System:
     """A rubber ball on a sphere in an unspecified potential, derived from mechanics."""
     body = Body(1.0, NUMBERS, Ball(1.0))
-    return roll(body, Sphere(3.0), "rubber", Field(potential=POTENTIAL))
+    return roll(body, Sphere(3.0), "rubber", Forces(potential=POTENTIAL))
 
 
 @cache
@@ -126,7 +126,7 @@ def bound(point: sp.MatrixExpr, torque_0: sp.Expr) -> System:
             Parameter(R, "radius of the ball", 0.8),
             Parameter(nu, "torque", 0.4),
         ),
-        relations=(normed(gamma) - 1,),
+        relations=(norm_squared(gamma) - 1,),
     )
 
 

@@ -11,17 +11,17 @@ import sympy as sp
 from ...catalogue.bodies.rubber_body import any_rubber_body
 from ...core.laws import Identity, Integral
 from ...core.system import Parameter, System
-from ...core.vectors import constant, cross, dot, explicit, normed, scalar, vectors
+from ...core.vectors import constant, cross, dot, to_components, norm_squared, real_symbol, vectors
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods import unspecified
 from ..methods.free_body import COORDINATES, shift, turn
-from ..methods.growth import Field, counted, growth
+from ..methods.growth import VectorField, counted, growth
 from ..section_01.section_01_3a import rational_rotation
 
 omega, gamma, r, R = vectors("omega gamma r R")
-b, height = scalar("b"), scalar("R_3")
-x, y, z = (scalar(name) for name in "xyz")
+b, height = real_symbol("b"), real_symbol("R_3")
+x, y, z = (real_symbol(name) for name in "xyz")
 g_1, g_2, g_3 = gamma.symbols
 
 #: The coefficients of ξ (angular velocity) and ζ (velocity), body axes.
@@ -59,16 +59,16 @@ def directions() -> System:
         "Ball in an attitude",
         {gamma: constant([0, 0, 0])},
         parameters=(Parameter(b, "radius of the ball", 0.8),),
-        relations=(normed(gamma) - 1,),
+        relations=(norm_squared(gamma) - 1,),
     )
 
 
-def fields(pairs: tuple[Coefficients, ...]) -> tuple[Field, ...]:
+def fields(pairs: tuple[Coefficients, ...]) -> tuple[VectorField, ...]:
     """γ₃η₁ and γ₃η₂."""
     return tuple(field_of(coefficients) for coefficients in pairs)
 
 
-def field_of(coefficients: Coefficients) -> Field:
+def field_of(coefficients: Coefficients) -> VectorField:
     """γ₃ Σ (ω_k ξ_k + v_k ζ_k) on the redundant coordinates α, β, γ, R.
 
     The factor γ₃ makes the components polynomials; it does not change the span.
@@ -92,12 +92,12 @@ def ball_growth(pairs: tuple[Coefficients, ...] = ADMISSIBLE) -> tuple[int, ...]
 # --- the three possibilities ---------------------------------------------------------------
 
 #: ż = xẏ, whose commutators span the space; d(z − xy) = 0, which is a holonomic constraint.
-CONTACT: tuple[Field, ...] = ({x: sp.S.One}, {y: sp.S.One, z: x})
-FLAT: tuple[Field, ...] = ({x: sp.S.One, z: y}, {y: sp.S.One, z: x})
+CONTACT: tuple[VectorField, ...] = ({x: sp.S.One}, {y: sp.S.One, z: x})
+FLAT: tuple[VectorField, ...] = ({x: sp.S.One, z: y}, {y: sp.S.One, z: x})
 POINT = {x: sp.Rational(2, 3), y: sp.Rational(-1, 5), z: sp.S.Zero}
 
 
-def _example(fields: tuple[Field, ...], claimed: int) -> Verdict:
+def _example(fields: tuple[VectorField, ...], claimed: int) -> Verdict:
     started = time.monotonic()
     return counted(claimed, growth(fields, (x, y, z), POINT), 3, started)
 
@@ -170,7 +170,7 @@ def dimension() -> Verdict:
     started = time.monotonic()
     both = (PRINTED, ADMISSIBLE)
     counts = [ball_growth(pairs) for pairs in both]
-    kept = [sp.expand((explicit(gamma).T * u)[0]) for pairs in both for _, u in pairs]
+    kept = [sp.expand((to_components(gamma).T * u)[0]) for pairs in both for _, u in pairs]
     reached = all(n[-1] == 5 for n in counts) and all(sp.cancel(value) == 0 for value in kept)
     shown = "; ".join(", ".join(map(str, n)) for n in counts)
     return Verdict(

@@ -12,12 +12,12 @@ from ...catalogue.chaplygin_ball import marble_ball
 from ...catalogue.rates import rate
 from ...core.laws import Identity, Integral, Rate
 from ...core.system import System
-from ...core.vectors import cross, dot, normed, scalar, unit, vectors, zero
+from ...core.vectors import cross, dot, norm_squared, real_symbol, unit_vector, vectors, zero
 from ..claim import Case, Claim, Remark
 from ..methods.printed import law_named, printed_form
 
 R, omega, v, r, N, F, n, df = vectors("R omega v r N F n df")
-m, mu, b, N_0 = (scalar(name) for name in ("m", "mu", "b", "N_0"))
+m, mu, b, N_0 = (real_symbol(name) for name in ("m", "mu", "b", "N_0"))
 HEAVIER = m + mu / b**2
 
 
@@ -38,7 +38,7 @@ def rubber() -> System:
 
 def rolling() -> Case:
     """The material point at r is at rest."""
-    return marble(), Identity("no_slip", (v + cross(omega, r), r + b * unit(3)))
+    return marble(), Identity("no_slip", (v + cross(omega, r), r + b * unit_vector(3)))
 
 
 def marble_balance() -> Case:
@@ -58,7 +58,7 @@ def differentiated() -> Case:
 
 def regrouped() -> Case:
     """(m + μ/b²) v̇ = F − (F, e_z) e_z."""
-    return marble(), Identity("regrouped", HEAVIER * rate(v) - F + dot(F, unit(3)) * unit(3))
+    return marble(), Identity("regrouped", HEAVIER * rate(v) - F + dot(F, unit_vector(3)) * unit_vector(3))
 
 
 def particle_in_plane() -> Case:
@@ -83,12 +83,12 @@ def particle_in_plane() -> Case:
 
 def equidistant() -> Case:
     """The contact point R + r moves at right angles to n, at the distance b from the centre."""
-    return rubber(), Identity("equidistant", (dot(rate(R + r), n), normed(r) - b**2))
+    return rubber(), Identity("equidistant", (dot(rate(R + r), n), norm_squared(r) - b**2))
 
 
 def direction() -> Case:
     """r = −bn with n = ∇f/|∇f|."""
-    return rubber(), Identity("direction", (cross(r, df), r + b * n, normed(n) - 1))
+    return rubber(), Identity("direction", (cross(r, df), r + b * n, norm_squared(n) - 1))
 
 
 def constraints() -> Case:
@@ -175,7 +175,7 @@ def geodesic() -> Case:
     free = any_graph(zero)
     return (
         (free, Identity("geodesic", cross(rate(v), n))),
-        (free, Integral("speed", normed(v))),
+        (free, Integral("speed", norm_squared(v))),
     )
 
 

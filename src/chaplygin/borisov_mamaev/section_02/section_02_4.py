@@ -11,7 +11,7 @@ from ...catalogue.chaplygin_ball.rubber_chaplygin_ball import unspecified
 from ...catalogue.rates import rate
 from ...core.laws import Identity, Rate
 from ...core.system import System
-from ...core.vectors import Diagonal, cross, dot, identity, normed, scalar, vectors
+from ...core.vectors import Diagonal, cross, dot, identity, norm_squared, real_symbol, vectors
 from ..claim import Case, Claim, Remark
 from ..methods.any_motion import TORQUE, newton_euler
 from ..methods.printed import law_named
@@ -20,7 +20,7 @@ from .section_02_1 import between
 
 omega, gamma, e = vectors("omega gamma e")
 I, J = Diagonal("I"), Diagonal("J")
-m, R, lambda_0 = scalar("m"), scalar("R"), scalar("lambda_0")
+m, R, lambda_0 = real_symbol("m"), real_symbol("R"), real_symbol("lambda_0")
 POINT = -R * gamma
 
 
@@ -32,7 +32,7 @@ def ball() -> System:
 
 def _about_contact(vector: sp.MatrixExpr) -> sp.MatrixExpr:
     """Ĩu = Iu + m r²u − m r(r, u) with r = −Rγ."""
-    return I * vector + m * normed(POINT) * vector - m * dot(POINT, vector) * POINT
+    return I * vector + m * norm_squared(POINT) * vector - m * dot(POINT, vector) * POINT
 
 
 def perpendicular() -> Case:

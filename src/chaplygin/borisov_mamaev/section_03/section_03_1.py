@@ -9,7 +9,7 @@ from ...core.laws import Identity, Rate
 from ...core.system import System
 from ...core.vectors import Vector
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import Field, roll
+from ...mechanics.rolling.equations import Forces, roll
 from ...mechanics.rolling.shapes import Ellipsoid
 from ..claim import Case, Claim, Remark
 from ..methods.named import named
@@ -126,7 +126,7 @@ def examples() -> Case:
     gamma = Vector("gamma")
     potential = sp.Function("U")(*gamma.symbols)
     body = Body(1.0, (1.0, 1.5, 2.1), Ellipsoid((1.0, 0.9, 0.8)))
-    rubber = roll(body, contact="rubber", field=Field(potential=potential))
+    rubber = roll(body, contact="rubber", field=Forces(potential=potential))
     made = [rubber, *(CATALOGUE[name].system() for name in ("chaplygin-ball", "veselova"))]
     return tuple((each, named(each, "energy")) for each in made)
 

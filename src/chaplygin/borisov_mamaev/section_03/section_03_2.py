@@ -7,9 +7,9 @@ import sympy as sp
 from ...catalogue import CATALOGUE
 from ...catalogue.fixed_point import suslov
 from ...core.laws import Identity, Measure, Rate
-from ...core.vectors import Diagonal, Vector, dot, scalar
+from ...core.vectors import Diagonal, Vector, dot, real_symbol
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import Field, roll
+from ...mechanics.rolling.equations import Forces, roll
 from ...mechanics.rolling.shapes import Ellipsoid
 from ...parsing.exact_decimals import exact_number
 from ...proof.verdict import Verdict
@@ -46,10 +46,10 @@ def body_of_revolution() -> Case:
     """A spheroid in any potential U(γ₃): ρ = (I₁I₃ + m(r, Ir))^(−1/2) in the variables M, γ."""
     potential = sp.Function("U")(gamma.symbols[2])
     body = Body(1.0, (1.0, 1.0, 1.5), Ellipsoid((1.0, 1.0, 2.0)))
-    made = roll(body, field=Field(potential=potential))
+    made = roll(body, field=Forces(potential=potential))
     I_1, I_2, I_3 = I.symbols
     b_1, b_2, b_3 = sp.symbols("b_1:4", real=True)
-    m = scalar("m")
+    m = real_symbol("m")
     numbers = (m - 1, I_2 - I_1, b_1 - 1, b_2 - 1, b_3 - 2)
     density = I_1 * I_3 + m * dot(r, I * r)
     return made, Measure("measure", {density: -sp.Rational(1, 2)}, on=numbers)
@@ -58,7 +58,7 @@ def body_of_revolution() -> Case:
 def celtic_stone() -> Verdict:
     """An ellipsoid whose axes are not its principal axes of inertia spins about the vertical."""
     inertia = ((1.0, 0.25, 0.0), (0.25, 1.5, 0.0), (0.0, 0.0, 2.0))
-    made = roll(Body(1.0, inertia, Ellipsoid((1.0, 0.75, 0.5))), field=Field(10.0))
+    made = roll(Body(1.0, inertia, Ellipsoid((1.0, 0.75, 0.5))), field=Forces(10.0))
     point = {p.symbol: exact_number(p.default) for p in made.parameters}
     upright = dict(zip((*M, *gamma), map(sp.Integer, (0, 0, 2, 0, 0, 1)), strict=True))
     return excludes_measure(made, {**point, **upright})

@@ -27,7 +27,7 @@ from ...catalogue.bodies.rubber_profile import (
 from ...catalogue.fixed_point.veselova import spinning_general
 from ...core.laws import Identity, Integral, Rate, Reduction, Symmetry
 from ...core.system import Parameter, System
-from ...core.vectors import Diagonal, constant, cross, dot, normed, scalar, unit, vectors, zero
+from ...core.vectors import Diagonal, constant, cross, dot, norm_squared, real_symbol, unit_vector, vectors, zero
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim
@@ -37,7 +37,7 @@ from ..methods.unspecified import system
 
 M, omega, gamma, r = vectors("M omega gamma r")
 I = Diagonal("I")
-m, g = scalar("m"), scalar("g")
+m, g = real_symbol("m"), real_symbol("g")
 I_1, I_2, _ = I.symbols
 g_1, g_2, g_3 = gamma.symbols
 w_1, w_2, w_3 = omega.symbols
@@ -108,7 +108,7 @@ def geometric() -> Case:
     """γ² and (ω, γ)."""
     made = catalogue.rolled()
     return (
-        (made, Integral("geometric", normed(gamma))),
+        (made, Integral("geometric", norm_squared(gamma))),
         (made, Integral("constraint", dot(omega, gamma))),
     )
 
@@ -153,7 +153,7 @@ def edge() -> tuple[System, Identity]:
     third, reach = I.symbols[2], first**2 * LEAN
     left = third * g_3 * second * along + (third + m * reach) * HEIGHT * across
     made = system(
-        "contact", "a contact point, at rest", {gamma: zero}, relations=(normed(gamma) - 1,)
+        "contact", "a contact point, at rest", {gamma: zero}, relations=(norm_squared(gamma) - 1,)
     )
     made = replace(made, parameters=(Parameter(m, "mass", 1.3), Parameter(third, "moment", 0.2)))
     return made, Identity("edge", left - (third + m * HEIGHT**2) * HEIGHT**2, on=(g_3,))
@@ -167,7 +167,7 @@ def other_bodies() -> Case:
 def lie() -> Case:
     """Two integrals besides the relations, and a symmetry field tangent to their level."""
     made = body()
-    turning = replace(made, field={v: cross(unit(3), v) for v in (omega, gamma)}, laws=())
+    turning = replace(made, field={v: cross(unit_vector(3), v) for v in (omega, gamma)}, laws=())
     h, k = constants()
     levels = (Integral("energy", h), Integral("spin", k))
     return (
@@ -185,7 +185,7 @@ def lie_independent() -> Case:
     state = dict(zip(map(str, made.symbols), ("3", "0", "-1", "2/7", "3/7", "6/7"), strict=True))
     return independent(
         made,
-        (normed(gamma), dot(omega, gamma), energy, square * w_3**2),
+        (norm_squared(gamma), dot(omega, gamma), energy, square * w_3**2),
         rational_point(made, state),
     )
 
@@ -227,7 +227,7 @@ def omega_2() -> Case:
 def principal() -> Case:
     """B is the moment of inertia about the horizontal n through the contact."""
     moment = dot(n, I * n + m * cross(r, cross(n, r)))
-    return body(), Identity("B", moment - (I_1 + m * dot(r, r)) * normed(n))
+    return body(), Identity("B", moment - (I_1 + m * dot(r, r)) * norm_squared(n))
 
 
 def quadratures() -> tuple[System, Reduction]:

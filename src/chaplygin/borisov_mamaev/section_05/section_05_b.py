@@ -9,15 +9,15 @@ from ...catalogue.angles import phi, theta
 from ...catalogue.bodies.rubber_profile import A, B
 from ...core.laws import Identity, Measure, Rate, Reduction
 from ...core.system import System
-from ...core.vectors import constant, explicit, scalar, vectors
+from ...core.vectors import constant, to_components, real_symbol, vectors
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim
 from ..methods.tori import of_rank_two
 from .section_05_a import body, body_in_angles, constants, quadratures
 
 M, omega, gamma, r, c = vectors("M omega gamma r c")
-m, g, R, I_1, I_2, I_3 = (scalar(s) for s in ("m", "g", "R", "I_1", "I_2", "I_3"))
-h, k, u = (scalar(s) for s in ("h", "k", "u"))
+m, g, R, I_1, I_2, I_3 = (real_symbol(s) for s in ("m", "g", "R", "I_1", "I_2", "I_3"))
+h, k, u = (real_symbol(s) for s in ("h", "k", "u"))
 g_1, g_2, g_3 = gamma.symbols
 w_3 = omega.symbols[2]
 HALF = sp.Rational(1, 2)
@@ -80,7 +80,7 @@ def profile(name: str, chi_1: sp.Expr, chi_2: sp.Expr) -> Case:
     """r of the mechanics is (χ₁γ₁, χ₁γ₂, χ₂)."""
     made = CATALOGUE[name].system()
     value = r - constant([chi_1 * g_1, chi_1 * g_2, chi_2])
-    return made, Identity("profile", explicit(value), on=LEVEL)
+    return made, Identity("profile", to_components(value), on=LEVEL)
 
 
 def nutation(name: str, principal: sp.Expr, weight: sp.Expr) -> Case:

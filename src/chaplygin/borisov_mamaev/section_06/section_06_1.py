@@ -11,7 +11,7 @@ from ...catalogue.fixed_point import veselova as catalogue
 from ...catalogue.rates import rate
 from ...core.laws import Identity, Integral, Measure, Rate
 from ...core.system import System
-from ...core.vectors import Diagonal, cross, dot, gradient, normed, scalar, vectors
+from ...core.vectors import Diagonal, cross, dot, gradient, norm_squared, real_symbol, vectors
 from ..claim import Case, Claim, Remark
 from ..methods.independence import independent, rational_point
 from ..methods.veselova_in_angles import (
@@ -27,7 +27,7 @@ from ..methods.veselova_in_angles import body as in_angles
 
 omega, gamma = vectors("omega gamma")
 I = Diagonal("I")
-lambda_0 = scalar("lambda_0")
+lambda_0 = real_symbol("lambda_0")
 HALF = sp.Rational(1, 2)
 #: The Euler angles θ, φ, ψ and their rates.
 COORDINATES, SPEEDS = (*ANGLES, psi), (*RATES, psidot)
@@ -95,7 +95,7 @@ def energy() -> Case:
 
 def geometric() -> Case:
     """(6.2), γ²."""
-    return body(), Integral("geometric", normed(gamma))
+    return body(), Integral("geometric", norm_squared(gamma))
 
 
 def measure() -> Case:
@@ -106,11 +106,11 @@ def measure() -> Case:
 def square() -> Case:
     """(6.4)."""
     momentum = I * omega
-    value = normed(momentum) - dot(momentum, gamma) ** 2
+    value = norm_squared(momentum) - dot(momentum, gamma) ** 2
     made = free_body()
     return (
         (made, Integral("F", value)),
-        (made, Identity("square", value - normed(cross(momentum, gamma)))),
+        (made, Identity("square", value - norm_squared(cross(momentum, gamma)))),
     )
 
 
@@ -122,10 +122,10 @@ def euler_jacobi() -> Case:
     return independent(
         made,
         (
-            normed(gamma),
+            norm_squared(gamma),
             dot(omega, gamma),
             HALF * dot(momentum, omega),
-            normed(cross(momentum, gamma)),
+            norm_squared(cross(momentum, gamma)),
         ),
         rational_point(made, state),
     )

@@ -12,7 +12,7 @@ from ...catalogue.rates import rate
 from ...core.isomorphism import Isomorphism
 from ...core.laws import ConformallyHamiltonian, Identity, PoissonStructure, Rate
 from ...core.system import System
-from ...core.vectors import Diagonal, constant, cross, dot, explicit, scalar, vectors
+from ...core.vectors import Diagonal, constant, cross, dot, to_components, real_symbol, vectors
 from ..claim import Case, Claim, Remark
 from ..methods.veselova_in_angles import (
     ANGLES,
@@ -33,14 +33,14 @@ from ..methods.veselova_in_angles import (
 I = Diagonal("I")
 omega, gamma = vectors("omega gamma")
 I_1, I_2, I_3 = I.symbols
-p_theta, p_phi = scalar("p_theta"), scalar("p_phi")
+p_theta, p_phi = real_symbol("p_theta"), real_symbol("p_phi")
 HALF = sp.Rational(1, 2)
 
 SIN, COS, SIN_PHI, COS_PHI = sp.sin(theta), sp.cos(theta), sp.sin(phi), sp.cos(phi)
 #: ∂T₀/∂ψ̇ on the constraint.
 VERTICAL = constrained(sp.diff(T_0, psidot))
 #: 𝒩 as Theorem 7 prints it, and ρ_ω⁻¹.
-PRINTED, REDUCING = multiplier(I.entries), multiplier(explicit(I**-1))
+PRINTED, REDUCING = multiplier(I.entries), multiplier(to_components(I**-1))
 
 
 # --- (6.5), (6.6) --------------------------------------------------------------------------

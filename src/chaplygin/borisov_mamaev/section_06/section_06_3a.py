@@ -17,21 +17,21 @@ from ...catalogue.fixed_point import veselova_geodesic as geodesic
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, PoissonStructure
 from ...core.system import System
-from ...core.vectors import constant, dot, explicit, normed, scalar, vectors
+from ...core.vectors import constant, dot, to_components, norm_squared, real_symbol, vectors
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 
 omega, gamma = vectors("omega gamma")
 I_1, I_2, I_3 = I.symbols
-k = scalar("k")
+k = real_symbol("k")
 HALF = sp.Rational(1, 2)
 DET = I_1 * I_2 * I_3
 MOMENTS = (1.0, 1.5, 2.1)
 NUMBERS = {"I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "alpha": 1.0, "beta": 0.7, "c": 0.8}
 DENSITY = catalogue.DENSITY
 ROOT = geodesic.ROOT
-INVERSE_ROOT = constant(explicit(ROOT).inv())
+INVERSE_ROOT = constant(to_components(ROOT).inv())
 
 #: M and Γ of (6.11) in ω and γ; and L and s of Proposition 6 in M and Γ.
 M_OF, GAMMA_OF = DENSITY * ROOT * omega, INVERSE_ROOT * gamma / DENSITY
@@ -72,7 +72,7 @@ def onto_e3() -> Case:
 
 def hamiltonian() -> Case:
     """H of (6.12) is the energy, and (Γ, IΓ)^(−1/2) I^(1/2) Γ is γ."""
-    value = HALF * dot(GAMMA_OF, I * GAMMA_OF) * normed(M_OF)
+    value = HALF * dot(GAMMA_OF, I * GAMMA_OF) * norm_squared(M_OF)
     normal = DENSITY * ROOT * GAMMA_OF
     return body(), Identity("H", (value - HALF * dot(omega, I * omega), normal - gamma))
 
@@ -82,7 +82,7 @@ def relations() -> Case:
     return body(), Identity(
         "relations",
         (
-            normed(GAMMA_OF) - 1,
+            norm_squared(GAMMA_OF) - 1,
             dot(M_OF, GAMMA_OF) - dot(omega, gamma),
             DENSITY - 1 / sp.sqrt(dot(GAMMA_OF, I * GAMMA_OF)),
         ),
@@ -96,7 +96,7 @@ def bracket(sign: int) -> Case:
 
 def leaf_by_gamma() -> Verdict:
     """γ² by Γ is one everywhere, so that it cuts nothing out of e(3)."""
-    found = prove(off_level(), Identity("unit", normed(S) - 1))
+    found = prove(off_level(), Identity("unit", norm_squared(S) - 1))
     return Verdict(
         "leaf",
         "refuted" if found else "undecided",
@@ -108,7 +108,7 @@ def leaf_by_gamma() -> Verdict:
 def leaf() -> Case:
     """Γ² and (M, Γ) are the Casimir functions of a bracket of rank four."""
     return off_level(), PoissonStructure(
-        "leaf", e3.lie_poisson(M, Gamma), casimirs=(normed(Gamma), dot(M, Gamma)), rank=4
+        "leaf", e3.lie_poisson(M, Gamma), casimirs=(norm_squared(Gamma), dot(M, Gamma)), rank=4
     )
 
 
@@ -137,7 +137,7 @@ def second_integral() -> Case:
     """F of (6.4) in M and Γ."""
     momentum = I * omega
     value = dot(I * M_OF, M_OF) * dot(I * GAMMA_OF, GAMMA_OF) - dot(I * M_OF, GAMMA_OF) ** 2
-    same = value - (normed(momentum) - dot(momentum, gamma) ** 2)
+    same = value - (norm_squared(momentum) - dot(momentum, gamma) ** 2)
     return (
         (catalogue.build(NUMBERS), Identity("F", same)),
         (free_flow(), Integral("F", second())),

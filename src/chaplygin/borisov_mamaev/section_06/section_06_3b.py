@@ -20,14 +20,14 @@ from ...catalogue.fixed_point.neumann import c
 from ...catalogue.rates import rate
 from ...core.laws import ConformallyHamiltonian, Identity, Integral
 from ...core.system import Parameter, System
-from ...core.vectors import cross, dot, explicit, normed, scalar
+from ...core.vectors import cross, dot, to_components, norm_squared, real_symbol
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim
 from .section_06_3a import DET, INVERSE_ROOT, MOMENTS, NUMBERS, S, flow, free_flow, off_level
 
 I_1, I_2, I_3 = I.symbols
-k = scalar("k")
+k = real_symbol("k")
 HALF = sp.Rational(1, 2)
 
 #: L of Proposition 6; s is shared with the inverse of (6.11).
@@ -54,9 +54,9 @@ def kirchhoff(s: MatrixExpr, momentum: MatrixExpr) -> tuple[MatrixExpr, MatrixEx
 
 def kirchhoff_equations(sign: int) -> tuple[tuple[System, Integral], tuple[System, Identity]]:
     """(6.14) with k = `sign` √det I, along (6.13) with c = M²(Γ, IΓ)/det I."""
-    level = normed(M) * dot(Gamma, I * Gamma) / DET
+    level = norm_squared(M) * dot(Gamma, I * Gamma) / DET
     factor = sign * sp.sqrt(DET)
-    place, turn = (explicit(v).subs(c, explicit(level)) for v in kirchhoff(S, L))
+    place, turn = (to_components(v).subs(c, to_components(level)) for v in kirchhoff(S, L))
     made = flow()
     return (
         (made, Integral("level", level)),
@@ -73,7 +73,7 @@ def proposition() -> Case:
 def new_variables() -> Case:
     """s² = Γ² and (M, Γ) = 0 ⇔ (s, L) = 0."""
     share = dot(S, L) * geodesic.LENGTH - dot(M, Gamma)
-    return off_level(), Identity("variables", (normed(S) - normed(Gamma), share))
+    return off_level(), Identity("variables", (norm_squared(S) - norm_squared(Gamma), share))
 
 
 def first_case_s(sign: int, share: int) -> Case:
@@ -91,7 +91,7 @@ def first_case_l(sign: int) -> Case:
 
 def constant_c() -> Case:
     """(IL, L)/(s, I⁻¹s) = M²(Γ, IΓ)."""
-    value = dot(I * L, L) / dot(S, I**-1 * S) - normed(M) * dot(Gamma, I * Gamma)
+    value = dot(I * L, L) / dot(S, I**-1 * S) - norm_squared(M) * dot(Gamma, I * Gamma)
     return off_level(), Identity("c", value)
 
 
@@ -100,7 +100,7 @@ def constant_c() -> Case:
 
 def quadratic(tensor: MatrixExpr) -> tuple[sp.Expr, sp.Expr]:
     """The factors of kα and kβ after (6.14), the last term with (Γ, `tensor` Γ)."""
-    first = HALF * normed(M) + c / 2 * dot(Gamma, I * Gamma)
+    first = HALF * norm_squared(M) + c / 2 * dot(Gamma, I * Gamma)
     return first, HALF * dot(M, I * M) - c / 2 * DET * dot(Gamma, tensor * Gamma)
 
 
@@ -117,7 +117,7 @@ def field_6_14() -> System:
             *(Parameter(s, "constant of (6.14)", value) for s, value in weights),
         ),
         field={M: k * turn, Gamma: k * place},
-        relations=(normed(Gamma) - 1,),
+        relations=(norm_squared(Gamma) - 1,),
     )
 
 
@@ -150,7 +150,7 @@ def bruns_case(tensor: MatrixExpr) -> Case:
 
 def clebsch_case(tensor: MatrixExpr) -> Case:
     """Clebsch's condition Σ (C₂ − C₃)/A₁ = 0 for H = ½(M, AM) + ½(Γ, CΓ)."""
-    entries = explicit(tensor)
+    entries = to_components(tensor)
     A = [alpha + beta * s for s in I.symbols]
     C = [alpha * c * s - beta * c * DET * entries[i, i] for i, s in enumerate(I.symbols)]
     value = sp.Add(*((C[i - 2] - C[i - 1]) / A[i] for i in range(3)))
@@ -160,7 +160,7 @@ def clebsch_case(tensor: MatrixExpr) -> Case:
 def brackets_change() -> Verdict:
     """{L₁, s₁} is not zero, as it would be if the bracket were kept up to a factor."""
     variables = (*M.symbols, *Gamma.symbols)
-    first, place = (explicit(explicit(v)[0]) for v in (L, S))
+    first, place = (to_components(to_components(v)[0]) for v in (L, S))
     slopes = [sp.Matrix([sp.diff(f, x) for x in variables]) for f in (first, place)]
     value = (slopes[0].T * sp.Matrix(e3.lie_poisson(M, Gamma)) * slopes[1])[0]
     found = prove(free_flow(), Identity("bracket", value))

@@ -16,15 +16,15 @@ from ...core.vectors import (
     Diagonal,
     cross,
     dot,
-    explicit,
+    to_components,
     gradient,
     identity,
-    normed,
+    norm_squared,
     outer,
     vectors,
 )
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import Field, roll
+from ...mechanics.rolling.equations import Forces, roll
 from ...mechanics.rolling.shapes import Ball
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
@@ -60,7 +60,7 @@ def free_ball() -> System:
 @cache
 def rubber_ball() -> System:
     """(6.1) with an unspecified potential and the tensor J: the ball that does not spin."""
-    return roll(Body(1.0, (1.0, 1.5, 2.1), Ball(1.0)), contact="rubber", field=Field(potential=U))
+    return roll(Body(1.0, (1.0, 1.5, 2.1), Ball(1.0)), contact="rubber", field=Forces(potential=U))
 
 
 def identity_of(name: str, *formulas: object) -> Identity:
@@ -97,7 +97,7 @@ def tensor() -> Case:
     return ball(), identity_of(
         "tensor",
         M - (J * omega - D * (outer(gamma, gamma) * omega)),
-        explicit(J - (I + D * identity)),
+        to_components(J - (I + D * identity)),
     )
 
 
@@ -112,7 +112,7 @@ def energy() -> Case:
 
 def geometric() -> Case:
     """γ² of (7.2)."""
-    law = Integral("geometric", normed(gamma))
+    law = Integral("geometric", norm_squared(gamma))
     return (ball(), law), (rubber_ball(), law)
 
 
@@ -129,18 +129,18 @@ def area_of_6_1() -> Case:
 def momentum_of_6_1() -> Case:
     """(M, M) along (6.1) with the tensor J."""
     free = CATALOGUE["rubber-chaplygin-ball"].system()
-    return free, Integral("momentum", normed(M))
+    return free, Integral("momentum", norm_squared(M))
 
 
 def measure() -> Case:
     """The density (7.3)."""
-    tensor_Q = explicit(J - D * outer(gamma, gamma))
+    tensor_Q = to_components(J - D * outer(gamma, gamma))
     return ball(), Measure("measure", {sp.Matrix(tensor_Q).det(): -HALF})
 
 
 def determinant() -> Case:
     """det I_Q of (7.3)."""
-    tensor_Q = sp.Matrix(explicit(J - D * outer(gamma, gamma)))
+    tensor_Q = sp.Matrix(to_components(J - D * outer(gamma, gamma)))
     return ball(), identity_of(
         "determinant", tensor_Q.det() - DET_J * (1 - D * dot(gamma, A * gamma))
     )
@@ -148,7 +148,7 @@ def determinant() -> Case:
 
 def square() -> Case:
     """(7.4)."""
-    return free_ball(), Integral("momentum", normed(M))
+    return free_ball(), Integral("momentum", norm_squared(M))
 
 
 def euler_jacobi() -> Case:
@@ -156,7 +156,7 @@ def euler_jacobi() -> Case:
     system = free_ball()
     thirds = {f"gamma_{i}": sp.Rational(n, 3) for i, n in enumerate((1, 2, -2), 1)}
     point = rational_point(system, {"M_1": 3, "M_2": -1, "M_3": 2, **thirds})
-    integrals = [dot(M, omega), normed(gamma), dot(M, gamma), normed(M)]
+    integrals = [dot(M, omega), norm_squared(gamma), dot(M, gamma), norm_squared(M)]
     return independent(system, integrals, point)
 
 
@@ -169,7 +169,7 @@ def bruns() -> Case:
 
 def gyrostat() -> Case:
     """The generalised integral with rotors."""
-    return CATALOGUE["chaplygin-ball-gyrostat"].system(), Integral("momentum", normed(M + k))
+    return CATALOGUE["chaplygin-ball-gyrostat"].system(), Integral("momentum", norm_squared(M + k))
 
 
 def periods_exclude_printed() -> Verdict:

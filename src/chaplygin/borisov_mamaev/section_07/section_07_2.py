@@ -16,7 +16,7 @@ from ...catalogue.e3 import lie_poisson
 from ...catalogue.rates import rate
 from ...core.laws import Identity, Integral, PoissonStructure
 from ...core.system import System
-from ...core.vectors import Components, constant, cross, dot, explicit, vectors
+from ...core.vectors import Components, constant, cross, dot, to_components, vectors
 from ...mechanics.rolling.attitude import attitude, quaternion_rate, rotation, unit_length
 from ..claim import Case, Claim, Remark
 from ..methods.independence import independent, rational_point
@@ -45,9 +45,9 @@ def printed_bracket() -> Components:
 
 def hamilton(value: Any) -> Components:
     """{H, f} by (7.6) and (7.7) for the components f of a vector in L and γ."""
-    slope = sp.Matrix([sp.diff(explicit(ENERGY), s) for s in VARIABLES])
-    jacobian = sp.Matrix(explicit(value)).jacobian(VARIABLES)
-    return Components(jacobian * sp.Matrix(explicit(printed_bracket())).T * slope)
+    slope = sp.Matrix([sp.diff(to_components(ENERGY), s) for s in VARIABLES])
+    jacobian = sp.Matrix(to_components(value)).jacobian(VARIABLES)
+    return Components(jacobian * sp.Matrix(to_components(printed_bracket())).T * slope)
 
 
 @cache

@@ -31,11 +31,11 @@ from ...catalogue.chaplygin_ball.chaplygin_bracket import PARAMETERS, TENSORS, A
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, Law, Measure, Rate
 from ...core.system import System
-from ...core.vectors import constant, dot, explicit, scalar
+from ...core.vectors import constant, dot, to_components, real_symbol
 from ..claim import Case, Claim, Remark
 
 I_1, I_2, I_3 = I.symbols
-P_theta, P_phi = scalar("P_theta"), scalar("P_phi")
+P_theta, P_phi = real_symbol("P_theta"), real_symbol("P_phi")
 REACH = m * R**2
 SLIDE_SIN, SLIDE_COS = sp.sin(psi), sp.cos(psi)
 
@@ -48,7 +48,7 @@ SPIN = constant(
     ]
 )
 #: ½(ω, Iω) in the angles and their rates.
-TURNING = explicit(dot(SPIN, I * SPIN)) / 2
+TURNING = to_components(dot(SPIN, I * SPIN)) / 2
 #: T₀ with ẋ and ẏ eliminated by (7.8).
 KINETIC = TURNING + D / 2 * (thetadot**2 + phidot**2 * SIN**2)
 #: ∂T₀/∂ψ̇ as (7.11) prints it, and ψ̇ from it.
@@ -201,9 +201,9 @@ def routh_system() -> System:
     )
     lever = A * VERTICAL
     share = D * dot(lever, momentum) / (1 - D * dot(VERTICAL, lever))
-    energy = explicit(dot(momentum, A * momentum + share * lever)) / 2
+    energy = to_components(dot(momentum, A * momentum + share * lever)) / 2
     slopes = {s: sp.diff(energy, s) for s in (theta, phi, P_theta, P_phi)}
-    om1, om2, _ = explicit(A * momentum + share * lever)
+    om1, om2, _ = to_components(A * momentum + share * lever)
     factor = REACH * SIN * (slopes[P_phi] * COS + (om1 * TURN + om2 * ACROSS) / SIN)
     return System(
         name="routh",

@@ -35,13 +35,13 @@ from ...catalogue.chaplygin_ball.chaplygin_ball_angles import (
 from ...catalogue.chaplygin_ball.chaplygin_bracket import DET_J, A, D, I, L, R, gamma, m
 from ...core.laws import ConformallyHamiltonian, Identity, PoissonStructure, Rate
 from ...core.system import System
-from ...core.vectors import dot, explicit, scalar, zero
+from ...core.vectors import dot, to_components, real_symbol, zero
 from ..claim import Case, Claim, Remark
 from .section_07_3a import KINETIC, PRECESSION, routh_slope, turning
 
 I_1, I_2, I_3 = I.symbols
 HALF = sp.Rational(1, 2)
-thetaprime, phiprime = scalar("thetaprime"), scalar("phiprime")
+thetaprime, phiprime = real_symbol("thetaprime"), real_symbol("phiprime")
 ONE, TWO = I_1 * TURN**2 + I_2 * ACROSS**2, I_1 * ACROSS**2 + I_2 * TURN**2
 MIXED = (I_1 - I_2) * TURN * ACROSS
 SWING = D * dot(VERTICAL, I * VERTICAL)
@@ -50,7 +50,7 @@ COORDINATES = (theta, phi, p_theta, p_phi)
 #: S̄ as (7.13) prints it.
 SBAR = c * (I_3 + m * R**2) * m * R**2 * N**3 * SIN * (I_1 * ACROSS**2 + I_2 * TURN**2 + m * R**2)
 #: N in the angles; T and ψ̇ in θ, φ, θ′, φ′; the slopes of R̄.
-MULTIPLIER = 1 / sp.sqrt(explicit(DET_IQ_ANGLES))
+MULTIPLIER = 1 / sp.sqrt(to_components(DET_IQ_ANGLES))
 SLOWED = {thetadot: MULTIPLIER * thetaprime, phidot: MULTIPLIER * phiprime}
 KINETIC_BAR = KINETIC.subs(SLOWED, simultaneous=True)
 PRECESSION_BAR = PRECESSION.subs(SLOWED, simultaneous=True)
@@ -133,7 +133,7 @@ def _momentum(axis: int) -> Callable[[], Case]:
 
     def decide() -> Case:
         return turning_slowly(), Identity(
-            "momentum", explicit(MOMENTUM)[axis] - N * M.symbols[axis]
+            "momentum", to_components(MOMENTUM)[axis] - N * M.symbols[axis]
         )
 
     return decide
@@ -141,13 +141,13 @@ def _momentum(axis: int) -> Callable[[], Case]:
 
 def _brackets(sign: int) -> Case:
     """{L_i, L_j} and {L_i, γ_j} by (7.14), against `sign` times (7.6)."""
-    place = dict(zip(gamma.symbols, explicit(VERTICAL), strict=True))
-    momenta = explicit(MOMENTUM).subs(N, MULTIPLIER)
+    place = dict(zip(gamma.symbols, to_components(VERTICAL), strict=True))
+    momenta = to_components(MOMENTUM).subs(N, MULTIPLIER)
     variables = sp.Matrix([*momenta, *place.values()])
     jacobian = variables.jacobian(COORDINATES)
     found = jacobian * sp.Matrix(gyroscopic_matrix(SBAR)) * jacobian.T
-    twisted = explicit(L - D * dot(L, gamma) * N**2 * DET_J * (A * gamma)).xreplace(
-        place | dict(zip(L.symbols, explicit(MOMENTUM), strict=True))
+    twisted = to_components(L - D * dot(L, gamma) * N**2 * DET_J * (A * gamma)).xreplace(
+        place | dict(zip(L.symbols, to_components(MOMENTUM), strict=True))
     )
     residuals = []
     for i in range(3):

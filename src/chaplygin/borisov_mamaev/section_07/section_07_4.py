@@ -33,7 +33,7 @@ from ...catalogue.chaplygin_ball.chaplygin_bracket import (
 from ...catalogue.rates import rate
 from ...core.laws import Identity, Integral, Measure
 from ...core.system import System
-from ...core.vectors import constant, cross, dot, explicit, gradient, vectors
+from ...core.vectors import constant, cross, dot, to_components, gradient, vectors
 from ..claim import Case, Claim
 from ..methods.printed import law_named, printed_form
 from .section_07_3a import CYCLIC_REST, GYROSCOPIC, KINETIC, SPIN, SPREAD, VELOCITIES, routh_slope
@@ -43,8 +43,8 @@ J_1, J_2, J_3 = J.symbols
 U = sp.Function("U")(*gamma.symbols)
 HALF = sp.Rational(1, 2)
 #: T₀ with (ω, k), and ψ̇ from ∂T₀/∂ψ̇ = c.
-WITH_ROTORS = KINETIC + explicit(dot(SPIN, k))
-VERTICAL_SHARE = explicit(dot(constant([SIN * TURN, SIN * ACROSS, COS]), k))
+WITH_ROTORS = KINETIC + to_components(dot(SPIN, k))
+VERTICAL_SHARE = to_components(dot(constant([SIN * TURN, SIN * ACROSS, COS]), k))
 PRECESSION = (c - CYCLIC_REST - VERTICAL_SHARE) / SPREAD
 
 

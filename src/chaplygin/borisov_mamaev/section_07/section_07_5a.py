@@ -23,7 +23,7 @@ from ...catalogue.chaplygin_ball.chaplygin_bracket import (
 )
 from ...core.laws import Identity
 from ...core.system import System
-from ...core.vectors import Diagonal, dot, explicit, identity, normed, vectors
+from ...core.vectors import Diagonal, dot, to_components, identity, norm_squared, vectors
 from ..claim import Case, Claim
 from ..methods.printed import printed_form
 
@@ -52,7 +52,7 @@ def _spread(vector: MatrixExpr) -> sp.Expr:
 def energy() -> Case:
     """The Hamiltonian at (M, γ) = 0, up to the factor det J / D."""
     value = (
-        normed(L) * _spread(gamma) / 2 - (_spread(L) * _spread(gamma) - dot(gamma, B * L) ** 2) / 2
+        norm_squared(L) * _spread(gamma) / 2 - (_spread(L) * _spread(gamma) - dot(gamma, B * L) ** 2) / 2
     )
     residual = dot(M, omega) / 2 - DET_J / D * value
     return ball(), Identity("energy", residual, on=AREA)
@@ -60,12 +60,12 @@ def energy() -> Case:
 
 def integral() -> Case:
     """(7.4) in L and γ, up to the factor det J."""
-    return ball(), Identity("integral", normed(M) - DET_J * normed(L) * _spread(gamma), on=AREA)
+    return ball(), Identity("integral", norm_squared(M) - DET_J * norm_squared(L) * _spread(gamma), on=AREA)
 
 
 def tensor() -> Case:
     """B = E − DJ⁻¹ = IJ⁻¹."""
-    return ball(), Identity("tensor", explicit(B - (identity - D * A)))
+    return ball(), Identity("tensor", to_components(B - (identity - D * A)))
 
 
 def theorem_printed() -> Case:

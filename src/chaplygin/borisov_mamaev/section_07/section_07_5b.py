@@ -14,12 +14,12 @@ from ...catalogue.chaplygin_ball.chaplygin_bracket import DET_J, A, D, I, J, gam
 from ...catalogue.rates import rate
 from ...core.laws import Identity, Integral, Rate
 from ...core.system import System
-from ...core.vectors import cross, dot, normed, scalar, vectors
+from ...core.vectors import cross, dot, norm_squared, real_symbol, vectors
 from ..claim import Case, Claim, Remark
 from ..methods.printed import printed_form
 
 M, omega, Q, K = vectors("M omega Q K")
-rho = scalar("rho")
+rho = real_symbol("rho")
 INVERSE = I**-1
 AREA = (dot(M, gamma),)
 TILT = dot(I * gamma, A * gamma)
@@ -123,7 +123,7 @@ def integral_printed() -> Case:
 def integral() -> Case:
     """The integral put right; it is M² − 2DH."""
     value = LOAD / TILT
-    known = normed(M) - D * dot(M, omega)
+    known = norm_squared(M) - D * dot(M, omega)
     return (
         (rightly(), Integral("fedorov", value, on=AREA)),
         (rightly(), Identity("known", value - known, on=AREA)),

@@ -9,7 +9,7 @@ from ...catalogue.ball_on_sphere import rubber_ball_ratio as rubber
 from ...catalogue.rates import rate
 from ...core.laws import Identity, Integral, Measure
 from ...core.system import Parameter, System
-from ...core.vectors import Diagonal, cross, dot, identity, normed, scalar, vectors, zero
+from ...core.vectors import Diagonal, cross, dot, identity, norm_squared, real_symbol, vectors, zero
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import roll
 from ...mechanics.rolling.shapes import Ball
@@ -20,9 +20,9 @@ from ..methods import unspecified
 M, omega, gamma, n = vectors("M omega gamma n")
 I = Diagonal("I")
 #: Mass, radius of the body, signed radius of the supporting sphere, as `roll` names them.
-m, R, a = scalar("m"), scalar("R"), scalar("a")
+m, R, a = real_symbol("m"), real_symbol("R"), real_symbol("a")
 d, k = ball.d, ball.k
-kappa = scalar("kappa")
+kappa = real_symbol("kappa")
 HALF = sp.S.Half
 
 
@@ -87,20 +87,20 @@ def on_plane() -> tuple[tuple[System, Identity], ...]:
 
 def integrals() -> Case:
     """n², the energy and M², for every k."""
-    made = ball.equations()
+    made = ball.equations_on_sphere()
     return tuple(
         (made, Integral(name, value, name))
         for name, value in (
-            ("length", normed(n)),
+            ("length", norm_squared(n)),
             ("energy", HALF * dot(M, ball.omega)),
-            ("momentum", normed(M)),
+            ("momentum", norm_squared(M)),
         )
     )
 
 
 def measure() -> Case:
     """ρ dω dn, for every k."""
-    density = normed(n) - d * dot(n, (I + d * identity) ** -1 * n)
+    density = norm_squared(n) - d * dot(n, (I + d * identity) ** -1 * n)
     return ball.equations_in_omega(), Measure("measure", {density: HALF}, "invariant measure")
 
 
@@ -119,7 +119,7 @@ def linear(shift: sp.Expr) -> Case:
     """(AM, n) with A_i = ½ (ΣI + shift) − I_i, at k = −1."""
     tensor = (sp.Add(*I.symbols) + shift) / 2 * identity - I
     law = Integral("linear", dot(tensor * M, n), "linear integral", on=(k + 1,))
-    return ball.equations(), law
+    return ball.equations_on_sphere(), law
 
 
 def without_spin() -> Case:

@@ -13,7 +13,7 @@ from ...catalogue.e3 import Gamma, lie_poisson
 from ...catalogue.rates import rate
 from ...core.laws import Identity, Integral, PoissonStructure
 from ...core.system import System
-from ...core.vectors import cross, dot, identity, normed
+from ...core.vectors import cross, dot, identity, norm_squared
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.conclusion import concluded
@@ -27,7 +27,7 @@ NUMBERS = e3.ENTRIES[0].defaults
 
 def velocity() -> Case:
     """(8.4) with the A printed in (8.3) and with the right one, for every (AM, n)."""
-    made = ball.equations()
+    made = ball.equations_on_sphere()
     found = []
     for shift in (sp.S.Zero, d):
         tensor = (sp.Add(*ball.I.symbols) + shift) / 2 * identity - ball.I
@@ -103,14 +103,14 @@ def hamiltonian(power: int) -> Case:
 
 def second() -> Case:
     """det J F₂ of (8.7) is M² of the ball."""
-    excess = sp.Mul(*e3.J.symbols) * e3.second(e3.delta()) - normed(e3.momentum())
+    excess = sp.Mul(*e3.J.symbols) * e3.second(e3.delta()) - norm_squared(e3.momentum())
     return reduced(), Identity("second", excess, "square of the ball's momentum")
 
 
 def bracket() -> Case:
     """{m_i, m_j} = ε_ijk m_k, {m_i, γ_j} = ε_ijk γ_k, {γ_i, γ_j} = 0, with its Casimirs."""
     matrix = lie_poisson(-1 * M, -1 * Gamma)
-    casimirs = (normed(Gamma), dot(M, Gamma))
+    casimirs = (norm_squared(Gamma), dot(M, Gamma))
     return reduced(), PoissonStructure("bracket", matrix, casimirs, 4, "bracket of e(3)")
 
 
@@ -129,18 +129,18 @@ def with_area() -> Case:
 
     def energy(turning: Any) -> sp.Expr:
         shared = ball.drawn(turning)
-        return half * dot(shared, turning) - normed(shared)
+        return half * dot(shared, turning) - norm_squared(shared)
 
     law = Identity(
         "gyroscopic form",
         (
             form * ball.omega - swing - spin,
-            form**2 * (half * dot(M, ball.omega) - normed(M)) - energy(swing) - energy(spin),
+            form**2 * (half * dot(M, ball.omega) - norm_squared(M)) - energy(swing) - energy(spin),
         ),
         "(ΣI + d)/2 (M, ω) − M² has no part linear in the velocities",
         on=(k + 1,),
     )
-    return ball.equations(), law
+    return ball.equations_on_sphere(), law
 
 
 def as_chaplygins_problem() -> Verdict:

@@ -14,11 +14,11 @@ from ...catalogue.e3 import Gamma, M
 from ...catalogue.rates import rate
 from ...core.laws import Identity, Integral
 from ...core.system import System
-from ...core.vectors import cross, scalar
+from ...core.vectors import cross, real_symbol
 from ..claim import Case, Claim, Remark
 
-x, y, p_1, p_2 = (scalar(name) for name in ("x", "y", "p_1", "p_2"))
-s_1, s_2, P_1, P_2 = (scalar(name) for name in ("s_1", "s_2", "P_1", "P_2"))
+x, y, p_1, p_2 = (real_symbol(name) for name in ("x", "y", "p_1", "p_2"))
+s_1, s_2, P_1, P_2 = (real_symbol(name) for name in ("s_1", "s_2", "P_1", "P_2"))
 
 
 # --- Darboux coordinates -------------------------------------------------------------------
@@ -227,7 +227,7 @@ def root() -> sp.Expr:
 def discriminant(alpha: sp.Expr) -> Case:
     """Δ is the discriminant of ζL − xQ in ζ, times 16."""
     law = Identity("discriminant", delta(alpha) - root() ** 2, "discriminant Δ")
-    return chart.coordinates(), law
+    return chart.coordinates_around_sphere(), law
 
 
 def function(square: sp.Expr, factor: sp.Expr) -> Identity:
@@ -243,12 +243,12 @@ def function(square: sp.Expr, factor: sp.Expr) -> Identity:
 def printed_function() -> Case:
     """(8.12) as printed, with the sign of the root that belongs to the motion."""
     beta, _, epsilon = letters()
-    return chart.coordinates(), function(2 * epsilon**2 * beta, sp.S.One)
+    return chart.coordinates_around_sphere(), function(2 * epsilon**2 * beta, sp.S.One)
 
 
 def right_function() -> Case:
     """The separation of the ball, and (8.12) as the function of its Liouville form."""
-    made = chart.coordinates()
+    made = chart.coordinates_around_sphere()
     beta, _, epsilon = letters()
     laws = (*made.laws, function(2 * epsilon**2 - beta, delta(right_alpha())))
     return ((ball.vanishing_area(), chart.of_ball()), *((made, law) for law in laws))
@@ -266,7 +266,7 @@ def without_mass() -> Case:
         "function S for d = 0",
         on=(chart.TRACE - chart.tau,),
     )
-    return chart.coordinates(), law
+    return chart.coordinates_around_sphere(), law
 
 
 def euler() -> Case:
@@ -277,7 +277,7 @@ def euler() -> Case:
         "Euler's equations",
         on=(ball.d,),
     )
-    return ball.equations(), law
+    return ball.equations_on_sphere(), law
 
 
 CLAIMS = (

@@ -16,12 +16,12 @@ from ...core.vectors import (
     dot,
     gradient,
     identity,
-    normed,
-    scalar,
+    norm_squared,
+    real_symbol,
     vectors,
 )
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import Field, Rolling
+from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.rolling.shapes import Ball
 from ...mechanics.rolling.surfaces import Sphere
 from ...proof.verdict import Verdict
@@ -30,7 +30,7 @@ from ..methods.independence import independent, rational_point
 
 omega, gamma, n = vectors("omega gamma n")
 I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")
-m, R, a, k = (scalar(name) for name in ("m", "R", "a", "k"))
+m, R, a, k = (real_symbol(name) for name in ("m", "R", "a", "k"))
 
 POTENTIAL = sp.Function("U")(*gamma.symbols)
 #: M_Q: the couple of the potential, with γ for n.
@@ -42,7 +42,7 @@ GAMMA_RATE = constant([Rate(s) for s in gamma.symbols])
 def rolled() -> System:
     """The ball as it follows from mechanics, in an arbitrary potential of the normal."""
     body = Body(1.0, (1.0, 1.5, 2.1), Ball(1.0))
-    return Rolling(body, Sphere(2.0), "rubber", Field(0.0, POTENTIAL)).system()
+    return Rolling(body, Sphere(2.0), "rubber", Forces(0.0, POTENTIAL)).system()
 
 
 def dynamics() -> Case:
@@ -82,7 +82,7 @@ def measure_in_couple() -> Case:
 
 def energy() -> Case:
     """The energy and the length of n."""
-    length = Integral("length", normed(n), "length of the normal")
+    length = Integral("length", norm_squared(n), "length of the normal")
     return (ratio.rolling(), ratio.ENERGY), (ratio.rolling(), length)
 
 
@@ -124,7 +124,7 @@ def around() -> Case:
 def complete(extra: Integral, value: int) -> Verdict:
     """Whether n², (ω, n), H and F are independent, so that their levels are two-dimensional."""
     made = ratio.rolling()
-    functions = (normed(n), dot(omega, n), ratio.ENERGY.value, extra.value)
+    functions = (norm_squared(n), dot(omega, n), ratio.ENERGY.value, extra.value)
     state: dict[str, object] = {"n_1": "2/7", "n_2": "-3/7", "n_3": "6/7", "k": value}
     state |= {"omega_1": 9, "omega_2": -5, "omega_3": "-11/2"}
     return independent(made, functions, rational_point(made, state))

@@ -15,11 +15,11 @@ from ...catalogue.ball_on_sphere.rubber_ball_separated import PLAIN, roots
 from ...catalogue.ball_on_sphere.rubber_ball_sphero_conical import cubic, eta, p_eta, p_xi, xi
 from ...core.laws import ConformallyHamiltonian, Identity
 from ...core.system import Guard, Parameter, System
-from ...core.vectors import cross, dot, explicit, normed, scalar, vectors
+from ...core.vectors import cross, dot, to_components, norm_squared, real_symbol, vectors
 from ..claim import Case, Claim, Remark
 
 omega, n, gamma = vectors("omega n gamma")
-z = scalar("z")
+z = real_symbol("z")
 COORDINATES = roots(xi, eta, *PLAIN)
 J_1, J_2, J_3 = J.symbols
 n_1, n_2, n_3 = n.symbols
@@ -113,7 +113,7 @@ def casimirs() -> Case:
     """(9.12)."""
     area = dot(ratio.MOMENTUM, ratio.DIRECTION)
     values = (
-        normed(ratio.DIRECTION) - 1,
+        norm_squared(ratio.DIRECTION) - 1,
         area - ratio.N_TILDE / sp.sqrt(RHO_SQUARED) * dot(omega, n),
         area,
     )
@@ -130,7 +130,7 @@ def _on_coordinates() -> tuple[list[sp.Expr], list[sp.Expr]]:
     free = conical.hamiltonian() / rho_squared ** ((2 * k - 1) / k)
     place = dict(zip(n.symbols, conical.normal(), strict=True))
     turning = conical.turning(sp.diff(free, p_xi), sp.diff(free, p_eta))
-    spin = [sp.factor(w).xreplace(place) for w in explicit(cross(turning, n) / k)]
+    spin = [sp.factor(w).xreplace(place) for w in to_components(cross(turning, n) / k)]
     halves = [sp.sqrt(j) for j in J.symbols]
     factor = sp.sqrt(DET_J) * rho_squared / k
     momentum = [factor * s * w for s, w in zip(halves, spin, strict=True)]
@@ -174,7 +174,7 @@ def algebra() -> Case:
 def energy_on_e3() -> Case:
     """(9.14): ½(ω, Jω) = ½Ñ⁻²M² = ½(k²/det J)(γ, Jγ)^(1/k) M²."""
     kinetic_energy = dot(omega, J * omega) / 2
-    square = normed(ratio.MOMENTUM)
+    square = norm_squared(ratio.MOMENTUM)
     stretch = dot(ratio.DIRECTION, J * ratio.DIRECTION)
     values = (
         kinetic_energy - square / ratio.N_TILDE**2 / 2,

@@ -27,7 +27,7 @@ from ...catalogue.ball_on_sphere.rubber_ball_sphero_conical import cubic
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, Rate
 from ...core.system import System
-from ...core.vectors import constant, cross, dot, gradient, normed, scalar, vectors, zero
+from ...core.vectors import constant, cross, dot, gradient, norm_squared, real_symbol, vectors, zero
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.contrary import contrary
@@ -36,7 +36,7 @@ from ..methods.quadratic_integrals import no_quadratic_integral
 from .section_09_3 import with_point, z
 
 omega, n, M, gamma = vectors("omega n M gamma")
-h = scalar("h")
+h = real_symbol("h")
 
 M_RATE, GAMMA_RATE, N_RATE = (
     constant([Rate(s) for s in vector.symbols]) for vector in (M, gamma, n)
@@ -111,14 +111,14 @@ def from_ball() -> Case:
 def potential(sign: int) -> Case:
     """V of (9.17)."""
     stretch = dot(gamma, J * gamma)
-    excess = point.HAMILTONIAN - normed(M) / 2 - sign * h * stretch ** (-1 / k)
+    excess = point.HAMILTONIAN - norm_squared(M) / 2 - sign * h * stretch ** (-1 / k)
     return point.moving(), Identity("potential", excess, "potential energy of the point")
 
 
 def geodesic_part() -> Case:
     """M² = γ′²: the kinetic energy is that of a unit mass on a unit sphere."""
     return point.moving(), Identity(
-        "kinetic", normed(M) - normed(GAMMA_RATE), "velocity of the point"
+        "kinetic", norm_squared(M) - norm_squared(GAMMA_RATE), "velocity of the point"
     )
 
 

@@ -10,7 +10,7 @@ from sympy.matrices.expressions import MatrixExpr
 from ...catalogue import from_catalogue
 from ...core.laws import Identity, Integral
 from ...core.system import System
-from ...core.vectors import cross, dot, normed, zero
+from ...core.vectors import cross, dot, norm_squared, zero
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Rolling
 from ...mechanics.rolling.shapes import Ball
@@ -64,13 +64,13 @@ def invariants() -> Case:
     """(10.2)."""
     made = marble()
     return (
-        (made, Integral("length", normed(gamma), "length of the normal")),
+        (made, Integral("length", norm_squared(gamma), "length of the normal")),
         (made, Integral("energy", dot(M, omega) / 2, "energy")),
     )
 
 
 QUADRATIC = Integral(
-    "quadratic", normed(M) - m * normed(r) * dot(M, omega), "quadratic integral", source="(10.3)"
+    "quadratic", norm_squared(M) - m * norm_squared(r) * dot(M, omega), "quadratic integral", source="(10.3)"
 )
 
 
@@ -78,11 +78,11 @@ def balanced() -> Case:
     """(10.3) for a = 0 is M² up to a multiple of the energy."""
     made = from_catalogue("chaplygin-ball")
     reach = -R * gamma + zero
-    value = normed(M) - m * normed(reach) * dot(M, omega)
-    excess = value - (normed(M) - 2 * m * R**2 * dot(M, omega) / 2)
+    value = norm_squared(M) - m * norm_squared(reach) * dot(M, omega)
+    excess = value - (norm_squared(M) - 2 * m * R**2 * dot(M, omega) / 2)
     return (made, Identity("balanced", excess, "(10.3) for a = 0")), (
         made,
-        Integral("momentum", normed(M), "square of the momentum"),
+        Integral("momentum", norm_squared(M), "square of the momentum"),
     )
 
 
@@ -98,7 +98,7 @@ def rank_of_marble() -> Verdict:
     """γ², H and F₂ are independent, so that their levels are three-dimensional."""
     made = marble()
     state: dict[str, object] = {"M_1": 2, "M_2": "-1/3", "M_3": "5/4"}
-    functions = (normed(gamma), dot(M, omega), QUADRATIC.value)
+    functions = (norm_squared(gamma), dot(M, omega), QUADRATIC.value)
     return independent(made, functions, rational_point(made, state | NORMAL))
 
 

@@ -13,7 +13,7 @@ from ...catalogue.fixed_point import veselova
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, Law
 from ...core.system import System
-from ...core.vectors import Diagonal, Vector, cross, dot, normed, zero
+from ...core.vectors import Diagonal, Vector, cross, dot, norm_squared, zero
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
@@ -75,7 +75,7 @@ def rubber_invariants() -> Case:
     """(10.2) and the constraint for the rubber ball."""
     made = rubber()
     laws: tuple[Law, ...] = (
-        Integral("length", normed(gamma), "length of the normal"),
+        Integral("length", norm_squared(gamma), "length of the normal"),
         Integral("energy", dot(M, omega) / 2, "energy"),
         Identity("constraint", dot(omega, gamma), "the constraint"),
     )
@@ -85,7 +85,7 @@ def rubber_invariants() -> Case:
 def rubber_quadratic(vector: MatrixExpr) -> sp.Expr:
     """(10.5) with a given a."""
     share = 2 * R * m * dot(gamma, vector) * dot(M, omega)
-    value: sp.Expr = normed(cross(M, gamma)) - share
+    value: sp.Expr = norm_squared(cross(M, gamma)) - share
     return value
 
 
@@ -97,8 +97,8 @@ def quadratic() -> Case:
 
 def as_marble_integral() -> Case:
     """(10.5) is |M×γ|² − m r²(M, ω) up to a multiple of the energy."""
-    same = normed(cross(M, gamma)) - m * normed(r) * dot(M, omega)
-    shift = m * (R**2 + normed(c)) * dot(M, omega)
+    same = norm_squared(cross(M, gamma)) - m * norm_squared(r) * dot(M, omega)
+    shift = m * (R**2 + norm_squared(c)) * dot(M, omega)
     law = Identity("analogue", rubber_quadratic(OFFSET) - same - shift, "(10.5) and (10.3)")
     return rubber(), law
 
@@ -106,7 +106,7 @@ def as_marble_integral() -> Case:
 def balanced_rubber() -> Case:
     """(10.5) for a = 0 is |Jω×γ|², the integral of the Veselova system with J for I."""
     made = from_catalogue("rubber-chaplygin-ball")
-    excess = rubber_quadratic(zero) - normed(cross(J * omega, gamma))
+    excess = rubber_quadratic(zero) - norm_squared(cross(J * omega, gamma))
     return made, Identity("balanced", excess, "(10.5) for a = 0")
 
 
@@ -127,7 +127,7 @@ def rank_of_rubber() -> Verdict:
     """γ², (ω, γ), H and F₂ are independent, so that their levels are two-dimensional."""
     made = rubber()
     state: dict[str, object] = {"omega_1": 9, "omega_2": -5, "omega_3": "-11/2"}
-    functions = (normed(gamma), dot(omega, gamma), dot(M, omega), rubber_quadratic(OFFSET))
+    functions = (norm_squared(gamma), dot(omega, gamma), dot(M, omega), rubber_quadratic(OFFSET))
     return independent(made, functions, rational_point(made, state | NORMAL))
 
 

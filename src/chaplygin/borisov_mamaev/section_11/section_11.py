@@ -8,14 +8,14 @@ import sympy as sp
 
 from ...catalogue import from_catalogue
 from ...core.system import System
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.growth import Field, counted, growth
+from ..methods.growth import VectorField, counted, growth
 from ..methods.printed import law_named
 
 #: Place of the contact point, cosine and sine of the heading, inclination, turn about the axis.
-x, y, c, s, theta, phi = (scalar(name) for name in ("x", "y", "c", "s", "theta", "phi"))
+x, y, c, s, theta, phi = (real_symbol(name) for name in ("x", "y", "c", "s", "theta", "phi"))
 COORDINATES = (x, y, c, s, theta, phi)
 
 
@@ -25,7 +25,7 @@ def ice_growth() -> tuple[int, ...]:
     The point of contact glides along the horizontal diameter; heading, inclination and turn about
     the axis are free.
     """
-    fields: tuple[Field, ...] = (
+    fields: tuple[VectorField, ...] = (
         {x: c, y: s},
         {c: -s, s: c},
         {theta: sp.S.One},

@@ -22,7 +22,7 @@ from ...catalogue.chaplygin_ball.chaplygin_bracket import D, I, gamma, k
 from ...catalogue.rates import rate
 from ...core.laws import ConformallyHamiltonian, Identity, Integral, Law, Measure
 from ...core.system import System
-from ...core.vectors import constant, cross, dot, explicit, identity, normed, vectors, zero
+from ...core.vectors import constant, cross, dot, to_components, identity, norm_squared, vectors, zero
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
@@ -64,10 +64,10 @@ def around_a_sphere() -> Case:
 
 def _turned(rotors: MatrixExpr) -> tuple[sp.Expr, sp.Expr]:
     """(M + k)² and H in θ, φ, θ̇, φ̇ and the area constant c, by ψ̇ of (7.11) and §7.4."""
-    share = explicit(dot(constant([SIN * TURN, SIN * ACROSS, COS]), rotors))
+    share = to_components(dot(constant([SIN * TURN, SIN * ACROSS, COS]), rotors))
     spin = SPIN.xreplace({psidot: PRECESSION - share / SPREAD})
     momentum = I * spin + D * cross(gamma, cross(spin, gamma))
-    return explicit(normed(momentum + rotors)), explicit(dot(momentum, spin)) / 2
+    return to_components(norm_squared(momentum + rotors)), to_components(dot(momentum, spin)) / 2
 
 
 def _linear(value: sp.Expr) -> sp.Expr:
@@ -83,7 +83,7 @@ def in_velocities(rotors: MatrixExpr) -> tuple[tuple[System, Identity], ...]:
     """
     made = ball_in_angles(rotors)
     square, energy = _turned(rotors)
-    values = (square - normed(M + rotors), energy - dot(M, omega) / 2, _linear(energy))
+    values = (square - norm_squared(M + rotors), energy - dot(M, omega) / 2, _linear(energy))
     return ((made, Identity("velocities", values)),)
 
 
@@ -111,7 +111,7 @@ def without_area() -> Case:
 
 def around_sphere_linear() -> Verdict:
     """k = −1, F₂ = (AM, n): the parts of (M, ω) and M² linear in ṅ are not zero unless F₂ is."""
-    made = sphere.equations()
+    made = sphere.equations_on_sphere()
     tensor = (sp.Add(*sphere.I.symbols) + sphere.d) / 2 * identity - sphere.I
     drawn = sphere.drawn(tensor * sphere.n)
     swing, area = cross(drawn, rate(sphere.n)), dot(tensor * sphere.M, sphere.n)
@@ -121,9 +121,9 @@ def around_sphere_linear() -> Verdict:
     parts = (2 * area * dot(spun, swing), 2 * area * dot(spun, shared))
     rest = (
         dot(swing, shared) + area**2 * dot(sphere.n, spun),
-        normed(shared) + area**2 * normed(spun),
+        norm_squared(shared) + area**2 * norm_squared(spun),
     )
-    values = (dot(sphere.M, sphere.omega), normed(sphere.M))
+    values = (dot(sphere.M, sphere.omega), norm_squared(sphere.M))
     split = Identity(
         "parts",
         tuple(

@@ -19,7 +19,7 @@ import sympy as sp
 
 from ...core.laws import Identity, Integral, Law, Measure
 from ...core.system import Parameter, System
-from ...core.vectors import Diagonal, scalar
+from ...core.vectors import Diagonal, real_symbol
 
 __all__ = [
     "J",
@@ -43,7 +43,7 @@ __all__ = [
 
 J = Diagonal("J")
 J_1, J_2, J_3 = J.symbols
-u, v, P_u, P_v, d = (scalar(name) for name in ("u", "v", "P_u", "P_v", "d"))
+u, v, P_u, P_v, d = (real_symbol(name) for name in ("u", "v", "P_u", "P_v", "d"))
 TRACE, SQUARES, DET = J_1 + J_2 + J_3, J_1**2 + J_2**2 + J_3**2, J_1 * J_2 * J_3
 _CYCLE = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
 _HALF = sp.S.Half

@@ -26,14 +26,14 @@ import sympy as sp
 
 from ...core.laws import Identity, Law
 from ...core.system import Parameter, System
-from ...core.vectors import Diagonal, Vector, constant, cross, identity, scalar
+from ...core.vectors import Diagonal, Vector, constant, cross, identity, real_symbol
 from . import ball_on_sphere_equations as ball
 
 __all__ = [
     "A",
     "J",
     "S",
-    "coordinates",
+    "coordinates_around_sphere",
     "cubic",
     "d",
     "det",
@@ -57,18 +57,18 @@ A_1, A_2, A_3 = A.symbols
 TRACE, E_2, E_3 = A_1 + A_2 + A_3, A_1 * A_2 + A_2 * A_3 + A_3 * A_1, A_1 * A_2 * A_3
 
 #: u₁, u₂ and their rates.
-u = (scalar("u_1"), scalar("u_2"))
-v = (scalar("v_1"), scalar("v_2"))
-d, tau, S, det = scalar("d"), scalar("tau"), scalar("S"), scalar("det")
+u = (real_symbol("u_1"), real_symbol("u_2"))
+v = (real_symbol("v_1"), real_symbol("v_2"))
+d, tau, S, det = real_symbol("d"), real_symbol("tau"), real_symbol("S"), real_symbol("det")
 #: n_i², and what ω is made of for the two rates each.
 square = Vector("s")
 turns = (Vector("q"), Vector("r"))
 #: (n, Bn) and (An, Bn).
-form, weighted = scalar("F"), scalar("W")
+form, weighted = real_symbol("F"), real_symbol("W")
 #: Coefficients of v_i v_j in (M, ω) and in M², times 4 u₁² u₂² p(u_i) p(u_j) / e₃².
-energies = (scalar("h_11"), scalar("h_12"), scalar("h_22"))
-momenta = (scalar("f_11"), scalar("f_12"), scalar("f_22"))
-_level, _share = scalar("g"), scalar("k")
+energies = (real_symbol("h_11"), real_symbol("h_12"), real_symbol("h_22"))
+momenta = (real_symbol("f_11"), real_symbol("f_12"), real_symbol("f_22"))
+_level, _share = real_symbol("g"), real_symbol("k")
 _CYCLE = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
 
 
@@ -249,11 +249,11 @@ def liouville() -> Identity:
 
 def of_ball() -> Identity:
     """The coordinates on the ball of `ball.vanishing_area`: the roots of a quadratic."""
-    names = [scalar(f"b_{i}") for i in range(3)]
+    names = [real_symbol(f"b_{i}") for i in range(3)]
     weights = [
         a**2 * (j - d) * x**2 for a, j, x in zip(A.symbols, J.symbols, ball.n.symbols, strict=True)
     ]
-    root = scalar("D")
+    root = real_symbol("D")
     found = [
         names[2] * (u[0] - a) * (u[1] - a) - w * sp.Mul(*(a - b for b in A.symbols if b != a))
         for a, w in zip(A.symbols, weights, strict=True)
@@ -275,7 +275,7 @@ def of_ball() -> Identity:
     )
 
 
-def coordinates() -> System:
+def coordinates_around_sphere() -> System:
     """The ball in the separating coordinates, moving at arbitrary rates."""
     parameters = (
         *(

@@ -17,7 +17,7 @@ import sympy as sp
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral
 from ...core.system import Guard, Parameter, System
-from ...core.vectors import Diagonal, dot, explicit, identity, normed, scalar, zero
+from ...core.vectors import Diagonal, dot, to_components, identity, norm_squared, real_symbol, zero
 from ..e3 import Gamma, M, e3_system
 from ..entry import Entry, Numbers, Start
 from . import ball_around_sphere_chaplygin as chaplygin
@@ -40,7 +40,7 @@ __all__ = [
 ]
 
 J = Diagonal("J")
-d = scalar("d")
+d = real_symbol("d")
 
 NAME, TITLE = "ball-around-sphere-hamiltonian", "Hollow ball around a sphere, reduced to e(3)"
 SUMMARY = (
@@ -82,7 +82,7 @@ def energy(difference: sp.Expr) -> sp.Expr:
     for i, (moment, momentum) in enumerate(zip(J.symbols, M.symbols, strict=True)):
         share = rho_2 - d * difference / (4 * moment * det)
         terms.append((rho_2 * difference / moment - 4 * _spread(i) * share) * momentum**2)
-    return explicit(difference * det / (8 * form**2) * sp.Add(*terms))
+    return to_components(difference * det / (8 * form**2) * sp.Add(*terms))
 
 
 def second(difference: sp.Expr) -> sp.Expr:
@@ -95,7 +95,7 @@ def second(difference: sp.Expr) -> sp.Expr:
         _spread(i) * (difference * (moment + d) + rest) * momentum**2
         for i, (moment, momentum) in enumerate(zip(J.symbols, M.symbols, strict=True))
     ]
-    return explicit(rho_2 / (4 * form**2) * (difference**2 * normed(M) - 4 * sp.Add(*terms)))
+    return to_components(rho_2 / (4 * form**2) * (difference**2 * norm_squared(M) - 4 * sp.Add(*terms)))
 
 
 def parameters(p: Numbers) -> tuple[Parameter, ...]:

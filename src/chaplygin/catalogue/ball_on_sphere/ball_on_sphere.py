@@ -8,18 +8,18 @@ import sympy as sp
 
 from ...core.laws import Integral, Law, Measure
 from ...core.system import System
-from ...core.vectors import Diagonal, constant, dot, normed, scalar, vectors, zero
+from ...core.vectors import Diagonal, constant, dot, norm_squared, real_symbol, vectors, zero
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Rolling
 from ...mechanics.rolling.shapes import Ball
 from ...mechanics.rolling.surfaces import Sphere
 from ..entry import Entry, Numbers, Start
-from .ball_around_sphere_coordinates import coordinates
-from .ball_on_sphere_equations import equations
+from .ball_around_sphere_coordinates import coordinates_around_sphere
+from .ball_on_sphere_equations import equations_on_sphere
 
 M, gamma, k_rotors = vectors("M gamma k")
 I, A = Diagonal("I"), Diagonal("A")
-k, m, R = scalar("k"), scalar("m"), scalar("R")
+k, m, R = real_symbol("k"), real_symbol("m"), real_symbol("R")
 
 
 def build(p: Numbers) -> Rolling:
@@ -54,7 +54,7 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     total = M + k_rotors if rotors else M + zero
     found: list[Law] = [
         Integral(
-            "momentum", normed(total), "square of the momentum", source="(8.2)", unit="kg^2 m^4/s^2"
+            "momentum", norm_squared(total), "square of the momentum", source="(8.2)", unit="kg^2 m^4/s^2"
         ),
         Measure(
             "measure",
@@ -101,7 +101,7 @@ ENTRIES = (
         build=build,
         start=Start(omega=(0.7, 0.4, 1.1), gamma=(0.2, -0.3, 0.93), until=60.0),
         laws=laws,
-        general=equations,
+        general=equations_on_sphere,
     ),
     Entry(
         name="ball-around-sphere",
@@ -114,6 +114,6 @@ ENTRIES = (
         build=build_around,
         start=Start(omega=(0.7, 0.4, 1.1), gamma=(0.2, -0.3, 0.93), until=60.0),
         laws=laws,
-        general=coordinates,
+        general=coordinates_around_sphere,
     ),
 )

@@ -14,7 +14,7 @@ import sympy as sp
 
 from ...core.laws import Integral, Measure
 from ...core.system import Parameter, System
-from ...core.vectors import Diagonal, cross, dot, identity, normed, scalar, vectors
+from ...core.vectors import Diagonal, cross, dot, identity, norm_squared, real_symbol, vectors
 
 __all__ = [
     "A",
@@ -23,7 +23,7 @@ __all__ = [
     "M",
     "d",
     "drawn",
-    "equations",
+    "equations_on_sphere",
     "equations_in_omega",
     "k",
     "n",
@@ -34,7 +34,7 @@ __all__ = [
 
 M, n, omega, omegadot, ndot = vectors("M n omega omegadot ndot")
 I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")
-d, k, rho_2 = scalar("d"), scalar("k"), scalar("rho_2")
+d, k, rho_2 = real_symbol("d"), real_symbol("k"), real_symbol("rho_2")
 
 _MOMENTS = (1.0, 1.5, 2.1)
 _d = Parameter(d, "mass times the square of the ball's radius", 1.0, "kg m^2", (d >= 0,))
@@ -60,7 +60,7 @@ def _solved(vector: Any) -> Any:
 _TENSORS = ((J, I + d * identity), (rho_2, 1 - d * dot(n, J**-1 * n)))
 
 
-def equations() -> System:
+def equations_on_sphere() -> System:
     """(8.1) in M and n, for every k."""
     return System(
         name="ball-on-sphere-equations",
@@ -70,12 +70,12 @@ def equations() -> System:
         parameters=(*_inertia, _d, _k),
         definitions=(*_TENSORS, (omega, _solved(M))),
         field={M: cross(M, omega), n: k * cross(n, omega)},
-        relations=(normed(n) - 1,),
+        relations=(norm_squared(n) - 1,),
         laws=(
             Integral("energy", sp.S.Half * dot(M, omega), "energy", source="(8.2)", unit="J"),
             Integral(
                 "momentum",
-                normed(M),
+                norm_squared(M),
                 "square of the momentum",
                 source="(8.2)",
                 unit="kg^2 m^4/s^2",
@@ -114,7 +114,7 @@ def equations_in_omega() -> System:
             (omegadot, _solved(cross(M, omega) + d * dot(n, omega) * ndot)),
         ),
         field={omega: omegadot, n: ndot},
-        relations=(normed(n) - 1,),
+        relations=(norm_squared(n) - 1,),
     )
 
 
@@ -140,5 +140,5 @@ def vanishing_area() -> System:
             (omega, _solved(M)),
         ),
         field={M: cross(M, omega), n: cross(omega, n)},
-        relations=(normed(n) - 1, dot(A * M, n)),
+        relations=(norm_squared(n) - 1, dot(A * M, n)),
     )

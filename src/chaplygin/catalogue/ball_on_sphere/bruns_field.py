@@ -13,8 +13,8 @@ import sympy as sp
 
 from ...core.laws import Integral, Law, Measure
 from ...core.system import System
-from ...core.vectors import Diagonal, dot, normed, vectors
-from ...mechanics.rolling.equations import Field, Rolling
+from ...core.vectors import Diagonal, dot, norm_squared, vectors
+from ...mechanics.rolling.equations import Forces, Rolling
 from ..chaplygin_ball import chaplygin_ball
 from ..chaplygin_ball.chaplygin_ball import BRUNS, MOMENTUM_UNIT, K
 from ..chaplygin_ball.chaplygin_bracket import DET_IQ
@@ -31,21 +31,21 @@ _INERTIA = {"m": 1.0, "I_1": 1.0, "I_2": 1.5, "I_3": 2.1}
 def with_rotors(p: Numbers) -> Rolling:
     """The Chaplygin ball with rotors, in Bruns' field."""
     return replace(
-        chaplygin_ball.with_rotors(p), field=Field(potential=BRUNS, values=((K, p["K"]),))
+        chaplygin_ball.with_rotors(p), field=Forces(potential=BRUNS, values=((K, p["K"]),))
     )
 
 
 def around(p: Numbers) -> Rolling:
     """The hollow ball around a sphere, in Bruns' field."""
     return replace(
-        ball_on_sphere.build_around(p), field=Field(potential=BRUNS, values=((K, p["K"]),))
+        ball_on_sphere.build_around(p), field=Forces(potential=BRUNS, values=((K, p["K"]),))
     )
 
 
 def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     """Momentum, measure and, for k = −1, the linear integral of a ball on a sphere."""
     body, field = rolling.body, rolling.field
-    free = replace(rolling, field=Field())
+    free = replace(rolling, field=Forces())
     factor = bruns_factor(field.potential) if body.principal else None
     if (
         factor is None
@@ -58,7 +58,7 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     J_1, J_2, J_3 = J.symbols
     momentum = Integral(
         "momentum",
-        normed(M) - factor * J_1 * J_2 * J_3 * dot(gamma, A * gamma),
+        norm_squared(M) - factor * J_1 * J_2 * J_3 * dot(gamma, A * gamma),
         "square of the momentum, Bruns field",
         source=SOURCE,
         unit=MOMENTUM_UNIT,

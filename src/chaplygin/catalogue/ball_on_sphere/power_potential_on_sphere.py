@@ -13,13 +13,13 @@ import sympy as sp
 
 from ...core.laws import Integral
 from ...core.system import Parameter, System
-from ...core.vectors import Diagonal, dot, normed, scalar
+from ...core.vectors import Diagonal, dot, norm_squared, real_symbol
 from ...errors import InputError
 from ..entry import Entry, Numbers, Start
 from .rubber_ball_on_e3 import DET_J, J, M, gamma, k, on_e3
 
 A = Diagonal("A")
-h = scalar("h")
+h = real_symbol("h")
 
 NAME, TITLE = "power-potential-on-sphere", "Point on a sphere in a power of a quadratic form"
 SUMMARY = (
@@ -33,7 +33,7 @@ STRETCH = dot(gamma, J * gamma)
 #: (γ, J⁻¹γ), in the components of J.
 SQUEEZE = sp.Add(*(s**2 / j for s, j in zip(gamma.symbols, J.symbols, strict=True)))
 POTENTIAL = -h * STRETCH ** (-1 / k)
-HAMILTONIAN = normed(M) / 2 + POTENTIAL
+HAMILTONIAN = norm_squared(M) / 2 + POTENTIAL
 
 BRADEN = Integral(
     "braden",

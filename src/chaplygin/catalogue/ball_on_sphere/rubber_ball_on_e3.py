@@ -16,20 +16,20 @@ import sympy as sp
 
 from ...core.laws import ConformallyHamiltonian, Integral, Law, PoissonStructure
 from ...core.system import Parameter, System
-from ...core.vectors import Components, Diagonal, cross, dot, gradient, hat, normed, scalar, vectors
+from ...core.vectors import Components, Diagonal, cross, dot, gradient, hat, norm_squared, real_symbol, vectors
 from ...errors import InputError
 from ...mechanics.rolling.body import check_inertia
 from ..entry import Entry, Numbers, Start
 
 M, gamma = vectors("M gamma")
 J = Diagonal("J")
-k = scalar("k")
+k = real_symbol("k")
 
 J_1, J_2, J_3 = J.symbols
 DET_J = J_1 * J_2 * J_3
 #: The factors of H = G(γ) F(M) that §9.4 speaks of.
 STIFFNESS = k**2 / DET_J * dot(gamma, J * gamma) ** (1 / k)
-KINETIC = normed(M) / 2
+KINETIC = norm_squared(M) / 2
 
 NAME, TITLE = "rubber-ball-on-e3", "Rubber ball on a sphere as a Hamiltonian system"
 SUMMARY = (
@@ -59,7 +59,7 @@ def bracket(sign: int = -1) -> Components:
 STRUCTURE = PoissonStructure(
     "e(3)",
     bracket(),
-    casimirs=(dot(M, gamma), normed(gamma)),
+    casimirs=(dot(M, gamma), norm_squared(gamma)),
     rank=4,
     meaning="Lie–Poisson bracket of e(3)",
     source="(9.13)",
@@ -70,7 +70,7 @@ def on_e3(
     hamiltonian: sp.Expr,
     given: tuple[Parameter, ...],
     *laws: Law,
-    relations: tuple[sp.Expr, ...] = (normed(gamma) - 1, dot(M, gamma)),
+    relations: tuple[sp.Expr, ...] = (norm_squared(gamma) - 1, dot(M, gamma)),
     source: str = "(9.14)",
 ) -> System:
     """The Hamiltonian system M′ = M×∂H/∂M + γ×∂H/∂γ, γ′ = γ×∂H/∂M.

@@ -9,9 +9,9 @@ import sympy as sp
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral, Law, Measure
 from ...core.system import System
-from ...core.vectors import Diagonal, Symmetric, dot, normed, scalar, vectors
+from ...core.vectors import Diagonal, Symmetric, dot, norm_squared, real_symbol, vectors
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import Field, Rolling
+from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.rolling.shapes import Ball
 from ...mechanics.rolling.surfaces import Sphere
 from ..entry import Entry, Numbers, Start
@@ -19,7 +19,7 @@ from . import ball_on_sphere, rubber_ball_ratio
 
 omega, gamma = vectors("omega gamma")
 J, A = Diagonal("J"), Diagonal("A")
-k = scalar("k")
+k = real_symbol("k")
 
 
 def build(p: Numbers) -> Rolling:
@@ -70,8 +70,8 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     if abs(value + 1) > 1e-12:
         return found
     J_1, J_2, J_3 = J.symbols
-    spread = J_1 * J_2 * J_3 * dot(omega, J * omega) * normed(A * gamma)
-    integral = (normed(J * omega) + spread) / RHO_SQUARED
+    spread = J_1 * J_2 * J_3 * dot(omega, J * omega) * norm_squared(A * gamma)
+    integral = (norm_squared(J * omega) + spread) / RHO_SQUARED
     meaning = "quadratic integral of the case k = −1"
     return (
         *found,
@@ -83,7 +83,7 @@ def unspecified() -> System:
     """The ball on the outside, with rotors, in an arbitrary potential U(γ)."""
     potential = sp.Function("U")(*gamma.symbols)
     body = Body(1.0, (1.0, 1.5, 2.1), Ball(1.0), gyrostat=(0.3, -0.2, 0.5))
-    rolling = Rolling(body, Sphere(2.0), "rubber", Field(0.0, potential))
+    rolling = Rolling(body, Sphere(2.0), "rubber", Forces(0.0, potential))
     made = rolling.system("rubber-ball-on-sphere", "Rubber ball on a sphere")
     return made.with_laws(*measure(rolling, made))
 

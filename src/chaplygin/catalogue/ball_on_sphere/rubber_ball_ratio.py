@@ -26,8 +26,8 @@ from ...core.vectors import (
     constant,
     cross,
     dot,
-    normed,
-    scalar,
+    norm_squared,
+    real_symbol,
     vectors,
     zero,
 )
@@ -39,7 +39,7 @@ from .rubber_ball_on_e3 import DEFAULTS, parameters
 
 omega, n, X, torque = vectors("omega n X Q")
 J, A = Diagonal("J"), Diagonal("A")
-k, lambda_0 = scalar("k"), scalar("lambda_0")
+k, lambda_0 = real_symbol("k"), real_symbol("lambda_0")
 
 J_1, J_2, J_3 = J.symbols
 DET_J = J_1 * J_2 * J_3
@@ -89,7 +89,7 @@ def rolling(couple: MatrixExpr = zero, spin_torque: sp.Expr | None = None) -> Sy
             lambda_0: multiplier(pull) if spin_torque is None else spin_torque,
         },
         field={omega: A * (X + lambda_0 * n), n: k * cross(n, omega)},
-        relations=(normed(n) - 1, dot(omega, n)),
+        relations=(norm_squared(n) - 1, dot(omega, n)),
         observables=(
             Observable("spin_torque", lambda_0, "torque about the normal", "N m", source="(9.2)"),
         ),
@@ -110,7 +110,7 @@ CONSTRAINT = Integral(
 MEASURE = Measure("measure", {RHO_SQUARED: 1 / (2 * k)}, "invariant measure", source="(9.3)")
 ON_PLANE = Integral(
     "momentum",
-    normed(cross(J * omega, n)),
+    norm_squared(cross(J * omega, n)),
     "square of the horizontal momentum, k = 1",
     on=(k - 1,),
     source="§9.2",
@@ -118,7 +118,7 @@ ON_PLANE = Integral(
 )
 AROUND = Integral(
     "quadratic",
-    (normed(J * omega) + DET_J * dot(omega, J * omega) * normed(A * n)) / RHO_SQUARED,
+    (norm_squared(J * omega) + DET_J * dot(omega, J * omega) * norm_squared(A * n)) / RHO_SQUARED,
     "quadratic integral of the case k = −1",
     on=(k + 1,),
     source="(9.4)",

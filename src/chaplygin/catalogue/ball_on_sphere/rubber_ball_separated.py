@@ -14,7 +14,7 @@ import sympy as sp
 from ...core.isomorphism import Isomorphism
 from ...core.laws import ConformallyHamiltonian, Identity, Integral, Law, Rate, Separation
 from ...core.system import Guard, System
-from ...core.vectors import constant, cross, dot, normed, scalar, vectors
+from ...core.vectors import constant, cross, dot, norm_squared, real_symbol, vectors
 from ...errors import InputError
 from ...mechanics.rolling.body import check_inertia
 from ..entry import Entry, Numbers, Start
@@ -24,11 +24,11 @@ from .rubber_ball_ratio import DET_J, RHO_SQUARED, A, J, k
 from .rubber_ball_sphero_conical import CANONICAL, cubic
 
 omega, n, e, edot = vectors("omega n e edot")
-u, v, p_u, p_v = (scalar(name) for name in ("u", "v", "p_u", "p_v"))
-udot, vdot = scalar("udot"), scalar("vdot")
-Delta, rho, h, F, C = (scalar(name) for name in ("Delta", "rho", "h", "F", "C"))
+u, v, p_u, p_v = (real_symbol(name) for name in ("u", "v", "p_u", "p_v"))
+udot, vdot = real_symbol("udot"), real_symbol("vdot")
+Delta, rho, h, F, C = (real_symbol(name) for name in ("Delta", "rho", "h", "F", "C"))
 #: A(u), A(v), their derivatives, and what 𝓗 is divided by.
-A_u, A_v, B_u, B_v, Q, H = (scalar(name) for name in ("A_u", "A_v", "B_u", "B_v", "Q", "H"))
+A_u, A_v, B_u, B_v, Q, H = (real_symbol(name) for name in ("A_u", "A_v", "B_u", "B_v", "Q", "H"))
 
 NAME, TITLE = "rubber-ball-separated", "Hollow rubber ball around a sphere, separated"
 SUMMARY = (
@@ -68,7 +68,7 @@ def roots(
 
 #: Sum and product of the roots of Σ nᵢ²/(Jᵢ − z), (9.5), and of Σ nᵢ²/(Jᵢ(Jᵢ − z)).
 PLAIN = (TRACE - dot(n, J * n), DET_J * RHO_SQUARED)
-SCALED = (TRACE - 1 / RHO_SQUARED, DET_J * normed(A * n) / RHO_SQUARED)
+SCALED = (TRACE - 1 / RHO_SQUARED, DET_J * norm_squared(A * n) / RHO_SQUARED)
 
 
 def separation() -> Separation:

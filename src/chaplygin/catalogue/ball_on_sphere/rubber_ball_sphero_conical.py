@@ -14,7 +14,7 @@ import sympy as sp
 from ...core.isomorphism import Isomorphism
 from ...core.laws import ConformallyHamiltonian, Integral, Measure, PoissonStructure
 from ...core.system import Guard, System
-from ...core.vectors import Components, constant, cross, scalar, vectors
+from ...core.vectors import Components, constant, cross, real_symbol, vectors
 from ...errors import InputError
 from ...mechanics.rolling.body import check_inertia
 from ..entry import Entry, Numbers, Start
@@ -23,14 +23,14 @@ from . import rubber_ball_ratio as ratio
 from .rubber_ball_ratio import DET_J, J, k
 
 omega, n, ndot = vectors("omega n ndot")
-xi, eta = scalar("xi"), scalar("eta")
+xi, eta = real_symbol("xi"), real_symbol("eta")
 #: Velocities ξ̇, η̇; momenta ∂T/∂ξ̇, ∂T/∂η̇; canonical momenta N ∂T/∂ξ̇, N ∂T/∂η̇.
-xidot, etadot = scalar("xidot"), scalar("etadot")
-P_xi, P_eta = scalar("P_xi"), scalar("P_eta")
-p_xi, p_eta = scalar("p_xi"), scalar("p_eta")
+xidot, etadot = real_symbol("xidot"), real_symbol("etadot")
+P_xi, P_eta = real_symbol("P_xi"), real_symbol("P_eta")
+p_xi, p_eta = real_symbol("p_xi"), real_symbol("p_eta")
 #: A(ξ), A(η), their derivatives, and what (9.14) is divided by.
-A_xi, A_eta, B_xi, B_eta, Q = (scalar(name) for name in ("A_xi", "A_eta", "B_xi", "B_eta", "Q"))
-H, N = scalar("H"), scalar("N")
+A_xi, A_eta, B_xi, B_eta, Q = (real_symbol(name) for name in ("A_xi", "A_eta", "B_xi", "B_eta", "Q"))
+H, N = real_symbol("H"), real_symbol("N")
 
 NAME, TITLE = "rubber-ball-sphero-conical", "Rubber ball on a sphere, sphero-conical coordinates"
 SUMMARY = (

@@ -10,7 +10,7 @@ from dataclasses import replace
 
 from ...core.laws import Integral, Law
 from ...core.system import Parameter
-from ...core.vectors import cross, dot, scalar, unit, vectors
+from ...core.vectors import cross, dot, real_symbol, unit_vector, vectors
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.surface import ImplicitSurface
 from ..entry import Numbers
@@ -21,7 +21,7 @@ from .ball_on_any_surface import any_marble, any_supported_marble, any_supported
 __all__ = ["ENTRIES"]
 
 R, v = vectors("R v")
-h, s = scalar("h"), scalar("s")
+h, s = real_symbol("h"), real_symbol("s")
 x, y, z = ImplicitSurface.coordinates
 BASIN = z - h * (x**2 + y**2) ** 2 / s**4
 CUSHION = (x**4 + y**4 + z**4) / s**4 - 1
@@ -61,7 +61,7 @@ def _meridian(ball: RollingBall) -> tuple[Law, ...]:
 
 
 def _area(ball: RollingBall) -> tuple[Law, ...]:
-    value = dot(cross(R, v), unit(3))
+    value = dot(cross(R, v), unit_vector(3))
     meaning = "areal velocity about the axis"
     return (Integral("area", value, meaning, source="Clairaut 1733", unit="m^2/s"),)
 

@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 
 from ...core.laws import Identity, Integral, Law, Rate, Reduction
-from ...core.vectors import constant, cross, dot, explicit, scalar, unit, vectors
+from ...core.vectors import constant, cross, dot, to_components, real_symbol, unit_vector, vectors
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.surface import (
     CircularCylinder,
@@ -29,10 +29,10 @@ from ...mechanics.ball.surface import (
 __all__ = ["ROLLING", "known_ball_laws", "meridian_law", "quadratic"]
 
 R, omega, v, n, ndot, F = vectors("R omega v n ndot F")
-m, mu, b, k, p, q = (scalar(name) for name in ("m", "mu", "b", "k", "p", "q"))
-ell, mtilde, sigma = (scalar(name) for name in ("ell", "mtilde", "sigma"))
-semi_axes = tuple(scalar(f"a_{i}") for i in (1, 2, 3))
-Omega, swing = scalar("Omega"), scalar("J")
+m, mu, b, k, p, q = (real_symbol(name) for name in ("m", "mu", "b", "k", "p", "q"))
+ell, mtilde, sigma = (real_symbol(name) for name in ("ell", "mtilde", "sigma"))
+semi_axes = tuple(real_symbol(f"a_{i}") for i in (1, 2, 3))
+Omega, swing = real_symbol("Omega"), real_symbol("J")
 
 ROLLING = "Borisov, Mamaev, Kilin 2002"
 
@@ -106,9 +106,9 @@ def _momenta(ball: RollingBall) -> tuple[Law, ...]:
             Integral(
                 f"momentum_{axis}", part, f"momentum along {axis}", source="Routh 1884", unit="kg/s"
             )
-            for axis, part in zip("xyz", explicit(value), strict=True)
+            for axis, part in zip("xyz", to_components(value), strict=True)
         )
-    down = constant(ball.force / (m * scalar("g")))
+    down = constant(ball.force / (m * real_symbol("g")))
     return (
         Integral(
             "vertical", dot(value, down), "vertical momentum", source="Routh 1884", unit="kg/s"
@@ -257,6 +257,6 @@ def _rubber_revolution(ball: RollingBall) -> tuple[Law, ...]:
     level = _round(ball)
     if level is None:
         return ()
-    value: Any = dot(cross(R, v), unit(_third(ball) + 1))
+    value: Any = dot(cross(R, v), unit_vector(_third(ball) + 1))
     meaning = "areal velocity about the axis"
     return (Integral("area", value, meaning, on=level, source="Clairaut 1733", unit="m^2/s"),)

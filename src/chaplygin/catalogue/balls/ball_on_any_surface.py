@@ -19,7 +19,7 @@ from sympy.matrices.expressions import MatrixExpr
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, Law, Measure, Rate
 from ...core.system import Parameter, System
-from ...core.vectors import constant, cross, dot, explicit, gradient, normed, scalar, vectors, zero
+from ...core.vectors import constant, cross, dot, to_components, gradient, norm_squared, real_symbol, vectors, zero
 from ...mechanics.ball.equations import (
     Contact,
     Kinematics,
@@ -44,9 +44,9 @@ __all__ = [
 ]
 
 R, x, omega, v, n, ndot, r, N, F, df = vectors("R x omega v n ndot r N F df")
-m, mu, b, N_0, ell = (scalar(name) for name in ("m", "mu", "b", "N_0", "ell"))
-mtilde, sigma, lambda_, Delta = (scalar(s) for s in ("mtilde", "sigma", "lambda", "Delta"))
-beta = scalar("beta")
+m, mu, b, N_0, ell = (real_symbol(name) for name in ("m", "mu", "b", "N_0", "ell"))
+mtilde, sigma, lambda_, Delta = (real_symbol(s) for s in ("mtilde", "sigma", "lambda", "Delta"))
+beta = real_symbol("beta")
 half = sp.Rational(1, 2)
 
 SURFACE = sp.Function("f")(*R.symbols)
@@ -75,7 +75,7 @@ def _particle_on(
         parameters=(Parameter(mtilde, "mass", 1.4, "kg", (mtilde > 0,)), *parameters),
         definitions={
             df: gradient(surface, R, "f"),
-            ell: sp.sqrt(normed(df)),
+            ell: sp.sqrt(norm_squared(df)),
             n: df / ell,
             ndot: (bent - dot(n, bent) * n) / ell,
             F: force,
@@ -129,7 +129,7 @@ def _turning() -> Identity:
 
 
 def _common(kinematics: Kinematics, density: dict[Any, Any]) -> tuple[Law, ...]:
-    energy = half * m * normed(v) + half * mu * normed(omega) + POTENTIAL
+    energy = half * m * norm_squared(v) + half * mu * norm_squared(omega) + POTENTIAL
     volume = "area of the surface times volume of ω, on every surface and in every potential"
     stays = "the ball stays on its surface"
     return (
@@ -166,7 +166,7 @@ def tangential(system: System) -> System:
     place, field = system.state[0], dict(system.field)
     turn_1, turn_2, turn_3 = omega.symbols
     slope_1, slope_2, slope_3 = df.symbols
-    first, second, _ = explicit(field[omega])
+    first, second, _ = to_components(field[omega])
     index = [name for name, _ in system.definitions].index(n) + 1
     solved = (turn_3, -(slope_1 * turn_1 + slope_2 * turn_2) / slope_3)
     return replace(

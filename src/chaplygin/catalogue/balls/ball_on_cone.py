@@ -13,7 +13,7 @@ import sympy as sp
 
 from ...core.laws import Integral
 from ...core.system import System
-from ...core.vectors import dot, explicit, gradient, normed, vectors
+from ...core.vectors import dot, to_components, gradient, norm_squared, vectors
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.equations import ball_parameters, centred, equations_of_motion
 from ...mechanics.ball.surface import Cone
@@ -45,7 +45,7 @@ def any_cone() -> System:
     """A marble ball whose centre moves on any cone R₃ = R₁ h(R₂/R₁), drawn to the apex or not."""
     first, second, third = R.symbols
     shape = first * sp.Function("h")(second / first)
-    central = sp.Function("U")(explicit(normed(R)))
+    central = sp.Function("U")(to_components(norm_squared(R)))
     made = equations_of_motion(
         "marble",
         centred(third - shape),

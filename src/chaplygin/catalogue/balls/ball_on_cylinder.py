@@ -17,7 +17,7 @@ import sympy as sp
 
 from ...core.laws import Integral
 from ...core.system import Parameter, System
-from ...core.vectors import scalar, unit, vectors
+from ...core.vectors import real_symbol, unit_vector, vectors
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.equations import ball_parameters, centred, equations_of_motion
 from ...mechanics.ball.surface import CircularCylinder
@@ -28,7 +28,7 @@ from .ball_laws import ROLLING
 __all__ = ["ENTRIES", "any_cylinder"]
 
 R, omega = vectors("R omega")
-m, g = scalar("m"), scalar("g")
+m, g = real_symbol("m"), real_symbol("g")
 
 
 def _pipe(numbers: Numbers) -> RollingBall:
@@ -48,7 +48,7 @@ def any_cylinder() -> System:
     made = equations_of_motion(
         "marble",
         centred(sp.Function("f")(first, second)),
-        -m * g * unit(3),
+        -m * g * unit_vector(3),
         (*ball_parameters(1.0, 0.4, 1.0), weight),
         name="marble-ball-on-any-cylinder",
         title="Marble ball on any cylinder",

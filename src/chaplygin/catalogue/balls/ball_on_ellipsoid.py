@@ -12,7 +12,7 @@ from dataclasses import replace
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral, Law
 from ...core.system import Parameter, System
-from ...core.vectors import Diagonal, dot, explicit, gradient, normed, scalar, vectors
+from ...core.vectors import Diagonal, dot, to_components, gradient, norm_squared, real_symbol, vectors
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.equations import ball_parameters, centred, equations_of_motion
 from ...mechanics.ball.surface import EllipsoidSurface
@@ -25,9 +25,9 @@ __all__ = ["ENTRIES", "any_quadric"]
 
 R, omega, v = vectors("R omega v")
 A = Diagonal("A")
-ell, mtilde, kappa = (scalar(name) for name in ("ell", "mtilde", "kappa"))
+ell, mtilde, kappa = (real_symbol(name) for name in ("ell", "mtilde", "kappa"))
 SPRING_STIFFNESS = Parameter(kappa, "stiffness of the spring", 0.1, "N/m")
-SPRING = kappa / 2 * explicit(normed(R))
+SPRING = kappa / 2 * to_components(norm_squared(R))
 
 
 def _ball(numbers: Numbers) -> RollingBall:
@@ -68,7 +68,7 @@ def _particle(ball: RollingBall) -> tuple[Law, ...]:
 
 def any_quadric() -> System:
     """A marble ball whose centre moves on any quadric (R, AR) = const, with A of any signs."""
-    form = explicit(dot(R, A * R)) / 2
+    form = to_components(dot(R, A * R)) / 2
     entries = tuple(Parameter(s, f"coefficient {s}", 1.0) for s in A.symbols)
     made = equations_of_motion(
         "marble",

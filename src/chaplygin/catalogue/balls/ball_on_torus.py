@@ -11,7 +11,7 @@ from dataclasses import replace
 import sympy as sp
 
 from ...core.system import Parameter, System
-from ...core.vectors import scalar, unit, vectors
+from ...core.vectors import real_symbol, unit_vector, vectors
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.equations import ball_parameters, centred, equations_of_motion
 from ...mechanics.ball.surface import Ring
@@ -22,7 +22,7 @@ from .ball_laws import meridian_law
 __all__ = ["ENTRIES", "any_revolution"]
 
 (R,) = vectors("R")
-m, g = scalar("m"), scalar("g")
+m, g = real_symbol("m"), real_symbol("g")
 
 
 def _ball(numbers: Numbers) -> RollingBall:
@@ -47,7 +47,7 @@ def any_revolution() -> System:
     made = equations_of_motion(
         "marble",
         centred(third - profile),
-        -m * g * unit(3),
+        -m * g * unit_vector(3),
         (*ball_parameters(1.0, 0.4, 1.0), weight),
         name="marble-ball-on-any-surface-of-revolution",
         title="Marble ball on any surface of revolution",

@@ -20,7 +20,7 @@ import sympy as sp
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, Law
 from ...core.system import Parameter, System
-from ...core.vectors import constant, cross, dot, scalar, unit, vectors
+from ...core.vectors import constant, cross, dot, real_symbol, unit_vector, vectors
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.equations import ball_parameters, centred, equations_of_motion
 from ...mechanics.ball.surface import Paraboloid
@@ -32,7 +32,7 @@ from .ball_on_any_surface import TANGENT, particle, tangential
 __all__ = ["ENTRIES", "FORCE", "any_graph", "general"]
 
 R, omega, v, n, r, N, F = vectors("R omega v n r N F")
-m, mu, b, g, N_0, mtilde = (scalar(name) for name in ("m", "mu", "b", "g", "N_0", "mtilde"))
+m, mu, b, g, N_0, mtilde = (real_symbol(name) for name in ("m", "mu", "b", "g", "N_0", "mtilde"))
 x, y, z = R.symbols
 
 NAME = "rubber-ball-on-surface"
@@ -96,10 +96,10 @@ def _ball(numbers: Numbers) -> RollingBall:
 
 def _as_particle(ball: RollingBall) -> tuple[Law, ...]:
     """The ball in the bowl is a particle that falls more slowly."""
-    fall = scalar("w")
+    fall = real_symbol("w")
     falling = Parameter(fall, "acceleration of the particle in free fall", 7.0, "m/s^2")
     on_bowl = particle(
-        ball.kinematics.surface, -mtilde * fall * unit(3), *ball.surface.parameters, falling
+        ball.kinematics.surface, -mtilde * fall * unit_vector(3), *ball.surface.parameters, falling
     )
     heavier = m + mu / b**2
     return (

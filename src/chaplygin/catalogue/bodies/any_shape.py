@@ -18,8 +18,8 @@ from ...core.vectors import (
     dot,
     gradient,
     identity,
-    normed,
-    scalar,
+    norm_squared,
+    real_symbol,
     vectors,
 )
 from ...mechanics.rolling.body import Body
@@ -47,7 +47,7 @@ omega, gamma, r, rdot, gammadot = vectors("omega gamma r rdot gammadot")
 M, dh, torque, c = vectors("M dh torque c")
 I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")
 H = Symmetric("H")
-m, h, tau, area = (scalar(name) for name in ("m", "h", "tau", "A_a"))
+m, h, tau, area = (real_symbol(name) for name in ("m", "h", "tau", "A_a"))
 
 #: A support function and a potential, both arbitrary.
 SUPPORT = sp.Function("h_s")(*gamma.symbols)
@@ -62,7 +62,7 @@ SHAPE: Pairs = (
 )
 
 #: J = I + m r² and its inverse.
-INERTIA: Pairs = ((J, I + m * normed(r) * identity), (A, J**-1))
+INERTIA: Pairs = ((J, I + m * norm_squared(r) * identity), (A, J**-1))
 
 #: The multiple of the identity in W.
 LIFT = h - dot(gamma, dh)

@@ -16,14 +16,14 @@ import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from ...core.laws import Integral, Law, Measure, Rate, Reduction, Symmetry
-from ...core.system import Guard, Motion, Observable, Parameter, System
-from ...core.vectors import Vector, constant, cross, dot, explicit, normed, scalar, unit, vectors
+from ...core.system import Guard, Reconstruction, Observable, Parameter, System
+from ...core.vectors import Vector, constant, cross, dot, to_components, norm_squared, real_symbol, unit_vector, vectors
 from ...mechanics.rolling.attitude import (
     attitude,
     attitude_observable,
     quaternion_rate,
     rotation,
-    tie,
+    attitude_relations,
     unit_length,
 )
 from ...mechanics.rolling.body import check_inertia, check_mass
@@ -44,10 +44,10 @@ __all__ = [
 omega, gamma, xi, y, N, v, L = vectors("omega gamma xi y N v L")
 place = Vector("place", 2)
 m, R, g, I_1, I_3, V, s, omega_xi, omega_y, N_e = (
-    scalar(name) for name in ["m", "R", "g", "I_1", "I_3", "V", "s", "omega_xi", "omega_y", "N_e"]
+    real_symbol(name) for name in ["m", "R", "g", "I_1", "I_3", "V", "s", "omega_xi", "omega_y", "N_e"]
 )
 HALF = sp.Rational(1, 2)
-AXIS = unit(3)
+AXIS = unit_vector(3)
 gamma_3, omega_3 = gamma.symbols[2], omega.symbols[2]
 INERTIA = constant(sp.diag(I_1, I_1, I_3))
 MOMENTUM = "kg m^2/s"
@@ -87,15 +87,15 @@ def lift_off(force: sp.Expr) -> Guard:
     return Guard("contact", force, "the normal force changes sign", lift_off=True)
 
 
-def in_space(velocity: MatrixExpr) -> Motion:
+def in_space(velocity: MatrixExpr) -> Reconstruction:
     """Attitude, centre and contact point of a disk whose centre has a velocity (body axes)."""
     turn = rotation()
     first, second = place.symbols
-    horizontal = list(turn * explicit(velocity))[:2]
-    reach = turn * explicit(-R * y)
-    return Motion(
+    horizontal = list(turn * to_components(velocity))[:2]
+    reach = turn * to_components(-R * y)
+    return Reconstruction(
         field={attitude: quaternion_rate(omega), place: constant(horizontal)},
-        relations=(unit_length(), *tie(gamma)),
+        relations=(unit_length(), *attitude_relations(gamma)),
         observables=(
             attitude_observable(),
             Observable("centre", constant([first, second, R * s]), "centre of mass", "m", "space"),
@@ -139,7 +139,7 @@ def _gain(area: sp.Expr, spin: sp.Expr) -> sp.Expr:
 
 def _nutation() -> Reduction:
     """The quadrature: γ₃ alone, with the values h, c, w, f of the four integrals."""
-    h, c, w, f, V_f = (scalar(name) for name in ("h", "c", "w", "f", "V_f"))
+    h, c, w, f, V_f = (real_symbol(name) for name in ("h", "c", "w", "f", "V_f"))
     return Reduction(
         "nutation",
         {
@@ -204,7 +204,7 @@ def build(p: Numbers) -> System:
             gamma: cross(gamma, omega),
             V: -R * omega_xi * omega_y,
         },
-        relations=(normed(gamma) - 1,),
+        relations=(norm_squared(gamma) - 1,),
         laws=laws(),
         observables=(
             Observable("normal_force", dot(N, gamma), "normal force", "N"),

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from ...core.laws import Law, Measure, Rate, Reduction, Symmetry
 from ...core.system import System
-from ...core.vectors import dot, scalar, vectors
+from ...core.vectors import dot, real_symbol, vectors
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import Field, Rolling
+from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.rolling.shapes import Disk
 from ...mechanics.rolling.surfaces import Plane
 from ..entry import Entry, Numbers, Start
 
 M, gamma = vectors("M gamma")
-m, R, I_1, I_2, I_3 = (scalar(name) for name in ("m", "R", "I_1", "I_2", "I_3"))
+m, R, I_1, I_2, I_3 = (real_symbol(name) for name in ("m", "R", "I_1", "I_2", "I_3"))
 #: γ₃, the vertical momentum and the momentum about the axis.
-u, p, q = (scalar(name) for name in ("u", "p", "q"))
+u, p, q = (real_symbol(name) for name in ("u", "p", "q"))
 
 M_1, M_2, M_3 = M.symbols
 g_1, g_2, g_3 = gamma.symbols
@@ -24,7 +24,7 @@ SOURCE = "§4.1, §11.4"
 def build(p: Numbers) -> Rolling:
     """A disk of radius R with axis of symmetry along body axis 3."""
     body = Body(p["m"], (p["I_1"], p["I_1"], p["I_3"]), Disk(p["R"]))
-    return Rolling(body, field=Field(p["g"]))
+    return Rolling(body, field=Forces(p["g"]))
 
 
 def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import sympy as sp
 
 from ...core.system import System
-from ...core.vectors import cross, normed, scalar, vectors
-from ...mechanics.rolling.equations import Field, Rolling
+from ...core.vectors import cross, norm_squared, real_symbol, vectors
+from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.rolling.surfaces import Sphere
 from ..entry import Entry, Numbers, Start
 from .any_shape import ELLIPSOID, INERTIA, SHAPE, ellipsoid, energy, inverse, kinematics, touch
@@ -14,7 +14,7 @@ from .any_shape import ELLIPSOID, INERTIA, SHAPE, ellipsoid, energy, inverse, ki
 __all__ = ["ENTRIES", "any_marble_body", "general", "general_on_sphere"]
 
 omega, gamma, M, r, rdot, torque = vectors("omega gamma M r rdot torque")
-m, a = scalar("m"), scalar("a")
+m, a = real_symbol("m"), real_symbol("a")
 
 
 def any_marble_body(curvature: sp.Expr = sp.S.Zero) -> System:
@@ -40,7 +40,7 @@ def any_marble_body(curvature: sp.Expr = sp.S.Zero) -> System:
         },
         definitions=(*SHAPE, *INERTIA, (omega, inverse(M)), *contact.definitions),
         parameters=contact.parameters,
-        relations=(normed(gamma) - 1,),
+        relations=(norm_squared(gamma) - 1,),
         laws=(energy(),),
         source="(1.17) with λ₀ = 0",
     )
@@ -48,7 +48,7 @@ def any_marble_body(curvature: sp.Expr = sp.S.Zero) -> System:
 
 def build(p: Numbers) -> Rolling:
     """A heavy ellipsoid with three different axes and its centre of mass away from its centre."""
-    return Rolling(ellipsoid(p), field=Field(p["g"]))
+    return Rolling(ellipsoid(p), field=Forces(p["g"]))
 
 
 def build_on_sphere(p: Numbers) -> Rolling:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import Field, Rolling
+from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.rolling.shapes import Ellipsoid
 from ..entry import Entry, Numbers, Start
 
@@ -12,7 +12,7 @@ def build(p: Numbers) -> Rolling:
     """A heavy ellipsoid, turned by δ about the axis on which its centre of mass lies."""
     shape = Ellipsoid((p["b_1"], p["b_2"], p["b_3"]), turn=p["delta"], centre=(0.0, 0.0, p["c_3"]))
     body = Body(p["m"], (p["I_1"], p["I_2"], p["I_3"]), shape)
-    return Rolling(body, field=Field(p["g"]))
+    return Rolling(body, field=Forces(p["g"]))
 
 
 ENTRIES = (

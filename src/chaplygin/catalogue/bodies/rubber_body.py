@@ -6,8 +6,8 @@ import sympy as sp
 
 from ...core.laws import Identity, Rate
 from ...core.system import System
-from ...core.vectors import cross, dot, normed, scalar, vectors
-from ...mechanics.rolling.equations import Field, Rolling
+from ...core.vectors import cross, dot, norm_squared, real_symbol, vectors
+from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.rolling.surfaces import Sphere
 from ..entry import Entry, Numbers, Start
 from ..rates import rate
@@ -28,7 +28,7 @@ __all__ = ["ENTRIES", "any_rubber_body", "general", "general_on_sphere"]
 
 omega, gamma, r, rdot = vectors("omega gamma r rdot")
 M, X, q, torque = vectors("M X q torque")
-m, a, lambda_0 = scalar("m"), scalar("a"), scalar("lambda_0")
+m, a, lambda_0 = real_symbol("m"), real_symbol("a"), real_symbol("lambda_0")
 
 
 def any_rubber_body(curvature: sp.Expr = sp.S.Zero) -> System:
@@ -59,14 +59,14 @@ def any_rubber_body(curvature: sp.Expr = sp.S.Zero) -> System:
             (lambda_0, -(dot(q, X) + dot(omega, contact.gammadot)) / dot(q, gamma)),
         ),
         parameters=contact.parameters,
-        relations=(normed(gamma) - 1, dot(omega, gamma)),
+        relations=(norm_squared(gamma) - 1, dot(omega, gamma)),
         source="(1.18), (1.19)" if curvature == 0 else "(1.23)",
     )
 
 
 def build(p: Numbers) -> Rolling:
     """A heavy ellipsoid with three different axes and its centre of mass away from its centre."""
-    return Rolling(ellipsoid(p), contact="rubber", field=Field(p["g"]))
+    return Rolling(ellipsoid(p), contact="rubber", field=Forces(p["g"]))
 
 
 def build_on_sphere(p: Numbers) -> Rolling:

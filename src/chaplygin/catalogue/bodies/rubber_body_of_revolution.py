@@ -10,18 +10,18 @@ from sympy.matrices.expressions import MatrixExpr
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral, Law, Measure, Rate, Reduction, Symmetry
 from ...core.system import System
-from ...core.vectors import dot, normed, scalar, vectors
+from ...core.vectors import dot, norm_squared, real_symbol, vectors
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import Field, Rolling
+from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus
 from ...mechanics.rolling.surfaces import Plane
 from ..entry import Entry, Numbers, Start
 from .rubber_profile import HEIGHT, POTENTIAL, from_support, profile_system
 
 M, omega, gamma, r, c = vectors("M omega gamma r c")
-m, R, I_1, I_2, I_3 = (scalar(name) for name in ("m", "R", "I_1", "I_2", "I_3"))
+m, R, I_1, I_2, I_3 = (real_symbol(name) for name in ("m", "R", "I_1", "I_2", "I_3"))
 #: γ₃ and the constants of the motion in the reduction to quadratures.
-u, K, h = (scalar(name) for name in ("u", "K", "h"))
+u, K, h = (real_symbol(name) for name in ("u", "K", "h"))
 
 HALF = sp.Rational(1, 2)
 g_1, g_2, g_3 = gamma.symbols
@@ -46,7 +46,7 @@ def build_ball(p: Numbers) -> Rolling:
 
 def _rubber(p: Numbers, shape: Ball | Disk | Ellipsoid) -> Rolling:
     body = Body(p["m"], (p["I_1"], p["I_1"], p["I_3"]), shape)
-    return Rolling(body, contact="rubber", field=Field(p["g"]))
+    return Rolling(body, contact="rubber", field=Forces(p["g"]))
 
 
 def _symmetric(body: Body) -> bool:
@@ -76,7 +76,7 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     if any(body.shape.centre):
         level += tuple(c.symbols[:2])
     if isinstance(body.shape, Ellipsoid):
-        level += (scalar("b_1") - scalar("b_2"),)
+        level += (real_symbol("b_1") - real_symbol("b_2"),)
     reach, height = r + 0 * gamma, dot(r, gamma)
     if isinstance(body.shape, Ball):
         reach = body.shape.offset - R * gamma
@@ -127,7 +127,7 @@ def quadratures(
     """
     (energy,) = (law.value for law in system.integrals if law.name == "energy")
     potential = energy - HALF * dot(M, omega)
-    factor, principal = sp.sqrt(_square(height)), I_1 + m * normed(reach)
+    factor, principal = sp.sqrt(_square(height)), I_1 + m * norm_squared(reach)
     return Reduction(
         "quadratures",
         {u: g_3, K: factor * w_3, h: energy},
@@ -158,7 +158,7 @@ def measure(reach: MatrixExpr, height: sp.Expr, level: tuple[sp.Expr, ...] = ())
     """ρ = BA, for the contact vector `reach` and (r, γ) = `height`."""
     return Measure(
         "measure",
-        {I_1 + m * normed(reach): sp.S.One, _square(height): HALF},
+        {I_1 + m * norm_squared(reach): sp.S.One, _square(height): HALF},
         "invariant measure ρ d³ω d³γ, ρ = BA",
         on=level,
         source="§5, after (5.2)",
@@ -187,12 +187,12 @@ def _with_all_laws(chi: tuple[sp.Expr, sp.Expr], potential: sp.Expr = POTENTIAL)
 def rolled(gravity: float = 0.0) -> System:
     """The same, as the mechanics of any rolling body gives it; its I_2 is a symbol of its own."""
     body = Body(1.0, (0.3, 0.3, 0.2), Revolution(1 + g_3**2 / 4))
-    field = Field(gravity, POTENTIAL)
+    field = Forces(gravity, POTENTIAL)
     made = Rolling(body, contact="rubber", field=field).system("rubber-body-of-revolution")
     profile = {
-        scalar("p"): HEIGHT,
-        scalar("pprime"): HEIGHT.diff(g_3),
-        scalar("pprime2"): HEIGHT.diff(g_3, 2),
+        real_symbol("p"): HEIGHT,
+        real_symbol("pprime"): HEIGHT.diff(g_3),
+        real_symbol("pprime2"): HEIGHT.diff(g_3, 2),
     }
     return replace(
         made,

@@ -15,14 +15,14 @@ import sympy as sp
 
 from ...core.laws import Integral
 from ...core.system import Parameter, System
-from ...core.vectors import Diagonal, constant, cross, dot, normed, scalar, unit, vectors
+from ...core.vectors import Diagonal, constant, cross, dot, norm_squared, real_symbol, unit_vector, vectors
 
 __all__ = ["HEIGHT", "POTENTIAL", "from_support", "profile_system"]
 
 omega, gamma, r, rdot, M, X, n, w, e = vectors("omega gamma r rdot M X n w e")
 I = Diagonal("I")
 I_1, I_2, I_3 = I.symbols
-m, chi_1, chi_2, A, B, U = (scalar(s) for s in ("m", "chi_1", "chi_2", "A", "B", "U"))
+m, chi_1, chi_2, A, B, U = (real_symbol(s) for s in ("m", "chi_1", "chi_2", "A", "B", "U"))
 g_1, g_2, g_3 = gamma.symbols
 
 #: An unspecified support function, and an unspecified potential.
@@ -73,22 +73,22 @@ def profile_system(
             chi_2: second,
             r: constant([chi_1 * g_1, chi_1 * g_2, chi_2]),
             rdot: nod * constant([first.diff(g_3) * g_1, first.diff(g_3) * g_2, second.diff(g_3)])
-            + chi_1 * (rate - nod * unit(3)),
+            + chi_1 * (rate - nod * unit_vector(3)),
             I_2: I_1,
             M: I * omega + m * cross(r, cross(omega, r)),
             X: cross(M, omega)
             - m * cross(r, cross(omega, rdot))
-            + potential.diff(g_3) * cross(gamma, unit(3)),
+            + potential.diff(g_3) * cross(gamma, unit_vector(3)),
             A: I_1 * g_3**2 + I_3 * lean + m * dot(r, gamma) ** 2,
-            B: I_1 + m * normed(r),
-            n: cross(gamma, unit(3)),
-            w: unit(3) - g_3 * gamma,
+            B: I_1 + m * norm_squared(r),
+            n: cross(gamma, unit_vector(3)),
+            w: unit_vector(3) - g_3 * gamma,
         },
         field={
             omega: dot(X, n) / (B * lean) * n + dot(X, w) / (A * lean) * w,
             gamma: rate,
         },
-        relations=(normed(gamma) - 1, dot(omega, gamma)),
+        relations=(norm_squared(gamma) - 1, dot(omega, gamma)),
         laws=(
             Integral("energy", HALF * dot(M, omega) + U, "energy", source="Theorem 1", unit="J"),
         ),

@@ -30,16 +30,16 @@ from ...core.laws import (
     Reduction,
     Symmetry,
 )
-from ...core.system import Motion, Observable, Parameter, System
+from ...core.system import Reconstruction, Observable, Parameter, System
 from ...core.vectors import (
     Diagonal,
     constant,
     cross,
     dot,
-    explicit,
+    to_components,
     gradient,
-    normed,
-    scalar,
+    norm_squared,
+    real_symbol,
     vectors,
 )
 from ...mechanics.rolling.attitude import (
@@ -47,7 +47,7 @@ from ...mechanics.rolling.attitude import (
     attitude_observable,
     quaternion_rate,
     rotation,
-    tie,
+    attitude_relations,
     unit_length,
 )
 from ..e3 import inertia_parameters, lie_poisson
@@ -56,7 +56,7 @@ from .disk_on_ice import AXIS, HALF, INERTIA, MOMENTUM, disk_parameters, flat, l
 
 M, omega, gamma, b, bdot, X = vectors("M omega gamma b bdot X")
 I, A = Diagonal("I"), Diagonal("A")
-m, g, R, I_1, I_3, h, N = (scalar(name) for name in ("m", "g", "R", "I_1", "I_3", "h", "N"))
+m, g, R, I_1, I_3, h, N = (real_symbol(name) for name in ("m", "g", "R", "I_1", "I_3", "h", "N"))
 M_3, gamma_3 = M.symbols[2], gamma.symbols[2]
 SOURCE = "holonomic counterpart of §11.3"
 AREA = dot(M, gamma)
@@ -68,8 +68,8 @@ KINETIC = HALF * (dot(M, A * M) - m * dot(b, A * M) ** 2 / ADDED)
 
 def _along(vector: MatrixExpr, velocity: MatrixExpr) -> MatrixExpr:
     """The rate of a function of γ for a rate of γ."""
-    pairs = list(zip(gamma.symbols, explicit(velocity), strict=True))
-    return constant([sp.Add(*(sp.diff(c, s) * u for s, u in pairs)) for c in explicit(vector)])
+    pairs = list(zip(gamma.symbols, to_components(velocity), strict=True))
+    return constant([sp.Add(*(sp.diff(c, s) * u for s, u in pairs)) for c in to_components(vector)])
 
 
 def _hamiltonian_laws() -> tuple[Law, ...]:
@@ -77,7 +77,7 @@ def _hamiltonian_laws() -> tuple[Law, ...]:
     structure = PoissonStructure(
         "bracket",
         lie_poisson(M, gamma),
-        casimirs=(normed(gamma), AREA),
+        casimirs=(norm_squared(gamma), AREA),
         rank=4,
         meaning="bracket of e(3)",
         source=SOURCE,
@@ -129,7 +129,7 @@ def sliding(
             N: m * (g + dot(b, A * X) + dot(omega, bdot)) / ADDED,
         },
         field={M: X - m * g * b + m * dot(omega, b) * bdot, gamma: cross(gamma, omega)},
-        relations=(normed(gamma) - 1,),
+        relations=(norm_squared(gamma) - 1,),
         laws=(*_hamiltonian_laws(), *laws),
         observables=(
             Observable("omega", omega, "angular velocity", "rad/s", "body"),
@@ -167,7 +167,7 @@ S = sp.sqrt(1 - gamma_3**2)
 
 def _nutation() -> Reduction:
     """γ₃ alone, with the values of the integrals."""
-    energy, area = scalar("h_0"), scalar("c_0")
+    energy, area = real_symbol("h_0"), real_symbol("c_0")
     return Reduction(
         "nutation",
         {energy: HALF * dot(M, omega) + m * g * h, area: AREA},
@@ -182,13 +182,13 @@ def _nutation() -> Reduction:
     )
 
 
-def _upright() -> Motion:
+def _upright() -> Reconstruction:
     """The disk in space, its centre on the vertical axis."""
     centre = constant([0, 0, R * S])
-    reach = rotation() * explicit(-R * (gamma - gamma_3 * AXIS) / S)
-    return Motion(
+    reach = rotation() * to_components(-R * (gamma - gamma_3 * AXIS) / S)
+    return Reconstruction(
         field={attitude: quaternion_rate(omega)},
-        relations=(unit_length(), *tie(gamma)),
+        relations=(unit_length(), *attitude_relations(gamma)),
         observables=(
             attitude_observable(),
             Observable("centre", centre, "centre of mass", "m", "space"),

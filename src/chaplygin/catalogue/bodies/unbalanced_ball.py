@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from ...core.laws import Integral
 from ...core.system import System
-from ...core.vectors import dot, normed, scalar, vectors
+from ...core.vectors import dot, norm_squared, real_symbol, vectors
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Rolling
 from ...mechanics.rolling.shapes import Ball
@@ -14,7 +14,7 @@ from ...mechanics.rolling.surfaces import Sphere
 from ..entry import Entry, Numbers, Start
 
 M, omega, r = vectors("M omega r")
-m = scalar("m")
+m = real_symbol("m")
 
 
 def build(p: Numbers) -> Rolling:
@@ -35,7 +35,7 @@ def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
     free = field.gravity == 0 and field.potential == 0 and not any(body.gyrostat)
     if not (ball and free and rolling.contact == "marble"):
         return ()
-    value = normed(M) - m * normed(r) * dot(M, omega)
+    value = norm_squared(M) - m * norm_squared(r) * dot(M, omega)
     return (
         Integral("quadratic", value, "quadratic integral", source="(10.3)", unit="kg^2 m^4/s^2"),
     )

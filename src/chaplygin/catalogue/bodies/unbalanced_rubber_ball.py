@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from ...core.laws import Integral
 from ...core.system import System
-from ...core.vectors import cross, dot, normed, scalar, vectors
+from ...core.vectors import cross, dot, norm_squared, real_symbol, vectors
 from ...mechanics.rolling.equations import Rolling
 from ...mechanics.rolling.shapes import Ball
 from ...mechanics.rolling.surfaces import Plane
@@ -14,7 +14,7 @@ from ..entry import Entry, Numbers, Start
 from . import unbalanced_ball
 
 M, omega, gamma, c = vectors("M omega gamma c")
-m, R = scalar("m"), scalar("R")
+m, R = real_symbol("m"), real_symbol("R")
 
 
 def build(p: Numbers) -> Rolling:
@@ -34,7 +34,7 @@ def laws(rolling: Rolling, system: System) -> tuple[Integral, ...]:
     free = field.gravity == 0 and field.potential == 0 and not any(body.gyrostat)
     if not (ball and free and rolling.surface == Plane() and rolling.contact == "rubber"):
         return ()
-    value = normed(cross(M, gamma)) + 2 * m * R * dot(gamma, c) * dot(M, omega)
+    value = norm_squared(cross(M, gamma)) + 2 * m * R * dot(gamma, c) * dot(M, omega)
     return (
         Integral("quadratic", value, "quadratic integral", source="(10.5)", unit="kg^2 m^4/s^2"),
     )

@@ -25,7 +25,7 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ...core.laws import Identity, Integral, Rate
 from ...core.system import Parameter, System
-from ...core.vectors import Diagonal, constant, cross, dot, identity, normed, scalar, vectors
+from ...core.vectors import Diagonal, constant, cross, dot, identity, norm_squared, real_symbol, vectors
 from ...errors import InputError
 from ...mechanics.rolling.body import check_inertia
 from ..ball_on_sphere.rubber_ball_sphero_conical import cubic, normal, square
@@ -33,11 +33,11 @@ from ..entry import Entry, Numbers, Start
 
 omega, gamma, kappa, M, X = vectors("omega gamma kappa M X")
 J, K, A = Diagonal("J"), Diagonal("K"), Diagonal("A")
-s, lambda_0, xi, eta = (scalar(name) for name in ("s", "lambda_0", "xi", "eta"))
-m, R = scalar("m"), scalar("R")
+s, lambda_0, xi, eta = (real_symbol(name) for name in ("s", "lambda_0", "xi", "eta"))
+m, R = real_symbol("m"), real_symbol("R")
 #: Angles on the torus, and F/2H, the constant of the torus.
-alpha, beta, level = (scalar(name) for name in ("alpha", "beta", "lambda"))
-xidot, etadot = scalar("xidot"), scalar("etadot")
+alpha, beta, level = (real_symbol(name) for name in ("alpha", "beta", "lambda"))
+xidot, etadot = real_symbol("xidot"), real_symbol("etadot")
 
 NAME, TITLE = "unbalanced-rubber-ball-centred", "Unbalanced rubber ball from its centre"
 SUMMARY = (
@@ -87,7 +87,7 @@ def parameters(p: Numbers) -> tuple[Parameter, ...]:
 ENERGY = Integral("energy", dot(M, omega) / 2, "energy", source="(10.2)", unit="J")
 QUADRATIC = Integral(
     "quadratic",
-    normed(cross(M, gamma)) + s * dot(M, omega),
+    norm_squared(cross(M, gamma)) + s * dot(M, omega),
     "quadratic integral",
     source="(10.5)",
     unit="kg^2 m^4/s^2",
@@ -111,7 +111,7 @@ def centred(p: Numbers = DEFAULTS) -> System:
             lambda_0: -dot(A * gamma, X) / dot(A * gamma, gamma),
         },
         field={omega: A * (X + lambda_0 * gamma), gamma: cross(gamma, omega)},
-        relations=(normed(gamma) - 1, dot(omega, gamma)),
+        relations=(norm_squared(gamma) - 1, dot(omega, gamma)),
     )
 
 
@@ -127,7 +127,7 @@ def balance() -> tuple[System, Identity]:
     reach_rate = -R * cross(gamma, omega)
 
     def about_contact(spin: MatrixExpr) -> MatrixExpr:
-        about_centre = m * (normed(place) * spin - dot(place, spin) * place)
+        about_centre = m * (norm_squared(place) * spin - dot(place, spin) * place)
         central = J * spin - m * R**2 * spin - about_centre
         return central + m * cross(reach, cross(spin, reach))
 
@@ -158,7 +158,7 @@ def quadratic_forms() -> tuple[System, Identity]:
     first = (eta - s) * xidot**2 / -cubic(xi)
     second = (xi - s) * etadot**2 / cubic(eta)
     energy = dot(momentum, spin)
-    quadratic = normed(cross(momentum, gamma)) + s * dot(momentum, spin)
+    quadratic = norm_squared(cross(momentum, gamma)) + s * dot(momentum, spin)
     values = (
         energy - (eta - xi) / 4 * (first + second),
         quadratic - (eta - xi) / 4 * (eta * first + xi * second),
@@ -174,7 +174,7 @@ def torus(numbers: Numbers = APART, constant_of_torus: float = 1.4) -> System:
     State α, β with ξ = J₁cos²β + λsin²β, η = J₂cos²α + J₃sin²α; its time τ has
     dt = (η − ξ) √((ξ − s)(η − s)) dτ.  The definitions P² and Q² hold (dβ/dτ)² and (dα/dτ)².
     """
-    P, Q = scalar("P"), scalar("Q")
+    P, Q = real_symbol("P"), real_symbol("Q")
     place = (
         sp.sin(beta) * sp.sqrt((level - J_1) * (eta - J_1) / ((J_2 - J_1) * (J_3 - J_1))),
         sp.sin(alpha) * sp.sqrt((J_2 - xi) / (J_2 - J_1)),

@@ -28,11 +28,11 @@ from ...core.vectors import (
     Symmetric,
     cross,
     dot,
-    explicit,
+    to_components,
     identity,
-    normed,
+    norm_squared,
     outer,
-    scalar,
+    real_symbol,
     vectors,
 )
 from ...mechanics.rolling.body import check_inertia
@@ -42,11 +42,11 @@ from . import chaplygin_ball_unreduced
 
 M, omega, alpha, beta, gamma = vectors("M omega alpha beta gamma")
 I = Diagonal("I")
-m, R, D_1, D_2, D_3 = (scalar(name) for name in ("m", "R", "D_1", "D_2", "D_3"))
+m, R, D_1, D_2, D_3 = (real_symbol(name) for name in ("m", "R", "D_1", "D_2", "D_3"))
 SUPPORTS = ((D_1, alpha), (D_2, beta), (D_3, gamma))
 HALF = sp.Rational(1, 2)
 B, C = Symmetric("B"), Symmetric("C")
-Delta = scalar("Delta")
+Delta = real_symbol("Delta")
 MOMENTUM = "kg m^2/s"
 
 TITLE = "Ball in a ball bearing"
@@ -88,7 +88,7 @@ def laws(p: Numbers) -> tuple[Law, ...]:
             {name: name for name in (M, alpha, beta, gamma)},
             constants={m: D_3, R: sp.S.One},
             meaning="a single supporting ball",
-            onto=(normed(alpha) - 1, normed(beta) - 1),
+            onto=(norm_squared(alpha) - 1, norm_squared(beta) - 1),
             source=SOURCE,
             on=(D_1, D_2),
         ),
@@ -119,8 +119,8 @@ def build(p: Numbers) -> System:
         ),
         definitions={
             B: tensor(),
-            C: explicit(B).adjugate(),
-            Delta: explicit(B).det(method="berkowitz"),
+            C: to_components(B).adjugate(),
+            Delta: to_components(B).det(method="berkowitz"),
             omega: C * M / Delta,
         },
         field={
@@ -129,7 +129,7 @@ def build(p: Numbers) -> System:
             beta: cross(beta, omega),
             gamma: cross(gamma, omega),
         },
-        relations=(normed(alpha) - 1, normed(beta) - 1, normed(gamma) - 1),
+        relations=(norm_squared(alpha) - 1, norm_squared(beta) - 1, norm_squared(gamma) - 1),
         laws=laws(p),
         observables=(Observable("omega", omega, "angular velocity", "rad/s", "body"),),
     )

@@ -13,9 +13,9 @@ import sympy as sp
 from ...core.isomorphism import Isomorphism
 from ...core.laws import ConformallyHamiltonian, Integral, Law, Measure, PoissonStructure
 from ...core.system import System
-from ...core.vectors import Diagonal, dot, explicit, normed, scalar, vectors, zero
+from ...core.vectors import Diagonal, dot, to_components, norm_squared, real_symbol, vectors, zero
 from ...mechanics.rolling.body import Body
-from ...mechanics.rolling.equations import Field, Rolling
+from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.rolling.shapes import Ball
 from ...mechanics.rolling.surfaces import Plane
 from ..e3 import lie_poisson
@@ -25,10 +25,10 @@ from .chaplygin_bracket import DET_IQ, D, hamiltonian_form
 
 M, gamma, k, omega, L = vectors("M gamma k omega L")
 J, A = Diagonal("J"), Diagonal("A")
-K = scalar("K")
+K = real_symbol("K")
 
 #: Bruns' field U = ½K(γ, Iγ); K is the paper's k, a name that the rotors need.
-BRUNS = explicit(K / 2 * dot(gamma, Diagonal("I") * gamma))
+BRUNS = to_components(K / 2 * dot(gamma, Diagonal("I") * gamma))
 #: ρ = (det I_Q)^(−1/2) of (7.3), in the symbols of a rolling ball.
 DENSITY = 1 / sp.sqrt(DET_IQ)
 MOMENTUM_UNIT = "kg^2 m^4/s^2"
@@ -51,7 +51,7 @@ def with_rotors(p: Numbers) -> Rolling:
 
 def in_bruns_field(p: Numbers) -> Rolling:
     """The ball in the potential U = ½K(γ, Iγ)."""
-    return replace(ball(p), field=Field(potential=BRUNS, values=((K, p["K"]),)))
+    return replace(ball(p), field=Forces(potential=BRUNS, values=((K, p["K"]),)))
 
 
 def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
@@ -66,7 +66,7 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
         Integral("area", area, "area integral", source="(7.2)", unit="kg m^2/s"),
     ]
     potential = rolling.field.potential
-    square = normed(total)
+    square = norm_squared(total)
     meaning = "square of the momentum"
     factor = bruns_factor(potential) if body.principal and total == M else None
     if factor is not None:
@@ -92,7 +92,7 @@ def _forms(system: System, total: sp.MatrixExpr) -> tuple[Law, ...]:
     structure = PoissonStructure(
         "bracket",
         lie_poisson((total - D * dot(omega, gamma) * gamma) / DENSITY, gamma / DENSITY),
-        casimirs=(normed(gamma), dot(total, gamma)),
+        casimirs=(norm_squared(gamma), dot(total, gamma)),
         rank=4,
         meaning="minus the bracket (7.6), in the variables M, γ",
         source="(7.6)" if total == M else "§7.4",
@@ -131,7 +131,7 @@ def _onto_bracket(potential: sp.Expr, rotors: sp.MatrixExpr) -> Isomorphism:
 def _general(rolling: Rolling, rotors: sp.MatrixExpr, name: str) -> System:
     """The ball in an unspecified potential, with its Hamiltonian form."""
     potential = sp.Function("U")(*gamma.symbols)
-    made = Rolling(rolling.body, field=Field(potential=potential)).system(name)
+    made = Rolling(rolling.body, field=Forces(potential=potential)).system(name)
     area, *_ = laws(rolling, made)
     forms = _forms(made, M + rotors)
     return made.with_laws(area, *forms, _onto_bracket(potential, rotors))

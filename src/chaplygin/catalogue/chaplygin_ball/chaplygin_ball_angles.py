@@ -14,7 +14,7 @@ from sympy.matrices.expressions import MatrixExpr
 from ...core.isomorphism import Isomorphism
 from ...core.laws import ConformallyHamiltonian, Identity, Integral, PoissonStructure
 from ...core.system import Guard, Observable, Parameter, System
-from ...core.vectors import Components, constant, cross, dot, explicit, scalar, vectors, zero
+from ...core.vectors import Components, constant, cross, dot, to_components, real_symbol, vectors, zero
 from ..entry import Entry, Numbers, Start
 from .chaplygin_bracket import (
     DET_IQ,
@@ -35,9 +35,9 @@ from .chaplygin_bracket import (
 )
 
 M, omega, alpha, beta = vectors("M omega alpha beta")
-theta, phi, psi, x, y = (scalar(name) for name in ("theta", "phi", "psi", "x", "y"))
-thetadot, phidot, psidot = (scalar(f"{name}dot") for name in ("theta", "phi", "psi"))
-p_theta, p_phi, c, N, Sbar = (scalar(s) for s in ("p_theta", "p_phi", "c", "N", "Sbar"))
+theta, phi, psi, x, y = (real_symbol(name) for name in ("theta", "phi", "psi", "x", "y"))
+thetadot, phidot, psidot = (real_symbol(f"{name}dot") for name in ("theta", "phi", "psi"))
+p_theta, p_phi, c, N, Sbar = (real_symbol(s) for s in ("p_theta", "p_phi", "c", "N", "Sbar"))
 
 #: The area constant, a parameter of the reduced system.
 AREA = Parameter(c, "area constant (M, γ)", 0.8, "kg m^2/s")
@@ -145,10 +145,10 @@ def gyroscopic(rotors: MatrixExpr) -> sp.Expr:
 
 def hamiltonian(rotors: MatrixExpr) -> sp.Expr:
     """The energy in θ, φ, p_θ, p_φ, with nothing left to differentiate but these."""
-    place = dict(zip(gamma.symbols, explicit(VERTICAL), strict=True))
-    momentum = explicit(MOMENTUM).subs(N, 1 / sp.sqrt(explicit(DET_IQ_ANGLES)))
+    place = dict(zip(gamma.symbols, to_components(VERTICAL), strict=True))
+    momentum = to_components(MOMENTUM).subs(N, 1 / sp.sqrt(to_components(DET_IQ_ANGLES)))
     motion = dict(zip(L.symbols, momentum, strict=True))
-    value: sp.Expr = explicit(energy(rotors)).xreplace(place | motion)
+    value: sp.Expr = to_components(energy(rotors)).xreplace(place | motion)
     return value
 
 
@@ -251,7 +251,7 @@ def reduction(rotors: MatrixExpr = zero) -> Isomorphism:
     """From the ball in angles to its Hamiltonian form."""
     density = 1 / sp.sqrt(DET_IQ)
     total = M + rotors
-    first, second, third = explicit(total)
+    first, second, third = to_components(total)
     law = Isomorphism(
         "reduced",
         reduced(rotors, gyroscopic(rotors)),

@@ -13,7 +13,7 @@ import sympy as sp
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral
 from ...core.system import Parameter, System
-from ...core.vectors import Diagonal, constant, cross, dot, normed, scalar, vectors
+from ...core.vectors import Diagonal, constant, cross, dot, norm_squared, real_symbol, vectors
 from ...mechanics.rolling.body import check_inertia
 from ..e3 import Gamma, inertia_parameters
 from ..e3 import M as CLEBSCH_MOMENTUM
@@ -24,7 +24,7 @@ from .chaplygin_bracket import DET_IQ, DET_J, A, D, J, gamma
 
 M, K, omega = vectors("M K omega")
 I = Diagonal("I")
-beta = scalar("beta")
+beta = real_symbol("beta")
 
 DET_I = sp.Mul(*I.symbols)
 INVERSE = I**-1
@@ -61,7 +61,7 @@ def fedorov(p: Numbers) -> System:
             K: cross(K, INVERSE * K) - beta * cross(gamma, I * gamma),
             gamma: cross(gamma, INVERSE * K),
         },
-        relations=(normed(gamma) - 1,),
+        relations=(norm_squared(gamma) - 1,),
         laws=(
             Integral(
                 "energy",
@@ -73,7 +73,7 @@ def fedorov(p: Numbers) -> System:
             Integral("area", dot(K, gamma), "area integral", source=SOURCE, unit="kg m^2/s"),
             Integral(
                 "clebsch",
-                normed(K) + beta * DET_I * dot(gamma, INVERSE * gamma),
+                norm_squared(K) + beta * DET_I * dot(gamma, INVERSE * gamma),
                 "integral of Clebsch",
                 source=SOURCE,
                 unit="kg^2 m^4/s^2",
@@ -108,7 +108,7 @@ def onto_clebsch() -> Isomorphism:
         density * DET_J / D * sp.Mul(*ROOTS),
         constants={
             **dict(zip(I.symbols, WIDTHS, strict=True)),
-            c: density**2 * normed(M) * SPREAD / sp.Mul(*WIDTHS),
+            c: density**2 * norm_squared(M) * SPREAD / sp.Mul(*WIDTHS),
             clebsch.alpha: sp.S.One,
             clebsch.beta: -sp.S.One,
         },

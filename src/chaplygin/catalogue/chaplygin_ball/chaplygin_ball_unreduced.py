@@ -6,7 +6,7 @@ import sympy as sp
 
 from ...core.laws import Integral, Measure
 from ...core.system import System
-from ...core.vectors import cross, dot, gradient, normed, vectors, zero
+from ...core.vectors import cross, dot, gradient, norm_squared, vectors, zero
 from ..entry import Entry, Numbers, Start
 from .chaplygin_bracket import DET_IQ, PARAMETERS, TENSORS, A, D, with_numbers
 
@@ -60,7 +60,7 @@ def orientation(potential: sp.Expr) -> System:
             beta: cross(beta, omega),
             gamma: cross(gamma, omega),
         },
-        relations=(normed(gamma) - 1,),
+        relations=(norm_squared(gamma) - 1,),
         laws=tuple(laws),
     )
 

@@ -18,14 +18,14 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ...core.laws import ConformallyHamiltonian, Integral, PoissonStructure
 from ...core.system import Parameter, System
-from ...core.vectors import Diagonal, cross, dot, gradient, identity, normed, scalar, vectors, zero
+from ...core.vectors import Diagonal, cross, dot, gradient, identity, norm_squared, real_symbol, vectors, zero
 from ...mechanics.rolling.body import check_inertia, check_mass
 from ..e3 import lie_poisson
 from ..entry import Entry, Numbers, Start
 
 L, gamma, k, u = vectors("L gamma k u")
 I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")
-m, R, rho = (scalar(name) for name in ("m", "R", "rho"))
+m, R, rho = (real_symbol(name) for name in ("m", "R", "rho"))
 
 D = m * R**2
 J_1, J_2, J_3 = J.symbols
@@ -112,7 +112,7 @@ def hamiltonian_form(potential: sp.Expr, rotors: MatrixExpr = zero) -> System:
     structure = PoissonStructure(
         "bracket",
         lie_poisson(u, gamma),
-        casimirs=(normed(gamma), dot(L, gamma) / rho),
+        casimirs=(norm_squared(gamma), dot(L, gamma) / rho),
         rank=4,
         meaning="minus the bracket (7.6), so that dx/dτ = {x, H}",
         source="(7.6)" if rotors == zero else "§7.4",
@@ -137,7 +137,7 @@ def hamiltonian_form(potential: sp.Expr, rotors: MatrixExpr = zero) -> System:
             L: cross(u, slope_L) + cross(gamma, slope_gamma),
             gamma: cross(gamma, slope_L),
         },
-        relations=(normed(gamma) - 1,),
+        relations=(norm_squared(gamma) - 1,),
         laws=(
             Integral("energy", hamiltonian, "energy", source="(7.7)", unit="J"),
             Integral("area", dot(L, gamma) / rho, "area integral", source="(7.2)", unit="kg m^2/s"),
@@ -158,7 +158,7 @@ def with_numbers(made: System, p: Numbers) -> System:
 
 
 def _without_field(rotors: MatrixExpr, p: Numbers) -> System:
-    square = normed(L) * DET_IQ
+    square = norm_squared(L) * DET_IQ
     return with_numbers(hamiltonian_form(sp.S.Zero, rotors), p).with_laws(
         Integral("momentum", square, "square of the momentum", source="(7.4)", unit="kg^2 m^4/s^2")
     )

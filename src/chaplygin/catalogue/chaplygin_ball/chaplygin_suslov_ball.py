@@ -13,13 +13,13 @@ from typing import Any
 import sympy as sp
 
 from ...core.laws import Identity, Integral, Law, Measure, Rate
-from ...core.system import Motion, Observable, Parameter, System
-from ...core.vectors import Diagonal, constant, cross, dot, gradient, normed, scalar, vectors
+from ...core.system import Reconstruction, Observable, Parameter, System
+from ...core.vectors import Diagonal, constant, cross, dot, gradient, norm_squared, real_symbol, vectors
 from ...mechanics.rolling.attitude import (
     attitude,
     attitude_observable,
     quaternion_rate,
-    tie,
+    attitude_relations,
     unit_length,
 )
 from ...mechanics.rolling.body import check_inertia, check_mass
@@ -28,7 +28,7 @@ from ..rates import rate
 
 omega, gamma, e, X, p, q = vectors("omega gamma e X p q")
 I, J, A = Diagonal("I"), Diagonal("J"), Diagonal("A")
-m, R, D, s, sigma, lambda_0 = (scalar(n) for n in ("m", "R", "D", "s", "sigma", "lambda_0"))
+m, R, D, s, sigma, lambda_0 = (real_symbol(n) for n in ("m", "R", "D", "s", "sigma", "lambda_0"))
 
 POTENTIAL = sp.Function("U")(*gamma.symbols)
 #: The axis e is the principal axis 3.
@@ -82,13 +82,13 @@ def equations(numbers: Numbers, potential: Any = sp.S.Zero) -> System:
             omega: A * (X + D * sigma * gamma + lambda_0 * e),
             gamma: cross(gamma, omega),
         },
-        relations=(normed(gamma) - 1, dot(omega, e)),
+        relations=(norm_squared(gamma) - 1, dot(omega, e)),
         observables=(
             Observable("spin_torque", lambda_0, "torque about the axis of the ball", "N m"),
         ),
-        motion=Motion(
+        motion=Reconstruction(
             field={attitude: quaternion_rate(omega)},
-            relations=(unit_length(), *tie(gamma)),
+            relations=(unit_length(), *attitude_relations(gamma)),
             observables=(attitude_observable(),),
         ),
     )
@@ -119,7 +119,7 @@ def _volume() -> Measure:
 def _swerving() -> tuple[Law, ...]:
     """Without forces Jω̇ − mR²σγ is (Ie, ω) e×ω up to a multiple of e."""
     swerve = dot(I * e, omega)
-    turned = J * rate(omega) - D * sigma * gamma - (swerve / normed(e)) * cross(e, omega)
+    turned = J * rate(omega) - D * sigma * gamma - (swerve / norm_squared(e)) * cross(e, omega)
     return (
         Identity("swerve", cross(e, turned), "equations without the multiplier", source=SOURCE),
         Measure(

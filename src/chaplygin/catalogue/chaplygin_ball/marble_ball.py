@@ -14,7 +14,7 @@ import sympy as sp
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, Law
 from ...core.system import Observable, Parameter, System
-from ...core.vectors import constant, cross, dot, normed, scalar, unit, vectors
+from ...core.vectors import constant, cross, dot, norm_squared, real_symbol, unit_vector, vectors
 from ...mechanics.rolling.body import check_inertia, check_mass
 from ..entry import Entry, Numbers, Start
 from ..rates import rate
@@ -22,7 +22,7 @@ from ..rates import rate
 __all__ = ["ENTRIES", "ball"]
 
 R, omega, v, r, N, F = vectors("R omega v r N F")
-m, mu, b, kappa, mtilde = (scalar(name) for name in ("m", "mu", "b", "kappa", "mtilde"))
+m, mu, b, kappa, mtilde = (real_symbol(name) for name in ("m", "mu", "b", "kappa", "mtilde"))
 
 NAME = "marble-ball"
 TITLE = "Homogeneous marble ball"
@@ -54,10 +54,10 @@ def ball(numbers: Numbers, force: Any, *further: Parameter) -> System:
             *further,
         ),
         definitions={
-            r: -b * unit(3),
+            r: -b * unit_vector(3),
             F: force,
             v: cross(r, omega),
-            N: (m / heavier) * (F - dot(F, unit(3)) * unit(3)) - F,
+            N: (m / heavier) * (F - dot(F, unit_vector(3)) * unit_vector(3)) - F,
         },
         field={R: v, omega: cross(F, r) / (mu + m * b**2)},
         observables=(
@@ -87,7 +87,7 @@ def laws() -> tuple[Law, ...]:
         ),
         Identity(
             "particle",
-            (rate(R) - v, heavier * rate(v) - F + dot(F, unit(3)) * unit(3)),
+            (rate(R) - v, heavier * rate(v) - F + dot(F, unit_vector(3)) * unit_vector(3)),
             "the centre moves in a horizontal plane as a particle of mass m + μ/b²",
             source="Proposition 2",
         ),
@@ -117,7 +117,7 @@ def build(numbers: Numbers) -> System:
     """The ball on a spring."""
     stiffness = Parameter(kappa, "stiffness of the spring", numbers["kappa"], "N/m", (kappa > 0,))
     half, (x_1, x_2, _), (v_1, v_2, _) = sp.Rational(1, 2), R.symbols, v.symbols
-    kinetic = half * m * normed(v) + half * mu * normed(omega)
+    kinetic = half * m * norm_squared(v) + half * mu * norm_squared(omega)
     return ball(numbers, SPRING, stiffness).with_laws(
         Integral(
             "energy", kinetic + half * kappa * (x_1**2 + x_2**2), "energy", source="(2.6)", unit="J"

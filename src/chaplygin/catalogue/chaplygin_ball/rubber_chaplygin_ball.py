@@ -9,8 +9,8 @@ import sympy as sp
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral, Law, Measure
 from ...core.system import System
-from ...core.vectors import Diagonal, cross, dot, normed, vectors, zero
-from ...mechanics.rolling.equations import Field, Rolling
+from ...core.vectors import Diagonal, cross, dot, norm_squared, vectors, zero
+from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.rolling.shapes import Ball
 from ...mechanics.rolling.surfaces import Plane
 from ..entry import Entry, Numbers, Start, bruns_factor
@@ -37,7 +37,7 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
         return ()
     found: tuple[Law, ...] = (_measure(),) if body.principal else ()
     total = M + k if any(body.gyrostat) else M + zero
-    value = normed(cross(total, gamma))
+    value = norm_squared(cross(total, gamma))
     potential = rolling.field.potential
     if potential == 0:
         meaning = "square of the horizontal momentum"
@@ -79,7 +79,7 @@ def _onto(target: System) -> Isomorphism:
 def unspecified() -> System:
     """The ball in an arbitrary potential U(γ)."""
     potential = sp.Function("U")(*gamma.symbols)
-    rolling = replace(build(chaplygin_ball.NUMBERS), field=Field(potential=potential))
+    rolling = replace(build(chaplygin_ball.NUMBERS), field=Forces(potential=potential))
     made = rolling.system("rubber-chaplygin-ball")
     return made.with_laws(_measure(), _onto(veselova.general()))
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Law
 from ...core.system import System
-from ...mechanics.rolling.equations import Field, Rolling
+from ...mechanics.rolling.equations import Forces, Rolling
 from ..entry import Entry, Numbers, bruns_factor
 from ..fixed_point import veselova
 from . import chaplygin_ball, rubber_chaplygin_ball
@@ -17,7 +17,7 @@ __all__ = ["ENTRIES"]
 
 def build(p: Numbers) -> Rolling:
     """The ball in the potential U = ½K(γ, Iγ)."""
-    field = Field(potential=chaplygin_ball.BRUNS, values=((veselova.K, p["K"]),))
+    field = Forces(potential=chaplygin_ball.BRUNS, values=((veselova.K, p["K"]),))
     return replace(rubber_chaplygin_ball.build(p), field=field)
 
 

@@ -18,7 +18,7 @@ from sympy.matrices.expressions import MatrixExpr
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral, Measure, Symmetry
 from ...core.system import Observable, Parameter, System
-from ...core.vectors import Components, Diagonal, cross, dot, scalar, vectors
+from ...core.vectors import Components, Diagonal, cross, dot, real_symbol, vectors
 from ...mechanics.rolling.attitude import attitude, quaternion_rate, rotation, unit_length
 from ...mechanics.rolling.body import check_inertia, check_mass
 from ..e3 import inertia_parameters
@@ -26,9 +26,9 @@ from ..entry import Entry, Numbers, Start
 
 omega, alpha, beta, gamma, M, X, q = vectors("omega alpha beta gamma M X q")
 I, A = Diagonal("I"), Diagonal("A")
-m, R, x, lambda_0 = (scalar(name) for name in ("m", "R", "x", "lambda_0"))
+m, R, x, lambda_0 = (real_symbol(name) for name in ("m", "R", "x", "lambda_0"))
 P, S, D_11, D_12, D_22, Delta, omega_b, omega_c = (
-    scalar(name)
+    real_symbol(name)
     for name in ("P", "S", "D_11", "D_12", "D_22", "Delta", "omega_beta", "omega_gamma")
 )
 HALF = sp.Rational(1, 2)

@@ -6,17 +6,17 @@ import sympy as sp
 
 from ...core.laws import Integral
 from ...core.system import Parameter, System
-from ...core.vectors import dot, normed, scalar
+from ...core.vectors import dot, norm_squared, real_symbol
 from ...mechanics.rolling.body import check_inertia
 from ..e3 import Gamma, I, M, e3_system, inertia_parameters
 from ..entry import Entry, Numbers, Start
 from .neumann import SECOND, STRENGTH, c
 
-alpha, beta = scalar("alpha"), scalar("beta")
+alpha, beta = real_symbol("alpha"), real_symbol("beta")
 HALF = sp.Rational(1, 2)
 
 #: With `SECOND` the two quadratic integrals, in involution on the whole of e(3).
-FIRST = HALF * (normed(M) + c * dot(Gamma, I * Gamma))
+FIRST = HALF * (norm_squared(M) + c * dot(Gamma, I * Gamma))
 
 TITLE = "Clebsch case"
 SUMMARY = (

@@ -24,15 +24,15 @@ import sympy as sp
 
 from ...core.laws import Integral, Measure
 from ...core.system import Parameter, System
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from ...mechanics.rolling.body import check_mass
 from ..entry import Entry, Numbers, Start
 
 PAIRS = tuple(combinations(range(4), 2))
 gamma, u, p, f = (
-    sp.Matrix([scalar(f"{name}_{i}") for i in range(1, 5)]) for name in ["gamma", "u", "p", "f"]
+    sp.Matrix([real_symbol(f"{name}_{i}") for i in range(1, 5)]) for name in ["gamma", "u", "p", "f"]
 )
-m, R, Delta = (scalar(name) for name in ("m", "R", "Delta"))
+m, R, Delta = (real_symbol(name) for name in ("m", "R", "Delta"))
 HALF = sp.Rational(1, 2)
 SOURCE = "§12, problem 3"
 MOMENTUM = "kg m^2/s"
@@ -43,7 +43,7 @@ def skew(name: str) -> sp.Matrix:
     """A skew matrix with the entries name_12, …, name_34 above its diagonal."""
     made = sp.zeros(4)
     for i, j in PAIRS:
-        entry = scalar(f"{name}_{i + 1}{j + 1}")
+        entry = real_symbol(f"{name}_{i + 1}{j + 1}")
         made[i, j], made[j, i] = entry, -entry
     return made
 
@@ -55,7 +55,7 @@ def above(matrix: sp.Matrix) -> dict[tuple[int, int], sp.Expr]:
 
 def moment(i: int, j: int) -> sp.Symbol:
     """I_ij, in either order of the indices."""
-    return scalar(f"I_{min(i, j) + 1}{max(i, j) + 1}")
+    return real_symbol(f"I_{min(i, j) + 1}{max(i, j) + 1}")
 
 
 k, omega = skew("k"), skew("omega")
@@ -78,7 +78,7 @@ def _inertia(numbers: Numbers) -> tuple[Parameter, ...]:
 def _solved(matrix: sp.Matrix, right: sp.Matrix) -> dict[sp.Symbol, sp.Expr]:
     """B and its determinant, f, and u with B u = f, as definitions."""
     entries = {(i, j): matrix[i, j] for i in range(4) for j in range(i, 4)}
-    names = {(i, j): scalar(f"B_{i + 1}{j + 1}") for i, j in entries}
+    names = {(i, j): real_symbol(f"B_{i + 1}{j + 1}") for i, j in entries}
     named = sp.Matrix(4, 4, lambda i, j: names[min(i, j), max(i, j)])
     return {
         **{names[place]: value for place, value in entries.items()},

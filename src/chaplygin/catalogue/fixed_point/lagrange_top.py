@@ -21,7 +21,7 @@ from ...core.laws import (
     Symmetry,
 )
 from ...core.system import Parameter, System
-from ...core.vectors import constant, cross, dot, explicit, scalar, unit
+from ...core.vectors import constant, cross, dot, to_components, real_symbol, unit_vector
 from ...mechanics.rolling.body import check_inertia
 from ..e3 import Gamma, M, e3_system
 from ..entry import Entry, Numbers, Start
@@ -34,7 +34,7 @@ p_theta, p_phi, p_psi = sp.symbols("p_theta p_phi p_psi", real=True)
 M_1, M_2, M_3 = M.symbols
 Gamma_1, Gamma_2, Gamma_3 = Gamma.symbols
 #: Values of the energy and of the area integral.
-h_0, c_0 = scalar("h_0"), scalar("c_0")
+h_0, c_0 = real_symbol("h_0"), real_symbol("c_0")
 
 SOURCE = "§4.1"
 ANGULAR = "kg m^2/s"
@@ -64,7 +64,7 @@ def on_e3(p: Numbers) -> System:
     """The top in the momentum M and the vertical Γ, body axes."""
     area = dot(M, Gamma)
     hamiltonian = (M_1**2 + M_2**2) / (2 * I_1) + M_3**2 / (2 * I_3) + P * Gamma_3
-    turned = scalar("phi")
+    turned = real_symbol("phi")
     return e3_system(
         "lagrange-top",
         TITLE,
@@ -75,7 +75,7 @@ def on_e3(p: Numbers) -> System:
             Integral("spin", M_3, "momentum about the axis", source=SOURCE, unit=ANGULAR),
             Symmetry(
                 "axis",
-                {M: cross(unit(3), M), Gamma: cross(unit(3), Gamma)},
+                {M: cross(unit_vector(3), M), Gamma: cross(unit_vector(3), Gamma)},
                 "rotation of the body about its axis",
                 source=SOURCE,
             ),
@@ -195,8 +195,8 @@ def _body_axes(momentum: tuple[sp.Expr, ...], vertical: tuple[sp.Expr, ...]) -> 
 
 
 def _e3_rates(omega: MatrixExpr) -> tuple[sp.Expr, ...]:
-    turning = explicit(cross(M, omega) + P * cross(Gamma, unit(3)))
-    return (*turning, *explicit(cross(Gamma, omega)))
+    turning = to_components(cross(M, omega) + P * cross(Gamma, unit_vector(3)))
+    return (*turning, *to_components(cross(Gamma, omega)))
 
 
 def _cyclic() -> tuple[Law, ...]:

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from ...core.laws import Integral, Rate, Separation
 from ...core.system import Parameter, System
-from ...core.vectors import dot, normed, scalar
+from ...core.vectors import dot, norm_squared, real_symbol
 from ...mechanics.rolling.body import check_inertia
 from ..e3 import Gamma, H, I, M, e3_system, inertia_parameters
 from ..entry import Entry, Numbers, Start
-from ..sphero_conical import coordinates, cubic, u, v
+from ..sphero_conical import sphero_conical_coordinates, cubic, u, v
 
-c = scalar("c")
+c = real_symbol("c")
 #: The values of the two integrals.
-h, f = scalar("h"), scalar("f")
+h, f = real_symbol("h"), real_symbol("f")
 I_1, I_2, I_3 = I.symbols
 SECOND = (dot(M, I * M) - c * I_1 * I_2 * I_3 * dot(Gamma, I**-1 * Gamma)) / 2
 
@@ -32,7 +32,7 @@ def build(p: Numbers) -> System:
     return e3_system(
         "neumann",
         TITLE,
-        (normed(M) + c * dot(Gamma, I * Gamma)) / 2,
+        (norm_squared(M) + c * dot(Gamma, I * Gamma)) / 2,
         (*inertia_parameters(moments), Parameter(c, STRENGTH, p["c"], "1/(kg m^2)")),
         level=(dot(M, Gamma),),
         laws=(
@@ -55,7 +55,7 @@ def separation() -> Separation:
     trace = I_1 + I_2 + I_3
     return Separation(
         "separation",
-        {**coordinates(Gamma), h: H, f: SECOND},
+        {**sphero_conical_coordinates(Gamma), h: H, f: SECOND},
         (
             *(
                 (u - v) ** 2 * Rate(z) ** 2

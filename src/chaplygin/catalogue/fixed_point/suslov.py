@@ -12,14 +12,14 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral, Law, Measure
-from ...core.system import Motion, Observable, Parameter, System
-from ...core.vectors import constant, cross, dot, gradient, normed, scalar, unit, vectors
+from ...core.system import Reconstruction, Observable, Parameter, System
+from ...core.vectors import constant, cross, dot, gradient, norm_squared, real_symbol, unit_vector, vectors
 from ...errors import InputError
 from ...mechanics.rolling.attitude import (
     attitude,
     attitude_observable,
     quaternion_rate,
-    tie,
+    attitude_relations,
     unit_length,
 )
 from ...mechanics.rolling.body import check_inertia
@@ -29,7 +29,7 @@ from . import suslov_bracket
 __all__ = ["field_free", "in_field", "in_quadratic_field"]
 
 omega, gamma, X = vectors("omega gamma X")
-lambda_0 = scalar("lambda_0")
+lambda_0 = real_symbol("lambda_0")
 I_1, I_2, I_3, I_13, I_23 = MOMENTS = sp.symbols("I_1 I_2 I_3 I_13 I_23", real=True)
 C_1, C_2, C_3 = STRENGTHS = sp.symbols("C_1:4", real=True)
 
@@ -95,7 +95,7 @@ def in_field(
             lambda_0: first * X_1 / I_1 + second * X_2 / I_2 - X_3,
         },
         field={omega: constant(acceleration), gamma: cross(gamma, omega)},
-        relations=(normed(gamma) - 1, dot(omega, unit(3))),
+        relations=(norm_squared(gamma) - 1, dot(omega, unit_vector(3))),
         laws=(
             Integral(
                 "energy",
@@ -116,9 +116,9 @@ def in_field(
         observables=(
             Observable("axis_torque", lambda_0, "torque about the axis without rotation", "N m"),
         ),
-        motion=Motion(
+        motion=Reconstruction(
             field={attitude: quaternion_rate(omega)},
-            relations=(unit_length(), *tie(gamma)),
+            relations=(unit_length(), *attitude_relations(gamma)),
             observables=(attitude_observable(),),
         ),
     )
@@ -231,7 +231,7 @@ def _quadratic_laws() -> tuple[Law, ...]:
             time=sp.sqrt(first),
             constants={suslov_bracket.d: sp.sqrt(second / first)},
             meaning="Hamiltonian form of Suslov's problem with the five-dimensional bracket",
-            onto=(normed(gamma) - 1,),
+            onto=(norm_squared(gamma) - 1,),
             source="§3.4, (3.8)",
         ),
     )

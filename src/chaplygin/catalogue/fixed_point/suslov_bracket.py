@@ -12,7 +12,7 @@ import sympy as sp
 
 from ...core.laws import ConformallyHamiltonian, Integral, Measure, PoissonStructure
 from ...core.system import Parameter, System
-from ...core.vectors import Components, Vector, constant, normed
+from ...core.vectors import Components, Vector, constant, norm_squared
 from ..entry import Entry, Numbers, Start
 
 __all__ = ["bracket", "d", "gamma", "general", "p_1", "p_2", "third_casimir"]
@@ -96,7 +96,7 @@ def build(numbers: Numbers) -> System:
             gamma: constant([p_1 * gamma_3, d * p_2 * gamma_3, -p_1 * gamma_1 - d * p_2 * gamma_2]),
         },
         laws=(
-            Integral("hamiltonian", normed(gamma) / 2, "Hamiltonian function", source=SOURCE),
+            Integral("hamiltonian", norm_squared(gamma) / 2, "Hamiltonian function", source=SOURCE),
             Integral("first", first, "first Casimir function", source="§3.4, after (3.8)"),
             Integral("second", second, "second Casimir function", source="§3.4, after (3.8)"),
             structure,
@@ -112,7 +112,7 @@ def build(numbers: Numbers) -> System:
                 "form",
                 sp.S.One,
                 structure,
-                normed(gamma) / 2,
+                norm_squared(gamma) / 2,
                 "Hamiltonian form",
                 source=SOURCE,
             ),

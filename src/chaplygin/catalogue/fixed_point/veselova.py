@@ -14,40 +14,40 @@ from ...core.laws import (
     Rate,
     Separation,
 )
-from ...core.system import Motion, Observable, Parameter, System
+from ...core.system import Reconstruction, Observable, Parameter, System
 from ...core.vectors import (
     Components,
     Diagonal,
     constant,
     cross,
     dot,
-    explicit,
+    to_components,
     gradient,
     hat,
-    normed,
-    scalar,
+    norm_squared,
+    real_symbol,
     vectors,
 )
 from ...mechanics.rolling.attitude import (
     attitude,
     attitude_observable,
     quaternion_rate,
-    tie,
+    attitude_relations,
     unit_length,
 )
 from ...mechanics.rolling.body import check_inertia
 from .. import e3
 from ..entry import Entry, Numbers, Start
-from ..sphero_conical import coordinates, cubic, u, v
+from ..sphero_conical import sphero_conical_coordinates, cubic, u, v
 from . import neumann
 from .veselova_geodesic import in_potential
 
 omega, gamma, omegadot, X = vectors("omega gamma omegadot X")
 I, A = Diagonal("I"), Diagonal("A")
 I_1, I_2, I_3 = I.symbols
-lambda_0, U, K = scalar("lambda_0"), scalar("U"), scalar("K")
+lambda_0, U, K = real_symbol("lambda_0"), real_symbol("U"), real_symbol("K")
 #: The values of energy and momentum integral.
-h, F = scalar("h"), scalar("F")
+h, F = real_symbol("h"), real_symbol("F")
 
 HALF = sp.Rational(1, 2)
 DET_I = I_1 * I_2 * I_3
@@ -55,7 +55,7 @@ KINETIC = HALF * dot(I * omega, omega)
 #: ρ_ω of (6.3).
 DENSITY = sp.sqrt(dot(gamma, I**-1 * gamma))
 #: Bruns' field U = ½K(γ, Iγ); the paper has K = 2.
-BRUNS = explicit(HALF * K * dot(gamma, I * gamma))
+BRUNS = to_components(HALF * K * dot(gamma, I * gamma))
 ANY = sp.Function("U")(*gamma.symbols)
 FREE = sp.S.Zero
 
@@ -100,14 +100,14 @@ def turning(
             omegadot: A * (X + lambda_0 * gamma),
         },
         field={omega: omegadot, gamma: cross(gamma, omega)},
-        relations=(normed(gamma) - 1, *constraint),
+        relations=(norm_squared(gamma) - 1, *constraint),
         laws=laws,
         observables=(
             Observable("spin_torque", lambda_0, "torque about the vertical", "N m", source="(6.1)"),
         ),
-        motion=Motion(
+        motion=Reconstruction(
             field={attitude: quaternion_rate(omega)},
-            relations=(unit_length(), *tie(gamma)),
+            relations=(unit_length(), *attitude_relations(gamma)),
             observables=(attitude_observable(),),
         ),
     )
@@ -135,15 +135,15 @@ def measure() -> Measure:
 
 def bracket() -> PoissonStructure:
     """The canonical bracket of (6.10) in the variables ω, γ, on (ω, γ) = 0."""
-    spin = hat(explicit(I * omega + cross(omega, cross(gamma, I * gamma))))
+    spin = hat(to_components(I * omega + cross(omega, cross(gamma, I * gamma))))
     normal = constant(gamma.symbols)
     corner = hat(gamma) * I.entries * (sp.eye(3) - normal * normal.T)
     top = spin.row_join(corner)
     whole = top.col_join((-corner.T).row_join(Components.zeros(3, 3)))
     return PoissonStructure(
         "bracket",
-        whole / (explicit(DENSITY) * DET_I),
-        casimirs=(normed(gamma), dot(omega, gamma)),
+        whole / (to_components(DENSITY) * DET_I),
+        casimirs=(norm_squared(gamma), dot(omega, gamma)),
         rank=4,
         meaning="canonical bracket of T*S² in the variables ω, γ",
         source="§6.2, (6.10)",
@@ -200,7 +200,7 @@ def separation() -> Separation:
     """uv (u − v)² ż² = 4z A(z)(2hz − F) for z = u, v, without a field."""
     return Separation(
         "separation",
-        {**coordinates(gamma), h: KINETIC, F: normed(cross(I * omega, gamma))},
+        {**sphero_conical_coordinates(gamma), h: KINETIC, F: norm_squared(cross(I * omega, gamma))},
         (
             *(
                 u * v * (u - v) ** 2 * Rate(z) ** 2 - 4 * z * cubic(z) * (2 * h * z - F)
@@ -224,7 +224,7 @@ def momentum() -> Integral:
     """(6.4)."""
     return Integral(
         "momentum",
-        normed(cross(I * omega, gamma)),
+        norm_squared(cross(I * omega, gamma)),
         "square of the horizontal momentum",
         source="(6.4)",
         unit=MOMENTUM_UNIT,
@@ -235,7 +235,7 @@ def momentum_in_bruns_field() -> Integral:
     """(6.4) in the field U = ½K(γ, Iγ)."""
     return Integral(
         "momentum",
-        normed(cross(I * omega, gamma)) - K * DET_I * dot(gamma, A * gamma),
+        norm_squared(cross(I * omega, gamma)) - K * DET_I * dot(gamma, A * gamma),
         "square of the horizontal momentum, Bruns field",
         source="Remark 15",
         unit=MOMENTUM_UNIT,

@@ -9,7 +9,7 @@ import sympy as sp
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral
 from ...core.system import Parameter, System
-from ...core.vectors import constant, dot, explicit, normed, scalar
+from ...core.vectors import constant, dot, to_components, norm_squared, real_symbol
 from ...mechanics.rolling.body import check_inertia
 from ..e3 import Gamma, I, M, e3_system, inertia_parameters
 from ..entry import Entry, Numbers, Start
@@ -21,7 +21,7 @@ I_1, I_2, I_3 = I.symbols
 HALF = sp.Rational(1, 2)
 
 #: The two terms of (6.13); the first is (6.12) without a potential.
-FIRST = HALF * normed(M) * dot(Gamma, I * Gamma)
+FIRST = HALF * norm_squared(M) * dot(Gamma, I * Gamma)
 SECOND = HALF * (dot(M, I * M) * dot(Gamma, I * Gamma) - dot(M, I * Gamma) ** 2)
 
 #: I^(1/2) and 1/ρ_ω = (Γ, IΓ)^(1/2).
@@ -46,8 +46,8 @@ def in_potential(potential: sp.Expr, moments: tuple[float, float, float]) -> Sys
     moments : 3 floats
         Defaults of the parameters I_1, I_2, I_3.
     """
-    normal = explicit(ROOT * explicit(Gamma)) / explicit(LENGTH)
-    names = [scalar(f"gamma_{i}") for i in (1, 2, 3)]
+    normal = to_components(ROOT * to_components(Gamma)) / to_components(LENGTH)
+    names = [real_symbol(f"gamma_{i}") for i in (1, 2, 3)]
     here = potential.subs(dict(zip(names, normal, strict=True)), simultaneous=True)
     return e3_system(
         "veselova-on-e3",
@@ -104,7 +104,7 @@ def to_clebsch(target: System, sign: int = 1) -> Isomorphism:
             Gamma: ROOT * Gamma / LENGTH,
         },
         sign * sp.sqrt(I_1 * I_2 * I_3),
-        {c: normed(M) * dot(Gamma, I * Gamma) / (I_1 * I_2 * I_3)},
+        {c: norm_squared(M) * dot(Gamma, I * Gamma) / (I_1 * I_2 * I_3)},
         "Clebsch case with c = M²(Γ, IΓ)/det I",
         onto=(dot(M, Gamma), neumann.SECOND),
         source="Proposition 6",

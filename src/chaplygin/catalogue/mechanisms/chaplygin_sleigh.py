@@ -29,7 +29,7 @@ from ...mechanics.rolling.body import check_mass
 from ..chaplygin_ball import generalised_chaplygin as chaplygin
 from ..entry import Entry, Numbers, Start
 
-__all__ = ["a", "chaplygin_form", "reduced", "sleigh"]
+__all__ = ["a", "sleigh_in_chaplygin_form", "reduced", "sleigh"]
 
 x, y, phi, v, u, Omega = sp.symbols("x y phi v u Omega", real=True)
 m, I, a, b, J = sp.symbols("m I a b J", real=True)
@@ -203,7 +203,7 @@ def _chaplygin_law() -> Identity:
     )
 
 
-def chaplygin_form() -> System:
+def sleigh_in_chaplygin_form() -> System:
     """The sleigh in the form (4.7), in q₁ = φ and q₂ = x; singular where cos φ = 0.
 
     Theorem 6 applies when the centre of mass lies beside the contact, a = 0; for a ≠ 0 no measure
@@ -245,7 +245,7 @@ ENTRIES = (
         build=sleigh,
         plan=PLAN,
         start=Start(state={"x": 0.0, "y": 0.0, "phi": 0.4, "v": -1.0, "Omega": 0.05}, until=30.0),
-        general=chaplygin_form,
+        general=sleigh_in_chaplygin_form,
         variables={
             "x": ("contact of the blade", "m"),
             "y": ("contact of the blade", "m"),

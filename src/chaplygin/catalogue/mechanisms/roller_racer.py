@@ -14,7 +14,7 @@ from __future__ import annotations
 import sympy as sp
 
 from ...core.system import Guard, Parameter, System
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from ...mechanics.lagrangian.mechanism import Frame, Mechanism
 from ...mechanics.lagrangian.plan import Plan
 from ...mechanics.lagrangian.poincare_suslov import equations
@@ -23,9 +23,9 @@ from ..positive import positives
 
 __all__ = ["racer"]
 
-x, y, theta, phi = (scalar(name) for name in ("x", "y", "theta", "phi"))
-u, v, turn, swing, D = (scalar(name) for name in ("u", "v", "Omega", "phidot", "D"))
-m, I_1, I_2, d_1, d_2 = (scalar(name) for name in ("m", "I_1", "I_2", "d_1", "d_2"))
+x, y, theta, phi = (real_symbol(name) for name in ("x", "y", "theta", "phi"))
+u, v, turn, swing, D = (real_symbol(name) for name in ("u", "v", "Omega", "phidot", "D"))
+m, I_1, I_2, d_1, d_2 = (real_symbol(name) for name in ("m", "I_1", "I_2", "d_1", "d_2"))
 
 HALF = sp.Rational(1, 2)
 SOURCE = "§2.1; P. S. Krishnaprasad, D. P. Tsakiris 2001"

@@ -13,7 +13,7 @@ import sympy as sp
 
 from ...core.laws import Integral, Measure
 from ...core.system import Parameter, System
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from ...mechanics.lagrangian.mechanism import Frame, Mechanism
 from ...mechanics.lagrangian.plan import Plan
 from ...mechanics.lagrangian.poincare_suslov import equations
@@ -22,11 +22,11 @@ from ..positive import positives
 
 __all__ = ["board"]
 
-x, y, theta, psi, phi = (scalar(name) for name in ("x", "y", "theta", "psi", "phi"))
+x, y, theta, psi, phi = (real_symbol(name) for name in ("x", "y", "theta", "psi", "phi"))
 s, n, v, spin, steer, u, Omega = (
-    scalar(name) for name in ("s", "n", "v", "w", "phidot", "u", "Omega")
+    real_symbol(name) for name in ("s", "n", "v", "w", "phidot", "u", "Omega")
 )
-m, J, J_0, J_1, K, ell = (scalar(name) for name in ("m", "J", "J_0", "J_1", "K", "l"))
+m, J, J_0, J_1, K, ell = (real_symbol(name) for name in ("m", "J", "J_0", "J_1", "K", "l"))
 
 HALF = sp.Rational(1, 2)
 SOURCE = "§2.1; A. M. Bloch, P. S. Krishnaprasad, J. E. Marsden, R. M. Murray 1996"

@@ -17,7 +17,7 @@ import sympy as sp
 
 from ...core.laws import Integral
 from ...core.system import Parameter, System
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from ...mechanics.lagrangian.mechanism import Frame, Mechanism
 from ...mechanics.lagrangian.plan import Plan
 from ...mechanics.lagrangian.poincare_suslov import equations
@@ -26,7 +26,7 @@ from ..positive import positive
 
 __all__ = ["drawn", "train"]
 
-x, y, theta, u, v, m, J = (scalar(name) for name in ("x", "y", "theta", "u", "v", "m", "J"))
+x, y, theta, u, v, m, J = (real_symbol(name) for name in ("x", "y", "theta", "u", "v", "m", "J"))
 HALF = sp.Rational(1, 2)
 SOURCE = "§2.1"
 TITLE = "Car with trailers"
@@ -55,7 +55,7 @@ def drawn(count: int) -> Plan:
 
 
 def _numbered(name: str, count: int) -> tuple[sp.Symbol, ...]:
-    return tuple(scalar(f"{name}_{i}") for i in range(1, count + 1))
+    return tuple(real_symbol(f"{name}_{i}") for i in range(1, count + 1))
 
 
 def train(count: int, values: Mapping[str, float] | None = None) -> Mechanism:
@@ -77,7 +77,7 @@ def train(count: int, values: Mapping[str, float] | None = None) -> Mechanism:
     angles, spins = _numbered("phi", count), _numbered("w", count)
     lengths, masses, moments = (_numbered(name, count) for name in ("l", "m", "J"))
     along, across = _numbered("a", count), _numbered("b", count)
-    turn = scalar("Omega")
+    turn = real_symbol("Omega")
     definitions: dict[sp.Symbol, sp.Expr] = {}
     constraints: list[sp.Expr] = [v]
     rates = {x: u * sp.cos(theta) - v * sp.sin(theta), y: u * sp.sin(theta) + v * sp.cos(theta)}
@@ -122,9 +122,9 @@ def _parameters(count: int, p: Mapping[str, float]) -> tuple[Parameter, ...]:
     found.append(positive(J, "moment of inertia of the car", p["J"], "kg m^2"))
     for i in range(1, count + 1):
         found += [
-            positive(scalar(f"m_{i}"), f"mass of trailer {i}, at its axle", p[f"m_{i}"], "kg"),
-            positive(scalar(f"J_{i}"), f"moment of inertia of trailer {i}", p[f"J_{i}"], "kg m^2"),
-            positive(scalar(f"l_{i}"), f"length of trailer {i}", p[f"l_{i}"], "m"),
+            positive(real_symbol(f"m_{i}"), f"mass of trailer {i}, at its axle", p[f"m_{i}"], "kg"),
+            positive(real_symbol(f"J_{i}"), f"moment of inertia of trailer {i}", p[f"J_{i}"], "kg m^2"),
+            positive(real_symbol(f"l_{i}"), f"length of trailer {i}", p[f"l_{i}"], "m"),
         ]
     return tuple(found)
 

@@ -13,7 +13,7 @@ import sympy as sp
 
 from ...core.laws import Integral, Measure
 from ...core.system import Parameter, System
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from ...errors import InputError
 from ...mechanics.lagrangian.mechanism import Frame, Mechanism
 from ...mechanics.lagrangian.plan import Plan
@@ -23,9 +23,9 @@ from ..positive import positives
 
 __all__ = ["disk"]
 
-x, y, theta, psi = (scalar(name) for name in ("x", "y", "theta", "psi"))
-u, v, spin, turn, c = (scalar(name) for name in ("u", "v", "psidot", "w", "c"))
-m, I, J, R, g, slope = (scalar(name) for name in ("m", "I", "J", "R", "g", "alpha"))
+x, y, theta, psi = (real_symbol(name) for name in ("x", "y", "theta", "psi"))
+u, v, spin, turn, c = (real_symbol(name) for name in ("u", "v", "psidot", "w", "c"))
+m, I, J, R, g, slope = (real_symbol(name) for name in ("m", "I", "J", "R", "g", "alpha"))
 
 HALF = sp.Rational(1, 2)
 SOURCE = "§2.1; A. M. Bloch 2003, §1.4"

@@ -15,7 +15,7 @@ from .jets import Number
 from .json_data import field, integer, items, listed, mapping, only, text
 from .unspecified_functions import Functions
 
-__all__ = ["Claim", "Law", "System", "read_claim"]
+__all__ = ["Claim", "Law", "ClaimedSystem", "read_claim"]
 
 _NAME = re.compile(r"[^\W\d]\w*")
 
@@ -24,7 +24,7 @@ _TAKEN = {"Derivative", "Subs", "Ne", "Eq"}
 
 
 @dataclass(frozen=True)
-class System:
+class ClaimedSystem:
     """A vector field on a phase space.
 
     Attributes
@@ -104,7 +104,7 @@ class Law:
     pairs: Mapping[str, tuple[tuple[Any, Formula], ...]]
     matrix: tuple[tuple[Formula, ...], ...] = ()
     rank: int | None = None
-    target: System | None = None
+    target: ClaimedSystem | None = None
 
     def formulas(self) -> list[Formula]:
         """All formulas about the system itself."""
@@ -126,7 +126,7 @@ class Law:
 class Claim:
     """A law of a system."""
 
-    system: System
+    system: ClaimedSystem
     law: Law
 
     @property
@@ -179,7 +179,7 @@ def _require(formulas: Iterable[Formula], known: set[str], what: str) -> None:
         raise CheckError(f"{what} uses {strange[0]}, which is unknown")
 
 
-def read_system(data: Any, what: str) -> System:
+def read_system(data: Any, what: str) -> ClaimedSystem:
     """Read a system; what is wrong with it raises CheckError."""
     data = mapping(data, what)
     fields = ("name", "state", "rates", "definitions", "parameters", "relations", "guards")
@@ -205,7 +205,7 @@ def read_system(data: Any, what: str) -> System:
     )
     _require([*rates, *relations, *guards], known, what)
     _require([f for f, _ in admissible], set(parameters), f"what is admissible in {what}")
-    return System(state, rates, dict(definitions), parameters, relations, guards, admissible)
+    return ClaimedSystem(state, rates, dict(definitions), parameters, relations, guards, admissible)
 
 
 #: Fields of every kind: single formulas, lists of formulas, pairs of name and formula.
@@ -242,7 +242,7 @@ def read_claim(data: Any, what: str) -> Claim:
     return Claim(system, law)
 
 
-def _law(data: Mapping[str, Any], system: System, what: str) -> Law:
+def _law(data: Mapping[str, Any], system: ClaimedSystem, what: str) -> Law:
     kind = field(data, "kind", what)
     if not isinstance(kind, str) or kind not in _KINDS:
         raise CheckError(f"{what} is of the kind {kind!r}, which is unknown")
@@ -289,7 +289,7 @@ def _require_names(pairs: Iterable[tuple[str, Formula]], known: set[str], what: 
             raise CheckError(f"{what} names {word}, which is unknown there")
 
 
-def _density(data: Any, system: System, what: str) -> tuple[tuple[Formula, Formula], ...]:
+def _density(data: Any, system: ClaimedSystem, what: str) -> tuple[tuple[Formula, Formula], ...]:
     found = []
     for pair in listed(data, what):
         base, exponent = items(pair, 2, f"the density of {what}")
@@ -300,7 +300,7 @@ def _density(data: Any, system: System, what: str) -> tuple[tuple[Formula, Formu
     return tuple(found)
 
 
-def _bracket(data: Mapping[str, Any], system: System, what: str) -> dict[str, Any]:
+def _bracket(data: Mapping[str, Any], system: ClaimedSystem, what: str) -> dict[str, Any]:
     size = len(system.state)
     rows = items(field(data, "matrix", what), size, f"the matrix of {what}")
     matrix = tuple(
@@ -315,7 +315,7 @@ def _bracket(data: Mapping[str, Any], system: System, what: str) -> dict[str, An
     return {"matrix": matrix, "rank": rank}
 
 
-def _check_isomorphism(pairs: Mapping[str, Any], system: System, target: System, what: str) -> None:
+def _check_isomorphism(pairs: Mapping[str, Any], system: ClaimedSystem, target: ClaimedSystem, what: str) -> None:
     _require_names(pairs["map"], set(target.state), f"the map of {what}")
     _require_names(pairs["constants"], set(target.parameters), f"the constants of {what}")
     images = {word for word, _ in pairs["map"]}

@@ -61,7 +61,7 @@ from .tables import (
     TorusTable,
 )
 from .toml import Key, dumps
-from .validation import mistakes
+from .validation import validation_messages
 
 __all__ = [
     "BallExperiment",
@@ -329,7 +329,7 @@ def _read(source: Source) -> Experiment:
     try:
         experiment = model.model_validate(rest)
     except ValidationError as error:
-        wrong |= mistakes(error, model, rest)
+        wrong |= validation_messages(error, model, rest)
     if wrong:
         in_order = sorted(wrong, key=lambda key: source.line(key) or math.inf)
         raise InputError("\n".join(f"{source.where(key)}: {wrong[key]}" for key in in_order))

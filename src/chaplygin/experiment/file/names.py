@@ -11,7 +11,7 @@ from typing import Any
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ...core.vectors import Vector, scalar
+from ...core.vectors import Vector, real_symbol
 from ...errors import InputError
 from ...mechanics.lagrangian.mechanism import TIME
 from ...parsing import PRODUCTS, RESERVED, Formula, Named, nearest, parse_formula
@@ -51,7 +51,7 @@ class Names:
         """
         match = _SIZED.fullmatch(text)
         name, size = match.groups() if match else (text, None)
-        return self.add(Vector(name, int(size)) if size else scalar(name), *key)
+        return self.add(Vector(name, int(size)) if size else real_symbol(name), *key)
 
     def add(self, named: Named, *key: str) -> Named:
         """A new quantity under its own name."""

@@ -11,7 +11,7 @@ import sympy as sp
 from flint import arb, arb_mat
 
 from ...core.system import System
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.balls import ball, ball_function, exact
 from ...formulas.relative_zero import GIVEN, Sized, measured, sized
@@ -111,7 +111,7 @@ def _moving(
 
 def _plain(system: System, formula: Any) -> sp.Expr:
     """A formula in the state and the parameters, its definitions put in."""
-    value = explicit(sp.sympify(formula))
+    value = to_components(sp.sympify(formula))
     for name, meaning in reversed(system.needed([value])):
         value = value.xreplace({name: meaning})
     return value

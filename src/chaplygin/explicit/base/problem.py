@@ -13,9 +13,9 @@ from typing import Any
 import sympy as sp
 from flint import fmpq
 
-from ...core.admissible import conditions, satisfied
+from ...core.admissible import conditions, satisfies
 from ...core.system import System
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.balls import exact
 from ...formulas.errors import NotExactError, OutOfReachError, UnknownSymbolError
@@ -83,7 +83,7 @@ class Problem:
     def _check_admissible(self) -> None:
         values = {s: float(exact(value)) for s, value in self.parameters.items()}
         for parameter, condition in conditions(self.system.parameters):
-            if not satisfied(condition, values):
+            if not satisfies(condition, values):
                 raise InputError(
                     f"{self.system.name}: {parameter.symbol} = "
                     f"{self.parameters[parameter.symbol]} is not admissible; {condition} must hold"
@@ -103,7 +103,7 @@ class Problem:
         lifted = self.system.lifted() if self.system.motion else self.system
         known = {s: exact(value) for s, value in self.parameters.items()}
         start = measured(lifted.state, lifted.symbols, [exact(x) for x in self.start])
-        wanted = [explicit(formula) for formula in formulas]
+        wanted = [to_components(formula) for formula in formulas]
         return sized(
             wanted,
             {**{s: Sized(x, abs(x)) for s, x in known.items()}, **start},
@@ -181,7 +181,7 @@ def _points(system: System, numbers: Numbers) -> Iterator[list[fmpq]]:
     """Rational points of a phase space of two vectors u and n, n² = 1, and perhaps (u, n) = 0."""
     if len(system.symbols) != 2 * SIZE:
         return
-    relations = [explicit(relation) for relation in system.relations]
+    relations = [to_components(relation) for relation in system.relations]
     found = 0
     generator = random.Random(system.name)
     for _ in range(20 * POINTS):

@@ -14,14 +14,14 @@ from ...core.system import System
 from ...errors import InputError
 from ...flow.trajectory import by_name
 
-__all__ = ["LATEST", "ClosedForm", "Figure", "Solution", "States", "checked"]
+__all__ = ["LATEST", "ClosedForm", "NamedConstant", "Solution", "States", "checked"]
 
 #: The largest phase Ωt in double precision; its digits are lost beyond 1e15.
 LATEST = 1e13
 
 
 @dataclass(frozen=True)
-class Figure:
+class NamedConstant:
     """A number that belongs to a closed form.
 
     Attributes
@@ -62,7 +62,7 @@ class ClosedForm:
     title: str
     motion: str
     equations: tuple[tuple[Any, Any], ...]
-    figures: tuple[Figure, ...]
+    figures: tuple[NamedConstant, ...]
     ovals: tuple[tuple[float, float], ...] = ()
     source: str = ""
 

@@ -16,18 +16,18 @@ from typing import Any
 import sympy as sp
 from flint import fmpq, fmpq_mpoly
 
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.relative_zero import ROUNDED, Sized, measured, sized
 from ...mechanics.rolling.body import check_inertia
 from ...printing.formula import text
 from ..base.problem import exact
-from ..genus_two.separation import Separable
+from ..genus_two.separation import SeparatedSystem
 from .arrangement import RING, Arrangement, arrangement, rational
-from .families import Axis, Plane, Z, numbers, plane_named, plane_of
+from .families import Axis, IntegralPlane, Z, numbers, plane_named, plane_of
 from .regions import Boundary, Equilibrium, Kinds, Region
 
-__all__ = ["Boundary", "Diagram", "Equilibrium", "Region", "bifurcation_diagram", "located"]
+__all__ = ["Boundary", "Diagram", "Equilibrium", "Region", "bifurcation_diagram", "locate"]
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ class Diagram:
     equilibria : tuple of Equilibrium
     """
 
-    plane: Plane
+    plane: IntegralPlane
     parameters: Mapping[sp.Symbol, Fraction]
     poles: tuple[fmpq, fmpq, fmpq]
     order: tuple[int, int, int]
@@ -85,7 +85,7 @@ class Diagram:
         return next((region for region in self.regions if cell in region.cells), None)
 
 
-def located(diagram: Diagram, state: Mapping[Any, Any]) -> tuple[float, float]:
+def locate(diagram: Diagram, state: Mapping[Any, Any]) -> tuple[float, float]:
     """The point of a diagram that a motion belongs to.
 
     Parameters
@@ -109,7 +109,7 @@ def located(diagram: Diagram, state: Mapping[Any, Any]) -> tuple[float, float]:
     known = measured(system.state, system.symbols, numbers)
     known |= {s: Sized(exact(x), abs(exact(x))) for s, x in diagram.parameters.items()}
     conditions = [*system.relations, *plane.level]
-    formulas = [explicit(f) for f in (*conditions, *(axis.value for axis in plane.axes))]
+    formulas = [to_components(f) for f in (*conditions, *(axis.value for axis in plane.axes))]
     *level, x, y = sized(formulas, known, system.needed(formulas))
     for condition, found in zip(conditions, level, strict=True):
         if not found.vanishes(ROUNDED):
@@ -121,7 +121,7 @@ def located(diagram: Diagram, state: Mapping[Any, Any]) -> tuple[float, float]:
 
 
 def bifurcation_diagram(
-    subject: str | Separable | Plane, parameters: Mapping[Any, Any] | None = None
+    subject: str | SeparatedSystem | IntegralPlane, parameters: Mapping[Any, Any] | None = None
 ) -> Diagram:
     """The bifurcation diagram of a separated system, exactly.
 
@@ -142,7 +142,7 @@ def bifurcation_diagram(
     if isinstance(subject, str):
         plane = plane_named(subject)
     else:
-        plane = plane_of(subject) if isinstance(subject, Separable) else subject
+        plane = plane_of(subject) if isinstance(subject, SeparatedSystem) else subject
     values = numbers(plane, parameters or {})
     poles, order = _poles(plane, values)
     rest = _curve(plane, plane.rest, values)
@@ -170,7 +170,7 @@ def bifurcation_diagram(
 
 
 def _poles(
-    plane: Plane, values: Mapping[sp.Symbol, Fraction]
+    plane: IntegralPlane, values: Mapping[sp.Symbol, Fraction]
 ) -> tuple[tuple[fmpq, fmpq, fmpq], tuple[int, int, int]]:
     """The poles, increasing, and the body axes that they belong to."""
     exact = [Fraction(str(_number(plane, pole, values))) for pole in plane.poles]
@@ -191,7 +191,7 @@ def _poles(
     return (first, second, third), (axes[0], axes[1], axes[2])
 
 
-def _number(plane: Plane, formula: Any, values: Mapping[sp.Symbol, Fraction]) -> Any:
+def _number(plane: IntegralPlane, formula: Any, values: Mapping[sp.Symbol, Fraction]) -> Any:
     """A formula with the definitions and parameters filled in."""
     known = {s: sp.Rational(x.numerator, x.denominator) for s, x in values.items()}
     for symbol, value in plane.system.steps:
@@ -200,7 +200,7 @@ def _number(plane: Plane, formula: Any, values: Mapping[sp.Symbol, Fraction]) ->
     return sp.sympify(formula).xreplace(known)
 
 
-def _curve(plane: Plane, formula: Any, values: Mapping[sp.Symbol, Fraction]) -> fmpq_mpoly:
+def _curve(plane: IntegralPlane, formula: Any, values: Mapping[sp.Symbol, Fraction]) -> fmpq_mpoly:
     """A polynomial in the two integrals and z with rational coefficients."""
     filled = sp.cancel(sp.expand(_number(plane, formula, values)))
     names = (*(axis.symbol for axis in plane.axes), Z)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import sympy as sp
 
 from ..base.problem import Problem
-from ..recognise import likeness
-from . import Diagram, bifurcation_diagram, located
+from ..recognise import find_match
+from . import Diagram, bifurcation_diagram, locate
 
 __all__ = ["diagram_of"]
 
@@ -29,7 +29,7 @@ def diagram_of(problem: Problem) -> tuple[Diagram, tuple[float, float]] | None:
     InputError
         If the parameters are degenerate; see :func:`.bifurcation.bifurcation_diagram`.
     """
-    found = likeness(problem)
+    found = find_match(problem)
     if found is None or found.level:
         return None
     own = found.own
@@ -38,7 +38,7 @@ def diagram_of(problem: Problem) -> tuple[Diagram, tuple[float, float]] | None:
     diagram = bifurcation_diagram(own, problem.parameters)
     symbols = own.system.symbols
     start = problem.start[: len(symbols)]
-    return diagram, located(diagram, dict(zip(symbols, start, strict=True)))
+    return diagram, locate(diagram, dict(zip(symbols, start, strict=True)))
 
 
 def _with_area(

@@ -16,10 +16,10 @@ import sympy as sp
 from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_bracket import D, I
 from ...core.system import System
-from ...core.vectors import dot, explicit, normed, scalar, vectors
+from ...core.vectors import dot, to_components, norm_squared, real_symbol, vectors
 from ...errors import InputError
 from ..base.problem import exact
-from ..genus_two.separation import Separable
+from ..genus_two.separation import SeparatedSystem
 from ..separations import ball_sphere, rubber_sphere
 from ..separations.bruns import rubber_ball_in_bruns_field, veselova_in_bruns_field
 from ..separations.bruns_ball import chaplygin_ball_in_bruns_field
@@ -31,10 +31,10 @@ from ..separations.neumann import neumann_system
 from ..separations.rubber_ball_plane import rubber_ball_plane
 from ..separations.veselova import veselova
 
-__all__ = ["PLANES", "SEPARATED", "Axis", "Bound", "Plane", "numbers", "plane_named", "plane_of"]
+__all__ = ["PLANES", "SEPARATED", "Axis", "Bound", "IntegralPlane", "numbers", "plane_named", "plane_of"]
 
 #: The variable of the curve.
-Z = scalar("z")
+Z = real_symbol("z")
 M, gamma, omega = vectors("M gamma omega")
 
 #: What a motion with ν_i = 0 is, {} being the number i.
@@ -91,7 +91,7 @@ class Bound:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Plane:
+class IntegralPlane:
     """A plane of integrals, and its curves y² = ∏(z − e_i) · rest(z).
 
     Attributes
@@ -124,7 +124,7 @@ class Plane:
     resting: str = UNSAID
 
 
-def plane_of(separable: Separable) -> Plane:
+def plane_of(separable: SeparatedSystem) -> IntegralPlane:
     """The plane of the two constants of a separated system.
 
     Raises
@@ -143,7 +143,7 @@ def plane_of(separable: Separable) -> Plane:
         )
     (x, first), (y, second) = own
     movable = sp.Mul(*(Z - root for root in separable.roots[3:]))
-    return Plane(
+    return IntegralPlane(
         name=separable.name,
         title=separable.title,
         system=separable.system,
@@ -159,17 +159,17 @@ def _axis(symbol: sp.Symbol, value: Any, system: System) -> Axis:
     """An axis with the meaning that the system gives to this integral."""
     steps = dict(system.steps)
     for law in system.integrals:
-        told = explicit(law.value)
-        if sp.expand(steps.get(told, told) - explicit(value)) == 0:
+        told = to_components(law.value)
+        if sp.expand(steps.get(told, told) - to_components(value)) == 0:
             return Axis(symbol, value, law.meaning, law.unit)
     return Axis(symbol, value)
 
 
 def _symbols(formula: Any) -> set[sp.Symbol]:
-    return set(explicit(sp.sympify(formula)).free_symbols)
+    return set(to_components(sp.sympify(formula)).free_symbols)
 
 
-def chaplygin_ball_with_area() -> Plane:
+def chaplygin_ball_with_area() -> IntegralPlane:
     """The Chaplygin ball with any area constant g = (M, γ), at a fixed f = M².
 
     With J = I + D and 1/κ a root x of Q(x) = (2hx − f)(x − D) − Dg² the ball moves as one with
@@ -177,14 +177,14 @@ def chaplygin_ball_with_area() -> Plane:
     the place of f/2h, so that in z = w + x the curve is y² = z Q(z) ∏(J_i − z), in which h, f and
     g² are polynomial and neither root is preferred.  f = g² where M is vertical.
     """
-    h, f, g = scalar("h"), scalar("f"), scalar("g")
+    h, f, g = real_symbol("h"), real_symbol("f"), real_symbol("g")
     ball = from_catalogue("chaplygin-ball")
     poles = tuple(s + D for s in I.symbols)
-    return Plane(
+    return IntegralPlane(
         name="chaplygin-ball-area",
         title="Chaplygin ball with any area constant",
         system=ball,
-        level=(f - normed(M),),
+        level=(f - norm_squared(M),),
         axes=(_axis(h, dot(M, omega) / 2, ball), _axis(g, dot(M, gamma), ball)),
         poles=(poles[0], poles[1], poles[2]),
         rest=-4 * Z * ((2 * h * Z - f) * (Z - D) - D * g**2),
@@ -194,14 +194,14 @@ def chaplygin_ball_with_area() -> Plane:
     )
 
 
-def bruns_problem() -> Plane:
+def bruns_problem() -> IntegralPlane:
     """The Clebsch case with α = 0 and β = 1, on its plane of the two integrals."""
     found = plane_of(clebsch_case())
     system = from_catalogue("clebsch", alpha=0.0, beta=1.0)
     return replace(found, name="bruns", title="Bruns problem at zero area constant", system=system)
 
 
-SEPARATED: Mapping[str, Callable[[], Separable]] = {
+SEPARATED: Mapping[str, Callable[[], SeparatedSystem]] = {
     "veselova": veselova,
     "veselova-bruns": veselova_in_bruns_field,
     "chaplygin-ball": chaplygin_ball,
@@ -220,14 +220,14 @@ SEPARATED: Mapping[str, Callable[[], Separable]] = {
 }
 """Separated systems of two constants, by their names."""
 
-PLANES: Mapping[str, Callable[[], Plane]] = {
+PLANES: Mapping[str, Callable[[], IntegralPlane]] = {
     "chaplygin-ball-area": chaplygin_ball_with_area,
     "bruns": bruns_problem,
 }
 """Further planes."""
 
 
-def plane_named(name: str) -> Plane:
+def plane_named(name: str) -> IntegralPlane:
     """The plane of that name.
 
     Raises
@@ -243,7 +243,7 @@ def plane_named(name: str) -> Plane:
     raise InputError(f"no bifurcation diagram {name!r}; there are {known}")
 
 
-def numbers(plane: Plane, given: Mapping[Any, Any]) -> dict[sp.Symbol, Fraction]:
+def numbers(plane: IntegralPlane, given: Mapping[Any, Any]) -> dict[sp.Symbol, Fraction]:
     """All parameters and held constants, the given ones replacing the defaults; exact.
 
     Raises

@@ -14,7 +14,7 @@ from flint import fmpq, fmpq_mpoly, fmpq_poly
 from ...errors import InputError
 from .arrangement import Arrangement, Cell, fraction
 from .critical_motions import Arc, Circles, circles_at_a_double_root, circles_at_a_pole
-from .families import Plane
+from .families import IntegralPlane
 from .tori import Family, families
 
 __all__ = ["Boundary", "Equilibrium", "Kinds", "Region"]
@@ -116,7 +116,7 @@ class Kinds:
         Along the discriminant, the values of `rest` at the poles and the bounds.
     """
 
-    plane: Plane
+    plane: IntegralPlane
     poles: tuple[fmpq, fmpq, fmpq]
     order: tuple[int, int, int]
     rest: fmpq_mpoly

@@ -23,16 +23,16 @@ import sympy as sp
 from flint import ctx
 
 from ..base.solution import Solution
-from ..genus_two.separation import Separable
+from ..genus_two.separation import SeparatedSystem
 from .collisions import double_roots, motion
 from .exact_start import PRECISION, begin, exact_ball
-from .solution import Degenerate
+from .solution import DegenerateSolution
 
 __all__ = ["solved_degenerate"]
 
 
 def solved_degenerate(
-    separable: Separable, values: Mapping[sp.Symbol, Any], start: Sequence[Any]
+    separable: SeparatedSystem, values: Mapping[sp.Symbol, Any], start: Sequence[Any]
 ) -> Solution | None:
     """Solve a motion whose curve is degenerate.
 
@@ -64,5 +64,5 @@ def solved_degenerate(
                 lifted = system.motion is not None and len(separable.fixed) == 2
                 whole = system.lifted() if lifted else replace(system, motion=None)
                 numbers = {s: exact_ball(x) for s, x in values.items()}
-                return Degenerate(whole, numbers, tuple(start), separable, beginning, found, e)
+                return DegenerateSolution(whole, numbers, tuple(start), separable, beginning, found, e)
     return None

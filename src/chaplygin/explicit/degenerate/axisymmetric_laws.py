@@ -10,12 +10,12 @@ import sympy as sp
 from ...catalogue.chaplygin_ball import chaplygin_bracket
 from ...catalogue.fixed_point.veselova import F, I, gamma, h, omega
 from ...core.laws import Identity, Integral, Law, Rate, Reduction
-from ...core.vectors import cross, dot, explicit, normed, scalar, vectors
+from ...core.vectors import cross, dot, to_components, norm_squared, real_symbol, vectors
 
 __all__ = ["chaplygin_laws", "veselova_laws"]
 
 (M,) = vectors("M")
-u, own, f, g = (scalar(s) for s in ("u", "c_squared", "f", "g"))
+u, own, f, g = (real_symbol(s) for s in ("u", "c_squared", "f", "g"))
 I_1, I_2, I_3 = I.symbols
 
 #: Two equal moments.
@@ -28,7 +28,7 @@ def veselova_laws() -> tuple[Law, ...]:
     _, _, gamma_3 = gamma.symbols
     G = I_3 + (I_1 - I_3) * gamma_3**2
     L = cross(I * omega, gamma)
-    L_3, across = explicit(L)[2], explicit(cross(gamma, L))[2]
+    L_3, across = to_components(L)[2], to_components(cross(gamma, L))[2]
     energy = dot(omega, I * omega) / 2
     return (
         Integral(
@@ -55,7 +55,7 @@ def veselova_laws() -> tuple[Law, ...]:
                 across**2 - own * G,
             ),
             "the axis of symmetry in the frame of the vertical and the momentum",
-            {own: omega_3**2 * G, h: energy, F: normed(L)},
+            {own: omega_3**2 * G, h: energy, F: norm_squared(L)},
             on=EQUAL,
             source="§6.1",
         ),
@@ -81,7 +81,7 @@ def chaplygin_laws() -> tuple[Law, ...]:
         ),
         Reduction(
             "nutation",
-            {u: gamma_3, f: normed(M), g: area, own: spun / W},
+            {u: gamma_3, f: norm_squared(M), g: area, own: spun / W},
             (
                 (I_1 + D) ** 2 * Rate(u) ** 2
                 - f * (1 - u**2)

@@ -26,16 +26,16 @@ from scipy.spatial.transform import Rotation
 
 from ...arguments import Numbers, Written, arguments_checked
 from ...core.system import System
-from ..base.solution import ClosedForm, Figure, Solution
-from ..one_degree import Course
+from ..base.solution import ClosedForm, NamedConstant, Solution
+from ..one_degree import QuadratureMotion
 from ..one_degree.chebyshev_integrals import working_bits
 from ..one_degree.uniformisation import BALLS, DOUBLES, Oscillating
 from ..revolution import balls_of, needed
-from ..revolution.angles import Turning
+from ..revolution.angles import LinearPhase
 from .axisymmetric import Axial
 from .quaternion import cross, dot, product, quaternion, times_array
 
-__all__ = ["AxialSolution", "Scene"]
+__all__ = ["AxialSolution", "SpaceFrame"]
 
 FAST = 19
 #: Points of σ at which signs of quaternions are remembered.
@@ -43,7 +43,7 @@ POINTS = 512
 
 
 @dataclass(frozen=True)
-class Scene:
+class SpaceFrame:
     """What a motion has been asked of.
 
     Attributes
@@ -83,7 +83,7 @@ class Scene:
 class AxialSolution(Solution):
     """A motion on which u changes."""
 
-    scene: Scene
+    scene: SpaceFrame
     axial: Axial
     chart: Oscillating
     u: Any
@@ -116,10 +116,10 @@ class AxialSolution(Solution):
         return [turning, *(self.axial.velocity(BALLS, u, rate) or [])]
 
     @cached_property
-    def course(self) -> Course:
+    def course(self) -> QuadratureMotion:
         """u with φ and the place."""
         units = (1.0, *(float(self.axial.length.mid()),) * 3)
-        return Course(self.chart, self.u, self.rate, self._rates, units=units)
+        return QuadratureMotion(self.chart, self.u, self.rate, self._rates, units=units)
 
     def _axes(self, F: Any, u: Any, rate: Any) -> list[list[Any]]:
         """f₁, f₂ and e."""
@@ -220,11 +220,11 @@ class AxialSolution(Solution):
             ends = sorted(float(x.place.mid()) for x in (self.chart.first, self.chart.second))
             period, turn, *_ = self.course.advances(FAST)
             figures = (
-                *(Figure(*line) for line in self.axial.constants),
-                Figure("u_1", self.chart.first.place, "turning point of u = (γ, e)"),
-                Figure("u_2", self.chart.second.place, "turning point of u"),
-                Figure("T", period, "period of u", "s"),
-                Figure("phi", turn / period, "mean rate of the angle φ about e", "rad/s"),
+                *(NamedConstant(*line) for line in self.axial.constants),
+                NamedConstant("u_1", self.chart.first.place, "turning point of u = (γ, e)"),
+                NamedConstant("u_2", self.chart.second.place, "turning point of u"),
+                NamedConstant("T", period, "period of u", "s"),
+                NamedConstant("phi", turn / period, "mean rate of the angle φ about e", "rad/s"),
             )
         return ClosedForm(
             title=self.scene.title + ", two equal moments",
@@ -245,7 +245,7 @@ class FastAxial:
         phi, path = whole._begin(FAST)
         self._path = np.array([float(x.mid()) for x in path])
         _, turn, *gains = course.advances(FAST)
-        self._phi = Turning.of(turn, phi)
+        self._phi = LinearPhase.of(turn, phi)
         self._gains = np.array([float(x.mid()) for x in gains])
         self._stand = np.array([[float(x.mid()) for x in k] for k in whole._stand])
         self._origin = np.array([float(x.mid()) for x in whole.scene.place])

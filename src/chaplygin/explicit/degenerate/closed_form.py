@@ -9,8 +9,8 @@ from flint import arb
 
 from ...formulas.balls import components, number
 from ...formulas.relative_zero import vanishes
-from ..base.solution import ClosedForm, Figure
-from ..genus_two.separation import Separable
+from ..base.solution import ClosedForm, NamedConstant
+from ..genus_two.separation import SeparatedSystem
 from .exact_start import Beginning
 from .theta_motion import Asymptotic, Periodic
 
@@ -18,7 +18,7 @@ __all__ = ["form_of"]
 
 
 def form_of(
-    separable: Separable,
+    separable: SeparatedSystem,
     beginning: Beginning,
     motion: Periodic | Asymptotic,
     e: Any,
@@ -50,20 +50,20 @@ def form_of(
     else:
         equations = ((d[0] / w, (b - a * e_) * d[3]),)
     figures = [
-        *(Figure(str(s), beginning.values[s], "constant") for s, _ in separable.constants),
-        Figure("e", e, "root of the curve, double"),
-        *(Figure(f"r_{i}", r, "root of the curve") for i, r in enumerate(_others(beginning, e), 1)),
-        Figure("y", motion.thetas.y, "period ratio iy of the elliptic curve"),
-        Figure("P", motion.period, "period in τ"),
-        Figure("T", turn, "period in t", "s"),
-        Figure("Omega", 2 * arb.pi() / turn, "frequency", "rad/s"),
+        *(NamedConstant(str(s), beginning.values[s], "constant") for s, _ in separable.constants),
+        NamedConstant("e", e, "root of the curve, double"),
+        *(NamedConstant(f"r_{i}", r, "root of the curve") for i, r in enumerate(_others(beginning, e), 1)),
+        NamedConstant("y", motion.thetas.y, "period ratio iy of the elliptic curve"),
+        NamedConstant("P", motion.period, "period in τ"),
+        NamedConstant("T", turn, "period in t", "s"),
+        NamedConstant("Omega", 2 * arb.pi() / turn, "frequency", "rad/s"),
     ]
     kind = "periodic in the body: one variable stays at a double root of the curve"
     if isinstance(motion, Asymptotic):
         kind = "separatrix: asymptotic to a periodic motion in both directions of time"
-        figures.append(Figure("lambda", abs(motion.growth), "rate of approach in τ"))
+        figures.append(NamedConstant("lambda", abs(motion.growth), "rate of approach in τ"))
         figures.append(
-            Figure(
+            NamedConstant(
                 "Lambda", abs(motion.growth) * motion.period / turn, "mean rate of approach", "1/s"
             )
         )

@@ -16,7 +16,7 @@ from flint import arb, ctx
 
 from ...formulas.balls import ball, components, evaluated
 from ..base.exact_start import on_phase_space
-from ..genus_two.separation import Separable
+from ..genus_two.separation import SeparatedSystem
 
 __all__ = ["PRECISION", "Beginning", "begin", "constants_of", "exact_ball"]
 
@@ -75,7 +75,7 @@ def exact_ball(value: Any) -> Any:
     return ball(value)
 
 
-def constants_of(separable: Separable, state: Sequence[Any], values: Mapping[Any, Any]) -> Any:
+def constants_of(separable: SeparatedSystem, state: Sequence[Any], values: Mapping[Any, Any]) -> Any:
     """Values of the state, the definitions, parameters and constants of a separable system.
 
     Parameters
@@ -94,7 +94,7 @@ def constants_of(separable: Separable, state: Sequence[Any], values: Mapping[Any
     return known
 
 
-def begin(separable: Separable, values: Mapping[Any, Any], start: Sequence[Any]) -> Beginning:
+def begin(separable: SeparatedSystem, values: Mapping[Any, Any], start: Sequence[Any]) -> Beginning:
     """A separable system at a start.
 
     Parameters
@@ -110,7 +110,7 @@ def begin(separable: Separable, values: Mapping[Any, Any], start: Sequence[Any])
         return _begin(separable, values, start)
 
 
-def _begin(separable: Separable, values: Mapping[Any, Any], start: Sequence[Any]) -> Beginning:
+def _begin(separable: SeparatedSystem, values: Mapping[Any, Any], start: Sequence[Any]) -> Beginning:
     system = separable.system
     given = [exact_ball(x) for x in start[: len(system.symbols)]]
     exact = {symbol: exact_ball(value) for symbol, value in values.items()}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Protocol
 
-from ..genus_two.separation import Separable
+from ..genus_two.separation import SeparatedSystem
 from .exact_start import Beginning
 from .quadratures import Quadratures, Window
 from .theta_motion import Asymptotic, Periodic
@@ -16,7 +16,7 @@ class DegenerateMotion(Protocol):
     """A motion on a curve of genus two with a double root, as bounds need it."""
 
     @property
-    def separable(self) -> Separable:
+    def separable(self) -> SeparatedSystem:
         """The formulas."""
 
     @property

@@ -19,7 +19,7 @@ from ..base.solution import Solution
 from ..one_degree import chart_of
 from ..one_degree.uniformisation import Oscillating
 from .axisymmetric import Axial, ChaplyginAxial, VeselovaAxial
-from .axisymmetric_solution import AxialSolution, Scene
+from .axisymmetric_solution import AxialSolution, SpaceFrame
 from .exact_start import PRECISION, exact_ball
 from .uniform_motion import uniform
 
@@ -61,7 +61,7 @@ def _solved(
         if axis is None:
             return None
         length = sum((q * q for q in given[size : size + 4]), arb(0)).sqrt()
-        scene = Scene(
+        scene = SpaceFrame(
             system.lifted(),
             known,
             system.title,

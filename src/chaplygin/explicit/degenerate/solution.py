@@ -18,14 +18,14 @@ from ...mechanics.rolling.attitude import attitude
 from ..base.solution import ClosedForm, Solution
 from ..genus_two.attitude import Triad
 from ..genus_two.separated_motion import chain
-from ..genus_two.separation import Separable
+from ..genus_two.separation import SeparatedSystem
 from .closed_form import form_of
 from .exact_start import Beginning
 from .quadratures import Moment, Quadratures, Window, along
 from .quaternion_sign import Signs, signs
 from .theta_motion import Asymptotic, Periodic, direction, direction_array
 
-__all__ = ["Degenerate"]
+__all__ = ["DegenerateSolution"]
 
 #: Bits in which the gain of the clock in a period is computed, and what it may miss.
 BITS = 160
@@ -33,7 +33,7 @@ MISS = arb(2) ** (-125)
 
 
 @dataclass(frozen=True)
-class Degenerate(Solution):
+class DegenerateSolution(Solution):
     """A motion on a curve of genus two that has a double root.
 
     Attributes
@@ -53,7 +53,7 @@ class Degenerate(Solution):
     system: System
     parameters: Mapping[sp.Symbol, Any]
     start: tuple[Any, ...]
-    separable: Separable
+    separable: SeparatedSystem
     beginning: Beginning
     motion: Periodic | Asymptotic
     e: Any

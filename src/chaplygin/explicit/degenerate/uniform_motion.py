@@ -24,15 +24,15 @@ from flint import arb, ctx
 
 from ...arguments import Numbers, Written, arguments_checked
 from ...core.system import System, flat_pairs
-from ...core.vectors import Vector, explicit
+from ...core.vectors import Vector, to_components
 from ...formulas.balls import evaluated, exact
 from ...formulas.relative_zero import Sized, measured, sized, vanishes
 from ...mechanics.rolling.attitude import attitude
 from ..base.exact_start import on_phase_space
-from ..base.solution import ClosedForm, Figure, Solution
+from ..base.solution import ClosedForm, NamedConstant, Solution
 from ..one_degree.chebyshev_integrals import working_bits
 from ..revolution import balls_of, needed
-from ..revolution.angles import Turning
+from ..revolution.angles import LinearPhase
 from .exact_start import PRECISION, exact_ball
 from .quaternion import cross, dot, product, times, times_array
 
@@ -105,14 +105,14 @@ class UniformSolution(Solution):
     # --- in double precision ---------------------------------------------------------------
 
     @cached_property
-    def _rates(self) -> tuple[tuple[Any, Turning, float], ...]:
+    def _rates(self) -> tuple[tuple[Any, LinearPhase, float], ...]:
         """Of Ω and ω − Ω: the direction, the angle as a function of time, the length."""
         with ctx.workprec(working_bits(40)):
             found = []
             for vector in (self.turning, self._apart):
                 length = dot(vector, vector).sqrt()
                 axis = [x / length if length > 0 else arb(0) for x in vector]
-                found.append((_doubles(axis), Turning.of(length), float(length.mid())))
+                found.append((_doubles(axis), LinearPhase.of(length), float(length.mid())))
             return tuple(found)
 
     @arguments_checked
@@ -149,8 +149,8 @@ class UniformSolution(Solution):
             motion="uniform rotation" if moving else "rest",
             equations=((sp.Symbol("x"), sp.Symbol("exp(-t*Omega)") * sp.Symbol("x_0")),),
             figures=(
-                Figure("Omega", lengths[0], "rate at which vectors turn in the body", "rad/s"),
-                Figure("omega_0", lengths[1], "rate at which that frame turns in space", "rad/s"),
+                NamedConstant("Omega", lengths[0], "rate at which vectors turn in the body", "rad/s"),
+                NamedConstant("omega_0", lengths[1], "rate at which that frame turns in space", "rad/s"),
             ),
         )
 
@@ -258,7 +258,7 @@ def resting(
         state = on_phase_space(system, (), given[:size], known)
         numbers = measured(system.state, system.symbols, [exact(x) for x in state])
         fixed = {s: Sized(exact(x), abs(exact(x))) for s, x in known.items()}
-        rates = [explicit(rate) for rate in system.rates]
+        rates = [to_components(rate) for rate in system.rates]
         if not all(x.vanishes() for x in sized(rates, {**fixed, **numbers}, system.steps)):
             return None
         found = {**known, **dict(zip(system.symbols, state, strict=True))}

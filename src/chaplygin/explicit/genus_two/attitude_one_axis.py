@@ -22,9 +22,9 @@ import numpy as np
 import sympy as sp
 
 from ...core.laws import Identity, Rate
-from ...core.vectors import constant, cross, dot, explicit, normed, unit, vectors
+from ...core.vectors import constant, cross, dot, to_components, norm_squared, unit_vector, vectors
 from ...formulas.balls import number
-from .separation import Separable, nu, nuprime
+from .separation import SeparatedSystem, nu, nuprime
 
 __all__ = [
     "Reference",
@@ -192,7 +192,7 @@ class Reference:
     velocity: Any
 
 
-def references(of: Separable) -> tuple[Reference, ...]:
+def references(of: SeparatedSystem) -> tuple[Reference, ...]:
     """ν and the body axes, to choose from.
 
     Parameters
@@ -201,22 +201,22 @@ def references(of: Separable) -> tuple[Reference, ...]:
         Of a system whose state or definitions name ω.
     """
     moving = Reference(nu, nuprime / of.clock + cross(omega, nu))
-    axes = tuple(Reference(unit(i), cross(omega, unit(i))) for i in (1, 2, 3))
+    axes = tuple(Reference(unit_vector(i), cross(omega, unit_vector(i))) for i in (1, 2, 3))
     return (moving, *axes)
 
 
-def spinning(of: Separable, reference: Reference) -> sp.Expr:
+def spinning(of: SeparatedSystem, reference: Reference) -> sp.Expr:
     """ψ̇ about the first vector that `of` says is fixed, in ν, ν′ and the system's symbols."""
-    fixed = explicit(of.fixed[0])
-    length = sp.sqrt(explicit(normed(of.fixed[0])))
+    fixed = to_components(of.fixed[0])
+    length = sp.sqrt(to_components(norm_squared(of.fixed[0])))
     return rate(
         [component / length for component in fixed],
-        explicit(reference.vector),
-        explicit(reference.velocity),
+        to_components(reference.vector),
+        to_components(reference.velocity),
     )
 
 
-def stated(of: Separable, reference: Reference) -> Identity:
+def stated(of: SeparatedSystem, reference: Reference) -> Identity:
     """That the angle about the fixed vector grows at the rate of :func:`spinning`.
 
     With κ and a the first two vectors of the triad the rate is (ȧ + ω×a, κ×a), and κ is fixed.
@@ -227,15 +227,15 @@ def stated(of: Separable, reference: Reference) -> Identity:
     still = constant([Rate(s) for s in kappa.symbols]) + cross(omega, kappa)
     return Identity(
         "spin",
-        (*explicit(still), explicit(dot(velocity, cross(kappa, a))) - spinning(of, reference)),
+        (*to_components(still), to_components(dot(velocity, cross(kappa, a))) - spinning(of, reference)),
         "the rate of turning about a direction that stays in space",
         {
             **dict(of.constants),
             nu: of.direction,
             nuprime: of.turning,
-            kappa: fixed / sp.sqrt(normed(fixed)),
+            kappa: fixed / sp.sqrt(norm_squared(fixed)),
             level: across,
-            a: level / sp.sqrt(normed(level)),
+            a: level / sp.sqrt(norm_squared(level)),
         },
         on=of.level,
         source=of.source,

@@ -29,7 +29,7 @@ from scipy.spatial.transform import Rotation
 from ..base.no_closed_form import NoClosedFormError
 from .quadrature import Series, series
 
-__all__ = ["Reduction", "reduction"]
+__all__ = ["FloquetReduction", "reduction"]
 
 #: Places in the phase that is not turned: at first and at most.
 _PLACES = (64, 512)
@@ -48,7 +48,7 @@ _GAUSS = 0.5 + np.sqrt(15) / 10 * np.array([-1.0, 0.0, 1.0])
 
 
 @dataclass(frozen=True)
-class Reduction:
+class FloquetReduction:
     """The attitude as a uniform rotation times a function on the torus.
 
     Attributes
@@ -93,7 +93,7 @@ class Reduction:
 
 def reduction(
     turning: Callable[[Any], Any], V: Sequence[float], v_0: Any, attitude: Sequence[float]
-) -> Reduction:
+) -> FloquetReduction:
     """Reduce the equation of the attitude.
 
     Parameters
@@ -131,10 +131,10 @@ def reduction(
                 f"{_PLACES[-1]} places around the torus"
             )
     parts = _quaternions(grid if first == 0 else grid.swapaxes(0, 1))
-    made = Reduction(rate, parts, np.array([1.0, 0.0, 0.0, 0.0]), residual)
+    made = FloquetReduction(rate, parts, np.array([1.0, 0.0, 0.0, 0.0]), residual)
     here = made.attitude(np.asarray(v_0, dtype=float)[None, :], np.zeros(1))[0]
     start = _product(np.asarray(attitude, dtype=float), here * np.array([1, -1, -1, -1]))
-    return Reduction(rate, parts, start, residual)
+    return FloquetReduction(rate, parts, start, residual)
 
 
 # --- one turn ------------------------------------------------------------------------------

@@ -18,12 +18,12 @@ from ...formulas.balls import array_function, components, number
 from ...mechanics.rolling.attitude import attitude
 from .attitude import Cover, Triad, cover
 from .attitude_one_axis import farthest, references, spinning
-from .floquet_attitude import Reduction, reduction
+from .floquet_attitude import FloquetReduction, reduction
 from .quadrature import Quadrature, quadrature, series
-from .separated_motion import Prepared, chain
-from .separation import Separable
+from .separated_motion import SeparatedMotion, chain
+from .separation import SeparatedSystem
 from .third_frequency import Turning, turning
-from .time_map import Clock, Moment
+from .time_map import TimeMap, TorusPoint
 
 __all__ = ["Held", "Lift", "Reduced", "Spun", "lift", "on_arrays"]
 
@@ -32,7 +32,7 @@ _COARSE = 24
 
 
 def on_arrays(
-    motion: Prepared, formulas: Sequence[sp.Expr], further: Sequence[sp.Symbol] = ()
+    motion: SeparatedMotion, formulas: Sequence[sp.Expr], further: Sequence[sp.Symbol] = ()
 ) -> Callable[..., Any]:
     """Formulas of the system as a function of ν, ν′, each (3, n), and of `further` arrays (n,)."""
     arguments, steps = chain(motion.separable, formulas)
@@ -58,12 +58,12 @@ class Lift(ABC):
         Attitude (w, x, y, z) and places at t = 0.
     """
 
-    prepared: Prepared
-    clock: Clock
+    prepared: SeparatedMotion
+    clock: TimeMap
     start: Any
 
     @abstractmethod
-    def at(self, moment: Moment) -> Any:
+    def at(self, moment: TorusPoint) -> Any:
         """Attitude and places, (4 + places, n)."""
 
     @cached_property
@@ -87,7 +87,7 @@ class Lift(ABC):
         return tuple(quadrature(f, torus.V, self.clock.v_0) for f in series(function))
 
 
-def place_rates(of: Separable) -> list[sp.Expr]:
+def place_rates(of: SeparatedSystem) -> list[sp.Expr]:
     """Rates of the variables of the motion in space, the attitude left out."""
     motion = of.system.motion
     pairs = () if motion is None else flat_pairs(motion.field)
@@ -144,7 +144,7 @@ class Held(_Oriented):
 
         return self._quadrature(rates)
 
-    def at(self, moment: Moment) -> Any:
+    def at(self, moment: TorusPoint) -> Any:
         """Attitude and places, (4 + places, n)."""
         there = self._torus(moment.v)
         turns = self._sign * self._cover.signed(moment.v, self._attitude(*there))
@@ -228,7 +228,7 @@ class Spun(_Oriented):
             for i in range(count)
         )
 
-    def at(self, moment: Moment) -> Any:
+    def at(self, moment: TorusPoint) -> Any:
         """Attitude and places, (4 + places, n)."""
         there = self._torus(moment.v)
         psi = self._angle.mean * moment.tau + self._angle.quasi(moment.v, moment.tau)[0]
@@ -249,7 +249,7 @@ class Reduced(Lift):
     """The attitude where no fixed vector is known: reduced to a uniform rotation, in numbers."""
 
     @cached_property
-    def _reduction(self) -> Reduction:
+    def _reduction(self) -> FloquetReduction:
         omega = on_arrays(self.prepared, vectors("omega")[0].symbols)
 
         def turning(v: Any) -> Any:
@@ -259,7 +259,7 @@ class Reduced(Lift):
         V = [number(x) for x in self.prepared.torus.V]
         return reduction(turning, V, self.clock.v_0, self.start[:4])
 
-    def at(self, moment: Moment) -> Any:
+    def at(self, moment: TorusPoint) -> Any:
         """The attitude, (4, n)."""
         return self._reduction.attitude(moment.v, moment.tau).T
 
@@ -275,7 +275,7 @@ def _turned(axis: Any, psi: Any, turns: Any) -> Any:
     )
 
 
-def lift(motion: Prepared, clock: Clock, start: Sequence[float]) -> Lift | None:
+def lift(motion: SeparatedMotion, clock: TimeMap, start: Sequence[float]) -> Lift | None:
     """The motion in space, or None where the system has none.
 
     Raises

@@ -11,14 +11,14 @@ import sympy as sp
 from ...formulas.balls import Steps, Values, ball, components, evaluated, needed
 from ..base.exact_start import on_phase_space
 from .curve import Curve
-from .separation import Separable, nu, nuprime
-from .torus import Torus, torus
+from .separation import SeparatedSystem, nu, nuprime
+from .torus import InvariantTorus, torus
 
-__all__ = ["Prepared", "chain", "flat_state", "prepared"]
+__all__ = ["SeparatedMotion", "chain", "flat_state", "separate"]
 
 
 @dataclass(frozen=True)
-class Prepared:
+class SeparatedMotion:
     """One motion of a separable system.
 
     Attributes
@@ -32,16 +32,16 @@ class Prepared:
     torus : Torus
     """
 
-    separable: Separable
+    separable: SeparatedSystem
     state: tuple[Any, ...]
     values: Values
     curve: Curve
-    torus: Torus
+    torus: InvariantTorus
 
 
-def prepared(
-    separable: Separable, parameters: Mapping[sp.Symbol, Any], start: Sequence[Any]
-) -> Prepared:
+def separate(
+    separable: SeparatedSystem, parameters: Mapping[sp.Symbol, Any], start: Sequence[Any]
+) -> SeparatedMotion:
     """Find constants, curve and torus through a start, at the working precision.
 
     Parameters
@@ -82,10 +82,10 @@ def prepared(
         at(separable.turning),
         None if separable.along is None else at(*separable.along),
     )
-    return Prepared(separable, state, values, curve, motion)
+    return SeparatedMotion(separable, state, values, curve, motion)
 
 
-def chain(separable: Separable, formulas: Sequence[sp.Expr]) -> tuple[tuple[Any, ...], Steps]:
+def chain(separable: SeparatedSystem, formulas: Sequence[sp.Expr]) -> tuple[tuple[Any, ...], Steps]:
     """Arguments and steps by which formulas of the system follow from ν and ν′.
 
     Parameters
@@ -117,7 +117,7 @@ def chain(separable: Separable, formulas: Sequence[sp.Expr]) -> tuple[tuple[Any,
     return arguments, needed(steps, formulas)
 
 
-def flat_state(separable: Separable) -> Steps:
+def flat_state(separable: SeparatedSystem) -> Steps:
     """The state as scalar formulas in ν and ν′."""
     found = []
     for name, formula in separable.state:

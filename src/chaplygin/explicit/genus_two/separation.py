@@ -25,14 +25,14 @@ from ...core.laws import Law
 from ...core.system import System
 from ...core.vectors import vectors
 
-__all__ = ["Separable", "nu", "nuprime"]
+__all__ = ["SeparatedSystem", "nu", "nuprime"]
 
 #: The unit vector and its derivative in the time τ, body axes.
 nu, nuprime = vectors("nu nuprime")
 
 
 @dataclass(frozen=True, kw_only=True)
-class Separable:
+class SeparatedSystem:
     """A system on a level, separated; all formulas, no numbers.
 
     Vectors are formulas of :mod:`chaplygin.core.vectors`; wherever a formula may use the constants,

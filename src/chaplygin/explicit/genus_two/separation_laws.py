@@ -19,22 +19,22 @@ from typing import Any, TypeAlias
 import sympy as sp
 
 from ...core.laws import Identity, Law, Rate, Reduction
-from ...core.vectors import cross, explicit, normed, scalar, vectors
+from ...core.vectors import cross, to_components, norm_squared, real_symbol, vectors
 from .poles import gaps
-from .separation import Separable, nu, nuprime
+from .separation import SeparatedSystem, nu, nuprime
 
-__all__ = ["stated", "with_laws"]
+__all__ = ["separation_laws", "with_laws"]
 
 #: c₁z + c₀ as (c₁, c₀).
 Linear: TypeAlias = tuple[Any, Any]
 
 #: κ, S, P and their derivatives in τ.
-kappa, total, product = (scalar(f"separation_{s}") for s in ("kappa", "S", "P"))
-kappaprime, totalprime, productprime = (scalar(f"separation_{s}prime") for s in ("kappa", "S", "P"))
+kappa, total, product = (real_symbol(f"separation_{s}") for s in ("kappa", "S", "P"))
+kappaprime, totalprime, productprime = (real_symbol(f"separation_{s}prime") for s in ("kappa", "S", "P"))
 omega, still = vectors("omega still")
 
 
-def stated(separable: Separable) -> tuple[Law, ...]:
+def separation_laws(separable: SeparatedSystem) -> tuple[Law, ...]:
     """The laws `constants`, `direction`, `separation`, `reconstruction` and one per fixed vector.
 
     Parameters
@@ -52,10 +52,10 @@ def stated(separable: Separable) -> tuple[Law, ...]:
     constants = dict(separable.constants)
     # those given by parameters and other constants alone need no proof
     given_by = {*constants, *(p.symbol for p in separable.system.parameters)}
-    moving = [s for s, value in constants.items() if explicit(value).free_symbols - given_by]
+    moving = [s for s, value in constants.items() if to_components(value).free_symbols - given_by]
     known = {**constants, nu: separable.direction, nuprime: separable.turning}
     common: dict[str, Any] = {"on": separable.level, "source": separable.source}
-    clock = explicit(separable.clock)
+    clock = to_components(separable.clock)
     turned = [
         after - clock * Rate(before)
         for before, after in zip(nu.symbols, nuprime.symbols, strict=True)
@@ -63,12 +63,12 @@ def stated(separable: Separable) -> tuple[Law, ...]:
     given = [
         difference
         for name, formula in separable.state
-        for difference in _entries(explicit(name - formula))
+        for difference in _entries(to_components(name - formula))
     ]
     fixed = [
         Identity(
             f"fixed_{number}",
-            tuple(explicit(cross(_rate(still) + cross(omega, still), still))),
+            tuple(to_components(cross(_rate(still) + cross(omega, still), still))),
             "a direction that stays in space",
             {**constants, still: vector},
             **common,
@@ -88,7 +88,7 @@ def stated(separable: Separable) -> tuple[Law, ...]:
         *(kept if moving else ()),
         Identity(
             "direction",
-            (explicit(normed(nu)) - 1, *turned),
+            (to_components(norm_squared(nu)) - 1, *turned),
             "a unit vector and its derivative in the new time",
             known,
             **common,
@@ -105,9 +105,9 @@ def stated(separable: Separable) -> tuple[Law, ...]:
     )
 
 
-def with_laws(separable: Separable) -> Separable:
+def with_laws(separable: SeparatedSystem) -> SeparatedSystem:
     """The same with its laws."""
-    return replace(separable, laws=stated(separable))
+    return replace(separable, laws=separation_laws(separable))
 
 
 def _entries(value: Any) -> tuple[Any, ...]:
@@ -118,7 +118,7 @@ def _rate(vector: Any) -> Any:
     return sp.ImmutableDenseMatrix([Rate(s) for s in vector.symbols])
 
 
-def _symmetric(separable: Separable) -> Mapping[sp.Symbol, Any]:
+def _symmetric(separable: SeparatedSystem) -> Mapping[sp.Symbol, Any]:
     """κ, S, P and their derivatives, from ν and ν′ by interpolation at the poles."""
     poles = separable.poles
     others = [[e for e in poles if e != pole] for pole in poles]
@@ -143,7 +143,7 @@ def _symmetric(separable: Separable) -> Mapping[sp.Symbol, Any]:
     }
 
 
-def _separated(separable: Separable) -> tuple[Any, Any]:
+def _separated(separable: SeparatedSystem) -> tuple[Any, Any]:
     """Both coefficients of (S′z − P′)² − (b − a(S − z))² y²(z), modulo z² − Sz + P."""
     a, b = separable.speeds
     moving = (totalprime, -productprime)

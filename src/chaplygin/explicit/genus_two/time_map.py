@@ -11,17 +11,17 @@ from flint import arb, ctx
 from ...formulas.balls import array_function, ball_function, components, number
 from .phases import halves, turned
 from .quadrature import Quadrature, quadrature, series
-from .separated_motion import Prepared, chain
+from .separated_motion import SeparatedMotion, chain
 from .torus_average import mean
 
-__all__ = ["Clock", "Moment", "clock_of"]
+__all__ = ["TimeMap", "TorusPoint", "clock_of"]
 
 #: Newton steps for the clock; it takes four or five.
 _STEPS = 40
 
 
 @dataclass(frozen=True)
-class Moment:
+class TorusPoint:
     """Places on the torus.
 
     Attributes
@@ -36,7 +36,7 @@ class Moment:
 
 
 @dataclass(frozen=True)
-class Clock:
+class TimeMap:
     """t as a function of τ and back.
 
     Attributes
@@ -57,7 +57,7 @@ class Clock:
     V: Any
     v_0: Any
 
-    def at(self, times: Any) -> Moment:
+    def at(self, times: Any) -> TorusPoint:
         """Phases and τ at the times (n,)."""
         mean_clock = self.flow.mean
         ideal = np.stack([turned(rate, times, 4.0) for rate in self.Omega], axis=1) + self.v_0
@@ -81,10 +81,10 @@ class Clock:
             delta = following
             if settled.all():
                 break
-        return Moment(ideal + delta[:, None] * self.V, tau + delta)
+        return TorusPoint(ideal + delta[:, None] * self.V, tau + delta)
 
 
-def clock_of(motion: Prepared, bits: int) -> Clock:
+def clock_of(motion: SeparatedMotion, bits: int) -> TimeMap:
     """The clock of a motion.
 
     Parameters
@@ -114,4 +114,4 @@ def clock_of(motion: Prepared, bits: int) -> Clock:
         average = arb(flow.mean)
     with ctx.workprec(bits):
         Omega = (halves(torus.V[0] / average), halves(torus.V[1] / average))
-    return Clock(flow, average, Omega, np.array([number(x) for x in torus.V]), v_0)
+    return TimeMap(flow, average, Omega, np.array([number(x) for x in torus.V]), v_0)

@@ -20,7 +20,7 @@ from .curve import Curve
 from .periods import Lattice, Pair, abelian, lattice
 from .theta import Theta
 
-__all__ = ["Divisor", "Torus", "divisor_of", "torus"]
+__all__ = ["Divisor", "InvariantTorus", "divisor_of", "torus"]
 
 #: What a motion may miss of its start, relative to ν and ν′: near separatrices digits are lost.
 _PASSED = fmpq(1, 2**30)
@@ -75,7 +75,7 @@ def _through(places: Sequence[Any], heights: Sequence[Any]) -> Triple:
 
 
 @dataclass(frozen=True)
-class Torus:
+class InvariantTorus:
     """ν as a function of τ.
 
     Attributes
@@ -144,14 +144,14 @@ def torus(
     nu: Sequence[Any],
     nuprime: Sequence[Any],
     along: Sequence[Any] | None = None,
-) -> Torus:
+) -> InvariantTorus:
     """The motion through ν, ν′ at τ = 0.
 
     Parameters
     ----------
     curve : Curve
     poles, weights : three arb each
-        See :class:`chaplygin.explicit.genus_two.separation.Separable`.
+        See :class:`chaplygin.explicit.genus_two.separation.SeparatedSystem`.
     speeds : two arb
         a and b.
     nu, nuprime : three arb each
@@ -196,7 +196,7 @@ def torus(
         # a component that vanishes shows its sign in its rate
         agrees = value * own > 0 if abs(own) > arb(2) ** -40 else slope * rate > 0
         factors.append(factor if agrees else -factor)
-    made = Torus(
+    made = InvariantTorus(
         periods,
         (thetas[0], thetas[1], thetas[2]),
         (factors[0], factors[1], factors[2]),

@@ -9,7 +9,7 @@ from flint import arb, arb_mat, ctx
 
 from .quadrature import Series
 from .theta import Theta
-from .torus import Torus
+from .torus import InvariantTorus
 
 __all__ = ["BITS", "mean"]
 
@@ -19,7 +19,7 @@ BITS = 128
 _MOST = 70_000
 
 
-def mean(torus: Torus, function: Callable[..., Any], rough: Series) -> Any | None:
+def mean(torus: InvariantTorus, function: Callable[..., Any], rough: Series) -> Any | None:
     """The mean of a function of ν and ν′ on the torus, to about 30 digits.
 
     Parameters

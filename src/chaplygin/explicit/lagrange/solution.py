@@ -26,11 +26,11 @@ from ...errors import InputError
 from ...formulas.relative_zero import GIVEN, vanishes
 from ..base.problem import exact
 from ..base.solution import ClosedForm, Solution
-from ..one_degree import Course, Steady, chart_of
+from ..one_degree import QuadratureMotion, Equilibrium, chart_of
 from ..one_degree.chebyshev_integrals import working_bits
-from ..one_degree.uniformisation import BALLS, DOUBLES, Chart
+from ..one_degree.uniformisation import BALLS, DOUBLES, Uniformisation
 from ..revolution import balls_of, needed
-from ..revolution.angles import Turning
+from ..revolution.angles import LinearPhase
 from ..revolution.body import BITS
 from .closed_form import form_of
 from .top import Top
@@ -116,7 +116,7 @@ class LagrangeSolution(Solution):
         system: System,
         parameters: Mapping[sp.Symbol, Any],
         top: Top,
-        chart: Chart | Steady,
+        chart: Uniformisation | Equilibrium,
         begin: tuple[Sequence[Any], Sequence[Any], Any],
     ) -> None:
         self.system, self.parameters, self.top, self.chart = system, parameters, top, chart
@@ -125,19 +125,19 @@ class LagrangeSolution(Solution):
     @property
     def pace(self) -> float:
         """How fast the phase of u grows with time, or φ where u rests."""
-        return abs(float(self._spin)) if isinstance(self.chart, Steady) else 1 / self.course.moment
+        return abs(float(self._spin)) if isinstance(self.chart, Equilibrium) else 1 / self.course.moment
 
     @cached_property
-    def course(self) -> Course:
+    def course(self) -> QuadratureMotion:
         """u with φ; not for a steady motion."""
-        assert not isinstance(self.chart, Steady)
-        return Course(self.chart, self._vertical[2], self._rate, self.top.rates)
+        assert not isinstance(self.chart, Equilibrium)
+        return QuadratureMotion(self.chart, self._vertical[2], self._rate, self.top.rates)
 
     @cached_property
     def form(self) -> ClosedForm:
         """What the closed form looks like."""
         with ctx.workprec(working_bits(FAST)):
-            course = None if isinstance(self.chart, Steady) else self.course
+            course = None if isinstance(self.chart, Equilibrium) else self.course
             return form_of(self.top, self.chart, course)
 
     @arguments_checked
@@ -146,7 +146,7 @@ class LagrangeSolution(Solution):
         work = needed(time, digits, 1, self.pace)
         with ctx.workprec(working_bits(work)):
             moment = balls_of(time)
-            if isinstance(self.chart, Steady):
+            if isinstance(self.chart, Equilibrium):
                 return tuple(self._turned(BALLS, self._spin * moment))
             at = self.course.place(moment, work)
             low, high = self.chart.roots(BALLS, at.phase)
@@ -168,8 +168,8 @@ class LagrangeSolution(Solution):
     def states(self, times: Numbers) -> Any:
         """States at `times` (n,), as an array (n, 6)."""
         moments = np.asarray(times, dtype=float)
-        if isinstance(self.chart, Steady):
-            columns = self._turned(DOUBLES, Turning.of(self._spin)(moments))
+        if isinstance(self.chart, Equilibrium):
+            columns = self._turned(DOUBLES, LinearPhase.of(self._spin)(moments))
             return np.stack([column + 0 * moments for column in columns], axis=1)
         at = self.course.fast.place(moments)
         begin, advance, tails = self._fast
@@ -188,7 +188,7 @@ class LagrangeSolution(Solution):
     @property
     def _passes(self) -> tuple[bool, bool]:
         """Whether the axis passes the vertical in every period, pointing down and up."""
-        assert not isinstance(self.chart, Steady)
+        assert not isinstance(self.chart, Equilibrium)
         periodic = self.course.periodic
         return periodic and self.chart.first.edge, periodic and self.chart.second.edge
 
@@ -199,7 +199,7 @@ class LagrangeSolution(Solution):
 
     def _phase(self, digits: int) -> Any:
         """φ at the turning point next to the start (arb)."""
-        assert not isinstance(self.chart, Steady)
+        assert not isinstance(self.chart, Equilibrium)
         sigma = self.chart.phase(self._vertical[2], self._rate)
         low, high = self.chart.roots(BALLS, sigma)
         across, lean = low * high, -self.chart.lean(BALLS, sigma)
@@ -210,21 +210,21 @@ class LagrangeSolution(Solution):
         return phi - self.course.integrals(digits).value(1, sigma)
 
     @cached_property
-    def _fast(self) -> tuple[float, Turning, list[tuple[int, Turning]]]:
+    def _fast(self) -> tuple[float, LinearPhase, list[tuple[int, LinearPhase]]]:
         """φ at the turning point, its gain by periods, and φ in the tails by time."""
         course = self.course
         with ctx.workprec(working_bits(FAST)):
             begin = self._phase(FAST)
             if course.periodic:
-                return float(begin), Turning.of(course.advances(FAST)[1]), []
+                return float(begin), LinearPhase.of(course.advances(FAST)[1]), []
             known, tails = course.integrals(FAST), []
             start = known.value(0, course.chart.phase(course.x, course.rate))
             for side, end in zip((-1, 1), course.tails, strict=True):
                 edge = known.panels[-1].high if side > 0 else known.panels[0].low
                 rate = course.limits(FAST, end)[0]
                 phi = begin + known.value(1, edge) - rate * (known.value(0, edge) - start)
-                tails.append((side, Turning.of(rate, phi)))
-            return float(begin), Turning.of(arb(0)), tails
+                tails.append((side, LinearPhase.of(rate, phi)))
+            return float(begin), LinearPhase.of(arb(0)), tails
 
     def _turned(self, F: Any, phi: Any) -> list[Any]:
         """The start of a steady motion turned about the axis by φ: x + iy goes against it."""

@@ -8,7 +8,7 @@ from typing import Any
 
 from flint import acb, arb
 
-from ..one_degree.uniformisation import Chart, Equation
+from ..one_degree.uniformisation import Uniformisation, Equation
 from .elliptic import Elliptic
 
 __all__ = ["Top"]
@@ -55,7 +55,7 @@ class Top:
         }
         return Equation(numerator, lambda u: I, arb(-1), arb(1), inner[self.upright], self.upright)
 
-    def elliptic(self, chart: Chart) -> Elliptic | None:
+    def elliptic(self, chart: Uniformisation) -> Elliptic | None:
         """u as an elliptic function between the ends of its motion; None for another motion."""
         s, I = self.s, self.across
         level = 2 * self.h - s * s / self.axial

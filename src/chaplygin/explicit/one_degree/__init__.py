@@ -21,9 +21,9 @@ from .chebyshev_integrals import Integrals, Table, integrals, working_bits
 from .divided_differences import slope, value
 from .phase_reduction import pair, reduced
 from .turning_points import End, next_end
-from .uniformisation import BALLS, Asymptotic, Chart, Connecting, Equation, Oscillating
+from .uniformisation import BALLS, Asymptotic, Uniformisation, Heteroclinic, Equation, Oscillating
 
-__all__ = ["Course", "Places", "Steady", "chart_of"]
+__all__ = ["QuadratureMotion", "MotionSample", "Equilibrium", "chart_of"]
 
 #: Digits behind the evaluator in double precision.
 FAST = 19
@@ -31,11 +31,11 @@ FAST = 19
 #: (x, x′) ↦ rates of the quadratures.
 Rates = Callable[[Any, Any], Sequence[Any]]
 #: (chart, σ, derivatives of t and of the quadratures by σ, their values) ↦ those of further ones.
-Nested = Callable[[Chart, Any, Sequence[Any], Sequence[Any]], Sequence[Any]]
+Nested = Callable[[Uniformisation, Any, Sequence[Any], Sequence[Any]], Sequence[Any]]
 
 
 @dataclass(frozen=True)
-class Steady:
+class Equilibrium:
     """A motion that rests at a double root, such as a permanent rotation.
 
     Attributes
@@ -62,7 +62,7 @@ class Steady:
         return False if self.rigidity < 0 else None
 
 
-def chart_of(equation: Equation, x: Any, rate: Any) -> Chart | Steady:
+def chart_of(equation: Equation, x: Any, rate: Any) -> Uniformisation | Equilibrium:
     """What kind of motion passes through x with the rate x′.
 
     Parameters
@@ -86,7 +86,7 @@ def chart_of(equation: Equation, x: Any, rate: Any) -> Chart | Steady:
     still = vanishes(value(inner, x).real, size)
     drift = slope(inner, x, x).real
     if still and (any(at_edge) or vanishes(drift, size)):
-        return Steady(equation, x)
+        return Equilibrium(equation, x)
     ends = []
     for edge, sign, there, closed in zip(edges, (-1, 1), at_edge, equation.closed, strict=True):
         if there:
@@ -98,14 +98,14 @@ def chart_of(equation: Equation, x: Any, rate: Any) -> Chart | Steady:
             ends.append(found or End(edge, edge=True))
     left, right = ends
     if left.double and right.double:
-        return Connecting(equation, *((left, right) if rate > 0 else (right, left)))
+        return Heteroclinic(equation, *((left, right) if rate > 0 else (right, left)))
     if left.double:
         return Asymptotic(equation, right, left)
     return (Asymptotic if right.double else Oscillating)(equation, left, right)
 
 
 @dataclass(frozen=True)
-class Places:
+class MotionSample:
     """Where a motion is, at some times.
 
     Attributes
@@ -131,7 +131,7 @@ class Places:
 
 
 @dataclass(frozen=True)
-class Course:
+class QuadratureMotion:
     """A motion with its quadratures.
 
     Attributes
@@ -151,7 +151,7 @@ class Course:
         path.
     """
 
-    chart: Chart
+    chart: Uniformisation
     x: Any
     rate: Any
     rates: Rates
@@ -224,12 +224,12 @@ class Course:
     @property
     def tails(self) -> tuple[End, End]:
         """The double roots approached in the past and in the future."""
-        past = self.chart.first if isinstance(self.chart, Connecting) else self.chart.second
+        past = self.chart.first if isinstance(self.chart, Heteroclinic) else self.chart.second
         return past, self.chart.second
 
     # --- in balls --------------------------------------------------------------------------
 
-    def place(self, time: Any, digits: int) -> Places:
+    def place(self, time: Any, digits: int) -> MotionSample:
         """Where the motion is at one time (arb), in balls.
 
         The working precision must be that of :func:`working_bits` for `digits`.
@@ -251,7 +251,7 @@ class Course:
                 phase = self._phase(known, moment)
         count = len(known.panels[0].series)
         values = tuple(known.value(i, phase) for i in range(1, count))
-        return Places(periods, phase, beyond, values, 1 / self.chart.clock(acb(phase)).real)
+        return MotionSample(periods, phase, beyond, values, 1 / self.chart.clock(acb(phase)).real)
 
     def _phase(self, known: Integrals, moment: Any) -> Any:
         """σ with t(σ) = moment: Newton's method, then one step of it in intervals as a proof."""
@@ -283,7 +283,7 @@ class Course:
 class Fast:
     """A course in double precision, for many times at once."""
 
-    def __init__(self, course: Course) -> None:
+    def __init__(self, course: QuadratureMotion) -> None:
         known = course.integrals(FAST)
         self._table: Table = known.table()
         self._count = len(known.panels[0].series)
@@ -297,7 +297,7 @@ class Fast:
         place = self._table.inverse(np.array([float(moment.mid())]))
         return float(self._table.phase(place)[0])
 
-    def place(self, times: Any) -> Places:
+    def place(self, times: Any) -> MotionSample:
         """Where the motion is at `times` (n,)."""
         beyond = np.zeros_like(times)
         if self._periodic:
@@ -309,4 +309,4 @@ class Fast:
         place = self._table.inverse(moments)
         values = tuple(self._table.value(i, place) for i in range(1, self._count))
         rate = 1 / self._table.rate(place)
-        return Places(periods, self._table.phase(place) + beyond * rate, beyond, values, rate)
+        return MotionSample(periods, self._table.phase(place) + beyond * rate, beyond, values, rate)

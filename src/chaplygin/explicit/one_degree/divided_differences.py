@@ -17,7 +17,7 @@ from typing import Any
 
 from flint import acb, acb_mat, arb
 
-__all__ = ["Slopes", "jet", "slope", "value"]
+__all__ = ["DividedDifferences", "jet", "slope", "value"]
 
 #: What becomes of a formula when its variable takes a value.
 Formula = Callable[[Any], Any]
@@ -25,7 +25,7 @@ Formula = Callable[[Any], Any]
 _NOWHERE = acb(float("nan"), float("nan"))
 
 
-class Slopes:
+class DividedDifferences:
     """A function at several points, as the matrix of its divided differences.
 
     Parameters
@@ -40,7 +40,7 @@ class Slopes:
         self.matrix = matrix
 
     @classmethod
-    def variable(cls, points: Sequence[Any]) -> Slopes:
+    def variable(cls, points: Sequence[Any]) -> DividedDifferences:
         """The function x at `points` (arb or acb)."""
         size = len(points)
         matrix = acb_mat(size, size)
@@ -57,28 +57,28 @@ class Slopes:
             matrix[i, i] = number
         return matrix
 
-    def __neg__(self) -> Slopes:
-        return Slopes(-self.matrix)
+    def __neg__(self) -> DividedDifferences:
+        return DividedDifferences(-self.matrix)
 
-    def __add__(self, other: Any) -> Slopes:
-        matrix = other.matrix if isinstance(other, Slopes) else self._constant(other)
-        return Slopes(self.matrix + matrix)
+    def __add__(self, other: Any) -> DividedDifferences:
+        matrix = other.matrix if isinstance(other, DividedDifferences) else self._constant(other)
+        return DividedDifferences(self.matrix + matrix)
 
     __radd__ = __add__
 
-    def __sub__(self, other: Any) -> Slopes:
-        matrix = other.matrix if isinstance(other, Slopes) else self._constant(other)
-        return Slopes(self.matrix - matrix)
+    def __sub__(self, other: Any) -> DividedDifferences:
+        matrix = other.matrix if isinstance(other, DividedDifferences) else self._constant(other)
+        return DividedDifferences(self.matrix - matrix)
 
-    def __rsub__(self, other: Any) -> Slopes:
-        return Slopes(self._constant(other) - self.matrix)
+    def __rsub__(self, other: Any) -> DividedDifferences:
+        return DividedDifferences(self._constant(other) - self.matrix)
 
-    def __mul__(self, other: Any) -> Slopes:
-        return Slopes(self.matrix * (other.matrix if isinstance(other, Slopes) else acb(other)))
+    def __mul__(self, other: Any) -> DividedDifferences:
+        return DividedDifferences(self.matrix * (other.matrix if isinstance(other, DividedDifferences) else acb(other)))
 
     __rmul__ = __mul__
 
-    def inverse(self) -> Slopes:
+    def inverse(self) -> DividedDifferences:
         """1/f; not finite where f may vanish."""
         size = self.matrix.nrows()
         known, found = self.matrix, acb_mat(size, size)
@@ -89,24 +89,24 @@ class Slopes:
                 j = i + width
                 rest = sum((known[i, k] * found[k, j] for k in range(i + 1, j + 1)), acb(0))
                 found[i, j] = -rest * found[i, i]
-        return Slopes(found)
+        return DividedDifferences(found)
 
-    def __truediv__(self, other: Any) -> Slopes:
-        return self * (other.inverse() if isinstance(other, Slopes) else 1 / acb(other))
+    def __truediv__(self, other: Any) -> DividedDifferences:
+        return self * (other.inverse() if isinstance(other, DividedDifferences) else 1 / acb(other))
 
-    def __rtruediv__(self, other: Any) -> Slopes:
-        return Slopes(self.inverse().matrix * acb(other))
+    def __rtruediv__(self, other: Any) -> DividedDifferences:
+        return DividedDifferences(self.inverse().matrix * acb(other))
 
-    def __pow__(self, exponent: int) -> Slopes:
+    def __pow__(self, exponent: int) -> DividedDifferences:
         if exponent < 0:
-            positive: Slopes = self**-exponent
+            positive: DividedDifferences = self**-exponent
             return positive.inverse()
-        result = Slopes(self._constant(1))
+        result = DividedDifferences(self._constant(1))
         for _ in range(exponent):
             result = result * self
         return result
 
-    def sqrt(self) -> Slopes:
+    def sqrt(self) -> DividedDifferences:
         """The root with positive real part; not finite where a ball meets the negative axis."""
         size = self.matrix.nrows()
         known, found = self.matrix, acb_mat(size, size)
@@ -117,26 +117,26 @@ class Slopes:
                 j = i + width
                 rest = sum((found[i, k] * found[k, j] for k in range(i + 1, j)), acb(0))
                 found[i, j] = (known[i, j] - rest) / (found[i, i] + found[j, j])
-        return Slopes(found)
+        return DividedDifferences(found)
 
-    def exp(self) -> Slopes:
+    def exp(self) -> DividedDifferences:
         """e to the power of the function."""
-        return Slopes(self.matrix.exp())
+        return DividedDifferences(self.matrix.exp())
 
-    def cos(self) -> Slopes:
+    def cos(self) -> DividedDifferences:
         """The cosine of the function."""
         turned = self.matrix * acb(0, 1)
-        return Slopes((turned.exp() + (-turned).exp()) * acb(0.5))
+        return DividedDifferences((turned.exp() + (-turned).exp()) * acb(0.5))
 
-    def sin(self) -> Slopes:
+    def sin(self) -> DividedDifferences:
         """The sine of the function."""
         turned = self.matrix * acb(0, 1)
-        return Slopes((turned.exp() - (-turned).exp()) * acb(0, -0.5))
+        return DividedDifferences((turned.exp() - (-turned).exp()) * acb(0, -0.5))
 
 
 def _last(function: Formula, points: Sequence[Any]) -> Any:
-    result = function(Slopes.variable(points))
-    if not isinstance(result, Slopes):
+    result = function(DividedDifferences.variable(points))
+    if not isinstance(result, DividedDifferences):
         # a constant
         return acb(result) if len(points) == 1 else acb(0)
     found = result.matrix[0, len(points) - 1]
@@ -157,8 +157,8 @@ def slope(function: Formula, *points: Any) -> Any:
 
 def jet(function: Formula, ball: Any) -> tuple[Any, Any, Any]:
     """f, f′ and f″/2 on a real ball (arb)."""
-    result = function(Slopes.variable((ball, ball, ball)))
-    if not isinstance(result, Slopes):
+    result = function(DividedDifferences.variable((ball, ball, ball)))
+    if not isinstance(result, DividedDifferences):
         return arb(result), arb(0), arb(0)
     row = [result.matrix[0, j] for j in range(3)]
     return row[0].real, row[1].real, row[2].real

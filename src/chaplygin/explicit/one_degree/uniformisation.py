@@ -23,7 +23,7 @@ from flint import acb, arb
 from .divided_differences import Formula, slope, value
 from .turning_points import End
 
-__all__ = ["BALLS", "DOUBLES", "Asymptotic", "Chart", "Connecting", "Equation", "Oscillating"]
+__all__ = ["BALLS", "DOUBLES", "Asymptotic", "Uniformisation", "Heteroclinic", "Equation", "Oscillating"]
 
 
 def _ball_root(x: Any) -> Any:
@@ -85,7 +85,7 @@ class Equation:
 
 
 @dataclass(frozen=True)
-class Chart(ABC):
+class Uniformisation(ABC):
     """The motion between two ends, in its phase."""
 
     equation: Equation
@@ -134,7 +134,7 @@ class Chart(ABC):
 
 
 @dataclass(frozen=True)
-class Oscillating(Chart):
+class Oscillating(Uniformisation):
     """Between simple roots a < b; the phase has the period 2π."""
 
     @property
@@ -185,7 +185,7 @@ class Oscillating(Chart):
 
 
 @dataclass(frozen=True)
-class Asymptotic(Chart):
+class Asymptotic(Uniformisation):
     """Away from the double root e, to the simple root a and back: `first` is a, `second` is e."""
 
     @property
@@ -235,7 +235,7 @@ class Asymptotic(Chart):
 
 
 @dataclass(frozen=True)
-class Connecting(Chart):
+class Heteroclinic(Uniformisation):
     """From the double root a to the double root b, which may be the lower one."""
 
     @property

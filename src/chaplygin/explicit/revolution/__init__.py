@@ -20,13 +20,13 @@ from ...errors import InputError
 from ...mechanics.rolling.equations import Rolling
 from ..base.problem import exact
 from ..base.solution import ClosedForm, Solution
-from ..one_degree import Course, Steady, chart_of
+from ..one_degree import QuadratureMotion, Equilibrium, chart_of
 from ..one_degree.chebyshev_integrals import working_bits
-from ..one_degree.uniformisation import BALLS, DOUBLES, Chart
-from .angles import Turning, glide, glides, turned, walk
+from ..one_degree.uniformisation import BALLS, DOUBLES, Uniformisation
+from .angles import LinearPhase, glide, glides, turned, walk
 from .body import BITS, Level, body_of
 from .closed_form import form_of, steady_form
-from .double_precision import FastRevolution, Frame
+from .double_precision import FastRevolution, StartFrame
 from .state import (
     Begin,
     angles_of,
@@ -77,7 +77,7 @@ def solve_rolling(
         ``rolling.system()`` or that of a catalogue entry, not lifted.
     start : sequence of 12 numbers
         ω, γ, attitude and place at time 0; see
-        :func:`~chaplygin.mechanics.rolling.initial_state.starting_state`. Numbers are read to fifty
+        :func:`~chaplygin.mechanics.rolling.initial_state.initial_state`. Numbers are read to fifty
         digits: what these do not tell from zero is zero.
     parameters : mapping of Symbol to number, optional
         Values that replace the system's defaults.
@@ -100,7 +100,7 @@ def solve_rolling(
         begin = begin_of([arb(fmpq(x.numerator, x.denominator)) for x in numbers])
         level = begin.level(body)
         chart = _chart(level, begin)
-        if isinstance(chart, Steady):
+        if isinstance(chart, Equilibrium):
             body.require_convex(chart.place, chart.place)
             return SteadySolution(lifted, values, level, begin, chart)
         a, b = chart.first.place, chart.second.place
@@ -108,7 +108,7 @@ def solve_rolling(
         return RevolutionSolution(lifted, values, level, begin, chart)
 
 
-def _chart(level: Level, begin: Begin) -> Chart | Steady:
+def _chart(level: Level, begin: Begin) -> Uniformisation | Equilibrium:
     flat = level.body.flat
     if flat and not abs(begin.normal[2]) < 1 - arb(5e-13):
         raise InputError("the body lies flat, where the equations of a body on its edge end")
@@ -169,10 +169,10 @@ class RevolutionSolution(Solution):
         parameters: Mapping[sp.Symbol, Any],
         level: Level,
         begin: Begin,
-        chart: Chart,
+        chart: Uniformisation,
     ) -> None:
         self.system, self.parameters, self.level, self.begin = system, parameters, level, begin
-        self.course = Course(
+        self.course = QuadratureMotion(
             chart,
             begin.normal[2],
             begin.rate,
@@ -210,7 +210,7 @@ class RevolutionSolution(Solution):
             return False, False
         return chart.second.edge, chart.first.edge
 
-    def _frame(self, digits: int) -> Frame:
+    def _frame(self, digits: int) -> StartFrame:
         """The constants that join the course to the start."""
         course, chart = self.course, self.course.chart
         known = course.integrals(digits)
@@ -220,13 +220,13 @@ class RevolutionSolution(Solution):
         there = acb(known.value(3, sigma), known.value(4, sigma))
         origin = acb(*self.begin.place) - turned(psi) * there
         if not course.periodic:
-            return Frame(phi, psi, origin, *(arb(0),) * 3, acb(0), self._passes)
+            return StartFrame(phi, psi, origin, *(arb(0),) * 3, acb(0), self._passes)
         _, own, precession, *_ = course.advances(digits)
         turn = precession + (arb.pi() if sum(self._passes) == 1 else 0)
         left = acb(*(known.panels[0].value(i, known.panels[0].low) for i in (3, 4)))
         right = acb(known.end(3), known.end(4))
         step = right - turned(turn) * left
-        return Frame(phi, psi, origin, own, precession, turn, step, self._passes)
+        return StartFrame(phi, psi, origin, own, precession, turn, step, self._passes)
 
     # --- in balls --------------------------------------------------------------------------
 
@@ -311,7 +311,7 @@ class SteadySolution(Solution):
         parameters: Mapping[sp.Symbol, Any],
         level: Level,
         begin: Begin,
-        rest: Steady,
+        rest: Equilibrium,
     ) -> None:
         self.system, self.parameters, self.rest = system, parameters, rest
         u = begin.normal[2].max(arb(-1)).min(arb(1))
@@ -350,7 +350,7 @@ class SteadySolution(Solution):
         """Lifted states at `times` (n,), as an array (n, 12)."""
         moments = np.asarray(times, dtype=float)
         phi, psi = (
-            Turning.of(w, a)(moments) for a, w in zip(self._angles, self._rates, strict=True)
+            LinearPhase.of(w, a)(moments) for a, w in zip(self._angles, self._rates, strict=True)
         )
         origin = complex(float(self._origin.real), float(self._origin.imag))
         place = origin + glides(moments, self._rates[1], self._speed)

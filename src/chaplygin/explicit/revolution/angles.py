@@ -19,7 +19,7 @@ from flint import acb, arb
 
 from ..one_degree.phase_reduction import Pair, fraction, pair
 
-__all__ = ["Turning", "glide", "glides", "turned", "turns", "walk", "walks"]
+__all__ = ["LinearPhase", "glide", "glides", "turned", "turns", "walk", "walks"]
 
 
 def turned(angle: Any) -> Any:
@@ -40,7 +40,7 @@ def turns(angle: Any) -> Pair:
 
 
 @dataclass(frozen=True)
-class Turning:
+class LinearPhase:
     """An angle that grows in proportion to a time or a count, for arrays.
 
     Attributes
@@ -55,7 +55,7 @@ class Turning:
     begin: float = 0.0
 
     @classmethod
-    def of(cls, rate: Any, begin: Any = arb(0)) -> Turning:  # noqa: B008  (immutable)
+    def of(cls, rate: Any, begin: Any = arb(0)) -> LinearPhase:  # noqa: B008  (immutable)
         """From balls."""
         full = 4 * arb.pi()
         return cls(turns(rate), float((begin - full * (begin / full).mid().floor()).mid()))

@@ -16,7 +16,7 @@ from typing import Any
 import sympy as sp
 from flint import arb, ctx, fmpq
 
-from ...core.vectors import scalar, vectors
+from ...core.vectors import real_symbol, vectors
 from ...errors import InputError
 from ...formulas.relative_zero import vanishes
 from ...mechanics.rolling.equations import Rolling
@@ -27,20 +27,20 @@ from ..one_degree.divided_differences import value
 from ..one_degree.formula import program
 from ..one_degree.uniformisation import Equation
 
-__all__ = ["BITS", "Body", "Level", "body_of", "level_of"]
+__all__ = ["BITS", "AxisymmetricBody", "Level", "body_of", "level_of"]
 
 #: Bits to which constants of the motion and turning points are computed.
 BITS = 700
 
 gamma, c = vectors("gamma c")
-m, g, R, rho = (scalar(s) for s in ("m", "g", "R", "rho"))
-I_1, I_2, I_3, b_1, b_2, b_3 = (scalar(s) for s in ("I_1", "I_2", "I_3", "b_1", "b_2", "b_3"))
+m, g, R, rho = (real_symbol(s) for s in ("m", "g", "R", "rho"))
+I_1, I_2, I_3, b_1, b_2, b_3 = (real_symbol(s) for s in ("I_1", "I_2", "I_3", "b_1", "b_2", "b_3"))
 u = gamma.symbols[2]
 c_3 = c.symbols[2]
 
 
 @dataclass(frozen=True)
-class Body:
+class AxisymmetricBody:
     """A body of revolution with rubber contact on a plane.
 
     Attributes
@@ -132,7 +132,7 @@ class Level:
         Energy, and K = Aω₃; K is exactly zero where it cannot be told from zero.
     """
 
-    body: Body
+    body: AxisymmetricBody
     h: Any
     K: Any
 
@@ -155,7 +155,7 @@ class Level:
         return Equation(numerator, denominator, arb(-1), arb(1), inner, (True, True))
 
 
-def body_of(rolling: Rolling, parameters: Mapping[sp.Symbol, Any]) -> Body | None:
+def body_of(rolling: Rolling, parameters: Mapping[sp.Symbol, Any]) -> AxisymmetricBody | None:
     """The body of revolution, or None if it is none, or does not roll so.
 
     Parameters
@@ -183,7 +183,7 @@ def body_of(rolling: Rolling, parameters: Mapping[sp.Symbol, Any]) -> Body | Non
     with ctx.workprec(BITS):
         values = {s: arb(fmpq(x.numerator, x.denominator)) for s, x in numbers.items()}
     flat = isinstance(rolling.body.shape, Disk | Torus)
-    return Body(support, field, values, flat)
+    return AxisymmetricBody(support, field, values, flat)
 
 
 def _support(shape: Shape, numbers: Mapping[sp.Symbol, Any]) -> sp.Expr | None:
@@ -200,7 +200,7 @@ def _support(shape: Shape, numbers: Mapping[sp.Symbol, Any]) -> sp.Expr | None:
     return None
 
 
-def level_of(body: Body, omega: Any, normal: Any) -> Level:
+def level_of(body: AxisymmetricBody, omega: Any, normal: Any) -> Level:
     """The integrals at a state on the phase space (three balls each)."""
     x, sine_square = normal[2], normal[0] * normal[0] + normal[1] * normal[1]
     spin, turn = omega[2], normal[1] * omega[0] - normal[0] * omega[1]

@@ -7,10 +7,10 @@ from typing import Any
 import sympy as sp
 from flint import arb
 
-from ...core.vectors import scalar
-from ..base.solution import ClosedForm, Figure
-from ..one_degree import Course, Steady
-from ..one_degree.uniformisation import Asymptotic, Chart, Connecting
+from ...core.vectors import real_symbol
+from ..base.solution import ClosedForm, NamedConstant
+from ..one_degree import QuadratureMotion, Equilibrium
+from ..one_degree.uniformisation import Asymptotic, Uniformisation, Heteroclinic
 from .body import Level, u
 
 __all__ = ["form_of", "kind_of", "steady_form"]
@@ -21,7 +21,7 @@ DIGITS = 19
 TITLE = "Rubber body of revolution on a plane"
 SOURCE = "(5.1), (5.2), Theorem 4"
 
-t, h, K = (scalar(name) for name in ("t", "h", "K"))
+t, h, K = (real_symbol(name) for name in ("t", "h", "K"))
 theta, phi, psi = (sp.Function(name)(t) for name in ("theta", "varphi", "psi"))
 
 
@@ -39,16 +39,16 @@ def _equations(level: Level) -> tuple[tuple[Any, Any], ...]:
     )
 
 
-def _constants(level: Level) -> tuple[Figure, ...]:
+def _constants(level: Level) -> tuple[NamedConstant, ...]:
     return (
-        Figure("h", level.h, "energy", "J"),
-        Figure("K", level.K, "integral linear in the angular velocity", "kg^0.5 m/s"),
+        NamedConstant("h", level.h, "energy", "J"),
+        NamedConstant("K", level.K, "integral linear in the angular velocity", "kg^0.5 m/s"),
     )
 
 
-def kind_of(chart: Chart) -> str:
+def kind_of(chart: Uniformisation) -> str:
     """The kind of a motion on which θ changes, in words."""
-    if isinstance(chart, Connecting):
+    if isinstance(chart, Heteroclinic):
         return "asymptotic to one permanent rotation in the past and to another in the future"
     if isinstance(chart, Asymptotic):
         return "asymptotic to a permanent rotation, in the past and in the future (separatrix)"
@@ -60,30 +60,30 @@ def kind_of(chart: Chart) -> str:
     return "periodic in shape: the axis nods while it precesses, with two frequencies"
 
 
-def _steady(chart: Steady, turning: bool = True) -> str:
+def _steady(chart: Equilibrium, turning: bool = True) -> str:
     name = "permanent rotation" if turning else "equilibrium"
     if chart.stable is None:
         return f"{name}, on the border of stability"
     return f"{name}, {'stable' if chart.stable else 'unstable'}"
 
 
-def form_of(level: Level, course: Course) -> ClosedForm:
+def form_of(level: Level, course: QuadratureMotion) -> ClosedForm:
     """The form of a motion on which θ changes; the working precision must suffice."""
     chart = course.chart
     ends = sorted((chart.first, chart.second), key=lambda end: float(end.place))
     figures = [
         *_constants(level),
-        Figure("theta_min", ends[1].place.acos(), "least inclination of the axis", "rad"),
-        Figure("theta_max", ends[0].place.acos(), "greatest inclination of the axis", "rad"),
+        NamedConstant("theta_min", ends[1].place.acos(), "least inclination of the axis", "rad"),
+        NamedConstant("theta_max", ends[0].place.acos(), "greatest inclination of the axis", "rad"),
     ]
     if course.periodic:
         period, own, precession, *_ = course.advances(DIGITS)
         figures += [
-            Figure("T", period, "period of the nutation", "s"),
-            Figure("Omega", 2 * arb.pi() / period, "frequency of the nutation", "rad/s"),
-            Figure("<phi'>", own / period, "mean rate of intrinsic rotation", "rad/s"),
-            Figure("<psi'>", precession / period, "mean rate of precession", "rad/s"),
-            Figure("rho", own / (2 * arb.pi()), "rotation number, turns by nutation"),
+            NamedConstant("T", period, "period of the nutation", "s"),
+            NamedConstant("Omega", 2 * arb.pi() / period, "frequency of the nutation", "rad/s"),
+            NamedConstant("<phi'>", own / period, "mean rate of intrinsic rotation", "rad/s"),
+            NamedConstant("<psi'>", precession / period, "mean rate of precession", "rad/s"),
+            NamedConstant("rho", own / (2 * arb.pi()), "rotation number, turns by nutation"),
         ]
     low, high = (float(end.place) for end in ends)
     return ClosedForm(
@@ -91,14 +91,14 @@ def form_of(level: Level, course: Course) -> ClosedForm:
     )
 
 
-def steady_form(level: Level, rest: Steady, rates: tuple[Any, Any]) -> ClosedForm:
+def steady_form(level: Level, rest: Equilibrium, rates: tuple[Any, Any]) -> ClosedForm:
     """The form of a permanent rotation with the given φ̇ and ψ̇."""
     figures = (
         *_constants(level),
-        Figure("theta", rest.place.acos(), "inclination of the axis", "rad"),
-        Figure("phi'", rates[0], "rate of intrinsic rotation", "rad/s"),
-        Figure("psi'", rates[1], "rate of precession", "rad/s"),
-        Figure("w^2", rest.rigidity, "square of the frequency of small nutations", "rad^2/s^2"),
+        NamedConstant("theta", rest.place.acos(), "inclination of the axis", "rad"),
+        NamedConstant("phi'", rates[0], "rate of intrinsic rotation", "rad/s"),
+        NamedConstant("psi'", rates[1], "rate of precession", "rad/s"),
+        NamedConstant("w^2", rest.rigidity, "square of the frequency of small nutations", "rad^2/s^2"),
     )
     where = float(rest.place)
     return ClosedForm(

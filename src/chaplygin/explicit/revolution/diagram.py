@@ -25,7 +25,7 @@ from ...errors import InputError
 from ...mechanics.rolling.equations import Rolling
 from ..base.problem import exact
 from ..one_degree.divided_differences import jet
-from .body import Body, body_of, u
+from .body import AxisymmetricBody, body_of, u
 
 __all__ = ["Column", "Diagram", "Rest", "columns_at", "motions_at", "revolution_diagram"]
 
@@ -127,7 +127,7 @@ def revolution_diagram(
     return Diagram(columns, tuple(c for c, _ in curves), tuple(stable for _, stable in curves))
 
 
-def columns_at(body: Body, K: float) -> Column:
+def columns_at(body: AxisymmetricBody, K: float) -> Column:
     """The permanent rotations at one K > 0, and the number of motions between them.
 
     Raises
@@ -169,7 +169,7 @@ def motions_at(column: Column, h: float) -> int | None:
         return column.counts[sum(bool(rest.h < energy) for rest in column.rests)]
 
 
-def _slope(body: Body) -> sp.Expr:
+def _slope(body: AxisymmetricBody) -> sp.Expr:
     """(1 − u²)² U′ as a formula without a denominator that vanishes upright."""
     return _cleared(body.energy)
 

@@ -9,13 +9,13 @@ import numpy as np
 from flint import acb
 
 from ...formulas.balls import array_function
-from ..one_degree import Course, Places
+from ..one_degree import QuadratureMotion, MotionSample
 from ..one_degree.uniformisation import DOUBLES
-from .angles import Turning, glides, turned, walks
+from .angles import LinearPhase, glides, turned, walks
 from .body import Level, u
 from .state import assembled, path_speed
 
-__all__ = ["FastRevolution", "Frame", "spins"]
+__all__ = ["FastRevolution", "StartFrame", "spins"]
 
 #: Below this angle of precession, in the time of one unit of the phase, the path in a tail is
 #: computed as that of a slow turn.
@@ -23,7 +23,7 @@ SLOW = 1e-3
 
 
 @dataclass(frozen=True)
-class Frame:
+class StartFrame:
     """What joins a course to its start; balls.
 
     Attributes
@@ -75,11 +75,11 @@ class FastRevolution:
         Behind the constants.
     """
 
-    def __init__(self, level: Level, course: Course, frame: Frame, digits: int) -> None:
+    def __init__(self, level: Level, course: QuadratureMotion, frame: StartFrame, digits: int) -> None:
         self._course, self._frame = course, frame
         self._spin = spins(level)
-        self._own, self._precession = Turning.of(frame.own), Turning.of(frame.precession)
-        self._turn = Turning.of(frame.turn)
+        self._own, self._precession = LinearPhase.of(frame.own), LinearPhase.of(frame.precession)
+        self._turn = LinearPhase.of(frame.turn)
         self._begin = (float(frame.phi), float(frame.psi))
         self._origin, self._facing = _complex(frame.origin), _complex(turned(frame.psi))
         self._tails: tuple[_Tail, ...] = ()
@@ -134,8 +134,8 @@ class _Tail:
     """
 
     side: int
-    own: Turning
-    precession: Turning
+    own: LinearPhase
+    precession: LinearPhase
     rate: Any
     speed: Any
     slow: bool
@@ -143,7 +143,7 @@ class _Tail:
     corner: complex
 
     @classmethod
-    def of(cls, level: Level, course: Course, digits: int, side: int) -> _Tail:
+    def of(cls, level: Level, course: QuadratureMotion, digits: int, side: int) -> _Tail:
         known = course.integrals(digits)
         edge = known.panels[-1].high if side > 0 else known.panels[0].low
         limit, phi, psi, x, y = (known.value(i, edge) for i in range(5))
@@ -152,8 +152,8 @@ class _Tail:
         own, rate = course.limits(digits, end)
         return cls(
             side,
-            Turning.of(own, phi - own * begins),
-            Turning.of(rate, psi - rate * begins),
+            LinearPhase.of(own, phi - own * begins),
+            LinearPhase.of(rate, psi - rate * begins),
             rate,
             acb(path_speed(level, acb(end.place))),
             abs(float(rate)) * course.moment < SLOW,
@@ -161,7 +161,7 @@ class _Tail:
             _complex(acb(x, y)),
         )
 
-    def replaced(self, times: Any, at: Places, known: Any) -> tuple[Any, Any, Any]:
+    def replaced(self, times: Any, at: MotionSample, known: Any) -> tuple[Any, Any, Any]:
         """φ, ψ and the path, replaced where the motion is in this tail."""
         there = at.beyond * self.side > 0
         psi = self.precession(times)

@@ -21,8 +21,8 @@ from flint import acb, arb
 
 from ...errors import InputError
 from ...formulas.relative_zero import GIVEN, vanishes
-from ..one_degree.uniformisation import BALLS, Chart, Connecting, Oscillating
-from .body import Body, Level, level_of
+from ..one_degree.uniformisation import BALLS, Uniformisation, Heteroclinic, Oscillating
+from .body import AxisymmetricBody, Level, level_of
 
 __all__ = [
     "Begin",
@@ -56,7 +56,7 @@ class Begin:
         """The rate of γ₃."""
         return self.normal[0] * self.omega[1] - self.normal[1] * self.omega[0]
 
-    def level(self, body: Body) -> Level:
+    def level(self, body: AxisymmetricBody) -> Level:
         """The integrals."""
         return level_of(body, self.omega, self.normal)
 
@@ -128,7 +128,7 @@ def turning_rates(level: Level) -> Any:
 def path_rates(level: Level) -> Any:
     """(chart, σ, derivatives of t, φ, ψ, their values) ↦ derivatives by σ of the place."""
 
-    def rates(chart: Chart, sigma: Any, slopes: Sequence[Any], totals: Sequence[Any]) -> list[Any]:
+    def rates(chart: Uniformisation, sigma: Any, slopes: Sequence[Any], totals: Sequence[Any]) -> list[Any]:
         p = level.body.p(chart.place(BALLS, sigma))
         sideways = p * chart.lean(BALLS, sigma)
         if level.K == 0:
@@ -141,12 +141,12 @@ def path_rates(level: Level) -> Any:
     return rates
 
 
-def path_parities(chart: Chart) -> tuple[int, ...]:
+def path_parities(chart: Uniformisation) -> tuple[int, ...]:
     """Parities of t, φ, ψ, x and y as functions of σ; none for a motion without a turning point.
 
     Where a turning point lies on the vertical, the axis passes it and goes on to the other side.
     """
-    if isinstance(chart, Connecting):
+    if isinstance(chart, Heteroclinic):
         return ()
     turning = chart.second if isinstance(chart, Oscillating) else chart.first
     return (-1, -1, -1, -1, -1 if turning.edge else 1)

@@ -12,7 +12,7 @@ from flint import arb, ctx
 
 from ...errors import InputError
 from ...formulas.balls import ball, components, number
-from ..genus_two.separated_motion import Prepared, chain, prepared
+from ..genus_two.separated_motion import SeparatedMotion, chain, separate
 from .branch_formula import Branch, direction
 from .quadrature import RigorousQuadrature, bits_for, quadratures, speed_of
 from .reconstruction import Pair, PathRates, Turn, path_rates
@@ -47,7 +47,7 @@ class RigorousMotion:
     """
 
     solution: TorusMotion
-    prepared: Prepared
+    prepared: SeparatedMotion
     clock: RigorousQuadrature
     digits: int
     reach: float
@@ -164,7 +164,7 @@ def rigorous_motion(solution: TorusMotion, digits: int, until: Any) -> RigorousM
     reach = turns / speed_of(own.torus)
     start: Sequence[Any] = solution.start[: len(own.separable.system.symbols)]
     with ctx.workprec(bits_for(digits, turns) + _LOST):
-        exact = prepared(own.separable, solution.parameters, start)
+        exact = separate(own.separable, solution.parameters, start)
         rate = components(own.separable.clock)
         branch = Branch(rate, exact.values, chain(own.separable, rate)[1])
     (clock,) = quadratures(exact.torus, branch, digits, reach)

@@ -24,7 +24,7 @@ from flint import acb, acb_mat, arb, ctx, fmpq
 
 from ...errors import InputError
 from ...formulas.balls import number
-from ..genus_two.torus import Torus
+from ..genus_two.torus import InvariantTorus
 from .branch_formula import Branch, direction
 from .strip import least, lines_of, strip_bound
 from .theta import Line, Numerators, numerators_at
@@ -37,7 +37,7 @@ _MOST = 1_500_000
 _SLOW = 2.0**-20
 
 
-def speed_of(torus: Torus) -> float:
+def speed_of(torus: InvariantTorus) -> float:
     """How fast the phases grow with τ, in turns."""
     return abs(number(torus.V[0])) + abs(number(torus.V[1]))
 
@@ -69,7 +69,7 @@ class RigorousQuadrature:
         Working precision.
     """
 
-    torus: Torus
+    torus: InvariantTorus
     branch: Branch
     place: int
     periods: tuple[int, int]
@@ -193,7 +193,7 @@ def _sums(half: float, period: int, reach: int) -> tuple[Any, Any]:
     return 2 * q**reach * q.sqrt() / (1 - q), 2 / (1 - q)
 
 
-def _symmetry(torus: Torus, branch: Branch) -> tuple[tuple[int, int], list[tuple[int, int]]]:
+def _symmetry(torus: InvariantTorus, branch: Branch) -> tuple[tuple[int, int], list[tuple[int, int]]]:
     """Periods in both phases, and for every formula whether it changes its sign with them.
 
     When v_j grows by 1, N_i and N_i′ change their sign where a_i has the j-th entry ½.
@@ -209,7 +209,7 @@ def _symmetry(torus: Torus, branch: Branch) -> tuple[tuple[int, int], list[tuple
 
 
 def quadratures(
-    torus: Torus, branch: Branch, digits: int, reach: float
+    torus: InvariantTorus, branch: Branch, digits: int, reach: float
 ) -> tuple[RigorousQuadrature, ...]:
     """Integrals of formulas in ν and ν′ along a motion on a torus.
 

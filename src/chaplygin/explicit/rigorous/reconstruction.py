@@ -10,20 +10,20 @@ import numpy as np
 import sympy as sp
 from flint import arb, arb_mat
 
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from ...formulas.balls import components
 from ...mechanics.rolling.attitude import attitude
 from ..genus_two.attitude_one_axis import farthest, references, spinning, turned
 from ..genus_two.reconstruction import on_arrays, place_rates
-from ..genus_two.separated_motion import Prepared, chain
+from ..genus_two.separated_motion import SeparatedMotion, chain
 from .branch_formula import Branch
 
 __all__ = ["Pair", "PathRates", "Turn", "path_rates"]
 
 #: Points per phase at which the directions of two vectors are compared.
 _COARSE = 24
-_AXES = sp.Matrix(3, 3, lambda k, s: scalar(f"axis_{k + 1}{s + 1}"))
-_TRIAD = sp.Matrix(3, 3, lambda k, b: scalar(f"triad_{k + 1}{b + 1}"))
+_AXES = sp.Matrix(3, 3, lambda k, s: real_symbol(f"axis_{k + 1}{s + 1}"))
+_TRIAD = sp.Matrix(3, 3, lambda k, b: real_symbol(f"triad_{k + 1}{b + 1}"))
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ class Pair:
     rate: Any
 
     @classmethod
-    def of(cls, prepared: Prepared) -> Pair | None:
+    def of(cls, prepared: SeparatedMotion) -> Pair | None:
         """Two fixed vectors, or one and another that stays away from it; None if none is fixed."""
         separable, torus = prepared.separable, prepared.torus
         if not separable.fixed:
@@ -58,7 +58,7 @@ class Pair:
         best = choice[farthest(values[0], list(values[1:]))]
         return cls(first, best.vector, spinning(separable, best))
 
-    def turning(self, prepared: Prepared) -> Branch:
+    def turning(self, prepared: SeparatedMotion) -> Branch:
         """The rate in τ, as a function of ν and ν′."""
         formula = components(prepared.separable.clock)[0] * self.rate
         return Branch([formula], prepared.values, chain(prepared.separable, [formula])[1])
@@ -81,7 +81,7 @@ class Turn:
 
     @classmethod
     def through(
-        cls, prepared: Prepared, pair: Pair, there: Sequence[Any], quaternion: Sequence[Any]
+        cls, prepared: SeparatedMotion, pair: Pair, there: Sequence[Any], quaternion: Sequence[Any]
     ) -> Turn:
         """From ν and ν′ and the attitude (w, x, y, z, body to space) at the start."""
         formulas = list(_triad(pair.first, pair.second))
@@ -157,7 +157,7 @@ class PathRates:
     shares: tuple[tuple[tuple[int, tuple[int, int]], ...], ...]
 
 
-def path_rates(prepared: Prepared, pair: Pair) -> PathRates | None:
+def path_rates(prepared: SeparatedMotion, pair: Pair) -> PathRates | None:
     """Derivatives of the coordinates in space beside the attitude; None if there are none.
 
     Quaternions enter the rates of a path in products of two, which are linear in the matrix, and

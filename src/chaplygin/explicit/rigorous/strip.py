@@ -14,7 +14,7 @@ import numpy as np
 from flint import arb, ctx
 
 from ...errors import InputError
-from ..genus_two.torus import Torus
+from ..genus_two.torus import InvariantTorus
 from .affine import Affine
 from .branch_formula import Branch, direction
 from .theta import Line, Numerators
@@ -57,7 +57,7 @@ def lines_of(counts: Sequence[int], periods: Sequence[int]) -> tuple[Line, Line]
 
 
 def _values(
-    torus: Torus, branch: Branch, heights: Sequence[float], periods: Sequence[int], boxes: int
+    torus: InvariantTorus, branch: Branch, heights: Sequence[float], periods: Sequence[int], boxes: int
 ) -> list[Affine]:
     """The formulas on boxes that cover the torus Im v = heights."""
     counts = [boxes * period for period in periods]
@@ -68,7 +68,7 @@ def _values(
 
 
 def _bounds(
-    torus: Torus, branch: Branch, half: Sequence[float], periods: Sequence[int], boxes: int
+    torus: InvariantTorus, branch: Branch, half: Sequence[float], periods: Sequence[int], boxes: int
 ) -> tuple[float, ...]:
     """Upper bounds of the moduli on the strip; infinite or not a number where none is proven."""
     tori = [
@@ -78,7 +78,7 @@ def _bounds(
 
 
 def _holds(
-    torus: Torus, branch: Branch, half: Sequence[float], periods: Sequence[int], boxes: int
+    torus: InvariantTorus, branch: Branch, half: Sequence[float], periods: Sequence[int], boxes: int
 ) -> bool:
     """Whether so many boxes prove the formulas analytic in the strip."""
     return bool(np.all(np.isfinite(_bounds(torus, branch, half, periods, boxes))))
@@ -88,7 +88,7 @@ def _sizes(periods: Sequence[int]) -> list[int]:
     return [n for n in _BOXES if n**2 * periods[0] * periods[1] <= _MOST]
 
 
-def strip_bound(torus: Torus, branch: Branch, periods: Sequence[int]) -> Strip:
+def strip_bound(torus: InvariantTorus, branch: Branch, periods: Sequence[int]) -> Strip:
     """A strip on which formulas are proven analytic, nearly as wide as it can be.
 
     Parameters
@@ -127,7 +127,7 @@ def strip_bound(torus: Torus, branch: Branch, periods: Sequence[int]) -> Strip:
         return Strip(half, bounds, tuple(size or 1.0 for size in sizes))
 
 
-def least(torus: Torus, branch: Branch, periods: Sequence[int]) -> float:
+def least(torus: InvariantTorus, branch: Branch, periods: Sequence[int]) -> float:
     """A lower bound of formulas that are positive on the real torus.
 
     Raises

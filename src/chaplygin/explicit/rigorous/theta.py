@@ -19,7 +19,7 @@ import numpy as np
 from flint import acb, acb_mat, arb, ctx, fmpq
 
 from ...formulas.balls import number
-from ..genus_two.torus import Torus
+from ..genus_two.torus import InvariantTorus
 from .affine import ROUNDING, Affine
 
 __all__ = ["Line", "Numerators", "numerators_at"]
@@ -92,7 +92,7 @@ class Numerators:
         y.
     """
 
-    def __init__(self, torus: Torus, heights: Sequence[Any]) -> None:
+    def __init__(self, torus: InvariantTorus, heights: Sequence[Any]) -> None:
         self._torus = torus
         self._y = tuple(arb(y) for y in heights)
         Y = torus.lattice.Y
@@ -224,7 +224,7 @@ def _by_point(values: list[list[Any]], rates: list[list[Any]]) -> list[tuple[lis
     return [(list(value), list(rate)) for value, rate in points]
 
 
-def numerators_at(torus: Torus, tau: Any) -> tuple[list[Any], list[Any]]:
+def numerators_at(torus: InvariantTorus, tau: Any) -> tuple[list[Any], list[Any]]:
     """N and N′ at one τ (arb)."""
     v = [start + speed * tau for start, speed in zip(torus.v_0, torus.V, strict=True)]
     pairs = [theta.ball(v, torus.along) for theta in torus.thetas]

@@ -7,7 +7,7 @@ from typing import Any, Protocol
 
 import sympy as sp
 
-from ..genus_two.separated_motion import Prepared
+from ..genus_two.separated_motion import SeparatedMotion
 
 __all__ = ["TorusMotion"]
 
@@ -16,7 +16,7 @@ class TorusMotion(Protocol):
     """A motion on a two-dimensional torus, as bounds need it."""
 
     @property
-    def prepared(self) -> Prepared:
+    def prepared(self) -> SeparatedMotion:
         """Constants, curve and torus."""
 
     @property

@@ -38,15 +38,15 @@ import sympy as sp
 from ...catalogue import from_catalogue
 from ...catalogue.ball_on_sphere import ball_on_sphere_equations
 from ...core.system import System
-from ...core.vectors import Vector, constant, cross, dot, normed, scalar, vectors
+from ...core.vectors import Vector, constant, cross, dot, norm_squared, real_symbol, vectors
 from ..genus_two.poles import gaps
-from ..genus_two.separation import Separable, nu, nuprime
-from ..genus_two.separation_laws import stated
+from ..genus_two.separation import SeparatedSystem, nu, nuprime
+from ..genus_two.separation_laws import separation_laws
 
 __all__ = ["hollow_ball", "of_tensor"]
 
 M, omega, gamma = vectors("M omega gamma")
-h, f = scalar("h"), scalar("f")
+h, f = real_symbol("h"), real_symbol("f")
 
 
 def _tensor(entries: Any) -> sp.ImmutableDenseMatrix:
@@ -75,7 +75,7 @@ def _around(
     inertia: tuple[sp.Expr, ...],
     d: sp.Expr,
     level: tuple[sp.Expr, ...],
-) -> Separable:
+) -> SeparatedSystem:
     """A system with state M and `normal`, and ω among its definitions, on its `level`."""
     T = sp.Add(*inertia) + d
     lever = tuple(T / 2 - moment for moment in inertia)
@@ -94,12 +94,12 @@ def _around(
     crossed = drawn(A * nu)
     turning = cross(crossed, nuprime) / (dot(nu, crossed) * clock(nu))
     leading, roots = _roots(T / 2, d, lever)
-    made = Separable(
+    made = SeparatedSystem(
         name=name,
         title="Hollow ball around a sphere of half its radius, at zero linear integral",
         system=system,
         level=level,
-        constants=((h, dot(M, omega) / 2), (f, normed(M))),
+        constants=((h, dot(M, omega) / 2), (f, norm_squared(M))),
         direction=normal,
         turning=clock(normal) * cross(omega, normal),
         poles=inertia,
@@ -115,10 +115,10 @@ def _around(
         fixed=(M,),
         source="§8.3, (8.1)–(8.4)",
     )
-    return replace(made, laws=tuple(law for law in stated(made) if law.name != "separation"))
+    return replace(made, laws=tuple(law for law in separation_laws(made) if law.name != "separation"))
 
 
-def of_tensor() -> Separable:
+def of_tensor() -> SeparatedSystem:
     """The ball by the tensor A of its linear integral and d, as (8.1) for k = −1, F₂ = 0."""
     d = ball_on_sphere_equations.d
     A = ball_on_sphere_equations.A.symbols
@@ -134,7 +134,7 @@ def of_tensor() -> Separable:
     )
 
 
-def hollow_ball(system: System | None = None) -> Separable:
+def hollow_ball(system: System | None = None) -> SeparatedSystem:
     """A hollow ball around a sphere of half its radius, R = 2a.
 
     Parameters
@@ -143,8 +143,8 @@ def hollow_ball(system: System | None = None) -> Separable:
         A ball around a sphere with the names of the catalogue's, which is the default.
     """
     made = from_catalogue("ball-around-sphere") if system is None else system
-    m, R, a = (scalar(s) for s in ("m", "R", "a"))
-    inertia = tuple(scalar(f"I_{i}") for i in (1, 2, 3))
+    m, R, a = (real_symbol(s) for s in ("m", "R", "a"))
+    inertia = tuple(real_symbol(f"I_{i}") for i in (1, 2, 3))
     d = m * R**2
     lever = _tensor((sp.Add(*inertia) + d) / 2 - moment for moment in inertia)
     level = (R - 2 * a, dot(lever * M, gamma))

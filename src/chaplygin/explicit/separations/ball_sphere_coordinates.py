@@ -19,13 +19,13 @@ import sympy as sp
 from ...catalogue.ball_on_sphere import ball_around_sphere_coordinates as instant
 from ...core.laws import Identity
 from ...core.system import Parameter, System
-from ..genus_two.separation import Separable
+from ..genus_two.separation import SeparatedSystem
 from .ball_sphere import f, h
 
 __all__ = ["in_coordinates"]
 
 
-def in_coordinates(of: Separable) -> System:
+def in_coordinates(of: SeparatedSystem) -> System:
     """An instant of any motion in the coordinates, with the laws that make up the separation.
 
     Parameters
@@ -39,7 +39,7 @@ def in_coordinates(of: Separable) -> System:
         State u₁, u₂; the laws of :func:`.ball_around_sphere_coordinates.coordinates`, that n is
         the unit vector with the poles and weights of `of`, and that its curve is the right one.
     """
-    system = instant.coordinates()
+    system = instant.coordinates_around_sphere()
     constants = (
         Parameter(h, "energy", 1.0, "J"),
         Parameter(f, "square of the momentum", 3.0, "kg^2 m^4/s^2"),
@@ -51,7 +51,7 @@ def in_coordinates(of: Separable) -> System:
     )
 
 
-def _direction(of: Separable) -> Identity:
+def _direction(of: SeparatedSystem) -> Identity:
     """n_i² S = weights_i (e_i − z₁)(e_i − z₂)."""
     first, second = (instant.tau - u for u in instant.u)
     squares = zip(instant.square.symbols, of.poles, of.weights, strict=True)
@@ -63,7 +63,7 @@ def _direction(of: Separable) -> Identity:
     )
 
 
-def _curve(of: Separable) -> Identity:
+def _curve(of: SeparatedSystem) -> Identity:
     """What drives one coordinate is y² of its curve, and so for the other."""
     a, b = of.speeds
     differences = []

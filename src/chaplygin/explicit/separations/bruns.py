@@ -25,9 +25,9 @@ from ...catalogue.chaplygin_ball.chaplygin_ball import K
 from ...catalogue.chaplygin_ball.chaplygin_bracket import D
 from ...catalogue.fixed_point import veselova
 from ...core.system import System
-from ...core.vectors import constant, cross, dot, scalar, vectors
+from ...core.vectors import constant, cross, dot, real_symbol, vectors
 from ..genus_two.poles import gaps
-from ..genus_two.separation import Separable, nu, nuprime
+from ..genus_two.separation import SeparatedSystem, nu, nuprime
 from ..genus_two.separation_laws import with_laws
 from .neumann import quadratic
 
@@ -45,7 +45,7 @@ Tensor: TypeAlias = tuple[sp.Expr, sp.Expr, sp.Expr]
 gamma, omega = vectors("gamma omega")
 I = veselova.I
 #: Values of the energy and of the momentum integral.
-h, F = scalar("h"), scalar("F")
+h, F = real_symbol("h"), real_symbol("F")
 
 
 #: J = I + D, in parameters.
@@ -62,14 +62,14 @@ def integral(system: System, name: str) -> sp.Expr:
     return next(law.value for law in system.integrals if law.name == name)
 
 
-def _kept_from_spinning(name: str, title: str, moments: Tensor, offset: sp.Expr) -> Separable:
+def _kept_from_spinning(name: str, title: str, moments: Tensor, offset: sp.Expr) -> SeparatedSystem:
     """A body with (ω, γ) = 0 and the given moments in the field ½K(γ, Iγ) − `offset`."""
     system = from_catalogue(name)
     inverse = diagonal(tuple(1 / s for s in moments))
     clock = sp.sqrt(dot(nu, inverse * nu))
     linear = 2 * (h + offset) - K * sp.Add(*moments)
     return with_laws(
-        Separable(
+        SeparatedSystem(
             name=name,
             title=title,
             system=system,
@@ -89,13 +89,13 @@ def _kept_from_spinning(name: str, title: str, moments: Tensor, offset: sp.Expr)
     )
 
 
-def veselova_in_bruns_field() -> Separable:
+def veselova_in_bruns_field() -> SeparatedSystem:
     """The Veselova system in Bruns' field, K ≠ 0; ν = γ, dt = (γ, I⁻¹γ)^(1/2) dτ."""
     title = "Veselova system in Bruns' field"
     return _kept_from_spinning("veselova-bruns", title, I.symbols, sp.S.Zero)
 
 
-def rubber_ball_in_bruns_field() -> Separable:
+def rubber_ball_in_bruns_field() -> SeparatedSystem:
     """The Chaplygin ball with rubber contact in Bruns' field, K ≠ 0: J for I, U less ½KD."""
     title = "Chaplygin ball with rubber contact in Bruns' field"
     return _kept_from_spinning("rubber-chaplygin-ball-bruns", title, ROLLING, K * D / 2)

@@ -33,9 +33,9 @@ from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_ball import K
 from ...catalogue.chaplygin_ball.chaplygin_bracket import DET_IQ, D
 from ...core.laws import Identity, Law
-from ...core.vectors import Diagonal, cross, dot, explicit, normed, scalar, vectors
-from ..genus_two.separation import Separable
-from ..genus_two.separation_laws import stated
+from ...core.vectors import Diagonal, cross, dot, to_components, norm_squared, real_symbol, vectors
+from ..genus_two.separation import SeparatedSystem
+from ..genus_two.separation_laws import separation_laws
 from .bruns import integral
 from .chaplygin_ball import chaplygin_ball
 from .neumann import quadratic
@@ -48,23 +48,23 @@ TRACE, DET_I = sp.Add(*I.symbols), sp.Mul(*I.symbols)
 #: e = (det J − det I)/D.
 EXCESS = D**2 + D * TRACE + sp.Add(*(DET_I / s for s in I.symbols))
 #: Values of the energy and of the momentum integral.
-h, f = scalar("h"), scalar("f")
+h, f = real_symbol("h"), real_symbol("f")
 
-z = scalar("z")
+z = real_symbol("z")
 #: p(z).
 POLES = sp.Mul(*(z - s for s in I.symbols))
-kappa, total, product = (scalar(f"separation_{s}") for s in ("kappa", "S", "P"))
+kappa, total, product = (real_symbol(f"separation_{s}") for s in ("kappa", "S", "P"))
 #: (M, ω), M², (g, I⁻¹g) and g².
-twice, momentum, turned, square = (scalar(f"separation_{s}") for s in ("T", "N", "a", "g"))
+twice, momentum, turned, square = (real_symbol(f"separation_{s}") for s in ("T", "N", "a", "g"))
 #: κ, S and P, from which z₁ and z₂ follow.
 SHAPE = {
     kappa: dot(gamma, I * gamma),
-    total: TRACE - normed(I * gamma) / kappa,
+    total: TRACE - norm_squared(I * gamma) / kappa,
     product: DET_I / kappa,
 }
 
 
-def chaplygin_ball_in_bruns_field() -> Separable:
+def chaplygin_ball_in_bruns_field() -> SeparatedSystem:
     """The Chaplygin ball in Bruns' field at (M, γ) = 0; ν = γ, dt = (det I_Q)^(1/2) dτ."""
     system = from_catalogue("chaplygin-ball-bruns")
     first, second, third = _coefficients()
@@ -79,7 +79,7 @@ def chaplygin_ball_in_bruns_field() -> Separable:
         fixed=(gamma,),
         source="Remark 20",
     )
-    kept = tuple(law for law in stated(separable) if law.name != "separation")
+    kept = tuple(law for law in separation_laws(separable) if law.name != "separation")
     return replace(separable, laws=(*kept, *_separation(separable)))
 
 
@@ -88,17 +88,17 @@ def _coefficients() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     return 2 * h, 2 * h * D - f - K * EXCESS, K * DET_I
 
 
-def _separation(separable: Separable) -> tuple[Law, ...]:
+def _separation(separable: SeparatedSystem) -> tuple[Law, ...]:
     """The identities of which the separated equations are made, as in the head of this file."""
     first, second, third = _coefficients()
     bent = z * turned - square
     kinetic = twice * (z + D) - momentum
-    parts = {twice: dot(M, omega), momentum: normed(M)}
+    parts = {twice: dot(M, omega), momentum: norm_squared(M)}
     level: dict[str, Any] = {"on": separable.level, "source": separable.source}
     return (
         Identity(
             "clock",
-            (explicit(DET_IQ) - kappa * (D**2 + D * total + product),),
+            (to_components(DET_IQ) - kappa * (D**2 + D * total + product),),
             "the clock in the coordinates",
             SHAPE,
             source=separable.source,
@@ -129,7 +129,7 @@ def _separation(separable: Separable) -> tuple[Law, ...]:
 def _lagrange(rate: Any) -> tuple[sp.Expr, ...]:
     """The coefficients of both sides' difference in Lagrange's identity."""
     crossed = cross(rate, gamma)
-    bent = z * dot(crossed, I**-1 * crossed) - normed(crossed)
+    bent = z * dot(crossed, I**-1 * crossed) - norm_squared(crossed)
     products = _pair(gamma, gamma) * _pair(rate, rate) - _pair(gamma, rate) ** 2
     return tuple(sp.Poly(products - DET_I * POLES * bent, z).all_coeffs())
 
@@ -144,7 +144,7 @@ def _pair(first: Any, second: Any) -> sp.Expr:
 
 def _bend(rate: Any) -> dict[Any, Any]:
     """(g, I⁻¹g) and g² for γ with this rate."""
-    return {g: cross(rate, gamma), turned: dot(g, I**-1 * g), square: normed(g)}
+    return {g: cross(rate, gamma), turned: dot(g, I**-1 * g), square: norm_squared(g)}
 
 
 def _modulo(polynomial: sp.Expr) -> tuple[sp.Expr, ...]:

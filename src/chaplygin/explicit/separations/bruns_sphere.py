@@ -25,10 +25,10 @@ import sympy as sp
 from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_ball import K
 from ...core.laws import Identity
-from ...core.vectors import Diagonal, dot, explicit, scalar, vectors
+from ...core.vectors import Diagonal, dot, to_components, real_symbol, vectors
 from ..genus_two.poles import gaps
-from ..genus_two.separation import Separable
-from ..genus_two.separation_laws import stated
+from ..genus_two.separation import SeparatedSystem
+from ..genus_two.separation_laws import separation_laws
 from .ball_sphere import hollow_ball
 from .bruns import integral
 from .neumann import quadratic
@@ -37,7 +37,7 @@ __all__ = ["hollow_ball_in_bruns_field"]
 
 (gamma,) = vectors("gamma")
 I, J = Diagonal("I"), Diagonal("J")
-D = scalar("m") * scalar("R") ** 2
+D = real_symbol("m") * real_symbol("R") ** 2
 #: ½T and A.
 HALF = (sp.Add(*I.symbols) + D) / 2
 LEVER = tuple(HALF - s for s in I.symbols)
@@ -47,15 +47,15 @@ DET_J = sp.Mul(*(s + D for s in I.symbols))
 #: ¼T² + e₂.
 WEIGHT = HALF**2 + E_2
 #: Values of the energy and of the momentum integral.
-h, f = scalar("h"), scalar("f")
+h, f = real_symbol("h"), real_symbol("f")
 
-z = scalar("z")
-total, product = (scalar(f"separation_{s}") for s in ("S", "P"))
+z = real_symbol("z")
+total, product = (real_symbol(f"separation_{s}") for s in ("S", "P"))
 #: (n, In) and det J (n, J⁻¹n).
-form, inverse = (scalar(f"separation_{s}") for s in ("I", "A"))
+form, inverse = (real_symbol(f"separation_{s}") for s in ("I", "A"))
 
 
-def hollow_ball_in_bruns_field() -> Separable:
+def hollow_ball_in_bruns_field() -> SeparatedSystem:
     """A hollow ball around a sphere of half its radius, R = 2a, in Bruns' field."""
     system = from_catalogue("ball-around-sphere-bruns")
     # the quadratic factor in u = ½T − z
@@ -73,11 +73,11 @@ def hollow_ball_in_bruns_field() -> Separable:
         fixed=(),
         source="§8.3, §12",
     )
-    kept = tuple(law for law in stated(separable) if law.name != "separation")
+    kept = tuple(law for law in separation_laws(separable) if law.name != "separation")
     return replace(separable, laws=(*kept, _field(separable)))
 
 
-def _field(separable: Separable) -> Identity:
+def _field(separable: SeparatedSystem) -> Identity:
     """What the field adds, modulo (z − z₁)(z − z₂)."""
     level = E_2 * (HALF - z) - E_3
     ratio = level - D * (HALF - z) ** 2
@@ -96,13 +96,13 @@ def _field(separable: Separable) -> Identity:
     )
 
 
-def _coordinates(separable: Separable) -> dict[Any, Any]:
+def _coordinates(separable: SeparatedSystem) -> dict[Any, Any]:
     """z₁ + z₂ and z₁z₂, by interpolation at the poles."""
     poles = separable.poles
     shares = [
         s**2 / (weight * gap)
         for s, weight, gap in zip(
-            explicit(separable.direction), separable.weights, gaps(poles), strict=True
+            to_components(separable.direction), separable.weights, gaps(poles), strict=True
         )
     ]
     others = [(poles[i - 1], poles[i - 2]) for i in range(3)]

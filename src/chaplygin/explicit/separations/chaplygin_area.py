@@ -43,21 +43,21 @@ import sympy as sp
 
 from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_bracket import DET_J, A, D, I
-from ...core.vectors import constant, cross, dot, normed, scalar, vectors
+from ...core.vectors import constant, cross, dot, norm_squared, real_symbol, vectors
 from ..genus_two.poles import gaps
-from ..genus_two.separation import Separable, nu, nuprime
-from ..genus_two.separation_laws import stated
+from ..genus_two.separation import SeparatedSystem, nu, nuprime
+from ..genus_two.separation_laws import separation_laws
 
 __all__ = ["chaplygin_area", "even_clock", "returned"]
 
 M, gamma, omega = vectors("M gamma omega")
-h, f, g, sigma, delta, e, n = (scalar(s) for s in ("h", "f", "g", "sigma", "delta", "e", "n"))
+h, f, g, sigma, delta, e, n = (real_symbol(s) for s in ("h", "f", "g", "sigma", "delta", "e", "n"))
 
 SLOPE = f - 2 * h * D
 BETA = -g / sigma
 #: D′, a constant by itself since D − δ loses digits near M ∥ γ, and the inertia tensor I′, of the
 #: ball at zero area constant.
-D_ZERO = scalar("D_0")
+D_ZERO = real_symbol("D_0")
 I_ZERO = constant(sp.diag(*(moment + delta for moment in I.symbols)))
 #: γ′ in the state.
 NORMAL = (gamma + BETA * M) / n
@@ -93,17 +93,17 @@ def even_clock() -> Any:
     return EVEN
 
 
-def chaplygin_area() -> Separable:
+def chaplygin_area() -> SeparatedSystem:
     """The Chaplygin ball with any three different principal moments, M not parallel to γ."""
     moments = I.symbols
     scale = sp.sqrt(det_iq(NORMAL)) * e / (1 - BETA * D * dot(omega, gamma))
-    made = Separable(
+    made = SeparatedSystem(
         name="chaplygin-ball-area",
         title="Chaplygin ball",
         system=from_catalogue("chaplygin-ball"),
         constants=(
             (h, dot(M, omega) / 2),
-            (f, normed(M)),
+            (f, norm_squared(M)),
             (g, dot(M, gamma)),
             (sigma, (SLOPE + sp.sqrt(SLOPE**2 + 8 * h * D * g**2)) / 2),
             (delta, D * g**2 / sigma),
@@ -126,4 +126,4 @@ def chaplygin_area() -> Separable:
         source="§7, Chaplygin (1903)",
     )
     own = ("constants", "fixed_1")
-    return replace(made, laws=tuple(law for law in stated(made) if law.name in own))
+    return replace(made, laws=tuple(law for law in separation_laws(made) if law.name in own))

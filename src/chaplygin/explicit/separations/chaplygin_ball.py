@@ -25,16 +25,16 @@ from ...catalogue.chaplygin_ball.chaplygin_bracket import DET_IQ, DET_J, A, D, I
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Law
 from ...core.system import System
-from ...core.vectors import cross, dot, normed, scalar, vectors
+from ...core.vectors import cross, dot, norm_squared, real_symbol, vectors
 from ..genus_two.poles import gaps
-from ..genus_two.separation import Separable, nu, nuprime
-from ..genus_two.separation_laws import stated
+from ..genus_two.separation import SeparatedSystem, nu, nuprime
+from ..genus_two.separation_laws import separation_laws
 from .fedorov import E, fedorov, q_1, r
 
 __all__ = ["chaplygin_ball"]
 
 M, gamma, omega = vectors("M gamma omega")
-h, f = scalar("h"), scalar("f")
+h, f = real_symbol("h"), real_symbol("f")
 
 #: dt/dτ = (det I_Q)^(1/2), for a unit vector γ.
 CLOCK = sp.sqrt(DET_J * (1 - D * dot(nu, A * nu)))
@@ -44,15 +44,15 @@ TURN = cross(nuprime, nu) / CLOCK
 SPIN = -dot(I * TURN, nu) / dot(nu, I * nu)
 
 
-def chaplygin_ball() -> Separable:
+def chaplygin_ball() -> SeparatedSystem:
     """The Chaplygin ball at zero area constant, with any three different principal moments."""
     spinning: Any = TURN + SPIN * nu
-    made = Separable(
+    made = SeparatedSystem(
         name="chaplygin-ball",
         title="Chaplygin ball at zero area constant",
         system=from_catalogue("chaplygin-ball"),
         level=(dot(M, gamma),),
-        constants=((h, dot(M, omega) / 2), (f, normed(M))),
+        constants=((h, dot(M, omega) / 2), (f, norm_squared(M))),
         direction=gamma,
         turning=sp.sqrt(DET_IQ) * cross(gamma, omega),
         poles=I.symbols,
@@ -65,7 +65,7 @@ def chaplygin_ball() -> Separable:
         fixed=(M, gamma),
         source="§7, (7.1)–(7.4)",
     )
-    own = tuple(law for law in stated(made) if law.name != "separation")
+    own = tuple(law for law in separation_laws(made) if law.name != "separation")
     return replace(made, laws=(*own, *_separation(made.system)))
 
 
@@ -90,7 +90,7 @@ def _separation(system: System) -> tuple[Law, ...]:
                 beta * DET_J - D * (f - 2 * h * D),
             ),
             "the curve in Fedorov's variables",
-            (*momentum, *onto.constants, (h, dot(M, omega) / 2), (f, normed(M)), *constants),
+            (*momentum, *onto.constants, (h, dot(M, omega) / 2), (f, norm_squared(M)), *constants),
             on=onto.on,
             source=onto.source,
         ),

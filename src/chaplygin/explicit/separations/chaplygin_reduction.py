@@ -27,7 +27,7 @@ import sympy as sp
 from ...catalogue.chaplygin_ball.chaplygin_bracket import A, D, I, J, R, m
 from ...core.laws import Identity, Integral, Law
 from ...core.system import Guard, Parameter, System
-from ...core.vectors import Diagonal, cross, dot, explicit, identity, normed, scalar, vectors
+from ...core.vectors import Diagonal, cross, dot, to_components, identity, norm_squared, real_symbol, vectors
 from ..genus_two.separation import nu, nuprime
 from .chaplygin_area import (
     BETA,
@@ -53,7 +53,7 @@ M, gamma, omega, Mprime, gammaprime, omegaprime = vectors(
 )
 Iprime = Diagonal("Iprime")
 Dprime, hprime, fprime, b, N, e, slowness = (
-    scalar(name) for name in ("Dprime", "hprime", "fprime", "b", "N", "eprime", "slowness")
+    real_symbol(name) for name in ("Dprime", "hprime", "fprime", "b", "N", "eprime", "slowness")
 )
 
 SOURCE = "§7, Chaplygin (1903)"
@@ -90,7 +90,7 @@ def chart() -> System:
             A: J**-1,
             omegaprime: A * Mprime + Dprime * spin * (A * gammaprime),
             hprime: dot(Mprime, omegaprime) / 2,
-            fprime: normed(Mprime),
+            fprime: norm_squared(Mprime),
             N: sp.sqrt(1 + b**2 * fprime),
             e: 1 + 2 * hprime * Dprime * b**2,
             m: Dprime * N**2 / (e * R**2),
@@ -101,7 +101,7 @@ def chart() -> System:
             omega: omegaprime / slowness,
         },
         field={Mprime: cross(Mprime, omega), gammaprime: cross(gammaprime, omega)},
-        relations=(normed(gammaprime) - 1, dot(Mprime, gammaprime)),
+        relations=(norm_squared(gammaprime) - 1, dot(Mprime, gammaprime)),
         laws=_moving(),
     )
 
@@ -145,9 +145,9 @@ def _moving() -> tuple[Law, ...]:
             "levels",
             (
                 dot(M, omega) / 2 - energy,
-                normed(M) - square,
+                norm_squared(M) - square,
                 dot(M, gamma) - area,
-                normed(gamma) - 1,
+                norm_squared(gamma) - 1,
             ),
             "energy, square of the momentum, area constant",
             source=SOURCE,
@@ -183,13 +183,13 @@ def _still() -> tuple[Law, ...]:
         source=SOURCE,
     )
     claims = {
-        "normal": ("γ′ from M and γ", explicit(NORMAL - gammaprime)),
+        "normal": ("γ′ from M and γ", to_components(NORMAL - gammaprime)),
         "state": (
             "M and γ from M′ and γ′",
             [
                 component
                 for vector, formula in returned(Mprime, gammaprime)
-                for component in explicit(vector - formula)
+                for component in to_components(vector - formula)
             ],
         ),
         "curve": (
@@ -210,7 +210,7 @@ def _still() -> tuple[Law, ...]:
             "clock and M′ at zero area constant",
             [
                 separable.clock - _at_zero(zero.clock * (1 + b * D * SPIN)),
-                *explicit(MOMENTUM - _at_zero(dict(zero.state)[M])),
+                *to_components(MOMENTUM - _at_zero(dict(zero.state)[M])),
             ],
         ),
     }
@@ -227,4 +227,4 @@ def _at_zero(formula: Any) -> Any:
     """A formula of the ball at zero area constant, for the ball with I′, D′, h′ and f′."""
     primed = dict(zip(I.symbols, Iprime.symbols, strict=True))
     primed |= {m: Dprime / R**2, h: hprime, f: fprime}
-    return explicit(formula).xreplace(primed)
+    return to_components(formula).xreplace(primed)

@@ -20,20 +20,20 @@ from ...catalogue import from_catalogue
 from ...catalogue.e3 import Gamma, I, M
 from ...catalogue.fixed_point.clebsch import alpha, beta
 from ...core.laws import Identity, Rate
-from ...core.vectors import dot, scalar
-from ..genus_two.separation import Separable, nu, nuprime
-from ..genus_two.separation_laws import stated
+from ...core.vectors import dot, real_symbol
+from ..genus_two.separation import SeparatedSystem, nu, nuprime
+from ..genus_two.separation_laws import separation_laws
 from .neumann import neumann_system
 
 __all__ = ["clebsch_case"]
 
 #: z₁ + z₂, z₁z₂ and their derivatives along Neumann's flow.
 total, product, total_slope, product_slope = (
-    scalar(f"separation_{s}") for s in ("S", "P", "Sprime", "Pprime")
+    real_symbol(f"separation_{s}") for s in ("S", "P", "Sprime", "Pprime")
 )
 
 
-def clebsch_case() -> Separable:
+def clebsch_case() -> SeparatedSystem:
     """The Clebsch case (6.14) at (M, Γ) = 0 with any α, β; α = 0 is the Bruns problem.
 
     τ = t and ν = Γ; ν′ is the derivative along Neumann's flow.
@@ -49,12 +49,12 @@ def clebsch_case() -> Separable:
         along=neumann.speeds,
         source="Proposition 6",
     )
-    on_curve = stated(replace(separable, speeds=neumann.speeds))
+    on_curve = separation_laws(replace(separable, speeds=neumann.speeds))
     kept = tuple(law for law in on_curve if law.name != "direction")
     return replace(separable, laws=(_flow(separable), *kept))
 
 
-def _flow(separable: Separable) -> Identity:
+def _flow(separable: SeparatedSystem) -> Identity:
     """żₖ (b′ − a′z) = zₖ′ (b − az), z being the other coordinate, for (a′, b′) = (0, 1)."""
     a, b = separable.speeds
     inverse = sp.Mul(*I.symbols) * I**-1

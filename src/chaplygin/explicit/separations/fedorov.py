@@ -18,33 +18,33 @@ import sympy as sp
 
 from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_ball_clebsch import DET_I, I, K, beta
-from ...core.vectors import cross, dot, normed, scalar, vectors
+from ...core.vectors import cross, dot, norm_squared, real_symbol, vectors
 from ..genus_two.poles import gaps
-from ..genus_two.separation import Separable, nu, nuprime
+from ..genus_two.separation import SeparatedSystem, nu, nuprime
 from ..genus_two.separation_laws import with_laws
 
 __all__ = ["fedorov"]
 
 (gamma,) = vectors("gamma")
-E, G, q_1, r = (scalar(name) for name in ("E", "G", "q_1", "r"))
+E, G, q_1, r = (real_symbol(name) for name in ("E", "G", "q_1", "r"))
 
 INVERSE = I**-1
 TURN = cross(nuprime, nu)
 MIXED = sp.Add(*(first * second for first, second in combinations(I.symbols, 2)))
 
 
-def fedorov() -> Separable:
+def fedorov() -> SeparatedSystem:
     """Fedorov's system on (K, γ) = 0, where E > 0 and β > 0."""
     spin = -dot(I * TURN, nu) / dot(nu, I * nu)
     return with_laws(
-        Separable(
+        SeparatedSystem(
             name="chaplygin-ball-fedorov",
             title="Chaplygin ball in Fedorov's variables",
             system=from_catalogue("chaplygin-ball-fedorov"),
             level=(dot(K, gamma),),
             constants=(
                 (E, (dot(K, INVERSE * K) - beta * dot(gamma, I * gamma)) / 2),
-                (G, normed(K) + beta * DET_I * dot(gamma, INVERSE * gamma)),
+                (G, norm_squared(K) + beta * DET_I * dot(gamma, INVERSE * gamma)),
                 (q_1, beta * MIXED - G),
                 (r, sp.sqrt(q_1**2 + 8 * E * beta * DET_I)),
             ),

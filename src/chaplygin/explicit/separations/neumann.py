@@ -19,7 +19,7 @@ from ...catalogue.fixed_point import clebsch, neumann
 from ...catalogue.fixed_point.neumann import c, f, h
 from ...core.vectors import cross
 from ..genus_two.poles import gaps
-from ..genus_two.separation import Separable, nu, nuprime
+from ..genus_two.separation import SeparatedSystem, nu, nuprime
 from ..genus_two.separation_laws import with_laws
 
 __all__ = ["neumann_system", "quadratic"]
@@ -31,10 +31,10 @@ def quadratic(first: sp.Expr, second: sp.Expr, third: sp.Expr) -> tuple[sp.Expr,
     return (-second - root) / (2 * first), (-second + root) / (2 * first)
 
 
-def neumann_system() -> Separable:
+def neumann_system() -> SeparatedSystem:
     """The Neumann system with any three different I and c ≠ 0; τ = t and ν = Γ."""
     return with_laws(
-        Separable(
+        SeparatedSystem(
             name="neumann",
             title="Neumann system",
             system=from_catalogue("neumann"),

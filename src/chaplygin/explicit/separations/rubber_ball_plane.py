@@ -7,13 +7,13 @@ that all formulas of :mod:`.veselova` hold with J in the place of I.
 from __future__ import annotations
 
 from ...catalogue.chaplygin_ball.chaplygin_bracket import D, I, J
-from ..genus_two.separation import Separable
+from ..genus_two.separation import SeparatedSystem
 from .veselova import separated
 
 __all__ = ["rubber_ball_plane"]
 
 
-def rubber_ball_plane() -> Separable:
+def rubber_ball_plane() -> SeparatedSystem:
     """The rubber Chaplygin ball on a plane, with any three different principal moments."""
     return separated(
         "rubber-chaplygin-ball",

@@ -31,17 +31,17 @@ from ...catalogue import from_catalogue
 from ...catalogue.ball_on_sphere import rubber_ball_ratio
 from ...catalogue.fixed_point import veselova
 from ...core.system import System
-from ...core.vectors import Vector, constant, cross, dot, normed, scalar, vectors
-from ..change_symbols import expressed
+from ...core.vectors import Vector, constant, cross, dot, norm_squared, real_symbol, vectors
+from ..change_symbols import in_symbols_of
 from ..genus_two.poles import gaps
-from ..genus_two.separation import Separable, nu, nuprime
+from ..genus_two.separation import SeparatedSystem, nu, nuprime
 from ..genus_two.separation_laws import with_laws
 from .veselova import veselova as without_field
 
 __all__ = ["hollow_ball", "of_ratio", "on_e3", "on_plane"]
 
 omega, gamma, n, M = vectors("omega gamma n M")
-h, F = scalar("h"), scalar("F")
+h, F = real_symbol("h"), real_symbol("F")
 HALF = sp.Rational(1, 2)
 
 
@@ -56,7 +56,7 @@ def _around(
     normal: Vector,
     moments: tuple[sp.Expr, sp.Expr, sp.Expr],
     level: sp.Expr,
-) -> Separable:
+) -> SeparatedSystem:
     """The case k = −1 of a system with state ω and `normal`; `level` vanishes for k = −1."""
     trace, det = sp.Add(*moments), sp.Mul(*moments)
     J, A = (_tensor(moments, sp.Integer(power)) for power in (1, -1))
@@ -66,14 +66,14 @@ def _around(
     rho = 1 / sp.sqrt(dot(nu, J * nu))
     spread = sp.sqrt(trace**2 - 2 * F / h)
     return with_laws(
-        Separable(
+        SeparatedSystem(
             name=name,
             title="Hollow rubber ball around a sphere of half its radius",
             system=system,
             level=(level,),
             constants=(
                 (h, dot(omega, J * omega) / 2),
-                (F, (normed(J * omega) + det * dot(omega, J * omega) * normed(A * normal)) / rho_2),
+                (F, (norm_squared(J * omega) + det * dot(omega, J * omega) * norm_squared(A * normal)) / rho_2),
             ),
             direction=inverse_root * normal / sp.sqrt(rho_2),
             turning=inverse_root * (turned - dot(normal, A * turned) / rho_2 * normal),
@@ -92,7 +92,7 @@ def _around(
     )
 
 
-def of_ratio() -> Separable:
+def of_ratio() -> SeparatedSystem:
     """The family of balls in k and J, at k = −1."""
     family = from_catalogue("rubber-ball-of-ratio", k=-1.0)
     return _around(
@@ -100,7 +100,7 @@ def of_ratio() -> Separable:
     )
 
 
-def on_e3() -> Separable:
+def on_e3() -> SeparatedSystem:
     """The Hamiltonian form (9.14) on e(3), at k = −1: γ = ν, M = −det J (ν×ν′), dt/dτ = (ν, Jν)."""
     system = from_catalogue("rubber-ball-on-e3", k=-1.0)
     moments = rubber_ball_ratio.J.symbols
@@ -114,8 +114,8 @@ def on_e3() -> Separable:
         title="Hollow rubber ball around a sphere of half its radius, on e(3)",
         system=system,
         constants=(
-            (h, normed(M) / (2 * det * stiffness)),
-            (F, dot(M, J * M) / det + normed(M) * dot(gamma, A * gamma) / stiffness),
+            (h, norm_squared(M) / (2 * det * stiffness)),
+            (F, dot(M, J * M) / det + norm_squared(M) * dot(gamma, A * gamma) / stiffness),
         ),
         direction=gamma,
         turning=cross(gamma, M) / det,
@@ -126,12 +126,12 @@ def on_e3() -> Separable:
     return with_laws(made)
 
 
-def on_plane() -> Separable:
+def on_plane() -> SeparatedSystem:
     """The family of balls in k and J, at k = 1."""
     family = from_catalogue("rubber-ball-of-ratio", k=1.0)
     moments = dict(zip(veselova.I.symbols, rubber_ball_ratio.J.symbols, strict=True))
     made = replace(
-        expressed(without_field(), family, moments),
+        in_symbols_of(without_field(), family, moments),
         name="rubber-ball-on-plane",
         title="Rubber ball on a plane",
         level=(rubber_ball_ratio.k - 1,),
@@ -140,7 +140,7 @@ def on_plane() -> Separable:
     return with_laws(made)
 
 
-def hollow_ball(system: System | None = None) -> Separable:
+def hollow_ball(system: System | None = None) -> SeparatedSystem:
     """A hollow ball around a sphere of half its radius, R = 2a.
 
     Parameters
@@ -149,6 +149,6 @@ def hollow_ball(system: System | None = None) -> Separable:
         A rubber ball around a sphere with the names of the catalogue's, which is the default.
     """
     made = from_catalogue("rubber-ball-around-sphere") if system is None else system
-    m, R, a = (scalar(s) for s in ("m", "R", "a"))
-    first, second, third = (scalar(f"I_{i}") + m * R**2 for i in (1, 2, 3))
+    m, R, a = (real_symbol(s) for s in ("m", "R", "a"))
+    first, second, third = (real_symbol(f"I_{i}") + m * R**2 for i in (1, 2, 3))
     return _around("rubber-ball-around-sphere", made, gamma, (first, second, third), R - 2 * a)

@@ -17,15 +17,15 @@ import sympy as sp
 
 from ...catalogue import from_catalogue
 from ...catalogue.fixed_point.veselova import A, F, I, gamma, h, omega
-from ...core.vectors import Diagonal, cross, dot, normed
+from ...core.vectors import Diagonal, cross, dot, norm_squared
 from ..genus_two.poles import gaps
-from ..genus_two.separation import Separable, nu, nuprime
+from ..genus_two.separation import SeparatedSystem, nu, nuprime
 from ..genus_two.separation_laws import with_laws
 
 __all__ = ["separated", "veselova"]
 
 
-def veselova() -> Separable:
+def veselova() -> SeparatedSystem:
     """The Veselova system with any three different principal moments."""
     return separated(
         "veselova", "Veselova system without a field", I, I.symbols, "Remark 16, (6.4)"
@@ -34,7 +34,7 @@ def veselova() -> Separable:
 
 def separated(
     name: str, title: str, tensor: Diagonal, moments: tuple[Any, ...], source: str
-) -> Separable:
+) -> SeparatedSystem:
     """A system of the catalogue that moves as the Veselova system.
 
     Parameters
@@ -49,13 +49,13 @@ def separated(
     """
     clock = sp.sqrt(dot(nu, A * nu))
     return with_laws(
-        Separable(
+        SeparatedSystem(
             name=name,
             title=title,
             system=from_catalogue(name),
             constants=(
                 (h, dot(tensor * omega, omega) / 2),
-                (F, normed(cross(tensor * omega, gamma))),
+                (F, norm_squared(cross(tensor * omega, gamma))),
             ),
             direction=gamma,
             turning=sp.sqrt(dot(gamma, A * gamma)) * cross(gamma, omega),

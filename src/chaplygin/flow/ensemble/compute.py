@@ -12,7 +12,7 @@ import numpy as np
 from ..cost import Pace, require_room
 from .dask import results
 from .task import Arrays, Progress, Task
-from .zarr_store import open_store, read
+from .zarr_store import open_store, read_store
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -121,4 +121,4 @@ def _stored(task: Task, where: str | Path, client: Any, progress: Progress) -> x
     with open_store(task, Path(where)) as store:
         for block, arrays in _results(store.task, store.missing, client, progress):
             store.write(block, arrays)
-    return read(where)
+    return read_store(where)

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...errors import InputError
-from .task import Arrays, Divisible, UnfinishedError, Work
+from .task import Arrays, Divisible, IncompleteError, Work
 
 if TYPE_CHECKING:
     from distributed import Client, Future
@@ -92,7 +92,7 @@ def results(
                 blamed[block] += 1
                 if blamed[block] == _BLAMED:
                     first, last = blocks[block]
-                    raise UnfinishedError(
+                    raise IncompleteError(
                         f"the block of members {first} to {last - 1} brought down one worker after "
                         "another: it may need more memory than they have"
                     ) from None
@@ -105,7 +105,7 @@ def results(
                     "installed here, in the same versions"
                 ) from problem
             except distributed.client.FutureCancelledError:
-                raise UnfinishedError(
+                raise IncompleteError(
                     "the Dask cluster has gone; what was written stays: run the same again"
                 ) from None
             send()

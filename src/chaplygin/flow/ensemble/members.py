@@ -15,13 +15,13 @@ from typing import Any
 import numpy as np
 
 from ...errors import InputError
-from ...formulas.evaluate import doubles
+from ...formulas.evaluate import as_float_array
 
-__all__ = ["Drawn", "Listed", "Members", "drawn", "grid", "listed", "one"]
+__all__ = ["SampledMembers", "ListedMembers", "Members", "sampled", "grid", "from_lists", "single"]
 
 
 @dataclass(frozen=True, eq=False)
-class Listed:
+class ListedMembers:
     """Values of some names, a row for each member.
 
     Parameters
@@ -41,7 +41,7 @@ class Listed:
 
 
 @dataclass(frozen=True)
-class Drawn:
+class SampledMembers:
     """Starts drawn at random on a level of the integrals.
 
     Parameters
@@ -78,14 +78,14 @@ class Members:
         If a name has two values, or starts are drawn twice.
     """
 
-    factors: tuple[Listed | Drawn, ...]
+    factors: tuple[ListedMembers | SampledMembers, ...]
 
     def __post_init__(self) -> None:
         names = self.names
         twice = sorted({name for name in names if names.count(name) > 1})
         if twice:
             raise InputError(f"members of an ensemble: {', '.join(twice)} is given twice")
-        if sum(isinstance(factor, Drawn) for factor in self.factors) > 1:
+        if sum(isinstance(factor, SampledMembers) for factor in self.factors) > 1:
             raise InputError("members of an ensemble: starts are drawn twice")
 
     def __mul__(self, other: Members) -> Members:
@@ -102,12 +102,12 @@ class Members:
     @property
     def names(self) -> list[str]:
         """Everything that is given values."""
-        return [n for factor in self.factors if isinstance(factor, Listed) for n in factor.values]
+        return [n for factor in self.factors if isinstance(factor, ListedMembers) for n in factor.values]
 
     @property
-    def draw(self) -> Drawn | None:
+    def draw(self) -> SampledMembers | None:
         """How starts are drawn, if they are."""
-        return next((factor for factor in self.factors if isinstance(factor, Drawn)), None)
+        return next((factor for factor in self.factors if isinstance(factor, SampledMembers)), None)
 
     def rows(self, first: int, last: int) -> tuple[dict[str, Any], Any]:
         """What members first, …, last − 1 are given.
@@ -123,14 +123,14 @@ class Members:
         values: dict[str, Any] = {}
         points = None
         for factor, place in zip(self.factors, places, strict=True):
-            if isinstance(factor, Drawn):
+            if isinstance(factor, SampledMembers):
                 points = place
             else:
                 values |= {name: array[place] for name, array in factor.values.items()}
         return values, points
 
 
-def listed(**values: Any) -> Members:
+def from_lists(**values: Any) -> Members:
     """One member for every row: the first of everything, then the second of everything.
 
     Parameters
@@ -151,12 +151,12 @@ def listed(**values: Any) -> Members:
     if len(set(lengths.values())) > 1:
         told = ", ".join(f"{name} {length}" for name, length in lengths.items())
         raise InputError(f"members of an ensemble: lists have different lengths ({told})")
-    return Members((Listed(arrays),))
+    return Members((ListedMembers(arrays),))
 
 
-def one(**values: Any) -> Members:
+def single(**values: Any) -> Members:
     """A single member: numbers, and vectors by their components."""
-    return listed(**{name: _numbers(name, value)[np.newaxis] for name, value in values.items()})
+    return from_lists(**{name: _numbers(name, value)[np.newaxis] for name, value in values.items()})
 
 
 def grid(**values: Any) -> Members:
@@ -164,12 +164,12 @@ def grid(**values: Any) -> Members:
     if not values:
         raise InputError("members of an ensemble: at least one is needed")
     return Members(
-        tuple(factor for name, v in values.items() for factor in listed(**{name: v}).factors)
+        tuple(factor for name, v in values.items() for factor in from_lists(**{name: v}).factors)
     )
 
 
-def drawn(count: int, level: Mapping[str, float], seed: int = 0) -> Members:
-    """Starts drawn on a level of the integrals; see :func:`chaplygin.flow.sampling.draw.draw`.
+def sampled(count: int, level: Mapping[str, float], seed: int = 0) -> Members:
+    """Starts drawn on a level of the integrals; see :func:`chaplygin.flow.sampling.draw.sample_level`.
 
     Start k depends on seed and k alone; where parameters vary, each start lies on the level at its
     own parameters.
@@ -183,11 +183,11 @@ def drawn(count: int, level: Mapping[str, float], seed: int = 0) -> Members:
         raise InputError(
             f"members of an ensemble: {count} starts cannot be drawn; at least one is needed"
         )
-    return Members((Drawn(count, dict(level), seed),))
+    return Members((SampledMembers(count, dict(level), seed),))
 
 
 def _numbers(name: str, value: Any) -> Any:
-    return doubles(f"members of an ensemble: {name}", value)
+    return as_float_array(f"members of an ensemble: {name}", value)
 
 
 def _finite(name: str, value: Any) -> Any:

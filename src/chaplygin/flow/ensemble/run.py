@@ -15,21 +15,21 @@ import sympy as sp
 from ...arguments import Numbers, Parameters, arguments_checked
 from ...core.system import System
 from ...errors import InputError
-from ...formulas.digest import settled
-from ...formulas.evaluate import doubles
+from ...formulas.digest import canonical
+from ...formulas.evaluate import as_float_array
 from ..cost import TooMuchError
-from ..kernel.runge_kutta import ENDS
-from ..metadata import FRAMES, LABELS, told_of
+from ..kernel.runge_kutta import STATUS_MESSAGES
+from ..metadata import FRAMES, LABELS, variable_metadata
 from ..validation import moments
 from .compute import compute
-from .members import Members, drawn, grid, listed, one
+from .members import Members, sampled, grid, from_lists, single
 from .task import Coordinate, Progress, Task, Variable
-from .work import Motions, recorded
+from .work import EnsembleWork, recorded
 
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["drawn", "ensemble", "ensemble_task", "grid", "listed", "one"]
+__all__ = ["sampled", "ensemble", "ensemble_task", "grid", "from_lists", "single"]
 
 #: A block holds no more members than this, nor more numbers.
 _MEMBERS, _NUMBERS = 4096, 1 << 22
@@ -59,9 +59,9 @@ def ensemble(
     system : System
         As it is to be integrated: ``system.lifted()`` carries the motion in space along.
     members : Members or array (n, size)
-        Starts and parameters, by :func:`~chaplygin.flow.ensemble.members.listed`,
-        :func:`~chaplygin.flow.ensemble.members.grid`, :func:`~chaplygin.flow.ensemble.members.one`,
-        :func:`~chaplygin.flow.ensemble.members.drawn` and products of them with ``*``; or starts
+        Starts and parameters, by :func:`~chaplygin.flow.ensemble.members.from_lists`,
+        :func:`~chaplygin.flow.ensemble.members.grid`, :func:`~chaplygin.flow.ensemble.members.single`,
+        :func:`~chaplygin.flow.ensemble.members.sampled` and products of them with ``*``; or starts
         alone, in flat order.
     times : array (k,)
         Increasing from 0 or later, or decreasing from 0 or before; motions begin at 0.
@@ -70,7 +70,7 @@ def ensemble(
     record : sequence of str
         Observables and integrals to be recorded too.
     tolerance : float
-        Error allowed in a step; see :func:`~chaplygin.flow.batch.lanes`.
+        Error allowed in a step; see :func:`~chaplygin.flow.batch.batch_integrator`.
     block : int, optional
         Members computed, written and lost at once; chosen by their size unless given.
     where, client, progress
@@ -120,9 +120,9 @@ def ensemble_task(
     Unless the size of a block is given, there are as many as `shares` at least, of 16 members or
     more, so that several workers find something to do.
     """
-    everyone = members if isinstance(members, Members) else listed(state=members)
-    work = Motions(
-        settled(system),
+    everyone = members if isinstance(members, Members) else from_lists(state=members)
+    work = EnsembleWork(
+        canonical(system),
         everyone,
         _times(times),
         _constants(system, parameters),
@@ -157,7 +157,7 @@ def ensemble_task(
 
 def _times(times: Any) -> tuple[float, ...]:
     """The times of an ensemble, if motions can be looked at there."""
-    given = np.atleast_1d(doubles("times", times))
+    given = np.atleast_1d(as_float_array("times", times))
     moments(given, backward=bool(given.size) and bool(given.flat[-1] < 0))
     return tuple(given.tolist())
 
@@ -166,7 +166,7 @@ def _constants(system: System, parameters: Mapping[Any, float] | None) -> dict[s
     """Values of parameters by name, without those that are the default: they say nothing new."""
     found, defaults = {}, dict(system.constants)
     for name, value in (parameters or {}).items():
-        number = doubles(f"{system.name}: {name}", value)
+        number = as_float_array(f"{system.name}: {name}", value)
         if number.ndim:
             raise InputError(
                 f"{system.name}: {name} must be one number; what varies belongs to the members"
@@ -176,7 +176,7 @@ def _constants(system: System, parameters: Mapping[Any, float] | None) -> dict[s
     return found
 
 
-def _variables(work: Motions, drawn: bool) -> dict[str, Variable]:
+def _variables(work: EnsembleWork, drawn: bool) -> dict[str, Variable]:
     """Everything that `Motions` gives."""
     system, moments = work.system, len(work.times)
     told = {str(p.symbol): p for p in system.parameters}
@@ -189,7 +189,7 @@ def _variables(work: Motions, drawn: bool) -> dict[str, Variable]:
         found["start"] = Variable(dtype="int64", attributes=notes, coordinate=True)
     for item in system.state:
         size = 1 if isinstance(item, sp.Symbol) else len(item.symbols)
-        *about, frame = told_of(system, str(item), size)
+        *about, frame = variable_metadata(system, str(item), size)
         found[str(item)] = _variable(moments, size, frame, *about)
     for item in recorded(system, work.record):
         about = [item.meaning, item.unit, item.source]
@@ -218,9 +218,9 @@ def _variable(
     return Variable(("time", axis), (moments, size), attributes=notes)
 
 
-def _outcomes(work: Motions) -> dict[str, Any]:
+def _outcomes(work: EnsembleWork) -> dict[str, Any]:
     """Flags that say why a motion ended."""
-    codes = range(len(ENDS) + len(work.system.guards))
+    codes = range(len(STATUS_MESSAGES) + len(work.system.guards))
     reasons = ["the last time was reached", *(work.lanes.reason(code) for code in codes[1:])]
     return {
         **_notes("why the motion ended", "1", ""),
@@ -230,7 +230,7 @@ def _outcomes(work: Motions) -> dict[str, Any]:
     }
 
 
-def _coordinates(work: Motions, variables: Mapping[str, Variable]) -> dict[str, Coordinate]:
+def _coordinates(work: EnsembleWork, variables: Mapping[str, Variable]) -> dict[str, Coordinate]:
     """The times and the axes that are used."""
     used = {dimension for variable in variables.values() for dimension in variable.dimensions}
     axes = {
@@ -241,7 +241,7 @@ def _coordinates(work: Motions, variables: Mapping[str, Variable]) -> dict[str, 
     return {"time": Coordinate(("time",), list(work.times), _notes("time", "s", "")), **axes}
 
 
-def _attributes(work: Motions) -> dict[str, Any]:
+def _attributes(work: EnsembleWork) -> dict[str, Any]:
     """What is told of the whole ensemble."""
     system = work.system
     constants = {str(p.symbol): p.default for p in system.parameters} | dict(work.parameters)
@@ -262,7 +262,7 @@ def _attributes(work: Motions) -> dict[str, Any]:
     }
 
 
-def _draw(work: Motions, parameters: Mapping[str, Any]) -> dict[str, Any]:
+def _draw(work: EnsembleWork, parameters: Mapping[str, Any]) -> dict[str, Any]:
     """Seed and measure of the starts drawn; `parameters` are those of the first member."""
     draw = work.members.draw
     if draw is None:

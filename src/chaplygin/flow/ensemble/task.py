@@ -20,7 +20,7 @@ from ...errors import InputError, RunError
 if TYPE_CHECKING:
     pass
 
-__all__ = ["Coordinate", "Divisible", "Progress", "Task", "UnfinishedError", "Variable", "Work"]
+__all__ = ["Coordinate", "Divisible", "Progress", "Task", "IncompleteError", "Variable", "Work"]
 
 Arrays: TypeAlias = Mapping[str, np.ndarray]
 #: Told how much is done, from 0 to 1.
@@ -156,7 +156,7 @@ class Task:
         return arrays
 
 
-class UnfinishedError(RunError):
+class IncompleteError(RunError):
     """A computation in blocks that stopped before its end; what was written stays."""
 
     def __init__(self, reason: str) -> None:

@@ -11,17 +11,17 @@ import numpy as np
 import sympy as sp
 
 from ...core.system import System
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.evaluate import values
-from ..batch import Lanes, lanes
+from ..batch import BatchIntegrator, batch_integrator
 from ..initial_states import flat_starts
-from ..sampling.draw import Level, prepared
+from ..sampling.draw import LevelSampler, level_sampler
 from ..trajectory import by_name
-from .members import Drawn, Listed, Members
+from .members import SampledMembers, ListedMembers, Members
 from .task import Arrays
 
-__all__ = ["Motions", "Recorded", "recorded"]
+__all__ = ["EnsembleWork", "Recorded", "recorded"]
 
 
 @dataclass(frozen=True)
@@ -69,13 +69,13 @@ def recorded(system: System, names: Sequence[str]) -> tuple[Recorded, ...]:
 
 
 def _recorded(name: str, frame: str, item: Any) -> Recorded:
-    formula = explicit(sp.sympify(item.value))
+    formula = to_components(sp.sympify(item.value))
     parts = tuple(formula) if isinstance(formula, sp.MatrixBase) else (formula,)
     return Recorded(name, parts, frame, item.meaning, item.unit or "1", item.source)
 
 
 @dataclass(frozen=True, eq=False)
-class Motions:
+class EnsembleWork:
     """The work of an ensemble; see :class:`chaplygin.flow.ensemble.task.Work`.
 
     Parameters
@@ -101,9 +101,9 @@ class Motions:
     offset: int = 0
 
     @property
-    def lanes(self) -> Lanes:
+    def lanes(self) -> BatchIntegrator:
         """The machine code."""
-        return lanes(self.system, tolerance=self.tolerance, backward=self.times[-1] < 0)
+        return batch_integrator(self.system, tolerance=self.tolerance, backward=self.times[-1] < 0)
 
     @property
     def varied(self) -> tuple[str, ...]:
@@ -132,12 +132,12 @@ class Motions:
         found |= {"ended": marched.ended, "steps": marched.steps}
         return {name: np.ascontiguousarray(array) for name, array in found.items()}
 
-    def part(self, first: int, last: int) -> Motions:
+    def part(self, first: int, last: int) -> EnsembleWork:
         """The work for these members alone, without the rows of others; starts drawn have none."""
         if self.members.draw is not None:
             return self
         given, _ = self.members.rows(first - self.offset, last - self.offset)
-        return replace(self, members=Members((Listed(given),)), offset=first)
+        return replace(self, members=Members((ListedMembers(given),)), offset=first)
 
     def starts(self, first: int, last: int) -> tuple[Any, dict[str, Any], Any]:
         """States at time 0, parameters, and numbers among the starts drawn, of some members."""
@@ -153,7 +153,7 @@ class Motions:
             )
         return self._drawn(self.members.draw, varied, points), parameters, points
 
-    def _drawn(self, draw: Drawn, varied: Mapping[str, Any], points: Any) -> Any:
+    def _drawn(self, draw: SampledMembers, varied: Mapping[str, Any], points: Any) -> Any:
         """Starts by their numbers, on the levels at the parameters of each."""
         found = np.empty((len(points), len(self.system.symbols)))
         rows = np.column_stack([np.zeros(len(points)), *varied.values()])
@@ -167,7 +167,7 @@ class Motions:
             ]
         return found
 
-    def level(self, varied: Mapping[str, float]) -> Level:
+    def level(self, varied: Mapping[str, float]) -> LevelSampler:
         """The level on which starts are drawn, at given values of the parameters that vary."""
         held = self.members.draw.level if self.members.draw is not None else {}
         values = {**self.parameters, **varied}
@@ -177,5 +177,5 @@ class Motions:
 @lru_cache(maxsize=512)
 def _level(
     system: System, held: tuple[tuple[str, float], ...], values: tuple[tuple[str, float], ...]
-) -> Level:
-    return prepared(system, dict(held), dict(values))
+) -> LevelSampler:
+    return level_sampler(system, dict(held), dict(values))

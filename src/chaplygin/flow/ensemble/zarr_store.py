@@ -24,14 +24,14 @@ import numpy as np
 
 from ...core.source_digest import core
 from ...errors import InputError
-from ...formulas.digest import digest, parts
-from .task import Arrays, Task, UnfinishedError
+from ...formulas.digest import digest, field_digests
+from .task import Arrays, Task, IncompleteError
 
 if TYPE_CHECKING:
     import xarray as xr
     import zarr
 
-__all__ = ["Store", "open_store", "read"]
+__all__ = ["Store", "open_store", "read_store"]
 
 #: The array that says which blocks are complete.
 DONE = "done"
@@ -86,8 +86,8 @@ class Store:
             raise self._unfinished(problem) from problem
         self.done = marked
 
-    def _unfinished(self, problem: OSError) -> UnfinishedError:
-        return UnfinishedError(
+    def _unfinished(self, problem: OSError) -> IncompleteError:
+        return IncompleteError(
             f"{self.folder}: {_reason(problem)}; {self.done.sum()} of {self.task.blocks} blocks "
             "are written and stay: put right what is wrong, and run the same again"
         )
@@ -134,7 +134,7 @@ def open_store(task: Task, folder: Path) -> Iterator[Store]:
         yield store
 
 
-def read(folder: str | Path) -> xr.Dataset:
+def read_store(folder: str | Path) -> xr.Dataset:
     """The dataset in a store, read from the disk when it is used.
 
     What is not computed yet is not-a-number (−1 in whole numbers).
@@ -249,7 +249,7 @@ def _description(task: Task) -> dict[str, str]:
     """What tells this experiment from others, by the names of its parts; not its blocks."""
     return {
         **{f"attribute {name}": digest(item) for name, item in task.attributes.items()},
-        **{f"{name} of the work": value for name, value in parts(task.work).items()},
+        **{f"{name} of the work": value for name, value in field_digests(task.work).items()},
         "size": str(task.size),
         "leading axis": task.member,
         **{f"variable {name}": digest(item) for name, item in task.variables.items()},

@@ -10,11 +10,11 @@ from typing import Any
 
 from mpmath import MPContext, libmp
 
-__all__ = ["Series", "parts", "series"]
+__all__ = ["Approximation", "parts", "series"]
 
 
 @dataclass(frozen=True)
-class Series:
+class Approximation:
     """A polynomial near a function on an interval.
 
     Attributes
@@ -57,7 +57,7 @@ PARTS: Mapping[str, tuple[Callable[[Any, Any], Any], float, float]] = {
 
 
 @lru_cache
-def series(name: str, bits: int) -> Series:
+def series(name: str, bits: int) -> Approximation:
     """The shortest polynomial near a smooth part of a function.
 
     Interpolation at Chebyshev's points is as good as the best polynomial but for a small factor.
@@ -78,7 +78,7 @@ def series(name: str, bits: int) -> Series:
         found, error = mp.chebyfit(value, [first, last], terms, error=True)
         reached = -mp.mag(error)
         if reached >= bits:
-            return Series(tuple(map(_fraction, reversed(found))), max(-first, last))
+            return Approximation(tuple(map(_fraction, reversed(found))), max(-first, last))
         # half of what is missing at the present rate, so as not to go too far
         rate = max(1, reached // terms)
         terms += max(1, (bits - reached) // (2 * rate))

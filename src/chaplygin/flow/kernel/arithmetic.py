@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any, Protocol, TypeAlias
 
-from .ir_writer import Writer
+from .ir_writer import IRWriter
 
 __all__ = ["Arithmetic", "Double", "Pair", "Value"]
 
@@ -16,9 +16,9 @@ Value: TypeAlias = Any
 class Arithmetic(Protocol):
     """What the lanes compute with."""
 
-    def __init__(self, writer: Writer) -> None: ...
+    def __init__(self, writer: IRWriter) -> None: ...
 
-    writer: Writer
+    writer: IRWriter
     #: Doubles that one number takes.
     words: int
     #: Bits of a number.
@@ -94,7 +94,7 @@ class Double:
 
     words, bits = 1, 53
 
-    def __init__(self, writer: Writer) -> None:
+    def __init__(self, writer: IRWriter) -> None:
         self.writer = writer
 
     def number(self, value: Fraction) -> Value:
@@ -174,7 +174,7 @@ class Pair:
 
     words, bits = 2, 104
 
-    def __init__(self, writer: Writer) -> None:
+    def __init__(self, writer: IRWriter) -> None:
         self.writer = writer
 
     def number(self, value: Fraction) -> Value:

@@ -57,7 +57,7 @@ def digest(*parts: str) -> str:
 
 
 def _read(path: Path) -> Any:
-    content = private_files.read(path)
+    content = private_files.read_private(path)
     if content is None:
         return None
     with contextlib.suppress(OSError):
@@ -70,7 +70,7 @@ def _read(path: Path) -> Any:
 
 
 def _write(path: Path, entry: Any) -> None:
-    if not private_files.write(path, pickle.dumps(entry)):
+    if not private_files.write_private(path, pickle.dumps(entry)):
         return
     with contextlib.suppress(OSError):
         entries = sorted(path.parent.glob("*.code"), key=lambda p: p.stat().st_mtime)

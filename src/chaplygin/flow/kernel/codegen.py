@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from ...formulas.graph import Term, ordered
 from . import elementary as special
 from .arithmetic import Arithmetic, Value
-from .ir_writer import Writer
+from .ir_writer import IRWriter
 
 __all__ = ["evaluate", "functions", "hoisted"]
 
@@ -137,7 +137,7 @@ def functions(
     constants = hoisted([term for terms in pieces.values() for term in terms])
     slots = {id(term): i for i, term in enumerate(constants)}
     texts = [_function(arithmetic, lanes, name, terms, slots) for name, terms in pieces.items()]
-    number = arithmetic(Writer(lanes))
+    number = arithmetic(IRWriter(lanes))
 
     def given(term: Term) -> Value:
         return number.load("%parameters", term.args[0]) if term.kind == "parameter" else None
@@ -156,7 +156,7 @@ def _function(
     terms: Sequence[Term],
     slots: Mapping[int, int],
 ) -> str:
-    number = arithmetic(Writer(lanes))
+    number = arithmetic(IRWriter(lanes))
 
     def leaf(term: Term) -> Value:
         if id(term) in slots:

@@ -9,10 +9,10 @@ from .approximation import parts, series
 
 if TYPE_CHECKING:
     from .arithmetic import Arithmetic, Value
-    from .ir_writer import Writer
+    from .ir_writer import IRWriter
 
 __all__ = [
-    "Split",
+    "HeadTail",
     "as_doubles",
     "as_integers",
     "constant",
@@ -22,13 +22,13 @@ __all__ = [
     "is_negative",
     "is_odd",
     "joined",
-    "like",
+    "copy_sign",
     "nearest",
     "polynomial",
     "power_of_two",
-    "put",
+    "where_constant",
     "quotient",
-    "reduced",
+    "reduce_argument",
     "selected",
     "unit",
     "where",
@@ -39,7 +39,7 @@ __all__ = [
 MAGIC = 1.5 * 2.0**52
 
 
-class Split(NamedTuple):
+class HeadTail(NamedTuple):
     """A number as a sum of a rounded number and a small rest."""
 
     head: Value
@@ -49,39 +49,39 @@ class Split(NamedTuple):
 # --- bits -------------------------------------------------------------------------------------
 
 
-def as_integers(w: Writer, a: str) -> str:
+def as_integers(w: IRWriter, a: str) -> str:
     """Doubles as integers."""
     return w.emit(f"bitcast {w.type} {a} to {w.whole}")
 
 
-def as_doubles(w: Writer, bits: str) -> str:
+def as_doubles(w: IRWriter, bits: str) -> str:
     """Integers as doubles."""
     return w.emit(f"bitcast {w.whole} {bits} to {w.type}")
 
 
-def integers(w: Writer, name: str, a: str, b: int) -> str:
+def integers(w: IRWriter, name: str, a: str, b: int) -> str:
     """An instruction on integers, with a constant."""
     return w.emit(f"{name} {w.whole} {a}, splat (i64 {b})")
 
 
-def is_negative(w: Writer, a: str) -> str:
+def is_negative(w: IRWriter, a: str) -> str:
     """Where the sign bit is set."""
     return w.emit(f"icmp slt {w.whole} {as_integers(w, a)}, zeroinitializer")
 
 
-def is_odd(w: Writer, bits: str) -> str:
+def is_odd(w: IRWriter, bits: str) -> str:
     """Where an integer is odd."""
     return w.emit(f"trunc {w.whole} {bits} to {w.mask}")
 
 
-def nearest(w: Writer, a: str, factor: Fraction) -> tuple[str, str]:
+def nearest(w: IRWriter, a: str, factor: Fraction) -> tuple[str, str]:
     """The integer nearest to a multiple: as a double, and in the lowest bits."""
     magic = w.constant(MAGIC)
     moved = w.call("fma", a, w.constant(float(factor)), magic)
     return w.op("fsub", moved, magic), as_integers(w, moved)
 
 
-def power_of_two(w: Writer, n: str) -> str:
+def power_of_two(w: IRWriter, n: str) -> str:
     """2ⁿ for an integer (as a double) between −1022 and 1023."""
     bits = as_integers(w, w.op("fadd", n, w.constant(MAGIC)))
     return as_doubles(w, integers(w, "shl", integers(w, "add", bits, 1023), 52))
@@ -95,36 +95,36 @@ def unit(k: Arithmetic) -> Value:
     return k.number(Fraction(1))
 
 
-def fast_sum(k: Arithmetic, a: Value, b: Value) -> Split:
+def fast_sum(k: Arithmetic, a: Value, b: Value) -> HeadTail:
     """a + b without error, where a is the larger (Dekker)."""
     head = k.add(a, b)
-    return Split(head, k.sub(b, k.sub(head, a)))
+    return HeadTail(head, k.sub(b, k.sub(head, a)))
 
 
-def any_sum(k: Arithmetic, a: Value, b: Value) -> Split:
+def any_sum(k: Arithmetic, a: Value, b: Value) -> HeadTail:
     """The same whichever is the larger (Knuth)."""
     head = k.add(a, b)
     moved = k.sub(head, a)
-    return Split(head, k.add(k.sub(a, k.sub(head, moved)), k.sub(b, moved)))
+    return HeadTail(head, k.add(k.sub(a, k.sub(head, moved)), k.sub(b, moved)))
 
 
-def joined(k: Arithmetic, a: Split) -> Value:
+def joined(k: Arithmetic, a: HeadTail) -> Value:
     """As one number."""
     return k.add(a.head, a.rest)
 
 
-def selected(k: Arithmetic, mask: str, yes: Split, no: Split) -> Split:
+def selected(k: Arithmetic, mask: str, yes: HeadTail, no: HeadTail) -> HeadTail:
     """`yes` where the mask is set, else `no`."""
-    return Split(k.choose(mask, yes.head, no.head), k.choose(mask, yes.rest, no.rest))
+    return HeadTail(k.choose(mask, yes.head, no.head), k.choose(mask, yes.rest, no.rest))
 
 
-def quotient(k: Arithmetic, a: Split, b: Split) -> Split:
+def quotient(k: Arithmetic, a: HeadTail, b: HeadTail) -> HeadTail:
     """a/b."""
     inverse = k.recip(b.head)
     head = k.mul(a.head, inverse)
     minus = k.neg(head)
     left = k.fma(minus, b.rest, k.add(k.fma(minus, b.head, a.head), a.rest))
-    return Split(head, k.mul(left, inverse))
+    return HeadTail(head, k.mul(left, inverse))
 
 
 def polynomial(k: Arithmetic, name: str, t: Value) -> Value:
@@ -149,16 +149,16 @@ def polynomial(k: Arithmetic, name: str, t: Value) -> Value:
     return total
 
 
-def difference(k: Arithmetic, a: Split, b: Split) -> Split:
+def difference(k: Arithmetic, a: HeadTail, b: HeadTail) -> HeadTail:
     """a − b, where a is the larger or zero."""
     total = fast_sum(k, a.head, k.neg(b.head))
-    return Split(total.head, k.add(total.rest, k.sub(a.rest, b.rest)))
+    return HeadTail(total.head, k.add(total.rest, k.sub(a.rest, b.rest)))
 
 
-def constant(k: Arithmetic, name: str, factor: Fraction) -> Split:
+def constant(k: Arithmetic, name: str, factor: Fraction) -> HeadTail:
     """A constant and what is lost by rounding it."""
     head, rest = parts(name, (53 * k.words,))
-    return Split(k.number(head * factor), k.number(rest * factor))
+    return HeadTail(k.number(head * factor), k.number(rest * factor))
 
 
 def where(k: Arithmetic, x: Value, relation: str, limit: float) -> str:
@@ -167,17 +167,17 @@ def where(k: Arithmetic, x: Value, relation: str, limit: float) -> str:
     return w.compare(relation, k.leading(x), w.constant(limit))
 
 
-def put(k: Arithmetic, mask: str, value: float, result: Value) -> Value:
+def where_constant(k: Arithmetic, mask: str, value: float, result: Value) -> Value:
     """A result with a constant in some places."""
     return k.choose(mask, k.whole(k.writer.constant(value)), result)
 
 
-def like(k: Arithmetic, x: Value, magnitude: Value) -> Value:
+def copy_sign(k: Arithmetic, x: Value, magnitude: Value) -> Value:
     """With the sign of x."""
     return k.choose(is_negative(k.writer, k.leading(x)), k.neg(magnitude), magnitude)
 
 
-def reduced(k: Arithmetic, x: Value, name: str, factor: Fraction) -> tuple[Split, str, str]:
+def reduce_argument(k: Arithmetic, x: Value, name: str, factor: Fraction) -> tuple[HeadTail, str, str]:
     """x less the nearest multiple n of a constant; n as a double, and in the lowest bits.
 
     Multiples of short pieces of the constant are taken off one after another, all but the last
@@ -193,4 +193,4 @@ def reduced(k: Arithmetic, x: Value, name: str, factor: Fraction) -> tuple[Split
     product = k.mul(n, next_to_last)
     lost = k.fma(n, next_to_last, k.neg(product))
     head, rest = any_sum(k, x, product)
-    return Split(head, k.add(rest, k.fma(n, last, lost))), turns, bits
+    return HeadTail(head, k.add(rest, k.fma(n, last, lost))), turns, bits

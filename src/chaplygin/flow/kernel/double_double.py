@@ -9,7 +9,7 @@ import mpmath
 import numpy as np
 
 from ...core.system import System
-from ...formulas.evaluate import doubles, parameter_rows
+from ...formulas.evaluate import as_float_array, parameter_rows
 
 __all__ = ["paired", "parameter_pairs", "unpaired"]
 
@@ -22,7 +22,7 @@ def paired(name: str, values: Any) -> Any:
     InputError
         If they are not real numbers; the message calls them by `name`.
     """
-    first = doubles(name, values)
+    first = as_float_array(name, values)
     numbers = np.asarray(values)
     if numbers.dtype != object:
         return np.ascontiguousarray(np.stack([first, np.zeros_like(first)], axis=-1))

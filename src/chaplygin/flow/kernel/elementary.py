@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 from .approximation import parts
 from .compensated import (
-    Split,
+    HeadTail,
     as_doubles,
     as_integers,
     constant,
@@ -26,13 +26,13 @@ from .compensated import (
     is_negative,
     is_odd,
     joined,
-    like,
+    copy_sign,
     nearest,
     polynomial,
     power_of_two,
-    put,
+    where_constant,
     quotient,
-    reduced,
+    reduce_argument,
     selected,
     unit,
     where,
@@ -50,13 +50,13 @@ INFINITY = float("inf")
 
 def absolute(k: Arithmetic, x: Value) -> Value:
     """Magnitude."""
-    return like(k, x, x)
+    return copy_sign(k, x, x)
 
 
 def sign(k: Arithmetic, x: Value) -> Value:
     """1, −1; zero for zero, not a number for what is none."""
-    found = put(k, where(k, x, "olt", 0.0), -1.0, x)
-    return put(k, where(k, x, "ogt", 0.0), 1.0, found)
+    found = where_constant(k, where(k, x, "olt", 0.0), -1.0, x)
+    return where_constant(k, where(k, x, "ogt", 0.0), 1.0, found)
 
 
 # --- circular functions -----------------------------------------------------------------------
@@ -65,14 +65,14 @@ def sign(k: Arithmetic, x: Value) -> Value:
 FARTHEST = 2.0**40
 
 
-def _circular(k: Arithmetic, x: Value) -> tuple[Split, Split, str]:
+def _circular(k: Arithmetic, x: Value) -> tuple[HeadTail, HeadTail, str]:
     """Sine and cosine of x − n π/2, at most π/4 in magnitude, and n in the lowest bits."""
-    (r, rest), _, quadrant = reduced(k, x, "pi", Fraction(1, 2))
+    (r, rest), _, quadrant = reduce_argument(k, x, "pi", Fraction(1, 2))
     t = k.mul(r, r)
-    sine = Split(r, k.fma(k.mul(r, t), polynomial(k, "sin", t), rest))
+    sine = HeadTail(r, k.fma(k.mul(r, t), polynomial(k, "sin", t), rest))
     top = fast_sum(k, unit(k), k.mul(t, k.number(Fraction(-1, 2))))
     small = k.fma(k.mul(t, t), polynomial(k, "cos", t), k.neg(k.mul(r, rest)))
-    return sine, Split(top.head, k.add(top.rest, small)), quadrant
+    return sine, HeadTail(top.head, k.add(top.rest, small)), quadrant
 
 
 def _turned(k: Arithmetic, x: Value, quarters: int) -> Value:
@@ -87,7 +87,7 @@ def _turned(k: Arithmetic, x: Value, quarters: int) -> Value:
 
 def _within(k: Arithmetic, x: Value, value: Value) -> Value:
     """Not a number where the angle is too large."""
-    return put(k, where(k, absolute(k, x), "ogt", FARTHEST), float("nan"), value)
+    return where_constant(k, where(k, absolute(k, x), "ogt", FARTHEST), float("nan"), value)
 
 
 def _through_zero(k: Arithmetic, x: Value, value: Value) -> Value:
@@ -118,7 +118,7 @@ def tan(k: Arithmetic, x: Value) -> Value:
 # --- their inverses ---------------------------------------------------------------------------
 
 
-def _arcsine(k: Arithmetic, x: Value) -> tuple[Split, str]:
+def _arcsine(k: Arithmetic, x: Value) -> tuple[HeadTail, str]:
     """The arcsine of what is at most ½: of |x|, or of √((1 − |x|)/2) where the mask is set."""
     size = absolute(k, x)
     large = where(k, size, "ogt", 0.5)
@@ -127,18 +127,18 @@ def _arcsine(k: Arithmetic, x: Value) -> tuple[Split, str]:
     lost = k.mul(k.fma(k.neg(root), root, t), k.recip(k.add(root, root)))
     zero = k.number(Fraction(0))
     safe = k.choose(where(k, root, "oeq", 0.0), zero, lost)
-    s = selected(k, large, Split(root, safe), Split(size, zero))
+    s = selected(k, large, HeadTail(root, safe), HeadTail(size, zero))
     square = k.choose(large, t, k.mul(size, size))
     cubic = k.mul(k.mul(s.head, square), polynomial(k, "asin", square))
-    return Split(s.head, k.add(s.rest, cubic)), large
+    return HeadTail(s.head, k.add(s.rest, cubic)), large
 
 
 def asin(k: Arithmetic, x: Value) -> Value:
     """Arcsine."""
     s, large = _arcsine(k, x)
-    twice = Split(*(k.add(part, part) for part in s))
+    twice = HeadTail(*(k.add(part, part) for part in s))
     far = difference(k, constant(k, "pi", Fraction(1, 2)), twice)
-    return like(k, x, joined(k, selected(k, large, far, s)))
+    return copy_sign(k, x, joined(k, selected(k, large, far, s)))
 
 
 def acos(k: Arithmetic, x: Value) -> Value:
@@ -147,10 +147,10 @@ def acos(k: Arithmetic, x: Value) -> Value:
     s, large = _arcsine(k, x)
     negative = is_negative(w, k.leading(x))
     minus = w.emit(f"xor {w.mask} {large}, {negative}")
-    s = Split(*(k.choose(large, k.add(part, part), part) for part in s))
-    s = Split(*(k.choose(minus, k.neg(part), part) for part in s))
+    s = HeadTail(*(k.choose(large, k.add(part, part), part) for part in s))
+    s = HeadTail(*(k.choose(minus, k.neg(part), part) for part in s))
     zero = k.number(Fraction(0))
-    end = selected(k, negative, constant(k, "pi", Fraction(1)), Split(zero, zero))
+    end = selected(k, negative, constant(k, "pi", Fraction(1)), HeadTail(zero, zero))
     middle = constant(k, "pi", Fraction(1, 2))
     return joined(k, difference(k, selected(k, large, end, middle), s))
 
@@ -164,10 +164,10 @@ def atan2(k: Arithmetic, y: Value, x: Value) -> Value:
     middle = w.compare("ogt", k.leading(above), half)
     top = k.choose(middle, k.sub(above, below), above)
     bottom = fast_sum(k, below, k.choose(middle, above, zero))
-    slope = quotient(k, Split(top, zero), bottom)
+    slope = quotient(k, HeadTail(top, zero), bottom)
     t = k.mul(slope.head, slope.head)
     cubic = k.mul(k.mul(slope.head, t), polynomial(k, "atan", t))
-    angle = Split(slope.head, k.add(slope.rest, cubic))
+    angle = HeadTail(slope.head, k.add(slope.rest, cubic))
 
     behind = is_negative(w, k.leading(x))
     backward = w.emit(f"xor {w.mask} {steep}, {behind}")
@@ -177,19 +177,19 @@ def atan2(k: Arithmetic, y: Value, x: Value) -> Value:
     eighth = constant(k, "pi", Fraction(1, 4))
     head = k.mul(eighths, eighth.head)
     lost = k.fma(eighths, eighth.head, k.neg(head))
-    turned = Split(head, k.fma(eighths, eighth.rest, lost))
-    minus = Split(*(k.choose(backward, part, k.neg(part)) for part in angle))
-    return like(k, y, joined(k, difference(k, turned, minus)))
+    turned = HeadTail(head, k.fma(eighths, eighth.rest, lost))
+    minus = HeadTail(*(k.choose(backward, part, k.neg(part)) for part in angle))
+    return copy_sign(k, y, joined(k, difference(k, turned, minus)))
 
 
 def _proper(k: Arithmetic, a: Value, b: Value, swapped: str) -> tuple[Value, Value]:
     """Two magnitudes with the same ratio, the smaller first, neither huge nor tiny nor 0/0."""
     one = unit(k)
     above, below = k.choose(swapped, b, a), k.choose(swapped, a, b)
-    factor = put(k, where(k, below, "olt", 2.0**-500), 2.0**600, one)
-    factor = put(k, where(k, below, "ogt", 2.0**500), 2.0**-600, factor)
+    factor = where_constant(k, where(k, below, "olt", 2.0**-500), 2.0**600, one)
+    factor = where_constant(k, where(k, below, "ogt", 2.0**500), 2.0**-600, factor)
     endless = where(k, below, "oeq", INFINITY)
-    corner = put(k, where(k, above, "oeq", INFINITY), 1.0, k.mul(above, k.number(Fraction(0))))
+    corner = where_constant(k, where(k, above, "oeq", INFINITY), 1.0, k.mul(above, k.number(Fraction(0))))
     above = k.choose(endless, corner, k.mul(above, factor))
     below = k.choose(endless, one, k.mul(below, factor))
     return above, k.choose(where(k, below, "oeq", 0.0), one, below)
@@ -208,10 +208,10 @@ HIGHEST, HIGHEST_HYPERBOLIC, LOWEST = 709.782712893384, 710.4758600739439, -746.
 SATURATED = 40.0
 
 
-def _exponential(k: Arithmetic, x: Value, halvings: int) -> Split:
+def _exponential(k: Arithmetic, x: Value, halvings: int) -> HeadTail:
     """eˣ by a power of two: 2ⁿ (1 + r + …), |r| ≤ (log 2)/2."""
     w = k.writer
-    (r, rest), turns, _ = reduced(k, x, "ln2", Fraction(1))
+    (r, rest), turns, _ = reduce_argument(k, x, "ln2", Fraction(1))
     top = fast_sum(k, unit(k), r)
     small = k.fma(k.mul(r, r), polynomial(k, "exp", r), rest)
     turns = w.op("fsub", turns, w.constant(float(halvings)))
@@ -220,26 +220,26 @@ def _exponential(k: Arithmetic, x: Value, halvings: int) -> Split:
     powers = (first, w.op("fsub", turns, first))
     near, far = (k.whole(power_of_two(w, power)) for power in powers)
     made = fast_sum(k, top.head, k.add(top.rest, small))
-    return Split(*(k.mul(k.mul(part, near), far) for part in made))
+    return HeadTail(*(k.mul(k.mul(part, near), far) for part in made))
 
 
 def exp(k: Arithmetic, x: Value) -> Value:
     """Exponential function."""
     found = joined(k, _exponential(k, x, 0))
-    found = put(k, where(k, x, "ogt", HIGHEST), INFINITY, found)
-    return put(k, where(k, x, "olt", LOWEST), 0.0, found)
+    found = where_constant(k, where(k, x, "ogt", HIGHEST), INFINITY, found)
+    return where_constant(k, where(k, x, "olt", LOWEST), 0.0, found)
 
 
-def _hyperbolic(k: Arithmetic, x: Value) -> tuple[Split, Split]:
+def _hyperbolic(k: Arithmetic, x: Value) -> tuple[HeadTail, HeadTail]:
     """Hyperbolic sine and cosine of a magnitude."""
     large = _exponential(k, x, 1)
     inverse = k.recip(large.head)
     left = k.fma(k.neg(inverse), large.rest, k.fma(k.neg(inverse), large.head, unit(k)))
     quarter = k.number(Fraction(1, 4))
-    small = Split(k.mul(inverse, quarter), k.mul(k.mul(inverse, left), quarter))
+    small = HeadTail(k.mul(inverse, quarter), k.mul(k.mul(inverse, left), quarter))
     t = k.mul(x, x)
-    near = Split(x, k.mul(k.mul(x, t), polynomial(k, "sinh", t)))
-    cosine = difference(k, large, Split(*map(k.neg, small)))
+    near = HeadTail(x, k.mul(k.mul(x, t), polynomial(k, "sinh", t)))
+    cosine = difference(k, large, HeadTail(*map(k.neg, small)))
     sine = selected(k, where(k, x, "olt", 0.5), near, difference(k, large, small))
     return sine, cosine
 
@@ -249,14 +249,14 @@ def sinh(k: Arithmetic, x: Value) -> Value:
     size = absolute(k, x)
     sine, _ = _hyperbolic(k, size)
     far = where(k, size, "ogt", HIGHEST_HYPERBOLIC)
-    return like(k, x, put(k, far, INFINITY, joined(k, sine)))
+    return copy_sign(k, x, where_constant(k, far, INFINITY, joined(k, sine)))
 
 
 def cosh(k: Arithmetic, x: Value) -> Value:
     """Hyperbolic cosine."""
     size = absolute(k, x)
     _, cosine = _hyperbolic(k, size)
-    return put(k, where(k, size, "ogt", HIGHEST_HYPERBOLIC), INFINITY, joined(k, cosine))
+    return where_constant(k, where(k, size, "ogt", HIGHEST_HYPERBOLIC), INFINITY, joined(k, cosine))
 
 
 def tanh(k: Arithmetic, x: Value) -> Value:
@@ -264,14 +264,14 @@ def tanh(k: Arithmetic, x: Value) -> Value:
     size = absolute(k, x)
     sine, cosine = _hyperbolic(k, size)
     found = joined(k, quotient(k, fast_sum(k, *sine), cosine))
-    return like(k, x, put(k, where(k, size, "ogt", SATURATED), 1.0, found))
+    return copy_sign(k, x, where_constant(k, where(k, size, "ogt", SATURATED), 1.0, found))
 
 
 def log(k: Arithmetic, x: Value) -> Value:
     """Logarithm: of 2ⁿ m it is n log 2 + 2 artanh((m − 1)/(m + 1)), √½ ≤ m < √2."""
     w, one = k.writer, unit(k)
     tiny, huge = where(k, x, "olt", 2.0**-500), where(k, x, "ogt", 2.0**500)
-    m = k.mul(x, put(k, huge, 2.0**-600, put(k, tiny, 2.0**600, one)))
+    m = k.mul(x, where_constant(k, huge, 2.0**-600, where_constant(k, tiny, 2.0**600, one)))
     n = w.choose(huge, w.constant(600.0), w.choose(tiny, w.constant(-600.0), w.constant(0.0)))
     # the exponent's field, counted from √½ instead of 1
     field = integers(
@@ -285,8 +285,8 @@ def log(k: Arithmetic, x: Value) -> Value:
 
     above = k.sub(m, one)
     below = fast_sum(k, k.number(Fraction(2)), above)
-    s = quotient(k, Split(above, k.number(Fraction(0))), below)
-    twice = Split(*(k.add(part, part) for part in s))
+    s = quotient(k, HeadTail(above, k.number(Fraction(0))), below)
+    twice = HeadTail(*(k.add(part, part) for part in s))
     t = k.mul(s.head, s.head)
     cubic = k.mul(k.mul(twice.head, t), polynomial(k, "atanh", t))
     # short, so that its multiples are exact
@@ -294,9 +294,9 @@ def log(k: Arithmetic, x: Value) -> Value:
     total = fast_sum(k, k.mul(k.whole(n), k.number(high)), twice.head)
     rest = k.add(twice.rest, k.fma(k.whole(n), k.number(low), cubic))
     found = k.add(total.head, k.add(total.rest, rest))
-    found = put(k, where(k, x, "olt", 0.0), float("nan"), found)
-    found = put(k, where(k, x, "oeq", INFINITY), INFINITY, found)
-    return put(k, where(k, x, "oeq", 0.0), -INFINITY, found)
+    found = where_constant(k, where(k, x, "olt", 0.0), float("nan"), found)
+    found = where_constant(k, where(k, x, "oeq", INFINITY), INFINITY, found)
+    return where_constant(k, where(k, x, "oeq", 0.0), -INFINITY, found)
 
 
 FUNCTIONS: Mapping[str, Callable[..., Value]] = {

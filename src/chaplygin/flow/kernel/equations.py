@@ -11,10 +11,10 @@ import sympy as sp
 from ...arguments import Quantity, arguments_checked
 from ...core.system import System
 from ...errors import InputError
-from ...formulas.evaluate import formula, read_system
+from ...formulas.evaluate import formula, read_formulas
 from ...formulas.graph import Graph, Term, ordered
 
-__all__ = ["Equations", "Section", "equations_of", "groups", "section", "serial", "serial_terms"]
+__all__ = ["Equations", "Section", "equations_of", "groups", "poincare_section", "serial", "serial_terms"]
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class Section:
 
 
 @arguments_checked
-def section(
+def poincare_section(
     system: System, quantity: Quantity, value: float = 0, direction: int = 1, angle: bool = False
 ) -> Section:
     """The section on which a quantity has a value.
@@ -61,7 +61,7 @@ def section(
     if direction not in (-1, 0, 1):
         raise InputError(f"direction = {direction}: it must be 1 (rising), -1 (falling) or 0")
     difference = formula(system, quantity) - sp.sympify(value)
-    reader, _ = read_system(system)
+    reader, _ = read_formulas(system)
     if not any(term.kind == "state" for term in ordered([reader(difference)])):
         raise InputError(f"{system.name}: the section {quantity} = {value} contains no state")
     if angle:
@@ -125,7 +125,7 @@ def equations_of(
     system: System, deviations: int, section: Section | None, backward: bool
 ) -> Equations:
     """The formulas of a system, of its deviations and of a section, as terms."""
-    reader, forward = read_system(system)
+    reader, forward = read_formulas(system)
     if not forward:
         raise InputError(f"{system.name}: a system without state has no motion")
     graph = reader.graph

@@ -18,9 +18,9 @@ from ...formulas.graph import Term
 from .arithmetic import Double, Pair, Value
 from .codegen import functions
 from .equations import Equations
-from .ir_writer import Writer, literal
-from .projection_terms import Kept
-from .runge_kutta import COLLAPSED, ENDS, NOT_A_NUMBER, STEPS, Workspace
+from .ir_writer import IRWriter, literal
+from .projection_terms import ProjectionTerms
+from .runge_kutta import COLLAPSED, STATUS_MESSAGES, NOT_A_NUMBER, STEPS, Workspace
 from .tableaux import Gauss
 
 __all__ = ["gauss_loop"]
@@ -42,12 +42,12 @@ class _Loop:
     """The writing of the loop."""
 
     def __init__(
-        self, method: Gauss, equations: Equations, kept: Kept | None, refine: bool
+        self, method: Gauss, equations: Equations, kept: ProjectionTerms | None, refine: bool
     ) -> None:
         self.method, self.equations, self.kept, self.refine = method, equations, kept, refine
         self.stages = len(method.b)
         self.size = len(equations.rates)
-        self.w = Writer(self.stages)
+        self.w = IRWriter(self.stages)
         self.thin = self.w.narrow()
         self.d, self.p = Double(self.w), Pair(self.w)
         self.d1, self.p1 = Double(self.thin), Pair(self.thin)
@@ -472,7 +472,7 @@ class _Loop:
                 passed = w.any(w.compare("ule", d.load(self.at("guards"), i), w.constant(0.0)))
                 with w.when(passed):
                     w.store("i1", "false", taken)
-                    w.store("i64", str(len(ENDS) + i), reason)
+                    w.store("i64", str(len(STATUS_MESSAGES) + i), reason)
 
     def _plan_taken(self, step: str, factor: str, estimate: str, bound: str) -> None:
         """The next step: at first as the estimate says; later longer only after a calm while."""
@@ -574,7 +574,7 @@ class _Rest:
 
 
 def gauss_loop(
-    method: Gauss, equations: Equations, kept: Kept | None, refine: bool
+    method: Gauss, equations: Equations, kept: ProjectionTerms | None, refine: bool
 ) -> tuple[str, int]:
     """The text of the loop, and the doubles of memory that it needs.
 

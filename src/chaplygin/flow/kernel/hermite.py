@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from .ir_writer import Writer
+from .ir_writer import IRWriter
 
 __all__ = ["cubic", "dipping", "hence", "root"]
 
 
 def cubic(
-    w: Writer, step: str, g: str, g_new: str, gdot: str, gdot_new: str
+    w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str
 ) -> tuple[str, str, str, str]:
     """a, b, c and d: g + a x + c x² + d x³ goes through both ends, b is its slope at 1."""
     a, b = w.op("fmul", step, gdot), w.op("fmul", step, gdot_new)
@@ -17,7 +17,7 @@ def cubic(
     return a, b, w.op("fsub", w.op("fsub", rise, a), d), d
 
 
-def root(w: Writer, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -> str:
+def root(w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -> str:
     """Where in a step the cubic through values and slopes at both ends vanishes."""
     a, _, c, d = cubic(w, step, g, g_new, gdot, gdot_new)
     low, high = w.constant(0.0), w.constant(1.0)
@@ -38,7 +38,7 @@ def root(w: Writer, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -> 
     return w.op("fmul", x, step)
 
 
-def dipping(w: Writer, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -> tuple[str, str]:
+def dipping(w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -> tuple[str, str]:
     """Where the cubic has the same sign at both ends but another where it turns in between.
 
     The second result is the step to that turn: taken, it leaves one crossing on each side.
@@ -69,7 +69,7 @@ def dipping(w: Writer, step: str, g: str, g_new: str, gdot: str, gdot_new: str) 
     return w.compare("one", turn, zero), turn
 
 
-def hence(w: Writer, rate: str) -> str:
+def hence(w: IRWriter, rate: str) -> str:
     """On the side of the section to which the motion goes."""
     near = w.call("copysign", w.constant(1e-300), rate)
     return w.choose(w.compare("one", rate, w.constant(0.0)), near, w.constant(0.0))

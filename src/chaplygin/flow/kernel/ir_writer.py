@@ -7,10 +7,10 @@ import struct
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-__all__ = ["Writer", "literal"]
+__all__ = ["IRWriter", "literal"]
 
 
-class Writer:
+class IRWriter:
     """The text of one function.
 
     Parameters
@@ -28,9 +28,9 @@ class Writer:
         self.lines: list[str] = []
         self._numbers = itertools.count()
 
-    def narrow(self) -> Writer:
+    def narrow(self) -> IRWriter:
         """A writer of the same text for vectors of one lane."""
-        other = Writer(1)
+        other = IRWriter(1)
         other.entry, other.lines, other._numbers = self.entry, self.lines, self._numbers
         return other
 

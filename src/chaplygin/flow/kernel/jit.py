@@ -17,7 +17,7 @@ import numpy as np
 from ...core.source_digest import core
 from . import code_cache as cache
 
-__all__ = ["Native", "aligned", "load", "width"]
+__all__ = ["Native", "aligned", "load_code", "width"]
 
 _ATTRIBUTES = """
 attributes #0 = { nounwind "prefer-vector-width"="512" "min-legal-vector-width"="512" }
@@ -108,7 +108,7 @@ def _compile(text: str) -> bytes:
 _numbers = itertools.count()
 
 
-def load(
+def load_code(
     key: str, text: Callable[[], tuple[str, int]], signatures: dict[str, Sequence[Any]]
 ) -> Native:
     """Functions of a text, compiled or fetched from the cache.

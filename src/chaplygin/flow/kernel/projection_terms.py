@@ -8,11 +8,11 @@ from fractions import Fraction
 
 from ...formulas.graph import Graph, Term
 
-__all__ = ["Kept", "correction"]
+__all__ = ["ProjectionTerms", "projection_terms"]
 
 
 @dataclass(frozen=True)
-class Kept:
+class ProjectionTerms:
     """Functions of the state that keep their values along every motion.
 
     Attributes
@@ -28,13 +28,13 @@ class Kept:
     correction: tuple[Term, ...]
 
 
-def correction(
+def projection_terms(
     graph: Graph,
     kept: Sequence[Term],
     vanishing: Sequence[Term],
     groups: Sequence[Sequence[int]],
     size: int,
-) -> Kept:
+) -> ProjectionTerms:
     """How to move a state so that functions keep their values, and others vanish.
 
     The change is the shortest in which each vector of the state counts relative to its length:
@@ -59,7 +59,7 @@ def correction(
     shares = _solved(graph, matrix, residuals)
     moves = [-_dot(graph, shares, [scaled[k][i] for k in range(len(held))]) for i in range(size)]
     left = [value - graph.state(size + k) for k, value in enumerate(kept)]
-    return Kept((*left, *vanishing), tuple(moves))
+    return ProjectionTerms((*left, *vanishing), tuple(moves))
 
 
 def _dot(graph: Graph, a: Sequence[Term], b: Sequence[Term]) -> Term:

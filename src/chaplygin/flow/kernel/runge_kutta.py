@@ -19,13 +19,13 @@ from .arithmetic import Arithmetic, Value
 from .codegen import functions
 from .equations import Equations
 from .hermite import dipping, hence, root
-from .ir_writer import Writer, literal
+from .ir_writer import IRWriter, literal
 from .tableaux import Explicit
 
-__all__ = ["ENDS", "STEPS", "Workspace", "march"]
+__all__ = ["STATUS_MESSAGES", "STEPS", "Workspace", "runge_kutta_loop"]
 
 #: Why a lane ended, by number; guards follow.
-ENDS = (
+STATUS_MESSAGES = (
     "",
     "the step size collapsed (a singularity of the equations is near)",
     "the state stopped being a number",
@@ -34,10 +34,10 @@ ENDS = (
     "a million steps passed without a crossing",
 )
 
-COLLAPSED, NOT_A_NUMBER, STEPS, OVER, IN_VAIN = range(1, len(ENDS))
+COLLAPSED, NOT_A_NUMBER, STEPS, OVER, IN_VAIN = range(1, len(STATUS_MESSAGES))
 
 #: Steps without a crossing after which a motion is given up: what comes to rest crosses nothing.
-VAIN = 1e6
+MAX_STEPS_WITHOUT_CROSSING = 1e6
 
 #: The stage at which section and guards are looked at inside a step: its ends do not tell all.
 HALFWAY = 9
@@ -78,7 +78,7 @@ class _March:
     def __init__(
         self, arithmetic: type[Arithmetic], method: Explicit, equations: Equations, lanes: int
     ) -> None:
-        self.w = Writer(lanes)
+        self.w = IRWriter(lanes)
         self.n = arithmetic(self.w)
         self.method, self.equations = method, equations
         self.dimension = len(equations.rates)
@@ -326,7 +326,7 @@ class _March:
         for i, now in reversed(list(enumerate(self._passed()))):
             passed = w.either(now, before[i]) if before else now
             fine = w.both(fine, w.unless(passed))
-            code = w.constant(float(len(ENDS) + i))
+            code = w.constant(float(len(STATUS_MESSAGES) + i))
             fault = w.choose(w.both(among, passed), code, fault)
         self.put("fault", fault)
         return fine
@@ -405,7 +405,7 @@ class _March:
         self.put("fault", w.choose(late, w.constant(float(STEPS)), self.get("fault")))
         if self.equations.section is not None:
             vain = w.op("fsub", steps, self.get("marked"))
-            vain = w.both(w.compare("oeq", event, zero), w.compare("oge", vain, w.constant(VAIN)))
+            vain = w.both(w.compare("oeq", event, zero), w.compare("oge", vain, w.constant(MAX_STEPS_WITHOUT_CROSSING)))
             vain = w.both(live, vain)
             self.put("fault", w.choose(vain, w.constant(float(IN_VAIN)), self.get("fault")))
             late = w.either(late, vain)
@@ -600,7 +600,7 @@ class _March:
         return w.op("fmul", share, share)
 
 
-def march(
+def runge_kutta_loop(
     arithmetic: type[Arithmetic], method: Explicit, equations: Equations, lanes: int
 ) -> tuple[str, int]:
     """The text of the loop, and the doubles of memory that it needs.

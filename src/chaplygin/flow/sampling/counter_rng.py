@@ -13,7 +13,7 @@ import numpy as np
 
 from ...errors import InputError
 
-__all__ = ["normals", "philox", "uniforms"]
+__all__ = ["counter_normals", "philox", "uniforms"]
 
 _MULTIPLIERS = (np.uint64(0xD2511F53), np.uint64(0xCD9E8D57))
 _WEYL = (0x9E3779B9, 0xBB67AE85)
@@ -69,7 +69,7 @@ def uniforms(seed: int, members: Any, attempts: Any, many: int) -> Any:
     return np.array(rows[:many]).reshape(many, member.size)
 
 
-def normals(seed: int, members: Any, attempts: Any, many: int) -> Any:
+def counter_normals(seed: int, members: Any, attempts: Any, many: int) -> Any:
     """Numbers of the standard normal distribution, array (many, k); see `uniforms`."""
     flat = uniforms(seed, members, attempts, many + many % 2)
     radius = np.sqrt(-2 * np.log(flat[0::2]))

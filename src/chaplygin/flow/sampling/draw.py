@@ -20,19 +20,19 @@ import numpy as np
 from ...arguments import Parameters, arguments_checked
 from ...core.laws import Measure
 from ...core.system import System
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...errors import InputError
-from ...formulas.compiled import Compiled, Sheet
+from ...formulas.compiled import Compiled, SystemFormulas
 from ...formulas.evaluate import parameter_rows
 from ..cost import require_room
-from .counter_rng import normals
-from .fibration import Bundle
-from .find_fibration import bundle
-from .great_circles import Slice
-from .held_integrals import check, measures, shown, told
-from .proposals import Ends, Spots, Thrower, highest
+from .counter_rng import counter_normals
+from .fibration import Fibration
+from .find_fibration import find_fibration
+from .great_circles import GreatCircleProposal
+from .held_integrals import validate_level, measures, level_label, measure_label
+from .proposals import RayProposal, WeightedPoints, Proposal, maximise
 
-__all__ = ["Level", "draw", "prepared"]
+__all__ = ["LevelSampler", "sample_level", "level_sampler"]
 
 #: Attempts looked at together.
 _BATCH = 1 << 14
@@ -47,7 +47,7 @@ _NEWTON = 2
 
 
 @arguments_checked
-def draw(
+def sample_level(
     system: System,
     count: int,
     level: Mapping[str, float],
@@ -82,11 +82,11 @@ def draw(
         If an integral is unknown or does not hold at these parameters, if the level is empty (the
         message names the values that are reached) or not bounded.
     """
-    return prepared(system, level, parameters).draw(count, seed=seed, first=first)
+    return level_sampler(system, level, parameters).draw(count, seed=seed, first=first)
 
 
 @dataclass(frozen=True)
-class Level:
+class LevelSampler:
     """A level of the integrals from which points can be drawn; made by `prepared`.
 
     Attributes
@@ -107,7 +107,7 @@ class Level:
     parameters: Any
     measure: str
     invariant: bool
-    _thrower: Thrower
+    _thrower: Proposal
     _held: Compiled
     _targets: Any
     _slopes: Compiled
@@ -135,7 +135,7 @@ class Level:
             tries = min(tries + 1, _BATCH)
             if attempt > _PATIENCE:
                 raise InputError(
-                    f"{self.system.name}: the level {shown(self.values)} is too thin: no point "
+                    f"{self.system.name}: the level {level_label(self.values)} is too thin: no point "
                     f"of it was met in {attempt} attempts"
                 )
         return found
@@ -146,7 +146,7 @@ class Level:
 
         many = self._thrower.numbers
         owners = np.repeat(members, tries)
-        gauss = normals(seed, owners, attempt + np.tile(np.arange(tries), members.size), many + 1)
+        gauss = counter_normals(seed, owners, attempt + np.tile(np.arange(tries), members.size), many + 1)
         spots = self._thrower.spots(gauss[:many])
         density = self.density(spots)
         dice = self._bound * ndtr(gauss[many])
@@ -170,11 +170,11 @@ class Level:
 
     def _beyond(self) -> InputError:
         return InputError(
-            f"{self.system.name}: the density of the level {shown(self.values)} has no bound that "
+            f"{self.system.name}: the density of the level {level_label(self.values)} has no bound that "
             "could be found: it lies next to a critical level"
         )
 
-    def density(self, spots: Spots) -> Any:
+    def density(self, spots: WeightedPoints) -> Any:
         """The density to be drawn by, relative to that of the throws."""
         return spots.volume * self._weight(spots.states)
 
@@ -201,26 +201,26 @@ class Level:
         return states
 
 
-def prepared(
+def level_sampler(
     system: System,
     level: Mapping[str, float],
     parameters: Mapping[Any, float] | None = None,
-) -> Level:
+) -> LevelSampler:
     """A level from which points can be drawn again and again; see :func:`draw`."""
     values = parameter_rows(system, parameters, 1)[0]
-    check(system, level, values)
-    sheet = Sheet(system)
-    made = bundle(system, sheet, level, values)
+    validate_level(system, level, values)
+    sheet = SystemFormulas(system)
+    made = find_fibration(system, sheet, level, values)
     thrower = _thrower(system, sheet, made, level, values)
     law, density = _density(system, sheet, level, thrower, values)
-    conditions = [sheet.read(explicit(relation)) for relation in system.relations]
+    conditions = [sheet.read(to_components(relation)) for relation in system.relations]
     held = {law.name: sheet.read(law.value) for law in system.integrals if law.name in level}
     conditions += [held[name] for name in level]
-    blank = Level(
+    blank = LevelSampler(
         system=system,
         values=dict(level),
         parameters=values,
-        measure=told(law),
+        measure=measure_label(law),
         invariant=law is not None,
         _thrower=thrower,
         _held=Compiled(conditions),
@@ -234,10 +234,10 @@ def prepared(
 
 
 def _density(
-    system: System, sheet: Sheet, level: Mapping[str, float], thrower: Thrower, values: Any
+    system: System, sheet: SystemFormulas, level: Mapping[str, float], thrower: Proposal, values: Any
 ) -> tuple[Measure | None, Compiled | None]:
     """The invariant measure that holds here and has one sign on the level, and its density."""
-    states = thrower.spots(normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), thrower.numbers)).states
+    states = thrower.spots(counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), thrower.numbers)).states
     for law in measures(system, level, values):
         density = Compiled([sheet.read(law.value)])
         signs = np.sign(density(states, values))
@@ -247,8 +247,8 @@ def _density(
 
 
 def _thrower(
-    system: System, sheet: Sheet, made: Bundle, level: Mapping[str, float], values: Any
-) -> Thrower:
+    system: System, sheet: SystemFormulas, made: Fibration, level: Mapping[str, float], values: Any
+) -> Proposal:
     """What throws points onto the level; refuse a level that is empty."""
 
     def room(gauss: Any) -> tuple[Any, Any]:
@@ -258,7 +258,7 @@ def _thrower(
     def same(gauss: Any, _: Any) -> Any:
         return gauss
 
-    spare, top = highest(made, room, same, made.numbers)
+    spare, top = maximise(made, room, same, made.numbers)
     if not spare > 0:
         names = {c.name for c in (made.quadratic, *made.further)}
         raise _empty(
@@ -268,13 +268,13 @@ def _thrower(
             f"{made.quadratic.name} is at least {made.quadratic.target - spare:.6g}",
         )
     if not made.further:
-        return Ends(made, values)
+        return RayProposal(made, values)
     if len(made.further) > 1:
         raise InputError(
             f"{system.name}: {' and '.join(c.name for c in made.further)} cannot both be held "
             f"besides {made.quadratic.name}; one of them can"
         )
-    slice_ = Slice.of(made, sheet, values)
+    slice_ = GreatCircleProposal.of(made, sheet, values)
     (further,) = made.further
 
     def signed(sign: float) -> Callable[[Any], tuple[Any, Any]]:
@@ -287,7 +287,7 @@ def _thrower(
         return height
 
     low, high = (
-        further.target + sign * highest(made, signed(sign), same, made.numbers, top[:, None])[0]
+        further.target + sign * maximise(made, signed(sign), same, made.numbers, top[:, None])[0]
         for sign in (-1.0, 1.0)
     )
     if not low < further.target < high:
@@ -299,11 +299,11 @@ def _thrower(
 
 def _empty(system: System, level: Mapping[str, float], names: set[str], reach: str) -> InputError:
     others = {name: value for name, value in level.items() if name not in names}
-    given = f"with {shown(others)} " if others else ""
-    return InputError(f"{system.name}: the level {shown(level)} is empty: {given}{reach}")
+    given = f"with {level_label(others)} " if others else ""
+    return InputError(f"{system.name}: the level {level_label(level)} is empty: {given}{reach}")
 
 
-def _bounded(level: Level) -> Level:
+def _bounded(level: LevelSampler) -> LevelSampler:
     """The level with a bound of what the densities of the points of one throw add up to."""
     thrower = level._thrower
 
@@ -311,9 +311,9 @@ def _bounded(level: Level) -> Level:
         spots = thrower.spots(gauss)
         return spots.places, level.density(spots)
 
-    top, _ = highest(thrower.made, height, thrower.near, thrower.numbers)
+    top, _ = maximise(thrower.made, height, thrower.near, thrower.numbers)
     bound = _MARGIN * thrower.most * top
-    trial = normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), thrower.numbers)
+    trial = counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), thrower.numbers)
     taken = height(trial)[1].sum() / (_TRIAL * bound)
     # half of the attempts that a point takes, so that few are made in vain
     tries = int(np.clip(0.5 / max(taken, 1 / _BATCH), 1, _BATCH))

@@ -15,13 +15,13 @@ import numpy as np
 
 from ...formulas.compiled import Compiled
 from ...formulas.graph import Term
-from ..batched_linalg import applied, dots, solved, squares
+from ..batched_linalg import batched_matvec, row_dots, batched_solve, norm_squared_columns
 
-__all__ = ["Bundle", "Condition", "Rays"]
+__all__ = ["Fibration", "LevelCondition", "FibrePoints"]
 
 
 @dataclass(frozen=True)
-class Condition:
+class LevelCondition:
     """A formula that has a given value on the level.
 
     Attributes
@@ -39,7 +39,7 @@ class Condition:
 
 
 @dataclass(frozen=True)
-class Bundle:
+class Fibration:
     """Base and fibre of a level, and what is held in the fibre.
 
     Attributes
@@ -70,9 +70,9 @@ class Bundle:
     axes: tuple[float, ...]
     angles: tuple[int, ...]
     fibre: tuple[int, ...]
-    quadratic: Condition
-    linear: tuple[Condition, ...]
-    further: tuple[Condition, ...]
+    quadratic: LevelCondition
+    linear: tuple[LevelCondition, ...]
+    further: tuple[LevelCondition, ...]
     coefficients: Compiled
 
     @property
@@ -108,7 +108,7 @@ class Bundle:
 
         places = gauss.copy()
         for part in self.balls:
-            places[part] = gauss[part] / np.sqrt(squares(gauss[part]))
+            places[part] = gauss[part] / np.sqrt(norm_squared_columns(gauss[part]))
         for row in range(len(self.ground) - len(self.angles), len(self.ground)):
             places[row] = 2 * np.pi * ndtr(gauss[row])
         return places
@@ -126,13 +126,13 @@ class Bundle:
             numbers[row] = ndtri(np.mod(places[row] / (2 * np.pi), 1.0))
         return numbers
 
-    def over(self, places: Any, parameters: Any) -> Rays:
+    def over(self, places: Any, parameters: Any) -> FibrePoints:
         """The points of the level that points y (y, k) make."""
         states = np.zeros((self.size, places.shape[1]))
         states[list(self.ground)] = self.ground_states(places)
         return self.fill(states, places[len(self.ground) :], parameters)
 
-    def fill(self, states: Any, directions: Any, parameters: Any) -> Rays:
+    def fill(self, states: Any, directions: Any, parameters: Any) -> FibrePoints:
         """Put points of the level over base points, along rays of given directions.
 
         Parameters
@@ -148,24 +148,24 @@ class Bundle:
         targets = np.array([condition.target for condition in self.linear])
         corner = np.zeros((states.shape[1], f + m, f + m))
         corner[:, :f, :f], corner[:, :f, f:], corner[:, f:, :f] = A, np.swapaxes(n, 1, 2), n
-        saddle = solved(corner, np.concatenate([-b, targets - a], axis=1))
+        saddle = batched_solve(corner, np.concatenate([-b, targets - a], axis=1))
         centre, pull = saddle[:, :f], saddle[:, f:]
         excess = self.quadratic.target - (
-            c + dots(b, centre) + 0.5 * dots(centre, applied(A, centre))
+            c + row_dots(b, centre) + 0.5 * row_dots(centre, batched_matvec(A, centre))
         )
         gram = n @ np.swapaxes(n, 1, 2)
         shadow = directions.T
-        share = solved(gram, applied(n, shadow))
-        shadow = shadow - applied(np.swapaxes(n, 1, 2), share)
-        span = np.sqrt(dots(shadow, shadow))
+        share = batched_solve(gram, batched_matvec(n, shadow))
+        shadow = shadow - batched_matvec(np.swapaxes(n, 1, 2), share)
+        span = np.sqrt(row_dots(shadow, shadow))
         ray = shadow / span[:, None]
-        stiffness = dots(ray, applied(A, ray))
+        stiffness = row_dots(ray, batched_matvec(A, ray))
         with np.errstate(invalid="ignore", divide="ignore"):
             length = np.sqrt(2 * np.where(excess > 0, excess, np.nan) / stiffness)
             volume = length ** (self.rays - 2) / stiffness / np.sqrt(np.linalg.det(gram))
         filled = states.copy()
         filled[list(self.fibre)] = (centre + length[:, None] * ray).T
-        return Rays(
+        return FibrePoints(
             states=filled,
             excess=excess,
             volume=np.where(excess > 0, volume, 0.0),
@@ -194,7 +194,7 @@ class Bundle:
 
 
 @dataclass(frozen=True)
-class Rays:
+class FibrePoints:
     """Points at the ends of rays.
 
     Attributes

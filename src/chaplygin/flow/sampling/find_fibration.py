@@ -10,14 +10,14 @@ import numpy as np
 import sympy as sp
 
 from ...core.system import System
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...errors import InputError
-from ...formulas.compiled import Compiled, Sheet
+from ...formulas.compiled import Compiled, SystemFormulas
 from ...formulas.graph import Term
-from .counter_rng import normals
-from .fibration import Bundle, Condition
+from .counter_rng import counter_normals
+from .fibration import Fibration, LevelCondition
 
-__all__ = ["bundle"]
+__all__ = ["find_fibration"]
 
 #: Integrals that are tried first as the ones that bound the fibre.
 _BOUNDING = ("energy", "hamiltonian")
@@ -29,7 +29,7 @@ _SAME = 1e-10
 _DEFINITE = 1e-12
 
 
-def bundle(system: System, sheet: Sheet, level: Mapping[str, float], values: Any) -> Bundle:
+def find_fibration(system: System, sheet: SystemFormulas, level: Mapping[str, float], values: Any) -> Fibration:
     """How a level of the integrals lies over a base.
 
     Parameters
@@ -48,9 +48,9 @@ def bundle(system: System, sheet: Sheet, level: Mapping[str, float], values: Any
         If the level is not bounded, or is of a form for which no exact method is known here.
     """
     spheres, others = _ellipsoids(system, values)
-    relations = [Condition("", sheet.read(relation), 0.0) for relation in others]
+    relations = [LevelCondition("", sheet.read(relation), 0.0) for relation in others]
     formulas = {law.name: law.value for law in system.integrals}
-    held = [Condition(name, sheet.read(formulas[name]), float(level[name])) for name in level]
+    held = [LevelCondition(name, sheet.read(formulas[name]), float(level[name])) for name in level]
     for bound in sorted(held, key=lambda condition: condition.name not in _BOUNDING):
         rest = [condition for condition in held if condition is not bound]
         found = _with_bound(system, sheet, spheres, relations, bound, rest)
@@ -75,12 +75,12 @@ def _names(system: System, places: Sequence[int]) -> str:
 
 def _with_bound(
     system: System,
-    sheet: Sheet,
+    sheet: SystemFormulas,
     spheres: Mapping[tuple[int, ...], tuple[float, ...]],
-    relations: list[Condition],
-    bound: Condition,
-    rest: list[Condition],
-) -> Bundle | None:
+    relations: list[LevelCondition],
+    bound: LevelCondition,
+    rest: list[LevelCondition],
+) -> Fibration | None:
     """The bundle in which `bound` is the quadratic condition; None where that cannot be."""
     fibre, angles = _loose(system, spheres), list[int]()
     terms = [bound.term, *(relation.term for relation in relations)]
@@ -105,7 +105,7 @@ def _with_bound(
         *(slopes[-1][i] for i in fibre),
         bound.term,
     ]
-    return Bundle(
+    return Fibration(
         size=len(system.symbols),
         spheres=tuple(spheres),
         axes=(*(a for axes in spheres.values() for a in axes), *(1.0 for _ in angles)),
@@ -118,13 +118,13 @@ def _with_bound(
     )
 
 
-def _second(sheet: Sheet, terms: Sequence[Term], places: Sequence[int]) -> list[Term]:
+def _second(sheet: SystemFormulas, terms: Sequence[Term], places: Sequence[int]) -> list[Term]:
     """All second derivatives of terms in some variables."""
     first = [row[i] for row in sheet.slopes(terms) for i in places]
     return [row[i] for row in sheet.slopes(first) for i in places]
 
 
-def _degree(sheet: Sheet, term: Term, places: Sequence[int]) -> int:
+def _degree(sheet: SystemFormulas, term: Term, places: Sequence[int]) -> int:
     """The degree of a term as a polynomial in some variables; 3 for anything higher."""
     inside = set(places)
     if not sheet.depends([term]) & inside:
@@ -134,15 +134,15 @@ def _degree(sheet: Sheet, term: Term, places: Sequence[int]) -> int:
     return 3 if sheet.depends(_second(sheet, [term], places)) & inside else 2
 
 
-def _at_random(made: Bundle) -> Any:
+def _at_random(made: Fibration) -> Any:
     """States over random points of the base, their fibre zero."""
-    gauss = normals(0, np.arange(_SAMPLE), np.zeros(_SAMPLE), made.numbers)
+    gauss = counter_normals(0, np.arange(_SAMPLE), np.zeros(_SAMPLE), made.numbers)
     states = np.zeros((made.size, _SAMPLE))
     states[list(made.ground)] = made.ground_states(made.normed(gauss))
     return states
 
 
-def _periodic(made: Bundle, states: Any, values: Any) -> bool:
+def _periodic(made: Fibration, states: Any, values: Any) -> bool:
     """Whether nothing changes when an angle of the base grows by a turn."""
     turned = states.copy()
     turned[list(made.angles)] += 2 * np.pi
@@ -150,7 +150,7 @@ def _periodic(made: Bundle, states: Any, values: Any) -> bool:
     return bool((np.abs(there - here) <= _SAME * (1 + np.abs(here))).all())
 
 
-def _bounded(made: Bundle, values: Any) -> bool:
+def _bounded(made: Fibration, values: Any) -> bool:
     """Whether the quadratic condition is definite on the fibres over a sample of base points."""
     states = _at_random(made)
     if not _periodic(made, states, values):
@@ -175,7 +175,7 @@ def _ellipsoids(
     found: dict[tuple[int, ...], tuple[float, ...]] = {}
     others: list[sp.Expr] = []
     for relation in system.relations:
-        formula = explicit(relation)
+        formula = to_components(relation)
         free = sorted(formula.free_symbols & set(places), key=places.__getitem__)
         axes = _axes(formula, free, numbers)
         if axes is None or {places[s] for s in free} & {i for own in found for i in own}:

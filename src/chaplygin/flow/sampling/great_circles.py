@@ -14,12 +14,12 @@ from typing import Any
 
 import numpy as np
 
-from ...formulas.compiled import Compiled, Sheet
-from ..batched_linalg import applied, dots, solved, squares
-from .fibration import Bundle, Rays
-from .proposals import Spots
+from ...formulas.compiled import Compiled, SystemFormulas
+from ..batched_linalg import batched_matvec, row_dots, batched_solve, norm_squared_columns
+from .fibration import Fibration, FibrePoints
+from .proposals import WeightedPoints
 
-__all__ = ["Slice", "crossings"]
+__all__ = ["GreatCircleProposal", "crossings"]
 
 #: Length of a geodesic, and in how many pieces it is looked at first.
 LENGTH = 0.5
@@ -38,7 +38,7 @@ Along = Callable[[Any, Any], tuple[Any, Any]]
 
 
 @dataclass(frozen=True)
-class Slice:
+class GreatCircleProposal:
     """The further condition of a bundle, with what its slopes need.
 
     Attributes
@@ -53,14 +53,14 @@ class Slice:
         condition and of each linear one, and the slopes of these in the fibre.
     """
 
-    made: Bundle
+    made: Fibration
     parameters: Any
     target: float
     terms: Compiled
     central: Compiled
 
     @staticmethod
-    def of(made: Bundle, sheet: Sheet, parameters: Any) -> Slice:
+    def of(made: Fibration, sheet: SystemFormulas, parameters: Any) -> GreatCircleProposal:
         """The slice of a bundle that has one further condition."""
         (further,) = made.further
         own, outer = sheet.slopes([further.term, made.quadratic.term])
@@ -74,7 +74,7 @@ class Slice:
             for term in (row[j], *(line[j] for line in second))
         ]
         terms = Compiled([further.term, *own, *outer])
-        return Slice(made, parameters, further.target, terms, Compiled(central))
+        return GreatCircleProposal(made, parameters, further.target, terms, Compiled(central))
 
     # --- values and slopes ---------------------------------------------------------------------
 
@@ -86,10 +86,10 @@ class Slice:
         # the least value in a fibre has the slopes of the Lagrange function
         pulls = np.concatenate([np.ones((places.shape[1], 1)), rays.pull], axis=1)
         for j in range(len(self.made.ground)):
-            slopes[:, j] = -dots(pulls, ground[:, :, j])
+            slopes[:, j] = -row_dots(pulls, ground[:, :, j])
         return rays.excess, self._tangent(places, slopes)
 
-    def value(self, places: Any) -> tuple[Any, Any, Rays]:
+    def value(self, places: Any) -> tuple[Any, Any, FibrePoints]:
         """F − c, its slopes in y (k, y) and the points of the level."""
         made, size = self.made, self.made.size
         rays = made.over(places, self.parameters)
@@ -97,34 +97,34 @@ class Slice:
         F, own, outer = flat[:, 0], flat[:, 1 : size + 1], flat[:, size + 1 :]
         fibre, ground = list(made.fibre), list(made.ground)
         with np.errstate(invalid="ignore", divide="ignore"):
-            rise = dots(own[:, fibre], rays.ray) / dots(outer[:, fibre], rays.ray)
+            rise = row_dots(own[:, fibre], rays.ray) / row_dots(outer[:, fibre], rays.ray)
         # slopes of F along the level: what is left when the length of the ray adapts
         free = own - rise[:, None] * outer
         across = free[:, fibre]
-        inside = across - applied(np.swapaxes(rays.normals, 1, 2), self._shares(rays, across))
+        inside = across - batched_matvec(np.swapaxes(rays.normals, 1, 2), self._shares(rays, across))
         values, mixed = self._central(rays)
         slopes = np.concatenate(
             [free[:, ground], inside * (rays.length / rays.span)[:, None]], axis=1
         )
         f = len(fibre)
-        reach = solved(rays.saddle, np.concatenate([across, np.zeros_like(rays.pull)], axis=1))
+        reach = batched_solve(rays.saddle, np.concatenate([across, np.zeros_like(rays.pull)], axis=1))
         lean, push = reach[:, :f], reach[:, f:]
         shares, shadow = self._shares(rays, across), rays.ray
         for j in range(len(ground)):
             turned = mixed[:, :, j]
-            slopes[:, j] -= dots(lean, turned[:, 0]) + dots(push, values[:, 1:, j])
-            slopes[:, j] -= dots(rays.pull, applied(turned[:, 1:], lean))
-            tilt = dots(applied(turned[:, 1:], inside), rays.share) / rays.span
-            tilt = tilt + dots(shares, applied(turned[:, 1:], shadow))
+            slopes[:, j] -= row_dots(lean, turned[:, 0]) + row_dots(push, values[:, 1:, j])
+            slopes[:, j] -= row_dots(rays.pull, batched_matvec(turned[:, 1:], lean))
+            tilt = row_dots(batched_matvec(turned[:, 1:], inside), rays.share) / rays.span
+            tilt = tilt + row_dots(shares, batched_matvec(turned[:, 1:], shadow))
             slopes[:, j] -= rays.length * tilt
         return F - self.target, self._tangent(places, slopes), rays
 
-    def _shares(self, rays: Rays, vectors: Any) -> Any:
+    def _shares(self, rays: FibrePoints, vectors: Any) -> Any:
         """Coefficients of vectors in the slopes of the linear conditions."""
         gram = rays.normals @ np.swapaxes(rays.normals, 1, 2)
-        return solved(gram, applied(rays.normals, vectors))
+        return batched_solve(gram, batched_matvec(rays.normals, vectors))
 
-    def _central(self, rays: Rays) -> tuple[Any, Any]:
+    def _central(self, rays: FibrePoints) -> tuple[Any, Any]:
         """`central` at the centres: slopes (k, 1 + m, b) and mixed ones (k, 1 + m, b, f)."""
         made = self.made
         f, b, m = len(made.fibre), len(made.ground), len(made.linear)
@@ -145,7 +145,7 @@ class Slice:
         made = vectors.copy()
         for part in self.made.balls:
             unit, own = places[part].T, vectors[:, part]
-            made[:, part] = own - dots(own, unit)[:, None] * unit
+            made[:, part] = own - row_dots(own, unit)[:, None] * unit
         return made
 
     # --- throws ------------------------------------------------------------------------------
@@ -160,15 +160,15 @@ class Slice:
         """Three: so short a geodesic rarely meets a smooth surface more than once."""
         return 3.0
 
-    def spots(self, gauss: Any) -> Spots:
+    def spots(self, gauss: Any) -> WeightedPoints:
         """The points where the geodesics thrown by normal numbers (numbers, k) meet the level."""
         which, places = self.crossings(*self.curves(gauss))
         _, slopes, rays = self.value(places)
         with np.errstate(invalid="ignore", divide="ignore"):
-            volume = rays.volume / np.sqrt(dots(slopes, slopes))
+            volume = rays.volume / np.sqrt(row_dots(slopes, slopes))
         real = np.flatnonzero(volume > 0)
         states = np.ascontiguousarray(rays.states[:, real])
-        return Spots(which[real], places[:, real], states, volume[real])
+        return WeightedPoints(which[real], places[:, real], states, volume[real])
 
     def near(self, gauss: Any, fresh: Any) -> Any:
         """Geodesics that begin at places made of `gauss` (y, k)."""
@@ -181,13 +181,13 @@ class Slice:
         half = gauss.shape[0] // 2
         places = self.made.normed(gauss[:half])
         pushes = self._across(places, np.ascontiguousarray(gauss[half:].T)).T
-        return places, pushes / np.sqrt(squares(pushes))
+        return places, pushes / np.sqrt(norm_squared_columns(pushes))
 
     def moved(self, places: Any, pushes: Any, way: Any) -> tuple[Any, Any]:
         """Points and velocities on geodesics, after a way (k,) at unit speed."""
         there, speed = places + way * pushes, pushes.copy()
         for part in self.made.balls:
-            rate = np.sqrt(squares(pushes[part]))
+            rate = np.sqrt(norm_squared_columns(pushes[part]))
             turn = rate * way
             across = pushes[part] / rate
             there[part] = places[part] * np.cos(turn) + across * np.sin(turn)
@@ -200,7 +200,7 @@ class Slice:
         def reach(which: Any, way: Any) -> tuple[Any, Any]:
             there, speed = self.moved(places[:, which], pushes[:, which], way)
             value, slopes = self.excess(there)
-            return value, dots(slopes, speed.T)
+            return value, row_dots(slopes, speed.T)
 
         which, low, high = _parts(reach, places.shape[1])
 
@@ -210,7 +210,7 @@ class Slice:
             way = low[index] + half * (1 - np.cos(np.pi * angle))
             there, speed = self.moved(places[:, which[index]], pushes[:, which[index]], way)
             value, slopes, _ = self.value(there)
-            return value, dots(slopes, speed.T) * half * np.pi * np.sin(np.pi * angle)
+            return value, row_dots(slopes, speed.T) * half * np.pi * np.sin(np.pi * angle)
 
         nodes = np.linspace(0.0, 1.0, PIECES + 1)
         nodes[0], nodes[-1] = _EDGE, 1 - _EDGE

@@ -10,16 +10,16 @@ import sympy as sp
 
 from ...core.laws import Measure
 from ...core.system import System
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...errors import InputError
 
-__all__ = ["check", "measures", "shown", "told"]
+__all__ = ["validate_level", "measures", "level_label", "measure_label"]
 
 #: A condition on parameters holds up to this, relative to the size of its terms.
 _ROUNDING = 1e-12
 
 
-def check(system: System, level: Mapping[str, float], values: Any) -> None:
+def validate_level(system: System, level: Mapping[str, float], values: Any) -> None:
     """Refuse integrals that the system has not, or not at these parameters.
 
     Raises
@@ -37,21 +37,21 @@ def check(system: System, level: Mapping[str, float], values: Any) -> None:
         for condition in known[name].on:
             if not _vanishes(system, condition, level, values):
                 raise InputError(
-                    f"{system.name}: {name} is an integral only where {explicit(condition)} = 0, "
+                    f"{system.name}: {name} is an integral only where {to_components(condition)} = 0, "
                     "which does not hold here"
                 )
 
 
 def _vanishes(system: System, formula: Any, level: Mapping[str, float], values: Any) -> bool:
     """Whether a formula is zero at these parameters, or an integral that is held at zero."""
-    written = explicit(formula)
+    written = to_components(formula)
     parameters = [p.symbol for p in system.parameters]
     if written.free_symbols <= set(parameters):
         point = dict(zip(parameters, map(float, values), strict=True))
         size = sum(abs(float(term.subs(point))) for term in sp.Add.make_args(sp.expand(written)))
         return abs(float(written.subs(point))) <= _ROUNDING * size
     return any(
-        level.get(law.name) == 0 and sp.expand(explicit(law.value) - written) == 0
+        level.get(law.name) == 0 and sp.expand(to_components(law.value) - written) == 0
         for law in system.integrals
     )
 
@@ -66,7 +66,7 @@ def measures(system: System, level: Mapping[str, float], values: Any) -> list[Me
     ]
 
 
-def told(law: Measure | None) -> str:
+def measure_label(law: Measure | None) -> str:
     """A measure in words, with its source."""
     if law is None:
         return "surface measure"
@@ -75,6 +75,6 @@ def told(law: Measure | None) -> str:
     return f"{meaning.removesuffix(': ')} {law.source}".strip()
 
 
-def shown(level: Mapping[str, float]) -> str:
+def level_label(level: Mapping[str, float]) -> str:
     """The values on a level as text."""
     return " and ".join(f"{name} = {value:.6g}" for name, value in level.items())

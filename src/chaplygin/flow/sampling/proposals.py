@@ -8,10 +8,10 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from .counter_rng import normals
-from .fibration import Bundle
+from .counter_rng import counter_normals
+from .fibration import Fibration
 
-__all__ = ["Ends", "Spots", "Thrower", "highest"]
+__all__ = ["RayProposal", "WeightedPoints", "Proposal", "maximise"]
 
 #: The seed of trials: any number that users will not choose.
 _SEED = 0x9E3779B97F4A7C15
@@ -23,7 +23,7 @@ _AROUND = 4
 
 
 @dataclass(frozen=True)
-class Spots:
+class WeightedPoints:
     """Points of a level.
 
     Attributes
@@ -31,7 +31,7 @@ class Spots:
     which : int array (n,)
         The throw from which each came, in rising order.
     places : array (y, n)
-        Their unit vectors and angles; see :class:`~chaplygin.flow.sampling.fibration.Bundle`.
+        Their unit vectors and angles; see :class:`~chaplygin.flow.sampling.fibration.Fibration`.
     states : array (size, n)
     volume : array (n,)
         δ(relations and held integrals) dx over the density of the throws, up to a constant.
@@ -43,11 +43,11 @@ class Spots:
     volume: Any
 
 
-class Thrower(Protocol):
+class Proposal(Protocol):
     """What makes points of a level of normal numbers."""
 
     @property
-    def made(self) -> Bundle:
+    def made(self) -> Fibration:
         """How the level lies over its base."""
 
     @property
@@ -58,7 +58,7 @@ class Thrower(Protocol):
     def most(self) -> float:
         """How many points of the greatest density a throw may give, near enough."""
 
-    def spots(self, gauss: Any) -> Spots:
+    def spots(self, gauss: Any) -> WeightedPoints:
         """The points that throws (numbers, k) give."""
 
     def near(self, gauss: Any, fresh: Any) -> Any:
@@ -66,10 +66,10 @@ class Thrower(Protocol):
 
 
 @dataclass(frozen=True)
-class Ends:
+class RayProposal:
     """The ends of rays of random direction over random base points: where nothing else is held."""
 
-    made: Bundle
+    made: Fibration
     parameters: Any
 
     @property
@@ -82,21 +82,21 @@ class Ends:
         """One."""
         return 1.0
 
-    def spots(self, gauss: Any) -> Spots:
+    def spots(self, gauss: Any) -> WeightedPoints:
         """The points that throws (numbers, k) give."""
         places = self.made.normed(gauss)
         rays = self.made.over(places, self.parameters)
         real = np.flatnonzero(rays.volume > 0)
         states = np.ascontiguousarray(rays.states[:, real])
-        return Spots(real, places[:, real], states, rays.volume[real])
+        return WeightedPoints(real, places[:, real], states, rays.volume[real])
 
     def near(self, gauss: Any, fresh: Any) -> Any:
         """The same throws again."""
         return gauss
 
 
-def highest(
-    made: Bundle,
+def maximise(
+    made: Fibration,
     height: Callable[[Any], tuple[Any, Any]],
     start: Callable[[Any, Any], Any],
     many: int,
@@ -120,7 +120,7 @@ def highest(
     float, array (y,)
         Minus infinity where no throw gives anything.
     """
-    places, values = height(normals(_SEED, np.arange(_PILOT), np.zeros(_PILOT), many))
+    places, values = height(counter_normals(_SEED, np.arange(_PILOT), np.zeros(_PILOT), many))
     if first is not None:
         more = height(start(made.gauss(first), _fresh(first.shape[1], _ROUNDS + 1, many)))
         places, values = np.append(places, more[0], axis=1), np.append(values, more[1])
@@ -139,4 +139,4 @@ def highest(
 
 
 def _fresh(count: int, turn: int, many: int) -> Any:
-    return normals(_SEED, np.arange(count), np.full(count, turn), many)
+    return counter_normals(_SEED, np.arange(count), np.full(count, turn), many)

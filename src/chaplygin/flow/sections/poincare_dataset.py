@@ -9,15 +9,15 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from ...core.vectors import Vector, explicit
+from ...core.vectors import Vector, to_components
 from ...errors import InputError
 from ...formulas.batch import Formulas
 from ...formulas.evaluate import parameter_rows
 from ..ensemble.task import Coordinate, Task, Variable
-from ..kernel.runge_kutta import ENDS
-from ..metadata import FRAMES, LABELS, told_of
+from ..kernel.runge_kutta import STATUS_MESSAGES
+from ..metadata import FRAMES, LABELS, variable_metadata
 from ..trajectory import by_name
-from .poincare_map import SectionMap
+from .poincare_map import PoincareMap
 
 __all__ = ["Columns", "Quantity", "Returns", "section_task"]
 
@@ -79,7 +79,7 @@ class Returns:
     columns : Columns, optional
     """
 
-    returns: SectionMap
+    returns: PoincareMap
     starts: Any
     count: int
     quantities: tuple[Quantity, ...]
@@ -117,7 +117,7 @@ class Returns:
 
 
 def section_task(
-    returns: SectionMap,
+    returns: PoincareMap,
     starts: Any,
     count: int,
     quantities: Sequence[Quantity] = (),
@@ -161,7 +161,7 @@ def section_task(
         raise InputError("a section has the same parameters for all its motions")
     system = returns.system
     laws = [
-        Quantity(f"law_{law.name}", explicit(law.value), law.meaning, law.unit or "1")
+        Quantity(f"law_{law.name}", to_components(law.value), law.meaning, law.unit or "1")
         for law in system.integrals
         if not law.on
     ]
@@ -176,7 +176,7 @@ def section_task(
     for named in system.state:
         name = str(named)
         size = len(named.symbols) if isinstance(named, Vector) else 1
-        meaning, unit, source, frame = told_of(system, name, size, (meanings or {}).get(name))
+        meaning, unit, source, frame = variable_metadata(system, name, size, (meanings or {}).get(name))
         notes = _notes(meaning, unit or "1", source)
         if not frame:
             variables[name] = Variable(("section_point",), (count,), attributes=notes)
@@ -216,11 +216,11 @@ def _notes(meaning: str, unit: str, source: str = "") -> dict[str, Any]:
     return {"long_name": meaning, "units": unit, "source": source}
 
 
-def _outcome(returns: SectionMap) -> dict[str, Any]:
+def _outcome(returns: PoincareMap) -> dict[str, Any]:
     """Why a run ended, told by its numbers as in the CF conventions."""
     reasons = {0: "all its points"}
     reasons |= {
-        code: returns.reason(code) for code in range(1, len(ENDS) + len(returns.system.guards))
+        code: returns.reason(code) for code in range(1, len(STATUS_MESSAGES) + len(returns.system.guards))
     }
     return {
         **_notes("why a run has no more points", "1"),
@@ -229,7 +229,7 @@ def _outcome(returns: SectionMap) -> dict[str, Any]:
     }
 
 
-def _facts(returns: SectionMap) -> dict[str, Any]:
+def _facts(returns: PoincareMap) -> dict[str, Any]:
     system = returns.system
     (numbers,) = parameter_rows(system, returns.parameters, 1)
     names = [str(item.symbol) for item in system.parameters]

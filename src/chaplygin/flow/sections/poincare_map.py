@@ -23,16 +23,16 @@ import sympy as sp
 from ...arguments import Quantity, arguments_checked
 from ...core.admissible import require_parameters
 from ...core.system import System
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.batch import Formulas
 from ...formulas.evaluate import formula
-from ..batch import Lanes, Section, lanes
+from ..batch import BatchIntegrator, Section, batch_integrator
 
 if TYPE_CHECKING:
-    from ..batch import Crossed
+    from ..batch import BatchCrossings
 
-__all__ = ["Derivative", "SectionMap", "slab"]
+__all__ = ["Derivative", "PoincareMap", "slab"]
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,7 @@ class Derivative:
 
 @arguments_checked
 @dataclass(frozen=True)
-class SectionMap:
+class PoincareMap:
     """The first return to a section.
 
     Parameters
@@ -95,7 +95,7 @@ class SectionMap:
         require_parameters(self.system, self.parameters)
 
     @property
-    def inverse(self) -> SectionMap:
+    def inverse(self) -> PoincareMap:
         """The map that leads back."""
         return replace(self, backward=not self.backward)
 
@@ -122,7 +122,7 @@ class SectionMap:
         return found.reshape(given.shape)
 
     @arguments_checked
-    def returns(self, points: Any, count: int, threads: int | None = None) -> Crossed:
+    def returns(self, points: Any, count: int, threads: int | None = None) -> BatchCrossings:
         """The next `count` returns of n points, with their times, and why some have fewer.
 
         Parameters
@@ -201,14 +201,14 @@ class SectionMap:
         if integrals:
             fixed += [law.value for law in self.system.integrals if not law.on]
         values = _mapping_at(self.parameters, 0)
-        formulas = Formulas(self.system, [explicit(f) for f in fixed])
+        formulas = Formulas(self.system, [to_components(f) for f in fixed])
         slopes = formulas.slopes(point, values)
         sizes = np.linalg.norm(slopes, axis=-1, keepdims=True)
         unit = slopes / np.where(sizes > 0.0, sizes, 1.0)
         return self.size - int(np.linalg.matrix_rank(unit, tol=1e-9))
 
     @arguments_checked
-    def within(self, quantity: Quantity, width: float) -> SectionMap:
+    def within(self, quantity: Quantity, width: float) -> PoincareMap:
         """A section of the section: its returns to a slab |quantity| < width.
 
         Points of a map jump, so that they do not cross a second surface; what they do is come near
@@ -228,8 +228,8 @@ class SectionMap:
 
     # --- inner parts -----------------------------------------------------------------------
 
-    def _lanes(self, deviations: int) -> Lanes:
-        return lanes(
+    def _lanes(self, deviations: int) -> BatchIntegrator:
+        return batch_integrator(
             self.system,
             tolerance=self.tolerance,
             deviations=deviations,
@@ -256,7 +256,7 @@ def slab(section: Section, quantity: Any, width: float) -> Section:
     """
     if not width > 0:
         raise InputError(f"a slab of half width {width}: it must be positive")
-    inside = sp.Float(width) - sp.Abs(explicit(sp.sympify(quantity)))
+    inside = sp.Float(width) - sp.Abs(to_components(sp.sympify(quantity)))
     if section.where is None:
         return replace(section, where=inside)
     return replace(section, where=_least(section.where, inside))

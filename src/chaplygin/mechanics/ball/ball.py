@@ -13,7 +13,7 @@ from sympy.matrices.expressions import MatrixExpr
 from ...arguments import arguments_checked
 from ...core.laws import Integral, Law, Measure
 from ...core.system import Parameter, System
-from ...core.vectors import by_name, constant, explicit, gradient, normed, scalar, vectors
+from ...core.vectors import by_name, constant, to_components, gradient, norm_squared, real_symbol, vectors
 from ...errors import InputError
 from ..rolling.body import check_inertia, check_mass
 from .equations import (
@@ -30,8 +30,8 @@ from .surface import SmoothSurface
 __all__ = ["RollingBall"]
 
 R, x, omega, v = vectors("R x omega v")
-m, mu, b, g, ell, Delta = (scalar(name) for name in ("m", "mu", "b", "g", "ell", "Delta"))
-down = tuple(scalar(f"e_{i}") for i in (1, 2, 3))
+m, mu, b, g, ell, Delta = (real_symbol(name) for name in ("m", "mu", "b", "g", "ell", "Delta"))
+down = tuple(real_symbol(f"e_{i}") for i in (1, 2, 3))
 
 
 @arguments_checked
@@ -156,7 +156,7 @@ class RollingBall:
         """The potential energy at the centre R."""
         if not self.gravity:
             return self.potential
-        fallen = sp.Add(*(d * s for d, s in zip(explicit(self._down), R.symbols, strict=True)))
+        fallen = sp.Add(*(d * s for d, s in zip(to_components(self._down), R.symbols, strict=True)))
         return self.potential - m * g * fallen
 
     @property
@@ -191,7 +191,7 @@ class RollingBall:
 
     def _laws(self) -> tuple[Law, ...]:
         half = sp.Rational(1, 2)
-        energy = half * m * normed(v) + half * mu * normed(omega) + self.height
+        energy = half * m * norm_squared(v) + half * mu * norm_squared(omega) + self.height
         # the relations are cut out by df, of length ell, and for rubber by d(ω, df) besides
         density: dict[Any, Any] = {ell: 1 if self.contact == "marble" else 2}
         if self.kinematics.fit is not None:

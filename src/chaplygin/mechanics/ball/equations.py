@@ -24,8 +24,8 @@ from typing import Any, Literal
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ...core.system import Guard, Motion, Observable, Parameter, System
-from ...core.vectors import Vector, constant, cross, dot, gradient, normed, scalar, vectors
+from ...core.system import Guard, Reconstruction, Observable, Parameter, System
+from ...core.vectors import Vector, constant, cross, dot, gradient, norm_squared, real_symbol, vectors
 from ..rolling.attitude import attitude, attitude_observable, quaternion_rate, rotation, unit_length
 
 __all__ = [
@@ -40,9 +40,9 @@ __all__ = [
 
 R, x, omega, v, n, ndot, xdot = vectors("R x omega v n ndot xdot")
 r, N, F, df, turned = vectors("r N F df vtilde")
-m, mu, b = (scalar(name) for name in ("m", "mu", "b"))
-ell, mtilde, spin, N_0 = (scalar(name) for name in ("ell", "mtilde", "sigma", "N_0"))
-H, K, Delta = (scalar(name) for name in ("H", "K", "Delta"))
+m, mu, b = (real_symbol(name) for name in ("m", "mu", "b"))
+ell, mtilde, spin, N_0 = (real_symbol(name) for name in ("ell", "mtilde", "sigma", "N_0"))
+H, K, Delta = (real_symbol(name) for name in ("H", "K", "Delta"))
 
 Carrier = Literal["centre", "support"]
 Contact = Literal["marble", "rubber"]
@@ -75,7 +75,7 @@ class Kinematics:
 
 
 def _normal(surface: sp.Expr, place: Vector) -> tuple[tuple[Any, Any], ...]:
-    return ((df, gradient(surface, place, "f")), (ell, sp.sqrt(normed(df))), (n, df / ell))
+    return ((df, gradient(surface, place, "f")), (ell, sp.sqrt(norm_squared(df))), (n, df / ell))
 
 
 def _shape_operator(surface: sp.Expr, place: Vector, vector: MatrixExpr) -> MatrixExpr:
@@ -214,10 +214,10 @@ def _observables(place: Vector) -> tuple[Observable, ...]:
     )
 
 
-def _motion() -> Motion:
+def _motion() -> Reconstruction:
     """The attitude of the ball, from its angular velocity in space axes."""
     turn = rotation().T
-    return Motion(
+    return Reconstruction(
         field={attitude: quaternion_rate(turn * constant(omega.symbols))},
         relations=(unit_length(),),
         observables=(

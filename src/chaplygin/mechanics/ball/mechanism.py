@@ -11,14 +11,14 @@ from typing import Any
 import sympy as sp
 
 from ...core.system import Parameter
-from ...core.vectors import cross, dot, gradient, normed, scalar, vectors
+from ...core.vectors import cross, dot, gradient, norm_squared, real_symbol, vectors
 from ..lagrangian.mechanism import Frame, Mechanism, rotations
 from .equations import Contact
 
 __all__ = ["ball_mechanism"]
 
 R, omega, v, n, r, df = vectors("R omega v n r df")
-m, mu, b, ell = (scalar(name) for name in ("m", "mu", "b", "ell"))
+m, mu, b, ell = (real_symbol(name) for name in ("m", "mu", "b", "ell"))
 
 
 def ball_mechanism(
@@ -50,11 +50,11 @@ def ball_mechanism(
     return Mechanism(
         name=name,
         frame=Frame({R: v}, (omega, v), structure=structure),
-        lagrangian=half * m * normed(v) + half * mu * normed(omega) - potential,
+        lagrangian=half * m * norm_squared(v) + half * mu * norm_squared(omega) - potential,
         constraints=(slip,) if contact == "marble" else (slip, dot(omega, n)),
         definitions={
             df: gradient(surface, R, "f"),
-            ell: sp.sqrt(normed(df)),
+            ell: sp.sqrt(norm_squared(df)),
             n: df / ell,
             r: -b * n,
         },

@@ -16,7 +16,7 @@ from typing import Literal, TypeAlias
 import sympy as sp
 
 from ...core.system import Guard, Parameter
-from ...core.vectors import by_name, scalar
+from ...core.vectors import by_name, real_symbol
 from ...errors import InputError
 
 __all__ = [
@@ -38,8 +38,8 @@ Axis = Literal["x", "y", "z"]
 Side = Literal["outside", "inside"]
 Point: TypeAlias = tuple[sp.Symbol, ...]
 
-a, c, k, p, q = (scalar(name) for name in ("a", "c", "k", "p", "q"))
-axes = tuple(scalar(f"a_{i}") for i in (1, 2, 3))
+a, c, k, p, q = (real_symbol(name) for name in ("a", "c", "k", "p", "q"))
+axes = tuple(real_symbol(f"a_{i}") for i in (1, 2, 3))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -307,7 +307,7 @@ class ImplicitSurface(SmoothSurface):
     formula: sp.Expr
     numbers: tuple[Parameter, ...] = ()
 
-    coordinates = tuple(scalar(name) for name in "xyz")
+    coordinates = tuple(real_symbol(name) for name in "xyz")
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:

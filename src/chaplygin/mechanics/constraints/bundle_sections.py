@@ -12,10 +12,10 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
-from ...formulas.expansion import Germs
+from ...formulas.expansion import TaylorExpansion
 from ...formulas.taylor import Numbers, Series
 from .distribution import Distribution
-from .exact_points import Place, Space
+from .exact_points import ExactPoint, ConfigurationSpace
 
 __all__ = ["Bundle", "Section", "SingularError", "Span", "Values", "slopes", "values_at"]
 
@@ -29,7 +29,7 @@ class SingularError(ArithmeticError):
 class Bundle:
     """Sections by their components, with the bracket."""
 
-    def __init__(self, given: Distribution, germs: Germs) -> None:
+    def __init__(self, given: Distribution, germs: TaylorExpansion) -> None:
         self.germs = germs
         self.zero = germs.constant(germs.numbers.number(0))
         self.one = germs.constant(germs.numbers.number(1))
@@ -199,21 +199,21 @@ class Values:
         Gradients of what vanishes on the configuration space.
     """
 
-    germs: Germs
+    germs: TaylorExpansion
     letters: list[Any]
     along: list[list[Any]]
     gradient: list[list[Any]]
     normals: list[list[Any]]
 
 
-def slopes(germs: Germs, formula: sp.Expr) -> list[Any]:
+def slopes(germs: TaylorExpansion, formula: sp.Expr) -> list[Any]:
     """Derivatives by the coordinates at the point."""
     series = germs.series(formula)
     return [series.derivative(q).value for q, _ in enumerate(germs.variables)]
 
 
 def values_at(
-    given: Distribution, place: Place, space: Space, letters: Sequence[sp.Expr]
+    given: Distribution, place: ExactPoint, space: ConfigurationSpace, letters: Sequence[sp.Expr]
 ) -> Values:
     """Formulas at a point, with their rates along the fields of a distribution.
 

@@ -14,16 +14,16 @@ from typing import Any
 
 import sympy as sp
 
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from ...errors import InputError
 from ...formulas.expansion import expanded
 from ...parsing.exact_decimals import exactly
 from ..lagrangian.mechanism import TIME, Mechanism
 from ..lagrangian.structure_functions import commutator
-from .exact_points import Space
-from .reconstruction import Coefficients, Field, along, completed
+from .exact_points import ConfigurationSpace
+from .reconstruction import Coefficients, VectorField, along, reconstructed
 
-__all__ = ["Distribution", "Field", "along", "commutator", "distribution", "spanned"]
+__all__ = ["Distribution", "VectorField", "along", "commutator", "distribution", "spanned"]
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ class Distribution:
     coordinates: tuple[sp.Symbol, ...]
     relations: tuple[sp.Expr, ...]
     velocities: tuple[sp.Symbol, ...]
-    frame: tuple[Field, ...]
+    frame: tuple[VectorField, ...]
     forms: tuple[tuple[sp.Expr, ...], ...] = ()
     structure: Coefficients | None = None
     steps: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
@@ -70,9 +70,9 @@ class Distribution:
             *(self.structure or {}).values(),
         )
 
-    def space(self, free: Sequence[sp.Symbol] = (), known: Sequence[sp.Expr] = ()) -> Space:
+    def space(self, free: Sequence[sp.Symbol] = (), known: Sequence[sp.Expr] = ()) -> ConfigurationSpace:
         """What its points have to satisfy; `free` parameters have no value."""
-        return Space(
+        return ConfigurationSpace(
             self.coordinates,
             self.relations,
             self.steps,
@@ -99,11 +99,11 @@ class Distribution:
     @cached_property
     def solved(self) -> Distribution:
         """The same with its admissible fields as the frame, and no forms."""
-        names = tuple(scalar(f"u_{i}") for i, _ in enumerate(self.fields, 1))
+        names = tuple(real_symbol(f"u_{i}") for i, _ in enumerate(self.fields, 1))
         return replace(self, velocities=names, frame=self.fields, forms=())
 
     @cached_property
-    def fields(self) -> tuple[Field, ...]:
+    def fields(self) -> tuple[VectorField, ...]:
         """η_s of (2.2) by coordinate, with the definitions as symbols.
 
         Each has one free velocity equal to 1; it is singular where the others cannot be solved
@@ -155,7 +155,7 @@ def _less(row: list[sp.Expr], pivot: list[sp.Expr], column: int) -> list[sp.Expr
 
 def spanned(
     name: str,
-    fields: Sequence[Field],
+    fields: Sequence[VectorField],
     coordinates: Sequence[sp.Symbol],
     relations: Sequence[sp.Expr] = (),
     constants: Mapping[sp.Symbol, Any] | None = None,
@@ -165,7 +165,7 @@ def spanned(
         name,
         tuple(coordinates),
         tuple(relations),
-        tuple(scalar(f"u_{i}") for i, _ in enumerate(fields, 1)),
+        tuple(real_symbol(f"u_{i}") for i, _ in enumerate(fields, 1)),
         tuple(fields),
         constants=tuple((constants or {}).items()),
     )
@@ -205,13 +205,13 @@ def distribution(mechanism: Mechanism) -> Distribution:
     positions = [expanded(F, dict(kept)) for F in mechanism.F]
     constants = {p.symbol: p.default for p in mechanism.parameters}
     entries = [*positions, *rest, *(entry for row in rows for entry in row)]
-    whole = completed(frame, entries, kept, constants)
+    whole = reconstructed(frame, entries, kept, constants)
     coordinates, fields = whole.coordinates, whole.fields
     rows += [[along(field, F) for field in fields] for F in positions]
     rest += [sp.diff(F, TIME) for F in positions]
     if any(entry != 0 for entry in rest) or _timed(rows, kept):
         coordinates, fields = (*coordinates, TIME), (*fields, {TIME: sp.S.One})
-        w = (*w, scalar("tdot"))
+        w = (*w, real_symbol("tdot"))
         rows = [[*row, entry] for row, entry in zip(rows, rest, strict=True)]
     found = Distribution(
         mechanism.name,

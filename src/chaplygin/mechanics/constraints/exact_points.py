@@ -15,11 +15,11 @@ from typing import Any, TypeAlias
 import sympy as sp
 
 from ...errors import InputError
-from ...formulas.expansion import Angles, Germs, angles, expanded
+from ...formulas.expansion import Angles, TaylorExpansion, angles, expanded
 from ...formulas.taylor import IrrationalError, Numbers, Series
 from ...parsing.exact_decimals import exactly
 
-__all__ = ["NoPointError", "Place", "Space", "UnsolvedError", "at", "drawn"]
+__all__ = ["NoPointError", "ExactPoint", "ConfigurationSpace", "UnsolvedError", "point_at", "random_point"]
 
 ATTEMPTS = 60
 
@@ -36,7 +36,7 @@ class UnsolvedError(InputError):
 
 
 @dataclass(frozen=True)
-class Space:
+class ConfigurationSpace:
     """What the points have to satisfy, and what is to be evaluated there.
 
     Parameters
@@ -78,7 +78,7 @@ class Space:
 
 
 @dataclass(frozen=True)
-class Place:
+class ExactPoint:
     """A point, as numbers.
 
     Attributes
@@ -87,7 +87,7 @@ class Place:
     values : mapping of Symbol to number
         Coordinates and constants; for an angle, a number that is free of its sine and cosine.
     circles : mapping of formula to (number, number)
-        Sines and cosines, as of :class:`~chaplygin.formulas.expansion.Germs`.
+        Sines and cosines, as of :class:`~chaplygin.formulas.expansion.TaylorExpansion`.
     shown : mapping of Symbol to formula
         The same for a reader; empty modulo a prime.
     formal : bool
@@ -103,9 +103,9 @@ class Place:
     formal: bool
     seed: int
 
-    def germs(self, space: Space, order: int) -> Germs:
+    def germs(self, space: ConfigurationSpace, order: int) -> TaylorExpansion:
         """Taylor series of formulas about this point."""
-        return Germs(
+        return TaylorExpansion(
             self.numbers,
             space.coordinates,
             self.values,
@@ -117,7 +117,7 @@ class Place:
         )
 
 
-def drawn(space: Space, numbers: Numbers, dice: random.Random) -> Place:
+def random_point(space: ConfigurationSpace, numbers: Numbers, dice: random.Random) -> ExactPoint:
     """A point at random.
 
     Raises
@@ -128,9 +128,9 @@ def drawn(space: Space, numbers: Numbers, dice: random.Random) -> Place:
     return _place(space, {}, numbers, dice)
 
 
-def at(
-    space: Space, point: Mapping[sp.Symbol, Any], numbers: Numbers, dice: random.Random
-) -> Place:
+def point_at(
+    space: ConfigurationSpace, point: Mapping[sp.Symbol, Any], numbers: Numbers, dice: random.Random
+) -> ExactPoint:
     """The point given; coordinates that are not named are chosen at random.
 
     Raises
@@ -145,8 +145,8 @@ def at(
 
 
 def _place(
-    space: Space, given: Mapping[sp.Symbol, sp.Expr], numbers: Numbers, dice: random.Random
-) -> Place:
+    space: ConfigurationSpace, given: Mapping[sp.Symbol, sp.Expr], numbers: Numbers, dice: random.Random
+) -> ExactPoint:
     for _ in range(ATTEMPTS):
         try:
             return _tried(space, given, numbers, dice)
@@ -157,9 +157,9 @@ def _place(
 
 
 def _tried(
-    space: Space, given: Mapping[sp.Symbol, sp.Expr], numbers: Numbers, dice: random.Random
-) -> Place:
-    plain = Germs(numbers, (), {}, {}, {}, {}, 0)
+    space: ConfigurationSpace, given: Mapping[sp.Symbol, sp.Expr], numbers: Numbers, dice: random.Random
+) -> ExactPoint:
+    plain = TaylorExpansion(numbers, (), {}, {}, {}, {}, 0)
     values = {s: plain.series(_rational(v)).value for s, v in space.constants if s not in given}
     circles: dict[sp.Expr, tuple[Any, Any]] = {}
     shown: dict[sp.Symbol, sp.Expr] = {}
@@ -173,7 +173,7 @@ def _tried(
     for core, n in space.units.items():
         circles[core], free = _circle(core, n, space, given, shown, plain, dice)
         formal = formal or free
-    known = Germs(numbers, (), values, {}, {}, {}, 0)
+    known = TaylorExpansion(numbers, (), values, {}, {}, {}, 0)
     for vectors, squared in space.blocks:
         formula = _rational(squared)
         if formula.free_symbols <= values.keys() and not any(
@@ -189,7 +189,7 @@ def _tried(
     if numbers.exact:
         for s in space.coordinates:
             shown.setdefault(s, sp.Rational(int(trial.values[s].p), int(trial.values[s].q)))
-    return Place(numbers, trial.values, circles, shown if numbers.exact else {}, formal, trial.seed)
+    return ExactPoint(numbers, trial.values, circles, shown if numbers.exact else {}, formal, trial.seed)
 
 
 def _rational(value: Any) -> sp.Expr:
@@ -199,10 +199,10 @@ def _rational(value: Any) -> sp.Expr:
 def _circle(
     core: sp.Expr,
     n: int,
-    space: Space,
+    space: ConfigurationSpace,
     given: Mapping[sp.Symbol, sp.Expr],
     shown: dict[sp.Symbol, sp.Expr],
-    plain: Germs,
+    plain: TaylorExpansion,
     dice: random.Random,
 ) -> tuple[tuple[Any, Any], bool]:
     """Sine and cosine of core/n, and whether they stand for transcendental numbers."""
@@ -288,7 +288,7 @@ class _Trial:
 
     def __init__(
         self,
-        space: Space,
+        space: ConfigurationSpace,
         numbers: Numbers,
         values: dict[sp.Symbol, Any],
         circles: Mapping[sp.Expr, tuple[Any, Any]],
@@ -300,7 +300,7 @@ class _Trial:
 
     def _series(self, relation: sp.Expr, variables: Sequence[sp.Symbol], order: int) -> Series:
         filled = {**self.values, **{s: self.numbers.number(0) for s in variables}}
-        return Germs(
+        return TaylorExpansion(
             self.numbers, variables, filled, self.circles, self.space.units, {}, order, self.seed
         ).series(relation)
 

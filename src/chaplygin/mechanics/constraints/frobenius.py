@@ -7,7 +7,7 @@ from itertools import combinations
 import sympy as sp
 
 from ...formulas.expansion import expanded
-from .distribution import Distribution, Field, commutator
+from .distribution import Distribution, VectorField, commutator
 from .zero_test import vanishes
 
 __all__ = ["involutive"]
@@ -40,7 +40,7 @@ def _own(fields: list[dict[sp.Symbol, sp.Expr]], index: int) -> sp.Symbol | None
 
 
 def _combination(
-    bracket: Field,
+    bracket: VectorField,
     fields: list[dict[sp.Symbol, sp.Expr]],
     free: list[sp.Symbol],
     given: Distribution,

@@ -18,8 +18,8 @@ import sympy as sp
 from ...errors import InputError
 from ...formulas.taylor import PRIMES, IrrationalError, Modular, Numbers, Rational
 from .bundle_sections import Bundle, Section, SingularError, Span
-from .distribution import Distribution, Field, spanned
-from .exact_points import NoPointError, Place, at, drawn
+from .distribution import Distribution, VectorField, spanned
+from .exact_points import NoPointError, ExactPoint, point_at, random_point
 
 __all__ = ["Filtration", "filtration", "generic", "growth"]
 
@@ -70,7 +70,7 @@ class Filtration:
         return self.growth[-1]
 
 
-def pivots_at(given: Distribution, place: Place) -> tuple[Any, ...]:
+def pivots_at(given: Distribution, place: ExactPoint) -> tuple[Any, ...]:
     """The numbers on which the growth at a point rests: it is less where one of them vanishes.
 
     Raises
@@ -87,14 +87,14 @@ def pivots_at(given: Distribution, place: Place) -> tuple[Any, ...]:
         order = min(2 * order, _highest(len(given.coordinates)))
 
 
-def _grown(given: Distribution, place: Place, order: int) -> tuple[Filtration, bool]:
+def _grown(given: Distribution, place: ExactPoint, order: int) -> tuple[Filtration, bool]:
     """The filtration at a point by series of the order given, and whether it was enough."""
     bundle = Bundle(given, place.germs(given.space(), order))
     return _filled(given, place, bundle, Span(place.numbers))
 
 
 def _filled(
-    given: Distribution, place: Place, bundle: Bundle, span: Span
+    given: Distribution, place: ExactPoint, bundle: Bundle, span: Span
 ) -> tuple[Filtration, bool]:
     """The filtration, and whether the series are long enough; `span` is filled."""
     basis = bundle.admissible()
@@ -134,7 +134,7 @@ def _filled(
 
 def _filtration(
     given: Distribution,
-    place: Place,
+    place: ExactPoint,
     counts: Sequence[int],
     dimension: int,
     words: Sequence[tuple[str, ...]],
@@ -190,7 +190,7 @@ def filtration(given: Distribution, point: Mapping[sp.Symbol, Any]) -> Filtratio
 
     def there(numbers: Numbers) -> Filtration | None:
         try:
-            place = at(given.space(), point, numbers, dice)
+            place = point_at(given.space(), point, numbers, dice)
             return None if numbers.exact and place.formal else _deepened(given, place, final)
         except (NoPointError, IrrationalError):
             return None
@@ -218,7 +218,7 @@ def _confirmed(trial: Callable[[Numbers], Filtration | None]) -> Filtration | No
     return found
 
 
-def _deepened(given: Distribution, place: Place, final: int = 0) -> Filtration:
+def _deepened(given: Distribution, place: ExactPoint, final: int = 0) -> Filtration:
     """The filtration by series of as high an order as it takes to reach a dimension.
 
     What vanishes up to an order at a singular point may still count beyond it.
@@ -271,7 +271,7 @@ def _at_random(
 ) -> Filtration | None:
     for _ in range(RATIONAL_ATTEMPTS if numbers.exact else ATTEMPTS):
         try:
-            return _deepened(given, drawn(space, numbers, dice))
+            return _deepened(given, random_point(space, numbers, dice))
         except NoPointError:
             return None
         except (IrrationalError, SingularError, ZeroDivisionError):
@@ -280,7 +280,7 @@ def _at_random(
 
 
 def growth(
-    fields: Sequence[Field], coordinates: Sequence[sp.Symbol], point: Mapping[sp.Symbol, Any]
+    fields: Sequence[VectorField], coordinates: Sequence[sp.Symbol], point: Mapping[sp.Symbol, Any]
 ) -> tuple[int, ...]:
     """Dimensions of the span of fields, with their commutators, with those of these, and so on.
 

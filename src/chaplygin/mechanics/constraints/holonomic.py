@@ -22,7 +22,7 @@ from ...formulas.expansion import angles
 from ...formulas.taylor import PRIMES, IrrationalError, Modular
 from .bundle_sections import SingularError, Values, slopes, values_at
 from .distribution import Distribution, along
-from .exact_points import NoPointError, drawn
+from .exact_points import NoPointError, random_point
 from .growth import SEED
 from .zero_test import vanishes
 
@@ -144,7 +144,7 @@ class _Search:
         found, failures = self.known, 0
         while len(found) < many:
             try:
-                place = drawn(self.space, self.numbers, self.dice)
+                place = random_point(self.space, self.numbers, self.dice)
                 found.append(values_at(self.given, place, self.space, self.letters))
             except (NoPointError, IrrationalError, SingularError, ZeroDivisionError):
                 failures += 1

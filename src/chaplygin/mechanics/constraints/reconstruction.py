@@ -19,17 +19,17 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
-from ...core.vectors import Vector, cross, dot, explicit
+from ...core.vectors import Vector, cross, dot, to_components
 from ...errors import InputError
-from ...formulas.expansion import Germs
+from ...formulas.expansion import TaylorExpansion
 from ...formulas.taylor import PRIMES, IrrationalError, Modular, Series
 from ..lagrangian.mechanism import Frame, euclidean, rotations
 from ..lagrangian.structure_functions import structure
-from .exact_points import NoPointError, Space, drawn
+from .exact_points import NoPointError, ConfigurationSpace, random_point
 
-__all__ = ["Coefficients", "Field", "Whole", "along", "completed"]
+__all__ = ["Coefficients", "VectorField", "Whole", "along", "reconstructed"]
 
-Field: TypeAlias = Mapping[sp.Symbol, sp.Expr]
+VectorField: TypeAlias = Mapping[sp.Symbol, sp.Expr]
 #: c_ij^k by (i, j, k), i < j.
 Coefficients: TypeAlias = Mapping[tuple[int, int, int], sp.Expr]
 Steps: TypeAlias = tuple[tuple[sp.Symbol, sp.Expr], ...]
@@ -39,7 +39,7 @@ SEED = 1911
 ATTEMPTS = 8
 
 
-def along(field: Field, function: sp.Expr) -> sp.Expr:
+def along(field: VectorField, function: sp.Expr) -> sp.Expr:
     """A field applied to a function."""
     return sp.Add(*(value * sp.diff(function, symbol) for symbol, value in field.items()))
 
@@ -54,12 +54,12 @@ class Whole:
 
     coordinates: tuple[sp.Symbol, ...]
     relations: tuple[sp.Expr, ...]
-    fields: tuple[Field, ...]
+    fields: tuple[VectorField, ...]
     structure: Coefficients | None
     admissible: bool = False
 
 
-def completed(
+def reconstructed(
     frame: Frame, formulas: Sequence[sp.Expr], steps: Steps, constants: Mapping[sp.Symbol, Any]
 ) -> Whole:
     """The whole configuration behind a frame.
@@ -156,7 +156,7 @@ def _extras(
     known = {*bare.coordinates, *dict(steps)}
     upright = set(gamma.symbols) <= known
     cosines = free if len(free) == 2 and set(gamma.symbols) <= set(bare.coordinates) else []
-    rates = {d: explicit(cross(d, spin)) for d in cosines}
+    rates = {d: to_components(cross(d, spin)) for d in cosines}
     relations = [dot(d, d) - 1 for d in cosines]
     if cosines:
         relations += [dot(alpha, beta), dot(alpha, gamma), dot(beta, gamma)]
@@ -165,7 +165,7 @@ def _extras(
         axes = [*cosines, *([gamma] if upright else [])]
         for direction in axes:
             axis = (alpha, beta, gamma).index(direction)
-            added[place.symbols[axis]] = explicit(dot(direction, speed))
+            added[place.symbols[axis]] = to_components(dot(direction, speed))
     new = {s: rate for s, rate in added.items() if s not in bare.coordinates}
     return [_extended(frame, bare, new, relations)] if new else []
 
@@ -180,7 +180,7 @@ def _extended(
     return replace(
         bare,
         coordinates=(*bare.coordinates, *new),
-        relations=tuple(dict.fromkeys((*bare.relations, *(explicit(r) for r in relations)))),
+        relations=tuple(dict.fromkeys((*bare.relations, *(to_components(r) for r in relations)))),
         fields=tuple(fields),
     )
 
@@ -193,7 +193,7 @@ def _turned(frame: Frame, given: Coefficients, bare: Whole, taken: set[sp.Symbol
         return None
     spin, _ = found
     rates = {
-        s: rate for d in rows for s, rate in zip(d.symbols, explicit(cross(d, spin)), strict=True)
+        s: rate for d in rows for s, rate in zip(d.symbols, to_components(cross(d, spin)), strict=True)
     }
     relations = [dot(d, d) - 1 for d in rows]
     relations += [dot(alpha, beta), dot(alpha, zeta), dot(beta, zeta)]
@@ -230,15 +230,15 @@ def _full(frame: Frame, steps: Steps, constants: Mapping[sp.Symbol, Any]) -> boo
 
 def _germs(
     whole: Whole, formulas: Sequence[sp.Expr], steps: Steps, constants: Mapping[sp.Symbol, Any]
-) -> Germs | None:
+) -> TaylorExpansion | None:
     """Series of first order about a generic point, if one is found."""
-    space = Space(
+    space = ConfigurationSpace(
         whole.coordinates, whole.relations, steps, tuple(formulas), tuple(constants.items())
     )
     dice = random.Random(SEED)
     for prime in PRIMES * ATTEMPTS:
         try:
-            germs = drawn(space, Modular(prime), dice).germs(space, 1)
+            germs = random_point(space, Modular(prime), dice).germs(space, 1)
             for field in whole.fields:
                 for value in field.values():
                     germs.series(value)
@@ -248,7 +248,7 @@ def _germs(
     return None
 
 
-def _commutes(whole: Whole, given: Coefficients, germs: Germs) -> bool:
+def _commutes(whole: Whole, given: Coefficients, germs: TaylorExpansion) -> bool:
     number = {q: i for i, q in enumerate(whole.coordinates)}
     fields = [{number[q]: germs.series(v) for q, v in field.items()} for field in whole.fields]
     zero = germs.numbers.number(0)

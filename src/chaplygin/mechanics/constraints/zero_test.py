@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from ...formulas.expansion import Angles, angles, combination, expanded, turned
+from ...formulas.expansion import Angles, angles, combination, expanded, add_angle
 
 __all__ = ["vanishes"]
 
@@ -99,7 +99,7 @@ class _Kernels:
         for core, factor in combination(formula.args[0], {}).items():
             unit = core / self.units[core]
             pair = (sp.sin(unit), sp.cos(unit)) if unit.has(sp.pi) else self._unit(unit)
-            total = turned(total, pair, int(factor * self.units[core]), (sp.S.Zero, sp.S.One))
+            total = add_angle(total, pair, int(factor * self.units[core]), (sp.S.Zero, sp.S.One))
         return sp.expand(total[0] if isinstance(formula, sp.sin) else total[1])
 
     def _unit(self, angle: sp.Expr) -> tuple[sp.Symbol, sp.Symbol]:

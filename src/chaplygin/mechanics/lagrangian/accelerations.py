@@ -11,14 +11,14 @@ import sympy as sp
 
 from ...errors import InputError
 from .assembly import Balance
-from .generic_points import precisely, rank
+from .generic_points import with_working_precision, rank
 from .ldl import Factored, product
 
-__all__ = ["Solution", "solve"]
+__all__ = ["Accelerations", "accelerations"]
 
 
 @dataclass(frozen=True)
-class Solution:
+class Accelerations:
     """Accelerations and multipliers.
 
     Attributes
@@ -33,8 +33,8 @@ class Solution:
     multipliers: tuple[tuple[sp.Symbol, sp.Expr], ...]
 
 
-@precisely
-def solve(parts: Balance) -> Solution:
+@with_working_precision
+def accelerations(parts: Balance) -> Accelerations:
     """Solve the equations of motion for accelerations and multipliers.
 
     Raises
@@ -162,7 +162,7 @@ def _numbered(
     known: Mapping[int, sp.Expr],
     inertia: Sequence[Sequence[sp.Expr]],
     force: Sequence[sp.Expr],
-) -> Solution:
+) -> Accelerations:
     """The multipliers of all constraints, those of solved velocities from their equations."""
     tape, w = parts.tape, parts.mechanism.frame.w
     symbols = parts.multipliers
@@ -178,7 +178,7 @@ def _numbered(
         others = [parts.slopes[other][i] * symbols[other] for other in (*known, *needs[index])]
         total = product(inertia[i], rates) - force[i] - sp.Add(*others)
         values[index] = tape.short(total / parts.slopes[index][i])
-    return Solution(
+    return Accelerations(
         {w[s]: rate for s, rate in zip(parts.free, rates, strict=True)},
         tuple((symbols[i], values[i]) for i in sorted(values)),
     )

@@ -10,7 +10,7 @@ import sympy as sp
 
 from ...errors import InputError
 from ...formulas.tape import Derivation, Tape
-from .generic_points import Sample, defaults, negligible, precisely, samples
+from .generic_points import GenericPoint, defaults, is_numerically_zero, with_working_precision, samples
 from .independence import check_constraints, check_velocities
 from .mechanism import TIME, Mechanism
 from .structure_functions import Coefficients, structure, written_frame
@@ -48,7 +48,7 @@ class Balance:
 
     mechanism: Mechanism
     tape: Tape
-    points: tuple[Sample, ...]
+    points: tuple[GenericPoint, ...]
     coefficients: Coefficients
     constraints: tuple[sp.Expr, ...]
     solved: Mapping[sp.Symbol, int]
@@ -79,28 +79,28 @@ class Balance:
         values = (formula, *(v for _, v in self.tape.steps([formula])))
         return any(value.free_symbols & w for value in values)
 
-    def at(self, formulas: Sequence[sp.Expr]) -> tuple[Sample, ...]:
+    def at(self, formulas: Sequence[sp.Expr]) -> tuple[GenericPoint, ...]:
         """The generic points, the solved velocities as the constraints give them."""
         steps = self.tape.steps(formulas)
         free = [{s: v for s, v in p.point.items() if s not in self.solved} for p in self.points]
-        return tuple(Sample(point, steps) for point in free)
+        return tuple(GenericPoint(point, steps) for point in free)
 
-    def typical(self, formulas: Sequence[sp.Expr]) -> Sample:
+    def typical(self, formulas: Sequence[sp.Expr]) -> GenericPoint:
         """A configuration with the default parameters."""
         mechanism = self.mechanism
         values = defaults(mechanism)
         point = samples(mechanism.name, mechanism.frame, mechanism, values, many=1)[0].point
         steps = self.tape.steps(formulas)
-        return Sample({s: v for s, v in point.items() if s not in self.solved}, steps)
+        return GenericPoint({s: v for s, v in point.items() if s not in self.solved}, steps)
 
-    def at_any(self, formulas: Sequence[sp.Expr]) -> tuple[Sample, ...]:
+    def at_any(self, formulas: Sequence[sp.Expr]) -> tuple[GenericPoint, ...]:
         """The generic points with velocities that keep to no constraint."""
         steps = self.tape.steps(formulas)
         held = [(s, v) for s, v in steps if s not in self.solved]
-        return tuple(Sample(point.point, held) for point in self.points)
+        return tuple(GenericPoint(point.point, held) for point in self.points)
 
 
-@precisely
+@with_working_precision
 def balance(mechanism: Mechanism) -> Balance:
     """Momenta, mass matrix and forces of a mechanism.
 
@@ -153,12 +153,12 @@ def balance(mechanism: Mechanism) -> Balance:
     )
 
 
-def _check_tangent(mechanism: Mechanism, tape: Tape, points: Sequence[Sample]) -> None:
+def _check_tangent(mechanism: Mechanism, tape: Tape, points: Sequence[GenericPoint]) -> None:
     for relation in mechanism.frame.relations:
         for i, s in enumerate(mechanism.frame.w):
             change = tape.along(_along_field(mechanism, i), relation)
             steps = tape.steps([change])
-            if not negligible(change, [point.further(steps) for point in points]):
+            if not is_numerically_zero(change, [point.further(steps) for point in points]):
                 raise InputError(
                     f"{mechanism.name}: the field of {s} is not tangent to the relation "
                     f"{relation} = 0; a relation that moves with the velocities is a position "

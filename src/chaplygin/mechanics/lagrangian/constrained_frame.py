@@ -21,7 +21,7 @@ from ...errors import InputError
 from ...formulas.expansion import expanded
 from ...formulas.tape import Derivation, Step
 from .assembly import Balance, balance
-from .generic_points import negligible, precisely, rank
+from .generic_points import is_numerically_zero, with_working_precision, rank
 from .ldl import Factored, product
 from .mechanism import TIME, Mechanism
 
@@ -66,7 +66,7 @@ class Restriction:
     nonzero: tuple[sp.Expr, ...]
 
 
-@precisely
+@with_working_precision
 def restricted(mechanism: Mechanism) -> Restriction:
     """The distribution of a mechanism whose constraints are linear and homogeneous.
 
@@ -160,7 +160,7 @@ def _check(parts: Balance) -> None:
     for index, (f, row) in enumerate(zip(parts.constraints, parts.slopes, strict=True)):
         defect = product(row, w) - f
         moving = [e for e in row if parts.moves(e)]
-        if moving or not negligible(defect, parts.at_any([defect])):
+        if moving or not is_numerically_zero(defect, parts.at_any([defect])):
             raise InputError(
                 f"{mechanism.name}: the constraint {index + 1}, {f} = 0, is not linear and "
                 "homogeneous in the velocities"

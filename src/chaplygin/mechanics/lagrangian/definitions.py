@@ -11,12 +11,12 @@ from typing import Any
 import sympy as sp
 
 from ...core.system import flat
-from ...core.vectors import constant, explicit, scalar
+from ...core.vectors import constant, to_components, real_symbol
 from ...formulas.tape import Step
 from .assembly import Balance
 from .mechanism import Name, Pairs
 
-__all__ = ["Named", "named"]
+__all__ = ["Named", "name_definitions"]
 
 SHORT = 12
 """Operations up to which a value used once is put where it is used."""
@@ -38,17 +38,17 @@ class Named:
 
     def __call__(self, formula: Any) -> Any:
         """A formula in the names that are left."""
-        value = explicit(formula)
+        value = to_components(formula)
         return formula if not value.free_symbols & self.table.keys() else value.xreplace(self.table)
 
 
-def named(parts: Balance, formulas: Sequence[Any]) -> Named:
+def name_definitions(parts: Balance, formulas: Sequence[Any]) -> Named:
     """The definitions on which formulas depend.
 
     What was named on the way and is used once and short is written where it is used; the rest is
     numbered in order.  Vectors keep the form in which they were written where possible.
     """
-    wanted = [explicit(f) for f in formulas]
+    wanted = [to_components(f) for f in formulas]
     steps = parts.tape.steps(wanted)
     uses: Counter[sp.Symbol] = Counter()
     for value in (*wanted, *(v for _, v in steps)):
@@ -85,9 +85,9 @@ def _numbered(parts: Balance, symbols: Sequence[sp.Symbol]) -> dict[sp.Symbol, s
     for symbol in symbols:
         if symbol in own:
             number += 1
-            while scalar(f"z_{number}") in taken:
+            while real_symbol(f"z_{number}") in taken:
                 number += 1
-            found[symbol] = scalar(f"z_{number}")
+            found[symbol] = real_symbol(f"z_{number}")
     return found
 
 
@@ -107,7 +107,7 @@ def _grouped(parts: Balance, steps: Sequence[Step]) -> Pairs:
     home: dict[sp.Symbol, Name] = {s: name for name in groups for s in flat((name,))}
     graph: dict[Any, list[Any]] = {}
     for node in dict.fromkeys(home.get(s, s) for s, _ in steps):
-        formula = explicit(groups[node]) if node in groups else values[node]
+        formula = to_components(groups[node]) if node in groups else values[node]
         needs = dict.fromkeys(
             home.get(s, s) for s in sorted(formula.free_symbols, key=str) if s in home | values
         )
@@ -126,7 +126,7 @@ def _as_written(constraints: Sequence[Any], name: Any, components: Any) -> Any:
             continue
         for sign in (-1, 1):
             rest = (sign * formula + name).doit()
-            same = explicit(rest) - components
+            same = to_components(rest) - components
             if all(sp.expand(e) == 0 for e in same):
                 return rest
     return components

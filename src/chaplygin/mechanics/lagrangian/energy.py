@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import mpmath
 import sympy as sp
 
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...printing.formula import text
 from .assembly import Balance
-from .generic_points import ZERO, negligible, precisely
+from .generic_points import ZERO, is_numerically_zero, with_working_precision
 from .ldl import product
 from .mechanism import TIME
 
@@ -36,7 +36,7 @@ class EnergyTheorem:
     broken: tuple[str, ...]
 
 
-@precisely
+@with_working_precision
 def energy_theorem(parts: Balance) -> EnergyTheorem:
     """Check the hypotheses of Theorem 1: no time, homogeneous constraints, no working forces."""
     mechanism, tape = parts.mechanism, parts.tape
@@ -44,7 +44,7 @@ def energy_theorem(parts: Balance) -> EnergyTheorem:
     energy = _energy(parts)
     work = tuple(tape.short(product(row, w)) for row in parts.slopes)
     broken = []
-    timed = [explicit(energy), *parts.constraints, *mechanism.F, *mechanism.Q.values()]
+    timed = [to_components(energy), *parts.constraints, *mechanism.F, *mechanism.Q.values()]
     steps = tape.steps(timed)
     if any(TIME in value.free_symbols for value in (*timed, *(v for _, v in steps))):
         broken.append("time enters the Lagrangian, a force or a constraint")
@@ -55,7 +55,7 @@ def energy_theorem(parts: Balance) -> EnergyTheorem:
                 f"the constraint {index + 1}, {text(f)} = 0, is not homogeneous in velocities"
             )
     power = sp.Add(*(force * s for s, force in mechanism.Q.items()))
-    if not negligible(power, parts.at([power])):
+    if not is_numerically_zero(power, parts.at([power])):
         broken.append("forces outside the potential do work")
     return EnergyTheorem(energy, work, tuple(broken))
 
@@ -65,10 +65,10 @@ def _energy(parts: Balance) -> sp.Expr:
     mechanism, tape = parts.mechanism, parts.tape
     virial = product(mechanism.frame.w, parts.momenta)
     terms = sp.Add.make_args(sp.sympify(mechanism.lagrangian))
-    kinetic = sp.Add(*(term for term in terms if parts.moves(explicit(term))))
-    defect = virial - 2 * explicit(kinetic)
+    kinetic = sp.Add(*(term for term in terms if parts.moves(to_components(term))))
+    defect = virial - 2 * to_components(kinetic)
     idle = {s for s in parts.solved if tape.value(s) == 0}
-    if negligible(defect, parts.at_any([defect])):
+    if is_numerically_zero(defect, parts.at_any([defect])):
         energy = 2 * kinetic - sp.sympify(mechanism.lagrangian)
         return energy.xreplace(dict.fromkeys(idle, sp.S.Zero))
     return tape.short(virial - mechanism.L, hold={*parts.solved} - idle)

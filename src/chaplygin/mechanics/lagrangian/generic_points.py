@@ -18,7 +18,7 @@ from sympy.core.function import AppliedUndef
 from ...errors import InputError
 from .mechanism import TIME, Frame, Mechanism
 
-__all__ = ["ZERO", "Sample", "defaults", "generic", "negligible", "precisely", "rank", "samples"]
+__all__ = ["ZERO", "GenericPoint", "defaults", "generic", "is_numerically_zero", "with_working_precision", "rank", "samples"]
 
 DIGITS = 50
 SEED = 20080830
@@ -31,7 +31,7 @@ P = ParamSpec("P")
 T = TypeVar("T")
 
 
-def precisely(function: Callable[P, T]) -> Callable[P, T]:
+def with_working_precision(function: Callable[P, T]) -> Callable[P, T]:
     """Decorate a function that computes with the numbers of samples: with all their digits."""
 
     @wraps(function)
@@ -45,7 +45,7 @@ def precisely(function: Callable[P, T]) -> Callable[P, T]:
 Point = Mapping[sp.Symbol, Any]
 
 
-class Sample:
+class GenericPoint:
     """A point, at which formulas are evaluated through definitions."""
 
     def __init__(self, point: Point, steps: Sequence[tuple[sp.Symbol, sp.Expr]] = ()) -> None:
@@ -64,9 +64,9 @@ class Sample:
         """
         return evaluated(formula, self._values)
 
-    def further(self, steps: Sequence[tuple[sp.Symbol, sp.Expr]]) -> Sample:
+    def further(self, steps: Sequence[tuple[sp.Symbol, sp.Expr]]) -> GenericPoint:
         """The same point with further definitions."""
-        made = Sample(self.point)
+        made = GenericPoint(self.point)
         made._values = dict(self._values)
         for symbol, value in steps:
             if symbol not in made._values:
@@ -74,7 +74,7 @@ class Sample:
         return made
 
 
-@precisely
+@with_working_precision
 def evaluated(formula: sp.Expr, values: Mapping[sp.Symbol, Any]) -> Any:
     """A formula at numbers, unspecified functions being replaced by generic ones."""
     number = _number_of(_specified(formula), values, {})
@@ -129,7 +129,7 @@ def _specified(formula: sp.Expr) -> sp.Expr:
     return formula.doit()
 
 
-@precisely
+@with_working_precision
 def generic(mechanism: Mechanism) -> dict[sp.Symbol, Any]:
     """Parameters near their defaults, but of no special value."""
     dice = random.Random(SEED)
@@ -139,20 +139,20 @@ def generic(mechanism: Mechanism) -> dict[sp.Symbol, Any]:
     }
 
 
-@precisely
+@with_working_precision
 def defaults(mechanism: Mechanism) -> dict[sp.Symbol, Any]:
     """Parameters at their defaults."""
     return {p.symbol: mpmath.mpf(repr(float(p.default))) for p in mechanism.parameters}
 
 
-@precisely
+@with_working_precision
 def samples(
     owner: str,
     frame: Frame,
     mechanism: Mechanism | None = None,
     parameters: Point | None = None,
     many: int = POINTS,
-) -> tuple[Sample, ...]:
+) -> tuple[GenericPoint, ...]:
     """Points on the relations and position constraints, at random, with random velocities.
 
     Parameters are generic unless given.
@@ -174,12 +174,12 @@ def samples(
     used = [*frame.qdot]
     if mechanism is not None:
         used += [mechanism.L, *mechanism.f, *mechanism.Q.values()]
-    found: list[Sample] = []
+    found: list[GenericPoint] = []
     for _ in range(ATTEMPTS):
         try:
             point = _on_relations(dice, frame.coordinates, relations, steps, constants)
             velocities = {s: _number(dice) for s in frame.w}
-            sample = Sample({**point, **velocities}, steps)
+            sample = GenericPoint({**point, **velocities}, steps)
             for formula in used:
                 sample.value(formula)
         except (ZeroDivisionError, ValueError):
@@ -232,15 +232,15 @@ def _written(formula: sp.Expr, steps: Sequence[tuple[sp.Symbol, sp.Expr]]) -> sp
     return formula
 
 
-@precisely
-def negligible(formula: sp.Expr, points: Iterable[Sample]) -> bool:
+@with_working_precision
+def is_numerically_zero(formula: sp.Expr, points: Iterable[GenericPoint]) -> bool:
     """Whether a formula vanishes at all points, to the digits carried."""
     if formula == 0:
         return True
     return all(abs(point.value(formula)) < ZERO for point in points)
 
 
-@precisely
+@with_working_precision
 def rank(rows: Sequence[Sequence[Any]]) -> tuple[list[int], list[int]]:
     """Rows and columns of a largest regular part of a matrix of numbers, the first rows first."""
     left = [list(row) for row in rows]

@@ -10,7 +10,7 @@ import sympy as sp
 
 from ...errors import InputError
 from ...formulas.tape import Step, Tape
-from .generic_points import ZERO, Sample, precisely, rank
+from .generic_points import ZERO, GenericPoint, with_working_precision, rank
 from .mechanism import Mechanism
 
 __all__ = ["check_constraints", "check_velocities"]
@@ -20,11 +20,11 @@ NEWTON_STEPS = 80
 FLAT = mpmath.mpf(10) ** -10
 
 
-@precisely
+@with_working_precision
 def check_constraints(
     mechanism: Mechanism,
     tape: Tape,
-    points: Sequence[Sample],
+    points: Sequence[GenericPoint],
     constraints: Sequence[sp.Expr],
     slopes: Sequence[Sequence[sp.Expr]],
 ) -> None:
@@ -58,11 +58,11 @@ def check_constraints(
     )
 
 
-@precisely
+@with_working_precision
 def check_velocities(
     mechanism: Mechanism,
     tape: Tape,
-    points: Sequence[Sample],
+    points: Sequence[GenericPoint],
     constraints: Sequence[sp.Expr],
     slopes: Sequence[Sequence[sp.Expr]],
 ) -> None:
@@ -96,16 +96,16 @@ def check_velocities(
 
 
 def _satisfied(
-    point: Sample,
+    point: GenericPoint,
     w: Sequence[sp.Symbol],
     steps: Sequence[Step],
     constraints: Sequence[sp.Expr],
     slopes: Sequence[Sequence[sp.Expr]],
-) -> Sample | None:
+) -> GenericPoint | None:
     """Velocities at a configuration that keep to the constraints, by Newton's method."""
     place = dict(point.point)
     for _ in range(NEWTON_STEPS):
-        here = Sample(place, steps)
+        here = GenericPoint(place, steps)
         values = mpmath.matrix([here.value(f) for f in constraints])
         if mpmath.norm(values) < ZERO:
             return here
@@ -128,7 +128,7 @@ def _words(mechanism: Mechanism, index: int) -> str:
 
 
 def _contradicts(
-    point: Sample,
+    point: GenericPoint,
     constraints: Sequence[sp.Expr],
     rows: Sequence[Sequence[Any]],
     mechanism: Mechanism,

@@ -25,7 +25,7 @@ import sympy as sp
 from ...arguments import Declared, Formula, arguments_checked
 from ...core.laws import Law
 from ...core.system import Guard, Observable, Parameter, flat, flat_pairs, unknown_names
-from ...core.vectors import Vector, cross, explicit, scalar, unit
+from ...core.vectors import Vector, cross, to_components, real_symbol, unit_vector
 from ...errors import InputError
 
 __all__ = ["TIME", "Frame", "Mechanism", "Structure", "coordinates", "euclidean", "rotations"]
@@ -36,7 +36,7 @@ Pairs: TypeAlias = tuple[tuple[Any, Any], ...]
 #: antisymmetry.
 Structure: TypeAlias = tuple[tuple[tuple[sp.Symbol, sp.Symbol], Pairs], ...]
 
-TIME = scalar("t")
+TIME = real_symbol("t")
 """The time, for Lagrangians and constraints that depend on it."""
 
 
@@ -44,7 +44,7 @@ def components(formulas: Iterable[Any]) -> tuple[sp.Expr, ...]:
     """Scalar and vector formulas as scalars, in order."""
     found: list[sp.Expr] = []
     for formula in formulas:
-        value = explicit(sp.sympify(formula))
+        value = to_components(sp.sympify(formula))
         found.extend(value if isinstance(value, sp.MatrixBase) else [value])
     return tuple(found)
 
@@ -146,7 +146,7 @@ def _twice(names: Iterable[sp.Symbol]) -> list[str]:
 def coordinates(*names: Name, dot: str = "dot") -> Frame:
     """The frame of the coordinates themselves: w = q̇, named ``xdot`` for the coordinate ``x``."""
     symbols = flat(names)
-    speeds = tuple(scalar(f"{q}{dot}") for q in symbols)
+    speeds = tuple(real_symbol(f"{q}{dot}") for q in symbols)
     return Frame(dict(zip(symbols, speeds, strict=True)), speeds)
 
 
@@ -161,7 +161,7 @@ def euclidean(omega: Vector, v: Vector) -> dict[Any, Any]:
     mixed: dict[Any, Any] = {}
     for i in (1, 2, 3):
         for j in (1, 2, 3):
-            product = explicit(cross(unit(i), unit(j)))
+            product = to_components(cross(unit_vector(i), unit_vector(j)))
             row = {s: c for s, c in zip(v.symbols, product, strict=True) if c != 0}
             if row:
                 mixed[omega.symbols[i - 1], v.symbols[j - 1]] = row
@@ -234,7 +234,7 @@ class Mechanism:
     @cached_property
     def L(self) -> sp.Expr:
         """The Lagrangian as a scalar formula."""
-        return explicit(sp.sympify(self.lagrangian))
+        return to_components(sp.sympify(self.lagrangian))
 
     @cached_property
     def f(self) -> tuple[sp.Expr, ...]:

@@ -14,7 +14,7 @@ from typing import Any, TypeAlias
 import numpy as np
 import sympy as sp
 
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from .mechanism import Mechanism
 
 __all__ = ["Place", "Plan", "Pose", "plan_of"]
@@ -59,9 +59,9 @@ def plan_of(mechanism: Mechanism) -> Plan | None:
     A constraint that forbids a place to move sideways is drawn as a wheel there, where the place
     lies at constant distances along headings from (x, y); rods lead to it.
     """
-    x, y = scalar("x"), scalar("y")
+    x, y = real_symbol("x"), real_symbol("y")
     coordinates = mechanism.frame.coordinates
-    if x not in coordinates or y not in coordinates or scalar("z") in coordinates:
+    if x not in coordinates or y not in coordinates or real_symbol("z") in coordinates:
         return None
     wheels: list[Pose] = []
     links: list[tuple[Any, Any, Any, Any]] = []
@@ -107,7 +107,7 @@ def _arms(
     With n the normal of the heading, the velocity of a place Σ a_θ (cos θ, sin θ) has the
     component Σ a_θ θ̇ (n_y cos θ − n_x sin θ) along n.  None where no constant lengths do.
     """
-    x, y = scalar("x"), scalar("y")
+    x, y = real_symbol("x"), real_symbol("y")
     others = [q for q in mechanism.frame.coordinates if q not in (x, y)]
     formulas = [form[q] for q in (x, y, *others)]
     values = {p.symbol: p.default for p in mechanism.parameters}

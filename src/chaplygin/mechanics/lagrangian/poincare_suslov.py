@@ -24,13 +24,13 @@ import sympy as sp
 
 from ...arguments import arguments_checked
 from ...core.laws import Integral, Law
-from ...core.system import Motion, Observable, System, flat
-from ...core.vectors import constant, explicit
+from ...core.system import Reconstruction, Observable, System, flat
+from ...core.vectors import constant, to_components
 from ...errors import InputError
 from ...printing.formula import text
-from .accelerations import Solution, solve
+from .accelerations import Accelerations, accelerations
 from .assembly import Balance, balance
-from .definitions import named
+from .definitions import name_definitions
 from .energy import EnergyTheorem, energy_theorem
 from .mechanism import TIME, Mechanism, Name, Pairs
 
@@ -49,7 +49,7 @@ class Derived:
     """
 
     parts: Balance
-    solution: Solution
+    solution: Accelerations
     energy: EnergyTheorem
 
 
@@ -63,7 +63,7 @@ def derive(mechanism: Mechanism) -> Derived:
         is singular on the velocities that the constraints allow.
     """
     parts = balance(mechanism)
-    solution = solve(parts)
+    solution = accelerations(parts)
     for symbol, value in solution.multipliers:
         parts.tape.define(symbol, value)
     return Derived(parts, solution, energy_theorem(parts))
@@ -103,7 +103,7 @@ def equations(mechanism: Mechanism) -> System:
     }
     unsolved = [f for i, f in enumerate(parts.constraints) if i not in parts.solved.values()]
     rates = _velocity_rates(mechanism, found.solution)
-    names = named(
+    names = name_definitions(
         parts,
         [
             *(f for _, f in rates),
@@ -143,7 +143,7 @@ def equations(mechanism: Mechanism) -> System:
         ),
         observables=here,
         guards=mechanism.guards,
-        motion=Motion(
+        motion=Reconstruction(
             field={name: names(rate) for name, rate in following.items()},
             relations=tuple(f for f in relations if _depends(parts, [f], lost)),
             observables=tuple(o for o in observables if o not in here),
@@ -165,12 +165,12 @@ def _driving(found: Derived) -> list[sp.Expr]:
     values: list[Any] = [
         *found.solution.rates.values(),
         *(value for _, value in found.solution.multipliers),
-        explicit(found.energy.energy),
+        to_components(found.energy.energy),
         *parts.constraints,
         *parts.solved,
-        *(explicit(g.value) for g in mechanism.guards),
+        *(to_components(g.value) for g in mechanism.guards),
         *(
-            explicit(law.value)
+            to_components(law.value)
             for law in (*mechanism.laws, *_momenta(parts))
             if isinstance(law, Integral)
         ),
@@ -179,7 +179,7 @@ def _driving(found: Derived) -> list[sp.Expr]:
 
 
 def _uses(parts: Balance, formulas: Iterable[Any]) -> set[sp.Symbol]:
-    values = [explicit(f) for f in formulas]
+    values = [to_components(f) for f in formulas]
     symbols = {s for value in values for s in value.free_symbols}
     for symbol, value in parts.tape.steps(values):
         symbols |= {symbol} | value.free_symbols
@@ -210,11 +210,11 @@ def _lost(parts: Balance, kept: set[Name]) -> tuple[sp.Symbol, ...]:
 
 def _opened(parts: Balance, lost: Sequence[sp.Symbol], formula: Any) -> Any:
     """A formula with the definitions written out that depend on coordinates that matter not."""
-    steps = parts.tape.steps([explicit(formula)])
+    steps = parts.tape.steps([to_components(formula)])
     far = {s: value for s, value in steps if _depends(parts, [value], lost)}
     if not far:
         return formula
-    written = explicit(formula)
+    written = to_components(formula)
     while written.free_symbols & far.keys():
         written = written.xreplace(far)
     return written
@@ -270,7 +270,7 @@ def _recorded(found: Derived) -> tuple[Observable, ...]:
 # --- the System ----------------------------------------------------------------------------
 
 
-def _velocity_rates(mechanism: Mechanism, solution: Solution) -> Pairs:
+def _velocity_rates(mechanism: Mechanism, solution: Accelerations) -> Pairs:
     """Rates of the free velocities; a vector stays one where all of it is free."""
     pairs: list[tuple[Any, Any]] = []
     for name in mechanism.frame.velocities:

@@ -10,8 +10,8 @@ import mpmath
 import sympy as sp
 
 from ...errors import InputError
-from ...formulas.tape import tidied
-from .generic_points import ZERO, Sample, negligible, precisely, rank, samples
+from ...formulas.tape import simplify_small
+from .generic_points import ZERO, GenericPoint, is_numerically_zero, with_working_precision, rank, samples
 from .mechanism import Frame, Mechanism
 
 __all__ = ["Coefficients", "check_structure", "commutator", "structure", "written_frame"]
@@ -38,7 +38,7 @@ def _along(field: Field, function: sp.Expr) -> sp.Expr:
     return sp.Add(*(rate * sp.diff(function, q) for q, rate in field.items()))
 
 
-@precisely
+@with_working_precision
 def structure(frame: Frame, owner: str = "frame") -> Coefficients:
     """The structure functions of a frame.
 
@@ -89,7 +89,7 @@ def written_frame(mechanism: Mechanism) -> Frame:
     return Frame(rates, frame.velocities, frame.relations)
 
 
-@precisely
+@with_working_precision
 def check_structure(frame: Frame, owner: str = "frame") -> None:
     """Refuse structure functions that no frame with these rates can have.
 
@@ -110,7 +110,7 @@ def check_structure(frame: Frame, owner: str = "frame") -> None:
         bracket = commutator(fields[i], fields[j])
         for q, row in zip(frame.coordinates, frame.matrix.tolist(), strict=True):
             span = sp.Add(*(c(i, j, k) * row[k] for k in size))
-            if not negligible(bracket.get(q, sp.S.Zero) - span, points):
+            if not is_numerically_zero(bracket.get(q, sp.S.Zero) - span, points):
                 raise InputError(
                     f"{owner}: the commutator of {frame.w[i]} and {frame.w[j]} is not that of "
                     f"their rates: they differ on the coordinate {q}"
@@ -121,7 +121,7 @@ def check_structure(frame: Frame, owner: str = "frame") -> None:
                 sp.Add(*(c(a, b, s) * c(s, d, n) for s in size)) - _along(fields[d], c(a, b, n))
                 for a, b, d in ((i, j, k), (j, k, i), (k, i, j))
             ]
-            if not negligible(sp.Add(*terms), points):
+            if not is_numerically_zero(sp.Add(*terms), points):
                 names = ", ".join(str(frame.w[s]) for s in (i, j, k))
                 raise InputError(
                     f"{owner}: the commutators of {names} break the identity of Jacobi, so that "
@@ -146,7 +146,7 @@ def _given(frame: Frame, owner: str) -> Coefficients:
     return found
 
 
-def _spanning(frame: Frame, point: Sample, owner: str) -> list[int]:
+def _spanning(frame: Frame, point: GenericPoint, owner: str) -> list[int]:
     """Rows of G that are regular together; refused when the fields do not form a frame."""
     numbers = [[point.value(e) for e in frame.matrix.row(i)] for i in range(len(frame.qdot))]
     rows, _ = rank(numbers)
@@ -167,7 +167,7 @@ def _spanning(frame: Frame, point: Sample, owner: str) -> list[int]:
 
 
 def _constant(
-    frame: Frame, points: Sequence[Sample], rows: Sequence[int], column: Sequence[sp.Expr]
+    frame: Frame, points: Sequence[GenericPoint], rows: Sequence[int], column: Sequence[sp.Expr]
 ) -> list[sp.Expr] | None:
     """The coefficients of a commutator if they are the same fractions at all points."""
     found: list[sp.Expr] | None = None
@@ -194,19 +194,19 @@ def _fraction(number: Any) -> sp.Rational | None:
 def _solved(frame: Frame, rows: Sequence[int], column: Sequence[sp.Expr]) -> list[sp.Expr]:
     matrix = sp.Matrix([list(frame.matrix.row(i)) for i in rows])
     right = sp.Matrix([column[i] for i in rows])
-    return [tidied(x) for x in matrix.LUsolve(right)]
+    return [simplify_small(x) for x in matrix.LUsolve(right)]
 
 
 def _check_span(
     frame: Frame,
-    points: Sequence[Sample],
+    points: Sequence[GenericPoint],
     column: Sequence[sp.Expr],
     solution: Sequence[sp.Expr],
     owner: str,
 ) -> None:
     for i, value in enumerate(column):
         rest = value - sp.Add(*(g * c for g, c in zip(frame.matrix.row(i), solution, strict=True)))
-        if not negligible(rest, points):
+        if not is_numerically_zero(rest, points):
             raise InputError(
                 f"{owner}: a commutator of the frame's fields leaves their span in the coordinate "
                 f"{frame.coordinates[i]}; the frame does not belong to one configuration space"

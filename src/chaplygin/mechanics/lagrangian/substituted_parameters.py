@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from ...core.laws import Integral
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from .mechanism import Frame, Mechanism, Structure
 
 __all__ = ["settled"]
@@ -28,7 +28,7 @@ def settled(mechanism: Mechanism, values: Mapping[sp.Symbol, sp.Expr]) -> Mechan
 
     def put_in(formula: Any) -> Any:
         # a tensor hides its entries until it is written out
-        written = explicit(sp.sympify(formula))
+        written = to_components(sp.sympify(formula))
         return written.xreplace(table) if written.free_symbols & set(table) else formula
 
     def pairs(given: Iterable[tuple[Any, Any]]) -> tuple[tuple[Any, Any], ...]:

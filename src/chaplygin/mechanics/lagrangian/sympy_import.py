@@ -17,7 +17,7 @@ from sympy.physics.mechanics import System as SympySystem
 
 from ...arguments import arguments_checked
 from ...core.system import System
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from ...errors import InputError
 from .mechanism import Mechanism, coordinates
 from .poincare_suslov import equations
@@ -164,7 +164,7 @@ def _lagrange(
     positions = list(model._hol_coneqs)
     constraints = list(model.coneqs)[len(positions) :]
     forces = [_generalised_force(model, rate) for rate in rates]
-    plain = {rate: scalar(f"{x.func}dot") for x, rate in zip(q, rates, strict=True)}
+    plain = {rate: real_symbol(f"{x.func}dot") for x, rate in zip(q, rates, strict=True)}
     formulas = [*model._L, *positions, *constraints, *forces]
     words = renamed(name, formulas, q, plain, parameters, inputs)
     frame = coordinates(*map(words, q))

@@ -22,11 +22,11 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import KanesMethod, dynamicsymbols
 
 from ...core.system import Observable, System
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from ...errors import InputError
 from ...formulas.tape import Derivation, Tape
 from .assembly import balance
-from .generic_points import DIGITS, Sample, negligible, precisely, rank, samples
+from .generic_points import DIGITS, GenericPoint, is_numerically_zero, with_working_precision, rank, samples
 from .ldl import Factored, product
 from .mechanism import TIME, Frame, Mechanism
 from .sympy_names import Renamed, renamed
@@ -112,7 +112,7 @@ class Kane:
                 )
         accelerations, multipliers = self._solved(tape, mass, force, slopes, defect)
         timed = TIME in self._used(tape, (*accelerations, *rates))
-        labels = [scalar(f"lambda_{i + 1}") for i in range(len(multipliers))]
+        labels = [real_symbol(f"lambda_{i + 1}") for i in range(len(multipliers))]
         observables = [
             Observable(str(s), value, f"multiplier of {_brief(f)} = 0")
             for s, value, f in zip(labels, multipliers, self.constraints, strict=True)
@@ -168,7 +168,7 @@ class Kane:
         )
         return replace(free, constraints=self._beside_positions(free))
 
-    @precisely
+    @with_working_precision
     def _beside_positions(self, free: Mechanism) -> tuple[sp.Expr, ...]:
         """The velocity constraints that do not follow from those on positions."""
         kept = [
@@ -188,7 +188,7 @@ class Kane:
         chosen = rank(rows)[0]
         return tuple(f for i, f in enumerate(self.constraints, len(kept)) if i in chosen)
 
-    @precisely
+    @with_working_precision
     def require_same_motion(self, mechanism: Mechanism) -> None:
         """Refuse a mechanism whose bodies, set free, do not move by Kane's equations.
 
@@ -197,7 +197,7 @@ class Kane:
         parts = balance(replace(mechanism, constraints=(), positions=()))
         for i, (push, p) in enumerate(zip(parts.push, parts.momenta, strict=True)):
             lagrange = push - parts.tape.along(parts.time, p)
-            if not negligible(lagrange - self.force[i], parts.at([lagrange])):
+            if not is_numerically_zero(lagrange - self.force[i], parts.at([lagrange])):
                 raise InputError(
                     f"{self.name}: Lagrange's equation of the speed {self.speeds[i]} is not "
                     "Kane's: a constraint was built into the velocities of points (a contact "
@@ -266,7 +266,7 @@ class Kane:
                 for s in (*self.coordinates, *self.speeds, TIME)
             }
             values |= {p.symbol: mpmath.mpf(repr(p.default)) for p in self.words.parameters}
-            point = Sample(values, tape.steps([e for row in matrix for e in row]))
+            point = GenericPoint(values, tape.steps([e for row in matrix for e in row]))
             numbers = [[point.value(e) for e in row] for row in matrix]
             return len(rank(numbers)[0]) < len(numbers)
 
@@ -326,7 +326,7 @@ def kane(
         *(*mass, *active, *bare, kinetic, *constraints, *model._f_h, *kinematics.values()),
         *reactions.values(),
     ]
-    accelerations = {s.diff(dynamicsymbols._t): scalar(f"{s.func}dot") for s in u}
+    accelerations = {s.diff(dynamicsymbols._t): real_symbol(f"{s.func}dot") for s in u}
     plain = {**kinematics, **accelerations}
     words = renamed(name, formulas, [*q, *u], plain, parameters, inputs)
     return Kane(
@@ -343,7 +343,7 @@ def kane(
         positions=tuple(words.all(model._f_h)),
         slopes=tuple(tuple(words.all(row)) for row in slopes),
         constraints=tuple(words.all(constraints)),
-        reactions=tuple((scalar(str(f.func)), words(x)) for f, x in reactions.items()),
+        reactions=tuple((real_symbol(str(f.func)), words(x)) for f, x in reactions.items()),
         accelerations=tuple(accelerations.values()),
     )
 

@@ -11,7 +11,7 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
 from ...core.system import Parameter
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from ...errors import InputError
 from .mechanism import TIME
 
@@ -86,7 +86,7 @@ def renamed(
     used = {s for f in (*formulas, *given.values()) for s in sp.sympify(f).free_symbols} - {time}
     constants = sorted(used, key=str)
     chosen = _parameters(name, constants, parameters)
-    plain: dict[Any, sp.Expr] = {f: scalar(str(f.func)) for f in moving}
+    plain: dict[Any, sp.Expr] = {f: real_symbol(str(f.func)) for f in moving}
     plain |= {s: p.symbol for s, p in zip(constants, chosen, strict=True)}
     plain[time] = TIME
     table = dict(plain)
@@ -134,7 +134,7 @@ def _parameter(name: str, symbol: sp.Symbol, given: Any) -> Parameter:
         if str(given.symbol) != str(symbol):
             raise InputError(f"{name}: parameters: {symbol} is given as {given.symbol}")
         return given
-    plain = scalar(str(symbol))
+    plain = real_symbol(str(symbol))
     positive = (plain > 0,) if symbol.is_positive else ()
     try:
         default = float(given)

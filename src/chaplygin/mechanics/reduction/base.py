@@ -16,10 +16,10 @@ from itertools import combinations
 import sympy as sp
 from flint import fmpq, fmpq_mat
 
-from ...core.vectors import Vector, explicit, normed, scalar
+from ...core.vectors import Vector, to_components, norm_squared, real_symbol
 from ...errors import InputError
 from ..lagrangian.mechanism import Mechanism
-from .momenta import Motion
+from .momenta import ReducedMomenta
 from .rational_evaluation import Formulas, bare, point
 
 __all__ = ["Base", "base", "on_base"]
@@ -53,7 +53,7 @@ class Base:
     fixed: Mapping[sp.Symbol, sp.Expr]
     rates: sp.Matrix
     normal: Vector | None
-    motion: Motion
+    motion: ReducedMomenta
 
     @property
     def inside(self) -> dict[sp.Symbol, sp.Expr]:
@@ -61,7 +61,7 @@ class Base:
         return {**self.place, **self.fixed}
 
 
-def base(mechanism: Mechanism, motion: Motion) -> Base:
+def base(mechanism: Mechanism, motion: ReducedMomenta) -> Base:
     """Two coordinates in which the equations close.
 
     Raises
@@ -97,16 +97,16 @@ def _listed(names: list[sp.Symbol]) -> str:
     return ", ".join(map(str, names))
 
 
-def _unit_vector(mechanism: Mechanism, motion: Motion) -> Vector | None:
+def _unit_vector(mechanism: Mechanism, motion: ReducedMomenta) -> Vector | None:
     names = [n for n, _ in mechanism.frame.rates if isinstance(n, Vector) and n.shape[0] == 3]
     for name in names:
-        unit = explicit(normed(name)) - 1
+        unit = to_components(norm_squared(name)) - 1
         if any(sp.expand(f - unit) == 0 for f in motion.relations):
             return name
     return None
 
 
-def _entries(motion: Motion) -> list[sp.Expr]:
+def _entries(motion: ReducedMomenta) -> list[sp.Expr]:
     """All on which the motion depends."""
     return [
         *motion.metric,
@@ -116,7 +116,7 @@ def _entries(motion: Motion) -> list[sp.Expr]:
     ]
 
 
-def _needed(mechanism: Mechanism, motion: Motion) -> list[sp.Symbol]:
+def _needed(mechanism: Mechanism, motion: ReducedMomenta) -> list[sp.Symbol]:
     """The coordinates on which the equations really depend."""
     entries = _entries(motion)
     pulled = [q for q in motion.coordinates if sp.diff(motion.potential, q) != 0]
@@ -143,11 +143,11 @@ def _free_names(mechanism: Mechanism) -> tuple[sp.Symbol, sp.Symbol]:
         *(p.symbol for p in mechanism.parameters),
         *(s for s, _ in mechanism.steps),
     }
-    names = (scalar("theta"), scalar("phi"))
-    return names if not used & set(names) else (scalar("theta_n"), scalar("phi_n"))
+    names = (real_symbol("theta"), real_symbol("phi"))
+    return names if not used & set(names) else (real_symbol("theta_n"), real_symbol("phi_n"))
 
 
-def _sphere(mechanism: Mechanism, motion: Motion, vector: Vector) -> Base:
+def _sphere(mechanism: Mechanism, motion: ReducedMomenta, vector: Vector) -> Base:
     theta, phi = _free_names(mechanism)
     sine, cosine = sp.sin(theta), sp.cos(theta)
     turn, across = sp.sin(phi), sp.cos(phi)
@@ -165,7 +165,7 @@ def _sphere(mechanism: Mechanism, motion: Motion, vector: Vector) -> Base:
     return Base((theta, phi), place, fixed, rates, vector, moved)
 
 
-def _pair(mechanism: Mechanism, motion: Motion, needed: list[sp.Symbol]) -> Base:
+def _pair(mechanism: Mechanism, motion: ReducedMomenta, needed: list[sp.Symbol]) -> Base:
     """Two of the coordinates, those that matter among them, that move freely."""
     rest = [q for q in motion.coordinates if q not in needed]
     place = dict.fromkeys(rest, sp.S.Zero)
@@ -199,7 +199,7 @@ def _angles(rows: sp.Matrix) -> dict[sp.Symbol, fmpq]:
     return point(sorted(rows.free_symbols, key=str), random.Random(SEED))
 
 
-def on_base(motion: Motion, place: Mapping[sp.Symbol, sp.Expr]) -> Motion:
+def on_base(motion: ReducedMomenta, place: Mapping[sp.Symbol, sp.Expr]) -> ReducedMomenta:
     """The equations of motion with coordinates put in; relations are satisfied."""
 
     def put(matrix: sp.Matrix) -> sp.Matrix:

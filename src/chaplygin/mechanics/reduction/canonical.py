@@ -7,7 +7,7 @@ import sympy as sp
 from ...core.isomorphism import Isomorphism
 from ...core.laws import ConformallyHamiltonian, Integral, PoissonStructure
 from ...core.system import System
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from .base import Base
 from .closed_form import Closed
 from .multiplier import Multiplier
@@ -16,11 +16,11 @@ from .system import N, h_11, h_12, h_22, momenta, placed
 __all__ = ["canonical", "canonical_law"]
 
 HALF = sp.Rational(1, 2)
-V = scalar("V")
+V = real_symbol("V")
 
 
 def _names(base: Base) -> tuple[sp.Symbol, sp.Symbol]:
-    first, second = (scalar(f"p_{q}") for q in base.coordinates)
+    first, second = (real_symbol(f"p_{q}") for q in base.coordinates)
     return first, second
 
 

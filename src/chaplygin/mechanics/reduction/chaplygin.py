@@ -17,7 +17,7 @@ import sympy as sp
 from ...arguments import arguments_checked
 from ...core.laws import Identity, Integral, Law
 from ...core.system import System
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from ...errors import InputError
 from ...parsing.exact_decimals import exact_number, exactly
 from ..lagrangian.mechanism import Mechanism
@@ -26,12 +26,12 @@ from ..lagrangian.substituted_parameters import settled
 from .base import Base, base
 from .canonical import canonical, canonical_law
 from .closed_form import Closed, closed_forms
-from .factors import Chart, natural_factors
+from .factors import HalfAngleChart, natural_factors
 from .form import ChaplyginForm
 from .gyroscopic_form import Flux, flux, indefinite
 from .integrals import Linear, linear_integrals
 from .lift import Lift, Local, lift
-from .momenta import Motion, motion
+from .momenta import ReducedMomenta, motion
 from .multiplier import Multiplier, closed, is_closed, multiplier, over_rational, poles
 from .quadratic_integral import balanced
 from .system import chaplygin_system, lifted, motion_law, with_base
@@ -103,7 +103,7 @@ def _reduced(mechanism: Mechanism, levels: Sequence[float | sp.Expr] | None) -> 
     up = lift(here, found, _levels(mechanism, len(found), levels))
     chosen = balanced(mechanism, moved, up)
     local = Local(up, chosen.integral, mechanism.name)
-    chart = Chart.of(here.coordinates, local.symbols)
+    chart = HalfAngleChart.of(here.coordinates, local.symbols)
     parameters = [p.symbol for p in mechanism.parameters]
     forms = {here.motion.metric.as_immutable(): None}
     forms[chosen.integral.slope.jacobian(here.motion.velocities).as_immutable()] = None
@@ -118,7 +118,7 @@ def _assembled(
     here: Base,
     up: Lift,
     local: Local,
-    chart: Chart,
+    chart: HalfAngleChart,
     parts: Closed,
     found: Multiplier | None,
     role: str,
@@ -200,10 +200,10 @@ def _levels(
     used = {p.symbol for p in mechanism.parameters} | set(mechanism.symbols)
     used |= {s for s, _ in mechanism.steps}
     names = ["c"] if count == 1 else [f"c_{i + 1}" for i in range(count)]
-    return [scalar(n) if scalar(n) not in used else scalar(f"level_{n}") for n in names]
+    return [real_symbol(n) if real_symbol(n) not in used else real_symbol(f"level_{n}") for n in names]
 
 
-def _integrals(mechanism: Mechanism, moved: Motion, here: Base) -> list[Linear]:
+def _integrals(mechanism: Mechanism, moved: ReducedMomenta, here: Base) -> list[Linear]:
     free = len(moved.velocities) - moved.constraints.rows
     needed = free - 2
     if needed == 0:

@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from ...core.vectors import Vector
-from .factors import Chart, has_even_degrees, in_angles, on_sphere
+from .factors import HalfAngleChart, has_even_degrees, in_angles, on_sphere
 from .lift import Local
 from .rational_evaluation import Formulas, Quotient, inverse, product, quotients
 
@@ -44,7 +44,7 @@ class Closed:
 
 
 def closed_forms(
-    local: Local, chart: Chart, parameters: Sequence[sp.Symbol], vector: Vector | None
+    local: Local, chart: HalfAngleChart, parameters: Sequence[sp.Symbol], vector: Vector | None
 ) -> Closed:
     """All parts of (4.4), with parameters and constants as symbols."""
     lift, owner = local.lift, local.owner
@@ -77,7 +77,7 @@ def closed_forms(
     )
 
 
-def written(value: Quotient, chart: Chart, vector: Vector | None) -> sp.Expr:
+def written(value: Quotient, chart: HalfAngleChart, vector: Vector | None) -> sp.Expr:
     """A fraction in the angles, its factors in the unit vector where they are functions of it."""
     if value.above == 0:
         return sp.S.Zero
@@ -108,7 +108,7 @@ def written(value: Quotient, chart: Chart, vector: Vector | None) -> sp.Expr:
 
 
 def _one(
-    factor: Any, chart: Chart, vector: Vector | None, circles: list[int], power: int
+    factor: Any, chart: HalfAngleChart, vector: Vector | None, circles: list[int], power: int
 ) -> sp.Expr:
     """A factor to a power, exactly; the powers of 1 + t² that it takes are recorded."""
     for i in (0, 1):
@@ -118,7 +118,7 @@ def _one(
     return (in_angles(factor, chart) if made is None else made) ** power
 
 
-def _is(factor: Any, chart: Chart, form: str) -> int | None:
+def _is(factor: Any, chart: HalfAngleChart, form: str) -> int | None:
     """For which angle a factor has the given form in t."""
     names = factor.context().names()
     for i in (0, 1):

@@ -15,7 +15,7 @@ from typing import Any
 import sympy as sp
 from flint import Ordering, fmpq, fmpq_mat, fmpq_mpoly_ctx
 
-from ...core.vectors import Vector, scalar
+from ...core.vectors import Vector, real_symbol
 from .lift import Lift
 from .rational_evaluation import (
     Formulas,
@@ -28,7 +28,7 @@ from .rational_evaluation import (
     quotients,
 )
 
-__all__ = ["Chart", "determinant", "has_even_degrees", "in_angles", "natural_factors", "on_sphere"]
+__all__ = ["HalfAngleChart", "determinant", "has_even_degrees", "in_angles", "natural_factors", "on_sphere"]
 
 SEED = 1930
 HIGHEST = 6
@@ -36,7 +36,7 @@ HIGHEST = 6
 
 
 @dataclass(frozen=True)
-class Chart:
+class HalfAngleChart:
     """The coordinates as rational functions of a pair of variables.
 
     Attributes
@@ -53,10 +53,10 @@ class Chart:
     angles: tuple[bool, bool]
 
     @classmethod
-    def of(cls, coordinates: tuple[sp.Symbol, sp.Symbol], used: Sequence[sp.Symbol]) -> Chart:
+    def of(cls, coordinates: tuple[sp.Symbol, sp.Symbol], used: Sequence[sp.Symbol]) -> HalfAngleChart:
         """The chart for formulas that use the symbols given."""
         angles = tuple(bool(set(circle(q)) & set(used)) for q in coordinates)
-        names = [scalar(f"t_{q}") if a else q for q, a in zip(coordinates, angles, strict=True)]
+        names = [real_symbol(f"t_{q}") if a else q for q, a in zip(coordinates, angles, strict=True)]
         return cls(coordinates, (names[0], names[1]), (angles[0], angles[1]))
 
     def point(self, values: Sequence[Value]) -> dict[sp.Symbol, Value]:
@@ -103,7 +103,7 @@ def _adjugate(rows: Sequence[Sequence[Value]]) -> list[list[Value]]:
 def natural_factors(
     lift: Lift,
     forms: Sequence[sp.Matrix],
-    chart: Chart,
+    chart: HalfAngleChart,
     parameters: Sequence[sp.Symbol],
     owner: str,
 ) -> list[Any]:
@@ -139,12 +139,12 @@ def natural_factors(
     return list(factors.values())
 
 
-def has_even_degrees(poly: Any, chart: Chart) -> bool:
+def has_even_degrees(poly: Any, chart: HalfAngleChart) -> bool:
     """Whether a polynomial is over (1 + t²)^(d/2) a function of the angles without half angles."""
     return not any(a and int(d) % 2 for d, a in zip(poly.degrees()[:2], chart.angles, strict=True))
 
 
-def in_angles(poly: Any, chart: Chart) -> sp.Expr:
+def in_angles(poly: Any, chart: HalfAngleChart) -> sp.Expr:
     """A polynomial as F/(1 + t²)^⌈d/2⌉ in sines and cosines, expanded."""
     names = poly.context().names()
     circles = [str(s) for q in chart.coordinates for s in circle(q)]
@@ -175,7 +175,7 @@ def in_angles(poly: Any, chart: Chart) -> sp.Expr:
     return as_formula(total / scale).xreplace(functions)
 
 
-def on_sphere(poly: Any, chart: Chart, vector: Vector) -> sp.Expr | None:
+def on_sphere(poly: Any, chart: HalfAngleChart, vector: Vector) -> sp.Expr | None:
     """A polynomial of even degrees, over the powers of 1 + t², in the unit vector.
 
     A form where it is one; else with terms of two degrees that differ by one.  None if it is no

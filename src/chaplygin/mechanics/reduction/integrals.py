@@ -15,10 +15,10 @@ from itertools import combinations_with_replacement
 import sympy as sp
 from flint import fmpq
 
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from ..lagrangian.mechanism import Mechanism
 from .base import Base
-from .momenta import Motion
+from .momenta import ReducedMomenta
 from .rational_evaluation import (
     Evaluable,
     Formulas,
@@ -53,7 +53,7 @@ class Linear:
     in_momenta: sp.Expr
 
 
-def linear_integrals(mechanism: Mechanism, motion: Motion, base: Base) -> list[Linear]:
+def linear_integrals(mechanism: Mechanism, motion: ReducedMomenta, base: Base) -> list[Linear]:
     """Independent integrals Σ a_s(q) m_s + a_0(q) of lowest degree.
 
     Parameters
@@ -66,7 +66,7 @@ def linear_integrals(mechanism: Mechanism, motion: Motion, base: Base) -> list[L
     functions = _functions(motion, base)
     for degree in range(DEGREE + 1):
         monomials = _monomials(functions, degree)
-        names = [scalar(f"M_{i + 1}") for i in range(len(motion.velocities))]
+        names = [real_symbol(f"M_{i + 1}") for i in range(len(motion.velocities))]
         written = [f * M for M in names for f in monomials]
         written += [f for f in monomials if f != 1]
         momenta = dict(zip(names, motion.momenta, strict=True))
@@ -78,7 +78,7 @@ def linear_integrals(mechanism: Mechanism, motion: Motion, base: Base) -> list[L
     return []
 
 
-def quadratic_integrals(mechanism: Mechanism, motion: Motion, base: Base) -> list[sp.Matrix]:
+def quadratic_integrals(mechanism: Mechanism, motion: ReducedMomenta, base: Base) -> list[sp.Matrix]:
     """Symmetric matrices B, free of the coordinates, for which ½(m, Bm) is an integral."""
     size = len(motion.velocities)
     pairs = list(combinations_with_replacement(range(size), 2))
@@ -94,7 +94,7 @@ def quadratic_integrals(mechanism: Mechanism, motion: Motion, base: Base) -> lis
     return forms
 
 
-def _functions(motion: Motion, base: Base) -> list[sp.Expr]:
+def _functions(motion: ReducedMomenta, base: Base) -> list[sp.Expr]:
     if base.normal is not None:
         return list(base.normal.symbols)
     found: list[sp.Expr] = []
@@ -116,16 +116,16 @@ def _monomials(functions: Sequence[sp.Expr], degree: int) -> list[sp.Expr]:
 
 
 def _constants(
-    mechanism: Mechanism, motion: Motion, base: Base, terms: Sequence[sp.Expr]
+    mechanism: Mechanism, motion: ReducedMomenta, base: Base, terms: Sequence[sp.Expr]
 ) -> list[dict[int, sp.Expr]]:
     """The combinations of terms with constant coefficients that are integrals, as coefficients."""
     rates = [_derivative(motion, term).xreplace(base.inside) for term in terms]
     return solutions(mechanism, base, Formulas(rates, mechanism.name), len(terms))
 
 
-def _derivative(motion: Motion, value: sp.Expr) -> sp.Expr:
+def _derivative(motion: ReducedMomenta, value: sp.Expr) -> sp.Expr:
     """d/dt of a polynomial in m with coefficients in q; no acceleration is needed."""
-    names = [scalar(f"m_{i}_") for i in range(len(motion.velocities))]
+    names = [real_symbol(f"m_{i}_") for i in range(len(motion.velocities))]
     momenta = list(motion.momenta)
     # terms are products of momenta and functions of q: replace exactly these sums
     named = value.xreplace(dict(zip(momenta, names, strict=True)))

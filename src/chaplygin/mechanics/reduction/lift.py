@@ -22,7 +22,7 @@ import sympy as sp
 
 from .base import Base
 from .integrals import Linear
-from .momenta import Motion
+from .momenta import ReducedMomenta
 from .rational_evaluation import Formulas, Value, inverse, product
 
 __all__ = ["Chaplygin", "Lift", "Local", "Point", "Quadratic", "energy", "in_momenta", "lift"]
@@ -69,7 +69,7 @@ class Quadratic:
         )
 
 
-def energy(motion: Motion, base: Base) -> Quadratic:
+def energy(motion: ReducedMomenta, base: Base) -> Quadratic:
     """½(u, Gu) + U."""
     u = sp.Matrix(motion.velocities)
     moved = motion.metric * u
@@ -77,7 +77,7 @@ def energy(motion: Motion, base: Base) -> Quadratic:
     return _placed((u.T * moved)[0] / 2, motion.potential, moved, rate, base)
 
 
-def in_momenta(motion: Motion, base: Base, form: sp.Matrix) -> Quadratic:
+def in_momenta(motion: ReducedMomenta, base: Base, form: sp.Matrix) -> Quadratic:
     """½(m, Bm) for a constant symmetric matrix B."""
     m = motion.momenta
     turned = motion.metric * form * m

@@ -13,17 +13,17 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from ...errors import InputError
 from ..lagrangian.mechanism import TIME, Mechanism
 from ..lagrangian.structure_functions import structure
 from .rational_evaluation import is_rational
 
-__all__ = ["Motion", "gradient_by", "motion"]
+__all__ = ["ReducedMomenta", "gradient_by", "motion"]
 
 
 @dataclass(frozen=True)
-class Motion:
+class ReducedMomenta:
     """The equations of motion in free velocities u.
 
     Attributes
@@ -80,7 +80,7 @@ def gradient_by(value: sp.Expr, names: tuple[sp.Symbol, ...]) -> sp.Matrix:
     return sp.Matrix([sp.diff(value, s) for s in names])
 
 
-def motion(mechanism: Mechanism) -> Motion:
+def motion(mechanism: Mechanism) -> ReducedMomenta:
     """The equations of motion of a mechanism with constraints linear in the velocities.
 
     Raises
@@ -127,7 +127,7 @@ def motion(mechanism: Mechanism) -> Motion:
             for s in range(len(free))
         ]
     )
-    return Motion(
+    return ReducedMomenta(
         coordinates=q,
         velocities=free,
         relations=(*frame.relations, *mechanism.F),
@@ -145,7 +145,7 @@ def motion(mechanism: Mechanism) -> Motion:
 def _slope(potential: sp.Expr, coordinate: sp.Symbol) -> sp.Expr:
     """∂U/∂q, or a symbol for it where it is not rational."""
     slope = sp.diff(potential, coordinate)
-    return slope if is_rational(slope) else scalar(f"[dU/d{coordinate}]")
+    return slope if is_rational(slope) else real_symbol(f"[dU/d{coordinate}]")
 
 
 def _written(mechanism: Mechanism, value: sp.Expr) -> sp.Expr:

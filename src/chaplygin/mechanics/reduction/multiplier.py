@@ -17,7 +17,7 @@ from flint import fmpq
 
 from ...core.system import Parameter
 from ...core.vectors import Vector
-from .factors import Chart, has_even_degrees, in_angles, on_sphere
+from .factors import HalfAngleChart, has_even_degrees, in_angles, on_sphere
 from .lift import Local
 from .rational_evaluation import Quotient, Value, near, number, quotients, reduced
 
@@ -84,13 +84,13 @@ def as_positive(parameters: Sequence[Parameter]) -> dict[sp.Symbol, sp.Symbol]:
     }
 
 
-def _at(local: Local, chart: Chart, values: Sequence[Value], given: Any, like: Value) -> Any:
+def _at(local: Local, chart: HalfAngleChart, values: Sequence[Value], given: Any, like: Value) -> Any:
     """The 1-form at a point of the chart."""
     place = {**given, **chart.point([like * v for v in values])}
     return local.at(place, like).form(like)
 
 
-def _parameters(local: Local, chart: Chart) -> list[sp.Symbol]:
+def _parameters(local: Local, chart: HalfAngleChart) -> list[sp.Symbol]:
     moving = {*chart.coordinates, *chart.point([fmpq(2), fmpq(3)])}
     return [s for s in local.symbols if s not in moving]
 
@@ -99,7 +99,7 @@ def _parameters(local: Local, chart: Chart) -> list[sp.Symbol]:
 
 
 def curl(
-    local: Local, chart: Chart, values: Sequence[fmpq], given: dict[sp.Symbol, Any], others: Any
+    local: Local, chart: HalfAngleChart, values: Sequence[fmpq], given: dict[sp.Symbol, Any], others: Any
 ) -> Any:
     """∂A₂/∂q₂ + ∂A₁/∂q₁ at a point; `others` are parameters to be kept as symbols."""
     total: Any = None
@@ -142,7 +142,7 @@ def poles(found: Multiplier) -> tuple[sp.Expr, ...]:
     return tuple(sorted(below, key=str))
 
 
-def closed(local: Local, chart: Chart, parameters: Sequence[Parameter]) -> Obstruction | None:
+def closed(local: Local, chart: HalfAngleChart, parameters: Sequence[Parameter]) -> Obstruction | None:
     """None if the form is closed at some rational points, else a point where it is not.
 
     Parameters
@@ -171,7 +171,7 @@ def closed(local: Local, chart: Chart, parameters: Sequence[Parameter]) -> Obstr
     return None
 
 
-def is_closed(local: Local, chart: Chart) -> bool:
+def is_closed(local: Local, chart: HalfAngleChart) -> bool:
     """Whether the form is closed, with everything as symbols."""
     one, names = quotients([*chart.variables, *_parameters(local, chart)])
     at = [names[t] for t in chart.variables]
@@ -180,7 +180,7 @@ def is_closed(local: Local, chart: Chart) -> bool:
     return bool(change == _derivative(second, 0) * chart.speed(0, at[0]))
 
 
-def open_unless(local: Local, chart: Chart, known: Sequence[Parameter]) -> tuple[sp.Expr, ...]:
+def open_unless(local: Local, chart: HalfAngleChart, known: Sequence[Parameter]) -> tuple[sp.Expr, ...]:
     """Factors in the parameters that the curl has at every point, and that may vanish."""
     dice = random.Random(SEED + 1)
     parameters = _parameters(local, chart)
@@ -203,7 +203,7 @@ def open_unless(local: Local, chart: Chart, known: Sequence[Parameter]) -> tuple
 
 
 def multiplier(
-    local: Local, chart: Chart, factors: Sequence[Any], vector: Vector | None
+    local: Local, chart: HalfAngleChart, factors: Sequence[Any], vector: Vector | None
 ) -> Multiplier | None:
     """N as a product of powers of the factors; None if it is none.
 
@@ -233,7 +233,7 @@ def multiplier(
 
 def _exponents(
     local: Local,
-    chart: Chart,
+    chart: HalfAngleChart,
     factors: Sequence[Any],
     given: dict[sp.Symbol, Any],
     symbols: tuple[sp.Symbol, ...],
@@ -261,7 +261,7 @@ def _exponents(
 
 
 def _slopes(
-    chart: Chart, factors: Sequence[Any], values: Sequence[fmpq], given: Any, like: Value
+    chart: HalfAngleChart, factors: Sequence[Any], values: Sequence[fmpq], given: Any, like: Value
 ) -> list[list[Value]]:
     """Derivatives of ln F_j and ln(1 + t²) by both coordinates."""
     at = {**given, **dict(zip(chart.variables, (like * v for v in values), strict=True))}
@@ -302,7 +302,7 @@ def _solved(rows: list[list[Value]], right: list[Value]) -> list[Value] | None:
 
 
 def _powers(
-    chart: Chart, factors: Sequence[Any], exponents: Sequence[sp.Expr], vector: Vector | None
+    chart: HalfAngleChart, factors: Sequence[Any], exponents: Sequence[sp.Expr], vector: Vector | None
 ) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
     """The product with every factor back in the angles, or in the unit vector."""
     found: list[tuple[sp.Expr, sp.Expr]] = []
@@ -331,7 +331,7 @@ def _powers(
     return tuple(found)
 
 
-def _base(poly: Any, chart: Chart, vector: Vector | None) -> sp.Expr:
+def _base(poly: Any, chart: HalfAngleChart, vector: Vector | None) -> sp.Expr:
     known = on_sphere(poly, chart, vector) if vector is not None else None
     return _monic(in_angles(poly, chart) if known is None else known)
 

@@ -13,13 +13,13 @@ from dataclasses import dataclass
 import sympy as sp
 from flint import fmpq
 
-from ...core.vectors import Vector, normed, scalar
+from ...core.vectors import Vector, norm_squared, real_symbol
 from ...errors import InputError
 from ...printing.formula import text
 from ..lagrangian.mechanism import Mechanism
 from .integrals import quadratic_integrals, solutions
 from .lift import Lift, Local, Point, Quadratic, energy, in_momenta
-from .momenta import Motion
+from .momenta import ReducedMomenta
 from .rational_evaluation import Value, bare, point
 
 __all__ = ["Balanced", "balanced"]
@@ -60,7 +60,7 @@ class _LinearParts:
         return [column[i] for i in (0, 1) for column in columns]
 
 
-def balanced(mechanism: Mechanism, motion: Motion, lift: Lift) -> Balanced:
+def balanced(mechanism: Mechanism, motion: ReducedMomenta, lift: Lift) -> Balanced:
     """The energy where it has no linear part, else a combination with another integral.
 
     Raises
@@ -101,15 +101,15 @@ def _regular(lift: Lift, integral: Quadratic, owner: str) -> bool:
 
 def _words(chosen: Mapping[int, sp.Expr], forms: Sequence[sp.Matrix]) -> str:
     """The combination in the energy E and the momenta M."""
-    E, M = scalar("E"), Vector("M")
+    E, M = real_symbol("E"), Vector("M")
     total = sp.S.Zero
     for i, factor in chosen.items():
         if i == 0:
             total += factor * E
         elif forms[i - 1] == 2 * sp.eye(3):
-            total += factor * normed(M)
+            total += factor * norm_squared(M)
         else:
-            momenta = [scalar(f"M_{k + 1}") for k in range(forms[i - 1].rows)]
+            momenta = [real_symbol(f"M_{k + 1}") for k in range(forms[i - 1].rows)]
             column = sp.Matrix(momenta)
             total += factor * sp.expand((column.T * forms[i - 1] * column)[0] / 2)
     return text(total)

@@ -14,7 +14,7 @@ from typing import Any, Protocol
 import sympy as sp
 from flint import Ordering, fmpq, fmpq_mpoly_ctx
 
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from ...errors import InputError
 
 __all__ = [
@@ -45,7 +45,7 @@ Point = Mapping[sp.Symbol, Value]
 
 def circle(angle: sp.Symbol) -> tuple[sp.Symbol, sp.Symbol]:
     """The names of sin x and cos x."""
-    return scalar(f"sin_{angle}"), scalar(f"cos_{angle}")
+    return real_symbol(f"sin_{angle}"), real_symbol(f"cos_{angle}")
 
 
 def on_circles(formula: sp.Expr, owner: str = "") -> sp.Expr:
@@ -303,7 +303,7 @@ def quotients(names: Sequence[sp.Symbol]) -> tuple[Quotient, dict[sp.Symbol, Quo
 
 def as_formula(poly: Any) -> sp.Expr:
     """A polynomial as a SymPy formula in real symbols."""
-    names = [scalar(n) for n in poly.context().names()]
+    names = [real_symbol(n) for n in poly.context().names()]
     terms = []
     for exponents, c in poly.to_dict().items():
         power = sp.Mul(*(s ** int(e) for s, e in zip(names, exponents, strict=True)))

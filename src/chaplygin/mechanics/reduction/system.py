@@ -10,7 +10,7 @@ import sympy as sp
 from ...core.isomorphism import Isomorphism
 from ...core.laws import ConformallyHamiltonian, Integral, Law, Measure, PoissonStructure
 from ...core.system import Observable, Parameter, System
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from ..lagrangian.mechanism import Mechanism
 from .base import Base
 from .closed_form import Closed
@@ -31,9 +31,9 @@ __all__ = [
     "with_base",
 ]
 
-N, S = scalar("N"), scalar("S")
-V = scalar("V")
-h_11, h_12, h_22 = (scalar(f"h_{i}") for i in ("11", "12", "22"))
+N, S = real_symbol("N"), real_symbol("S")
+V = real_symbol("V")
+h_11, h_12, h_22 = (real_symbol(f"h_{i}") for i in ("11", "12", "22"))
 HALF = sp.Rational(1, 2)
 
 LEVEL = 0.8
@@ -42,13 +42,13 @@ LEVEL = 0.8
 
 def momenta(base: Base) -> tuple[sp.Symbol, sp.Symbol]:
     """P₁, P₂."""
-    first, second = (scalar(f"P_{q}") for q in base.coordinates)
+    first, second = (real_symbol(f"P_{q}") for q in base.coordinates)
     return first, second
 
 
 def speeds(base: Base) -> tuple[sp.Symbol, sp.Symbol]:
     """q̇₁, q̇₂."""
-    first, second = (scalar(f"{q}dot") for q in base.coordinates)
+    first, second = (real_symbol(f"{q}dot") for q in base.coordinates)
     return first, second
 
 

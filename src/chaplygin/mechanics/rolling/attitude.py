@@ -6,9 +6,9 @@ import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from ...core.system import Observable
-from ...core.vectors import Vector, constant, explicit
+from ...core.vectors import Vector, constant, to_components
 
-__all__ = ["attitude", "quaternion_rate", "rotation", "tie", "unit_length"]
+__all__ = ["attitude", "quaternion_rate", "rotation", "attitude_relations", "unit_length"]
 
 attitude = Vector("attitude", 4)
 
@@ -18,7 +18,7 @@ _HALF = sp.Rational(1, 2)
 def quaternion_rate(omega: MatrixExpr) -> MatrixExpr:
     """dq/dt = ½ q (0, ω) for the angular velocity ω in body axes."""
     w, x, y, z = attitude.symbols
-    a, b, c = explicit(omega)
+    a, b, c = to_components(omega)
     return constant(
         [
             -_HALF * (x * a + y * b + z * c),
@@ -49,10 +49,10 @@ def unit_length() -> sp.Expr:
     return sp.Add(*(s**2 for s in attitude.symbols)) - 1
 
 
-def tie(vertical: MatrixExpr) -> tuple[sp.Expr, ...]:
+def attitude_relations(vertical: MatrixExpr) -> tuple[sp.Expr, ...]:
     """Vanish when `vertical` (body axes) is the third space axis seen from the body."""
     row = rotation().row(2)
-    return tuple(a - b for a, b in zip(row, explicit(vertical), strict=True))
+    return tuple(a - b for a, b in zip(row, to_components(vertical), strict=True))
 
 
 def attitude_observable() -> Observable:

@@ -13,7 +13,7 @@ from ...arguments import arguments_checked
 from ...errors import InputError
 from .shapes import Shape
 
-__all__ = ["Body", "check_inertia", "check_mass", "rigid"]
+__all__ = ["Body", "check_inertia", "check_mass", "triangle_inequalities"]
 
 
 @arguments_checked
@@ -79,7 +79,7 @@ def _numbers(inertia: Sequence[float] | Sequence[Sequence[float]]) -> np.ndarray
         return np.empty(0)
 
 
-def rigid(moments: Sequence[sp.Symbol]) -> dict[sp.Symbol, tuple[sp.Basic, ...]]:
+def triangle_inequalities(moments: Sequence[sp.Symbol]) -> dict[sp.Symbol, tuple[sp.Basic, ...]]:
     """What three moments of inertia about orthogonal axes must satisfy, for each of them.
 
     They are positive, and none is greater than the sum of the others.

@@ -15,7 +15,7 @@ import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from ...core.system import Guard, Parameter
-from ...core.vectors import Symmetric, Vector, constant, cross, dot, normed, scalar
+from ...core.vectors import Symmetric, Vector, constant, cross, dot, norm_squared, real_symbol
 from ...errors import InputError
 from .shapes import (
     IMPLICIT_GRADIENT,
@@ -38,7 +38,7 @@ gamma = Vector("gamma")
 r = Vector("r")
 rdot = Vector("rdot")
 gammadot = Vector("gammadot")
-a = scalar("a")
+a = real_symbol("a")
 
 
 @dataclass(frozen=True)
@@ -128,16 +128,16 @@ def _of_ball(shape: Ball, surface: Surface) -> Contact:
     definitions: Pairs = ()
     rate, pull = cross(gamma, omega), lambda force: force
     if isinstance(surface, Sphere):
-        k = scalar("k")
+        k = real_symbol("k")
         definitions = ((k, a / (a + ball.support)),)
         rate, pull = k * rate, lambda force: k * force
     reach, square = ball.reach, ball.determinant
     if any(shape.centre):
         definitions += ((r, c + ball.reach),)
-        reach, square = r, normed(r)
+        reach, square = r, norm_squared(r)
     return Contact(
         state=((gamma, rate),),
-        relations=(normed(gamma) - 1,),
+        relations=(norm_squared(gamma) - 1,),
         parameters=ball.parameters + shape.offset_parameters + _sphere_parameters(surface),
         definitions=definitions,
         guards=(),
@@ -160,9 +160,9 @@ def _through_gauss_map(shape: Shape, body: GaussMap, surface: Surface) -> Contac
         pull = lambda force: force  # noqa: E731
     else:
         # inverse of a symmetric operator of the plane by Cayley and Hamilton
-        area = scalar("A_a")
+        area = real_symbol("A_a")
         definitions += ((area, a**2 + a * body.trace + body.determinant),)
-        trace = scalar("tau")
+        trace = real_symbol("tau")
         definitions += ((trace, body.trace),)
 
         def solve(vector: MatrixExpr) -> MatrixExpr:
@@ -174,14 +174,14 @@ def _through_gauss_map(shape: Shape, body: GaussMap, surface: Surface) -> Contac
     definitions += ((rdot, -body.spread(rate)),)
     return Contact(
         state=((gamma, rate),),
-        relations=(normed(gamma) - 1,),
+        relations=(norm_squared(gamma) - 1,),
         parameters=body.parameters + shape.offset_parameters + _sphere_parameters(surface),
         definitions=definitions,
         guards=guards,
         r=r,
         rdot=rdot,
         gammadot=rate,
-        square=normed(r),
+        square=norm_squared(r),
         height=body.support - dot(shape.offset, gamma),
         pull=pull,
     )
@@ -192,16 +192,16 @@ def _through_surface(shape: Implicit, surface: Surface) -> Contact:
     x = IMPLICIT_POINT
     coordinates = dict(zip(shape.coordinates, x.symbols, strict=True))
     f = shape.surface.xreplace(coordinates)
-    slope, ell = IMPLICIT_GRADIENT, scalar("ell")
+    slope, ell = IMPLICIT_GRADIENT, real_symbol("ell")
     F, G = IMPLICIT_HESSIAN, Symmetric("G")
     hessian = constant(sp.hessian(f, x.symbols))
-    mean, gauss = scalar("sigma"), scalar("kappa")
+    mean, gauss = real_symbol("sigma"), real_symbol("kappa")
     swing = cross(gamma, omega)
     trace = sp.Add(*(F.entries[i, i] for i in range(3)))
     definitions: Pairs = (
         (x, r - shape.offset),
         (slope, constant([sp.diff(f, s) for s in x.symbols])),
-        (ell, sp.sqrt(normed(slope))),
+        (ell, sp.sqrt(norm_squared(slope))),
         (gamma, -slope / ell),
         (F, hessian),
         (G, constant(F.entries.adjugate())),
@@ -218,7 +218,7 @@ def _through_surface(shape: Implicit, surface: Surface) -> Contact:
         pull = lambda force: force  # noqa: E731
         guards: tuple[Guard, ...] = ()
     else:
-        area = scalar("A_a")
+        area = real_symbol("A_a")
         definitions += ((area, gauss + mean / a + 1 / a**2),)
 
         def solve(vector: MatrixExpr) -> MatrixExpr:
@@ -239,7 +239,7 @@ def _through_surface(shape: Implicit, surface: Surface) -> Contact:
         r=r,
         rdot=rdot,
         gammadot=rate,
-        square=normed(r),
+        square=norm_squared(r),
         height=-dot(r, gamma),
         pull=pull,
     )

@@ -25,7 +25,7 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ...arguments import arguments_checked
 from ...core.laws import Integral
-from ...core.system import Guard, Motion, Observable, Parameter, System
+from ...core.system import Guard, Reconstruction, Observable, Parameter, System
 from ...core.vectors import (
     Diagonal,
     Symmetric,
@@ -34,35 +34,35 @@ from ...core.vectors import (
     constant,
     cross,
     dot,
-    explicit,
+    to_components,
     gradient,
     identity,
-    normed,
-    scalar,
+    norm_squared,
+    real_symbol,
     zero,
 )
 from ...errors import InputError
-from .attitude import attitude, attitude_observable, quaternion_rate, rotation, tie, unit_length
-from .body import Body, rigid
+from .attitude import attitude, attitude_observable, quaternion_rate, rotation, attitude_relations, unit_length
+from .body import Body, triangle_inequalities
 from .contact import Contact
 from .contact import contact as contact_of
 from .shapes import check_values, real_values
 from .surfaces import Plane, Surface
 
-__all__ = ["Field", "Model", "Rolling", "roll"]
+__all__ = ["Forces", "ContactModel", "Rolling", "roll"]
 
-Model = Literal["marble", "rubber"]
+ContactModel = Literal["marble", "rubber"]
 Pairs = tuple[tuple[Any, Any], ...]
 
 M, omega, gamma, zeta = (Vector(name) for name in ("M", "omega", "gamma", "zeta"))
 k, X, omegadot, N, F = (Vector(name) for name in ("k", "X", "omegadot", "N", "F"))
 place = Vector("place", 2)
-m, g, a, U, lambda_0 = (scalar(name) for name in ("m", "g", "a", "U", "lambda_0"))
+m, g, a, U, lambda_0 = (real_symbol(name) for name in ("m", "g", "a", "U", "lambda_0"))
 
 
 @arguments_checked
 @dataclass(frozen=True)
-class Field:
+class Forces:
     """The forces that act besides the contact.
 
     Parameters
@@ -94,8 +94,8 @@ class Rolling:
 
     body: Body
     surface: Surface = Plane()  # noqa: RUF009  (immutable)
-    contact: Model = "marble"
-    field: Field = Field()
+    contact: ContactModel = "marble"
+    field: Forces = Forces()
 
     def system(self, name: str = "rolling-body", title: str = "Rolling body") -> System:
         """The equations of motion; see :func:`roll`."""
@@ -122,8 +122,8 @@ class _Balance:
 def roll(
     body: Body,
     surface: Surface = Plane(),  # noqa: B008  (immutable)
-    contact: Model = "marble",
-    field: Field = Field(),
+    contact: ContactModel = "marble",
+    field: Forces = Forces(),
     name: str = "rolling-body",
     title: str = "Rolling body",
 ) -> System:
@@ -169,7 +169,7 @@ def _body_parameters(body: Body, inertia: Diagonal | Symmetric) -> tuple[Paramet
     entries = inertia.independent(body.tensor)
     axis = "moment of inertia about body axis" if body.principal else "entry of the inertia tensor"
     parameters = [Parameter(m, "mass", body.mass, "kg", (m > 0,))]
-    asked = rigid(tuple(explicit(inertia).diagonal()))
+    asked = triangle_inequalities(tuple(to_components(inertia).diagonal()))
     for symbol, value in zip(inertia.symbols, entries, strict=True):
         label = str(symbol).removeprefix("I_")
         conditions = asked.get(symbol, ())
@@ -182,7 +182,7 @@ def _body_parameters(body: Body, inertia: Diagonal | Symmetric) -> tuple[Paramet
     return tuple(parameters)
 
 
-def _balance(body: Body, surface: Surface, field: Field) -> _Balance:
+def _balance(body: Body, surface: Surface, field: Forces) -> _Balance:
     touch = contact_of(body.shape, surface)
     inertia = Diagonal("I") if body.principal else Symmetric("I")
     parameters = _body_parameters(body, inertia) + touch.parameters
@@ -326,7 +326,7 @@ def _split(definitions: Pairs) -> tuple[Pairs, Pairs]:
     before: list[Any] = []
     after: list[Any] = []
     for name, formula in definitions:
-        symbols = explicit(formula).free_symbols
+        symbols = to_components(formula).free_symbols
         if symbols & moving:
             moving |= {name} if isinstance(name, sp.Symbol) else set(name.symbols)
             after.append((name, formula))
@@ -375,7 +375,7 @@ def _finish(
         guards += (Guard("contact", dot(N, gamma), "the normal force changes sign", lift_off=True),)
     if balance.vertical is zeta and balance.force != zero:
         field += ((zeta, cross(zeta, omega)),)
-        relations += (normed(zeta) - 1,)
+        relations += (norm_squared(zeta) - 1,)
     normal = Observable("gamma", gamma, "normal of the surface at the contact", "", "body")
     shown = {name for name, _ in field}
     return System(
@@ -412,13 +412,13 @@ def _surface_words(surface: Surface) -> str:
     return f"the {side} of a fixed sphere"
 
 
-def _motion(balance: _Balance, surface: Surface) -> Motion:
+def _motion(balance: _Balance, surface: Surface) -> Reconstruction:
     touch = balance.touch
     turn = rotation()
-    reach = turn * explicit(touch.r)
+    reach = turn * to_components(touch.r)
     if isinstance(surface, Plane):
         # the centre's velocity is r×ω in body axes; its height follows from the position
-        velocity = turn * explicit(cross(touch.r, omega))
+        velocity = turn * to_components(cross(touch.r, omega))
         x, y = place.symbols
         centre = constant([x, y, touch.height])
         point = constant([x + reach[0], y + reach[1], 0])
@@ -426,15 +426,15 @@ def _motion(balance: _Balance, surface: Surface) -> Motion:
             (attitude, quaternion_rate(omega)),
             (place, constant(velocity[:2])),
         )
-        relations = (unit_length(), *tie(gamma))
+        relations = (unit_length(), *attitude_relations(gamma))
     else:
-        point = a * turn * explicit(gamma)
+        point = a * turn * to_components(gamma)
         centre = point - reach
         field = ((attitude, quaternion_rate(omega)),)
         relations = (unit_length(),)
         if balance.force != zero:
-            relations += tie(zeta)
-    return Motion(
+            relations += attitude_relations(zeta)
+    return Reconstruction(
         field=field,
         relations=relations,
         observables=(

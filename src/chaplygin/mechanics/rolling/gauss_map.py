@@ -8,12 +8,12 @@ import numpy as np
 import sympy as sp
 
 from ...core.arrays import FloatArray
-from ...core.vectors import Vector, explicit
+from ...core.vectors import Vector, to_components
 from ...errors import InputError
 from .rays import directions
 from .shapes import Ball, Implicit, Shape
 
-__all__ = ["centre_outside", "contact_points", "touching"]
+__all__ = ["centre_outside", "contact_points", "contact_points_of_normals"]
 
 
 _ITERATIONS = 200
@@ -30,12 +30,12 @@ def contact_points(shape: Shape) -> Callable[[FloatArray], FloatArray]:
     centre = np.array(shape.centre)
     if isinstance(shape, Implicit):
         f = shape.surface.subs(dict(shape.values))
-        return lambda gamma: centre + touching(f, shape.coordinates, gamma)
+        return lambda gamma: centre + contact_points_of_normals(f, shape.coordinates, gamma)
     body = shape.gauss()
     gamma_symbols = Vector("gamma").symbols
     steps: list[tuple[sp.Symbol, sp.Expr]] = []
     for name, formula in body.definitions:
-        value = explicit(formula)
+        value = to_components(formula)
         if isinstance(name, sp.Symbol):
             steps.append((name, value))
         else:
@@ -43,7 +43,7 @@ def contact_points(shape: Shape) -> Callable[[FloatArray], FloatArray]:
     values = {p.symbol: p.default for p in body.parameters}
     reach = sp.lambdify(
         [*gamma_symbols, *values],
-        list(explicit(body.reach)),
+        list(to_components(body.reach)),
         "numpy",
         cse=lambda formulas: (steps, formulas),
     )
@@ -76,7 +76,7 @@ def centre_outside(shape: Shape) -> bool:
             return bool((heights < 0).any())
 
 
-def touching(f: sp.Expr, coordinates: Sequence[sp.Symbol], gamma: FloatArray) -> FloatArray:
+def contact_points_of_normals(f: sp.Expr, coordinates: Sequence[sp.Symbol], gamma: FloatArray) -> FloatArray:
     """Points of the surface f = 0 whose outward normals are −γ.
 
     Solves ∇f + ℓγ = 0, ℓ = |∇f|, by damped Newton iteration from the points below the origin of

@@ -16,12 +16,12 @@ import sympy as sp
 from ...arguments import Parameters, arguments_checked
 from ...core.admissible import parameters_by_symbol
 from ...core.system import System
-from ...core.vectors import Vector, explicit
+from ...core.vectors import Vector, to_components
 from ...errors import InputError
 from .attitude import attitude
-from .gauss_map import touching
+from .gauss_map import contact_points_of_normals
 
-__all__ = ["starting_state"]
+__all__ = ["initial_state"]
 
 DIGITS = 50
 
@@ -33,7 +33,7 @@ place = Vector("place", 2)
 
 
 @arguments_checked
-def starting_state(
+def initial_state(
     system: System,
     omega: Sequence[float],
     gamma: Sequence[float],
@@ -139,7 +139,7 @@ def _check_spin(system: System, spin: list[Any], up: list[Any]) -> None:
 
 def _is_no_spin(relation: sp.Expr) -> bool:
     product = sp.Add(*(x * y for x, y in zip(_OMEGA, _GAMMA, strict=True)))
-    return bool(explicit(relation) == product)
+    return bool(to_components(relation) == product)
 
 
 def _check_domain(system: System, known: Mapping[sp.Symbol, Any]) -> None:
@@ -148,7 +148,7 @@ def _check_domain(system: System, known: Mapping[sp.Symbol, Any]) -> None:
         if guard.lift_off:
             continue
         try:
-            value = evaluate(system, [explicit(guard.value)], known)[0]
+            value = evaluate(system, [to_components(guard.value)], known)[0]
         except ZeroDivisionError:
             value = mpmath.mpf(0)
         if not value > 0:
@@ -199,7 +199,7 @@ def _third_row(turn: list[Any]) -> list[Any]:
 def _evaluate(system: System, pairs: Any, known: Mapping[sp.Symbol, Any]) -> dict[Any, Any]:
     """Values of named formulas at known symbols."""
     symbols = [s for name, _ in pairs for s in name.symbols]
-    formulas = [e for _, formula in pairs for e in explicit(formula)]
+    formulas = [e for _, formula in pairs for e in to_components(formula)]
     return dict(zip(symbols, evaluate(system, formulas, known), strict=True))
 
 
@@ -220,13 +220,13 @@ def _contact_point(system: System, up: list[Any], known: Mapping[sp.Symbol, Any]
     A point good to double precision is polished by Newton's method for ∇f + ℓγ = 0, f = 0, with
     the length ℓ of the gradient as fourth unknown.
     """
-    surface, coordinates = explicit(system.relations[0]), r.symbols
+    surface, coordinates = to_components(system.relations[0]), r.symbols
     values = {s: v for s, v in known.items() if s in surface.free_symbols}
     centre = [known.get(s, mpmath.mpf(0)) for s in Vector("c").symbols]
     shifted = surface.subs(values).subs(
         {s: s + v for s, v in zip(coordinates, centre, strict=True)}, simultaneous=True
     )
-    guess = touching(shifted, coordinates, np.array([[float(x) for x in up]]))[0]
+    guess = contact_points_of_normals(shifted, coordinates, np.array([[float(x) for x in up]]))[0]
     local = sp.lambdify(
         coordinates,
         [shifted, *(shifted.diff(s) for s in coordinates), *sp.hessian(shifted, coordinates)],
@@ -261,4 +261,4 @@ def _place(system: System, known: Mapping[sp.Symbol, Any]) -> list[Any]:
         return [zero, zero]
     origin = {**known, **dict.fromkeys(place.symbols, zero)}
     contact = next(o.value for o in system.motion.observables if o.name == "contact")
-    return [-x for x in evaluate(system, list(explicit(contact))[:2], origin)]
+    return [-x for x in evaluate(system, list(to_components(contact))[:2], origin)]

@@ -15,7 +15,7 @@ import sympy as sp
 
 from ...arguments import arguments_checked
 from ...core.system import Guard, Parameter, flat_pairs
-from ...core.vectors import Diagonal, Symmetric, Vector, cross, dot, explicit, normed, scalar
+from ...core.vectors import Diagonal, Symmetric, Vector, cross, dot, to_components, norm_squared, real_symbol
 from ..lagrangian.mechanism import Frame, Mechanism, Pairs, euclidean
 from .contact import contact as contact_of
 from .equations import Rolling
@@ -24,7 +24,7 @@ from .surfaces import Plane
 __all__ = ["rolling_mechanism"]
 
 omega, v, gamma, zeta, X, k = (Vector(n) for n in ("omega", "v", "gamma", "zeta", "X", "k"))
-m, g, R_3, U = (scalar(name) for name in ("m", "g", "R_3", "U"))
+m, g, R_3, U = (real_symbol(name) for name in ("m", "g", "R_3", "U"))
 HALF = sp.Rational(1, 2)
 
 
@@ -53,7 +53,7 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
     place, swinging = _positions(touch.definitions)
     inertia = Diagonal("I") if body.principal else Symmetric("I")
     spin = inertia * omega
-    kinetic = HALF * m * normed(v) + HALF * dot(omega, spin)
+    kinetic = HALF * m * norm_squared(v) + HALF * dot(omega, spin)
     if any(body.gyrostat):
         kinetic = kinetic + dot(k, omega)
     rates = {n: _written(rate, swinging) if swinging else rate for n, rate in touch.state}
@@ -65,7 +65,7 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
     elif field.gravity:
         rates[X] = cross(X, omega) + v
         rates[zeta] = cross(zeta, omega)
-        relations = (*relations, normed(zeta) - 1)
+        relations = (*relations, norm_squared(zeta) - 1)
         potential = m * g * dot(X, zeta)
     constraints: tuple[Any, ...] = (v + cross(omega, touch.r),)
     if rolling.contact == "rubber":
@@ -99,7 +99,7 @@ def _positions(definitions: Pairs) -> tuple[Pairs, dict[sp.Symbol, sp.Expr]]:
 
 
 def _written(formula: Any, swinging: dict[sp.Symbol, sp.Expr]) -> Any:
-    value = explicit(formula)
+    value = to_components(formula)
     while value.free_symbols & swinging.keys():
         value = value.xreplace(swinging)
     return value

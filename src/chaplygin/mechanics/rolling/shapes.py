@@ -26,12 +26,12 @@ from ...core.vectors import (
     by_name,
     constant,
     dot,
-    explicit,
+    to_components,
     identity,
-    normed,
+    norm_squared,
     outer,
-    scalar,
-    unit,
+    real_symbol,
+    unit_vector,
     zero,
 )
 from ...errors import InputError
@@ -53,8 +53,8 @@ Pairs = tuple[tuple[Any, Any], ...]
 #: A flat face is reached when the symmetry axis leans from the normal by less than this (radians).
 FLAT = 1e-6
 
-R = scalar("R")
-rho = scalar("rho")
+R = real_symbol("R")
+rho = real_symbol("rho")
 gamma = Vector("gamma")
 c = Vector("c")
 
@@ -111,7 +111,7 @@ def _positive(shape: str, **lengths: float) -> None:
 
 def real_values(values: Any) -> tuple[tuple[sp.Symbol, float], ...]:
     """Values by real symbols, whatever else was assumed of these."""
-    return tuple((scalar(str(symbol)), value) for symbol, value in dict(values).items())
+    return tuple((real_symbol(str(symbol)), value) for symbol, value in dict(values).items())
 
 
 def check_values(values: tuple[tuple[sp.Symbol, float], ...]) -> None:
@@ -200,15 +200,15 @@ def _tensor_map(
     guards: tuple[Guard, ...] = (),
 ) -> GaussMap:
     """The support function √(ν, Bν) + ρ: an ellipsoid, or a disk, thickened by a ball."""
-    s = scalar("s")
+    s = real_symbol("s")
     Bg = B * gamma
     return GaussMap(
         parameters=parameters,
         definitions=(*definitions, (s, sp.sqrt(dot(gamma, Bg)))),
         reach=-tube * gamma - Bg / s,
         spread=lambda u: tube * u + B * u / s - (dot(Bg, u) / s**3) * Bg,
-        trace=2 * tube + trace / s - normed(Bg) / s**3,
-        determinant=tube**2 + tube * (trace / s - normed(Bg) / s**3) + determinant / s**4,
+        trace=2 * tube + trace / s - norm_squared(Bg) / s**3,
+        determinant=tube**2 + tube * (trace / s - norm_squared(Bg) / s**3) + determinant / s**4,
         support=tube + s,
         guards=guards,
     )
@@ -247,7 +247,7 @@ class Ellipsoid(_Centred):
 
     def gauss(self) -> GaussMap:
         """The map r = c − Bγ/√(γ, Bγ), where B has the squared semi-axes as eigenvalues."""
-        b = tuple(scalar(f"b_{i}") for i in (1, 2, 3))
+        b = tuple(real_symbol(f"b_{i}") for i in (1, 2, 3))
         squares = [x**2 for x in b]
         parameters = tuple(
             _length(s, f"semi-axis {i} of the ellipsoid", x)
@@ -257,7 +257,7 @@ class Ellipsoid(_Centred):
         matrix = constant(sp.diag(*squares))
         if self.turn:
             B = Symmetric("B")
-            delta = scalar("delta")
+            delta = real_symbol("delta")
             cos, sin = sp.cos(delta), sp.sin(delta)
             turn = constant([[cos, -sin, 0], [sin, cos, 0], [0, 0, 1]])
             matrix = turn * matrix * turn.T
@@ -270,7 +270,7 @@ class Ellipsoid(_Centred):
 
 
 def _rim(radius: float, tube: sp.Expr, parameters: tuple[Parameter, ...], what: str) -> GaussMap:
-    across = identity - outer(unit(3), unit(3))
+    across = identity - outer(unit_vector(3), unit_vector(3))
     B = Diagonal("B")
     lean = gamma.symbols[0] ** 2 + gamma.symbols[1] ** 2
     return _tensor_map(
@@ -279,7 +279,7 @@ def _rim(radius: float, tube: sp.Expr, parameters: tuple[Parameter, ...], what: 
         2 * R**2,
         tube,
         (_length(R, f"radius of the {what}", radius), *parameters),
-        ((B, R**2 * explicit(across)),),
+        ((B, R**2 * to_components(across)),),
         (
             Guard(
                 "flat",
@@ -434,8 +434,8 @@ class Revolution(_Centred):
     def gauss(self) -> GaussMap:
         """The map r = c − pγ − p′(e₃ − γ₃γ); radii of curvature p − γ₃p′ and that + (1 − γ₃²)p″."""
         u = gamma.symbols[2]
-        p, first, second = scalar("p"), scalar("pprime"), scalar("pprime2")
-        slope = unit(3) - u * gamma
+        p, first, second = real_symbol("p"), real_symbol("pprime"), real_symbol("pprime2")
+        slope = unit_vector(3) - u * gamma
         parallel = p - u * first
         meridian = parallel + (1 - u**2) * second
         return GaussMap(
@@ -478,7 +478,7 @@ class Implicit(_Centred):
     surface: sp.Expr
     values: tuple[tuple[sp.Symbol, float], ...] = ()
 
-    coordinates = (scalar("x"), scalar("y"), scalar("z"))
+    coordinates = (real_symbol("x"), real_symbol("y"), real_symbol("z"))
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "values", real_values(self.values))

@@ -21,18 +21,18 @@ from ...check.witness import located
 from ...core.laws import Law
 from ...core.system import System
 from ...formulas.errors import NoRealValueError, OutOfReachError
-from ...formulas.number_fields import precise
+from ...formulas.number_fields import ball_precision
 from ..claim_text import claim_text
 from ..fields.budget import EFFORT, Budget
 from ..fields.unreduced_fields import Unreduced, UnreducedFormal
 from ..level.alternatives import alternatives
-from ..level.level_set import Ground
-from ..level.polynomial_problems import standing
+from ..level.level_set import LevelSet
+from ..level.polynomial_problems import polynomial_problems
 from ..prover import prove
 from ..random_test import trials
 from ..symbolic_proof import MOST_RUNS, turned
 from ..verdict import Verdict
-from ..witness_points import place
+from ..witness_points import witness_point
 from .identities import Excluded, Made, proof_text
 
 __all__ = ["certified"]
@@ -82,7 +82,7 @@ def _certificate(system: System, law: Law, verdict: Verdict, effort: int) -> Tex
     if verdict.decision == "proven where":
         content["conditions"] = list(_asked(verdict))
     read = read_claim(claim, "the claim")
-    with precise():
+    with ball_precision():
         sample = _sample(system, law, read)
     content["sample"] = sample
     return content | {"proofs": _proofs(system, law, read, sample, verdict, Budget(effort=effort))}
@@ -112,11 +112,11 @@ def _asked(verdict: Verdict) -> tuple[str, ...]:
 def _sample(system: System, law: Law, read: CheckedClaim) -> Text:
     """A point of the level at which the law is defined, as a certificate gives it."""
     for alternative in alternatives(system, law):
-        claim = standing(alternative.system, alternative.law)[-1]
-        for ground in Ground(claim.system, claim.law.on).components:
+        claim = polynomial_problems(alternative.system, alternative.law)[-1]
+        for ground in LevelSet(claim.system, claim.law.on).components:
             points = replace(ground, inner=True) if ground.parent else ground
             for trial in trials(claim.law, points):
-                made = None if trial.witness else place(claim, points, trial.values)
+                made = None if trial.witness else witness_point(claim, points, trial.values)
                 if made is not None and _is_located(read, made):
                     return made
     raise OutOfReachError("no point of its level was found with coordinates that can be written")
@@ -141,7 +141,7 @@ def _proofs(
     verdict: Verdict,
     budget: Budget,
 ) -> list[Text]:
-    ground = Ground(system, law.on)
+    ground = LevelSet(system, law.on)
     numbers = located(read, sample)
     point = {str(s): float(numbers(name(str(s))).mid()) for s in ground.generators}
     asked = [(words, parse_condition(words, "a condition")[0][0]) for words in verdict.formulas]

@@ -12,14 +12,14 @@ import sympy as sp
 from ...check.claim.claim import Claim as CheckedClaim
 from ...check.claim.formulas import Formula
 from ...core.laws import Law, Reduction, Separation
-from ...formulas.errors import OutOfReachError, SpareNeededError
+from ...formulas.errors import OutOfReachError, NeedMoreGeneratorsError
 from ..claim_text import admissible, guards, powers_text, terms_text
-from ..domain import divisors, read
+from ..domain import divisors, sympy_formula
 from ..fields.budget import Budget
-from ..fields.function_field import FINENESS, Fractions
+from ..fields.function_field import FINENESS, FunctionField
 from ..fields.quotient_ring import Element
 from ..fields.unreduced_fields import Meaning, Unreduced
-from ..level.level_set import Ground
+from ..level.level_set import LevelSet
 from ..level.triangular_set import numerator
 from ..random_test import everything
 from .case_tree import Cases
@@ -57,7 +57,7 @@ class Made:
         kind: type[Unreduced],
         claim: CheckedClaim,
         law: Law,
-        ground: Ground,
+        ground: LevelSet,
         sample: Mapping[str, float],
         budget: Budget,
         signs: Mapping[str, int],
@@ -67,13 +67,13 @@ class Made:
             self.field = kind([str(s) for s in ground.generators], spare, sample, budget, signs)
             try:
                 self._fill(claim, law, ground)
-            except SpareNeededError:
+            except NeedMoreGeneratorsError:
                 spare *= 2
                 continue
             break
         self.ground, self.sample = ground, sample
 
-    def _fill(self, claim: CheckedClaim, law: Law, ground: Ground) -> None:
+    def _fill(self, claim: CheckedClaim, law: Law, ground: LevelSet) -> None:
         made = self.field
         evaluate = ground.evaluator(made)
         made.signs = ground.signs_with(made, [])
@@ -109,7 +109,7 @@ class Made:
 
     def states(self, formula: Formula, poly: Poly) -> bool:
         """Whether a formula of the check vanishes or is positive where a polynomial is."""
-        value = self.ground.evaluator(self.field).value(read(formula, self.ground.named))
+        value = self.ground.evaluator(self.field).value(sympy_formula(formula, self.ground.named))
         own = numerator(self.field, value)
         return bool(own) and monic(own)[0] == monic(poly)[0]
 
@@ -375,11 +375,11 @@ def _reasons(made: Made, equations: Sequence[Poly]) -> Reasons:
     return made_reasons
 
 
-def _polynomial(ground: Ground, field: Fractions, formula: Any) -> Poly | None:
+def _polynomial(ground: LevelSet, field: FunctionField, formula: Any) -> Poly | None:
     """The polynomial that a formula is, if it is one and no number."""
     try:
         value = ground.evaluator(field).value(formula)
-    except (OutOfReachError, SpareNeededError, ZeroDivisionError):
+    except (OutOfReachError, NeedMoreGeneratorsError, ZeroDivisionError):
         return None
     below = any(power < 0 for power in value.powers.values())
     poly = numerator(field, value)

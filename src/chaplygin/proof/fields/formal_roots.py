@@ -14,13 +14,13 @@ from typing import Any
 import sympy as sp
 from flint import fmpq
 
-from .function_field import FINENESS, Fractions, power_of_zero
+from .function_field import FINENESS, FunctionField, power_of_zero
 from .quotient_ring import Element
 
 __all__ = ["FormalRoots"]
 
 
-class FormalRoots(Fractions):
+class FormalRoots(FunctionField):
     """Fractions in which every radicand has one root, known by its power alone."""
 
     def __init__(self, *given: Any) -> None:

@@ -15,12 +15,12 @@ from typing import Any
 import sympy as sp
 from flint import fmpq
 
-from ...formulas.errors import NoRealValueError, OutOfReachError, SpareNeededError
+from ...formulas.errors import NoRealValueError, OutOfReachError, NeedMoreGeneratorsError
 from .budget import Budget
-from .quotient_ring import Element, Quotients
+from .quotient_ring import Element, QuotientRing
 from .signs import Sign, Signs
 
-__all__ = ["Fractions", "power_of_zero"]
+__all__ = ["FunctionField", "power_of_zero"]
 
 Poly = Any
 
@@ -45,7 +45,7 @@ def power_of_zero(exponents: Iterable[tuple[Any, Any]]) -> Exception:
     return OutOfReachError("a root is taken of what vanishes here, where it has no derivative")
 
 
-class Fractions(Quotients):
+class FunctionField(QuotientRing):
     """Fractions in named generators and in auxiliary symbols, modulo relations.
 
     Parameters
@@ -98,7 +98,7 @@ class Fractions(Quotients):
         if key not in self._auxiliary:
             taken = len(self._auxiliary)
             if taken == self.spare:
-                raise SpareNeededError(self.spare)
+                raise NeedMoreGeneratorsError(self.spare)
             name = self._auxiliaries[taken]
             self._auxiliary[key] = self.generators[name]
             self.meanings[name] = meaning

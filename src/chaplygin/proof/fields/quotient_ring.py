@@ -18,7 +18,7 @@ from flint import Ordering, fmpq, fmpq_mpoly_ctx
 
 from .budget import Budget
 
-__all__ = ["Element", "Quotients"]
+__all__ = ["Element", "QuotientRing"]
 
 Poly = Any
 
@@ -31,7 +31,7 @@ class Element:
 
     __slots__ = ("home", "poly", "powers")
 
-    def __init__(self, home: Quotients, poly: Poly, powers: Mapping[int, int]) -> None:
+    def __init__(self, home: QuotientRing, poly: Poly, powers: Mapping[int, int]) -> None:
         self.home, self.poly, self.powers = home, poly, powers
 
     def __add__(self, other: Element) -> Element:
@@ -53,7 +53,7 @@ class Element:
         return self.home.integer_power(self, exponent)
 
 
-class Quotients:
+class QuotientRing:
     """Fractions over the rationals in named generators, modulo a triangular set of relations.
 
     Parameters

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from .formal_roots import FormalRoots
-from .function_field import Fractions
+from .function_field import FunctionField
 from .quotient_ring import Element
 
 __all__ = ["Meaning", "Unreduced", "UnreducedFormal"]
@@ -57,7 +57,7 @@ class Meaning:
         return mine == (*theirs, len(other.of))
 
 
-class Unreduced(Fractions):
+class Unreduced(FunctionField):
     """Fractions modulo the relations of roots and circles alone, with what each symbol means."""
 
     def __init__(self, *given: Any) -> None:

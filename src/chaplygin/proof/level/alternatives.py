@@ -14,7 +14,7 @@ import sympy as sp
 
 from ...core.laws import Law, Measure
 from ...core.system import System
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...formulas.errors import OutOfReachError
 
 __all__ = ["Alternative", "alternatives"]
@@ -43,7 +43,7 @@ class Alternative:
 
 def alternatives(system: System, law: Law) -> tuple[Alternative, ...]:
     """The parts of the level of a law that its conditions with functions distinguish."""
-    conditions = [explicit(c) for c in (*system.relations, *law.on)]
+    conditions = [to_components(c) for c in (*system.relations, *law.on)]
     factors = [_factors(condition) for condition in conditions]
     if all(len(made) == 1 for made in factors):
         return (Alternative(system, law),)

@@ -15,9 +15,9 @@ from typing import Any
 import sympy as sp
 
 from ...core.laws import Rate, Reduction
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...errors import InputError
-from .level_set import Ground
+from .level_set import LevelSet
 from .named_formulas import named
 from .time_derivatives import without_second_rates
 
@@ -55,13 +55,13 @@ class _Rates:
         )
 
 
-def up_to_time(law: Reduction, ground: Ground) -> bool:
+def up_to_time(law: Reduction, ground: LevelSet) -> bool:
     """Whether the equations speak of paths alone: they are homogeneous in the rates."""
     return _rates(law, ground).homogeneous
 
 
 def closing(
-    law: Reduction, ground: Ground, field: Any
+    law: Reduction, ground: LevelSet, field: Any
 ) -> tuple[list[list[Any]], list[list[Any]], int]:
     """What determines the rates: rows of the equations, rows of what holds anyway, and unknowns.
 
@@ -83,7 +83,7 @@ def closing(
     return stated, known, len(rates.unknowns)
 
 
-def _rates(law: Reduction, ground: Ground) -> _Rates:
+def _rates(law: Reduction, ground: LevelSet) -> _Rates:
     quantities = named(law, ground)
     variables = {*ground.system.symbols, *quantities}
     meaning: dict[sp.Symbol, sp.Expr] = {}
@@ -111,7 +111,7 @@ def _rates(law: Reduction, ground: Ground) -> _Rates:
             formula = formula.xreplace({r: rate_of(r.args[0]) for r in rates})
         return formula
 
-    equations = tuple(written(ground.expanded(explicit(e))) for e in law.equations)
+    equations = tuple(written(ground.expanded(to_components(e))) for e in law.equations)
     seen = {s for e in equations for s in e.free_symbols}
     moving = {s for s in seen if s in variables}
     # a rate that occurs alone stands for its variable
@@ -147,7 +147,7 @@ def _stated(rates: _Rates) -> Iterator[list[sp.Expr]]:
 
 
 def _known(
-    rates: _Rates, quantities: dict[sp.Symbol, sp.Expr], ground: Ground
+    rates: _Rates, quantities: dict[sp.Symbol, sp.Expr], ground: LevelSet
 ) -> Iterator[list[sp.Expr]]:
     """From the formulas of the quantities and from the conditions."""
     own = {s for rate in rates.meaning.values() for s in rate.free_symbols}
@@ -181,7 +181,7 @@ def _within(
     formula: sp.Expr,
     own: set[sp.Symbol],
     quantities: dict[sp.Symbol, sp.Expr],
-    ground: Ground,
+    ground: LevelSet,
 ) -> bool:
     """Whether a formula moves with the variables of the equations alone."""
     moving: set[sp.Symbol] = formula.free_symbols & {*ground.system.symbols, *quantities}

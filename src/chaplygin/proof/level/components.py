@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ...formulas.errors import EmptyLevelError, OutOfReachError
-from ..fields.function_field import Fractions
+from ..fields.function_field import FunctionField
 from ..fields.signs import Signs
 from .triangular_set import chain
 
@@ -81,7 +81,7 @@ class Decomposition:
         What is known of signs on the domain.
     """
 
-    draft: Fractions
+    draft: FunctionField
     names: Sequence[str]
     moving: set[str]
     signs: Signs

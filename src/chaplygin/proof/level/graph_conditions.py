@@ -17,10 +17,10 @@ from sympy.core.function import AppliedUndef
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, Law, Measure, Rate, Reduction
 from ...core.system import System
-from ...core.vectors import explicit
-from ...formulas.errors import OutOfReachError, SpareNeededError
+from ...core.vectors import to_components
+from ...formulas.errors import OutOfReachError, NeedMoreGeneratorsError
 from ...formulas.jets import Evaluator, Jet
-from ..fields.function_field import Fractions
+from ..fields.function_field import FunctionField
 from ..fields.signs import Signs
 from .components import Decomposition
 from .triangular_set import numerator
@@ -69,7 +69,7 @@ def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None
     factors: list[sp.Expr] = []
     left: list[sp.Expr] = []
     for condition in (*system.relations, *law.on):
-        formula = explicit(condition)
+        formula = to_components(condition)
         choice = None
         if not _polynomial(_written(formula, steps), tame):
             choice = _linear(formula, [s for s in system.symbols if s not in gone], steps, gone)
@@ -115,7 +115,7 @@ def _excluded(
     while factors:
         try:
             return tuple(f for f in factors if not _thin(system, tuple(conditions), f, spare))
-        except SpareNeededError:
+        except NeedMoreGeneratorsError:
             spare *= 2
         except OutOfReachError:
             return tuple(factors)
@@ -124,10 +124,10 @@ def _excluded(
 
 def _thin(system: System, conditions: tuple[Any, ...], factor: sp.Expr, spare: int) -> bool:
     symbols = (*system.symbols, *(p.symbol for p in system.parameters))
-    draft = Fractions([str(s) for s in symbols], spare)
+    draft = FunctionField([str(s) for s in symbols], spare)
     seeds = {s: Jet(draft.generator(str(s)), {}) for s in symbols}
     evaluate = Evaluator(draft, seeds.get, dict(system.steps))
-    equations = [numerator(draft, evaluate.value(explicit(c))) for c in conditions]
+    equations = [numerator(draft, evaluate.value(to_components(c))) for c in conditions]
     lead = numerator(draft, evaluate.value(factor))
     equations += [poly for _, poly, _ in draft.relations]
     made = Decomposition(

@@ -13,25 +13,25 @@ from flint import fmpq
 from sympy.core.function import AppliedUndef
 
 from ...core.system import System
-from ...core.vectors import Symmetric, explicit
+from ...core.vectors import Symmetric, to_components
 from ...errors import InputError
 from ...formulas.errors import (
     EmptyLevelError,
     NotExactError,
     OutOfReachError,
-    SpareNeededError,
+    NeedMoreGeneratorsError,
     UnknownSymbolError,
 )
-from ...formulas.jets import Evaluator, Exchange, Inversion, Jet
+from ...formulas.jets import Evaluator, GeneratorSwap, Inversion, Jet
 from ...formulas.number_fields import Balls, Rationals
 from ..fields.budget import Budget
-from ..fields.function_field import Fractions
+from ..fields.function_field import FunctionField
 from ..fields.signs import Sign, Signs
 from .components import Component, Decomposition
 from .sample_points import near, on_sphere, shown, solved
-from .triangular_set import Triangle, numerator, triangle
+from .triangular_set import TriangularSet, numerator, triangle
 
-__all__ = ["EmptyGroundError", "Ground"]
+__all__ = ["EmptyGroundError", "LevelSet"]
 
 
 class EmptyGroundError(InputError):
@@ -41,13 +41,13 @@ class EmptyGroundError(InputError):
 DECOMPOSITION = 5_000_000
 """Term operations for the components of a level."""
 
-Kind = TypeVar("Kind", bound=Fractions)
+Kind = TypeVar("Kind", bound=FunctionField)
 #: A random number from a default, a generator, and whether its sign is settled.
 Draw: TypeAlias = Callable[[float | None, random.Random, bool], Any]
 
 
 @dataclass(frozen=True)
-class Ground:
+class LevelSet:
     """The points at which a law is claimed.
 
     Parameters
@@ -115,12 +115,12 @@ class Ground:
         return found, tuple(remaining)
 
     @cached_property
-    def exchanged(self) -> tuple[Exchange, ...]:
+    def exchanged(self) -> tuple[GeneratorSwap, ...]:
         """Definitions that take the place of a parameter as generators."""
         parameters = {p.symbol for p in self.system.parameters} - set(self.settled)
         for condition in self._settlement[1]:
             parameters -= self._reach(condition, set())
-        found: dict[sp.Symbol, Exchange] = {}
+        found: dict[sp.Symbol, GeneratorSwap] = {}
         for name, raw in self.system.steps:
             formula = raw.xreplace(self.settled)
             gone = {e.parameter for e in found.values()}
@@ -132,7 +132,7 @@ class Ground:
                     and factor != 0
                     and not (gone | {parameter}) & self._reach(rest, set(found))
                 ):
-                    found[name] = Exchange(name, parameter, factor, rest)
+                    found[name] = GeneratorSwap(name, parameter, factor, rest)
                     break
         return tuple(found.values())
 
@@ -181,7 +181,7 @@ class Ground:
         """What vanishes: relations of the system and the level, or equations of a component."""
         if self.equations is not None:
             return self.equations
-        return tuple(explicit(c) for c in (*self.system.relations, *self.on))
+        return tuple(to_components(c) for c in (*self.system.relations, *self.on))
 
     @cached_property
     def moving(self) -> tuple[sp.Expr, ...]:
@@ -205,7 +205,7 @@ class Ground:
     # --- components ------------------------------------------------------------------------
 
     @cached_property
-    def components(self) -> tuple[Ground, ...]:
+    def components(self) -> tuple[LevelSet, ...]:
         """The components of the level; this ground alone where it is a single one.
 
         Raises
@@ -218,7 +218,7 @@ class Ground:
         if self.equations is not None:
             return (self,)
         budget = Budget(effort=DECOMPOSITION)
-        draft = Fractions([str(s) for s in self.symbols], budget=budget)
+        draft = FunctionField([str(s) for s in self.symbols], budget=budget)
         evaluate = Evaluator(draft, self._seeds(draft, self.symbols), self._definitions)
         for condition in self.conditions:
             self._known(condition)
@@ -237,7 +237,7 @@ class Ground:
             return (self,)
         return tuple(self._component(part) for part in found)
 
-    def _component(self, part: Component) -> Ground:
+    def _component(self, part: Component) -> LevelSet:
         by_name = {str(s): s for s in self.symbols}
 
         def written(polys: Sequence[Any]) -> tuple[sp.Expr, ...]:
@@ -247,7 +247,7 @@ class Ground:
         parent = None
         if part.parent is not None:
             parent = (*written(part.parent.equations), *self.zeros)
-        return Ground(self.system, self.on, equations, parent, written(part.chosen), part.inner)
+        return LevelSet(self.system, self.on, equations, parent, written(part.chosen), part.inner)
 
     def _empty(self) -> EmptyGroundError:
         return EmptyGroundError(
@@ -260,7 +260,7 @@ class Ground:
     @cached_property
     def requirements(self) -> tuple[sp.Expr, ...]:
         """What is known to be positive, negative, zero or not on the domain, as relations."""
-        found = [explicit(guard.value) > 0 for guard in self.system.guards if not guard.lift_off]
+        found = [to_components(guard.value) > 0 for guard in self.system.guards if not guard.lift_off]
         for parameter in self.system.parameters:
             for condition in parameter.admissible:
                 found += sp.And.make_args(sp.sympify(condition))
@@ -277,7 +277,7 @@ class Ground:
                 if known
             ]
         if sp.false in found:
-            guards = (g.name for g in self.system.guards if (explicit(g.value) > 0) == sp.false)
+            guards = (g.name for g in self.system.guards if (to_components(g.value) > 0) == sp.false)
             what = next((f"the guard {name!r} is positive" for name in guards), "")
             raise InputError(
                 f"{self.system.name}: {what or 'what is asked of the parameters holds'} nowhere"
@@ -296,10 +296,10 @@ class Ground:
     def _sign(self, formula: Any) -> Sign:
         spare = 8
         while True:
-            field = self.fractions(Fractions, spare, None, Budget())
+            field = self.fractions(FunctionField, spare, None, Budget())
             try:
                 element = self.evaluator(field).value(formula)
-            except SpareNeededError:
+            except NeedMoreGeneratorsError:
                 spare *= 2
                 continue
             except (OutOfReachError, ZeroDivisionError):
@@ -319,15 +319,15 @@ class Ground:
                 found |= {str(a) for a in relation.args if a.is_Symbol}
         return frozenset(found)
 
-    def signs(self, field: Fractions) -> Signs:
+    def signs(self, field: FunctionField) -> Signs:
         """What is known of signs, in the ring of a field of fractions."""
         return self.signs_with(field, [poly for _, poly, _ in field.relations])
 
-    def signs_with(self, field: Fractions, conditions: Sequence[Any]) -> Signs:
+    def signs_with(self, field: FunctionField, conditions: Sequence[Any]) -> Signs:
         """The same, where some polynomials vanish."""
         return self._signs_in(field, self.evaluator(field), conditions)
 
-    def _signs_in(self, field: Fractions, evaluate: Evaluator, conditions: Sequence[Any]) -> Signs:
+    def _signs_in(self, field: FunctionField, evaluate: Evaluator, conditions: Sequence[Any]) -> Signs:
         known: dict[str, Sign] = {}
         facts: list[tuple[Any, Sign]] = []
         nonzero: list[Any] = []
@@ -359,8 +359,8 @@ class Ground:
     # --- the triangular set ----------------------------------------------------------------
 
     @cached_property
-    def _triangle(self) -> Triangle:
-        draft = Fractions([str(s) for s in self.generators])
+    def _triangle(self) -> TriangularSet:
+        draft = FunctionField([str(s) for s in self.generators])
         evaluate = self.evaluator(draft)
         conditions = [
             _polynomial(draft, evaluate.value(condition), condition)
@@ -429,7 +429,7 @@ class Ground:
         raise OutOfReachError(f"no real point was found on the level {_listed(self.on)}")
 
     @cached_property
-    def _first(self) -> Ground:
+    def _first(self) -> LevelSet:
         """The first component; the ground itself where it cannot be decomposed."""
         try:
             return self.components[0]
@@ -585,7 +585,7 @@ class Ground:
         return Evaluator(field, seed, self.steps, self.exchanged, self.zeros, self.inverted)
 
 
-def _polynomial(draft: Fractions, element: Any, condition: Any) -> Any:
+def _polynomial(draft: FunctionField, element: Any, condition: Any) -> Any:
     """The polynomial whose vanishing a condition states."""
     poly = numerator(draft, element)
     if poly and any(poly.degrees()[: draft.spare]):
@@ -607,7 +607,7 @@ def _as_formula(poly: Any, by_name: Mapping[str, sp.Symbol]) -> sp.Expr:
     )
 
 
-def _as_polynomial(field: Fractions, evaluate: Evaluator, relation: Any) -> Any:
+def _as_polynomial(field: FunctionField, evaluate: Evaluator, relation: Any) -> Any:
     """A polynomial with the sign of the greater side less the smaller one; None if there is none.
 
     What a relation is divided by is multiplied with where its power is odd.
@@ -620,7 +620,7 @@ def _as_polynomial(field: Fractions, evaluate: Evaluator, relation: Any) -> Any:
         return None
     try:
         element = evaluate.value(formula)
-    except (OutOfReachError, SpareNeededError, UnknownSymbolError, ZeroDivisionError):
+    except (OutOfReachError, NeedMoreGeneratorsError, UnknownSymbolError, ZeroDivisionError):
         return None
     poly = element.poly
     for number, power in element.powers.items():

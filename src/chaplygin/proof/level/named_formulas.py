@@ -8,9 +8,9 @@ from typing import Any
 import sympy as sp
 
 from ...core.laws import Identity, Reduction
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...errors import InputError
-from .level_set import Ground
+from .level_set import LevelSet
 from .time_derivatives import without_rates
 
 __all__ = ["components", "named", "scalars"]
@@ -20,11 +20,11 @@ def scalars(value: Any) -> list[sp.Expr]:
     """The scalar formulas of a scalar, vector, matrix or tuple of these."""
     if isinstance(value, (tuple, list)):
         return [scalar for part in value for scalar in scalars(part)]
-    made = explicit(sp.sympify(value))
+    made = to_components(sp.sympify(value))
     return list(made) if isinstance(made, sp.MatrixBase) else [made]
 
 
-def components(pairs: Sequence[tuple[Any, Any]], ground: Ground) -> dict[sp.Symbol, sp.Expr]:
+def components(pairs: Sequence[tuple[Any, Any]], ground: LevelSet) -> dict[sp.Symbol, sp.Expr]:
     """Pairs (name, formula) as scalar symbols with scalar formulas, rates written out."""
     found: dict[sp.Symbol, sp.Expr] = {}
     for name, formula in pairs:
@@ -34,7 +34,7 @@ def components(pairs: Sequence[tuple[Any, Any]], ground: Ground) -> dict[sp.Symb
     return found
 
 
-def named(law: Reduction | Identity, ground: Ground) -> dict[sp.Symbol, sp.Expr]:
+def named(law: Reduction | Identity, ground: LevelSet) -> dict[sp.Symbol, sp.Expr]:
     """The quantities of a law, each in terms of the system and of earlier ones.
 
     Raises

@@ -14,7 +14,7 @@ from ...formulas.errors import OutOfReachError
 from .graph_conditions import Graph, graph
 from .trigonometric import Circles, circles, formulas_of
 
-__all__ = ["Claim", "standing"]
+__all__ = ["Claim", "polynomial_problems"]
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ class Claim:
     expressed: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
 
 
-def standing(system: System, law: Law) -> tuple[Claim, ...]:
+def polynomial_problems(system: System, law: Law) -> tuple[Claim, ...]:
     """What has to be proved of a law, on phase spaces whose conditions are polynomial.
 
     Raises

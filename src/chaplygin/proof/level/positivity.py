@@ -14,9 +14,9 @@ import sympy as sp
 
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Law, Measure
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...printing.formula import text
-from .level_set import Ground
+from .level_set import LevelSet
 from .time_derivatives import without_rates
 
 __all__ = ["orienting", "positives", "unmet"]
@@ -24,7 +24,7 @@ __all__ = ["orienting", "positives", "unmet"]
 Named = tuple[str, sp.Expr]
 
 
-def positives(law: Law, ground: Ground) -> tuple[Named, ...]:
+def positives(law: Law, ground: LevelSet) -> tuple[Named, ...]:
     """What a law needs to be positive: each in words, and as a formula.
 
     Of an isomorphism it is dτ/dt; of a measure every base of its density that stands under a root,
@@ -56,7 +56,7 @@ def positives(law: Law, ground: Ground) -> tuple[Named, ...]:
     return tuple((what, formula) for what, formula in settled if formula != 1)
 
 
-def orienting(law: Law, ground: Ground) -> tuple[Named, ...]:
+def orienting(law: Law, ground: LevelSet) -> tuple[Named, ...]:
     """What decides whether a density is positive: its bases with odd exponents.
 
     Where the product of all of them has one sign, the density or its negative is positive; where it
@@ -72,7 +72,7 @@ def orienting(law: Law, ground: Ground) -> tuple[Named, ...]:
     return tuple((what, formula) for what, formula in found if not formula.is_number)
 
 
-def unmet(law: Law, ground: Ground, field: Any) -> tuple[tuple[str, Any], ...]:
+def unmet(law: Law, ground: LevelSet, field: Any) -> tuple[tuple[str, Any], ...]:
     """What is not positive at a point though a law needs it, with the value there.
 
     Parameters
@@ -100,7 +100,7 @@ def unmet(law: Law, ground: Ground, field: Any) -> tuple[tuple[str, Any], ...]:
     return tuple(found)
 
 
-def _bases(law: Measure, ground: Ground) -> Iterator[tuple[Any, sp.Expr, sp.Expr]]:
+def _bases(law: Measure, ground: LevelSet) -> Iterator[tuple[Any, sp.Expr, sp.Expr]]:
     """Base as given, base without rates, and exponent on the level; none of exponent zero."""
     for base, exponent in law.density:
         power = ground.expanded(sp.sympify(exponent))
@@ -108,11 +108,11 @@ def _bases(law: Measure, ground: Ground) -> Iterator[tuple[Any, sp.Expr, sp.Expr
             yield base, _plain(base, ground), power
 
 
-def _plain(formula: Any, ground: Ground) -> sp.Expr:
-    return without_rates(explicit(sp.sympify(formula)), ground)
+def _plain(formula: Any, ground: LevelSet) -> sp.Expr:
+    return without_rates(to_components(sp.sympify(formula)), ground)
 
 
-def _unsettled(formula: sp.Expr, ground: Ground) -> sp.Expr:
+def _unsettled(formula: sp.Expr, ground: LevelSet) -> sp.Expr:
     """The factors whose signs count: a formula that is positive where the given one is."""
     steps = ground.steps
     left = []

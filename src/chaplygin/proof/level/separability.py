@@ -15,9 +15,9 @@ from typing import Any
 import sympy as sp
 
 from ...core.laws import Rate, Separation
-from ...core.vectors import explicit
+from ...core.vectors import to_components
 from ...errors import InputError
-from .level_set import Ground
+from .level_set import LevelSet
 from .named_formulas import named
 
 __all__ = ["of_separation", "separated"]
@@ -31,7 +31,7 @@ class _Parts:
     constants: frozenset[sp.Symbol]
 
 
-def separated(law: Separation, ground: Ground) -> Iterator[tuple[str, sp.Expr]]:
+def separated(law: Separation, ground: LevelSet) -> Iterator[tuple[str, sp.Expr]]:
     """Formulas in the quantities and the state that vanish if the equations separate.
 
     Raises
@@ -56,7 +56,7 @@ def separated(law: Separation, ground: Ground) -> Iterator[tuple[str, sp.Expr]]:
 
 
 def of_separation(
-    law: Separation, ground: Ground, field: Any
+    law: Separation, ground: LevelSet, field: Any
 ) -> tuple[list[list[Any]], list[list[Any]]]:
     """Gradients of the conditions and the constants, and of the quantities that separate."""
     parts = _parts(law, ground)
@@ -71,12 +71,12 @@ def of_separation(
     return [row(f) for f in (*ground.moving, *constants)], [row(u) for u in parts.squares]
 
 
-def _parts(law: Separation, ground: Ground) -> _Parts:
+def _parts(law: Separation, ground: LevelSet) -> _Parts:
     variables = {*ground.system.symbols, *named(law, ground)}
     squares: dict[sp.Symbol, sp.Expr] = {}
     constants = set()
     for number, raw in enumerate(law.equations, 1):
-        equation = ground.expanded(explicit(raw))
+        equation = ground.expanded(to_components(raw))
         rates = equation.atoms(Rate)
         symbols = {rate.args[0] for rate in rates}
         if len(rates) != 1 or not symbols <= variables:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import sympy as sp
 
 from ...core.laws import Rate
-from .level_set import Ground
+from .level_set import LevelSet
 
 __all__ = ["without_rates", "without_second_rates"]
 
@@ -15,7 +15,7 @@ Quantities = Mapping[sp.Symbol, sp.Expr]
 
 
 def without_rates(
-    formula: sp.Expr, ground: Ground, quantities: Quantities | None = None
+    formula: sp.Expr, ground: LevelSet, quantities: Quantities | None = None
 ) -> sp.Expr:
     """A formula in which every rate is written out as a formula in the state.
 
@@ -35,7 +35,7 @@ def without_rates(
 
 
 def without_second_rates(
-    formula: sp.Expr, ground: Ground, quantities: Quantities | None = None
+    formula: sp.Expr, ground: LevelSet, quantities: Quantities | None = None
 ) -> sp.Expr:
     """A formula in which rates stand under no other rate: the inner ones are written out."""
     deep = {rate for rate in formula.atoms(Rate) if rate.args[0].has(Rate)}
@@ -45,7 +45,7 @@ def without_second_rates(
     )
 
 
-def _written(formula: sp.Expr, ground: Ground, quantities: Quantities) -> sp.Expr:
+def _written(formula: sp.Expr, ground: LevelSet, quantities: Quantities) -> sp.Expr:
     while formula.free_symbols & set(quantities):
         formula = formula.xreplace(dict(quantities))
     formula = ground.expanded(formula)

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...formulas.errors import EmptyLevelError, OutOfReachError
-from ..fields.function_field import Fractions
+from ..fields.function_field import FunctionField
 from ..fields.quotient_ring import Element
 
-__all__ = ["Terms", "Triangle", "chain", "numerator", "triangle"]
+__all__ = ["Terms", "TriangularSet", "chain", "numerator", "triangle"]
 
 Poly = Any
 
@@ -19,7 +19,7 @@ Terms = Mapping[tuple[tuple[str, int], ...], Any]
 
 
 @dataclass(frozen=True)
-class Triangle:
+class TriangularSet:
     """A triangular set.
 
     Attributes
@@ -35,8 +35,8 @@ class Triangle:
 
 
 def triangle(
-    draft: Fractions, names: Sequence[str], conditions: Sequence[Poly], moving: set[str]
-) -> Triangle:
+    draft: FunctionField, names: Sequence[str], conditions: Sequence[Poly], moving: set[str]
+) -> TriangularSet:
     """A triangular set that has the same zeros as the conditions, wherever it is regular.
 
     Parameters
@@ -59,11 +59,11 @@ def triangle(
     ordered = chain(draft, names, conditions, moving)
     mains = [main for main, _ in ordered]
     order = (*reversed(mains), *(n for n in names if n not in mains))
-    return Triangle(order, tuple((main, _named(draft, poly)) for main, poly in ordered))
+    return TriangularSet(order, tuple((main, _named(draft, poly)) for main, poly in ordered))
 
 
 def chain(
-    draft: Fractions, names: Sequence[str], conditions: Sequence[Poly], moving: set[str]
+    draft: FunctionField, names: Sequence[str], conditions: Sequence[Poly], moving: set[str]
 ) -> list[tuple[str, Poly]]:
     """Main variables and polynomials of a triangular set, from the lowest to the highest.
 
@@ -78,7 +78,7 @@ def chain(
     return _sorted(draft, found)
 
 
-def _named(draft: Fractions, poly: Poly) -> Terms:
+def _named(draft: FunctionField, poly: Poly) -> Terms:
     return {
         tuple(zip(draft.names, map(int, exponents), strict=True)): number
         for exponents, number in poly.to_dict().items()
@@ -86,11 +86,11 @@ def _named(draft: Fractions, poly: Poly) -> Terms:
 
 
 def _chain(
-    draft: Fractions,
+    draft: FunctionField,
     names: Sequence[str],
     conditions: Sequence[Poly],
     moving: set[str],
-    merit: Callable[[Fractions, Poly, str, set[str]], tuple[int, int, int]],
+    merit: Callable[[FunctionField, Poly, str, set[str]], tuple[int, int, int]],
 ) -> list[tuple[str, Poly]] | None:
     """Conditions with a main variable each, best first; None where the choice leads nowhere."""
     waiting = list(conditions)
@@ -115,7 +115,7 @@ def _chain(
         chain.append((main, waiting.pop(index)))
 
 
-def numerator(draft: Fractions, element: Element) -> Poly:
+def numerator(draft: FunctionField, element: Element) -> Poly:
     """The polynomial that vanishes where an element does."""
     poly = element.poly
     for number, power in element.powers.items():
@@ -124,11 +124,11 @@ def numerator(draft: Fractions, element: Element) -> Poly:
     return poly
 
 
-def _variables(draft: Fractions, poly: Poly) -> set[str]:
+def _variables(draft: FunctionField, poly: Poly) -> set[str]:
     return {n for n, d in zip(draft.names, poly.degrees(), strict=True) if d}
 
 
-def _merit(draft: Fractions, poly: Poly, name: str, moving: set[str]) -> tuple[int, int, int]:
+def _merit(draft: FunctionField, poly: Poly, name: str, moving: set[str]) -> tuple[int, int, int]:
     """How well a variable serves as the main one of a relation; smaller is better."""
     position = draft.names.index(name)
     degree = int(poly.degrees()[position])
@@ -142,14 +142,14 @@ def _merit(draft: Fractions, poly: Poly, name: str, moving: set[str]) -> tuple[i
 
 
 def _merit_by_degree(
-    draft: Fractions, poly: Poly, name: str, moving: set[str]
+    draft: FunctionField, poly: Poly, name: str, moving: set[str]
 ) -> tuple[int, int, int]:
     """The same, with linear relations first."""
     degree = int(poly.degrees()[draft.names.index(name)])
     return (degree, *_merit(draft, poly, name, moving)[:2])
 
 
-def _possible(draft: Fractions, poly: Poly, name: str, chain: list[tuple[str, Poly]]) -> bool:
+def _possible(draft: FunctionField, poly: Poly, name: str, chain: list[tuple[str, Poly]]) -> bool:
     """Whether the variable can be the main one: in the relation, free, and without a circle."""
     if name in {main for main, _ in chain} or name not in _variables(draft, poly):
         return False
@@ -160,7 +160,7 @@ def _possible(draft: Fractions, poly: Poly, name: str, chain: list[tuple[str, Po
     return True
 
 
-def _sorted(draft: Fractions, chain: list[tuple[str, Poly]]) -> list[tuple[str, Poly]]:
+def _sorted(draft: FunctionField, chain: list[tuple[str, Poly]]) -> list[tuple[str, Poly]]:
     """The relations from the lowest main variable to the highest."""
     mains = {main for main, _ in chain}
     needs = {main: (_variables(draft, poly) & mains) - {main} for main, poly in chain}

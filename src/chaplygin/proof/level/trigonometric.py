@@ -17,7 +17,7 @@ from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from ...core.laws import ConformallyHamiltonian, Law, PoissonStructure, Symmetry
 from ...core.system import Parameter, System
-from ...core.vectors import explicit, scalar
+from ...core.vectors import to_components, real_symbol
 from ...formulas.errors import OutOfReachError
 from ...formulas.jets import MOST_MULTIPLES
 
@@ -57,7 +57,7 @@ class Circles:
         if isinstance(law, Symmetry):
             changed["field"] = self._pushed(dict(_flat(law.field)))
         if isinstance(law, PoissonStructure):
-            changed["matrix"] = self._bracket(explicit(law.matrix))
+            changed["matrix"] = self._bracket(to_components(law.matrix))
         if isinstance(law, ConformallyHamiltonian):
             changed["structure"] = self.law(law.structure)
         return replace(law, as_printed=None, **changed)
@@ -66,7 +66,7 @@ class Circles:
         if isinstance(value, tuple):
             return tuple(self._formula(part) for part in value)
         if isinstance(value, sp.Basic) and not isinstance(value, sp.Symbol):
-            return explicit(value).xreplace(dict(self.table))
+            return to_components(value).xreplace(dict(self.table))
         if isinstance(value, Law):
             return self.law(value)
         return value
@@ -75,7 +75,7 @@ class Circles:
         """A vector field in the new variables."""
         found: dict[sp.Symbol, sp.Expr] = {}
         for symbol, value in field.items():
-            rate = explicit(value).xreplace(dict(self.table))
+            rate = to_components(value).xreplace(dict(self.table))
             found |= dict(_turned(self.lost[symbol], rate)) if symbol in self.lost else {}
             if symbol not in self.lost:
                 found[symbol] = rate
@@ -140,13 +140,13 @@ def circles(system: System, on: Iterable[Any] = (), also: Iterable[Any] = ()) ->
         If an angle occurs otherwise than in sines and cosines, or beside something else.
     """
     steps = dict(system.steps)
-    conditions = [_written(explicit(c), steps) for c in (*system.relations, *on)]
+    conditions = [_written(to_components(c), steps) for c in (*system.relations, *on)]
     nodes = {n for c in conditions for n in c.atoms(TrigonometricFunction)}
     angles = _angles(system, nodes)
     if not angles:
         return None
-    formulas = [*system.rates, *steps.values(), *conditions, *map(explicit, also)]
-    formulas += [explicit(g.value) for g in system.guards]
+    formulas = [*system.rates, *steps.values(), *conditions, *map(to_components, also)]
+    formulas += [to_components(g.value) for g in system.guards]
     found = {n for f in formulas for n in f.atoms(TrigonometricFunction)}
     table, lost = _replacements(found, angles, steps)
     taken = {*system.symbols, *steps, *(p.symbol for p in system.parameters)}
@@ -216,7 +216,7 @@ def _written(formula: sp.Expr, steps: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
 def _flat(pairs: Iterable[tuple[Any, Any]]) -> list[tuple[sp.Symbol, sp.Expr]]:
     found: list[tuple[sp.Symbol, sp.Expr]] = []
     for name, formula in pairs:
-        value = explicit(sp.sympify(formula))
+        value = to_components(sp.sympify(formula))
         if isinstance(name, sp.Symbol):
             found.append((name, value))
         else:
@@ -247,7 +247,7 @@ def _replacements(
         unit = abs(unit) if unit.is_Rational else unit
         whole = unit == 1 or not unit.is_Rational
         label = str(angle) if whole else f"{angle}_{unit.p}_{unit.q}"
-        lost[angle] = (scalar(f"sin_{label}"), scalar(f"cos_{label}"), unit)
+        lost[angle] = (real_symbol(f"sin_{label}"), real_symbol(f"cos_{label}"), unit)
     halves = {angle: sp.Dummy(real=True) for angle in angles}
     table = {}
     for node in concerned:
@@ -312,12 +312,12 @@ def _changed(
         field=field,
         definitions=tuple((s, v.xreplace(dict(table))) for s, v in system.steps),
         relations=(
-            *(explicit(c).xreplace(dict(table)) for c in system.relations),
+            *(to_components(c).xreplace(dict(table)) for c in system.relations),
             *(s**2 + c**2 - 1 for s, c, _ in lost.values()),
         ),
         parameters=tuple(parameters),
         guards=tuple(
-            replace(g, value=explicit(g.value).xreplace(dict(table))) for g in system.guards
+            replace(g, value=to_components(g.value).xreplace(dict(table))) for g in system.guards
         ),
         laws=(),
         observables=(),

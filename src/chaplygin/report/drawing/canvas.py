@@ -27,7 +27,7 @@ _TIME_STEPS = 96
 """Steps of the colours of time on a curve from first to last instant."""
 
 
-class Sheet:
+class Canvas:
     """A sheet of paper on which space is seen from `view`; later strokes cover earlier ones."""
 
     def __init__(self, axes: Axes, view: View) -> None:
@@ -192,7 +192,7 @@ def shown(curve: SurfaceCurve, view: View, side: float) -> list[FloatArray]:
 
 
 def timed_on_surface(
-    sheet: Sheet,
+    sheet: Canvas,
     curve: SurfaceCurve,
     fractions: FloatArray,
     side: float,
@@ -205,7 +205,7 @@ def timed_on_surface(
         sheet.timed(curve.points[run], fractions[run], width, alpha)
 
 
-def mark_ends(sheet: Sheet, curve: SurfaceCurve, side: float) -> None:
+def mark_ends(sheet: Canvas, curve: SurfaceCurve, side: float) -> None:
     """Mark the start of a curve by a ring and its end by a dot, pale where they are hidden."""
     mark_start(sheet, curve, side)
     seen = sheet.view.faces_reader(side * curve.normals[-1])
@@ -213,7 +213,7 @@ def mark_ends(sheet: Sheet, curve: SurfaceCurve, side: float) -> None:
     sheet.dot(curve.points[-1], last, last, 4.5)
 
 
-def mark_start(sheet: Sheet, curve: SurfaceCurve, side: float) -> None:
+def mark_start(sheet: Canvas, curve: SurfaceCurve, side: float) -> None:
     """Mark the start of a curve on one side of a surface by a ring, pale where it is hidden."""
     seen = sheet.view.faces_reader(side * curve.normals[0])
     sheet.dot(curve.points[0], "white" if seen else "none", INK if seen else QUIET, 4.5)

@@ -11,7 +11,7 @@ import xarray as xr
 from matplotlib.mathtext import MathTextParser
 
 from ...core.arrays import FloatArray
-from ...core.vectors import scalar
+from ...core.vectors import real_symbol
 from ...errors import InputError
 from ...printing.formula import latex
 from ...printing.symbol_names import GREEK
@@ -105,7 +105,7 @@ def typeset(name: str) -> str:
     letter = name.partition("_")[0]
     if len(letter) > 1 and letter not in GREEK:
         return readable(name.replace("_", " "))
-    return f"${latex(scalar(name))}$"
+    return f"${latex(real_symbol(name))}$"
 
 
 #: The first of the characters that mean nothing by themselves.

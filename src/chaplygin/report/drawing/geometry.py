@@ -157,7 +157,7 @@ class SurfaceCurve:
 
 
 @dataclass(frozen=True, eq=False)
-class Outline:
+class BodyMesh:
     """The drawn body: a closed convex mesh in body axes, the centre of mass at the origin.
 
     Attributes
@@ -195,7 +195,7 @@ class Outline:
         """The polygons of the mesh."""
         return Facets(self.vertices[self.faces], self.normals, self.tones)
 
-    def placed(self, rotation: FloatArray, centre: FloatArray) -> Outline:
+    def placed(self, rotation: FloatArray, centre: FloatArray) -> BodyMesh:
         """The same body in space.
 
         Parameters
@@ -205,7 +205,7 @@ class Outline:
         centre : (3,) array
             Centre of mass in space.
         """
-        return Outline(
+        return BodyMesh(
             self.vertices @ rotation.T + centre,
             self.faces,
             self.normals @ rotation.T,
@@ -241,7 +241,7 @@ Ground: TypeAlias = PlaneGround | SphereGround
 
 def outline_from_contact(
     contact_of_gamma: Callable[[FloatArray], FloatArray], rows: int = 48, columns: int = 96
-) -> Outline:
+) -> BodyMesh:
     """Mesh of a strictly convex body, or of one whose flat faces are square to body axis 3.
 
     The contact vector is sampled on a grid of directions with its poles on body axis 3. Grid
@@ -339,7 +339,7 @@ def _thickened(points: FloatArray, outward: FloatArray) -> FloatArray:
 
 def _closed_mesh(
     points: FloatArray, outward: FloatArray, theta: FloatArray, phi: FloatArray, hollow: bool
-) -> Outline:
+) -> BodyMesh:
     """Quadrilaterals between the rows of a grid (rows, columns, 3), and two caps."""
     rows, columns = points.shape[:2]
     caps = points[[0, -1]].mean(axis=1)
@@ -380,7 +380,7 @@ def _closed_mesh(
     faces[inverted] = faces[inverted][:, ::-1]
     size = float(np.max(np.ptp(vertices, axis=0)))
     solid = np.linalg.norm(geometric, axis=-1) > 1e-9 * size**2
-    return Outline(
+    return BodyMesh(
         vertices,
         faces[solid],
         normals[solid],

@@ -15,13 +15,13 @@ from matplotlib.figure import Figure
 
 from ..drawing.dataset_access import NEEDED, title_of
 from ..drawing.files import FORMATS, page_svg, save, svg_text
-from ..drawing.geometry import Ground, Outline
+from ..drawing.geometry import Ground, BodyMesh
 from ..drawing.style import STYLE
 from ..scenes.ball import ball_scene
 from ..scenes.implicit_surface import SurfaceGround
 from ..scenes.plan import plan_view
 from ..scenes.rolling_body import scene
-from .bifurcation import draw as bifurcation_diagram
+from .bifurcation import draw_bifurcation_diagram as bifurcation_diagram
 from .closed_form import closed_form
 from .paths import contact_path, normal_on_sphere
 from .state import state
@@ -65,7 +65,7 @@ __all__ = [
 
 def all_figures(
     dataset: xr.Dataset,
-    drawn: tuple[Outline, Ground] | None = None,
+    drawn: tuple[BodyMesh, Ground] | None = None,
     weight: float | None = None,
 ) -> dict[str, Figure]:
     """Every figure the trajectory has the variables for.
@@ -145,7 +145,7 @@ def state_figures(
 
 def ball_figures(
     dataset: xr.Dataset,
-    outline: Outline,
+    outline: BodyMesh,
     ground: SurfaceGround,
     names: Sequence[str],
     weight: float | None = None,

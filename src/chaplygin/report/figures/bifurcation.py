@@ -19,7 +19,7 @@ from ...explicit.bifurcation import Boundary, Diagram, Region
 from ..drawing.style import COMPONENTS, FAINT, INK, QUIET, STYLE, WIDTH
 from .bifurcation_layout import Grid, Heights, Window, heights, places, window
 
-__all__ = ["draw"]
+__all__ = ["draw_bifurcation_diagram"]
 
 #: Pale colours of regions with 1–2, 3–4 and more tori.
 TONES = {2: "#e6eef5", 4: "#f6ecd2", 8: "#f3dfe2"}
@@ -29,7 +29,7 @@ MARK = "#117733"
 TALL, LINE = 4.3, 0.19
 
 
-def draw(diagram: Diagram, mark: tuple[float, float] | None = None) -> Figure:
+def draw_bifurcation_diagram(diagram: Diagram, mark: tuple[float, float] | None = None) -> Figure:
     """The diagram, with a key to its boundaries.
 
     Solid boundaries are stable motions, broken ones unstable; the colours are those of the body

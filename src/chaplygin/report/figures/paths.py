@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from ...core.arrays import FloatArray
 from ...errors import InputError
-from ..drawing.canvas import Sheet, blank_axes, fit_height, mark_ends, time_bar, timed_on_surface
+from ..drawing.canvas import Canvas, blank_axes, fit_height, mark_ends, time_bar, timed_on_surface
 from ..drawing.dataset_access import (
     CURVE_POINTS,
     NOTHING,
@@ -100,7 +100,7 @@ def _path_on_plane(
     axes.set_xlabel(with_unit("$x$", units))
     axes.set_ylabel(with_unit("$y$", units))
     from_above = View(-np.pi / 2, np.pi / 2)
-    sheet = Sheet(axes, from_above)
+    sheet = Canvas(axes, from_above)
     sheet.timed(points, time_shares(times), 1.6, 1.0)
     mark_ends(sheet, on_ground(points, PlaneGround()), 1.0)
 
@@ -115,7 +115,7 @@ def _path_on_sphere(
     azimuth = float(np.arctan2(middle[1], middle[0])) + 0.35
     height = float(np.arcsin(np.clip(middle[2], -1.0, 1.0)))
     view = View(azimuth + (np.pi if side < 0 else 0.0), float(np.clip(side * height, 0.3, 1.0)))
-    sheet = Sheet(blank_axes(figure), view)
+    sheet = Canvas(blank_axes(figure), view)
     fractions = time_shares(times)
     if side > 0:
         draw_outside(sheet, radius, np.pi)
@@ -162,7 +162,7 @@ def normal_on_sphere(dataset: xr.Dataset) -> Figure:
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(4.2, 4.2))
         figure.set_label(f"Path of the surface normal in body axes: {title_of(dataset)}")
-        sheet = Sheet(blank_axes(figure), _view_of_most(normals))
+        sheet = Canvas(blank_axes(figure), _view_of_most(normals))
         _draw_axes(sheet, behind=True)
         draw_outside(sheet, 1.0, np.pi)
         timed_on_surface(sheet, curve, fractions, -1.0, 1.0, 0.4)
@@ -184,7 +184,7 @@ def _view_of_most(normals: FloatArray) -> View:
     return max(views, key=lambda view: float(np.mean(normals @ view.toward)))
 
 
-def _draw_axes(sheet: Sheet, behind: bool) -> None:
+def _draw_axes(sheet: Canvas, behind: bool) -> None:
     """The three body axes outside the unit sphere, those that point away or towards the reader."""
     for axis, direction in enumerate(np.eye(3)):
         if bool(sheet.view.depth(direction) < 0.0) == behind:

@@ -21,7 +21,7 @@ from ...errors import InputError
 from ..drawing.dataset_access import readable, title_of, typeset, unit_of, with_unit
 from ..drawing.style import FAINT, QUIET, SERIES, STYLE, WIDTH
 
-__all__ = ["draw"]
+__all__ = ["draw_section"]
 
 #: Points drawn at most, unless there are more motions than that.
 MOST = 120_000
@@ -38,7 +38,7 @@ VIEWS = ((22.0, 32.0), (22.0, -58.0))
 _NAME = re.compile(r"[A-Za-z]+(_\w+)?")
 
 
-def draw(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
+def draw_section(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
     """The points of a section by two or three of its coordinates.
 
     The points of several motions have a colour for each start, a dozen by turns; those of a

@@ -43,7 +43,7 @@ def chart(dataset: xr.Dataset, name: str | None = None) -> Figure:
     Parameters
     ----------
     dataset : xarray.Dataset
-        As :func:`chaplygin.analysis.scans.scan_task.chart` describes it.
+        As :func:`chaplygin.analysis.scans.scan_task.scan` describes it.
     name : str, optional
         The variable to be drawn; the number of the chart if left out.
 

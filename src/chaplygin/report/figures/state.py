@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ...core.arrays import FloatArray
-from ...core.vectors import Vector, scalar
+from ...core.vectors import Vector, real_symbol
 from ...errors import InputError
 from ...printing.formula import latex
 from ..drawing.dataset_access import require_all, times_of, title_of, unit_of, values_of, with_unit
@@ -102,11 +102,11 @@ def _curves(dataset: xr.Dataset, name: str) -> list[tuple[str, FloatArray]]:
     """Label and values of each component."""
     values = values_of(dataset, name)
     if values.ndim == 1:
-        return [(latex(scalar(name)), values)]
+        return [(latex(real_symbol(name)), values)]
     dim = next(str(d) for d in dataset[name].dims if d != "time")
     indices = dataset[dim].values if dim in dataset.coords else range(1, values.shape[1] + 1)
     return [
-        (latex(scalar(f"{name}_{index}")), column)
+        (latex(real_symbol(f"{name}_{index}")), column)
         for index, column in zip(indices, values.T, strict=True)
     ]
 
@@ -116,4 +116,4 @@ def _symbol(dataset: xr.Dataset, group: Sequence[str]) -> str:
     name = group[0]
     if dataset[name].ndim > 1:
         return latex(Vector(name))
-    return latex(scalar(name if len(group) == 1 else name.partition("_")[0]))
+    return latex(real_symbol(name if len(group) == 1 else name.partition("_")[0]))

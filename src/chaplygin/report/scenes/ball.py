@@ -9,9 +9,9 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
 from ...core.arrays import BoolArray, FloatArray
-from ..drawing.canvas import Sheet, blank_axes, fit_height, time_bar
+from ..drawing.canvas import Canvas, blank_axes, fit_height, time_bar
 from ..drawing.dataset_access import CURVE_POINTS, time_shares, title_of
-from ..drawing.geometry import Outline, View, runs, smooth_curve
+from ..drawing.geometry import BodyMesh, View, runs, smooth_curve
 from ..drawing.style import GROUND_DARK, GROUND_LIGHT, INK, LINES, QUIET, STYLE, WIDTH
 from .implicit_surface import Crossings, SurfaceGround, crossings, frame_of
 from .rolling_body import Track, across, draw_body, track_of
@@ -32,7 +32,7 @@ _LINE_STEPS = (1.0, 2.0, 5.0)
 """The lines on the surface lie this far apart, times a power of ten."""
 
 
-def ball_scene(dataset: xr.Dataset, outline: Outline, ground: SurfaceGround) -> Figure:
+def ball_scene(dataset: xr.Dataset, outline: BodyMesh, ground: SurfaceGround) -> Figure:
     """The ball on its surface at the end, and the path of its contact point.
 
     Lines on the surface are its cuts with planes x, y, z = const.  Walls between the reader and
@@ -68,7 +68,7 @@ def ball_scene(dataset: xr.Dataset, outline: Outline, ground: SurfaceGround) -> 
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(WIDTH, WIDTH))
         figure.set_label(f"The ball and the path of its contact point: {title_of(dataset)}")
-        sheet = Sheet(blank_axes(figure), view)
+        sheet = Canvas(blank_axes(figure), view)
         _paint(sheet, seen, track, outline, body)
         fit_height(figure, sheet.axes, WIDTH, 5.0)
         time_bar(figure, dataset, (track.times[0], track.times[-1]), (0.12, 0.16))
@@ -83,7 +83,7 @@ def _view(track: Track, normals: FloatArray) -> View:
     return View(float(np.arctan2(facing[1], facing[0])) + 0.4, 0.42)
 
 
-def _paint(sheet: Sheet, seen: Crossings, track: Track, outline: Outline, body: Outline) -> None:
+def _paint(sheet: Canvas, seen: Crossings, track: Track, outline: BodyMesh, body: BodyMesh) -> None:
     """Surface, path and ball, from the farthest to the nearest."""
     times, path = smooth_curve(track.times, track.contact, CURVE_POINTS)
     fractions = time_shares(times)
@@ -106,13 +106,13 @@ def _paint(sheet: Sheet, seen: Crossings, track: Track, outline: Outline, body: 
         _mark_start(sheet, path[0], bool(hidden[0]))
 
 
-def _mark_start(sheet: Sheet, place: FloatArray, hidden: bool) -> None:
+def _mark_start(sheet: Canvas, place: FloatArray, hidden: bool) -> None:
     """A ring, pale where the surface stands before it."""
     sheet.dot(place, "none" if hidden else "white", QUIET if hidden else INK, 4.5)
 
 
 def _strokes(
-    sheet: Sheet,
+    sheet: Canvas,
     path: FloatArray,
     fractions: FloatArray,
     chosen: BoolArray,
@@ -191,7 +191,7 @@ def _round_step(size: float) -> float:
     return float(min(s for s in (*_LINE_STEPS, 10.0) if s * power >= size * (1 - 1e-9)) * power)
 
 
-def _image(sheet: Sheet, seen: Crossings, colours: FloatArray, chosen: BoolArray) -> None:
+def _image(sheet: Canvas, seen: Crossings, colours: FloatArray, chosen: BoolArray) -> None:
     """Paint the chosen crossings, from the farthest to the nearest."""
     rows, columns = seen.depth.shape[1:]
     paint, cover = np.zeros((rows, columns, 3)), np.zeros((rows, columns, 1))

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.colors import to_hex, to_rgb
 
 from ...core.arrays import FloatArray
-from ..drawing.canvas import Sheet, shown
+from ..drawing.canvas import Canvas, shown
 from ..drawing.geometry import (
     Ground,
     PlaneGround,
@@ -28,7 +28,7 @@ def on_ground(points: FloatArray, ground: Ground) -> SurfaceCurve:
     return SurfaceCurve(abs(ground.radius) * normals, normals)
 
 
-def draw_grid(sheet: Sheet, path: FloatArray, diameter: float) -> float:
+def draw_grid(sheet: Canvas, path: FloatArray, diameter: float) -> float:
     """A square grid on the plane that fades with the distance from the path."""
     near = path[:: max(1, len(path) // 150), :2]
     extent = float(np.max(np.ptp(near, axis=0)))
@@ -71,7 +71,7 @@ def cap_opening(path: FloatArray, pole: float, room: float, widest: float) -> fl
     return farthest + room if farthest + room < widest else np.pi
 
 
-def draw_outside(sheet: Sheet, radius: float, opening: float) -> None:
+def draw_outside(sheet: Canvas, radius: float, opening: float) -> None:
     """A sphere, or a cap of it around the top, seen from outside."""
     border = _cap_border(sheet.view, radius, 1.0, opening)
     sheet.sphere(radius, 1.0, border)
@@ -84,7 +84,7 @@ def draw_outside(sheet: Sheet, radius: float, opening: float) -> None:
     sheet.outline(border, "#8796a4", 0.6)
 
 
-def draw_far_wall(sheet: Sheet, radius: float, opening: float) -> None:
+def draw_far_wall(sheet: Canvas, radius: float, opening: float) -> None:
     """The inside of the far wall of a bowl."""
     sheet.sphere(radius, -1.0, _cap_border(sheet.view, radius, -1.0, opening))
     lines = [
@@ -95,7 +95,7 @@ def draw_far_wall(sheet: Sheet, radius: float, opening: float) -> None:
     sheet.strokes(lines, LINES, 0.3)
 
 
-def draw_near_wall(sheet: Sheet, radius: float, opening: float) -> None:
+def draw_near_wall(sheet: Canvas, radius: float, opening: float) -> None:
     """The near wall of a bowl, as of glass, and its rim."""
     if opening < np.pi:
         bowl = sphere_cap(radius, -1.0, opening, 20, 64)

@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...experiment.plan import PlanMotion
-from ..drawing.canvas import Sheet, time_bar
+from ..drawing.canvas import Canvas, time_bar
 from ..drawing.dataset_access import (
     CURVE_POINTS,
     NOTHING,
@@ -95,7 +95,7 @@ def plan_view(dataset: xr.Dataset, motion: PlanMotion) -> Figure:
         units = unit_of(dataset, "x") if "x" in dataset else ""
         axes.set_xlabel(with_unit("$x$", units))
         axes.set_ylabel(with_unit("$y$", units))
-        sheet = Sheet(axes, View(-np.pi / 2, np.pi / 2))
+        sheet = Canvas(axes, View(-np.pi / 2, np.pi / 2))
         flat = np.column_stack([path, np.zeros(len(path))])
         sheet.timed(flat, time_shares(times), 1.6, 1.0)
         marks = max(_OF_MECHANISM * last.size, _OF_PICTURE * 2 * half)
@@ -197,7 +197,7 @@ def _limits(axes: Axes, middle: FloatArray, half: float, ratio: float) -> None:
 
 def _enlarged(
     figure: Figure,
-    sheet: Sheet,
+    sheet: Canvas,
     path: FloatArray,
     fractions: FloatArray,
     pose: _Pose,
@@ -209,7 +209,7 @@ def _enlarged(
     axes = figure.add_axes((left, 1.0 - (_TOP + 1.65) / height, 1.65 / WIDTH, 1.65 / height))
     corners = pose.corners
     middle = (corners.min(axis=0) + corners.max(axis=0)) / 2
-    near = Sheet(axes, sheet.view)
+    near = Canvas(axes, sheet.view)
     near.timed(path, fractions, 1.6, 1.0)
     pose.draw(axes, _OF_MECHANISM * pose.size, INK, 60)
     _limits(axes, middle, 0.95 * pose.size, 1.0)

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from ...core.arrays import FloatArray
 from ...errors import InputError
 from ..drawing.canvas import (
-    Sheet,
+    Canvas,
     blank_axes,
     fit_height,
     mark_start,
@@ -31,7 +31,7 @@ from ..drawing.dataset_access import (
 )
 from ..drawing.geometry import (
     Ground,
-    Outline,
+    BodyMesh,
     PlaneGround,
     SphereGround,
     SurfaceCurve,
@@ -57,7 +57,7 @@ _TRACE = 6.3
 
 
 def scene(
-    dataset: xr.Dataset, outline: Outline, surface: Ground, until: float | None = None
+    dataset: xr.Dataset, outline: BodyMesh, surface: Ground, until: float | None = None
 ) -> Figure:
     """The body on the surface it rolls on, with the paths of the contact point on both.
 
@@ -89,7 +89,7 @@ def scene(
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(WIDTH, WIDTH))
         figure.set_label(f"The body and the path of its contact point: {title_of(dataset)}")
-        sheet = Sheet(blank_axes(figure), _scene_view(track, surface))
+        sheet = Canvas(blank_axes(figure), _scene_view(track, surface))
         body = outline.placed(track.rotation[-1], track.centre[-1])
         if isinstance(surface, PlaneGround):
             spacing = _scene_on_plane(sheet, track, outline, body)
@@ -230,7 +230,7 @@ def _lamp(view: View) -> FloatArray:
     return unit(0.45 * view.light + np.array([0.0, 0.0, 1.0]))
 
 
-def _draw_shadow(sheet: Sheet, body: Outline, ground: Ground) -> None:
+def _draw_shadow(sheet: Canvas, body: BodyMesh, ground: Ground) -> None:
     """A shadow with soft borders: many lamps close to each other, each with a faint one."""
     lamp = _lamp(sheet.view)
     lamps = 40
@@ -243,7 +243,7 @@ def _draw_shadow(sheet: Sheet, body: Outline, ground: Ground) -> None:
         sheet.fill(sheet.view.project(shadow), "#1b2a3a", 0.0105)
 
 
-def draw_body(sheet: Sheet, body: Outline, track: Track) -> None:
+def draw_body(sheet: Canvas, body: BodyMesh, track: Track) -> None:
     """The near side of the body with its seams, its border and the path traced on it."""
     facets = body.facets
     sheet.facets(facets.select(facets.faces_reader(sheet.view)), BODY_TONES, 1.0, 0.5)
@@ -254,11 +254,11 @@ def draw_body(sheet: Sheet, body: Outline, track: Track) -> None:
     _draw_border(sheet, body, "#2c3e50", 0.6)
 
 
-def _draw_border(sheet: Sheet, body: Outline, colour: str, width: float) -> None:
+def _draw_border(sheet: Canvas, body: BodyMesh, colour: str, width: float) -> None:
     sheet.outline(convex_hull(sheet.view.project(body.vertices)), colour, width)
 
 
-def _draw_ghosts(sheet: Sheet, track: Track, outline: Outline) -> None:
+def _draw_ghosts(sheet: Canvas, track: Track, outline: BodyMesh) -> None:
     """Pale bodies at earlier places, as far as they stand clear of each other and of the last."""
     extent = float(np.max(np.ptp(track.contact, axis=0)))
     apart = max(1.25 * outline.diameter, 0.2 * extent)
@@ -279,7 +279,7 @@ def _draw_ghosts(sheet: Sheet, track: Track, outline: Outline) -> None:
         sheet.outline(border, "#b5c2cf", 0.6)
 
 
-def _scene_on_plane(sheet: Sheet, track: Track, outline: Outline, body: Outline) -> float:
+def _scene_on_plane(sheet: Canvas, track: Track, outline: BodyMesh, body: BodyMesh) -> float:
     """Draw grid, shadow, paths and body; give the spacing of the grid."""
     times, path = track.path(PlaneGround())
     spacing = draw_grid(sheet, path.points, outline.diameter)
@@ -291,7 +291,7 @@ def _scene_on_plane(sheet: Sheet, track: Track, outline: Outline, body: Outline)
     return spacing
 
 
-def _scene_on_sphere(sheet: Sheet, track: Track, body: Outline, ground: SphereGround) -> None:
+def _scene_on_sphere(sheet: Canvas, track: Track, body: BodyMesh, ground: SphereGround) -> None:
     times, path = track.path(ground)
     fractions = time_shares(times)
     room = max(0.12, 0.75 * body.diameter / ground.radius)
@@ -310,7 +310,7 @@ def _scene_on_sphere(sheet: Sheet, track: Track, body: Outline, ground: SphereGr
         _draw_border(sheet, body, "#b5c2cf", 0.6)
 
 
-def _scene_in_bowl(sheet: Sheet, track: Track, body: Outline, ground: SphereGround) -> None:
+def _scene_in_bowl(sheet: Canvas, track: Track, body: BodyMesh, ground: SphereGround) -> None:
     radius = abs(ground.radius)
     times, path = track.path(ground)
     fractions = time_shares(times)
@@ -324,7 +324,7 @@ def _scene_in_bowl(sheet: Sheet, track: Track, body: Outline, ground: SphereGrou
     mark_start(sheet, path, -1.0)
 
 
-def _scene_around_sphere(sheet: Sheet, track: Track, body: Outline, ground: SphereGround) -> None:
+def _scene_around_sphere(sheet: Canvas, track: Track, body: BodyMesh, ground: SphereGround) -> None:
     """A shell with the sphere inside: its far half, the sphere, and its near half of glass."""
     times, path = track.path(ground)
     fractions = time_shares(times)

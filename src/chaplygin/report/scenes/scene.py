@@ -13,7 +13,7 @@ from ...experiment.study import Study
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.rolling.gauss_map import contact_points
 from ...mechanics.rolling.surfaces import Plane
-from ..drawing.geometry import Ground, Outline, PlaneGround, SphereGround, outline_from_contact
+from ..drawing.geometry import Ground, BodyMesh, PlaneGround, SphereGround, outline_from_contact
 from .implicit_surface import SurfaceGround
 
 __all__ = ["BallScene", "Scene", "ball_scene_of", "scene_of", "weight_of"]
@@ -22,14 +22,14 @@ __all__ = ["BallScene", "Scene", "ball_scene_of", "scene_of", "weight_of"]
 class Scene(NamedTuple):
     """The drawn body and its ground."""
 
-    outline: Outline
+    outline: BodyMesh
     surface: Ground
 
 
 class BallScene(NamedTuple):
     """The drawn ball and the surface that carries it."""
 
-    outline: Outline
+    outline: BodyMesh
     surface: SurfaceGround
 
 

@@ -1,0 +1,219 @@
+"""The house: imports run one way, folders and files are small, names have one home."""
+
+from __future__ import annotations
+
+import ast
+import sys
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+import chaplygin
+
+HOME = Path(chaplygin.__file__).parent
+Graph = Mapping[str, set[str]]
+
+#: Lines of a module at most, and those that are longer: the loops of the kernel, and what is still
+#: to be parted.
+LINES = 400
+LONGER = {
+    "check/identities/generators.py",
+    "check/identities/substitution.py",
+    "catalogue/fixed_point/veselova.py",
+    "experiment/file/models.py",
+    "experiment/study.py",
+    "flow/batch.py",
+    "flow/integrator.py",
+    "flow/kernel/gauss_legendre.py",
+    "flow/kernel/runge_kutta.py",
+    "mechanics/rolling/equations.py",
+    "mechanics/rolling/shapes.py",
+    "printing/laws.py",
+    "proof/certificates/case_tree.py",
+    "proof/certificates/identities.py",
+    "proof/level/level_set.py",
+    "proof/prover.py",
+    "report/drawing/geometry.py",
+    "report/figures/time_series.py",
+}
+#: Files of a folder at most.
+FILES = 22
+
+
+def modules(home: Path) -> dict[str, Path]:
+    """Dotted names below a package, and their files; the package itself is ``""``."""
+    named = {}
+    for path in home.rglob("*.py"):
+        parts = path.relative_to(home).with_suffix("").parts
+        named[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
+    return named
+
+
+def imports(home: Path) -> dict[str, set[str]]:
+    """Which module imports which: at the top, in a function, and for types alone.
+
+    What the package as a whole offers may come from anywhere.
+    """
+    named = modules(home)
+    graph: dict[str, set[str]] = {name: set() for name in named if name}
+    for name, targets in graph.items():
+        for base, inner in _imported(named[name], name, home.name):
+            whole = f"{base}.{inner}".strip(".")
+            target = whole if whole in named else base
+            if target in named and target not in ("", name):
+                targets.add(target)
+    return graph
+
+
+def _imported(path: Path, name: str, package: str) -> Iterator[tuple[str, str]]:
+    """Modules below the package from which a file imports, with what it takes from them."""
+    here = name.split(".") if path.stem == "__init__" else name.split(".")[:-1]
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom):
+            parts = (node.module or "").split(".")
+            if node.level:
+                parts = [*here[: len(here) - node.level + 1], *filter(None, parts)]
+            elif parts[0] == package:
+                parts = parts[1:]
+            else:
+                continue
+            yield from ((".".join(parts), alias.name) for alias in node.names)
+        elif isinstance(node, ast.Import):
+            for alias in node.names:
+                first, *rest = alias.name.split(".")
+                if first == package and rest:
+                    yield ".".join(rest), ""
+
+
+def folded(graph: Graph, home: Path, depth: int) -> dict[str, set[str]]:
+    """The same between folders."""
+    named = modules(home)
+
+    def folder(module: str) -> str:
+        parts = module.split(".")
+        inner = parts if named[module].stem == "__init__" else parts[:-1] or parts
+        return "/".join(inner[:depth])
+
+    between: dict[str, set[str]] = defaultdict(set)
+    for module, targets in graph.items():
+        between[folder(module)] |= {folder(target) for target in targets} - {folder(module)}
+    return between
+
+
+def circles(graph: Graph) -> list[set[str]]:
+    """The strongly connected parts of a graph that have several nodes."""
+    sys.setrecursionlimit(10_000)
+    numbers: dict[str, int] = {}
+    lowest: dict[str, int] = {}
+    stack: list[str] = []
+    found = []
+
+    def visit(node: str) -> None:
+        numbers[node] = lowest[node] = len(numbers)
+        stack.append(node)
+        for other in graph.get(node, ()):
+            if other not in numbers:
+                visit(other)
+                lowest[node] = min(lowest[node], lowest[other])
+            elif other in stack:
+                lowest[node] = min(lowest[node], numbers[other])
+        if lowest[node] == numbers[node]:
+            members = set()
+            while node not in members:
+                members.add(stack.pop())
+            if len(members) > 1:
+                found.append(members)
+
+    for node in graph:
+        if node not in numbers:
+            visit(node)
+    return found
+
+
+def test_no_imports_run_in_a_circle() -> None:
+    graph = imports(HOME)
+    assert len(graph) > 500
+    assert graph["core.system"] >= {"core.vectors", "core.laws"}
+    assert circles(graph) == []
+
+
+@pytest.mark.parametrize("depth", [1, 2])
+def test_folders_form_no_circle(depth: int) -> None:
+    graph = folded(imports(HOME), HOME, depth)
+    assert "core" in graph["mechanics" if depth == 1 else "mechanics/rolling"]
+    assert circles(graph) == []
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "from .b import f",
+        "def g():\n    from . import b",
+        "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from package.b import f",
+        "import package.b",
+    ],
+)
+def test_every_kind_of_import_is_seen(tmp_path: Path, line: str) -> None:
+    home = tmp_path / "package"
+    home.mkdir()
+    (home / "__init__.py").write_text("")
+    (home / "a.py").write_text(line)
+    (home / "b.py").write_text("from .a import g")
+    assert circles(imports(home)) == [{"a", "b"}]
+
+
+def test_folders_are_at_most_two_deep_and_say_what_is_in_them() -> None:
+    for path in HOME.rglob("__init__.py"):
+        assert len(path.relative_to(HOME).parts) <= 3, path
+        assert ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))), path
+    for folder in {path.parent for path in HOME.rglob("*.py")}:
+        assert (folder / "__init__.py").exists(), folder
+        assert len(list(folder.glob("*.py"))) <= FILES, folder
+
+
+def test_modules_are_short() -> None:
+    longer = {
+        path.relative_to(HOME).as_posix()
+        for path in HOME.rglob("*.py")
+        if len(path.read_text(encoding="utf-8").splitlines()) > LINES
+    }
+    assert longer == LONGER
+
+
+def test_a_public_name_has_one_home() -> None:
+    homes = defaultdict(list)
+    for module, path in modules(HOME).items():
+        for name in _defined(path) if module else ():
+            homes[name].append(module)
+    public = set(chaplygin.__all__) - {"__version__"}
+    assert {name: homes[name] for name in public if len(homes[name]) != 1} == {}
+    for name in public:
+        assert getattr(import_module(f"chaplygin.{homes[name][0]}"), name) is getattr(
+            chaplygin, name
+        )
+
+
+def _defined(path: Path) -> set[str]:
+    """What a file lists in ``__all__`` and defines itself."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    defined: set[str] = set()
+    listed: set[str] = set()
+    for node in tree.body:
+        if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+            defined.add(node.name)
+        targets = node.targets if isinstance(node, ast.Assign) else []
+        if isinstance(node, ast.AnnAssign):
+            targets = [node.target]
+        for target in targets:
+            if isinstance(target, ast.Name):
+                defined.add(target.id)
+                if target.id == "__all__" and isinstance(node, ast.Assign):
+                    listed |= set(ast.literal_eval(node.value))
+    return defined & listed
+
+
+def test_tests_do_not_hide_the_package() -> None:
+    assert not (Path(__file__).parent / "chaplygin").exists()
