@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 from chaplygin.catalogue import from_catalogue
-from chaplygin.flow.ensemble.run import sampled, ensemble
+from chaplygin.flow.ensemble.run import ensemble, sampled
 
 SIZES = (1_000, 10_000, 100_000)
 TIMES = np.linspace(0, 10, 101)

@@ -99,7 +99,9 @@ def taken_in_eigenvalues(system: System) -> list[complex]:
     still: dict[str, Any] = dict.fromkeys(map(str, system.symbols), 0)
     wheels = {"u3": -1 / numbers["R_R"], "u6": -1 / numbers["R_F"]}
     state = still | {name: SPEED * rate for name, rate in wheels.items()}
-    return [complex(x) for x in linear_stability(system, state, numbers, along=[wheels]).eigenvalues]
+    return [
+        complex(x) for x in linear_stability(system, state, numbers, along=[wheels]).eigenvalues
+    ]
 
 
 def timed(job: Callable[[], Any]) -> tuple[float, Any]:

@@ -39,7 +39,7 @@ from chaplygin.formulas.batch import Formulas
 from chaplygin.report.drawing.style import COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 from chaplygin.report.figures import save
 from chaplygin.report.figures.scan import chart as drawn
-from chaplygin.search import search_request, integrals
+from chaplygin.search import integrals, search_request
 
 #: The integrals of the cases k = 1 and k = 0; that of k = −1 is among the laws of the equations.
 AREA = Integral("area", dot(M, n), "area integral", on=(k - 1,))

@@ -232,7 +232,8 @@ def main(folder: Path) -> None:
         print(f"  stays within {near:g} of the cycle after {last_beyond(away, near)} returns")
     save(draw_section(one, NAMES), folder / "figure_8.png")
     save(
-        draw_section(many.isel(section_point=slice(0, SHOWN_OF_MANY)), NAMES), folder / "figure_8_many.png"
+        draw_section(many.isel(section_point=slice(0, SHOWN_OF_MANY)), NAMES),
+        folder / "figure_8_many.png",
     )
 
 

@@ -22,8 +22,8 @@ import sympy as sp
 from matplotlib.figure import Figure
 
 from chaplygin.analysis.orbits.arnold_tongues import (
-    Plateau,
     DevilsStaircase,
+    Plateau,
     locked_interval,
     plateaus,
     staircase,
@@ -114,14 +114,18 @@ class Widths:
         return float(np.log(first / second) / np.log(a / b))
 
 
-def widths(stairs: DevilsStaircase, fraction: Fraction, shares: tuple[float, ...] = SHARES) -> Widths:
+def widths(
+    stairs: DevilsStaircase, fraction: Fraction, shares: tuple[float, ...] = SHARES
+) -> Widths:
     """How wide the step of a fraction is when the centre moves inwards."""
     below = stairs.values[stairs.rotations > float(fraction) + 0.06].max()
     above = stairs.values[stairs.rotations < float(fraction) - 0.06].min()
     return Widths(
         fraction,
         shares,
-        tuple(locked_interval(circles(J, share * KAPPA), fraction, (below, above)) for share in shares),
+        tuple(
+            locked_interval(circles(J, share * KAPPA), fraction, (below, above)) for share in shares
+        ),
     )
 
 

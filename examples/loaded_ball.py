@@ -9,7 +9,15 @@ only the vertical γ is left of the configuration.
 
 from chaplygin.core.laws import Integral
 from chaplygin.core.system import Parameter
-from chaplygin.core.vectors import Diagonal, Vector, cross, dot, norm_squared, real_symbol, unit_vector
+from chaplygin.core.vectors import (
+    Diagonal,
+    Vector,
+    cross,
+    dot,
+    norm_squared,
+    real_symbol,
+    unit_vector,
+)
 from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism, euclidean
 
 gamma, omega, v, r = (Vector(name) for name in ("gamma", "omega", "v", "r"))

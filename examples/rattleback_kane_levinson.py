@@ -42,7 +42,7 @@ from scipy.optimize import brentq, minimize_scalar
 
 import chaplygin
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import dot, to_components, real_symbol, vectors
+from chaplygin.core.vectors import dot, real_symbol, to_components, vectors
 from chaplygin.mechanics.lagrangian.poincare_suslov import equations
 from chaplygin.mechanics.rolling.equations import Forces, Rolling
 from chaplygin.mechanics.rolling.mechanism import rolling_mechanism

@@ -50,7 +50,8 @@ from chaplygin.report.drawing.style import QUIET, SERIES, STYLE, WIDTH
 DEFAULTS = {"m": 1.0, "r": 0.3, "g": 9.81}
 m, r, g = (real_symbol(name) for name in DEFAULTS)
 q1, q2, q3, q1dot, q2dot, q3dot, x, y, v1, v2 = (
-    real_symbol(name) for name in ("q1", "q2", "q3", "q1dot", "q2dot", "q3dot", "x", "y", "v1", "v2")
+    real_symbol(name)
+    for name in ("q1", "q2", "q3", "q1dot", "q2dot", "q3dot", "x", "y", "v1", "v2")
 )
 s, c = sp.sin(q2), sp.cos(q2)
 sine, cosine = real_symbol("sin_q2"), real_symbol("cos_q2")

@@ -34,7 +34,16 @@ from whipple_by_hand import by_hand
 from whipple_figures import eigenvalue_figure, run_figure
 
 from chaplygin.core.system import Guard, Observable, Parameter, System
-from chaplygin.core.vectors import constant, cross, dot, to_components, norm_squared, real_symbol, unit_vector, vectors
+from chaplygin.core.vectors import (
+    constant,
+    cross,
+    dot,
+    norm_squared,
+    real_symbol,
+    to_components,
+    unit_vector,
+    vectors,
+)
 from chaplygin.flow.integrator import Trajectory, integrate
 from chaplygin.flow.linear_stability import Linearisation, linear_stability
 from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism, euclidean
@@ -85,7 +94,9 @@ x, y, delta, deltadot, spin_r, spin_f = (
 )
 ell, s_r, s_f = (real_symbol(name) for name in ("ell", "s_R", "s_F"))
 cl, sl, cd, sd = (real_symbol(name) for name in ("c_l", "s_l", "c_d", "s_d"))
-inertia_b, inertia_h = ([real_symbol(f"I_{body}{axis}") for axis in ("1", "3", "13")] for body in "BH")
+inertia_b, inertia_h = (
+    [real_symbol(f"I_{body}{axis}") for axis in ("1", "3", "13")] for body in "BH"
+)
 e_1, e_2, e_3 = (unit_vector(axis) for axis in (1, 2, 3))
 
 

@@ -167,7 +167,11 @@ class _Evaluation:
 
 def is_rational(system: System, formulas: Iterable[Any]) -> bool:
     """Whether formulas and field take rational values at rational points."""
-    nodes = {*system.rates, *(to_components(f) for f in formulas), *(step for _, step in system.steps)}
+    nodes = {
+        *system.rates,
+        *(to_components(f) for f in formulas),
+        *(step for _, step in system.steps),
+    }
     return not any(
         part.is_Function or (part.is_Pow and not part.exp.is_Integer)
         for node in nodes

@@ -199,7 +199,9 @@ def _of_pairs(field: str, law: Any) -> Part:
 def _of_a_measure(law: Measure, system: System) -> Iterator[Part]:
     """The bases of its density that move, and their exponents."""
     moving = moving_symbols(system)
-    pairs = [(to_components(sp.sympify(base)), sp.sympify(exponent)) for base, exponent in law.density]
+    pairs = [
+        (to_components(sp.sympify(base)), sp.sympify(exponent)) for base, exponent in law.density
+    ]
     moved = [(b, e) for b, e in pairs if b.free_symbols & moving]
     if not moved:
         pairs = moved = [(sp.Add(*_driven(system)), sp.S.Zero)]

@@ -22,7 +22,7 @@ from chaplygin.mechanics.reduction.chaplygin import chaplygin_form
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Rolling
 from chaplygin.mechanics.rolling.shapes import Ball
-from chaplygin.search import search_request, integrals
+from chaplygin.search import integrals, search_request
 
 SOURCE = Path(chaplygin.__file__).parent
 x, y, phi = (real_symbol(name) for name in ("x", "y", "phi"))
@@ -51,7 +51,9 @@ CALLS: dict[str, Callable[[], object]] = {
     "nonholonomy": lambda: nonholonomy(knife()),
     "reduction": lambda: chaplygin_form(knife()),
     "proof": lambda: prove(from_catalogue("chaplygin-sleigh-reduced"))[:1],
-    "search": lambda: next(integrals(search_request(from_catalogue("chaplygin-sleigh-reduced"), degree=2))),
+    "search": lambda: next(
+        integrals(search_request(from_catalogue("chaplygin-sleigh-reduced"), degree=2))
+    ),
     "closed form": lambda: solve(from_catalogue("lagrange-top"), (1, 2, 3, 0, 0.6, 0.8)).states(
         [1.0]
     ),

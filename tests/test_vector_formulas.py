@@ -3,7 +3,7 @@
 import pytest
 import sympy
 
-from chaplygin.core.vectors import Diagonal, Vector, cross, dot, to_components, real_symbol
+from chaplygin.core.vectors import Diagonal, Vector, cross, dot, real_symbol, to_components
 from chaplygin.errors import InputError
 from chaplygin.parsing import parse_formula
 

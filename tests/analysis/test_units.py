@@ -9,7 +9,12 @@ import numpy as np
 import pytest
 
 from chaplygin.analysis.lyapunov.compute import lyapunov_spectrum
-from chaplygin.analysis.lyapunov.indicators import SmallerAlignmentIndex, FastLyapunovIndicator, Megno, ExponentSum
+from chaplygin.analysis.lyapunov.indicators import (
+    ExponentSum,
+    FastLyapunovIndicator,
+    Megno,
+    SmallerAlignmentIndex,
+)
 from chaplygin.analysis.lyapunov.report import Spectrum
 from chaplygin.analysis.lyapunov.zero_exponents import vanish
 from chaplygin.catalogue import from_catalogue

@@ -178,7 +178,9 @@ def test_the_bracket_with_rotors_follows_from_that_of_theorem_9():
     """{L_i, L_j} by (7.14), with the opposite sign, is ε_ijk u_k of the catalogue's bracket."""
     momenta = sp.Matrix(to_components(MOMENTUM)).subs(N, RHO)
     jacobian = momenta.jacobian([theta, phi, p_theta, p_phi])
-    twist = to_components(gyroscopic(k)).subs(N, RHO).subs(dict(zip(gamma.symbols, UP, strict=True)))
+    twist = (
+        to_components(gyroscopic(k)).subs(N, RHO).subs(dict(zip(gamma.symbols, UP, strict=True)))
+    )
     found = jacobian * sp.Matrix(gyroscopic_matrix(twist)) * jacobian.T
     u = dict(hamiltonian_form(sp.S.Zero, k).definitions)[Vector("u")]
     here = dict(zip(L.symbols, momenta, strict=True)) | {sp.Symbol("rho", real=True): RHO}

@@ -14,7 +14,7 @@ from chaplygin.experiment.study import prepare
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.ball.initial_state import ball_state
 from chaplygin.proof.prover import prove
-from chaplygin.search import search_request, integrals
+from chaplygin.search import integrals, search_request
 from mechanics.balls import SURFACES, on
 
 BALLS = tuple(name for name, item in CATALOGUE.items() if item.ball is not None)

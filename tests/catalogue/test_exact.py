@@ -19,7 +19,7 @@ from catalogue import built
 from chaplygin.catalogue import CATALOGUE, known_laws_of
 from chaplygin.core.laws import Integral
 from chaplygin.core.system import System
-from chaplygin.core.vectors import dot, to_components, norm_squared, vectors
+from chaplygin.core.vectors import dot, norm_squared, to_components, vectors
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, Rolling
 from chaplygin.mechanics.rolling.initial_state import initial_state

@@ -119,7 +119,9 @@ def test_a_planted_error_shows(name):
     entry, rng = CATALOGUE[name], np.random.default_rng(crc32(name.encode()))
     motion = follow(random_study(entry, rng, random_parameters(entry, rng)), 20.0)
     system = motion.system
-    wrong = [form for law in system.integrals for form in wrong_forms(to_components(law.value), system)]
+    wrong = [
+        form for law in system.integrals for form in wrong_forms(to_components(law.value), system)
+    ]
     assert wrong
     # complex, since a wrong sign may make a root imaginary
     states = motion.states.T.astype(complex)

@@ -15,7 +15,7 @@ from chaplygin import search
 from chaplygin.catalogue import from_catalogue
 from chaplygin.cli import main
 from chaplygin.cli.find import special
-from chaplygin.search import SearchResult, Question
+from chaplygin.search import Question, SearchResult
 
 Answer = tuple[int, str, str]
 Ask = Callable[..., Answer]

@@ -9,8 +9,16 @@ import pytest
 import sympy as sp
 
 from chaplygin.core.laws import Integral
-from chaplygin.core.system import Reconstruction, Observable, Parameter, System
-from chaplygin.core.vectors import Diagonal, Symmetric, Vector, cross, dot, norm_squared, real_symbol
+from chaplygin.core.system import Observable, Parameter, Reconstruction, System
+from chaplygin.core.vectors import (
+    Diagonal,
+    Symmetric,
+    Vector,
+    cross,
+    dot,
+    norm_squared,
+    real_symbol,
+)
 from chaplygin.errors import InputError
 from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism
 from every_system import CASES, bare, laden
@@ -30,7 +38,12 @@ def top() -> System:
             Parameter(symbol, f"moment of inertia {i}", float(i), "kg m^2", (symbol > 0,))
             for i, symbol in enumerate(I.symbols, 1)
         ),
-        definitions={A: I**-1, unused: norm_squared(M), omega: A * M, s: sp.sqrt(dot(gamma, omega))},
+        definitions={
+            A: I**-1,
+            unused: norm_squared(M),
+            omega: A * M,
+            s: sp.sqrt(dot(gamma, omega)),
+        },
         relations=(norm_squared(gamma) - 1,),
         laws=(Integral("energy", dot(M, omega) / 2, "energy"),),
     )

@@ -18,13 +18,13 @@ from chaplygin.core.system import System
 from chaplygin.errors import InputError
 from chaplygin.experiment.closed_form import (
     ball,
+    closed_form_section,
     dataset,
     diagram_if_known,
     equation,
     evaluated,
     letters,
     number,
-    closed_form_section,
     solved,
     solved_if_known,
     units,

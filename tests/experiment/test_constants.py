@@ -14,7 +14,7 @@ from chaplygin.experiment.described_system import build_described_system
 from chaplygin.experiment.file.models import loads
 from chaplygin.measures.existence import measure_exists
 from chaplygin.mechanics.reduction.chaplygin import chaplygin_form
-from chaplygin.search import search_request, integrals
+from chaplygin.search import integrals, search_request
 
 OSCILLATOR = """
 [parameters]

@@ -17,7 +17,12 @@ from chaplygin.errors import InputError
 from chaplygin.experiment.file.models import StateExperiment, catalogue_experiment, loads
 from chaplygin.experiment.initial_state import initial_state_from_values
 from chaplygin.experiment.study import Study, dataset_of, prepare
-from chaplygin.mechanics.rolling.attitude import attitude, quaternion_rate, attitude_relations, unit_length
+from chaplygin.mechanics.rolling.attitude import (
+    attitude,
+    attitude_relations,
+    quaternion_rate,
+    unit_length,
+)
 from chaplygin.report.drawing.dataset_access import unit_of
 from chaplygin.report.write import write_study
 from named_states import ENTRIES, M, gamma, named_states
@@ -133,10 +138,16 @@ def test_a_state_off_the_relations_is_refused_with_the_nearest_one() -> None:
 
 
 def test_the_lift_to_space_may_be_left_out() -> None:
-    lift = Reconstruction({attitude: quaternion_rate(Diagonal("A") * M)}, (unit_length(), *attitude_relations(gamma)), ())
+    lift = Reconstruction(
+        {attitude: quaternion_rate(Diagonal("A") * M)},
+        (unit_length(), *attitude_relations(gamma)),
+        (),
+    )
     system = replace(TOP.system(), motion=lift)
     for up in ((0.0, 0.6, 0.8), (0.0, 0.0, -1.0)):
-        state = [float(v) for v in initial_state_from_values(system, {"M": (0.0, 0.1, 3.0), "gamma": up})]
+        state = [
+            float(v) for v in initial_state_from_values(system, {"M": (0.0, 0.1, 3.0), "gamma": up})
+        ]
         w, x, y, z = state[6:]
         row = [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]
         assert row == pytest.approx(up, abs=1e-15)

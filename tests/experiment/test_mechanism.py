@@ -12,7 +12,15 @@ from hypothesis import strategies as st
 
 from chaplygin.core.laws import Integral, Measure
 from chaplygin.core.system import System
-from chaplygin.core.vectors import Diagonal, Vector, cross, dot, to_components, norm_squared, real_symbol
+from chaplygin.core.vectors import (
+    Diagonal,
+    Vector,
+    cross,
+    dot,
+    norm_squared,
+    real_symbol,
+    to_components,
+)
 from chaplygin.errors import InputError
 from chaplygin.experiment.file.models import EquationsExperiment, MechanismExperiment, loads
 from chaplygin.experiment.mechanism import mechanism_of
@@ -83,7 +91,9 @@ def test_a_file_says_what_python_says() -> None:
     found = mechanism_of(experiment)
     expected = Mechanism(
         name="heavy-suslov-body",
-        frame=Frame({gamma: cross(gamma, omega)}, (omega,), (norm_squared(gamma) - 1,), rotations(omega)),
+        frame=Frame(
+            {gamma: cross(gamma, omega)}, (omega,), (norm_squared(gamma) - 1,), rotations(omega)
+        ),
         lagrangian=dot(omega, inertia * omega) / 2 - dot(weight, gamma),
         constraints=(dot(e, omega),),
         definitions={e: sp.ImmutableDenseMatrix([sp.Rational(3, 5), 0, sp.Rational(4, 5)])},

@@ -16,7 +16,7 @@ from chaplygin.core.vectors import to_components
 from chaplygin.errors import InputError
 from chaplygin.explicit.genus_two.separation_laws import separation_laws
 from chaplygin.explicit.genus_two_solution import BITS, solved
-from chaplygin.explicit.isomorphism import inverse, pull_back, push_forward, inverse_identity
+from chaplygin.explicit.isomorphism import inverse, inverse_identity, pull_back, push_forward
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
 from chaplygin.explicit.separations.clebsch import clebsch_case
 from chaplygin.explicit.separations.fedorov import fedorov

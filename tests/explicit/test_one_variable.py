@@ -9,13 +9,13 @@ import pytest
 from flint import acb, arb, ctx
 
 from chaplygin.errors import InputError
-from chaplygin.explicit.one_degree import QuadratureMotion, Equilibrium, chart_of
+from chaplygin.explicit.one_degree import Equilibrium, QuadratureMotion, chart_of
 from chaplygin.explicit.one_degree.chebyshev_integrals import working_bits
 from chaplygin.explicit.one_degree.uniformisation import (
     BALLS,
     Asymptotic,
-    Heteroclinic,
     Equation,
+    Heteroclinic,
     Oscillating,
 )
 
@@ -36,7 +36,9 @@ def equation(numerator: Any, denominator: Any = one, edge: Any = 10) -> Equation
     return Equation(numerator, denominator, -arb(edge), arb(edge))
 
 
-def course(numerator: Any, x: Any, denominator: Any = one, sign: int = 1, edge: Any = 10) -> QuadratureMotion:
+def course(
+    numerator: Any, x: Any, denominator: Any = one, sign: int = 1, edge: Any = 10
+) -> QuadratureMotion:
     """The motion through x, with the quadratures q′ = x and q′ = x′²."""
     made = equation(numerator, denominator, edge)
     start = arb(x)

@@ -22,7 +22,9 @@ from chaplygin.explicit.genus_two.separation import SeparatedSystem, nu, nuprime
 class Level:
     """A level of a separated system, in numbers."""
 
-    def __init__(self, separable: SeparatedSystem, diagram: Diagram, place: tuple[Any, Any]) -> None:
+    def __init__(
+        self, separable: SeparatedSystem, diagram: Diagram, place: tuple[Any, Any]
+    ) -> None:
         self.system = separable.system
         self.separable = separable
         x, y = map(Fraction, place)
@@ -127,7 +129,9 @@ class Level:
         return [set(row[quiet]) for row, quiet in zip(codes, steady, strict=True)]
 
 
-def counted(separable: SeparatedSystem, diagram: Diagram, region: Region, until: float) -> list[int]:
+def counted(
+    separable: SeparatedSystem, diagram: Diagram, region: Region, until: float
+) -> list[int]:
     """The number of tori over each pair of ovals of a region."""
     level = Level(separable, diagram, region.sample)
     poles = np.sort(level.poles)

@@ -16,7 +16,13 @@ from scipy.special import ellipj
 
 from chaplygin.core.system import Parameter, System
 from chaplygin.errors import InputError
-from chaplygin.flow.batch import THREADS, BatchIntegrator, batch_integrator, poincare_section, available_threads
+from chaplygin.flow.batch import (
+    THREADS,
+    BatchIntegrator,
+    available_threads,
+    batch_integrator,
+    poincare_section,
+)
 from chaplygin.flow.integrator import integrate
 from chaplygin.flow.kernel.double_double import unpaired
 from chaplygin.formulas.evaluate import values
@@ -103,7 +109,9 @@ def test_bodies_against_the_reference(name: str) -> None:
     laws = [law.value for law in system.integrals]
     kept = values(system, [*laws, *system.relations], np.insert(found.states, 0, states, axis=1))
     assert np.abs(kept - kept[:, :1]).max() < 1e-12 * (1 + np.abs(kept).max())
-    back = batch_integrator(system, tolerance=1e-15, backward=True).until(found.states[:, -1], [-end])
+    back = batch_integrator(system, tolerance=1e-15, backward=True).until(
+        found.states[:, -1], [-end]
+    )
     assert back.ended.tolist() == [-end] * 2
     assert scaled(back.states[:, 0], states) < 5e-12
 
@@ -163,7 +171,9 @@ def test_deviations_are_derivatives(name: str) -> None:
 def test_deviations_leave_the_motion_alone() -> None:
     system, states = body("unbalanced-ball"), starts("unbalanced-ball", 5)
     alone = batch_integrator(system).until(states, [5.0])
-    along = batch_integrator(system, deviations=1).until(states, [5.0], deviations=np.ones((5, 1, 6)))
+    along = batch_integrator(system, deviations=1).until(
+        states, [5.0], deviations=np.ones((5, 1, 6))
+    )
     np.testing.assert_allclose(along.states, alone.states, atol=1e-11)
 
 
@@ -194,7 +204,9 @@ def _bytes(found: Any, chosen: Any = slice(None)) -> list[bytes]:
 
 @DRAWN
 @given(chosen=COMPANY, threads=st.sampled_from([1, 2, 5]))
-def test_bits_do_not_depend_on_the_company(flow: BatchIntegrator, chosen: list[int], threads: int) -> None:
+def test_bits_do_not_depend_on_the_company(
+    flow: BatchIntegrator, chosen: list[int], threads: int
+) -> None:
     """Nor on order, number, or threads."""
     whole = flow.until(STATES, [1.0, 4.0], {"m": MASSES}, threads=1)
     part = flow.until(STATES[chosen], [1.0, 4.0], {"m": MASSES[chosen]}, threads=threads)
@@ -212,7 +224,10 @@ def test_bits_of_crossings(crossing: BatchIntegrator, chosen: list[int], threads
 def test_bits_of_deviations_and_of_thirty_digits() -> None:
     turns = [7, 3, 3, 39, 0, *range(39, -1, -1)] * 2
     tangent = np.random.default_rng(4).normal(size=(40, 1, 6))
-    moving, fine = batch_integrator(BALL, deviations=1), batch_integrator(BALL, tolerance=1e-16, digits=30)
+    moving, fine = (
+        batch_integrator(BALL, deviations=1),
+        batch_integrator(BALL, tolerance=1e-16, digits=30),
+    )
     whole = moving.until(STATES, [2.0], deviations=tangent, threads=1)
     part = moving.until(STATES[turns], [2.0], deviations=tangent[turns], threads=3)
     assert _bytes(part) == _bytes(whole, turns)

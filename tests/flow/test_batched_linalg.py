@@ -4,7 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from chaplygin.flow.batched_linalg import batched_matvec, row_dots, batched_solve, norm_squared_columns
+from chaplygin.flow.batched_linalg import (
+    batched_matvec,
+    batched_solve,
+    norm_squared_columns,
+    row_dots,
+)
 
 dice = np.random.default_rng(1)
 MATRICES, VECTORS = dice.normal(size=(50, 3, 3)), dice.normal(size=(50, 3))
@@ -21,7 +26,10 @@ def test_each_row_by_itself() -> None:
     whole = batched_matvec(MATRICES, batched_solve(MATRICES, VECTORS))
     for k in (0, 17, 49):
         part = slice(k, k + 1)
-        assert (batched_matvec(MATRICES[part], batched_solve(MATRICES[part], VECTORS[part])) == whole[part]).all()
+        assert (
+            batched_matvec(MATRICES[part], batched_solve(MATRICES[part], VECTORS[part]))
+            == whole[part]
+        ).all()
 
 
 def test_vectors_of_one_component() -> None:

@@ -80,7 +80,9 @@ def test_bodies_keep_fifteen_digits(name: str) -> None:
     """Against thirty digits of the same method, which the reference confirms below."""
     system, states = body(name), starts(name, 3)
     times = [0.1, 0.4] if name == "rattleback" else [5.0, 20.0]
-    right = gauss_integrator(system, states[0], digits=30).until(exactly_on_the_sphere(states), times)
+    right = gauss_integrator(system, states[0], digits=30).until(
+        exactly_on_the_sphere(states), times
+    )
     found = gauss_integrator(system, states[0]).until(states, times)
     size = np.abs(np.insert(right.states, 0, states, axis=1)).max(axis=1)
     # the fast rocking of the rattleback makes more of what rounding a start does
@@ -110,7 +112,9 @@ def test_thirty_digits_against_the_reference() -> None:
 
 
 def test_backward_undoes_forward() -> None:
-    ahead = gauss_integrator(TOP, [0.3, -1.0, 0.7, 0, 0, 1]).until([[0.3, -1.0, 0.7, 0, 0, 1]], [20.0])
+    ahead = gauss_integrator(TOP, [0.3, -1.0, 0.7, 0, 0, 1]).until(
+        [[0.3, -1.0, 0.7, 0, 0, 1]], [20.0]
+    )
     back = gauss_integrator(TOP, ahead.states[0, 0], backward=True)
     found = back.until(ahead.states[:, 0], [-20.0])
     np.testing.assert_allclose(found.states[0, 0], [0.3, -1.0, 0.7, 0, 0, 1], atol=1e-14)

@@ -114,7 +114,10 @@ def test_every_door_takes_every_start() -> None:
         machine.until(whole, [1.0]).states, machine.until([whole[0][:6]], [1.0]).states
     )
     assert (
-        np.abs(gauss_integrator(BALL, whole[0]).until(whole, [1.0]).states[0, 0, :3] - ends[0]).max() < 1e-12
+        np.abs(
+            gauss_integrator(BALL, whole[0]).until(whole, [1.0]).states[0, 0, :3] - ends[0]
+        ).max()
+        < 1e-12
     )
 
 

@@ -128,9 +128,7 @@ def test_attitude_does_not_spoil_the_dynamics():
     system, _ = example("unbalanced-rubber-ball")
     omega, gamma = (0.5, -0.5, 0.25), (0.0, 0.447213595499958, 0.894427190999916)
     motions = [
-        integrate(
-            system, initial_state(system, omega, gamma, heading=angle), np.linspace(0, 20, 5)
-        )
+        integrate(system, initial_state(system, omega, gamma, heading=angle), np.linspace(0, 20, 5))
         for angle in (0.0, 1.0)
     ]
     assert far(motions[0].states[:, :6], motions[1].states[:, :6]) < 1e-13

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import System
-from chaplygin.core.vectors import to_components, real_symbol
+from chaplygin.core.vectors import real_symbol, to_components
 from chaplygin.flow.batch import batch_integrator
 from chaplygin.flow.tangent_space import TangentSpace, orthonormal, propagate
 

@@ -15,7 +15,10 @@ from chaplygin.errors import InputError
 from chaplygin.formulas.batch import Formulas
 
 BALL = equations_on_sphere()
-LEVELS = (to_components(BALL.relations[0]), *(to_components(law.value) for law in BALL.integrals[:2]))
+LEVELS = (
+    to_components(BALL.relations[0]),
+    *(to_components(law.value) for law in BALL.integrals[:2]),
+)
 STATES = np.random.default_rng(1).normal(size=(7, 6))
 RATIOS = {"k": np.linspace(-1.0, 1.0, 7)}
 

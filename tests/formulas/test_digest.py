@@ -18,7 +18,7 @@ import sympy as sp
 from chaplygin.catalogue import CATALOGUE, from_catalogue
 from chaplygin.core.laws import Identity, Measure, Symmetry
 from chaplygin.errors import InputError
-from chaplygin.formulas.digest import digest, field_digests, canonical
+from chaplygin.formulas.digest import canonical, digest, field_digests
 
 x, y = sp.symbols("x y")
 

@@ -11,7 +11,13 @@ import sympy as sp
 from chaplygin.core.system import Observable, Parameter, System
 from chaplygin.core.vectors import dot
 from chaplygin.errors import InputError
-from chaplygin.formulas.evaluate import as_float_array, formula, parameter_rows, read_formulas, values
+from chaplygin.formulas.evaluate import (
+    as_float_array,
+    formula,
+    parameter_rows,
+    read_formulas,
+    values,
+)
 from flow.small import OSCILLATOR, TOP, M, body, gamma, p, starts, u, x, y
 
 a, w = sp.symbols("a w", real=True)

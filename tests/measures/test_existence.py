@@ -18,9 +18,9 @@ from chaplygin.core.vectors import (
     constant,
     cross,
     dot,
-    to_components,
     norm_squared,
     real_symbol,
+    to_components,
     unit_vector,
 )
 from chaplygin.errors import InputError
@@ -324,7 +324,9 @@ def test_chaplygin_sleigh():
 
 def test_suslov():
     I = Symmetric("I")
-    frame = Frame({gamma: cross(gamma, omega)}, (omega,), (norm_squared(gamma) - 1,), rotations(omega))
+    frame = Frame(
+        {gamma: cross(gamma, omega)}, (omega,), (norm_squared(gamma) - 1,), rotations(omega)
+    )
     numbers = zip(I.symbols, (2.0, 0.1, 0.2, 2.5, 0.3, 3.0), strict=True)
     found = measure_exists(
         Mechanism(
@@ -337,12 +339,16 @@ def test_suslov():
     )
     assert found.decision == "conditional"
     assert found.complete
-    assert [set(level) for level in found.conditions] == [{real_symbol("I_13"), real_symbol("I_23")}]
+    assert [set(level) for level in found.conditions] == [
+        {real_symbol("I_13"), real_symbol("I_23")}
+    ]
 
 
 def test_veselova():
     I = Diagonal("I")
-    frame = Frame({gamma: cross(gamma, omega)}, (omega,), (norm_squared(gamma) - 1,), rotations(omega))
+    frame = Frame(
+        {gamma: cross(gamma, omega)}, (omega,), (norm_squared(gamma) - 1,), rotations(omega)
+    )
     numbers = zip(I.symbols, MOMENTS, strict=True)
     found = measure_exists(
         Mechanism(

@@ -3,7 +3,15 @@
 import sympy as sp
 
 from chaplygin.core.system import Parameter
-from chaplygin.core.vectors import Diagonal, constant, cross, dot, norm_squared, real_symbol, vectors
+from chaplygin.core.vectors import (
+    Diagonal,
+    constant,
+    cross,
+    dot,
+    norm_squared,
+    real_symbol,
+    vectors,
+)
 from chaplygin.mechanics.lagrangian.mechanism import (
     Frame,
     Mechanism,
@@ -55,7 +63,9 @@ def sleigh(ahead: sp.Expr = a) -> Mechanism:
 
 def veselova(potential: sp.Expr = sp.S.Zero) -> Mechanism:
     """A body about a fixed point with (ω, γ) = 0."""
-    frame = Frame({gamma: cross(gamma, omega)}, (omega,), (norm_squared(gamma) - 1,), rotations(omega))
+    frame = Frame(
+        {gamma: cross(gamma, omega)}, (omega,), (norm_squared(gamma) - 1,), rotations(omega)
+    )
     kinetic = HALF * dot(omega, I * omega)
     return Mechanism(
         "veselova", frame, kinetic - potential, (dot(omega, gamma),), parameters=INERTIA

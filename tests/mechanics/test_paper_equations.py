@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import pytest
 import sympy as sp
 
-from chaplygin.core.vectors import Vector, to_components, real_symbol
+from chaplygin.core.vectors import Vector, real_symbol, to_components
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, roll
 from chaplygin.mechanics.rolling.shapes import Ball, Disk, Ellipsoid, Implicit, Revolution, Torus

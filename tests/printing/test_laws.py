@@ -23,15 +23,15 @@ from chaplygin.core.vectors import (
     Diagonal,
     cross,
     dot,
-    to_components,
     hat,
     norm_squared,
     real_symbol,
+    to_components,
     unit_vector,
     vectors,
 )
 from chaplygin.printing.formula import LATEX, UNICODE, text
-from chaplygin.printing.laws import caption, formulas, heading, condition_text, equation_sides
+from chaplygin.printing.laws import caption, condition_text, equation_sides, formulas, heading
 from chaplygin.printing.system import claims_html, law_html, law_latex, system_html, system_text
 
 M, gamma = vectors("M gamma")

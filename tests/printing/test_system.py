@@ -12,7 +12,7 @@ import sympy as sp
 from catalogue import built
 from chaplygin.catalogue import CATALOGUE
 from chaplygin.core.laws import Integral, Rate
-from chaplygin.core.system import Reconstruction, Parameter, System
+from chaplygin.core.system import Parameter, Reconstruction, System
 from chaplygin.core.vectors import (
     Diagonal,
     Symmetric,
@@ -291,7 +291,9 @@ def test_a_rate_that_is_a_name_of_the_state_says_nothing() -> None:
 
 def test_the_lift_has_a_page_of_its_own() -> None:
     x, w, v, ydot, y = (real_symbol(name) for name in ("x", "w", "v", "ydot", "y"))
-    lifted = small(definitions={w: 2 * v, ydot: 3 * v}, motion=Reconstruction({x: w, y: ydot}, (), ()))
+    lifted = small(
+        definitions={w: 2 * v, ydot: 3 * v}, motion=Reconstruction({x: w, y: ydot}, (), ())
+    )
     assert motion_text(lifted) == ["    ẋ = w", "    ẏ = 3 v", "    w = 2 v"]
     assert "ẋ" not in system_text(lifted)
     assert motion_html(lifted).count("<mtr>") == 3
@@ -302,7 +304,9 @@ def test_the_lift_has_a_page_of_its_own() -> None:
 def test_long_formulas_are_broken_before_an_operator() -> None:
     x, y = real_symbol("x"), real_symbol("y")
     long = sp.Add(*(x**i * y ** (20 - i) for i in range(20)))
-    lines = system_text(small(definitions={real_symbol("w"): long}, field={x: y, y: real_symbol("w")}))
+    lines = system_text(
+        small(definitions={real_symbol("w"): long}, field={x: y, y: real_symbol("w")})
+    )
     wrapped = [line for line in lines.splitlines() if line.startswith(" " * 8)]
     assert wrapped
     assert all(re.match(r" {8}[+−] ", line) for line in wrapped)

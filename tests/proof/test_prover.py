@@ -24,7 +24,15 @@ from chaplygin.core.laws import (
     Symmetry,
 )
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import Diagonal, cross, dot, to_components, norm_squared, real_symbol, vectors
+from chaplygin.core.vectors import (
+    Diagonal,
+    cross,
+    dot,
+    norm_squared,
+    real_symbol,
+    to_components,
+    vectors,
+)
 from chaplygin.errors import InputError
 from chaplygin.proof.prover import prove
 

@@ -13,9 +13,18 @@ import sympy as sp
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.laws import Measure, Symmetry
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import Diagonal, constant, cross, dot, to_components, norm_squared, real_symbol, vectors
+from chaplygin.core.vectors import (
+    Diagonal,
+    constant,
+    cross,
+    dot,
+    norm_squared,
+    real_symbol,
+    to_components,
+    vectors,
+)
 from chaplygin.errors import InputError
-from chaplygin.search import SearchResult, search_request, integrals, measures, symmetries
+from chaplygin.search import SearchResult, integrals, measures, search_request, symmetries
 from chaplygin.search.phase_space import search_space
 
 M, omega, gamma, c = vectors("M omega gamma c")
@@ -77,9 +86,9 @@ T = sp.Add(*I.symbols) + m * R**2
 RIGHT = constant(sp.diag(*(T / 2 - moment for moment in I.symbols)))
 PRINTED = constant(sp.diag(*(sp.Add(*I.symbols) / 2 - moment for moment in I.symbols)))
 J_1, J_2, J_3 = J.symbols
-RATIO = (norm_squared(J * omega) + J_1 * J_2 * J_3 * dot(omega, J * omega) * norm_squared(A * gamma)) / dot(
-    gamma, A * gamma
-)
+RATIO = (
+    norm_squared(J * omega) + J_1 * J_2 * J_3 * dot(omega, J * omega) * norm_squared(A * gamma)
+) / dot(gamma, A * gamma)
 
 PAPER = {
     "(7.2)": ("chaplygin-ball", {}, (dot(M, gamma), dot(M, omega) / 2)),
@@ -229,7 +238,9 @@ def test_numbers_too_large_for_one_prime() -> None:
 
 def test_components_where_there_are_no_vectors() -> None:
     """A planar oscillator: two energies, and one more for two frequencies in ratio."""
-    x, y, p, q, stiffness, mass = (real_symbol(n) for n in ("x", "y", "p", "q", "stiffness", "mass"))
+    x, y, p, q, stiffness, mass = (
+        real_symbol(n) for n in ("x", "y", "p", "q", "stiffness", "mass")
+    )
     system = System(
         name="oscillator",
         title="Oscillator",
@@ -306,7 +317,9 @@ def test_the_measure_of_a_phase_space_that_a_field_approaches() -> None:
 
 
 def test_rotations_of_a_symmetric_body() -> None:
-    (found,) = symmetries(search_request(bare("veselova"), at=["I_1 = I_2"], degree=1, gamma_degree=1))
+    (found,) = symmetries(
+        search_request(bare("veselova"), at=["I_1 = I_2"], degree=1, gamma_degree=1)
+    )
     assert found.proven
     assert isinstance(found.law, Symmetry)
     field = {name: sp.Matrix(value) for name, value in found.law.field}

@@ -13,7 +13,7 @@ from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError
 from chaplygin.proof.verdict import Verdict
-from chaplygin.search import search_request, integrals, measures, symmetries
+from chaplygin.search import integrals, measures, search_request, symmetries
 from chaplygin.search.input_formulas import quantities
 from chaplygin.search.phase_space import search_space
 

@@ -155,7 +155,9 @@ def test_points_lie_on_level_and_phase_space() -> None:
 
 def test_a_level_that_cannot_be_solved_is_refused() -> None:
     with pytest.raises(InputError, match="degree one or two"):
-        search_space(from_catalogue("chaplygin-ball"), (), [norm_squared(M) ** 2 - 1]).sample(5, 1, common=True)
+        search_space(from_catalogue("chaplygin-ball"), (), [norm_squared(M) ** 2 - 1]).sample(
+            5, 1, common=True
+        )
 
 
 def test_monomials_and_their_rates() -> None:
@@ -181,7 +183,10 @@ def test_monomials_and_their_rates() -> None:
         ("dot(J*gamma, gamma)", dot(J * gamma, gamma)),
         ("M² − 2", norm_squared(M) - 2),
         ("γ₃**2 + m", gamma.symbols[2] ** 2 + real_symbol("m")),
-        ("1 - m*R**2*(γ, A γ)", 1 - real_symbol("m") * real_symbol("R") ** 2 * dot(gamma, A * gamma)),
+        (
+            "1 - m*R**2*(γ, A γ)",
+            1 - real_symbol("m") * real_symbol("R") ** 2 * dot(gamma, A * gamma),
+        ),
     ],
 )
 def test_formulas_as_typed(typed: str, meant: sp.Expr) -> None:

@@ -13,7 +13,7 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ..core.isomorphism import Isomorphism
 from ..core.system import System
-from ..core.vectors import constant, to_components, real_symbol, vectors
+from ..core.vectors import constant, real_symbol, to_components, vectors
 
 __all__ = ["NORMAL", "SPIN", "in_angles", "phi", "phidot", "theta", "thetadot"]
 

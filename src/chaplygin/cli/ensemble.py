@@ -95,7 +95,7 @@ def _members(study: Study, starts: int, level: str | None, seed: int, over: list
 
     from ..analysis.scans.grid import axis
     from ..errors import InputError
-    from ..flow.ensemble.run import sampled, grid, single
+    from ..flow.ensemble.run import grid, sampled, single
 
     if starts < 1:
         raise InputError(f"--starts {starts}: there must be one at least")

@@ -13,7 +13,7 @@ from .progress import progress
 
 if TYPE_CHECKING:
     from ..core.system import Parameter, System
-    from ..search import SearchResult, Question
+    from ..search import Question, SearchResult
 
 __all__ = ["command"]
 

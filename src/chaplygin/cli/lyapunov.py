@@ -72,7 +72,9 @@ def command(
     with ending(NOTHING, "the spectrum of the motion until now is evaluated"):
         try:
             with progress(study.system.title) as report:
-                found = lyapunov_spectrum(system, start, until=length, tolerance=tolerance, progress=report)
+                found = lyapunov_spectrum(
+                    system, start, until=length, tolerance=tolerance, progress=report
+                )
         except InterruptionError as stop:
             if not isinstance(stop.partial, Spectrum):
                 raise KeyboardInterrupt from stop

@@ -47,7 +47,7 @@ def command(
         typer.echo(f"\nchaplygin prove {what} proves them.")
         return
     if json:
-        from ..printing.laws import heading, condition_text
+        from ..printing.laws import condition_text, heading
         from ..printing.system import latex, law_latex
 
         print_json(

@@ -19,9 +19,9 @@ from .vectors import Diagonal, Symmetric, Vector, to_components
 
 __all__ = [
     "Guard",
-    "Reconstruction",
     "Observable",
     "Parameter",
+    "Reconstruction",
     "System",
     "flat",
     "flat_pairs",

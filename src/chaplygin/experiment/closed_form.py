@@ -14,7 +14,7 @@ import xarray as xr
 from markupsafe import Markup
 
 from ..core.system import System
-from ..core.vectors import to_components, real_symbol
+from ..core.vectors import real_symbol, to_components
 from ..errors import InputError, RunError
 from ..explicit.base.problem import Problem
 from ..explicit.base.solution import NamedConstant, Solution, checked
@@ -31,11 +31,11 @@ from .study import Study, dataset_of
 __all__ = [
     "ClosedFormSection",
     "ball",
+    "closed_form_section",
     "dataset",
     "diagram_if_known",
     "evaluated",
     "number",
-    "closed_form_section",
     "solved",
     "solved_if_known",
     "units",
@@ -266,7 +266,9 @@ def printed(value: str) -> str:
 
 def _symbol(written: str) -> str:
     """A symbol as a formula; what is no name, such as V_1/V_2, as words."""
-    return Markup(mathml(latex(real_symbol(written)))) if written.isidentifier() else letters(written)
+    return (
+        Markup(mathml(latex(real_symbol(written)))) if written.isidentifier() else letters(written)
+    )
 
 
 def letters(words: str) -> str:

@@ -15,7 +15,7 @@ import numpy as np
 import sympy as sp
 
 from ..core.system import System
-from ..core.vectors import Vector, to_components, norm_squared
+from ..core.vectors import Vector, norm_squared, to_components
 from ..errors import InputError
 from ..flow.initial_states import upright
 from ..mechanics.rolling.attitude import attitude

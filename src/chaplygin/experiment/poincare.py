@@ -119,7 +119,9 @@ def section_of(
         )
     if not until > 0:
         raise InputError(f"--until {until:g}: it must be positive")
-    where = poincare_section(system, place.quantity, place.value, DIRECTIONS[place.direction], place.angle)
+    where = poincare_section(
+        system, place.quantity, place.value, DIRECTIONS[place.direction], place.angle
+    )
     for quantity, width in place.within:
         where = slab(where, formula(system, quantity), width)
     names, quantities, columns = coordinates_of(

@@ -29,7 +29,7 @@ from ..parsing import nearest
 from .file.models import EquationsExperiment
 from .file.source import Source
 from .file.toml import Key
-from .file.validation import validation_messages, shown
+from .file.validation import shown, validation_messages
 from .initial_state import lift_of
 from .study import Study, described_study
 from .write_equations import plan_table_of, tables_of

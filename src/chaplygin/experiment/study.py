@@ -63,7 +63,7 @@ from .initial_state import initial_state_from_values, normalised, on_level, unit
 from .mechanism import identifier
 from .plan import described_plan
 
-__all__ = ["Study", "dataset_of", "prepare", "shape_name", "described_study"]
+__all__ = ["Study", "dataset_of", "described_study", "prepare", "shape_name"]
 
 
 @dataclass(frozen=True)

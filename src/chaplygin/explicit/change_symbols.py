@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from ..core.system import System
-from ..core.vectors import constant, to_components, real_symbol
+from ..core.vectors import constant, real_symbol, to_components
 from .genus_two.separation import SeparatedSystem
 
 __all__ = ["in_symbols_of", "translation"]

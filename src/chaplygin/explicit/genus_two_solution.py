@@ -135,7 +135,10 @@ def _form(solution: GenusTwo) -> ClosedForm:
             NamedConstant(f"e_{i}", root, "root of the curve")
             for i, root in enumerate(motion.curve.roots, 1)
         ),
-        *(NamedConstant(f"V_{i}", x, f"turns of z_{i} per unit of τ") for i, x in enumerate(turns, 1)),
+        *(
+            NamedConstant(f"V_{i}", x, f"turns of z_{i} per unit of τ")
+            for i, x in enumerate(turns, 1)
+        ),
         NamedConstant("V_1/V_2", turns[0] / turns[1], "rotation number"),
         *(
             NamedConstant(f"Y_{i + 1}{j + 1}", torus.lattice.Y[i, j], "period matrix iY")
@@ -143,7 +146,9 @@ def _form(solution: GenusTwo) -> ClosedForm:
         ),
         NamedConstant("mean dt/dtau", clock.mean, "mean rate of the clock (error estimated)"),
         *(
-            NamedConstant(f"Omega_{i}", x / clock.mean, f"frequency of z_{i} (error estimated)", "turns/s")
+            NamedConstant(
+                f"Omega_{i}", x / clock.mean, f"frequency of z_{i} (error estimated)", "turns/s"
+            )
             for i, x in enumerate(turns, 1)
         ),
     ]
@@ -182,7 +187,9 @@ def _told(motion: SeparatedMotion, value: Any) -> tuple[str, str]:
     return "constant", ""
 
 
-def solved(separable: SeparatedSystem, values: Mapping[sp.Symbol, Any], start: Sequence[Any]) -> GenusTwo:
+def solved(
+    separable: SeparatedSystem, values: Mapping[sp.Symbol, Any], start: Sequence[Any]
+) -> GenusTwo:
     """Solve one motion of a separable system.
 
     Parameters

@@ -17,11 +17,11 @@ import sympy as sp
 from ..core.isomorphism import Isomorphism
 from ..core.laws import Identity
 from ..core.system import System, flat_pairs
-from ..core.vectors import Vector, constant, to_components, norm_squared, real_symbol
+from ..core.vectors import Vector, constant, norm_squared, real_symbol, to_components
 from ..errors import InputError
 from .genus_two.separation import SeparatedSystem
 
-__all__ = ["inverse", "pull_back", "push_forward", "inverse_identity", "written_out"]
+__all__ = ["inverse", "inverse_identity", "pull_back", "push_forward", "written_out"]
 
 #: Scalar symbols with what is put in for them.
 Formulas: TypeAlias = dict[sp.Symbol, sp.Expr]
@@ -225,7 +225,9 @@ def push_forward(system: System, law: Isomorphism, separable: SeparatedSystem) -
         title=target.title,
         system=target,
         level=tuple(told(to_components(condition)) for condition in law.on),
-        constants=tuple((names[s], told(to_components(formula))) for s, formula in separable.constants),
+        constants=tuple(
+            (names[s], told(to_components(formula))) for s, formula in separable.constants
+        ),
         clock=_put(written_out(system, to_components(separable.clock)), names) * rate,
         state=tuple((s, _put(_put(f, names), state)) for s, f in image.items()),
         fixed=(),

@@ -23,7 +23,7 @@ from ..catalogue import entry
 from ..catalogue.entry import bruns_factor
 from ..core.isomorphism import Isomorphism
 from ..core.system import System, flat_pairs
-from ..core.vectors import to_components, real_symbol
+from ..core.vectors import real_symbol, to_components
 from ..formulas.balls import ball, evaluated
 from ..formulas.relative_zero import RESOLUTION, ROUNDED
 from ..mechanics.rolling.equations import Rolling

@@ -11,7 +11,7 @@ from ..core.system import System
 from ..core.vectors import Diagonal, Symmetric
 from ..errors import InputError
 from ..mechanics.rolling.body import Body
-from ..mechanics.rolling.equations import Forces, ContactModel, Rolling
+from ..mechanics.rolling.equations import ContactModel, Forces, Rolling
 from ..mechanics.rolling.shapes import Ball
 from ..mechanics.rolling.surfaces import Plane, Sphere, Surface
 

@@ -33,8 +33,8 @@ from .kernel.double_double import paired, parameter_pairs
 from .kernel.equations import Equations, Section, equations_of, poincare_section, serial
 from .kernel.runge_kutta import STATUS_MESSAGES, STEPS, runge_kutta_loop
 from .kernel.tableaux import explicit, explicit_fine
+from .validation import check_state_shape, require_on_phase_space
 from .validation import moments as read_moments
-from .validation import require_on_phase_space, check_state_shape
 
 __all__ = [
     "THREADS",
@@ -42,10 +42,10 @@ __all__ = [
     "BatchIntegrator",
     "BatchTrajectories",
     "Section",
-    "batch_integrator",
-    "reason",
-    "poincare_section",
     "available_threads",
+    "batch_integrator",
+    "poincare_section",
+    "reason",
 ]
 
 #: Numbers that one call may give back.
@@ -373,7 +373,11 @@ THREADS: ContextVar[int] = ContextVar("THREADS", default=2**31)
 
 def reason(system: System, code: int) -> str:
     """What the outcome of a motion means, in words; nothing for 0."""
-    return STATUS_MESSAGES[code] if code < len(STATUS_MESSAGES) else system.guards[code - len(STATUS_MESSAGES)].happening
+    return (
+        STATUS_MESSAGES[code]
+        if code < len(STATUS_MESSAGES)
+        else system.guards[code - len(STATUS_MESSAGES)].happening
+    )
 
 
 def available_threads() -> int:

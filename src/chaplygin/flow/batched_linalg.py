@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["batched_matvec", "row_dots", "batched_solve", "norm_squared_columns"]
+__all__ = ["batched_matvec", "batched_solve", "norm_squared_columns", "row_dots"]
 
 
 def norm_squared_columns(columns: Any) -> Any:

@@ -17,9 +17,15 @@ import numpy as np
 from ..arguments import Numbers, Parameters, arguments_checked
 from ..core.system import System
 from ..errors import InputError
-from ..formulas.evaluate import as_float_array, numbers, parameter_rows, read_formulas, relation_terms
+from ..formulas.evaluate import (
+    as_float_array,
+    numbers,
+    parameter_rows,
+    read_formulas,
+    relation_terms,
+)
 from ..formulas.graph import Term
-from .batch import FEW_STEPS, MOST_STEPS, reason, require_steps, run_in_threads, available_threads
+from .batch import FEW_STEPS, MOST_STEPS, available_threads, reason, require_steps, run_in_threads
 from .initial_states import reduced_rows
 from .kernel import jit as native
 from .kernel.double_double import paired, parameter_pairs
@@ -27,8 +33,8 @@ from .kernel.equations import equations_of, serial, serial_terms
 from .kernel.gauss_legendre import gauss_loop
 from .kernel.projection_terms import projection_terms
 from .kernel.tableaux import gauss
+from .validation import check_state_shape, require_on_phase_space
 from .validation import moments as read_moments
-from .validation import require_on_phase_space, check_state_shape
 
 __all__ = ["GaussIntegrator", "GaussTrajectories", "gauss_integrator"]
 
@@ -208,7 +214,9 @@ def gauss_integrator(
 
 
 @lru_cache(maxsize=64)
-def _compiled(system: System, digits: int, backward: bool, names: tuple[str, ...]) -> GaussIntegrator:
+def _compiled(
+    system: System, digits: int, backward: bool, names: tuple[str, ...]
+) -> GaussIntegrator:
     equations = equations_of(system, 0, None, backward)
     reader, _ = read_formulas(system)
     held = dict(_candidates(system))
@@ -229,7 +237,9 @@ def _compiled(system: System, digits: int, backward: bool, names: tuple[str, ...
         lambda: gauss_loop(gauss(stages), equations, kept, digits == 30),
         {"gauss": _SIGNATURE},
     )
-    return GaussIntegrator(system, digits, backward, tuple(name.lstrip("=") for name in names), code)
+    return GaussIntegrator(
+        system, digits, backward, tuple(name.lstrip("=") for name in names), code
+    )
 
 
 def _candidates(system: System) -> list[tuple[str, Term]]:

@@ -534,7 +534,9 @@ def _dense(log: _Log, kind: Any) -> DenseOutput | None:
     if not log.dense:
         return None
     begins, ends, coefficients = zip(*log.dense, strict=True)
-    return DenseOutput(np.array(begins, dtype=kind), np.array(ends, dtype=kind), np.array(coefficients))
+    return DenseOutput(
+        np.array(begins, dtype=kind), np.array(ends, dtype=kind), np.array(coefficients)
+    )
 
 
 # outcomes of a heyoka step: below these lie failures, above them events

@@ -12,7 +12,7 @@ import numpy as np
 
 from ..formulas.batch import Formulas
 
-__all__ = ["select_parameters", "projected"]
+__all__ = ["projected", "select_parameters"]
 
 #: Steps of Newton's method, at most.
 STEPS = 60

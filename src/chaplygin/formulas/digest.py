@@ -17,7 +17,7 @@ from ..core.laws import Integral, Law, Measure, Symmetry
 from ..core.system import System
 from ..errors import InputError
 
-__all__ = ["digest", "field_digests", "canonical"]
+__all__ = ["canonical", "digest", "field_digests"]
 
 #: What of a System shapes its motions.
 _OF_A_SYSTEM = ("name", "field", "definitions", "parameters", "relations", "guards", "start")

@@ -5,10 +5,10 @@ from __future__ import annotations
 __all__ = [
     "EffortSpentError",
     "EmptyLevelError",
+    "NeedMoreGeneratorsError",
     "NoRealValueError",
     "NotExactError",
     "OutOfReachError",
-    "NeedMoreGeneratorsError",
     "UnknownSymbolError",
 ]
 

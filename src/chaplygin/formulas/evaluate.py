@@ -17,7 +17,14 @@ from ..parsing import parse_formula
 from .digest import canonical
 from .graph import Reader, Term, of_system, ordered
 
-__all__ = ["as_float_array", "formula", "parameter_rows", "read_formulas", "relation_terms", "values"]
+__all__ = [
+    "as_float_array",
+    "formula",
+    "parameter_rows",
+    "read_formulas",
+    "relation_terms",
+    "values",
+]
 
 _NUMPY: Mapping[str, Any] = {
     "add": np.add,

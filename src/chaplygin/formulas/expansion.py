@@ -21,7 +21,7 @@ from ..errors import InputError
 from ..parsing.exact_decimals import exact_number
 from .taylor import Numbers, Series
 
-__all__ = ["TaylorExpansion", "angles", "combination", "expanded", "add_angle"]
+__all__ = ["TaylorExpansion", "add_angle", "angles", "combination", "expanded"]
 
 Steps = Mapping[sp.Symbol, sp.Expr]
 #: Angles α of which sines and cosines are taken, with n where those of α/n are needed.

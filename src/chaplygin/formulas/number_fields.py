@@ -16,7 +16,7 @@ from flint import arb, ctx, fmpq
 
 from .errors import NotExactError
 
-__all__ = ["Balls", "Rationals", "exact_root", "ball_precision"]
+__all__ = ["Balls", "Rationals", "ball_precision", "exact_root"]
 
 #: Digits (binary) carried by balls.
 PRECISION = 320

@@ -15,7 +15,15 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from ..core.vectors import Diagonal, Symmetric, Vector, dot, to_components, norm_squared, real_symbol
+from ..core.vectors import (
+    Diagonal,
+    Symmetric,
+    Vector,
+    dot,
+    norm_squared,
+    real_symbol,
+    to_components,
+)
 from ..formulas.number_fields import Balls, ball_precision
 from ..mechanics.rolling.contact import contact
 from ..mechanics.rolling.equations import Rolling

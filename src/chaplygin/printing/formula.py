@@ -28,7 +28,7 @@ from sympy.matrices.expressions import (
 
 from ..core.laws import Rate
 from ..core.vectors import Cross, Diagonal, Dot, Gradient, Symmetric, Vector
-from .notation import LATEX, UNICODE, Precedence, Notation, Fragment
+from .notation import LATEX, UNICODE, Fragment, Notation, Precedence
 from .ordering import (
     Factors,
     as_unit_vector_multiple,
@@ -82,7 +82,9 @@ def signed_terms(formula: Any, notation: Notation) -> list[tuple[str, str]]:
     found = []
     for index, (negative, piece) in enumerate(writer.terms(sp.sympify(formula))):
         plus = "+" if index else ""
-        found.append((notation.minus if negative else plus, notation.guard(piece, Precedence.RATIO)))
+        found.append(
+            (notation.minus if negative else plus, notation.guard(piece, Precedence.RATIO))
+        )
     return found
 
 
@@ -118,7 +120,9 @@ class _Writer:
             rest = sp.Add(*(term / share for term in formula.args))
             return [self._product(factors_of(sp.Mul(share, rest, evaluate=False)))]
         if isinstance(formula, (sp.Add, MatAdd)):
-            return [self._term(term) for term in sort_terms(map(as_unit_vector_multiple, formula.args))]
+            return [
+                self._term(term) for term in sort_terms(map(as_unit_vector_multiple, formula.args))
+            ]
         return [self._term(as_unit_vector_multiple(formula))]
 
     def _term(self, formula: Any) -> tuple[bool, Fragment]:
@@ -162,7 +166,8 @@ class _Writer:
 
     def _beside(self, *pieces: Fragment) -> Fragment:
         return Fragment(
-            " ".join(self.notation.guard(piece, Precedence.PRODUCT) for piece in pieces), Precedence.PRODUCT
+            " ".join(self.notation.guard(piece, Precedence.PRODUCT) for piece in pieces),
+            Precedence.PRODUCT,
         )
 
     def _whole(self, formula: Any) -> Fragment:
@@ -187,7 +192,9 @@ class _Writer:
                 return self._function(formula, 1)
             case Relational():
                 sides = (self.piece(side).text for side in formula.args)
-                return Fragment(f" {notation.relations[formula.rel_op]} ".join(sides), Precedence.SUM)
+                return Fragment(
+                    f" {notation.relations[formula.rel_op]} ".join(sides), Precedence.SUM
+                )
         if formula in notation.constants:
             return Fragment(notation.constants[formula])
         return Fragment(notation.fallback(formula), Precedence.SUM)
@@ -251,7 +258,9 @@ class _Writer:
         if len(inner.args) == 1 and order <= 3:
             letter = replace(letter_of(str(inner.func.__name__)), primes=order)
             head = self.notation.letter(letter, bold=False).text
-            return Fragment(f"{head}{self.notation.brackets(self._arguments(inner))}", Precedence.POWER)
+            return Fragment(
+                f"{head}{self.notation.brackets(self._arguments(inner))}", Precedence.POWER
+            )
         below = " ".join(
             self.notation.partial(self.piece(s).text, int(count))
             for s, count in formula.variable_count

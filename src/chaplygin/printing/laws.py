@@ -25,13 +25,13 @@ from ..core.laws import (
     Separation,
     Symmetry,
 )
-from ..core.vectors import Diagonal, Vector, to_components, real_symbol
+from ..core.vectors import Diagonal, Vector, real_symbol, to_components
 from .formula import LATEX, UNICODE, Notation, latex, rate, text
 
 if TYPE_CHECKING:
     from ..core.system import System
 
-__all__ = ["caption", "equation", "formulas", "heading", "condition_text", "equation_sides"]
+__all__ = ["caption", "condition_text", "equation", "equation_sides", "formulas", "heading"]
 
 #: A left side, written; and a formula, or what is written already.
 Side: TypeAlias = tuple[str, Any]

@@ -14,7 +14,7 @@ from .laws import formulas
 if TYPE_CHECKING:
     from ..core.system import System
 
-__all__ = ["Layout", "Pairs", "reconstruction_layout", "layout"]
+__all__ = ["Layout", "Pairs", "layout", "reconstruction_layout"]
 
 Pairs = tuple[tuple[Any, Any], ...]
 

@@ -14,7 +14,7 @@ import sympy as sp
 
 from .symbol_names import GREEK, SymbolName
 
-__all__ = ["LATEX", "UNICODE", "Precedence", "Notation", "Fragment"]
+__all__ = ["LATEX", "UNICODE", "Fragment", "Notation", "Precedence"]
 
 
 class Precedence(IntEnum):
@@ -202,7 +202,9 @@ class _Unicode(Notation):
         if re.fullmatch(r"−?\d+", exponent):
             return Fragment(head + exponent.translate(_RAISED), Precedence.POWER)
         simple = re.fullmatch(r"\w", exponent)
-        return Fragment(f"{head}^{exponent if simple else self.brackets(exponent)}", Precedence.POWER)
+        return Fragment(
+            f"{head}^{exponent if simple else self.brackets(exponent)}", Precedence.POWER
+        )
 
     def root(self, inner: Fragment) -> Fragment:
         return Fragment(f"√{self.guard(inner, Precedence.ATOM)}", Precedence.POWER)
@@ -218,7 +220,9 @@ class _Unicode(Notation):
         return Fragment(f"∂{value}/∂{variable}", Precedence.PRODUCT)
 
     def quotient(self, above: str, below: str) -> Fragment:
-        return Fragment(f"{above}/{self.brackets(below) if ' ' in below else below}", Precedence.PRODUCT)
+        return Fragment(
+            f"{above}/{self.brackets(below) if ' ' in below else below}", Precedence.PRODUCT
+        )
 
     def partial(self, name: str, order: int, above: bool = False) -> str:
         raised = "" if order == 1 else str(order).translate(_RAISED)

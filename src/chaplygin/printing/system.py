@@ -13,8 +13,8 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from .formula import LATEX, UNICODE, Notation, latex, rate, signed_terms, text, width
-from .laws import caption, equation, heading, equation_sides
-from .layout import Layout, Pairs, reconstruction_layout, layout
+from .laws import caption, equation, equation_sides, heading
+from .layout import Layout, Pairs, layout, reconstruction_layout
 from .mathml import mathml, width_of
 from .numerals import number, unit
 

@@ -85,7 +85,9 @@ def _content(system: System, law: Law) -> Text:
     if isinstance(law, Integral):
         return {"value": str(to_components(law.value))}
     if isinstance(law, Measure):
-        density = [[str(to_components(base)), str(sp.sympify(power))] for base, power in law.density]
+        density = [
+            [str(to_components(base)), str(sp.sympify(power))] for base, power in law.density
+        ]
         return {"density": density}
     if isinstance(law, Symmetry):
         return {"field": _pairs(law.field)}

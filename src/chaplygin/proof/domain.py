@@ -62,7 +62,9 @@ def _own(law: Law, ground: LevelSet, made: Unreduced) -> list[_Value]:
     return [_value(ground, quantities, e.with_steps(quantities)) for e in evaluators]
 
 
-def _value(ground: LevelSet, quantities: Mapping[sp.Symbol, sp.Expr], evaluate: Evaluator) -> _Value:
+def _value(
+    ground: LevelSet, quantities: Mapping[sp.Symbol, sp.Expr], evaluate: Evaluator
+) -> _Value:
     table = {**ground.named, **{str(s): s for s in quantities}}
 
     def value(formula: Formula) -> tuple[str, Element]:

@@ -31,7 +31,12 @@ from ..core.laws import Law, Measure, PoissonStructure, Separation
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
-from ..formulas.errors import NotExactError, OutOfReachError, NeedMoreGeneratorsError, UnknownSymbolError
+from ..formulas.errors import (
+    NeedMoreGeneratorsError,
+    NotExactError,
+    OutOfReachError,
+    UnknownSymbolError,
+)
 from ..formulas.number_fields import ball_precision
 from ..printing.formula import text
 from .claim_text import claim_text
@@ -49,7 +54,7 @@ from .remarks import remark
 from .symbolic_proof import Proof, proof
 from .verdict import Verdict
 from .verdict_cache import fingerprint, load_verdict, store_verdict
-from .witness_points import Witness, witness_point, witness
+from .witness_points import Witness, witness, witness_point
 
 __all__ = ["prove"]
 

@@ -100,7 +100,10 @@ def _(law: Measure, ground: LevelSet, field: Any) -> Residuals:
     for i, rate in enumerate(rates):
         total = total + _slope(field, rate, i)
     for base, exponent in law.density:
-        inner, power = partial(without_rates(to_components(base), ground)), partial(sp.sympify(exponent))
+        inner, power = (
+            partial(without_rates(to_components(base), ground)),
+            partial(sp.sympify(exponent)),
+        )
         if power.slopes:
             raise InputError(
                 f"the law {law.name!r}: the exponent {exponent} of a density must not depend on "
@@ -226,7 +229,10 @@ def _(law: PoissonStructure, ground: LevelSet, field: Any) -> Residuals:
         yield f"Jacobi identity {i + 1}, {j + 1}, {k + 1}", total
     for casimir in law.casimirs:
         yield from _casimir(
-            field, f"{{·, {casimir}}}", partial(without_rates(to_components(casimir), ground)), values
+            field,
+            f"{{·, {casimir}}}",
+            partial(without_rates(to_components(casimir), ground)),
+            values,
         )
     if law.rank is not None:
         for rows in combinations(range(size), law.rank + 2):

@@ -14,7 +14,12 @@ from dataclasses import field as dataclass_field
 from typing import Any
 
 from ..core.laws import Law
-from ..formulas.errors import EffortSpentError, NoRealValueError, OutOfReachError, NeedMoreGeneratorsError
+from ..formulas.errors import (
+    EffortSpentError,
+    NeedMoreGeneratorsError,
+    NoRealValueError,
+    OutOfReachError,
+)
 from .fields.budget import Budget
 from .fields.formal_roots import FormalRoots
 from .fields.function_field import FunctionField
@@ -104,7 +109,9 @@ def proof(
         if origin in failed:
             continue
         runs += 1
-        made = _run(FunctionField, law, ground, sample, budget, signs) if runs <= MOST_RUNS else None
+        made = (
+            _run(FunctionField, law, ground, sample, budget, signs) if runs <= MOST_RUNS else None
+        )
         if made is None or made.failure:
             failed.add(origin)
             continue

@@ -18,10 +18,12 @@ from ..formulas.number_fields import Rationals
 from .level.level_set import LevelSet
 from .level.polynomial_problems import Claim
 
-__all__ = ["Witness", "witness_point", "witness"]
+__all__ = ["Witness", "witness", "witness_point"]
 
 
-def witness_point(claim: Claim, ground: LevelSet, values: Mapping[str, Any]) -> dict[str, Any] | None:
+def witness_point(
+    claim: Claim, ground: LevelSet, values: Mapping[str, Any]
+) -> dict[str, Any] | None:
     """State and parameters of the system that a claim is made of, or None if one has no formula.
 
     Parameters

@@ -12,7 +12,7 @@ the phase space, and what is found there becomes a formula in the parameters and
 from .integrals import integrals
 from .measures import measures
 from .request import search_request
-from .result import SearchResult, Question
+from .result import Question, SearchResult
 from .symmetries import symmetries
 
-__all__ = ["SearchResult", "Question", "search_request", "integrals", "measures", "symmetries"]
+__all__ = ["Question", "SearchResult", "integrals", "measures", "search_request", "symmetries"]

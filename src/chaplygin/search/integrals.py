@@ -17,8 +17,8 @@ from .ansatz import Ansatz, Exponents, Table, table
 from .modular_jets import Integers, inverse, power, prime
 from .modular_linalg import combination, independent_columns, nullspace, product, rank
 from .phase_space import Sample
-from .rational_reconstruction import Draw, Part, Scalars, RationalLaw, lifted
-from .result import SearchResult, Progress, Question, silent
+from .rational_reconstruction import Draw, Part, RationalLaw, Scalars, lifted
+from .result import Progress, Question, SearchResult, silent
 from .scaling import Weight, weight_of, weights
 from .vector_invariants import VectorInvariants, component_scalars
 

@@ -21,7 +21,7 @@ from ..proof.prover import prove
 from .modular_jets import Integers, inverse, prime
 from .modular_linalg import combination, rational
 from .phase_space import Sample, SearchSpace
-from .result import SearchResult, Progress, Question, silent
+from .result import Progress, Question, SearchResult, silent
 
 __all__ = ["measures"]
 
@@ -162,7 +162,9 @@ def _rate(stage: SearchSpace, relation: sp.Expr) -> sp.Expr:
 # --- exponents -----------------------------------------------------------------------------
 
 
-def _exponent(stage: SearchSpace, samples: Sequence[Sample], residues: Sequence[int]) -> sp.Expr | None:
+def _exponent(
+    stage: SearchSpace, samples: Sequence[Sample], residues: Sequence[int]
+) -> sp.Expr | None:
     """The number, or simple function of the parameters, with these residues at the samples.
 
     Tried are q, and q₀ + q₁ f for f one of s, 1/s and s/t with parameters or constants s, t.

@@ -23,7 +23,7 @@ from .modular_jets import PRIMES, Integers, modulo, prime
 from .modular_linalg import independent_columns, nullspace, rational
 from .scaling import Weight, total
 
-__all__ = ["LARGEST", "Draw", "Part", "Plan", "Scalars", "RationalLaw", "lifted", "plan"]
+__all__ = ["LARGEST", "Draw", "Part", "Plan", "RationalLaw", "Scalars", "lifted", "plan"]
 
 LARGEST = 1000
 """The largest number of unknowns of one linear system; of more, the simplest are taken."""

@@ -14,7 +14,7 @@ from ..proof.verdict import Verdict
 from .ansatz import Ansatz
 from .phase_space import SearchSpace
 
-__all__ = ["SearchResult", "Kind", "Progress", "Question", "silent"]
+__all__ = ["Kind", "Progress", "Question", "SearchResult", "silent"]
 
 Kind = Literal["integral", "measure", "symmetry"]
 Progress = Callable[[float, str], None]

@@ -15,8 +15,8 @@ from .integrals import integrals
 from .modular_jets import Integers, prime
 from .modular_linalg import independent_columns, nullspace, product
 from .phase_space import Sample
-from .rational_reconstruction import Draw, Part, Scalars, RationalLaw, lifted
-from .result import SearchResult, Progress, Question, silent
+from .rational_reconstruction import Draw, Part, RationalLaw, Scalars, lifted
+from .result import Progress, Question, SearchResult, silent
 from .scaling import Weight, weight_of, weights
 from .vector_invariants import component_scalars
 
@@ -159,7 +159,9 @@ class _Search:
                 field.append((name, constant([components[s] for s in name.symbols])))
         self.count += 1
         law = Symmetry(f"u_{self.count}", tuple(field), on=self.stage.on)
-        return SearchResult("symmetry", law, prove(self.stage.system, law, effort=self.question.effort))
+        return SearchResult(
+            "symmetry", law, prove(self.stage.system, law, effort=self.question.effort)
+        )
 
 
 def _fields(

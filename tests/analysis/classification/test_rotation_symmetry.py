@@ -17,10 +17,10 @@ from chaplygin.core.vectors import (
     Symmetric,
     cross,
     dot,
-    to_components,
     norm_squared,
     outer,
     real_symbol,
+    to_components,
     vectors,
 )
 from chaplygin.proof.prover import prove
@@ -80,13 +80,22 @@ def test_every_kind_of_definition() -> None:
 def test_a_tensor_that_does_not_turn() -> None:
     made = system()
     crooked = {**dict(made.definitions), Symmetric("S"): outer(x, x) + sp.diag(3, 2, 1)}
-    assert is_rotation_invariant(RankSample(replace(made, definitions=tuple(crooked.items()))), 2) is None
+    assert (
+        is_rotation_invariant(RankSample(replace(made, definitions=tuple(crooked.items()))), 2)
+        is None
+    )
     crooked = {**dict(made.definitions), Diagonal("D"): sp.diag(a, 2 * a, 1)}
-    assert is_rotation_invariant(RankSample(replace(made, definitions=tuple(crooked.items()))), 2) is None
+    assert (
+        is_rotation_invariant(RankSample(replace(made, definitions=tuple(crooked.items()))), 2)
+        is None
+    )
 
 
 def test_a_relation_must_turn_too() -> None:
     made = system()
-    assert is_rotation_invariant(RankSample(replace(made, relations=(norm_squared(x) - 1,))), 2) is not None
+    assert (
+        is_rotation_invariant(RankSample(replace(made, relations=(norm_squared(x) - 1,))), 2)
+        is not None
+    )
     tilted = to_components(dot(x, sp.ImmutableMatrix([1, 0, 1])))
     assert is_rotation_invariant(RankSample(replace(made, relations=(tilted,))), 2) is None

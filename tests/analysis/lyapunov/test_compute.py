@@ -163,7 +163,10 @@ def test_dependent_integrals_force_nothing() -> None:
     system, start = _start("clebsch")
     twice = system.with_laws(Integral("again", 3 * system.integrals[0].value))
     assert "again" in trivial_directions(twice, start).dependent
-    assert trivial_directions(twice, start).space.dimension == trivial_directions(system, start).space.dimension
+    assert (
+        trivial_directions(twice, start).space.dimension
+        == trivial_directions(system, start).space.dimension
+    )
 
 
 def test_levels_of_integrals_are_respected() -> None:
@@ -239,7 +242,9 @@ def test_dataset(butterfly: Spectrum) -> None:
 
 
 def test_the_same_bits_again() -> None:
-    runs = [lyapunov_spectrum(saddle(), [0.1, 0.2, 0.0], until=20.0, intervals=100) for _ in range(2)]
+    runs = [
+        lyapunov_spectrum(saddle(), [0.1, 0.2, 0.0], until=20.0, intervals=100) for _ in range(2)
+    ]
     assert np.array_equal(runs[0].growth, runs[1].growth)
 
 

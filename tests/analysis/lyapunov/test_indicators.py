@@ -6,7 +6,13 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.analysis.lyapunov.indicators import SmallerAlignmentIndex, MaximalExponent, FastLyapunovIndicator, Megno, ExponentSum
+from chaplygin.analysis.lyapunov.indicators import (
+    ExponentSum,
+    FastLyapunovIndicator,
+    MaximalExponent,
+    Megno,
+    SmallerAlignmentIndex,
+)
 from chaplygin.core.laws import Integral
 from chaplygin.core.system import Parameter, System
 from chaplygin.errors import InputError
@@ -41,7 +47,9 @@ def test_the_sum_of_exponents() -> None:
 
 def test_indicators_of_an_exponential() -> None:
     growth = RATES[s] * 100.0
-    assert np.all(np.abs(FastLyapunovIndicator(SADDLE, 100.0)(ORIGIN, RATES)["value"] - growth) < 3.0)
+    assert np.all(
+        np.abs(FastLyapunovIndicator(SADDLE, 100.0)(ORIGIN, RATES)["value"] - growth) < 3.0
+    )
     megno = Megno(SADDLE, 100.0, intervals=400)(ORIGIN, RATES)["value"]
     assert np.all(np.abs(megno - growth / 2) < 1.0)
     sali = SmallerAlignmentIndex(SADDLE, 20.0)(ORIGIN, RATES)["value"]
@@ -85,6 +93,8 @@ def test_intervals_are_parted_where_neighbours_part_fast() -> None:
 
 @pytest.mark.slow
 def test_no_number_is_told_where_they_part_too_fast() -> None:
-    found = ExponentSum(SADDLE, 32.0, intervals=32)(ORIGIN[:2], {s: 0.5, r: np.array([3000.0, 0.5])})
+    found = ExponentSum(SADDLE, 32.0, intervals=32)(
+        ORIGIN[:2], {s: 0.5, r: np.array([3000.0, 0.5])}
+    )
     assert np.isnan(found["value"][0])
     assert found["value"][1] == pytest.approx(0.0, abs=1e-9)

@@ -8,7 +8,12 @@ import numpy as np
 import pytest
 
 from analysis.known_maps import TURN, arnold
-from chaplygin.analysis.orbits.arnold_tongues import displacement, locked_interval, plateaus, staircase
+from chaplygin.analysis.orbits.arnold_tongues import (
+    displacement,
+    locked_interval,
+    plateaus,
+    staircase,
+)
 from chaplygin.analysis.orbits.return_map import Circle
 from chaplygin.catalogue.bodies.unbalanced_rubber_ball_centred import torus
 from chaplygin.errors import InputError

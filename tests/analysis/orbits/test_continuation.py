@@ -74,7 +74,9 @@ def test_a_limit_cycle_is_followed_in_a_parameter():
     assert branch.reason == "kappa_3 reached 0.12"
     assert last.kind == "attracting"
     assert last.multipliers.forced == ("flow", "energy", "quadratic", "kappa_3")
-    direct = ReturnMap(PoincareMap(ball, poincare_section(ball, "gamma_1"), {"kappa_3": 0.12}, 1e-15))
+    direct = ReturnMap(
+        PoincareMap(ball, poincare_section(ball, "gamma_1"), {"kappa_3": 0.12}, 1e-15)
+    )
     same = find(direct, last.points[0, :6], hold=hold)
     assert last.points[0, :6] == pytest.approx(same.points[0], abs=1e-12)
     assert last.multipliers.values == pytest.approx(same.multipliers.values, abs=1e-11)

@@ -28,7 +28,9 @@ SINES = torus(w - e * sp.sin(alpha))
     [(("0.2", "0.5"), -1, "attracting"), (("2.6", "3.0"), 1, "repelling")],
 )
 def test_cycles_of_sines(interval, sign, kind):
-    found = enclose_limit_cycle(SINES, {"w": "0.1", "e": "0.3"}, interval, 0, steps=300, steepest=1.0)
+    found = enclose_limit_cycle(
+        SINES, {"w": "0.1", "e": "0.3"}, interval, 0, steps=300, steepest=1.0
+    )
     wanted = (sign * 2 * arb.pi() * (arb("0.3") ** 2 - arb("0.1") ** 2).sqrt()).exp()
     assert found.kind == kind
     assert found.multiplier.contains(wanted)
@@ -41,7 +43,9 @@ def test_nothing_is_proven_without_a_cycle():
 
 
 def test_a_rotation_is_undecided():
-    assert enclose_limit_cycle(torus(1 + 0 * w), {}, ("0.2", "0.5"), 1, steps=50).kind == "undecided"
+    assert (
+        enclose_limit_cycle(torus(1 + 0 * w), {}, ("0.2", "0.5"), 1, steps=50).kind == "undecided"
+    )
 
 
 def test_mistakes_are_told():

@@ -33,7 +33,9 @@ def test_both_ways(name: str) -> None:
         assert period == 0 or (column.min() >= 0 and column.max() < period)
 
 
-def section(energy: float, area: float, parameters: dict[str, float] | None = None) -> StateCoordinates:
+def section(
+    energy: float, area: float, parameters: dict[str, float] | None = None
+) -> StateCoordinates:
     """(l, L/G) on the section g = π/2 of a level."""
     made = chart(BALL, "andoyer-ratio", parameters=parameters)
     return made.fixed({"g": PI / 2, "H": area}).solved("G", "energy", energy)

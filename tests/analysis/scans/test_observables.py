@@ -7,7 +7,14 @@ from dataclasses import replace
 import numpy as np
 import sympy as sp
 
-from chaplygin.analysis.scans.observables import SurvivalTime, Frequency, Maximum, Minimum, TimeAverage, observe
+from chaplygin.analysis.scans.observables import (
+    Frequency,
+    Maximum,
+    Minimum,
+    SurvivalTime,
+    TimeAverage,
+    observe,
+)
 from chaplygin.core.system import Guard, Parameter, System
 from chaplygin.flow.batch import batch_integrator
 

@@ -109,7 +109,9 @@ def test_every_kind_of_number_is_finite(word: str) -> None:
 def test_numbers_of_formulas() -> None:
     assert quantity_from_text(PENDULUM, "mean:height", 1.0).unit == "m"
     assert quantity_from_text(PENDULUM, "mean:x", 1.0).unit == "unknown"
-    assert quantity_from_text(PENDULUM, "mean:x", 1.0, variables={"x": ("angle", "rad")}).unit == "rad"
+    assert (
+        quantity_from_text(PENDULUM, "mean:x", 1.0, variables={"x": ("angle", "rad")}).unit == "rad"
+    )
     assert quantity_from_text(PENDULUM, "highest: x + y", 1.0).title == "highest value of x + y"
     assert quantity_from_text(PENDULUM, "frequency:x", 1.0).unit == "1/s"
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.core.vectors import to_components, real_symbol, vectors
+from chaplygin.core.vectors import real_symbol, to_components, vectors
 from chaplygin.explicit.genus_two.attitude_one_axis import (
     Reference,
     farthest,

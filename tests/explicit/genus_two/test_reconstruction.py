@@ -36,7 +36,9 @@ def test_a_ball_around_a_sphere_turns_about_its_momentum() -> None:
         """(AM, n), linear in ω."""
         start = initial_state(of.system, (spin, OMEGA[1], OMEGA[2]), tuple(GAMMA))
         known = {**of.system.defaults, **dict(zip(of.system.symbols, start, strict=False))}
-        (level,) = (to_components(f) for f in of.level if to_components(f).has(of.system.symbols[0]))
+        (level,) = (
+            to_components(f) for f in of.level if to_components(f).has(of.system.symbols[0])
+        )
         return float(level.xreplace({s: sp.Float(str(x), 30) for s, x in known.items()}))
 
     at_zero, at_one = area(0.0), area(1.0)

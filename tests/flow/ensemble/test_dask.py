@@ -22,7 +22,7 @@ import xarray as xr
 
 from chaplygin.errors import InputError
 from chaplygin.flow.ensemble.compute import compute
-from chaplygin.flow.ensemble.task import Task, IncompleteError, Variable
+from chaplygin.flow.ensemble.task import IncompleteError, Task, Variable
 from counted import deadly, mistaken, task
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from chaplygin.errors import InputError
-from chaplygin.flow.ensemble.members import Members, sampled, grid, from_lists, single
+from chaplygin.flow.ensemble.members import Members, from_lists, grid, sampled, single
 
 
 def test_a_list_goes_row_by_row() -> None:
@@ -28,7 +28,11 @@ def test_a_grid_has_every_combination() -> None:
 
 
 def test_a_product_is_associative_and_its_last_factor_fastest() -> None:
-    a, b, c = from_lists(x=[1, 2]), from_lists(y=[3, 4], z=[5, 6]), sampled(2, {"energy": 1.0}, seed=7)
+    a, b, c = (
+        from_lists(x=[1, 2]),
+        from_lists(y=[3, 4], z=[5, 6]),
+        sampled(2, {"energy": 1.0}, seed=7),
+    )
     for everyone in (a * b * c, a * (b * c)):
         assert everyone.size == 8
         values, points = everyone.rows(2, 7)

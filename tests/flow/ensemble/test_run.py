@@ -16,7 +16,7 @@ from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import Guard
 from chaplygin.errors import InputError
 from chaplygin.flow.batch import batch_integrator
-from chaplygin.flow.ensemble.run import sampled, ensemble, ensemble_task, grid, from_lists, single
+from chaplygin.flow.ensemble.run import ensemble, ensemble_task, from_lists, grid, sampled, single
 from chaplygin.flow.ensemble.task import Divisible
 from chaplygin.flow.integrator import integrate
 from chaplygin.flow.sampling.draw import sample_level

@@ -22,7 +22,7 @@ import zarr
 import counted
 from chaplygin.errors import InputError
 from chaplygin.flow.ensemble.compute import compute
-from chaplygin.flow.ensemble.task import Task, IncompleteError, Variable
+from chaplygin.flow.ensemble.task import IncompleteError, Task, Variable
 from chaplygin.flow.ensemble.zarr_store import read_store
 from counted import task
 

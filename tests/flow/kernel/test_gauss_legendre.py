@@ -16,7 +16,7 @@ from chaplygin.flow.integrator import integrate
 from chaplygin.flow.kernel import jit as native
 from chaplygin.flow.kernel.equations import equations_of
 from chaplygin.flow.kernel.gauss_legendre import gauss_loop
-from chaplygin.flow.kernel.runge_kutta import COLLAPSED, STATUS_MESSAGES, NOT_A_NUMBER, STEPS
+from chaplygin.flow.kernel.runge_kutta import COLLAPSED, NOT_A_NUMBER, STATUS_MESSAGES, STEPS
 from chaplygin.flow.kernel.tableaux import Gauss, gauss
 from flow.small import FENCED, LOGARITHM, OSCILLATOR, RUNAWAY, starts
 
@@ -40,7 +40,9 @@ def test_a_singularity_is_found_and_named(end: float) -> None:
 @FAR
 def test_a_guard_ends_the_motion_at_its_moment(end: float) -> None:
     first = [[1.0, 0.0], [0.0, -1.0], [-1.0, 0.0], [0.0, 3.0]]
-    found = gauss_integrator(FENCED, first[0]).until(first, [0.2, end], {"p": 0.5, "q": [9, 9, 9, 2.0]})
+    found = gauss_integrator(FENCED, first[0]).until(
+        first, [0.2, end], {"p": 0.5, "q": [9, 9, 9, 2.0]}
+    )
     left, right = len(STATUS_MESSAGES), len(STATUS_MESSAGES) + 1
     assert found.outcome.tolist() == [left, left, left, right]
     angle = np.arcsin(0.5)

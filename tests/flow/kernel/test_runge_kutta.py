@@ -21,7 +21,14 @@ from chaplygin.flow.integrator import integrate
 from chaplygin.flow.kernel import jit as native
 from chaplygin.flow.kernel.arithmetic import Double, Pair
 from chaplygin.flow.kernel.equations import equations_of
-from chaplygin.flow.kernel.runge_kutta import COLLAPSED, STATUS_MESSAGES, NOT_A_NUMBER, OVER, STEPS, runge_kutta_loop
+from chaplygin.flow.kernel.runge_kutta import (
+    COLLAPSED,
+    NOT_A_NUMBER,
+    OVER,
+    STATUS_MESSAGES,
+    STEPS,
+    runge_kutta_loop,
+)
 from chaplygin.flow.kernel.tableaux import explicit
 from chaplygin.formulas.evaluate import values
 from flow.small import (
@@ -189,13 +196,17 @@ def test_crossings_that_count() -> None:
 
 def test_angles_go_on_beyond_a_turn() -> None:
     """Each whole turn is a crossing, of an angle that is never reduced, both ways."""
-    cut = batch_integrator(TURNING, section=poincare_section(TURNING, x - y, 1.0, direction=0, angle=True))
+    cut = batch_integrator(
+        TURNING, section=poincare_section(TURNING, x - y, 1.0, direction=0, angle=True)
+    )
     found = cut.returns([[0.5, 0.5], [1.0, 0.0]], 7, {"p": [2.0, -2.0]})
     angle = found.states[..., 0] - found.states[..., 1] - 1
     turns = angle / TURN
     np.testing.assert_allclose(turns[0], np.arange(7), atol=1e-13)
     np.testing.assert_allclose(turns[1], -np.arange(1, 8), atol=1e-13)
-    rising = batch_integrator(TURNING, section=poincare_section(TURNING, x, 1.0, direction=1, angle=True))
+    rising = batch_integrator(
+        TURNING, section=poincare_section(TURNING, x, 1.0, direction=1, angle=True)
+    )
     found = rising.returns([[0.5, 0.5]], 2, {"p": -2.0}, until=20.0)
     assert found.counts.tolist() == [0]
     assert found.outcome.tolist() == [OVER]
@@ -235,7 +246,9 @@ def test_crossings_of_a_body_against_the_reference(name: str) -> None:
     """Where γ₃ falls through zero on the continuous motion of another integrator."""
     ball = body(name)
     states = starts(name, 12)
-    cut = batch_integrator(ball, tolerance=1e-14, section=poincare_section(ball, "gamma_3", direction=-1))
+    cut = batch_integrator(
+        ball, tolerance=1e-14, section=poincare_section(ball, "gamma_3", direction=-1)
+    )
     found = cut.returns(states, 3, until=40.0)
     crossed = np.flatnonzero(found.counts == 3)
     assert crossed.size >= 2

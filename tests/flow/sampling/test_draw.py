@@ -19,7 +19,7 @@ from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import Diagonal, cross, dot, norm_squared, vectors
 from chaplygin.errors import InputError
 from chaplygin.flow.batch import batch_integrator
-from chaplygin.flow.sampling.draw import LevelSampler, sample_level, level_sampler
+from chaplygin.flow.sampling.draw import LevelSampler, level_sampler, sample_level
 from chaplygin.formulas.evaluate import values
 from spread import spread
 

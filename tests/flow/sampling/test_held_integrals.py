@@ -8,7 +8,12 @@ import pytest
 from chaplygin.catalogue import from_catalogue
 from chaplygin.core.system import System
 from chaplygin.errors import InputError
-from chaplygin.flow.sampling.held_integrals import validate_level, measures, level_label, measure_label
+from chaplygin.flow.sampling.held_integrals import (
+    level_label,
+    measure_label,
+    measures,
+    validate_level,
+)
 from chaplygin.formulas.evaluate import parameter_rows
 
 

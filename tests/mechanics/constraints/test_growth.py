@@ -7,7 +7,7 @@ import random
 import pytest
 import sympy as sp
 
-from chaplygin.core.vectors import Vector, to_components, norm_squared
+from chaplygin.core.vectors import Vector, norm_squared, to_components
 from chaplygin.errors import InputError
 from chaplygin.mechanics.constraints.distribution import along, commutator, spanned
 from chaplygin.mechanics.constraints.growth import filtration, generic, growth
@@ -96,7 +96,9 @@ def test_redundant_coordinates():
     gamma = Vector("gamma")
     a, b, c = gamma.symbols
     fields = [{b: c, c: -b}, {c: a, a: -c}]
-    found = generic(spanned("turns", fields, gamma.symbols, (to_components(norm_squared(gamma)) - 1,)))
+    found = generic(
+        spanned("turns", fields, gamma.symbols, (to_components(norm_squared(gamma)) - 1,))
+    )
     assert (found.growth, found.dimension) == ((2,), 2)
     assert sum(value**2 for value in found.point.values()) == 1
     for field in fields:

@@ -29,10 +29,10 @@ from chaplygin.core.vectors import (
     constant,
     cross,
     dot,
-    to_components,
     gradient,
     norm_squared,
     real_symbol,
+    to_components,
     vectors,
 )
 from chaplygin.errors import InputError

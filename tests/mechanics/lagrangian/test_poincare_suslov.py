@@ -12,7 +12,15 @@ from hypothesis import strategies as st
 from chaplygin import InputError, prove
 from chaplygin.core.laws import Identity, Integral, Rate
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import Diagonal, Vector, cross, dot, to_components, norm_squared, real_symbol
+from chaplygin.core.vectors import (
+    Diagonal,
+    Vector,
+    cross,
+    dot,
+    norm_squared,
+    real_symbol,
+    to_components,
+)
 from chaplygin.mechanics.lagrangian.mechanism import (
     TIME,
     Frame,
@@ -319,7 +327,9 @@ MISTAKES = {
     ),
     "gives no inertia to ydot": dict(frame=coordinates(x, y), lagrangian=xdot**2 - y**2),
     "which is neither a coordinate": dict(
-        frame=coordinates(x, y), lagrangian=xdot**2 + ydot**2, constraints=(real_symbol("q") * xdot,)
+        frame=coordinates(x, y),
+        lagrangian=xdot**2 + ydot**2,
+        constraints=(real_symbol("q") * xdot,),
     ),
     "the frame does not span": dict(
         frame=Frame({x: u, y: u}, (u,)), lagrangian=u**2, constraints=()
@@ -332,7 +342,10 @@ MISTAKES = {
     ),
     "the field of omega_1 is not tangent": dict(
         frame=Frame(
-            {gamma: cross(gamma, omega) + omega}, (omega,), (norm_squared(gamma) - 1,), rotations(omega)
+            {gamma: cross(gamma, omega) + omega},
+            (omega,),
+            (norm_squared(gamma) - 1,),
+            rotations(omega),
         ),
         lagrangian=norm_squared(omega),
     ),

@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from chaplygin import InputError
-from chaplygin.core.vectors import Vector, cross, dot, to_components, norm_squared, real_symbol
+from chaplygin.core.vectors import Vector, cross, dot, norm_squared, real_symbol, to_components
 from chaplygin.mechanics.lagrangian.mechanism import Frame, coordinates, euclidean, rotations
 from chaplygin.mechanics.lagrangian.structure_functions import (
     check_structure,

@@ -193,7 +193,9 @@ def test_a_system_whose_speeds_are_rates_goes_by_lagranges_method():
     model.add_joints(PrismaticJoint("J", wall, place, q, q.diff(t)))
     model.add_loads(Force(place, -k * q * model.x))
     system = from_sympy(model, {"m": 1, "k": 4})
-    law = Identity("spring", Rate(real_symbol("qdot")) + real_symbol("k") * real_symbol("q") / real_symbol("m"))
+    law = Identity(
+        "spring", Rate(real_symbol("qdot")) + real_symbol("k") * real_symbol("q") / real_symbol("m")
+    )
     assert prove(system, law).decision == "proven"
     assert model.eom_method is None
 
@@ -247,7 +249,9 @@ def test_a_system_formed_by_lagranges_method_keeps_it():
     model.add_loads(Torque(wall, 0 * N.z))
     model.form_eoms(LagrangesMethod)
     system = from_sympy(model, {"m": 1, "k": 4})
-    law = Identity("spring", Rate(real_symbol("qdot")) + real_symbol("k") * real_symbol("q") / real_symbol("m"))
+    law = Identity(
+        "spring", Rate(real_symbol("qdot")) + real_symbol("k") * real_symbol("q") / real_symbol("m")
+    )
     assert prove(system, law).decision == "proven"
 
 

@@ -199,7 +199,12 @@ def test_kanes_models_become_mechanisms_that_are_told_their_nonholonomy():
     assert nonholonomy(mechanism).verdict == "holonomic"
     one = equations(mechanism)
     u2 = real_symbol("u2")
-    right = real_symbol("m") * real_symbol("g") * real_symbol("l") / (real_symbol("k") + real_symbol("m") * real_symbol("l") ** 2)
+    right = (
+        real_symbol("m")
+        * real_symbol("g")
+        * real_symbol("l")
+        / (real_symbol("k") + real_symbol("m") * real_symbol("l") ** 2)
+    )
     symbol = u2 if u2 in one.symbols else real_symbol("u1") / real_symbol("l")
     assert prove(one, Identity("rolling down", Rate(symbol) - right)).decision == "proven"
 

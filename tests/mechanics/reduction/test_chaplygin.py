@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from chaplygin.core.laws import Measure
-from chaplygin.core.vectors import dot, to_components, real_symbol
+from chaplygin.core.vectors import dot, real_symbol, to_components
 from chaplygin.errors import InputError
 from chaplygin.mechanics.lagrangian.mechanism import TIME, Mechanism, coordinates
 from chaplygin.mechanics.reduction.base import base

@@ -11,9 +11,9 @@ from chaplygin.core.vectors import Vector, to_components
 from chaplygin.mechanics.rolling.attitude import (
     attitude,
     attitude_observable,
+    attitude_relations,
     quaternion_rate,
     rotation,
-    attitude_relations,
     unit_length,
 )
 
@@ -82,7 +82,9 @@ def test_relations_vanish_where_they_should_only(quaternion):
     upright = values | dict(zip(gamma.symbols, third, strict=True))
     assert [defect.xreplace(upright) for defect in attitude_relations(gamma)] == [0, 0, 0]
     tilted = values | dict(zip(gamma.symbols, -third, strict=True))
-    assert [defect.xreplace(tilted) for defect in attitude_relations(gamma)] == [2 * x for x in third]
+    assert [defect.xreplace(tilted) for defect in attitude_relations(gamma)] == [
+        2 * x for x in third
+    ]
 
 
 def test_observable_is_the_quaternion():

@@ -10,7 +10,7 @@ import sympy as sp
 from hypothesis import assume, given, settings
 
 import reference
-from chaplygin.core.vectors import to_components, real_symbol
+from chaplygin.core.vectors import real_symbol, to_components
 from chaplygin.errors import InputError
 from chaplygin.flow.integrator import integrate
 from chaplygin.mechanics.rolling.body import Body

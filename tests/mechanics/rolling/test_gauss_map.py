@@ -9,7 +9,11 @@ import sympy as sp
 import reference
 from chaplygin.core.vectors import Vector
 from chaplygin.errors import InputError
-from chaplygin.mechanics.rolling.gauss_map import centre_outside, contact_points, contact_points_of_normals
+from chaplygin.mechanics.rolling.gauss_map import (
+    centre_outside,
+    contact_points,
+    contact_points_of_normals,
+)
 from chaplygin.mechanics.rolling.shapes import (
     Ball,
     Disk,

@@ -13,7 +13,7 @@ import sympy as sp
 from hypothesis import given, settings
 
 import reference
-from chaplygin.core.vectors import Vector, to_components, real_symbol
+from chaplygin.core.vectors import Vector, real_symbol, to_components
 from chaplygin.errors import InputError
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, roll

@@ -34,9 +34,9 @@ from chaplygin.core.vectors import (
     constant,
     cross,
     dot,
-    to_components,
     norm_squared,
     real_symbol,
+    to_components,
     zero,
 )
 from chaplygin.mechanics.lagrangian.assembly import balance

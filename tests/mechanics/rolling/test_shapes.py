@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 from hypothesis import assume, given, settings
 
-from chaplygin.core.vectors import Vector, to_components, real_symbol
+from chaplygin.core.vectors import Vector, real_symbol, to_components
 from chaplygin.errors import InputError
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Forces, roll
@@ -181,7 +181,10 @@ TWINS = {
     "implicit ellipsoid by parameters": (
         Ellipsoid((1.0, 1.25, 0.8), **AT),
         Implicit(
-            real_symbol("p_x") * X**2 + Y**2 / real_symbol("l_y") ** 2 + Z**2 / real_symbol("l_z") ** 2 - 1,
+            real_symbol("p_x") * X**2
+            + Y**2 / real_symbol("l_y") ** 2
+            + Z**2 / real_symbol("l_z") ** 2
+            - 1,
             {real_symbol("p_x"): 1.0, real_symbol("l_y"): 1.25, real_symbol("l_z"): 0.8},
             **AT,
         ),
@@ -436,7 +439,9 @@ def test_symbols_are_known_by_their_names() -> None:
     """A symbol without real=True is meant as the one of this name."""
     loose, a = sp.Symbol("gamma_3"), sp.Symbol("a")
     shape = Revolution(1 + a * loose / 10, ((a, 0.5),))
-    assert shape == Revolution(1 + real_symbol("a") * real_symbol("gamma_3") / 10, ((real_symbol("a"), 0.5),))
+    assert shape == Revolution(
+        1 + real_symbol("a") * real_symbol("gamma_3") / 10, ((real_symbol("a"), 0.5),)
+    )
     assert Revolution.from_profile(sp.S(-1), -loose).support == 1
     x, y, z = sp.symbols("x y z")
     assert Implicit(x**2 + y**2 + a * z**2 - 1, ((a, 2.0),)).surface.free_symbols == {
@@ -446,7 +451,10 @@ def test_symbols_are_known_by_their_names() -> None:
     body = Body(1.0, (1.0, 1.5, 2.1), Ball(1.0))
     loaded = [
         roll(body, Plane(), "marble", Forces(0.0, potential, ((b, 2.0),)))
-        for potential, b in ((a * loose**2, a), (real_symbol("a") * real_symbol("gamma_3") ** 2, real_symbol("a")))
+        for potential, b in (
+            (a * loose**2, a),
+            (real_symbol("a") * real_symbol("gamma_3") ** 2, real_symbol("a")),
+        )
     ]
     assert loaded[0] == loaded[1]
 

@@ -10,7 +10,7 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from chaplygin.formulas.errors import NoRealValueError, OutOfReachError, NeedMoreGeneratorsError
+from chaplygin.formulas.errors import NeedMoreGeneratorsError, NoRealValueError, OutOfReachError
 from chaplygin.proof.fields.budget import Budget
 from chaplygin.proof.fields.function_field import FunctionField
 

@@ -10,7 +10,15 @@ import sympy as sp
 from catalogue import built
 from chaplygin.catalogue import CATALOGUE, from_catalogue
 from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import Vector, cross, dot, to_components, norm_squared, real_symbol, vectors
+from chaplygin.core.vectors import (
+    Vector,
+    cross,
+    dot,
+    norm_squared,
+    real_symbol,
+    to_components,
+    vectors,
+)
 from chaplygin.errors import InputError
 from chaplygin.formulas.errors import OutOfReachError
 from chaplygin.formulas.number_fields import ball_precision
@@ -95,7 +103,9 @@ def test_exchanged_parameters_have_their_value_and_do_not_move():
 
 def test_an_empty_level_is_refused():
     with pytest.raises(InputError, match="empty"):
-        LevelSet(from_catalogue("chaplygin-ball"), (norm_squared(gamma) - 2,)).point(random.Random(0))
+        LevelSet(from_catalogue("chaplygin-ball"), (norm_squared(gamma) - 2,)).point(
+            random.Random(0)
+        )
 
 
 def test_a_level_without_real_points_is_empty():

@@ -124,7 +124,9 @@ def test_a_mark_that_is_no_point_is_refused(diagrams):
 
 def test_written_twice_it_is_the_same(diagrams, tmp_path):
     first, second = (
-        save(draw_bifurcation_diagram(diagrams["veselova"], (0.4, 1.1)), tmp_path / name).read_bytes()
+        save(
+            draw_bifurcation_diagram(diagrams["veselova"], (0.4, 1.1)), tmp_path / name
+        ).read_bytes()
         for name in ("first.png", "second.png")
     )
     assert first == second

@@ -17,7 +17,7 @@ from ...formulas.errors import OutOfReachError
 from ...mechanics.lagrangian.mechanism import Mechanism
 from ...mechanics.rolling.equations import Rolling
 from ...printing.formula import text
-from ...printing.laws import heading, condition_text
+from ...printing.laws import condition_text, heading
 from ...proof.fields.budget import EFFORT
 from ...proof.level.trigonometric import circles, without_angles
 from ...proof.verdict import Verdict
@@ -29,7 +29,7 @@ from .hamiltonian_forms import Forms, hamiltonian, measures
 from .lie_theorem import fields, lie
 from .measure_absence import Decided, decided
 from .place import Classification
-from .ranks import RankSample, with_numeric_parameters, rational_parameters
+from .ranks import RankSample, rational_parameters, with_numeric_parameters
 from .sign_reversal import reversal
 from .statements import IntegrabilityClass
 from .via_isomorphism import TargetResults, through_isomorphisms
@@ -82,7 +82,9 @@ def _without_angles(system: System) -> System:
     try:
         made = circles(system)
     except OutOfReachError:
-        system = replace(with_numeric_parameters(system, rational_parameters(system)), laws=system.laws)
+        system = replace(
+            with_numeric_parameters(system, rational_parameters(system)), laws=system.laws
+        )
         made = circles(system)
     if made is None:
         return system

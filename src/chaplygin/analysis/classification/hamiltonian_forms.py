@@ -40,7 +40,9 @@ def density(standing: RankSample, law: Measure) -> Density:
     return Density(fact_of(law), sign(standing, bases))
 
 
-def measures(standing: RankSample, laws: Sequence[Law], patience: ProofBudget) -> tuple[Density, ...]:
+def measures(
+    standing: RankSample, laws: Sequence[Law], patience: ProofBudget
+) -> tuple[Density, ...]:
     """The proven measures; where none is stated, whether the volume is invariant is tried."""
     found = tuple(density(standing, law) for law in laws if isinstance(law, Measure))
     if found:

@@ -15,7 +15,7 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from .facts import HERE, Fact
-from .statements import Bracket, Density, IntegrabilityClass, Statement, IgnoredLaw
+from .statements import Bracket, Density, IgnoredLaw, IntegrabilityClass, Statement
 
 __all__ = ["Classification", "listed", "rows"]
 

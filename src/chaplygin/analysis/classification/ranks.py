@@ -24,7 +24,7 @@ from ...proof.level.named_formulas import components
 from ...proof.level.time_derivatives import without_rates
 from ...proof.rank import rank
 
-__all__ = ["RankSample", "View", "with_numeric_parameters", "rational_parameters", "settled"]
+__all__ = ["RankSample", "View", "rational_parameters", "settled", "with_numeric_parameters"]
 
 T = TypeVar("T")
 

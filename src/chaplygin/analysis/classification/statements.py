@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from .facts import Fact
 
-__all__ = ["Bracket", "Density", "IntegrabilityClass", "Statement", "IgnoredLaw"]
+__all__ = ["Bracket", "Density", "IgnoredLaw", "IntegrabilityClass", "Statement"]
 
 
 @dataclass(frozen=True)

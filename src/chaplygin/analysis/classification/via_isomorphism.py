@@ -70,7 +70,9 @@ def through_isomorphisms(
     return found
 
 
-def _through(standing: RankSample, law: Isomorphism, patience: ProofBudget, depth: int) -> TargetResults:
+def _through(
+    standing: RankSample, law: Isomorphism, patience: ProofBudget, depth: int
+) -> TargetResults:
     values, moving = _constants(standing, law)
     target = _with_laws(law.target)
     there = RankSample(target, values=values)

@@ -28,16 +28,16 @@ from ...flow.state_scales import state_scales
 from ...flow.tangent_space import TangentSpace, orthonormal
 
 __all__ = [
-    "SmallerAlignmentIndex",
-    "MaximalExponent",
-    "FastLyapunovIndicator",
-    "TangentGrowth",
-    "Megno",
     "ChaosIndicator",
     "ExponentSum",
-    "transverse_space",
-    "tangent_growth",
+    "FastLyapunovIndicator",
+    "MaximalExponent",
+    "Megno",
+    "SmallerAlignmentIndex",
+    "TangentGrowth",
     "tangent",
+    "tangent_growth",
+    "transverse_space",
 ]
 
 #: Part of a motion left out at the beginning, where a deviation finds its direction.

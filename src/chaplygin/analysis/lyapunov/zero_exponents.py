@@ -290,7 +290,9 @@ def _level(law: Law) -> tuple[Any, ...]:
     return tuple(to_components(condition) for condition in law.on)
 
 
-def _tangent(at: _At, fields: Sequence[_Item], across: _Span) -> Iterator[tuple[TrivialExponent, Any]]:
+def _tangent(
+    at: _At, fields: Sequence[_Item], across: _Span
+) -> Iterator[tuple[TrivialExponent, Any]]:
     """Fields tangent to the conditions, and combinations of the others that are.
 
     The combinations have constant coefficients: the rate of an integral along a symmetry is an

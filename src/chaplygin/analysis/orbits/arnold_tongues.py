@@ -21,7 +21,15 @@ from ...errors import InputError, RunError
 from .maps import Array
 from .rotation import FIRST, average
 
-__all__ = ["CircleMaps", "Plateau", "DevilsStaircase", "displacement", "locked_interval", "plateaus", "staircase"]
+__all__ = [
+    "CircleMaps",
+    "DevilsStaircase",
+    "Plateau",
+    "displacement",
+    "locked_interval",
+    "plateaus",
+    "staircase",
+]
 
 #: Error of one step of an integrated map, turns.
 ACCURACY = 1e-13

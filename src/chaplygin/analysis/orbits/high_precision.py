@@ -46,7 +46,9 @@ class Refined:
     error: float
 
 
-def refine_orbit(made: ReturnMap, orbit: Orbit, hold: Mapping[str, float] | Iterable[str] = ()) -> Refined:
+def refine_orbit(
+    made: ReturnMap, orbit: Orbit, hold: Mapping[str, float] | Iterable[str] = ()
+) -> Refined:
     """An orbit to 30 digits.
 
     Parameters

@@ -135,7 +135,9 @@ class ReturnMap:
 
     def sizes(self, points: Array) -> Array:
         """The greatest sizes of the vectors of the state at points (n, size), (size,)."""
-        found: Array = state_scales_at(self.section.system, points[None], self.section.parameters)[0]
+        found: Array = state_scales_at(self.section.system, points[None], self.section.parameters)[
+            0
+        ]
         return found
 
     def image(self, points: Array, count: int = 1, *, slopes: bool = False) -> Image:

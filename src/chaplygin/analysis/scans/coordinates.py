@@ -250,7 +250,9 @@ def chart(
     return CHARTS[name](system, dict(level or {}), dict(parameters or {}))
 
 
-def _ratio(system: System, _: Mapping[str, float], parameters: Mapping[Any, Any]) -> StateCoordinates:
+def _ratio(
+    system: System, _: Mapping[str, float], parameters: Mapping[Any, Any]
+) -> StateCoordinates:
     maps = Andoyer(system)
     return StateCoordinates(
         system=system,
@@ -264,7 +266,9 @@ def _ratio(system: System, _: Mapping[str, float], parameters: Mapping[Any, Any]
     )
 
 
-def _andoyer(system: System, level: Mapping[str, float], parameters: Mapping[Any, Any]) -> StateCoordinates:
+def _andoyer(
+    system: System, level: Mapping[str, float], parameters: Mapping[Any, Any]
+) -> StateCoordinates:
     ratio = _ratio(system, level, parameters)
 
     def every(points: Any) -> tuple[Any, Any]:
@@ -292,7 +296,9 @@ def _andoyer(system: System, level: Mapping[str, float], parameters: Mapping[Any
     )
 
 
-def _directions(system: System, level: Mapping[str, float], parameters: Mapping[Any, Any]) -> StateCoordinates:
+def _directions(
+    system: System, level: Mapping[str, float], parameters: Mapping[Any, Any]
+) -> StateCoordinates:
     maps = Directions(system, level, parameters)
     return StateCoordinates(
         system=system,
@@ -307,7 +313,9 @@ def _directions(system: System, level: Mapping[str, float], parameters: Mapping[
 
 
 #: What :func:`chart` knows.
-CHARTS: Mapping[str, Callable[[System, Mapping[str, float], Mapping[Any, Any]], StateCoordinates]] = {
+CHARTS: Mapping[
+    str, Callable[[System, Mapping[str, float], Mapping[Any, Any]], StateCoordinates]
+] = {
     "andoyer": _andoyer,
     "andoyer-ratio": _ratio,
     "directions": _directions,

@@ -17,7 +17,7 @@ import sympy as sp
 
 from ...core.admissible import conditions, satisfies
 from ...core.system import System, flat
-from ...core.vectors import Vector, to_components, norm_squared
+from ...core.vectors import Vector, norm_squared, to_components
 from ...errors import InputError
 from ...flow.level_projection import projected
 from ...formulas.batch import Formulas
@@ -25,7 +25,16 @@ from ...formulas.evaluate import formula
 from ...parsing import nearest, parse
 from .named_quantities import named
 
-__all__ = ["NO_NUMBER", "REASONS", "Axis", "GridCells", "ScanGrid", "axis", "directions", "scan_grid"]
+__all__ = [
+    "NO_NUMBER",
+    "REASONS",
+    "Axis",
+    "GridCells",
+    "ScanGrid",
+    "axis",
+    "directions",
+    "scan_grid",
+]
 
 #: Why a cell has no motion or no number; −1 in a store is what is not computed yet.
 NO_STATE, INADMISSIBLE, NO_NUMBER = -2, -3, -4

@@ -20,7 +20,15 @@ from ...flow.level_projection import select_parameters
 from ...formulas.evaluate import values
 from ..orbits.rotation import average
 
-__all__ = ["SurvivalTime", "Frequency", "Maximum", "Minimum", "TimeAverage", "ObservedSeries", "observe"]
+__all__ = [
+    "Frequency",
+    "Maximum",
+    "Minimum",
+    "ObservedSeries",
+    "SurvivalTime",
+    "TimeAverage",
+    "observe",
+]
 
 
 #: States of a motion that are kept at a time.
@@ -49,7 +57,9 @@ class SurvivalTime:
 
     def __call__(self, starts: Any, parameters: Parameters) -> dict[str, Any]:
         """Times, outcomes and times reached, (n,) each."""
-        run = batch_integrator(self.system, tolerance=self.tolerance).until(starts, [self.until], parameters)
+        run = batch_integrator(self.system, tolerance=self.tolerance).until(
+            starts, [self.until], parameters
+        )
         return {"value": run.ended, "outcome": run.outcome, "ended": run.ended}
 
 
@@ -198,7 +208,12 @@ class ObservedSeries:
 
 
 def observe(
-    flow: BatchIntegrator, formula: Any, starts: Any, until: float, samples: int, parameters: Parameters
+    flow: BatchIntegrator,
+    formula: Any,
+    starts: Any,
+    until: float,
+    samples: int,
+    parameters: Parameters,
 ) -> ObservedSeries:
     """A formula along motions at equidistant times; few states are kept at a time.
 

@@ -12,10 +12,16 @@ from ...errors import InputError
 from ...flow.batch import poincare_section
 from ...formulas.evaluate import formula
 from ...parsing import nearest
-from ..lyapunov.indicators import SmallerAlignmentIndex, MaximalExponent, FastLyapunovIndicator, Megno, ExponentSum
+from ..lyapunov.indicators import (
+    ExponentSum,
+    FastLyapunovIndicator,
+    MaximalExponent,
+    Megno,
+    SmallerAlignmentIndex,
+)
 from .grid import directions
 from .named_quantities import meaning
-from .observables import SurvivalTime, Frequency, Maximum, Minimum, TimeAverage
+from .observables import Frequency, Maximum, Minimum, SurvivalTime, TimeAverage
 from .scan_task import Rule
 from .section_rotation import Winding
 
@@ -113,7 +119,9 @@ def quantity_from_text(
     if kind.make is Winding:
         return _rotation(kind, system, quantity, until, tolerance)
     if not kind.of:
-        return NamedQuantity(kind.make(system, until, tolerance=tolerance), word, kind.title, kind.unit)
+        return NamedQuantity(
+            kind.make(system, until, tolerance=tolerance), word, kind.title, kind.unit
+        )
     value: Any = formula(system, quantity)
     made = kind.make(system, until, value, tolerance=tolerance)
     measured = meaning(system, quantity, variables or {})[1] or "unknown"
@@ -135,7 +143,9 @@ def _require_angle(system: System, text: str, value: Any, unit: str) -> None:
     raise InputError(f"{text}: {wrong}; an angle is needed, such as atan2(gamma_2, gamma_1)")
 
 
-def _rotation(kind: _Kind, system: System, text: str, until: float, tolerance: float) -> NamedQuantity:
+def _rotation(
+    kind: _Kind, system: System, text: str, until: float, tolerance: float
+) -> NamedQuantity:
     """A rotation number, from its angle and its section."""
     angle, on, place = text.partition(" on ")
     if not on:

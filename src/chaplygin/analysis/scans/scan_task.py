@@ -20,7 +20,7 @@ from ...flow.ensemble.task import Coordinate, Task, Variable
 from ...flow.kernel.runge_kutta import STATUS_MESSAGES
 from .grid import NO_NUMBER, REASONS, Axis, ScanGrid
 
-__all__ = ["Scan", "Rule", "scan"]
+__all__ = ["Rule", "Scan", "scan"]
 
 #: Motions that are computed at once, about.
 AT_ONCE = 2048
@@ -167,7 +167,9 @@ def _outcomes(rule: Rule) -> dict[str, Any]:
     """What outcomes mean: numbers, and as many words for them, with underscores for blanks."""
     flow = batch_integrator(rule.system, tolerance=rule.tolerance)
     reasons = {0: "followed to the end", -1: "not computed yet", **REASONS}
-    reasons |= {code: flow.reason(code) for code in range(1, len(STATUS_MESSAGES) + len(rule.system.guards))}
+    reasons |= {
+        code: flow.reason(code) for code in range(1, len(STATUS_MESSAGES) + len(rule.system.guards))
+    }
     return {
         **_attributes("why there is no number", ""),
         "flag_values": list(reasons),

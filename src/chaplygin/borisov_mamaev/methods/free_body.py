@@ -11,7 +11,7 @@ from dataclasses import replace
 import sympy as sp
 
 from ...core.system import Parameter, System
-from ...core.vectors import Diagonal, constant, cross, to_components, gradient, real_symbol, vectors
+from ...core.vectors import Diagonal, constant, cross, gradient, real_symbol, to_components, vectors
 from ...mechanics.rolling.attitude import attitude, quaternion_rate, rotation, unit_length
 from . import unspecified
 from .growth import VectorField, commutator

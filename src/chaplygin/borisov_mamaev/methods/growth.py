@@ -15,7 +15,9 @@ __all__ = ["VectorField", "along", "commutator", "counted", "growth"]
 
 
 def growth(
-    fields: Sequence[VectorField], coordinates: Sequence[sp.Symbol], point: Mapping[sp.Symbol, sp.Expr]
+    fields: Sequence[VectorField],
+    coordinates: Sequence[sp.Symbol],
+    point: Mapping[sp.Symbol, sp.Expr],
 ) -> tuple[int, ...]:
     """Growth vector of a distribution, with its last entry twice."""
     counts = mechanics.growth(fields, coordinates, point)

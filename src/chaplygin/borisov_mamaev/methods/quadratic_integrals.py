@@ -15,7 +15,7 @@ import time
 
 import sympy as sp
 
-from ...core.vectors import Diagonal, to_components, real_symbol, vectors
+from ...core.vectors import Diagonal, real_symbol, to_components, vectors
 from ...proof.verdict import Verdict
 
 __all__ = ["conditions", "no_quadratic_integral"]

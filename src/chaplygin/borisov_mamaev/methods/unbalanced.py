@@ -7,7 +7,7 @@ from typing import Any
 from sympy.matrices.expressions import MatrixExpr
 
 from ...core.laws import Rate
-from ...core.vectors import Diagonal, constant, cross, to_components, real_symbol, vectors
+from ...core.vectors import Diagonal, constant, cross, real_symbol, to_components, vectors
 
 M, omega, gamma, r, c = vectors("M omega gamma r c")
 I = Diagonal("I")

@@ -10,7 +10,7 @@ import sympy as sp
 from ...catalogue.angles import NORMAL, in_angles, phi, phidot, theta, thetadot
 from ...catalogue.fixed_point import veselova as catalogue
 from ...core.system import System
-from ...core.vectors import Diagonal, Vector, constant, dot, to_components, gradient, real_symbol
+from ...core.vectors import Diagonal, Vector, constant, dot, gradient, real_symbol, to_components
 
 __all__ = [
     "ANGLES",

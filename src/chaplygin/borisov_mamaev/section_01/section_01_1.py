@@ -16,7 +16,16 @@ import sympy as sp
 from ...catalogue.rates import rate
 from ...core.laws import Identity, Rate
 from ...core.system import Parameter, System
-from ...core.vectors import Symmetric, constant, cross, dot, to_components, gradient, real_symbol, vectors
+from ...core.vectors import (
+    Symmetric,
+    constant,
+    cross,
+    dot,
+    gradient,
+    real_symbol,
+    to_components,
+    vectors,
+)
 from ..claim import Case, Claim, Remark
 from ..methods import unspecified
 

@@ -18,9 +18,9 @@ from ...core.vectors import (
     constant,
     cross,
     dot,
-    to_components,
     gradient,
     norm_squared,
+    to_components,
     unit_vector,
     vectors,
 )

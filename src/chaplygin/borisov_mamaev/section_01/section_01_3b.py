@@ -19,10 +19,10 @@ from ...core.vectors import (
     constant,
     cross,
     dot,
-    to_components,
     gradient,
     norm_squared,
     real_symbol,
+    to_components,
     vectors,
 )
 from ..claim import Case, Claim, Remark
@@ -78,7 +78,9 @@ def _turned(index: int, pairs: tuple[tuple[Vector, sp.ImmutableDenseMatrix], ...
 
 def suslov() -> Case:
     """(1.9) in the fields ξ, ζ with the constants of (1.12), for the constraints (1.14), (1.15)."""
-    lagrangian = to_components(HALF * m * norm_squared(v) + HALF * dot(I * omega, omega) - POTENTIAL)
+    lagrangian = to_components(
+        HALF * m * norm_squared(v) + HALF * dot(I * omega, omega) - POTENTIAL
+    )
     slip, spin = to_components(v + cross(omega, r)), to_components(dot(omega, gamma))
     work = (to_components(lambda_).T * slip)[0] + lambda_0 * spin
     angular, linear = (constant([sp.diff(lagrangian, s) for s in u]) for u in (omega, v))

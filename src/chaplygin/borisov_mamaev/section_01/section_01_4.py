@@ -35,7 +35,9 @@ from ..methods.free_body import POTENTIAL
 M, omega, gamma, r, gammatilde, X = vectors("M omega gamma r gammatilde X")
 rdot, gammadot, omegadot, torque = vectors("rdot gammadot omegadot torque")
 I, A = Diagonal("I"), Diagonal("A")
-m, R, a, kappa, nu, lambda_0 = (real_symbol(name) for name in ("m", "R", "a", "kappa", "nu", "lambda_0"))
+m, R, a, kappa, nu, lambda_0 = (
+    real_symbol(name) for name in ("m", "R", "a", "kappa", "nu", "lambda_0")
+)
 COUPLE = cross(gamma, gradient(POTENTIAL, gamma))
 NUMBERS = (1.0, 1.5, 2.1)
 

@@ -11,7 +11,7 @@ import sympy as sp
 from ...catalogue.bodies.rubber_body import any_rubber_body
 from ...core.laws import Identity, Integral
 from ...core.system import Parameter, System
-from ...core.vectors import constant, cross, dot, to_components, norm_squared, real_symbol, vectors
+from ...core.vectors import constant, cross, dot, norm_squared, real_symbol, to_components, vectors
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods import unspecified

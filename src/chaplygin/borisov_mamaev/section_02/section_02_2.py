@@ -58,7 +58,9 @@ def differentiated() -> Case:
 
 def regrouped() -> Case:
     """(m + μ/b²) v̇ = F − (F, e_z) e_z."""
-    return marble(), Identity("regrouped", HEAVIER * rate(v) - F + dot(F, unit_vector(3)) * unit_vector(3))
+    return marble(), Identity(
+        "regrouped", HEAVIER * rate(v) - F + dot(F, unit_vector(3)) * unit_vector(3)
+    )
 
 
 def particle_in_plane() -> Case:

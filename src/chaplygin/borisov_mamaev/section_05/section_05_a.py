@@ -27,7 +27,17 @@ from ...catalogue.bodies.rubber_profile import (
 from ...catalogue.fixed_point.veselova import spinning_general
 from ...core.laws import Identity, Integral, Rate, Reduction, Symmetry
 from ...core.system import Parameter, System
-from ...core.vectors import Diagonal, constant, cross, dot, norm_squared, real_symbol, unit_vector, vectors, zero
+from ...core.vectors import (
+    Diagonal,
+    constant,
+    cross,
+    dot,
+    norm_squared,
+    real_symbol,
+    unit_vector,
+    vectors,
+    zero,
+)
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim

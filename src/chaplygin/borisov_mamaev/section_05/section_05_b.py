@@ -9,7 +9,7 @@ from ...catalogue.angles import phi, theta
 from ...catalogue.bodies.rubber_profile import A, B
 from ...core.laws import Identity, Measure, Rate, Reduction
 from ...core.system import System
-from ...core.vectors import constant, to_components, real_symbol, vectors
+from ...core.vectors import constant, real_symbol, to_components, vectors
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim
 from ..methods.tori import of_rank_two

@@ -12,7 +12,7 @@ from ...catalogue.rates import rate
 from ...core.isomorphism import Isomorphism
 from ...core.laws import ConformallyHamiltonian, Identity, PoissonStructure, Rate
 from ...core.system import System
-from ...core.vectors import Diagonal, constant, cross, dot, to_components, real_symbol, vectors
+from ...core.vectors import Diagonal, constant, cross, dot, real_symbol, to_components, vectors
 from ..claim import Case, Claim, Remark
 from ..methods.veselova_in_angles import (
     ANGLES,

@@ -17,7 +17,7 @@ from ...catalogue.fixed_point import veselova_geodesic as geodesic
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, PoissonStructure
 from ...core.system import System
-from ...core.vectors import constant, dot, to_components, norm_squared, real_symbol, vectors
+from ...core.vectors import constant, dot, norm_squared, real_symbol, to_components, vectors
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark

@@ -20,7 +20,7 @@ from ...catalogue.fixed_point.neumann import c
 from ...catalogue.rates import rate
 from ...core.laws import ConformallyHamiltonian, Identity, Integral
 from ...core.system import Parameter, System
-from ...core.vectors import cross, dot, to_components, norm_squared, real_symbol
+from ...core.vectors import cross, dot, norm_squared, real_symbol, to_components
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim

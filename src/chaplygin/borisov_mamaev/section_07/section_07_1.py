@@ -16,11 +16,11 @@ from ...core.vectors import (
     Diagonal,
     cross,
     dot,
-    to_components,
     gradient,
     identity,
     norm_squared,
     outer,
+    to_components,
     vectors,
 )
 from ...mechanics.rolling.body import Body

@@ -31,7 +31,7 @@ from ...catalogue.chaplygin_ball.chaplygin_bracket import PARAMETERS, TENSORS, A
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, Law, Measure, Rate
 from ...core.system import System
-from ...core.vectors import constant, dot, to_components, real_symbol
+from ...core.vectors import constant, dot, real_symbol, to_components
 from ..claim import Case, Claim, Remark
 
 I_1, I_2, I_3 = I.symbols

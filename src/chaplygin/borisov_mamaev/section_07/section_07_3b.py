@@ -35,7 +35,7 @@ from ...catalogue.chaplygin_ball.chaplygin_ball_angles import (
 from ...catalogue.chaplygin_ball.chaplygin_bracket import DET_J, A, D, I, L, R, gamma, m
 from ...core.laws import ConformallyHamiltonian, Identity, PoissonStructure, Rate
 from ...core.system import System
-from ...core.vectors import dot, to_components, real_symbol, zero
+from ...core.vectors import dot, real_symbol, to_components, zero
 from ..claim import Case, Claim, Remark
 from .section_07_3a import KINETIC, PRECESSION, routh_slope, turning
 

@@ -33,7 +33,7 @@ from ...catalogue.chaplygin_ball.chaplygin_bracket import (
 from ...catalogue.rates import rate
 from ...core.laws import Identity, Integral, Measure
 from ...core.system import System
-from ...core.vectors import constant, cross, dot, to_components, gradient, vectors
+from ...core.vectors import constant, cross, dot, gradient, to_components, vectors
 from ..claim import Case, Claim
 from ..methods.printed import law_named, printed_form
 from .section_07_3a import CYCLIC_REST, GYROSCOPIC, KINETIC, SPIN, SPREAD, VELOCITIES, routh_slope

@@ -23,7 +23,7 @@ from ...catalogue.chaplygin_ball.chaplygin_bracket import (
 )
 from ...core.laws import Identity
 from ...core.system import System
-from ...core.vectors import Diagonal, dot, to_components, identity, norm_squared, vectors
+from ...core.vectors import Diagonal, dot, identity, norm_squared, to_components, vectors
 from ..claim import Case, Claim
 from ..methods.printed import printed_form
 
@@ -52,7 +52,8 @@ def _spread(vector: MatrixExpr) -> sp.Expr:
 def energy() -> Case:
     """The Hamiltonian at (M, γ) = 0, up to the factor det J / D."""
     value = (
-        norm_squared(L) * _spread(gamma) / 2 - (_spread(L) * _spread(gamma) - dot(gamma, B * L) ** 2) / 2
+        norm_squared(L) * _spread(gamma) / 2
+        - (_spread(L) * _spread(gamma) - dot(gamma, B * L) ** 2) / 2
     )
     residual = dot(M, omega) / 2 - DET_J / D * value
     return ball(), Identity("energy", residual, on=AREA)
@@ -60,7 +61,9 @@ def energy() -> Case:
 
 def integral() -> Case:
     """(7.4) in L and γ, up to the factor det J."""
-    return ball(), Identity("integral", norm_squared(M) - DET_J * norm_squared(L) * _spread(gamma), on=AREA)
+    return ball(), Identity(
+        "integral", norm_squared(M) - DET_J * norm_squared(L) * _spread(gamma), on=AREA
+    )
 
 
 def tensor() -> Case:

@@ -15,7 +15,7 @@ from ...catalogue.ball_on_sphere.rubber_ball_separated import PLAIN, roots
 from ...catalogue.ball_on_sphere.rubber_ball_sphero_conical import cubic, eta, p_eta, p_xi, xi
 from ...core.laws import ConformallyHamiltonian, Identity
 from ...core.system import Guard, Parameter, System
-from ...core.vectors import cross, dot, to_components, norm_squared, real_symbol, vectors
+from ...core.vectors import cross, dot, norm_squared, real_symbol, to_components, vectors
 from ..claim import Case, Claim, Remark
 
 omega, n, gamma = vectors("omega n gamma")

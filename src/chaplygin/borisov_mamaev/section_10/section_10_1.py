@@ -70,7 +70,10 @@ def invariants() -> Case:
 
 
 QUADRATIC = Integral(
-    "quadratic", norm_squared(M) - m * norm_squared(r) * dot(M, omega), "quadratic integral", source="(10.3)"
+    "quadratic",
+    norm_squared(M) - m * norm_squared(r) * dot(M, omega),
+    "quadratic integral",
+    source="(10.3)",
 )
 
 

@@ -22,7 +22,16 @@ from ...catalogue.chaplygin_ball.chaplygin_bracket import D, I, gamma, k
 from ...catalogue.rates import rate
 from ...core.laws import ConformallyHamiltonian, Identity, Integral, Law, Measure
 from ...core.system import System
-from ...core.vectors import constant, cross, dot, to_components, identity, norm_squared, vectors, zero
+from ...core.vectors import (
+    constant,
+    cross,
+    dot,
+    identity,
+    norm_squared,
+    to_components,
+    vectors,
+    zero,
+)
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark

@@ -17,7 +17,7 @@ import sympy as sp
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral
 from ...core.system import Guard, Parameter, System
-from ...core.vectors import Diagonal, dot, to_components, identity, norm_squared, real_symbol, zero
+from ...core.vectors import Diagonal, dot, identity, norm_squared, real_symbol, to_components, zero
 from ..e3 import Gamma, M, e3_system
 from ..entry import Entry, Numbers, Start
 from . import ball_around_sphere_chaplygin as chaplygin
@@ -95,7 +95,9 @@ def second(difference: sp.Expr) -> sp.Expr:
         _spread(i) * (difference * (moment + d) + rest) * momentum**2
         for i, (moment, momentum) in enumerate(zip(J.symbols, M.symbols, strict=True))
     ]
-    return to_components(rho_2 / (4 * form**2) * (difference**2 * norm_squared(M) - 4 * sp.Add(*terms)))
+    return to_components(
+        rho_2 / (4 * form**2) * (difference**2 * norm_squared(M) - 4 * sp.Add(*terms))
+    )
 
 
 def parameters(p: Numbers) -> tuple[Parameter, ...]:

@@ -54,7 +54,11 @@ def laws(rolling: Rolling, system: System) -> tuple[Law, ...]:
     total = M + k_rotors if rotors else M + zero
     found: list[Law] = [
         Integral(
-            "momentum", norm_squared(total), "square of the momentum", source="(8.2)", unit="kg^2 m^4/s^2"
+            "momentum",
+            norm_squared(total),
+            "square of the momentum",
+            source="(8.2)",
+            unit="kg^2 m^4/s^2",
         ),
         Measure(
             "measure",

@@ -16,7 +16,17 @@ import sympy as sp
 
 from ...core.laws import ConformallyHamiltonian, Integral, Law, PoissonStructure
 from ...core.system import Parameter, System
-from ...core.vectors import Components, Diagonal, cross, dot, gradient, hat, norm_squared, real_symbol, vectors
+from ...core.vectors import (
+    Components,
+    Diagonal,
+    cross,
+    dot,
+    gradient,
+    hat,
+    norm_squared,
+    real_symbol,
+    vectors,
+)
 from ...errors import InputError
 from ...mechanics.rolling.body import check_inertia
 from ..entry import Entry, Numbers, Start

@@ -29,7 +29,9 @@ xidot, etadot = real_symbol("xidot"), real_symbol("etadot")
 P_xi, P_eta = real_symbol("P_xi"), real_symbol("P_eta")
 p_xi, p_eta = real_symbol("p_xi"), real_symbol("p_eta")
 #: A(ξ), A(η), their derivatives, and what (9.14) is divided by.
-A_xi, A_eta, B_xi, B_eta, Q = (real_symbol(name) for name in ("A_xi", "A_eta", "B_xi", "B_eta", "Q"))
+A_xi, A_eta, B_xi, B_eta, Q = (
+    real_symbol(name) for name in ("A_xi", "A_eta", "B_xi", "B_eta", "Q")
+)
 H, N = real_symbol("H"), real_symbol("N")
 
 NAME, TITLE = "rubber-ball-sphero-conical", "Rubber ball on a sphere, sphero-conical coordinates"

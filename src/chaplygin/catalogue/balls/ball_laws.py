@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 
 from ...core.laws import Identity, Integral, Law, Rate, Reduction
-from ...core.vectors import constant, cross, dot, to_components, real_symbol, unit_vector, vectors
+from ...core.vectors import constant, cross, dot, real_symbol, to_components, unit_vector, vectors
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.surface import (
     CircularCylinder,

@@ -19,7 +19,17 @@ from sympy.matrices.expressions import MatrixExpr
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, Law, Measure, Rate
 from ...core.system import Parameter, System
-from ...core.vectors import constant, cross, dot, to_components, gradient, norm_squared, real_symbol, vectors, zero
+from ...core.vectors import (
+    constant,
+    cross,
+    dot,
+    gradient,
+    norm_squared,
+    real_symbol,
+    to_components,
+    vectors,
+    zero,
+)
 from ...mechanics.ball.equations import (
     Contact,
     Kinematics,

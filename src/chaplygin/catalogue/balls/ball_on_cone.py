@@ -13,7 +13,7 @@ import sympy as sp
 
 from ...core.laws import Integral
 from ...core.system import System
-from ...core.vectors import dot, to_components, gradient, norm_squared, vectors
+from ...core.vectors import dot, gradient, norm_squared, to_components, vectors
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.equations import ball_parameters, centred, equations_of_motion
 from ...mechanics.ball.surface import Cone

@@ -12,7 +12,15 @@ from dataclasses import replace
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral, Law
 from ...core.system import Parameter, System
-from ...core.vectors import Diagonal, dot, to_components, gradient, norm_squared, real_symbol, vectors
+from ...core.vectors import (
+    Diagonal,
+    dot,
+    gradient,
+    norm_squared,
+    real_symbol,
+    to_components,
+    vectors,
+)
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.ball.equations import ball_parameters, centred, equations_of_motion
 from ...mechanics.ball.surface import EllipsoidSurface

@@ -16,14 +16,24 @@ import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
 from ...core.laws import Integral, Law, Measure, Rate, Reduction, Symmetry
-from ...core.system import Guard, Reconstruction, Observable, Parameter, System
-from ...core.vectors import Vector, constant, cross, dot, to_components, norm_squared, real_symbol, unit_vector, vectors
+from ...core.system import Guard, Observable, Parameter, Reconstruction, System
+from ...core.vectors import (
+    Vector,
+    constant,
+    cross,
+    dot,
+    norm_squared,
+    real_symbol,
+    to_components,
+    unit_vector,
+    vectors,
+)
 from ...mechanics.rolling.attitude import (
     attitude,
     attitude_observable,
+    attitude_relations,
     quaternion_rate,
     rotation,
-    attitude_relations,
     unit_length,
 )
 from ...mechanics.rolling.body import check_inertia, check_mass
@@ -44,7 +54,8 @@ __all__ = [
 omega, gamma, xi, y, N, v, L = vectors("omega gamma xi y N v L")
 place = Vector("place", 2)
 m, R, g, I_1, I_3, V, s, omega_xi, omega_y, N_e = (
-    real_symbol(name) for name in ["m", "R", "g", "I_1", "I_3", "V", "s", "omega_xi", "omega_y", "N_e"]
+    real_symbol(name)
+    for name in ["m", "R", "g", "I_1", "I_3", "V", "s", "omega_xi", "omega_y", "N_e"]
 )
 HALF = sp.Rational(1, 2)
 AXIS = unit_vector(3)

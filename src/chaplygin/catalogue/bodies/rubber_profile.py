@@ -15,7 +15,16 @@ import sympy as sp
 
 from ...core.laws import Integral
 from ...core.system import Parameter, System
-from ...core.vectors import Diagonal, constant, cross, dot, norm_squared, real_symbol, unit_vector, vectors
+from ...core.vectors import (
+    Diagonal,
+    constant,
+    cross,
+    dot,
+    norm_squared,
+    real_symbol,
+    unit_vector,
+    vectors,
+)
 
 __all__ = ["HEIGHT", "POTENTIAL", "from_support", "profile_system"]
 

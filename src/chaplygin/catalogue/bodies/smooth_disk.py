@@ -30,24 +30,24 @@ from ...core.laws import (
     Reduction,
     Symmetry,
 )
-from ...core.system import Reconstruction, Observable, Parameter, System
+from ...core.system import Observable, Parameter, Reconstruction, System
 from ...core.vectors import (
     Diagonal,
     constant,
     cross,
     dot,
-    to_components,
     gradient,
     norm_squared,
     real_symbol,
+    to_components,
     vectors,
 )
 from ...mechanics.rolling.attitude import (
     attitude,
     attitude_observable,
+    attitude_relations,
     quaternion_rate,
     rotation,
-    attitude_relations,
     unit_length,
 )
 from ..e3 import inertia_parameters, lie_poisson

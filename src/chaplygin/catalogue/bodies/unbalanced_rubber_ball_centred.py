@@ -25,7 +25,16 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ...core.laws import Identity, Integral, Rate
 from ...core.system import Parameter, System
-from ...core.vectors import Diagonal, constant, cross, dot, identity, norm_squared, real_symbol, vectors
+from ...core.vectors import (
+    Diagonal,
+    constant,
+    cross,
+    dot,
+    identity,
+    norm_squared,
+    real_symbol,
+    vectors,
+)
 from ...errors import InputError
 from ...mechanics.rolling.body import check_inertia
 from ..ball_on_sphere.rubber_ball_sphero_conical import cubic, normal, square

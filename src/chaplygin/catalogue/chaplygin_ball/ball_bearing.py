@@ -28,11 +28,11 @@ from ...core.vectors import (
     Symmetric,
     cross,
     dot,
-    to_components,
     identity,
     norm_squared,
     outer,
     real_symbol,
+    to_components,
     vectors,
 )
 from ...mechanics.rolling.body import check_inertia

@@ -13,7 +13,7 @@ import sympy as sp
 from ...core.isomorphism import Isomorphism
 from ...core.laws import ConformallyHamiltonian, Integral, Law, Measure, PoissonStructure
 from ...core.system import System
-from ...core.vectors import Diagonal, dot, to_components, norm_squared, real_symbol, vectors, zero
+from ...core.vectors import Diagonal, dot, norm_squared, real_symbol, to_components, vectors, zero
 from ...mechanics.rolling.body import Body
 from ...mechanics.rolling.equations import Forces, Rolling
 from ...mechanics.rolling.shapes import Ball

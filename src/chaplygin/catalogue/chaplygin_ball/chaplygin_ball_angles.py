@@ -14,7 +14,16 @@ from sympy.matrices.expressions import MatrixExpr
 from ...core.isomorphism import Isomorphism
 from ...core.laws import ConformallyHamiltonian, Identity, Integral, PoissonStructure
 from ...core.system import Guard, Observable, Parameter, System
-from ...core.vectors import Components, constant, cross, dot, to_components, real_symbol, vectors, zero
+from ...core.vectors import (
+    Components,
+    constant,
+    cross,
+    dot,
+    real_symbol,
+    to_components,
+    vectors,
+    zero,
+)
 from ..entry import Entry, Numbers, Start
 from .chaplygin_bracket import (
     DET_IQ,

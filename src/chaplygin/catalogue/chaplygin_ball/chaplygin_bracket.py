@@ -18,7 +18,17 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ...core.laws import ConformallyHamiltonian, Integral, PoissonStructure
 from ...core.system import Parameter, System
-from ...core.vectors import Diagonal, cross, dot, gradient, identity, norm_squared, real_symbol, vectors, zero
+from ...core.vectors import (
+    Diagonal,
+    cross,
+    dot,
+    gradient,
+    identity,
+    norm_squared,
+    real_symbol,
+    vectors,
+    zero,
+)
 from ...mechanics.rolling.body import check_inertia, check_mass
 from ..e3 import lie_poisson
 from ..entry import Entry, Numbers, Start

@@ -13,13 +13,22 @@ from typing import Any
 import sympy as sp
 
 from ...core.laws import Identity, Integral, Law, Measure, Rate
-from ...core.system import Reconstruction, Observable, Parameter, System
-from ...core.vectors import Diagonal, constant, cross, dot, gradient, norm_squared, real_symbol, vectors
+from ...core.system import Observable, Parameter, Reconstruction, System
+from ...core.vectors import (
+    Diagonal,
+    constant,
+    cross,
+    dot,
+    gradient,
+    norm_squared,
+    real_symbol,
+    vectors,
+)
 from ...mechanics.rolling.attitude import (
     attitude,
     attitude_observable,
-    quaternion_rate,
     attitude_relations,
+    quaternion_rate,
     unit_length,
 )
 from ...mechanics.rolling.body import check_inertia, check_mass

@@ -30,7 +30,8 @@ from ..entry import Entry, Numbers, Start
 
 PAIRS = tuple(combinations(range(4), 2))
 gamma, u, p, f = (
-    sp.Matrix([real_symbol(f"{name}_{i}") for i in range(1, 5)]) for name in ["gamma", "u", "p", "f"]
+    sp.Matrix([real_symbol(f"{name}_{i}") for i in range(1, 5)])
+    for name in ["gamma", "u", "p", "f"]
 )
 m, R, Delta = (real_symbol(name) for name in ("m", "R", "Delta"))
 HALF = sp.Rational(1, 2)

@@ -21,7 +21,7 @@ from ...core.laws import (
     Symmetry,
 )
 from ...core.system import Parameter, System
-from ...core.vectors import constant, cross, dot, to_components, real_symbol, unit_vector
+from ...core.vectors import constant, cross, dot, real_symbol, to_components, unit_vector
 from ...mechanics.rolling.body import check_inertia
 from ..e3 import Gamma, M, e3_system
 from ..entry import Entry, Numbers, Start

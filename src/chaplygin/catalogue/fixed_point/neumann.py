@@ -8,7 +8,7 @@ from ...core.vectors import dot, norm_squared, real_symbol
 from ...mechanics.rolling.body import check_inertia
 from ..e3 import Gamma, H, I, M, e3_system, inertia_parameters
 from ..entry import Entry, Numbers, Start
-from ..sphero_conical import sphero_conical_coordinates, cubic, u, v
+from ..sphero_conical import cubic, sphero_conical_coordinates, u, v
 
 c = real_symbol("c")
 #: The values of the two integrals.

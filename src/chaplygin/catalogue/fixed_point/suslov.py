@@ -12,14 +12,23 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral, Law, Measure
-from ...core.system import Reconstruction, Observable, Parameter, System
-from ...core.vectors import constant, cross, dot, gradient, norm_squared, real_symbol, unit_vector, vectors
+from ...core.system import Observable, Parameter, Reconstruction, System
+from ...core.vectors import (
+    constant,
+    cross,
+    dot,
+    gradient,
+    norm_squared,
+    real_symbol,
+    unit_vector,
+    vectors,
+)
 from ...errors import InputError
 from ...mechanics.rolling.attitude import (
     attitude,
     attitude_observable,
-    quaternion_rate,
     attitude_relations,
+    quaternion_rate,
     unit_length,
 )
 from ...mechanics.rolling.body import check_inertia

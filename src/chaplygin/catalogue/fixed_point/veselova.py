@@ -14,31 +14,31 @@ from ...core.laws import (
     Rate,
     Separation,
 )
-from ...core.system import Reconstruction, Observable, Parameter, System
+from ...core.system import Observable, Parameter, Reconstruction, System
 from ...core.vectors import (
     Components,
     Diagonal,
     constant,
     cross,
     dot,
-    to_components,
     gradient,
     hat,
     norm_squared,
     real_symbol,
+    to_components,
     vectors,
 )
 from ...mechanics.rolling.attitude import (
     attitude,
     attitude_observable,
-    quaternion_rate,
     attitude_relations,
+    quaternion_rate,
     unit_length,
 )
 from ...mechanics.rolling.body import check_inertia
 from .. import e3
 from ..entry import Entry, Numbers, Start
-from ..sphero_conical import sphero_conical_coordinates, cubic, u, v
+from ..sphero_conical import cubic, sphero_conical_coordinates, u, v
 from . import neumann
 from .veselova_geodesic import in_potential
 

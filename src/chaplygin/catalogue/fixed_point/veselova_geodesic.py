@@ -9,7 +9,7 @@ import sympy as sp
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Integral
 from ...core.system import Parameter, System
-from ...core.vectors import constant, dot, to_components, norm_squared, real_symbol
+from ...core.vectors import constant, dot, norm_squared, real_symbol, to_components
 from ...mechanics.rolling.body import check_inertia
 from ..e3 import Gamma, I, M, e3_system, inertia_parameters
 from ..entry import Entry, Numbers, Start

@@ -123,7 +123,9 @@ def _parameters(count: int, p: Mapping[str, float]) -> tuple[Parameter, ...]:
     for i in range(1, count + 1):
         found += [
             positive(real_symbol(f"m_{i}"), f"mass of trailer {i}, at its axle", p[f"m_{i}"], "kg"),
-            positive(real_symbol(f"J_{i}"), f"moment of inertia of trailer {i}", p[f"J_{i}"], "kg m^2"),
+            positive(
+                real_symbol(f"J_{i}"), f"moment of inertia of trailer {i}", p[f"J_{i}"], "kg m^2"
+            ),
             positive(real_symbol(f"l_{i}"), f"length of trailer {i}", p[f"l_{i}"], "m"),
         ]
     return tuple(found)

@@ -15,7 +15,7 @@ from .jets import Number
 from .json_data import field, integer, items, listed, mapping, only, text
 from .unspecified_functions import Functions
 
-__all__ = ["Claim", "Law", "ClaimedSystem", "read_claim"]
+__all__ = ["Claim", "ClaimedSystem", "Law", "read_claim"]
 
 _NAME = re.compile(r"[^\W\d]\w*")
 
@@ -315,7 +315,9 @@ def _bracket(data: Mapping[str, Any], system: ClaimedSystem, what: str) -> dict[
     return {"matrix": matrix, "rank": rank}
 
 
-def _check_isomorphism(pairs: Mapping[str, Any], system: ClaimedSystem, target: ClaimedSystem, what: str) -> None:
+def _check_isomorphism(
+    pairs: Mapping[str, Any], system: ClaimedSystem, target: ClaimedSystem, what: str
+) -> None:
     _require_names(pairs["map"], set(target.state), f"the map of {what}")
     _require_names(pairs["constants"], set(target.parameters), f"the constants of {what}")
     images = {word for word, _ in pairs["map"]}

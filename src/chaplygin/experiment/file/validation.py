@@ -15,14 +15,16 @@ from pydantic_core import ErrorDetails
 from ...parsing import nearest
 from .toml import Key
 
-__all__ = ["validation_messages", "shown"]
+__all__ = ["shown", "validation_messages"]
 
 _LONGEST = 60
 _DEEPEST = 2
 _MOST_BITS = 1024
 
 
-def validation_messages(error: ValidationError, model: type[BaseModel], data: object) -> dict[Key, str]:
+def validation_messages(
+    error: ValidationError, model: type[BaseModel], data: object
+) -> dict[Key, str]:
     """Translate what is wrong with the tables of a file.
 
     Parameters

@@ -16,7 +16,7 @@ import sympy as sp
 from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_bracket import D, I
 from ...core.system import System
-from ...core.vectors import dot, to_components, norm_squared, real_symbol, vectors
+from ...core.vectors import dot, norm_squared, real_symbol, to_components, vectors
 from ...errors import InputError
 from ..base.problem import exact
 from ..genus_two.separation import SeparatedSystem
@@ -31,7 +31,16 @@ from ..separations.neumann import neumann_system
 from ..separations.rubber_ball_plane import rubber_ball_plane
 from ..separations.veselova import veselova
 
-__all__ = ["PLANES", "SEPARATED", "Axis", "Bound", "IntegralPlane", "numbers", "plane_named", "plane_of"]
+__all__ = [
+    "PLANES",
+    "SEPARATED",
+    "Axis",
+    "Bound",
+    "IntegralPlane",
+    "numbers",
+    "plane_named",
+    "plane_of",
+]
 
 #: The variable of the curve.
 Z = real_symbol("z")

@@ -64,5 +64,7 @@ def solved_degenerate(
                 lifted = system.motion is not None and len(separable.fixed) == 2
                 whole = system.lifted() if lifted else replace(system, motion=None)
                 numbers = {s: exact_ball(x) for s, x in values.items()}
-                return DegenerateSolution(whole, numbers, tuple(start), separable, beginning, found, e)
+                return DegenerateSolution(
+                    whole, numbers, tuple(start), separable, beginning, found, e
+                )
     return None

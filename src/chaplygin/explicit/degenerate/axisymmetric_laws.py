@@ -10,7 +10,7 @@ import sympy as sp
 from ...catalogue.chaplygin_ball import chaplygin_bracket
 from ...catalogue.fixed_point.veselova import F, I, gamma, h, omega
 from ...core.laws import Identity, Integral, Law, Rate, Reduction
-from ...core.vectors import cross, dot, to_components, norm_squared, real_symbol, vectors
+from ...core.vectors import cross, dot, norm_squared, real_symbol, to_components, vectors
 
 __all__ = ["chaplygin_laws", "veselova_laws"]
 

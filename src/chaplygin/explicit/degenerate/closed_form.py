@@ -52,7 +52,10 @@ def form_of(
     figures = [
         *(NamedConstant(str(s), beginning.values[s], "constant") for s, _ in separable.constants),
         NamedConstant("e", e, "root of the curve, double"),
-        *(NamedConstant(f"r_{i}", r, "root of the curve") for i, r in enumerate(_others(beginning, e), 1)),
+        *(
+            NamedConstant(f"r_{i}", r, "root of the curve")
+            for i, r in enumerate(_others(beginning, e), 1)
+        ),
         NamedConstant("y", motion.thetas.y, "period ratio iy of the elliptic curve"),
         NamedConstant("P", motion.period, "period in τ"),
         NamedConstant("T", turn, "period in t", "s"),

@@ -75,7 +75,9 @@ def exact_ball(value: Any) -> Any:
     return ball(value)
 
 
-def constants_of(separable: SeparatedSystem, state: Sequence[Any], values: Mapping[Any, Any]) -> Any:
+def constants_of(
+    separable: SeparatedSystem, state: Sequence[Any], values: Mapping[Any, Any]
+) -> Any:
     """Values of the state, the definitions, parameters and constants of a separable system.
 
     Parameters
@@ -110,7 +112,9 @@ def begin(separable: SeparatedSystem, values: Mapping[Any, Any], start: Sequence
         return _begin(separable, values, start)
 
 
-def _begin(separable: SeparatedSystem, values: Mapping[Any, Any], start: Sequence[Any]) -> Beginning:
+def _begin(
+    separable: SeparatedSystem, values: Mapping[Any, Any], start: Sequence[Any]
+) -> Beginning:
     system = separable.system
     given = [exact_ball(x) for x in start[: len(system.symbols)]]
     exact = {symbol: exact_ball(value) for symbol, value in values.items()}

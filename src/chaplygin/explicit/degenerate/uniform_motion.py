@@ -149,8 +149,12 @@ class UniformSolution(Solution):
             motion="uniform rotation" if moving else "rest",
             equations=((sp.Symbol("x"), sp.Symbol("exp(-t*Omega)") * sp.Symbol("x_0")),),
             figures=(
-                NamedConstant("Omega", lengths[0], "rate at which vectors turn in the body", "rad/s"),
-                NamedConstant("omega_0", lengths[1], "rate at which that frame turns in space", "rad/s"),
+                NamedConstant(
+                    "Omega", lengths[0], "rate at which vectors turn in the body", "rad/s"
+                ),
+                NamedConstant(
+                    "omega_0", lengths[1], "rate at which that frame turns in space", "rad/s"
+                ),
             ),
         )
 

@@ -22,7 +22,7 @@ import numpy as np
 import sympy as sp
 
 from ...core.laws import Identity, Rate
-from ...core.vectors import constant, cross, dot, to_components, norm_squared, unit_vector, vectors
+from ...core.vectors import constant, cross, dot, norm_squared, to_components, unit_vector, vectors
 from ...formulas.balls import number
 from .separation import SeparatedSystem, nu, nuprime
 
@@ -227,7 +227,10 @@ def stated(of: SeparatedSystem, reference: Reference) -> Identity:
     still = constant([Rate(s) for s in kappa.symbols]) + cross(omega, kappa)
     return Identity(
         "spin",
-        (*to_components(still), to_components(dot(velocity, cross(kappa, a))) - spinning(of, reference)),
+        (
+            *to_components(still),
+            to_components(dot(velocity, cross(kappa, a))) - spinning(of, reference),
+        ),
         "the rate of turning about a direction that stays in space",
         {
             **dict(of.constants),

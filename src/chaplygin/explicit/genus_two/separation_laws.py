@@ -19,7 +19,7 @@ from typing import Any, TypeAlias
 import sympy as sp
 
 from ...core.laws import Identity, Law, Rate, Reduction
-from ...core.vectors import cross, to_components, norm_squared, real_symbol, vectors
+from ...core.vectors import cross, norm_squared, real_symbol, to_components, vectors
 from .poles import gaps
 from .separation import SeparatedSystem, nu, nuprime
 
@@ -30,7 +30,9 @@ Linear: TypeAlias = tuple[Any, Any]
 
 #: κ, S, P and their derivatives in τ.
 kappa, total, product = (real_symbol(f"separation_{s}") for s in ("kappa", "S", "P"))
-kappaprime, totalprime, productprime = (real_symbol(f"separation_{s}prime") for s in ("kappa", "S", "P"))
+kappaprime, totalprime, productprime = (
+    real_symbol(f"separation_{s}prime") for s in ("kappa", "S", "P")
+)
 omega, still = vectors("omega still")
 
 

@@ -9,7 +9,7 @@ import sympy as sp
 from ...catalogue.fixed_point.lagrange_top import I_1, I_3, P
 from ...core.vectors import real_symbol
 from ..base.solution import ClosedForm, NamedConstant
-from ..one_degree import QuadratureMotion, Equilibrium
+from ..one_degree import Equilibrium, QuadratureMotion
 from ..one_degree.uniformisation import Asymptotic, Uniformisation
 from .top import Top
 
@@ -24,7 +24,9 @@ u, phi = (sp.Function(name)(t) for name in ("u", "varphi"))
 sn = sp.Function("sn")
 
 
-def form_of(top: Top, chart: Uniformisation | Equilibrium, course: QuadratureMotion | None) -> ClosedForm:
+def form_of(
+    top: Top, chart: Uniformisation | Equilibrium, course: QuadratureMotion | None
+) -> ClosedForm:
     """The form of a motion; the working precision must suffice."""
     figures = [
         NamedConstant("h", top.h, "energy", "J"),
@@ -59,7 +61,9 @@ def form_of(top: Top, chart: Uniformisation | Equilibrium, course: QuadratureMot
     period, own = course.advances(DIGITS)
     figures += [
         NamedConstant("u_1", min(chart.first.place, chart.second.place, key=float), "least cos θ"),
-        NamedConstant("u_2", max(chart.first.place, chart.second.place, key=float), "greatest cos θ"),
+        NamedConstant(
+            "u_2", max(chart.first.place, chart.second.place, key=float), "greatest cos θ"
+        ),
         NamedConstant("T", period, "period of the nutation", "s"),
         NamedConstant("<phi'>", own / period, "mean rate of intrinsic rotation", "rad/s"),
     ]

@@ -26,7 +26,7 @@ from ...errors import InputError
 from ...formulas.relative_zero import GIVEN, vanishes
 from ..base.problem import exact
 from ..base.solution import ClosedForm, Solution
-from ..one_degree import QuadratureMotion, Equilibrium, chart_of
+from ..one_degree import Equilibrium, QuadratureMotion, chart_of
 from ..one_degree.chebyshev_integrals import working_bits
 from ..one_degree.uniformisation import BALLS, DOUBLES, Uniformisation
 from ..revolution import balls_of, needed
@@ -125,7 +125,11 @@ class LagrangeSolution(Solution):
     @property
     def pace(self) -> float:
         """How fast the phase of u grows with time, or φ where u rests."""
-        return abs(float(self._spin)) if isinstance(self.chart, Equilibrium) else 1 / self.course.moment
+        return (
+            abs(float(self._spin))
+            if isinstance(self.chart, Equilibrium)
+            else 1 / self.course.moment
+        )
 
     @cached_property
     def course(self) -> QuadratureMotion:

@@ -8,7 +8,7 @@ from typing import Any
 
 from flint import acb, arb
 
-from ..one_degree.uniformisation import Uniformisation, Equation
+from ..one_degree.uniformisation import Equation, Uniformisation
 from .elliptic import Elliptic
 
 __all__ = ["Top"]

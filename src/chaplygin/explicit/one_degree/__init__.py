@@ -21,9 +21,9 @@ from .chebyshev_integrals import Integrals, Table, integrals, working_bits
 from .divided_differences import slope, value
 from .phase_reduction import pair, reduced
 from .turning_points import End, next_end
-from .uniformisation import BALLS, Asymptotic, Uniformisation, Heteroclinic, Equation, Oscillating
+from .uniformisation import BALLS, Asymptotic, Equation, Heteroclinic, Oscillating, Uniformisation
 
-__all__ = ["QuadratureMotion", "MotionSample", "Equilibrium", "chart_of"]
+__all__ = ["Equilibrium", "MotionSample", "QuadratureMotion", "chart_of"]
 
 #: Digits behind the evaluator in double precision.
 FAST = 19

@@ -74,7 +74,9 @@ class DividedDifferences:
         return DividedDifferences(self._constant(other) - self.matrix)
 
     def __mul__(self, other: Any) -> DividedDifferences:
-        return DividedDifferences(self.matrix * (other.matrix if isinstance(other, DividedDifferences) else acb(other)))
+        return DividedDifferences(
+            self.matrix * (other.matrix if isinstance(other, DividedDifferences) else acb(other))
+        )
 
     __rmul__ = __mul__
 

@@ -23,7 +23,15 @@ from flint import acb, arb
 from .divided_differences import Formula, slope, value
 from .turning_points import End
 
-__all__ = ["BALLS", "DOUBLES", "Asymptotic", "Uniformisation", "Heteroclinic", "Equation", "Oscillating"]
+__all__ = [
+    "BALLS",
+    "DOUBLES",
+    "Asymptotic",
+    "Equation",
+    "Heteroclinic",
+    "Oscillating",
+    "Uniformisation",
+]
 
 
 def _ball_root(x: Any) -> Any:

@@ -20,7 +20,7 @@ from ...errors import InputError
 from ...mechanics.rolling.equations import Rolling
 from ..base.problem import exact
 from ..base.solution import ClosedForm, Solution
-from ..one_degree import QuadratureMotion, Equilibrium, chart_of
+from ..one_degree import Equilibrium, QuadratureMotion, chart_of
 from ..one_degree.chebyshev_integrals import working_bits
 from ..one_degree.uniformisation import BALLS, DOUBLES, Uniformisation
 from .angles import LinearPhase, glide, glides, turned, walk

@@ -9,8 +9,8 @@ from flint import arb
 
 from ...core.vectors import real_symbol
 from ..base.solution import ClosedForm, NamedConstant
-from ..one_degree import QuadratureMotion, Equilibrium
-from ..one_degree.uniformisation import Asymptotic, Uniformisation, Heteroclinic
+from ..one_degree import Equilibrium, QuadratureMotion
+from ..one_degree.uniformisation import Asymptotic, Heteroclinic, Uniformisation
 from .body import Level, u
 
 __all__ = ["form_of", "kind_of", "steady_form"]
@@ -98,7 +98,9 @@ def steady_form(level: Level, rest: Equilibrium, rates: tuple[Any, Any]) -> Clos
         NamedConstant("theta", rest.place.acos(), "inclination of the axis", "rad"),
         NamedConstant("phi'", rates[0], "rate of intrinsic rotation", "rad/s"),
         NamedConstant("psi'", rates[1], "rate of precession", "rad/s"),
-        NamedConstant("w^2", rest.rigidity, "square of the frequency of small nutations", "rad^2/s^2"),
+        NamedConstant(
+            "w^2", rest.rigidity, "square of the frequency of small nutations", "rad^2/s^2"
+        ),
     )
     where = float(rest.place)
     return ClosedForm(

@@ -9,7 +9,7 @@ import numpy as np
 from flint import acb
 
 from ...formulas.balls import array_function
-from ..one_degree import QuadratureMotion, MotionSample
+from ..one_degree import MotionSample, QuadratureMotion
 from ..one_degree.uniformisation import DOUBLES
 from .angles import LinearPhase, glides, turned, walks
 from .body import Level, u
@@ -75,7 +75,9 @@ class FastRevolution:
         Behind the constants.
     """
 
-    def __init__(self, level: Level, course: QuadratureMotion, frame: StartFrame, digits: int) -> None:
+    def __init__(
+        self, level: Level, course: QuadratureMotion, frame: StartFrame, digits: int
+    ) -> None:
         self._course, self._frame = course, frame
         self._spin = spins(level)
         self._own, self._precession = LinearPhase.of(frame.own), LinearPhase.of(frame.precession)

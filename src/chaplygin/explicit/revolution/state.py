@@ -21,7 +21,7 @@ from flint import acb, arb
 
 from ...errors import InputError
 from ...formulas.relative_zero import GIVEN, vanishes
-from ..one_degree.uniformisation import BALLS, Uniformisation, Heteroclinic, Oscillating
+from ..one_degree.uniformisation import BALLS, Heteroclinic, Oscillating, Uniformisation
 from .body import AxisymmetricBody, Level, level_of
 
 __all__ = [
@@ -128,7 +128,9 @@ def turning_rates(level: Level) -> Any:
 def path_rates(level: Level) -> Any:
     """(chart, σ, derivatives of t, φ, ψ, their values) ↦ derivatives by σ of the place."""
 
-    def rates(chart: Uniformisation, sigma: Any, slopes: Sequence[Any], totals: Sequence[Any]) -> list[Any]:
+    def rates(
+        chart: Uniformisation, sigma: Any, slopes: Sequence[Any], totals: Sequence[Any]
+    ) -> list[Any]:
         p = level.body.p(chart.place(BALLS, sigma))
         sideways = p * chart.lean(BALLS, sigma)
         if level.K == 0:

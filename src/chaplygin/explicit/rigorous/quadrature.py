@@ -193,7 +193,9 @@ def _sums(half: float, period: int, reach: int) -> tuple[Any, Any]:
     return 2 * q**reach * q.sqrt() / (1 - q), 2 / (1 - q)
 
 
-def _symmetry(torus: InvariantTorus, branch: Branch) -> tuple[tuple[int, int], list[tuple[int, int]]]:
+def _symmetry(
+    torus: InvariantTorus, branch: Branch
+) -> tuple[tuple[int, int], list[tuple[int, int]]]:
     """Periods in both phases, and for every formula whether it changes its sign with them.
 
     When v_j grows by 1, N_i and N_i′ change their sign where a_i has the j-th entry ½.

@@ -57,7 +57,11 @@ def lines_of(counts: Sequence[int], periods: Sequence[int]) -> tuple[Line, Line]
 
 
 def _values(
-    torus: InvariantTorus, branch: Branch, heights: Sequence[float], periods: Sequence[int], boxes: int
+    torus: InvariantTorus,
+    branch: Branch,
+    heights: Sequence[float],
+    periods: Sequence[int],
+    boxes: int,
 ) -> list[Affine]:
     """The formulas on boxes that cover the torus Im v = heights."""
     counts = [boxes * period for period in periods]

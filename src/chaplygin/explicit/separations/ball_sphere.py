@@ -115,7 +115,9 @@ def _around(
         fixed=(M,),
         source="§8.3, (8.1)–(8.4)",
     )
-    return replace(made, laws=tuple(law for law in separation_laws(made) if law.name != "separation"))
+    return replace(
+        made, laws=tuple(law for law in separation_laws(made) if law.name != "separation")
+    )
 
 
 def of_tensor() -> SeparatedSystem:

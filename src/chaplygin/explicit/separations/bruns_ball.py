@@ -33,7 +33,7 @@ from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_ball import K
 from ...catalogue.chaplygin_ball.chaplygin_bracket import DET_IQ, D
 from ...core.laws import Identity, Law
-from ...core.vectors import Diagonal, cross, dot, to_components, norm_squared, real_symbol, vectors
+from ...core.vectors import Diagonal, cross, dot, norm_squared, real_symbol, to_components, vectors
 from ..genus_two.separation import SeparatedSystem
 from ..genus_two.separation_laws import separation_laws
 from .bruns import integral

@@ -25,7 +25,7 @@ import sympy as sp
 from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_ball import K
 from ...core.laws import Identity
-from ...core.vectors import Diagonal, dot, to_components, real_symbol, vectors
+from ...core.vectors import Diagonal, dot, real_symbol, to_components, vectors
 from ..genus_two.poles import gaps
 from ..genus_two.separation import SeparatedSystem
 from ..genus_two.separation_laws import separation_laws

@@ -27,7 +27,16 @@ import sympy as sp
 from ...catalogue.chaplygin_ball.chaplygin_bracket import A, D, I, J, R, m
 from ...core.laws import Identity, Integral, Law
 from ...core.system import Guard, Parameter, System
-from ...core.vectors import Diagonal, cross, dot, to_components, identity, norm_squared, real_symbol, vectors
+from ...core.vectors import (
+    Diagonal,
+    cross,
+    dot,
+    identity,
+    norm_squared,
+    real_symbol,
+    to_components,
+    vectors,
+)
 from ..genus_two.separation import nu, nuprime
 from .chaplygin_area import (
     BETA,

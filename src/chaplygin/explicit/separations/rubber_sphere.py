@@ -73,7 +73,14 @@ def _around(
             level=(level,),
             constants=(
                 (h, dot(omega, J * omega) / 2),
-                (F, (norm_squared(J * omega) + det * dot(omega, J * omega) * norm_squared(A * normal)) / rho_2),
+                (
+                    F,
+                    (
+                        norm_squared(J * omega)
+                        + det * dot(omega, J * omega) * norm_squared(A * normal)
+                    )
+                    / rho_2,
+                ),
             ),
             direction=inverse_root * normal / sp.sqrt(rho_2),
             turning=inverse_root * (turned - dot(normal, A * turned) / rho_2 * normal),

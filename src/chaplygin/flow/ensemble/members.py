@@ -17,7 +17,7 @@ import numpy as np
 from ...errors import InputError
 from ...formulas.evaluate import as_float_array
 
-__all__ = ["SampledMembers", "ListedMembers", "Members", "sampled", "grid", "from_lists", "single"]
+__all__ = ["ListedMembers", "Members", "SampledMembers", "from_lists", "grid", "sampled", "single"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,7 +102,9 @@ class Members:
     @property
     def names(self) -> list[str]:
         """Everything that is given values."""
-        return [n for factor in self.factors if isinstance(factor, ListedMembers) for n in factor.values]
+        return [
+            n for factor in self.factors if isinstance(factor, ListedMembers) for n in factor.values
+        ]
 
     @property
     def draw(self) -> SampledMembers | None:

@@ -22,14 +22,14 @@ from ..kernel.runge_kutta import STATUS_MESSAGES
 from ..metadata import FRAMES, LABELS, variable_metadata
 from ..validation import moments
 from .compute import compute
-from .members import Members, sampled, grid, from_lists, single
+from .members import Members, from_lists, grid, sampled, single
 from .task import Coordinate, Progress, Task, Variable
 from .work import EnsembleWork, recorded
 
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["sampled", "ensemble", "ensemble_task", "grid", "from_lists", "single"]
+__all__ = ["ensemble", "ensemble_task", "from_lists", "grid", "sampled", "single"]
 
 #: A block holds no more members than this, nor more numbers.
 _MEMBERS, _NUMBERS = 4096, 1 << 22

@@ -20,7 +20,7 @@ from ...errors import InputError, RunError
 if TYPE_CHECKING:
     pass
 
-__all__ = ["Coordinate", "Divisible", "Progress", "Task", "IncompleteError", "Variable", "Work"]
+__all__ = ["Coordinate", "Divisible", "IncompleteError", "Progress", "Task", "Variable", "Work"]
 
 Arrays: TypeAlias = Mapping[str, np.ndarray]
 #: Told how much is done, from 0 to 1.

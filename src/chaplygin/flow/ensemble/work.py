@@ -18,7 +18,7 @@ from ..batch import BatchIntegrator, batch_integrator
 from ..initial_states import flat_starts
 from ..sampling.draw import LevelSampler, level_sampler
 from ..trajectory import by_name
-from .members import SampledMembers, ListedMembers, Members
+from .members import ListedMembers, Members, SampledMembers
 from .task import Arrays
 
 __all__ = ["EnsembleWork", "Recorded", "recorded"]

@@ -25,7 +25,7 @@ import numpy as np
 from ...core.source_digest import core
 from ...errors import InputError
 from ...formulas.digest import digest, field_digests
-from .task import Arrays, Task, IncompleteError
+from .task import Arrays, IncompleteError, Task
 
 if TYPE_CHECKING:
     import xarray as xr

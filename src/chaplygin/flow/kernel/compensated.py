@@ -16,22 +16,22 @@ __all__ = [
     "as_doubles",
     "as_integers",
     "constant",
+    "copy_sign",
     "difference",
     "fast_sum",
     "integers",
     "is_negative",
     "is_odd",
     "joined",
-    "copy_sign",
     "nearest",
     "polynomial",
     "power_of_two",
-    "where_constant",
     "quotient",
     "reduce_argument",
     "selected",
     "unit",
     "where",
+    "where_constant",
 ]
 
 #: Adding this rounds to an integer, which then stands in the lowest bits (Moler's trick; vector
@@ -177,7 +177,9 @@ def copy_sign(k: Arithmetic, x: Value, magnitude: Value) -> Value:
     return k.choose(is_negative(k.writer, k.leading(x)), k.neg(magnitude), magnitude)
 
 
-def reduce_argument(k: Arithmetic, x: Value, name: str, factor: Fraction) -> tuple[HeadTail, str, str]:
+def reduce_argument(
+    k: Arithmetic, x: Value, name: str, factor: Fraction
+) -> tuple[HeadTail, str, str]:
     """x less the nearest multiple n of a constant; n as a double, and in the lowest bits.
 
     Multiples of short pieces of the constant are taken off one after another, all but the last

@@ -20,22 +20,22 @@ from .compensated import (
     as_doubles,
     as_integers,
     constant,
+    copy_sign,
     difference,
     fast_sum,
     integers,
     is_negative,
     is_odd,
     joined,
-    copy_sign,
     nearest,
     polynomial,
     power_of_two,
-    where_constant,
     quotient,
     reduce_argument,
     selected,
     unit,
     where,
+    where_constant,
 )
 
 if TYPE_CHECKING:
@@ -189,7 +189,9 @@ def _proper(k: Arithmetic, a: Value, b: Value, swapped: str) -> tuple[Value, Val
     factor = where_constant(k, where(k, below, "olt", 2.0**-500), 2.0**600, one)
     factor = where_constant(k, where(k, below, "ogt", 2.0**500), 2.0**-600, factor)
     endless = where(k, below, "oeq", INFINITY)
-    corner = where_constant(k, where(k, above, "oeq", INFINITY), 1.0, k.mul(above, k.number(Fraction(0))))
+    corner = where_constant(
+        k, where(k, above, "oeq", INFINITY), 1.0, k.mul(above, k.number(Fraction(0)))
+    )
     above = k.choose(endless, corner, k.mul(above, factor))
     below = k.choose(endless, one, k.mul(below, factor))
     return above, k.choose(where(k, below, "oeq", 0.0), one, below)

@@ -14,7 +14,15 @@ from ...errors import InputError
 from ...formulas.evaluate import formula, read_formulas
 from ...formulas.graph import Graph, Term, ordered
 
-__all__ = ["Equations", "Section", "equations_of", "groups", "poincare_section", "serial", "serial_terms"]
+__all__ = [
+    "Equations",
+    "Section",
+    "equations_of",
+    "groups",
+    "poincare_section",
+    "serial",
+    "serial_terms",
+]
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,7 @@ from .codegen import functions
 from .equations import Equations
 from .ir_writer import IRWriter, literal
 from .projection_terms import ProjectionTerms
-from .runge_kutta import COLLAPSED, STATUS_MESSAGES, NOT_A_NUMBER, STEPS, Workspace
+from .runge_kutta import COLLAPSED, NOT_A_NUMBER, STATUS_MESSAGES, STEPS, Workspace
 from .tableaux import Gauss
 
 __all__ = ["gauss_loop"]

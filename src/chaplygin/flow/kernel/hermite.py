@@ -38,7 +38,9 @@ def root(w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -
     return w.op("fmul", x, step)
 
 
-def dipping(w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str) -> tuple[str, str]:
+def dipping(
+    w: IRWriter, step: str, g: str, g_new: str, gdot: str, gdot_new: str
+) -> tuple[str, str]:
     """Where the cubic has the same sign at both ends but another where it turns in between.
 
     The second result is the step to that turn: taken, it leaves one crossing on each side.

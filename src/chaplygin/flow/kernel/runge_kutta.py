@@ -405,7 +405,10 @@ class _March:
         self.put("fault", w.choose(late, w.constant(float(STEPS)), self.get("fault")))
         if self.equations.section is not None:
             vain = w.op("fsub", steps, self.get("marked"))
-            vain = w.both(w.compare("oeq", event, zero), w.compare("oge", vain, w.constant(MAX_STEPS_WITHOUT_CROSSING)))
+            vain = w.both(
+                w.compare("oeq", event, zero),
+                w.compare("oge", vain, w.constant(MAX_STEPS_WITHOUT_CROSSING)),
+            )
             vain = w.both(live, vain)
             self.put("fault", w.choose(vain, w.constant(float(IN_VAIN)), self.get("fault")))
             late = w.either(late, vain)

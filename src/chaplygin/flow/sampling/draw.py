@@ -29,10 +29,10 @@ from .counter_rng import counter_normals
 from .fibration import Fibration
 from .find_fibration import find_fibration
 from .great_circles import GreatCircleProposal
-from .held_integrals import validate_level, measures, level_label, measure_label
-from .proposals import RayProposal, WeightedPoints, Proposal, maximise
+from .held_integrals import level_label, measure_label, measures, validate_level
+from .proposals import Proposal, RayProposal, WeightedPoints, maximise
 
-__all__ = ["LevelSampler", "sample_level", "level_sampler"]
+__all__ = ["LevelSampler", "level_sampler", "sample_level"]
 
 #: Attempts looked at together.
 _BATCH = 1 << 14
@@ -146,7 +146,9 @@ class LevelSampler:
 
         many = self._thrower.numbers
         owners = np.repeat(members, tries)
-        gauss = counter_normals(seed, owners, attempt + np.tile(np.arange(tries), members.size), many + 1)
+        gauss = counter_normals(
+            seed, owners, attempt + np.tile(np.arange(tries), members.size), many + 1
+        )
         spots = self._thrower.spots(gauss[:many])
         density = self.density(spots)
         dice = self._bound * ndtr(gauss[many])
@@ -234,10 +236,16 @@ def level_sampler(
 
 
 def _density(
-    system: System, sheet: SystemFormulas, level: Mapping[str, float], thrower: Proposal, values: Any
+    system: System,
+    sheet: SystemFormulas,
+    level: Mapping[str, float],
+    thrower: Proposal,
+    values: Any,
 ) -> tuple[Measure | None, Compiled | None]:
     """The invariant measure that holds here and has one sign on the level, and its density."""
-    states = thrower.spots(counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), thrower.numbers)).states
+    states = thrower.spots(
+        counter_normals(0, np.arange(_TRIAL), np.zeros(_TRIAL), thrower.numbers)
+    ).states
     for law in measures(system, level, values):
         density = Compiled([sheet.read(law.value)])
         signs = np.sign(density(states, values))

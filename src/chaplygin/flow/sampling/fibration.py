@@ -15,9 +15,9 @@ import numpy as np
 
 from ...formulas.compiled import Compiled
 from ...formulas.graph import Term
-from ..batched_linalg import batched_matvec, row_dots, batched_solve, norm_squared_columns
+from ..batched_linalg import batched_matvec, batched_solve, norm_squared_columns, row_dots
 
-__all__ = ["Fibration", "LevelCondition", "FibrePoints"]
+__all__ = ["Fibration", "FibrePoints", "LevelCondition"]
 
 
 @dataclass(frozen=True)

@@ -29,7 +29,9 @@ _SAME = 1e-10
 _DEFINITE = 1e-12
 
 
-def find_fibration(system: System, sheet: SystemFormulas, level: Mapping[str, float], values: Any) -> Fibration:
+def find_fibration(
+    system: System, sheet: SystemFormulas, level: Mapping[str, float], values: Any
+) -> Fibration:
     """How a level of the integrals lies over a base.
 
     Parameters

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from ...formulas.compiled import Compiled, SystemFormulas
-from ..batched_linalg import batched_matvec, row_dots, batched_solve, norm_squared_columns
+from ..batched_linalg import batched_matvec, batched_solve, norm_squared_columns, row_dots
 from .fibration import Fibration, FibrePoints
 from .proposals import WeightedPoints
 
@@ -101,13 +101,17 @@ class GreatCircleProposal:
         # slopes of F along the level: what is left when the length of the ray adapts
         free = own - rise[:, None] * outer
         across = free[:, fibre]
-        inside = across - batched_matvec(np.swapaxes(rays.normals, 1, 2), self._shares(rays, across))
+        inside = across - batched_matvec(
+            np.swapaxes(rays.normals, 1, 2), self._shares(rays, across)
+        )
         values, mixed = self._central(rays)
         slopes = np.concatenate(
             [free[:, ground], inside * (rays.length / rays.span)[:, None]], axis=1
         )
         f = len(fibre)
-        reach = batched_solve(rays.saddle, np.concatenate([across, np.zeros_like(rays.pull)], axis=1))
+        reach = batched_solve(
+            rays.saddle, np.concatenate([across, np.zeros_like(rays.pull)], axis=1)
+        )
         lean, push = reach[:, :f], reach[:, f:]
         shares, shadow = self._shares(rays, across), rays.ray
         for j in range(len(ground)):

@@ -13,7 +13,7 @@ from ...core.system import System
 from ...core.vectors import to_components
 from ...errors import InputError
 
-__all__ = ["validate_level", "measures", "level_label", "measure_label"]
+__all__ = ["level_label", "measure_label", "measures", "validate_level"]
 
 #: A condition on parameters holds up to this, relative to the size of its terms.
 _ROUNDING = 1e-12

@@ -11,7 +11,7 @@ import numpy as np
 from .counter_rng import counter_normals
 from .fibration import Fibration
 
-__all__ = ["RayProposal", "WeightedPoints", "Proposal", "maximise"]
+__all__ = ["Proposal", "RayProposal", "WeightedPoints", "maximise"]
 
 #: The seed of trials: any number that users will not choose.
 _SEED = 0x9E3779B97F4A7C15

@@ -176,7 +176,9 @@ def section_task(
     for named in system.state:
         name = str(named)
         size = len(named.symbols) if isinstance(named, Vector) else 1
-        meaning, unit, source, frame = variable_metadata(system, name, size, (meanings or {}).get(name))
+        meaning, unit, source, frame = variable_metadata(
+            system, name, size, (meanings or {}).get(name)
+        )
         notes = _notes(meaning, unit or "1", source)
         if not frame:
             variables[name] = Variable(("section_point",), (count,), attributes=notes)
@@ -220,7 +222,8 @@ def _outcome(returns: PoincareMap) -> dict[str, Any]:
     """Why a run ended, told by its numbers as in the CF conventions."""
     reasons = {0: "all its points"}
     reasons |= {
-        code: returns.reason(code) for code in range(1, len(STATUS_MESSAGES) + len(returns.system.guards))
+        code: returns.reason(code)
+        for code in range(1, len(STATUS_MESSAGES) + len(returns.system.guards))
     }
     return {
         **_notes("why a run has no more points", "1"),

@@ -13,7 +13,15 @@ from sympy.matrices.expressions import MatrixExpr
 from ...arguments import arguments_checked
 from ...core.laws import Integral, Law, Measure
 from ...core.system import Parameter, System
-from ...core.vectors import by_name, constant, to_components, gradient, norm_squared, real_symbol, vectors
+from ...core.vectors import (
+    by_name,
+    constant,
+    gradient,
+    norm_squared,
+    real_symbol,
+    to_components,
+    vectors,
+)
 from ...errors import InputError
 from ..rolling.body import check_inertia, check_mass
 from .equations import (

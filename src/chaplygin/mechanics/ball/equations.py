@@ -24,8 +24,17 @@ from typing import Any, Literal
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from ...core.system import Guard, Reconstruction, Observable, Parameter, System
-from ...core.vectors import Vector, constant, cross, dot, gradient, norm_squared, real_symbol, vectors
+from ...core.system import Guard, Observable, Parameter, Reconstruction, System
+from ...core.vectors import (
+    Vector,
+    constant,
+    cross,
+    dot,
+    gradient,
+    norm_squared,
+    real_symbol,
+    vectors,
+)
 from ..rolling.attitude import attitude, attitude_observable, quaternion_rate, rotation, unit_length
 
 __all__ = [

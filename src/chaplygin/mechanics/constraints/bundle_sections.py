@@ -15,7 +15,7 @@ import sympy as sp
 from ...formulas.expansion import TaylorExpansion
 from ...formulas.taylor import Numbers, Series
 from .distribution import Distribution
-from .exact_points import ExactPoint, ConfigurationSpace
+from .exact_points import ConfigurationSpace, ExactPoint
 
 __all__ = ["Bundle", "Section", "SingularError", "Span", "Values", "slopes", "values_at"]
 

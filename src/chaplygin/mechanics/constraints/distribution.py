@@ -70,7 +70,9 @@ class Distribution:
             *(self.structure or {}).values(),
         )
 
-    def space(self, free: Sequence[sp.Symbol] = (), known: Sequence[sp.Expr] = ()) -> ConfigurationSpace:
+    def space(
+        self, free: Sequence[sp.Symbol] = (), known: Sequence[sp.Expr] = ()
+    ) -> ConfigurationSpace:
         """What its points have to satisfy; `free` parameters have no value."""
         return ConfigurationSpace(
             self.coordinates,

@@ -19,7 +19,14 @@ from ...formulas.expansion import Angles, TaylorExpansion, angles, expanded
 from ...formulas.taylor import IrrationalError, Numbers, Series
 from ...parsing.exact_decimals import exactly
 
-__all__ = ["NoPointError", "ExactPoint", "ConfigurationSpace", "UnsolvedError", "point_at", "random_point"]
+__all__ = [
+    "ConfigurationSpace",
+    "ExactPoint",
+    "NoPointError",
+    "UnsolvedError",
+    "point_at",
+    "random_point",
+]
 
 ATTEMPTS = 60
 
@@ -145,7 +152,10 @@ def point_at(
 
 
 def _place(
-    space: ConfigurationSpace, given: Mapping[sp.Symbol, sp.Expr], numbers: Numbers, dice: random.Random
+    space: ConfigurationSpace,
+    given: Mapping[sp.Symbol, sp.Expr],
+    numbers: Numbers,
+    dice: random.Random,
 ) -> ExactPoint:
     for _ in range(ATTEMPTS):
         try:
@@ -157,7 +167,10 @@ def _place(
 
 
 def _tried(
-    space: ConfigurationSpace, given: Mapping[sp.Symbol, sp.Expr], numbers: Numbers, dice: random.Random
+    space: ConfigurationSpace,
+    given: Mapping[sp.Symbol, sp.Expr],
+    numbers: Numbers,
+    dice: random.Random,
 ) -> ExactPoint:
     plain = TaylorExpansion(numbers, (), {}, {}, {}, {}, 0)
     values = {s: plain.series(_rational(v)).value for s, v in space.constants if s not in given}
@@ -189,7 +202,9 @@ def _tried(
     if numbers.exact:
         for s in space.coordinates:
             shown.setdefault(s, sp.Rational(int(trial.values[s].p), int(trial.values[s].q)))
-    return ExactPoint(numbers, trial.values, circles, shown if numbers.exact else {}, formal, trial.seed)
+    return ExactPoint(
+        numbers, trial.values, circles, shown if numbers.exact else {}, formal, trial.seed
+    )
 
 
 def _rational(value: Any) -> sp.Expr:

@@ -22,7 +22,7 @@ from ...formulas.taylor import PRIMES, IrrationalError, Modular
 from ..lagrangian.mechanism import Mechanism
 from .bundle_sections import SingularError
 from .distribution import Distribution, distribution
-from .exact_points import NoPointError, ExactPoint, random_point
+from .exact_points import ExactPoint, NoPointError, random_point
 from .growth import SEED, Filtration, generic, pivots_at
 
 __all__ = ["Exceptional", "exceptional"]
@@ -141,7 +141,9 @@ def _place(
         raise InputError(f"{given.name}: no point of its configuration space was found") from None
 
 
-def _pivots(given: Distribution, place: ExactPoint, parameter: sp.Symbol, value: Any) -> tuple[Any, ...]:
+def _pivots(
+    given: Distribution, place: ExactPoint, parameter: sp.Symbol, value: Any
+) -> tuple[Any, ...]:
     there = replace(place, values={**place.values, parameter: value})
     try:
         return pivots_at(given, there)

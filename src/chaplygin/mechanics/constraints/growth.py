@@ -19,7 +19,7 @@ from ...errors import InputError
 from ...formulas.taylor import PRIMES, IrrationalError, Modular, Numbers, Rational
 from .bundle_sections import Bundle, Section, SingularError, Span
 from .distribution import Distribution, VectorField, spanned
-from .exact_points import NoPointError, ExactPoint, point_at, random_point
+from .exact_points import ExactPoint, NoPointError, point_at, random_point
 
 __all__ = ["Filtration", "filtration", "generic", "growth"]
 

@@ -25,7 +25,7 @@ from ...formulas.expansion import TaylorExpansion
 from ...formulas.taylor import PRIMES, IrrationalError, Modular, Series
 from ..lagrangian.mechanism import Frame, euclidean, rotations
 from ..lagrangian.structure_functions import structure
-from .exact_points import NoPointError, ConfigurationSpace, random_point
+from .exact_points import ConfigurationSpace, NoPointError, random_point
 
 __all__ = ["Coefficients", "VectorField", "Whole", "along", "reconstructed"]
 
@@ -193,7 +193,9 @@ def _turned(frame: Frame, given: Coefficients, bare: Whole, taken: set[sp.Symbol
         return None
     spin, _ = found
     rates = {
-        s: rate for d in rows for s, rate in zip(d.symbols, to_components(cross(d, spin)), strict=True)
+        s: rate
+        for d in rows
+        for s, rate in zip(d.symbols, to_components(cross(d, spin)), strict=True)
     }
     relations = [dot(d, d) - 1 for d in rows]
     relations += [dot(alpha, beta), dot(alpha, zeta), dot(beta, zeta)]

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from ...formulas.expansion import Angles, angles, combination, expanded, add_angle
+from ...formulas.expansion import Angles, add_angle, angles, combination, expanded
 
 __all__ = ["vanishes"]
 

@@ -11,7 +11,7 @@ import sympy as sp
 
 from ...errors import InputError
 from .assembly import Balance
-from .generic_points import with_working_precision, rank
+from .generic_points import rank, with_working_precision
 from .ldl import Factored, product
 
 __all__ = ["Accelerations", "accelerations"]

@@ -10,7 +10,13 @@ import sympy as sp
 
 from ...errors import InputError
 from ...formulas.tape import Derivation, Tape
-from .generic_points import GenericPoint, defaults, is_numerically_zero, with_working_precision, samples
+from .generic_points import (
+    GenericPoint,
+    defaults,
+    is_numerically_zero,
+    samples,
+    with_working_precision,
+)
 from .independence import check_constraints, check_velocities
 from .mechanism import TIME, Mechanism
 from .structure_functions import Coefficients, structure, written_frame

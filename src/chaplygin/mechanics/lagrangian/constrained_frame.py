@@ -21,7 +21,7 @@ from ...errors import InputError
 from ...formulas.expansion import expanded
 from ...formulas.tape import Derivation, Step
 from .assembly import Balance, balance
-from .generic_points import is_numerically_zero, with_working_precision, rank
+from .generic_points import is_numerically_zero, rank, with_working_precision
 from .ldl import Factored, product
 from .mechanism import TIME, Mechanism
 

@@ -11,7 +11,7 @@ from typing import Any
 import sympy as sp
 
 from ...core.system import flat
-from ...core.vectors import constant, to_components, real_symbol
+from ...core.vectors import constant, real_symbol, to_components
 from ...formulas.tape import Step
 from .assembly import Balance
 from .mechanism import Name, Pairs

@@ -18,7 +18,16 @@ from sympy.core.function import AppliedUndef
 from ...errors import InputError
 from .mechanism import TIME, Frame, Mechanism
 
-__all__ = ["ZERO", "GenericPoint", "defaults", "generic", "is_numerically_zero", "with_working_precision", "rank", "samples"]
+__all__ = [
+    "ZERO",
+    "GenericPoint",
+    "defaults",
+    "generic",
+    "is_numerically_zero",
+    "rank",
+    "samples",
+    "with_working_precision",
+]
 
 DIGITS = 50
 SEED = 20080830

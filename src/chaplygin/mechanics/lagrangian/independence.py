@@ -10,7 +10,7 @@ import sympy as sp
 
 from ...errors import InputError
 from ...formulas.tape import Step, Tape
-from .generic_points import ZERO, GenericPoint, with_working_precision, rank
+from .generic_points import ZERO, GenericPoint, rank, with_working_precision
 from .mechanism import Mechanism
 
 __all__ = ["check_constraints", "check_velocities"]

@@ -25,7 +25,7 @@ import sympy as sp
 from ...arguments import Declared, Formula, arguments_checked
 from ...core.laws import Law
 from ...core.system import Guard, Observable, Parameter, flat, flat_pairs, unknown_names
-from ...core.vectors import Vector, cross, to_components, real_symbol, unit_vector
+from ...core.vectors import Vector, cross, real_symbol, to_components, unit_vector
 from ...errors import InputError
 
 __all__ = ["TIME", "Frame", "Mechanism", "Structure", "coordinates", "euclidean", "rotations"]

@@ -24,7 +24,7 @@ import sympy as sp
 
 from ...arguments import arguments_checked
 from ...core.laws import Integral, Law
-from ...core.system import Reconstruction, Observable, System, flat
+from ...core.system import Observable, Reconstruction, System, flat
 from ...core.vectors import constant, to_components
 from ...errors import InputError
 from ...printing.formula import text

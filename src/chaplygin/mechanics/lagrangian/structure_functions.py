@@ -11,7 +11,14 @@ import sympy as sp
 
 from ...errors import InputError
 from ...formulas.tape import simplify_small
-from .generic_points import ZERO, GenericPoint, is_numerically_zero, with_working_precision, rank, samples
+from .generic_points import (
+    ZERO,
+    GenericPoint,
+    is_numerically_zero,
+    rank,
+    samples,
+    with_working_precision,
+)
 from .mechanism import Frame, Mechanism
 
 __all__ = ["Coefficients", "check_structure", "commutator", "structure", "written_frame"]

@@ -26,7 +26,14 @@ from ...core.vectors import real_symbol
 from ...errors import InputError
 from ...formulas.tape import Derivation, Tape
 from .assembly import balance
-from .generic_points import DIGITS, GenericPoint, is_numerically_zero, with_working_precision, rank, samples
+from .generic_points import (
+    DIGITS,
+    GenericPoint,
+    is_numerically_zero,
+    rank,
+    samples,
+    with_working_precision,
+)
 from .ldl import Factored, product
 from .mechanism import TIME, Frame, Mechanism
 from .sympy_names import Renamed, renamed

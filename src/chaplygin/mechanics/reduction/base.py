@@ -16,7 +16,7 @@ from itertools import combinations
 import sympy as sp
 from flint import fmpq, fmpq_mat
 
-from ...core.vectors import Vector, to_components, norm_squared, real_symbol
+from ...core.vectors import Vector, norm_squared, real_symbol, to_components
 from ...errors import InputError
 from ..lagrangian.mechanism import Mechanism
 from .momenta import ReducedMomenta

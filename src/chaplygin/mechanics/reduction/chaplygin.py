@@ -200,7 +200,9 @@ def _levels(
     used = {p.symbol for p in mechanism.parameters} | set(mechanism.symbols)
     used |= {s for s, _ in mechanism.steps}
     names = ["c"] if count == 1 else [f"c_{i + 1}" for i in range(count)]
-    return [real_symbol(n) if real_symbol(n) not in used else real_symbol(f"level_{n}") for n in names]
+    return [
+        real_symbol(n) if real_symbol(n) not in used else real_symbol(f"level_{n}") for n in names
+    ]
 
 
 def _integrals(mechanism: Mechanism, moved: ReducedMomenta, here: Base) -> list[Linear]:

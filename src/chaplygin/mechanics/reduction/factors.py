@@ -28,7 +28,14 @@ from .rational_evaluation import (
     quotients,
 )
 
-__all__ = ["HalfAngleChart", "determinant", "has_even_degrees", "in_angles", "natural_factors", "on_sphere"]
+__all__ = [
+    "HalfAngleChart",
+    "determinant",
+    "has_even_degrees",
+    "in_angles",
+    "natural_factors",
+    "on_sphere",
+]
 
 SEED = 1930
 HIGHEST = 6
@@ -53,10 +60,14 @@ class HalfAngleChart:
     angles: tuple[bool, bool]
 
     @classmethod
-    def of(cls, coordinates: tuple[sp.Symbol, sp.Symbol], used: Sequence[sp.Symbol]) -> HalfAngleChart:
+    def of(
+        cls, coordinates: tuple[sp.Symbol, sp.Symbol], used: Sequence[sp.Symbol]
+    ) -> HalfAngleChart:
         """The chart for formulas that use the symbols given."""
         angles = tuple(bool(set(circle(q)) & set(used)) for q in coordinates)
-        names = [real_symbol(f"t_{q}") if a else q for q, a in zip(coordinates, angles, strict=True)]
+        names = [
+            real_symbol(f"t_{q}") if a else q for q, a in zip(coordinates, angles, strict=True)
+        ]
         return cls(coordinates, (names[0], names[1]), (angles[0], angles[1]))
 
     def point(self, values: Sequence[Value]) -> dict[sp.Symbol, Value]:

@@ -78,7 +78,9 @@ def linear_integrals(mechanism: Mechanism, motion: ReducedMomenta, base: Base) -
     return []
 
 
-def quadratic_integrals(mechanism: Mechanism, motion: ReducedMomenta, base: Base) -> list[sp.Matrix]:
+def quadratic_integrals(
+    mechanism: Mechanism, motion: ReducedMomenta, base: Base
+) -> list[sp.Matrix]:
     """Symmetric matrices B, free of the coordinates, for which ½(m, Bm) is an integral."""
     size = len(motion.velocities)
     pairs = list(combinations_with_replacement(range(size), 2))

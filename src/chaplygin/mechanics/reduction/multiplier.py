@@ -84,7 +84,9 @@ def as_positive(parameters: Sequence[Parameter]) -> dict[sp.Symbol, sp.Symbol]:
     }
 
 
-def _at(local: Local, chart: HalfAngleChart, values: Sequence[Value], given: Any, like: Value) -> Any:
+def _at(
+    local: Local, chart: HalfAngleChart, values: Sequence[Value], given: Any, like: Value
+) -> Any:
     """The 1-form at a point of the chart."""
     place = {**given, **chart.point([like * v for v in values])}
     return local.at(place, like).form(like)
@@ -99,7 +101,11 @@ def _parameters(local: Local, chart: HalfAngleChart) -> list[sp.Symbol]:
 
 
 def curl(
-    local: Local, chart: HalfAngleChart, values: Sequence[fmpq], given: dict[sp.Symbol, Any], others: Any
+    local: Local,
+    chart: HalfAngleChart,
+    values: Sequence[fmpq],
+    given: dict[sp.Symbol, Any],
+    others: Any,
 ) -> Any:
     """∂A₂/∂q₂ + ∂A₁/∂q₁ at a point; `others` are parameters to be kept as symbols."""
     total: Any = None
@@ -142,7 +148,9 @@ def poles(found: Multiplier) -> tuple[sp.Expr, ...]:
     return tuple(sorted(below, key=str))
 
 
-def closed(local: Local, chart: HalfAngleChart, parameters: Sequence[Parameter]) -> Obstruction | None:
+def closed(
+    local: Local, chart: HalfAngleChart, parameters: Sequence[Parameter]
+) -> Obstruction | None:
     """None if the form is closed at some rational points, else a point where it is not.
 
     Parameters
@@ -180,7 +188,9 @@ def is_closed(local: Local, chart: HalfAngleChart) -> bool:
     return bool(change == _derivative(second, 0) * chart.speed(0, at[0]))
 
 
-def open_unless(local: Local, chart: HalfAngleChart, known: Sequence[Parameter]) -> tuple[sp.Expr, ...]:
+def open_unless(
+    local: Local, chart: HalfAngleChart, known: Sequence[Parameter]
+) -> tuple[sp.Expr, ...]:
     """Factors in the parameters that the curl has at every point, and that may vanish."""
     dice = random.Random(SEED + 1)
     parameters = _parameters(local, chart)
@@ -302,7 +312,10 @@ def _solved(rows: list[list[Value]], right: list[Value]) -> list[Value] | None:
 
 
 def _powers(
-    chart: HalfAngleChart, factors: Sequence[Any], exponents: Sequence[sp.Expr], vector: Vector | None
+    chart: HalfAngleChart,
+    factors: Sequence[Any],
+    exponents: Sequence[sp.Expr],
+    vector: Vector | None,
 ) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
     """The product with every factor back in the angles, or in the unit vector."""
     found: list[tuple[sp.Expr, sp.Expr]] = []

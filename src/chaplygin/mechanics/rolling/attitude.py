@@ -8,7 +8,7 @@ from sympy.matrices.expressions import MatrixExpr
 from ...core.system import Observable
 from ...core.vectors import Vector, constant, to_components
 
-__all__ = ["attitude", "quaternion_rate", "rotation", "attitude_relations", "unit_length"]
+__all__ = ["attitude", "attitude_relations", "quaternion_rate", "rotation", "unit_length"]
 
 attitude = Vector("attitude", 4)
 

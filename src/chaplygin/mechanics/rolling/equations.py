@@ -25,7 +25,7 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ...arguments import arguments_checked
 from ...core.laws import Integral
-from ...core.system import Guard, Reconstruction, Observable, Parameter, System
+from ...core.system import Guard, Observable, Parameter, Reconstruction, System
 from ...core.vectors import (
     Diagonal,
     Symmetric,
@@ -34,22 +34,29 @@ from ...core.vectors import (
     constant,
     cross,
     dot,
-    to_components,
     gradient,
     identity,
     norm_squared,
     real_symbol,
+    to_components,
     zero,
 )
 from ...errors import InputError
-from .attitude import attitude, attitude_observable, quaternion_rate, rotation, attitude_relations, unit_length
+from .attitude import (
+    attitude,
+    attitude_observable,
+    attitude_relations,
+    quaternion_rate,
+    rotation,
+    unit_length,
+)
 from .body import Body, triangle_inequalities
 from .contact import Contact
 from .contact import contact as contact_of
 from .shapes import check_values, real_values
 from .surfaces import Plane, Surface
 
-__all__ = ["Forces", "ContactModel", "Rolling", "roll"]
+__all__ = ["ContactModel", "Forces", "Rolling", "roll"]
 
 ContactModel = Literal["marble", "rubber"]
 Pairs = tuple[tuple[Any, Any], ...]

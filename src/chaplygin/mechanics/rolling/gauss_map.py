@@ -76,7 +76,9 @@ def centre_outside(shape: Shape) -> bool:
             return bool((heights < 0).any())
 
 
-def contact_points_of_normals(f: sp.Expr, coordinates: Sequence[sp.Symbol], gamma: FloatArray) -> FloatArray:
+def contact_points_of_normals(
+    f: sp.Expr, coordinates: Sequence[sp.Symbol], gamma: FloatArray
+) -> FloatArray:
     """Points of the surface f = 0 whose outward normals are −γ.
 
     Solves ∇f + ℓγ = 0, ℓ = |∇f|, by damped Newton iteration from the points below the origin of

@@ -15,7 +15,16 @@ import sympy as sp
 
 from ...arguments import arguments_checked
 from ...core.system import Guard, Parameter, flat_pairs
-from ...core.vectors import Diagonal, Symmetric, Vector, cross, dot, to_components, norm_squared, real_symbol
+from ...core.vectors import (
+    Diagonal,
+    Symmetric,
+    Vector,
+    cross,
+    dot,
+    norm_squared,
+    real_symbol,
+    to_components,
+)
 from ..lagrangian.mechanism import Frame, Mechanism, Pairs, euclidean
 from .contact import contact as contact_of
 from .equations import Rolling

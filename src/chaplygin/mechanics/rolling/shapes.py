@@ -26,11 +26,11 @@ from ...core.vectors import (
     by_name,
     constant,
     dot,
-    to_components,
     identity,
     norm_squared,
     outer,
     real_symbol,
+    to_components,
     unit_vector,
     zero,
 )

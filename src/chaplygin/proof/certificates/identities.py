@@ -12,7 +12,7 @@ import sympy as sp
 from ...check.claim.claim import Claim as CheckedClaim
 from ...check.claim.formulas import Formula
 from ...core.laws import Law, Reduction, Separation
-from ...formulas.errors import OutOfReachError, NeedMoreGeneratorsError
+from ...formulas.errors import NeedMoreGeneratorsError, OutOfReachError
 from ..claim_text import admissible, guards, powers_text, terms_text
 from ..domain import divisors, sympy_formula
 from ..fields.budget import Budget

@@ -15,7 +15,7 @@ from typing import Any
 import sympy as sp
 from flint import fmpq
 
-from ...formulas.errors import NoRealValueError, OutOfReachError, NeedMoreGeneratorsError
+from ...formulas.errors import NeedMoreGeneratorsError, NoRealValueError, OutOfReachError
 from .budget import Budget
 from .quotient_ring import Element, QuotientRing
 from .signs import Sign, Signs

@@ -18,7 +18,7 @@ from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, Law, Measure, Rate, Reduction
 from ...core.system import System
 from ...core.vectors import to_components
-from ...formulas.errors import OutOfReachError, NeedMoreGeneratorsError
+from ...formulas.errors import NeedMoreGeneratorsError, OutOfReachError
 from ...formulas.jets import Evaluator, Jet
 from ..fields.function_field import FunctionField
 from ..fields.signs import Signs

@@ -17,9 +17,9 @@ from ...core.vectors import Symmetric, to_components
 from ...errors import InputError
 from ...formulas.errors import (
     EmptyLevelError,
+    NeedMoreGeneratorsError,
     NotExactError,
     OutOfReachError,
-    NeedMoreGeneratorsError,
     UnknownSymbolError,
 )
 from ...formulas.jets import Evaluator, GeneratorSwap, Inversion, Jet
@@ -260,7 +260,9 @@ class LevelSet:
     @cached_property
     def requirements(self) -> tuple[sp.Expr, ...]:
         """What is known to be positive, negative, zero or not on the domain, as relations."""
-        found = [to_components(guard.value) > 0 for guard in self.system.guards if not guard.lift_off]
+        found = [
+            to_components(guard.value) > 0 for guard in self.system.guards if not guard.lift_off
+        ]
         for parameter in self.system.parameters:
             for condition in parameter.admissible:
                 found += sp.And.make_args(sp.sympify(condition))
@@ -277,7 +279,9 @@ class LevelSet:
                 if known
             ]
         if sp.false in found:
-            guards = (g.name for g in self.system.guards if (to_components(g.value) > 0) == sp.false)
+            guards = (
+                g.name for g in self.system.guards if (to_components(g.value) > 0) == sp.false
+            )
             what = next((f"the guard {name!r} is positive" for name in guards), "")
             raise InputError(
                 f"{self.system.name}: {what or 'what is asked of the parameters holds'} nowhere"
@@ -327,7 +331,9 @@ class LevelSet:
         """The same, where some polynomials vanish."""
         return self._signs_in(field, self.evaluator(field), conditions)
 
-    def _signs_in(self, field: FunctionField, evaluate: Evaluator, conditions: Sequence[Any]) -> Signs:
+    def _signs_in(
+        self, field: FunctionField, evaluate: Evaluator, conditions: Sequence[Any]
+    ) -> Signs:
         known: dict[str, Sign] = {}
         facts: list[tuple[Any, Sign]] = []
         nonzero: list[Any] = []

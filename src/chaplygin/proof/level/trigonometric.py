@@ -17,7 +17,7 @@ from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from ...core.laws import ConformallyHamiltonian, Law, PoissonStructure, Symmetry
 from ...core.system import Parameter, System
-from ...core.vectors import to_components, real_symbol
+from ...core.vectors import real_symbol, to_components
 from ...formulas.errors import OutOfReachError
 from ...formulas.jets import MOST_MULTIPLES
 

@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 
 from ..drawing.dataset_access import NEEDED, title_of
 from ..drawing.files import FORMATS, page_svg, save, svg_text
-from ..drawing.geometry import Ground, BodyMesh
+from ..drawing.geometry import BodyMesh, Ground
 from ..drawing.style import STYLE
 from ..scenes.ball import ball_scene
 from ..scenes.implicit_surface import SurfaceGround

@@ -30,8 +30,8 @@ from ..drawing.dataset_access import (
     values_of,
 )
 from ..drawing.geometry import (
-    Ground,
     BodyMesh,
+    Ground,
     PlaneGround,
     SphereGround,
     SurfaceCurve,

@@ -13,7 +13,7 @@ from ...experiment.study import Study
 from ...mechanics.ball.ball import RollingBall
 from ...mechanics.rolling.gauss_map import contact_points
 from ...mechanics.rolling.surfaces import Plane
-from ..drawing.geometry import Ground, BodyMesh, PlaneGround, SphereGround, outline_from_contact
+from ..drawing.geometry import BodyMesh, Ground, PlaneGround, SphereGround, outline_from_contact
 from .implicit_surface import SurfaceGround
 
 __all__ = ["BallScene", "Scene", "ball_scene_of", "scene_of", "weight_of"]
