@@ -52,7 +52,7 @@ def test_the_shell_lines_run(
 
 def test_many_motions_are_computed() -> None:
     names: dict[str, Any] = {}
-    exec(compile(block("python", "ch.draw"), "README.md", "exec"), names)
+    exec(compile(block("python", "ch.sample_level"), "README.md", "exec"), names)
     assert names["there"].shape == (1000, 1, 6)
     assert dict(names["runs"].sizes) == {"run": 1000, "time": 2, "axis": 3}
     assert not names["exact"].outcome.any()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 from dataclasses import replace
 
 import pytest
@@ -122,6 +123,14 @@ def test_names_that_are_written_alike_are_refused(other: sp.Symbol, role: str) -
     }
     with pytest.raises(InputError, match="top: s stands for two things; each state variable"):
         replace(system, **{role: more[role]})
+
+
+@pytest.mark.parametrize("name", ["2", "x y", "f(x)", "x_{1}", "a,b", ""])
+def test_a_name_that_is_no_word_is_refused(name: str) -> None:
+    system = top()
+    message = f"top: {re.escape(repr(name))} is no name for a state variable, a definition or a p"
+    with pytest.raises(InputError, match=message):
+        replace(system, field=(*system.field, (sp.Symbol(name, real=True), sp.S.Zero)))
 
 
 def test_a_vector_has_a_name_of_its_own() -> None:

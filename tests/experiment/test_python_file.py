@@ -23,7 +23,7 @@ import sympy as sp
 
 from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism
 from chaplygin.core.system import Parameter
-from chaplygin.core.vectors import scalar
+from chaplygin.core.vectors import real_symbol
 
 x, y, phi, u, v, omega, m, J = map(scalar, "x y phi u v omega m J".split())
 along, across = u * sp.cos(phi) - v * sp.sin(phi), u * sp.sin(phi) + v * sp.cos(phi)

@@ -21,7 +21,7 @@ from chaplygin.core.laws import (
     Reduction,
     Symmetry,
 )
-from chaplygin.core.system import Parameter
+from chaplygin.core.system import Parameter, System
 
 from .case import Case, guards, system
 from .setting import Setting
@@ -63,16 +63,19 @@ def dressed(name: str, rng: random.Random, setting: Setting) -> Case:
     if at is not None:
         extra = set(world.field) - set(at)
         at = {**at, **{s: sp.S.Zero for s in extra}, **world.circle}
-    made = system(
-        world.field,
-        parameters=setting.parameters,
-        definitions=world.definitions,
-        relations=world.relations,
-        guards=guards(setting.guards),
-    )
+
+    def made() -> tuple[System, Law]:
+        return system(
+            world.field,
+            parameters=setting.parameters,
+            definitions=world.definitions,
+            relations=world.relations,
+            guards=guards(setting.guards),
+        ), law
+
     return Case(
         name,
-        lambda: (made, law),
+        made,
         "true" if claim.holds else "false",
         claim.why,
         at,

@@ -283,6 +283,11 @@ class System(Displayed):
         whole = [n for n, _ in (*self.field, *self.definitions) if not isinstance(n, sp.Symbol)]
         # whatever is proved, recorded or printed later knows them by their names alone
         for name, count in Counter(map(str, (*names, *moved, *whole))).items():
+            if not name.isidentifier():
+                raise InputError(
+                    f"{self.name}: {name!r} is no name for a state variable, a definition or a "
+                    "parameter; a name is a letter followed by letters, digits and underscores"
+                )
             if count > 1:
                 raise InputError(
                     f"{self.name}: {name} stands for two things; each state variable, definition "

@@ -1,8 +1,8 @@
 """Branches of periodic orbits, followed along their length whichever way they turn.
 
-A parameter is one more integral (:func:`chaplygin.analysis.orbits.return_map.parameters_to_state`), so that
-there is one continuation: of the value of an integral.  The orbits with the other integrals held
-are a curve in the space of all their points; it is followed by steps along its tangent, each
+A parameter is one more integral (:func:`chaplygin.analysis.orbits.return_map.parameters_to_state`),
+so that there is one continuation: of the value of an integral.  The orbits with the other integrals
+held are a curve in the space of all their points; it is followed by steps along its tangent, each
 corrected across it, so that folds are passed like any other place.  On the way it is noticed where
 a branch folds, where a multiplier goes through 1 or −1 and where a pair goes through the unit
 circle.

@@ -60,7 +60,8 @@ def ensemble(
         As it is to be integrated: ``system.lifted()`` carries the motion in space along.
     members : Members or array (n, size)
         Starts and parameters, by :func:`~chaplygin.flow.ensemble.members.from_lists`,
-        :func:`~chaplygin.flow.ensemble.members.grid`, :func:`~chaplygin.flow.ensemble.members.single`,
+        :func:`~chaplygin.flow.ensemble.members.grid`,
+        :func:`~chaplygin.flow.ensemble.members.single`,
         :func:`~chaplygin.flow.ensemble.members.sampled` and products of them with ``*``; or starts
         alone, in flat order.
     times : array (k,)
