@@ -135,8 +135,8 @@ class LevelSampler:
             tries = min(tries + 1, _BATCH)
             if attempt > _PATIENCE:
                 raise InputError(
-                    f"{self.system.name}: the level {level_label(self.values)} is too thin: no point
-                    " f"of it was met in {attempt} attempts"
+                    f"{self.system.name}: the level {level_label(self.values)} is too thin: no "
+                    f"point of it was met in {attempt} attempts"
                 )
         return found
 
@@ -172,8 +172,8 @@ class LevelSampler:
 
     def _beyond(self) -> InputError:
         return InputError(
-            f"{self.system.name}: the density of the level {level_label(self.values)} has no bound
-            that " "could be found: it lies next to a critical level"
+            f"{self.system.name}: the density of the level {level_label(self.values)} has no bound "
+            "that could be found: it lies next to a critical level"
         )
 
     def density(self, spots: WeightedPoints) -> Any:

@@ -37,8 +37,8 @@ def validate_level(system: System, level: Mapping[str, float], values: Any) -> N
         for condition in known[name].on:
             if not _vanishes(system, condition, level, values):
                 raise InputError(
-                    f"{system.name}: {name} is an integral only where {to_components(condition)} =
-                    0, " "which does not hold here"
+                    f"{system.name}: {name} is an integral only where {to_components(condition)} "
+                    "= 0, which does not hold here"
                 )
 
 
