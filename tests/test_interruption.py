@@ -176,7 +176,7 @@ COMMANDS = {
     "prove": "prove marble-ball-on-sphere --effort 3",
     "ensemble": "ensemble veselova -o e.zarr --starts 2000 --level energy=1 --set run.until=1e4",
     "section": "section veselova --on gamma_3 -o s.zarr --starts 200 --points 4000",
-    "lyapunov": "lyapunov rattleback --until 1e5",
+    "lyapunov": "lyapunov rattleback --until 2e4",
     "chart": "chart rattleback --of lyapunov --x omega_1=0.1:1:40 --y omega_3=0:1:40 -o c.zarr",
     "audit": "audit",
 }

@@ -70,8 +70,8 @@ def test_a_python_file_names_its_plan(tmp_path):
     lines = [
         "from chaplygin.mechanics.lagrangian.plan import Plan",
         "from chaplygin.mechanics.lagrangian.mechanism import Mechanism, coordinates",
-        "from chaplygin.core.vectors import scalar",
-        "x, y, xdot, ydot = map(scalar, ('x', 'y', 'xdot', 'ydot'))",
+        "from chaplygin.core.vectors import real_symbol",
+        "x, y, xdot, ydot = map(real_symbol, ('x', 'y', 'xdot', 'ydot'))",
         "mechanism = Mechanism('edge', coordinates(x, y), (xdot**2 + ydot**2) / 2,",
         "                      constraints=(ydot - x * xdot,))",
         "start = {x: 0.1, y: 0, xdot: 1, ydot: 0.1}",

@@ -125,7 +125,7 @@ def test_a_system_and_neighbours(tmp_path: Path) -> None:
     path = tmp_path / "decay.py"
     path.write_text(
         "from neighbour_of_mine import RATE\nfrom chaplygin.core.system import System\n"
-        "from chaplygin.core.vectors import scalar\nx = scalar('x')\n"
+        "from chaplygin.core.vectors import real_symbol\nx = real_symbol('x')\n"
         "system = System('decay', 'Decay', {x: -RATE * x})\nstart = {'x': 1}\n"
         "if __name__ == '__main__':\n    raise SystemExit\n"
     )

@@ -4,8 +4,8 @@ A question names an ansatz; its linear algebra is done modulo a large prime at r
 the phase space, and what is found there becomes a formula in the parameters and is proven.
 
 >>> from chaplygin.catalogue import from_catalogue
->>> from chaplygin.search import ask, integrals
->>> for found in integrals(ask(from_catalogue("veselova"))):
+>>> from chaplygin.search import search_request, integrals
+>>> for found in integrals(search_request(from_catalogue("veselova"))):
 ...     print(found.formula, found.verdict.decision)
 """
 

@@ -134,10 +134,10 @@ def test_another_process_finds_the_code(tmp_path: Path) -> None:
     """And computes the same bits with it."""
     script = (
         "import sympy as sp\n"
-        "from chaplygin.flow.batch import lanes\n"
+        "from chaplygin.flow.batch import batch_integrator\n"
         "from chaplygin.core.system import System\n"
         "x, y = sp.symbols('x y', real=True)\n"
-        "flow = lanes(System(name='o', title='O', field={x: y, y: -x}))\n"
+        "flow = batch_integrator(System(name='o', title='O', field={x: y, y: -x}))\n"
         "found = flow.until([[1.0, 0.0]], [3.0])\n"
         "print(flow.code.found, found.states[0, 0, 0].hex(), found.states[0, 0, 1].hex())\n"
     )
