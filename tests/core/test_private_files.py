@@ -227,8 +227,8 @@ for turn in range(60):
     made, found = cache.remember(name, lambda: value)
     assert made == value, turn
     verdict = Verdict(name, "proven", shown=name * 20_000, effort=1)
-    memory.remember(name, verdict)
-    kept = memory.recall(name)
+    memory.store_verdict(name, verdict)
+    kept = memory.load_verdict(name)
     assert kept == verdict, turn
     if turn % 7 == 0:
         (cache.folder() / f"{name}.code").unlink(missing_ok=True)
@@ -284,9 +284,9 @@ from chaplygin.proof.verdict import Verdict
 if os.geteuid() == 0:  # to whom permissions mean nothing
     os.setgid(12345)
     os.setuid(12345)
-memory.remember("name", Verdict("law", "proven"))
+memory.store_verdict("name", Verdict("law", "proven"))
 made, found = cache.remember("name", lambda: "made")
-print(made, found, memory.recall("name"))
+print(made, found, memory.load_verdict("name"))
 """
 
 

@@ -25,7 +25,7 @@ from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism
 from chaplygin.core.system import Parameter
 from chaplygin.core.vectors import real_symbol
 
-x, y, phi, u, v, omega, m, J = map(scalar, "x y phi u v omega m J".split())
+x, y, phi, u, v, omega, m, J = map(real_symbol, "x y phi u v omega m J".split())
 along, across = u * sp.cos(phi) - v * sp.sin(phi), u * sp.sin(phi) + v * sp.cos(phi)
 frame = Frame({x: along, y: across, phi: omega}, (u, v, omega))
 mechanism = Mechanism(
