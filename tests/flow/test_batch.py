@@ -370,7 +370,7 @@ MISTAKES: dict[str, tuple[Any, str]] = {
     ),
     "digits": (
         lambda: free(digits=20),
-        "digits = 20: lanes compute with 16 or with 30 digits",
+        "batch_integrator: digits must be 16 or 30, not 20",
     ),
     "section to thirty digits": (
         lambda: free(digits=30, section=poincare_section(OSCILLATOR, x)),

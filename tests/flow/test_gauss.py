@@ -185,7 +185,7 @@ def flow() -> Any:
 MISTAKES: dict[str, tuple[Any, str]] = {
     "digits": (
         lambda: gauss_integrator(OSCILLATOR, [1.0, 0.0], digits=20),
-        "digits = 20: single motions are computed to 16 or to 30 digits",
+        "gauss_integrator: digits must be 16 or 30, not 20",
     ),
     "start": (
         lambda: gauss_integrator(OSCILLATOR, [1.0, 0.0, 0.0]),
@@ -193,7 +193,7 @@ MISTAKES: dict[str, tuple[Any, str]] = {
     ),
     "no start": (
         lambda: gauss_integrator(OSCILLATOR, None),
-        "oscillator: the start has the shape (); one state is needed, x, y",
+        "gauss_integrator: start must be a sequence of numbers, not None",
     ),
     "starts": (
         lambda: flow().until([1.0, 0.0], [1.0]),
@@ -218,7 +218,8 @@ MISTAKES: dict[str, tuple[Any, str]] = {
     ),
     "parameter that is a word": (
         lambda: gauss_integrator(OSCILLATOR, [1.0, 0.0], {"p": "much"}),
-        "oscillator: p: all must be real numbers, in rows of one length",
+        "gauss_integrator: parameters must be a mapping of parameters to numbers, "
+        "not {'p': 'much'}",
     ),
     "several parameters": (
         lambda: gauss_integrator(OSCILLATOR, [1.0, 0.0], {"p": [1.0, 2.0]}),

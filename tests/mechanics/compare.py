@@ -165,7 +165,7 @@ def equations(case: Case, package: Package = PACKAGE) -> System:
         tuple(case.body.gyrostat),
     )
     names = {f"gamma{i}": symbol for i, symbol in enumerate(GAMMA, 1)}
-    field = package.rolling.Field(case.forces.gravity, formula(case.potential, names))
+    field = package.rolling.Forces(case.forces.gravity, formula(case.potential, names))
     return package.rolling.roll(body, surface_of(case.surface, package), case.contact, field)
 
 

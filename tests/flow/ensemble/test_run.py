@@ -175,7 +175,11 @@ def test_workers_find_something_to_do(size: int, blocks: int) -> None:
         (np.zeros((3, 5)), {}, r"each row of state has the shape \(5,\); \(6,\) is needed"),
         ("abc", {}, "^members of an ensemble: state: all must be real numbers"),
         (SPUN, {"block": 0}, "^the block is 0: a whole number, at least 1, is needed$"),
-        (SPUN, {"parameters": {"m": "abc"}}, "^chaplygin-ball: m: all must be real numbers"),
+        (
+            SPUN,
+            {"parameters": {"m": "abc"}},
+            "^ensemble: parameters must be a mapping of parameters to",
+        ),
         (SPUN, {"parameters": {"m": [1, 2]}}, "m must be one number; what varies belongs to the"),
     ],
     ids=[

@@ -300,7 +300,7 @@ def test_parameters_share_the_code(place):
 def test_an_entry_at_hand_is_not_read_again(folder, monkeypatch):
     made, found = remember()
     assert not found
-    monkeypatch.setattr(private_files, "read_private", lambda path: pytest.fail("the file was read"))
+    monkeypatch.setattr(private_files, "read_private", lambda path: pytest.fail("it was read"))
     again, found = remember(value=(3, 4))
     assert found
     assert again is made

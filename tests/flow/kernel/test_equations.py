@@ -118,7 +118,7 @@ MISTAKES: dict[str, tuple[Any, str]] = {
     ),
     "complex value": (
         lambda: poincare_section(OSCILLATOR, x, sp.I),
-        "-I: a number in a formula must be real and finite",
+        "poincare_section: value must be a number, not an ImaginaryUnit",
     ),
     "foreign symbol": (
         lambda: equations_of(OSCILLATOR, 0, Section(x - u), False),

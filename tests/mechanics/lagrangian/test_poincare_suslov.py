@@ -364,8 +364,12 @@ MISTAKES = {
     "leave nothing free to move": dict(
         frame=coordinates(x, y), lagrangian=xdot**2 + ydot**2, constraints=(xdot, ydot)
     ),
-    "constraints must be a tuple": dict(frame=coordinates(x), lagrangian=xdot**2, constraints=xdot),
-    "the Lagrangian is a text": dict(frame=coordinates(x), lagrangian="xdot**2"),
+    "constraints must be a sequence of SymPy expressions": dict(
+        frame=coordinates(x), lagrangian=xdot**2, constraints=xdot
+    ),
+    "lagrangian must be a SymPy expression, not the text": dict(
+        frame=coordinates(x), lagrangian="xdot**2"
+    ),
     "no configuration was found": dict(
         frame=coordinates(x, y), lagrangian=xdot**2 + ydot**2, positions=(x**2 + y**2 + 1,)
     ),

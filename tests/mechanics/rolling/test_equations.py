@@ -291,7 +291,7 @@ def test_constant_potential_moves_nothing(shape, surface):
 MISTAKES = {
     "contact": (
         lambda: roll(Body(1.0, PRINCIPAL, Ball(1.0)), contact="glue"),
-        "contact 'glue': it must be 'marble' or 'rubber'",
+        "contact must be 'marble' or 'rubber', not the text 'glue'",
     ),
     "gravity": (lambda: Forces(-9.81), "gravity -9.81: it must be finite and not negative"),
     "infinite gravity": (lambda: Forces(np.inf), "gravity inf: it must be finite and not negative"),

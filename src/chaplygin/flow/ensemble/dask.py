@@ -159,12 +159,13 @@ def _connected(client: Client | str | int) -> Iterator[Client]:
                 dashboard_address=":0",
                 silence_logs=logging.ERROR,
             ) as cluster,
-            distributed.Client(cluster) as connected,
+            distributed.Client(cluster, set_as_default=False) as connected,
         ):
             yield connected
     else:
         try:
-            connected = distributed.Client(client, timeout=PATIENCE)
+            # a client that fails as it is made would stay the process's default
+            connected = distributed.Client(client, timeout=PATIENCE, set_as_default=False)
         except (OSError, ValueError) as problem:
             raise InputError(
                 f"there is no Dask scheduler at {client!r} ({problem}); an address such as "

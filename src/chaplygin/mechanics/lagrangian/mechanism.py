@@ -218,16 +218,8 @@ class Mechanism:
     def __post_init__(self) -> None:
         object.__setattr__(self, "forces", _pairs(self.forces))
         object.__setattr__(self, "definitions", _pairs(self.definitions))
-        if isinstance(self.lagrangian, str):
-            raise InputError(
-                f"{self.name}: the Lagrangian is a text; it must be a SymPy expression (texts "
-                "are for files)"
-            )
         for kind in ("constraints", "positions"):
-            given = getattr(self, kind)
-            if isinstance(given, sp.Basic | str):
-                raise InputError(f"{self.name}: {kind} must be a tuple of formulas, not {given}")
-            object.__setattr__(self, kind, tuple(given))
+            object.__setattr__(self, kind, tuple(getattr(self, kind)))
         object.__setattr__(self, "title", self.title or self.name)
         self._check()
 
