@@ -86,7 +86,7 @@ def test_another_guard_is_not_blamed(guard):
 
 
 def test_a_field_that_is_no_number_at_the_start():
-    with pytest.raises(InputError, match="^start: the rate of the state is no number there; "):
+    with pytest.raises(InputError, match=r"^start: the rate of the state is no number there; "):
         integrate(scalar(sp.log(x)), [-1], [0.0, 1.0])
 
 

@@ -36,8 +36,9 @@ def motion(ball, place, omega):
 
 @pytest.mark.parametrize("contact", spread(CONTACTS))
 def test_the_equations_follow_from_the_lagrangian(contact):
-    surface = sum(s**4 for s in R.symbols) - 1
-    potential = R.symbols[0] ** 2 * R.symbols[2]
+    # neither a sphere nor a quadric; with three fourth powers the proof costs more than its effort
+    surface = R.symbols[0] ** 4 + R.symbols[1] ** 2 + R.symbols[2] ** 2 - 1
+    potential = R.symbols[0] * R.symbols[2]
     numbers = ball_parameters(1.0, 0.4, 1.0)
     derived = equations(ball_mechanism(contact, surface, potential, numbers))
     closed = equations_of_motion(contact, centred(surface), -gradient(potential, R), numbers)
