@@ -72,7 +72,7 @@ def _imported(path: Path, name: str, package: str) -> Iterator[tuple[str, str]]:
     """Modules below the package from which a file imports, with what it takes from them."""
     here = name.split(".") if path.stem == "__init__" else name.split(".")[:-1]
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.ImportFrom):
+        if isinstance(node, ast.ImportFrom) and node.module:
             parts = (node.module or "").split(".")
             if node.level:
                 parts = [*here[: len(here) - node.level + 1], *filter(None, parts)]
@@ -213,6 +213,26 @@ def _defined(path: Path) -> set[str]:
                 if target.id == "__all__" and isinstance(node, ast.Assign):
                     listed |= set(ast.literal_eval(node.value))
     return defined & listed
+
+
+def hidden_by_modules(home: Path) -> list[str]:
+    """Names that a folder binds and that a module of the folder, once imported, replaces."""
+    found = []
+    for init in home.rglob("__init__.py"):
+        below = {path.stem for path in init.parent.iterdir()}
+        for node in ast.parse(init.read_text(encoding="utf-8")).body:
+            if isinstance(node, ast.ImportFrom) and node.module:
+                bound = {alias.asname or alias.name for alias in node.names}
+                origin = node.module if node.level == 1 else None
+                found += [f"{init.parent.name}.{name}" for name in (bound & below) - {origin}]
+    return found
+
+
+def test_no_module_replaces_a_name_of_its_folder(tmp_path: Path) -> None:
+    for name, text in {"__init__": "from .a import b, a", "a": "a = b = 1", "b": ""}.items():
+        (tmp_path / f"{name}.py").write_text(text)
+    assert hidden_by_modules(tmp_path) == [f"{tmp_path.name}.b"]
+    assert hidden_by_modules(HOME) == []
 
 
 def test_tests_do_not_hide_the_package() -> None:

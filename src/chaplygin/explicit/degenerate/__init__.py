@@ -24,7 +24,7 @@ from flint import ctx
 
 from ..base.solution import Solution
 from ..genus_two.separation import SeparatedSystem
-from .collisions import double_roots, motion
+from .collisions import double_roots, motion_at_double_root
 from .exact_start import PRECISION, begin, exact_ball
 from .solution import DegenerateSolution
 
@@ -59,7 +59,7 @@ def solved_degenerate(
     with ctx.workprec(PRECISION):
         beginning = begin(separable, values, start)
         for e, others in double_roots(beginning):
-            found = motion(beginning, e, others)
+            found = motion_at_double_root(beginning, e, others)
             if found is not None:
                 lifted = system.motion is not None and len(separable.fixed) == 2
                 whole = system.lifted() if lifted else replace(system, motion=None)

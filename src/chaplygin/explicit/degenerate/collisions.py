@@ -33,7 +33,9 @@ def double_roots(beginning: Beginning) -> list[tuple[Any, list[Any]]]:
     return found
 
 
-def motion(beginning: Beginning, e: Any, others: list[Any]) -> Periodic | Asymptotic | None:
+def motion_at_double_root(
+    beginning: Beginning, e: Any, others: list[Any]
+) -> Periodic | Asymptotic | None:
     """The motion on the curve with the double root e.
 
     Returns
