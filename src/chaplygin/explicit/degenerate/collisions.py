@@ -13,7 +13,7 @@ from .elliptic_curve import Oval, oval_around
 from .exact_start import Beginning
 from .theta_motion import Asymptotic, Periodic, direction, direction_array
 
-__all__ = ["double_roots", "motion"]
+__all__ = ["double_roots", "motion_at_double_root"]
 
 #: Step of difference quotients at the working precision.
 STEP = arb(2) ** (-140)
