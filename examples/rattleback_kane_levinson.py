@@ -232,7 +232,7 @@ def draw(free: Run, damped: Run, path: Path) -> None:
         upper.axhline(0.0, color=FAINT, linewidth=0.6, zorder=0)
         upper.set_ylabel("spin (ω, γ), rad/s")
         lower.set_ylabel("tilt of axis 3, degrees")
-        lower.set_xlabel("time, s")
+        lower.set_xlabel("time (s)")
         upper.legend(loc="lower right")
         figure.savefig(path, dpi=200)
 

@@ -30,7 +30,7 @@ from chaplygin.core.vectors import to_components
 from chaplygin.flow.batch import poincare_section
 from chaplygin.flow.sections.poincare_map import PoincareMap
 from chaplygin.formulas.batch import Formulas
-from chaplygin.report.drawing.style import STYLE, WIDTH
+from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
 
 #: J = I + mb², kg m².
 J = np.array([1.0, 2.0, 2.8])
@@ -161,10 +161,9 @@ def figure(found: dict[str, Found]) -> Figure:
     )
     for panel, (name, one) in zip(axes.flat, found.items(), strict=True):
         theta, psi = angles(one.points[:, :SHOWN])
-        colours = np.linspace(0, 0.92, len(theta))[:, None].repeat(theta.shape[1], 1)
-        panel.scatter(
-            theta, psi, c=colours, s=0.25, lw=0, cmap="viridis", vmin=0, vmax=1, rasterized=True
-        )
+        for number, (places, directions) in enumerate(zip(theta, psi, strict=True)):
+            colour = SERIES[number % len(SERIES)]
+            panel.scatter(places, directions, color=colour, s=0.25, lw=0, rasterized=True)
         panel.set_title(f"${name.replace('½', r'1/2').replace('−', '-')}$", fontsize=10)
         panel.set(xlim=(-np.pi, np.pi), ylim=(0, np.pi))
         panel.set_xticks([-np.pi, 0, np.pi], [r"$-\pi$", "0", r"$\pi$"])

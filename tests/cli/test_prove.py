@@ -63,6 +63,7 @@ def test_one_law_by_its_name(ask):
         (("audit", "--section", "13"), "sections 1 to 12"),
         (("audit", "--workers", "0"), "at least one process"),
         (("audit", "-o", "missing/audit.html"), "no folder missing"),
+        (("audit", "-o", "audit.txt"), "its name must end in .html"),
     ],
 )
 def test_bad_input_is_one_sentence(ask, arguments, words):

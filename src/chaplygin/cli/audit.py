@@ -9,7 +9,7 @@ import typer
 
 from ..interruption import CODE, concluding, say
 from .common import Force, Json, console, inform, print_json
-from .output import beside, check_output, name_of, written
+from .output import STANDARD_OUTPUT, beside, check_output, name_of, written
 from .progress import progress, waiting
 
 if TYPE_CHECKING:
@@ -45,6 +45,8 @@ def command(
         raise InputError(f"--workers {workers}: at least one process is needed")
     if output is not None:
         check_output("--output", output, force, json, binary=False)
+        if output.suffix != ".html" and output != STANDARD_OUTPUT:
+            raise InputError(f"--output {output}: its name must end in .html")
     if section is not None and section not in SECTIONS:
         raise InputError(
             f"--section {section}: the audit covers sections {SECTIONS[0]} to {SECTIONS[-1]}"

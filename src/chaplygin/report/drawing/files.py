@@ -163,10 +163,10 @@ def _make_narrow(figure: Figure) -> None:
 
 
 def _stack(figure: Figure, panels: list[Axes]) -> float:
-    """Put many panels that stand in columns below each other; how much higher they are then."""
+    """Put panels that stand side by side below each other; how much higher they are then."""
     specs = [spec for axes in panels if (spec := axes.get_subplotspec())]
     columns = {spec.colspan.start for spec in specs}
-    if len(panels) < 3 or len(specs) < len(panels) or len({s.get_gridspec() for s in specs}) > 1:
+    if len(panels) < 2 or len(specs) < len(panels) or len({s.get_gridspec() for s in specs}) > 1:
         return 1.0
     if len(columns) == 1:
         return 1.0 if len(panels) < 6 else 1.3

@@ -163,7 +163,7 @@ def _space(
 ) -> None:
     """Two views above three projections; within a layer, near points hide far ones."""
     for i, (height, turn) in enumerate(VIEWS):
-        view: Any = figure.add_axes((0.045 + 0.395 * i, 0.4, 0.4, 0.56), projection="3d")
+        view: Any = figure.add_axes((0.03 + 0.39 * i, 0.4, 0.4, 0.56), projection="3d")
         view.patch.set_visible(False)
         view.computed_zorder = False
         for layer, part in enumerate(layers):
@@ -211,7 +211,7 @@ def _key(figure: Figure, runs: int, count: int) -> None:
         figure.text(0.9, 0.89, told, va="top", fontsize=8, color=QUIET)
     elif count > 1:
         colours = mpl.colors.ListedColormap(COLOURS(np.linspace(0.0, PALEST, 256)))
-        place = figure.add_axes((0.905, 0.44, 0.014, 0.44))
+        place = figure.add_axes((0.925, 0.44, 0.014, 0.44))
         bar = figure.colorbar(ScalarMappable(Normalize(1, count), colours), cax=place)
         bar.set_label("number of the return", fontsize=9)
         bar.ax.tick_params(labelsize=7)
