@@ -15,6 +15,8 @@ __all__ = ["Displayed", "formula_latex"]
 
 
 class _Printer(Protocol):
+    def system_line(self, system: Displayed) -> str: ...
+
     def system_text(self, system: Displayed) -> str: ...
 
     def system_latex(self, system: Displayed) -> str: ...
@@ -41,6 +43,9 @@ class Displayed:
     def latex(self) -> str:
         """The equations of motion as a LaTeX ``aligned`` environment."""
         return _printer().system_latex(self)
+
+    def __repr__(self) -> str:
+        return _printer().system_line(self)
 
     def __str__(self) -> str:
         return _printer().system_text(self)

@@ -167,7 +167,7 @@ def _assumed(symbol: sp.Symbol) -> str:
 
 
 @arguments_checked
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class System(Displayed):
     """A vector field on a phase space, with what is claimed of it.
 

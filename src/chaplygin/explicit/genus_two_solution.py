@@ -28,7 +28,7 @@ BITS = 320
 QUATERNION = 4
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class GenusTwo(Solution):
     """A motion on a two-dimensional torus.
 

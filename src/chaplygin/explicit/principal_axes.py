@@ -27,7 +27,7 @@ DIGITS = 220
 SPACE, QUATERNION = 3, 4
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class PrincipalAxesSolution(Solution):
     """A motion known in other body axes.
 

@@ -13,7 +13,7 @@ import os
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextvars import ContextVar
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from numbers import Integral, Real
 from typing import Any, Literal
@@ -140,7 +140,7 @@ class BatchIntegrator:
     section: Section | None
     backward: bool
     digits: int
-    code: native.Native
+    code: native.Native = field(repr=False)
 
     @property
     def size(self) -> int:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from typing import Any, Literal
 
@@ -86,7 +86,7 @@ class GaussIntegrator:
     digits: int
     backward: bool
     held: tuple[str, ...]
-    code: native.Native
+    code: native.Native = field(repr=False)
 
     @cached_property
     def _relations(self) -> tuple[Term, ...]:

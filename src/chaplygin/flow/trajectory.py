@@ -10,6 +10,8 @@ import numpy as np
 import sympy as sp
 
 from ..arguments import arguments_checked
+from ..core.laws import Integral
+from ..core.overview import Overview, WithOverview
 from ..core.system import Guard, System
 from ..errors import InputError
 
@@ -105,8 +107,8 @@ def require_pieces(pieces: int) -> None:
         raise InputError(f"pieces = {pieces}: there must be one at least")
 
 
-@dataclass(frozen=True)
-class Trajectory:
+@dataclass(frozen=True, repr=False)
+class Trajectory(WithOverview):
     """States and observables of a system along one motion.
 
     Attributes
@@ -140,6 +142,30 @@ class Trajectory:
         if name in self.recorded:
             return self.recorded[name]
         return by_name(self.system, self.states, name)
+
+    def overview(self) -> Overview:
+        """System, interval of time, drift of the integrals, events and cost."""
+        first, last = float(self.times[0]), float(self.times[-1])
+        done = self.statistics
+        cost = f"{done.steps:,} of order {done.order} in {done.seconds:.3g} s"
+        return Overview(
+            f"{self.system.title}: t = {first:.9g} to {last:.9g}, {len(self.times):,} samples",
+            (
+                ("state", ", ".join(map(str, self.system.state))),
+                ("recorded", ", ".join(name for name in self.recorded if name[:4] != "law_")),
+                *((f"drift of {law.name}", self._drift(law.name)) for law in self._integrals()),
+                *(("event", str(event)) for event in self.happenings),
+                ("steps", cost),
+                ("tolerance", f"{done.tolerance:.3g}, {done.precision} precision"),
+            ),
+        )
+
+    def _integrals(self) -> list[Integral]:
+        return [law for law in self.system.integrals if f"law_{law.name}" in self.recorded]
+
+    def _drift(self, name: str) -> str:
+        values = self.recorded[f"law_{name}"]
+        return f"{float(max(abs(value - values[0]) for value in values)):.1e}"
 
     @arguments_checked
     def thinned(self, pieces: int) -> Trajectory:

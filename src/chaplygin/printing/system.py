@@ -35,6 +35,7 @@ __all__ = [
     "motion_text",
     "system_html",
     "system_latex",
+    "system_line",
     "system_text",
     "text",
 ]
@@ -47,6 +48,13 @@ _INDENT = "    "
 
 
 # --- plain text ----------------------------------------------------------------------------
+
+
+def system_line(system: System) -> str:
+    """A system in a line: its name, its variables, how many parameters and laws."""
+    counts = (("parameter", len(system.parameters)), ("law", len(system.laws)))
+    numbers = ", ".join(f"{n} {word}{'' if n == 1 else 's'}" for word, n in counts)
+    return f"<System {system.name}: {', '.join(map(str, system.state))}; {numbers}>"
 
 
 def system_text(system: System) -> str:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, Literal
+
+from ..core.overview import Overview, WithOverview
 
 __all__ = ["Decision", "Verdict"]
 
@@ -14,8 +16,8 @@ UNTRIED = "not tried"
 """How the reason of a verdict begins for which no work was allowed."""
 
 
-@dataclass(frozen=True)
-class Verdict:
+@dataclass(frozen=True, repr=False)
+class Verdict(WithOverview):
     """The outcome of an attempt to prove a law.
 
     Attributes
@@ -62,7 +64,7 @@ class Verdict:
     seconds: float = 0.0
     effort: int = 0
     witness: dict[str, Any] | None = None
-    certificate: dict[str, Any] | None = field(default=None, repr=False)
+    certificate: dict[str, Any] | None = None
     uncertified: str = ""
 
     @property
@@ -83,6 +85,20 @@ class Verdict:
         if self.untried:
             return self.reason
         return f"{self.stated}: {self.reason}" if self.reason else self.stated
+
+    def overview(self) -> Overview:
+        """Law and decision, what was shown or why not, and what it cost."""
+        point = (self.witness or {}).get("point", {})
+        return Overview(
+            f"{self.law}: {self.stated}",
+            (
+                ("shown", self.shown),
+                ("reason", self.reason),
+                ("refuted at", ", ".join(f"{name} = {value}" for name, value in point.items())),
+                ("no certificate", self.uncertified),
+                ("effort", f"{self.effort:,} term operations, {self.seconds:.3g} s"),
+            ),
+        )
 
     def __bool__(self) -> bool:
         return self.decision == "proven"

@@ -10,6 +10,8 @@ from __future__ import annotations
 import hashlib
 import json
 import platform
+from collections.abc import Mapping
+from dataclasses import fields, is_dataclass
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -65,6 +67,11 @@ def _written(value: Any) -> str:
     if isinstance(value, Law):
         parts = {name: v for name, v in vars(value).items() if name not in FOR_THE_READER}
         return f"{type(value).__name__}{ {n: _written(v) for n, v in parts.items()} }"
+    if isinstance(value, Mapping):
+        return f"{{{', '.join(sorted(f'{_written(k)}: {_written(v)}' for k, v in value.items()))}}}"
+    if is_dataclass(value) and not isinstance(value, type):
+        parts = {field.name: getattr(value, field.name) for field in fields(value)}
+        return f"{type(value).__name__}{_written(parts)}"
     return repr(value)
 
 

@@ -14,6 +14,7 @@ from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from ...core.overview import Overview, WithOverview
 from .facts import HERE, Fact
 from .statements import Bracket, Density, IgnoredLaw, IntegrabilityClass, Statement
 
@@ -35,8 +36,8 @@ _MULTIPLIERS = {
 }
 
 
-@dataclass(frozen=True)
-class Classification:
+@dataclass(frozen=True, repr=False)
+class Classification(WithOverview):
     """The place of a system, or of one of its levels, in the hierarchy of dynamics.
 
     Attributes
@@ -115,6 +116,18 @@ class Classification:
     def record(self) -> dict[str, Any]:
         """Everything, ready for JSON."""
         return record(self)
+
+    def overview(self) -> Overview:
+        """What is counted and what follows, without the levels on which more is proven."""
+        where = f", on {self.level}" if self.level else ""
+        counted = (
+            (label, "; ".join(one.text.removesuffix(".") for one in found))
+            for label, found in rows(self)
+        )
+        return Overview(
+            f"{self.system}{where}: place in the hierarchy of dynamics",
+            (*counted, ("not counted", self.reason)),
+        )
 
     def __str__(self) -> str:
         return to_text(self)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
+from ...core.overview import Overview, WithOverview
 from ...core.system import System
 from ..orbits.reversing_symmetries import Reversor
 from .averages import Average, batched
@@ -29,8 +30,8 @@ DRAWS, SEED = 400, 20080830
 CAREFUL = 0.1
 
 
-@dataclass(frozen=True)
-class Spectrum:
+@dataclass(frozen=True, repr=False)
+class Spectrum(WithOverview):
     """The Lyapunov exponents of one motion.
 
     Attributes
@@ -139,6 +140,24 @@ class Spectrum:
         count = np.arange(1, len(found) - began + 1)[:, None]
         found[began:] = np.cumsum(self.growth[began:], axis=0) / (self.interval * count)
         return found
+
+    def overview(self) -> Overview:
+        """The exponents with their errors, and the zeros that are forced."""
+        shown = [
+            " ± ".join(rounded(one.value, one.error)) + f", {word(one)}" for one in self.exponents
+        ]
+        forced = [
+            zero.name if zero.name == zero.kind else f"{zero.kind} {zero.name}"
+            for zero, _ in self.removed
+        ]
+        return Overview(
+            f"Lyapunov exponents of {self.system.title}, t = {self.began:g} to {self.until:g}",
+            (
+                *((f"λ_{i}", text) for i, text in enumerate(shown, 1)),
+                ("sum", " ± ".join(rounded(self.total.value, self.total.error))),
+                ("zero for a reason", "; ".join(forced)),
+            ),
+        )
 
     def dataset(self) -> xr.Dataset:
         """Exponents, errors and the way they settled, with what they are of."""

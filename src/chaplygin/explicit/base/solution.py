@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
+from abc import abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from ...core.overview import Overview, WithOverview
 from ...core.system import System
 from ...errors import InputError
 from ...flow.trajectory import by_name
@@ -37,6 +38,11 @@ class NamedConstant:
     value: Any
     meaning: str
     unit: str = ""
+
+    def text(self) -> str:
+        """Value to ten digits, unit and meaning."""
+        number = f"{float(self.value):.10g} {self.unit}".rstrip()
+        return f"{number}, {self.meaning}" if self.meaning else number
 
 
 @dataclass(frozen=True)
@@ -112,7 +118,7 @@ def checked(times: Any, pace: float) -> Any:
     return times
 
 
-class Solution(ABC):
+class Solution(WithOverview):
     """A motion in closed form.
 
     Attributes
@@ -160,6 +166,20 @@ class Solution(ABC):
         InputError
             If the attitude would be left open, or so many digits cannot be had.
         """
+
+    def overview(self) -> Overview:
+        """System, kind of motion, source, and the constants of the closed form."""
+        form = self.form
+        ovals = ", ".join(f"[{low:.9g}, {high:.9g}]" for low, high in form.ovals)
+        return Overview(
+            f"{form.title}: {form.motion}",
+            (
+                ("source", form.source),
+                ("separated variables in", ovals),
+                *((one.symbol, one.text()) for one in form.figures),
+                ("left open", self.left_open),
+            ),
+        )
 
     def __call__(self, times: Any) -> States:
         """States at `times`, by name.

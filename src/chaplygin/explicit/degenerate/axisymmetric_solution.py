@@ -79,7 +79,7 @@ class SpaceFrame:
         return [vector[(k - i - 1) % 3] for k in range(3)]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class AxialSolution(Solution):
     """A motion on which u changes."""
 

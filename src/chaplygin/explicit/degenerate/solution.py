@@ -32,7 +32,7 @@ BITS = 160
 MISS = arb(2) ** (-125)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class DegenerateSolution(Solution):
     """A motion on a curve of genus two that has a double root.
 

@@ -44,7 +44,7 @@ ANGLES = 7
 _OMEGA = Vector("omega").symbols
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class UniformSolution(Solution):
     """A uniform motion.
 

@@ -1,0 +1,83 @@
+"""What results show of themselves, printed and in a notebook."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import cache
+from html.parser import HTMLParser
+from typing import Any
+
+import numpy as np
+import pytest
+
+import chaplygin as ch
+from chaplygin.core.overview import Overview
+
+#: Lines and columns of a screen.
+LINES, COLUMNS = 50, 80
+
+
+@cache
+def ball() -> tuple[ch.System, tuple[Any, ...]]:
+    system = ch.from_catalogue("chaplygin-ball")
+    return system, ch.initial_state(system, (1.0, 0.2, 0.1), (0.0, 0.6, 0.8))
+
+
+SHOWN: Mapping[str, tuple[Callable[[], Any], str]] = {
+    "system": (lambda: ball()[0], "<System chaplygin-ball: M, gamma; 5 parameters, 9 laws>"),
+    "trajectory": (
+        lambda: ch.integrate(*ball(), np.linspace(0.0, 1.0, 1001)),
+        "Chaplygin ball: t = 0 to 1, 1,001 samples",
+    ),
+    "solution": (lambda: ch.solve(*ball()), "Chaplygin ball: two-frequency motion on a torus"),
+    "spectrum": (
+        lambda: ch.lyapunov_spectrum(*ball(), until=50.0),
+        "Lyapunov exponents of Chaplygin ball, t = 10 to 50",
+    ),
+    "verdict": (lambda: ch.prove(ball()[0], ball()[0].integrals[0]), "energy: proven"),
+    "classification": (
+        lambda: ch.classify(ball()[0]),
+        "Chaplygin ball: place in the hierarchy of dynamics",
+    ),
+    "batch integrator": (
+        lambda: ch.batch_integrator(ball()[0]),
+        "BatchIntegrator(system=<System chaplygin-ball: M, gamma; 5 parameters, 9 laws>, "
+        "tolerance=1e-13, deviations=0, section=None, backward=False, digits=16)",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SHOWN)
+def test_a_result_fits_a_screen(name: str) -> None:
+    make, first = SHOWN[name]
+    value = make()
+    lines = repr(value).splitlines()
+    assert lines[0] == first
+    assert len(lines) <= LINES
+    assert all(len(line) <= COLUMNS for line in lines[1:])
+    if len(lines) > 1:
+        assert first in value._repr_html_()
+
+
+def test_integrals_drift_by_what_was_recorded() -> None:
+    motion = ch.integrate(*ball(), np.linspace(0.0, 1.0, 11))
+    energy = motion.recorded["law_energy"]
+    assert f"drift of energy    {np.max(np.abs(energy - energy[0])):.1e}" in repr(motion)
+
+
+class Cells(HTMLParser):
+    """The texts of a page."""
+
+    def __init__(self, page: str) -> None:
+        super().__init__()
+        self.texts: list[str] = []
+        self.feed(page)
+
+    def handle_data(self, data: str) -> None:
+        self.texts.append(data)
+
+
+def test_marks_of_html_in_texts_are_shown_as_they_stand() -> None:
+    overview = Overview("a < b", (("x & y", "<script>"), ("nothing", "")))
+    assert Cells(overview.html()).texts == ["a < b", "x & y", "<script>"]
+    assert overview.text() == "a < b\n    x & y  <script>"
