@@ -9,8 +9,8 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from chaplygin.borisov_mamaev.methods.free_body import COORDINATES
-from chaplygin.borisov_mamaev.methods.growth import growth
+from chaplygin.borisov_mamaev.methods.growth_vector import growth
+from chaplygin.borisov_mamaev.methods.rigid_body_in_space import COORDINATES
 from chaplygin.borisov_mamaev.section_01.section_01_3a import rational_rotation
 from chaplygin.borisov_mamaev.section_02.section_02_1 import PRINTED, b, ball_growth, field_of
 from chaplygin.catalogue import CATALOGUE

@@ -39,7 +39,9 @@ def forbid(monkeypatch: pytest.MonkeyPatch) -> None:
         raise AssertionError("a proof was tried")
 
     monkeypatch.setattr("chaplygin.analysis.classification.facts.prove", refused)
-    monkeypatch.setattr("chaplygin.analysis.classification.measure_absence.measure_exists", refused)
+    monkeypatch.setattr(
+        "chaplygin.analysis.classification.configuration_measures.measure_exists", refused
+    )
 
 
 @pytest.mark.slow

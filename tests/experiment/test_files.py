@@ -10,7 +10,7 @@ import pytest
 
 from chaplygin.errors import InputError
 from chaplygin.experiment.files import check_target, completed
-from chaplygin.report.folder_check import begin, check_folder, end
+from chaplygin.report.study_folder import begin, check_folder, end
 
 
 def filled(target: Path, text: str = "new") -> None:

@@ -14,7 +14,7 @@ from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError
 from chaplygin.explicit.bifurcation import Diagram, bifurcation_diagram, locate
 from chaplygin.explicit.bifurcation.families import PLANES, SEPARATED, plane_named
-from chaplygin.explicit.separations.chaplygin_area import chaplygin_area
+from chaplygin.explicit.separations.chaplygin_ball_area_constant import chaplygin_area
 from chaplygin.explicit.separations.veselova import veselova
 
 NAMES = (*SEPARATED, *PLANES)

@@ -11,8 +11,8 @@ from chaplygin.explicit.degenerate import solved_degenerate
 from chaplygin.explicit.degenerate.solution import DegenerateSolution
 from chaplygin.explicit.degenerate.theta_motion import Asymptotic, Periodic
 from chaplygin.explicit.genus_two.separation import SeparatedSystem
-from chaplygin.explicit.separations.chaplygin_area import chaplygin_area
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
+from chaplygin.explicit.separations.chaplygin_ball_area_constant import chaplygin_area
 from chaplygin.explicit.separations.rubber_sphere import of_ratio
 from chaplygin.explicit.separations.veselova import veselova
 from chaplygin.flow.integrator import integrate

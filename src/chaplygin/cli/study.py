@@ -38,7 +38,7 @@ def command(
 ) -> None:
     """Equations, trajectory, figures and a report of one motion; resumed if interrupted."""
     from ..errors import InputError, InterruptionError
-    from ..report.folder_check import check_folder, is_begun
+    from ..report.study_folder import check_folder, is_begun
 
     if output == STANDARD_OUTPUT:
         raise InputError("--output -: a study is a folder; it cannot go to standard output")

@@ -13,7 +13,7 @@ import xarray as xr
 from ..arguments import arguments_checked
 from ..errors import InputError
 from ..flow.integrator import Trajectory
-from ..flow.metadata import FRAMES, LABELS, variable_metadata
+from ..flow.variable_metadata import FRAMES, LABELS, variable_metadata
 from .formats import save
 
 __all__ = ["read", "to_dataset", "write"]

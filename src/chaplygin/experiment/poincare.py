@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from ..analysis.scans.coordinates import chart
-from ..analysis.scans.named_quantities import meaning
+from ..analysis.scans.state_coordinates import chart
+from ..analysis.scans.system_quantities import meaning
 from ..core.system import System
 from ..errors import InputError
 from ..flow.batch import poincare_section
@@ -169,7 +169,7 @@ def _level(system: System, start: Any) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class Reduced:
-    """Some of the coordinates of a chart; see :func:`chaplygin.analysis.scans.coordinates.chart`.
+    """Some coordinates of a chart; see :func:`~chaplygin.analysis.scans.state_coordinates.chart`.
 
     Attributes
     ----------

@@ -7,9 +7,9 @@ from dataclasses import replace
 from typing import Any
 
 from ..analysis.scans.grid import Axis, ScanGrid, scan_grid
-from ..analysis.scans.named_quantities import meaning
 from ..analysis.scans.quantity_names import quantity_from_text
 from ..analysis.scans.scan_task import Scan
+from ..analysis.scans.system_quantities import meaning
 from ..core.system import System, flat
 from ..flow.batch import batch_integrator
 from .study import Study

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import sympy as sp
 
-from ..analysis.scans.coordinates import chart
+from ..analysis.scans.state_coordinates import chart
 from ..core.system import System
 from ..core.vectors import Vector, to_components
 from ..errors import InputError

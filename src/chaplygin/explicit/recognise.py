@@ -111,7 +111,7 @@ SEPARABLE = (
     SeparationEntry("rubber_sphere", "on_plane", "omega n"),
     SeparationEntry("veselova", "veselova", "omega gamma"),
     SeparationEntry("chaplygin_ball", "chaplygin_ball", "M gamma", "mR"),
-    SeparationEntry("chaplygin_area", "chaplygin_area", "M gamma", "mR"),
+    SeparationEntry("chaplygin_ball_area_constant", "chaplygin_area", "M gamma", "mR"),
     SeparationEntry("rubber_sphere", "hollow_ball", "omega gamma", "mRa"),
     SeparationEntry("rubber_sphere", "of_ratio", "omega n"),
     SeparationEntry("rubber_sphere", "on_e3", "M gamma"),

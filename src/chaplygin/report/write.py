@@ -19,8 +19,8 @@ from ..explicit.base.solution import Solution
 from ..flow.integrator import Trajectory
 from . import figures, page
 from .derivation import recorded_of, variables_of
-from .folder_check import begin, end
 from .scenes.scene import ball_scene_of, scene_of, weight_of
+from .study_folder import begin, end
 
 __all__ = ["write_study"]
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from chaplygin.analysis.scans.grid import INADMISSIBLE, NO_STATE, axis, scan_grid
-from chaplygin.analysis.scans.named_quantities import named
+from chaplygin.analysis.scans.system_quantities import named
 from chaplygin.catalogue import entry
 from chaplygin.catalogue.ball_on_sphere.ball_on_sphere_equations import equations_on_sphere
 from chaplygin.errors import InputError

@@ -14,7 +14,7 @@ from chaplygin.catalogue import from_catalogue
 from chaplygin.core.vectors import to_components
 from chaplygin.explicit.bifurcation import bifurcation_diagram
 from chaplygin.explicit.bifurcation.families import SEPARATED
-from chaplygin.explicit.separations.chaplygin_area import chaplygin_area
+from chaplygin.explicit.separations.chaplygin_ball_area_constant import chaplygin_area
 from chaplygin.flow.linear_stability import linear_stability
 from explicit.tori_followed import counted
 

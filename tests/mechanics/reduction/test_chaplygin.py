@@ -14,8 +14,8 @@ from chaplygin.mechanics.lagrangian.mechanism import TIME, Mechanism, coordinate
 from chaplygin.mechanics.reduction.base import base
 from chaplygin.mechanics.reduction.chaplygin import chaplygin_form
 from chaplygin.mechanics.reduction.form import ChaplyginForm
+from chaplygin.mechanics.reduction.horizontal_lift import lift
 from chaplygin.mechanics.reduction.integrals import Linear
-from chaplygin.mechanics.reduction.lift import lift
 from chaplygin.mechanics.reduction.momenta import motion
 from chaplygin.mechanics.reduction.numerical import integral_of_gyroscopic, log_multiplier
 from chaplygin.mechanics.reduction.quadratic_integral import balanced

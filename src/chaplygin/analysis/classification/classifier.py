@@ -23,11 +23,11 @@ from ...proof.level.trigonometric import circles, without_angles
 from ...proof.verdict import Verdict
 from .applicable_laws import sorted_laws
 from .classes import Found, classified
+from .configuration_measures import Decided, decided
 from .conserved_covectors import sources
 from .facts import Fact, ProofBudget, fact_of
 from .hamiltonian_forms import Forms, hamiltonian, measures
 from .lie_theorem import fields, lie
-from .measure_absence import Decided, decided
 from .place import Classification
 from .ranks import RankSample, rational_parameters, with_numeric_parameters
 from .sign_reversal import reversal

@@ -23,7 +23,7 @@ from ...flow.level_projection import projected
 from ...formulas.batch import Formulas
 from ...formulas.evaluate import formula
 from ...parsing import nearest, parse
-from .named_quantities import named
+from .system_quantities import named
 
 __all__ = [
     "NO_NUMBER",

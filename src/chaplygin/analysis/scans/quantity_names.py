@@ -20,10 +20,10 @@ from ..lyapunov.indicators import (
     SmallerAlignmentIndex,
 )
 from .grid import directions
-from .named_quantities import meaning
 from .observables import Frequency, Maximum, Minimum, SurvivalTime, TimeAverage
 from .scan_task import Rule
 from .section_rotation import Winding
+from .system_quantities import meaning
 
 __all__ = ["KINDS", "NamedQuantity", "quantity_from_text"]
 

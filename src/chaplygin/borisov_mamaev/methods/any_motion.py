@@ -23,7 +23,7 @@ from ...core.vectors import (
     vectors,
 )
 from . import unspecified
-from .free_body import POTENTIAL
+from .rigid_body_in_space import POTENTIAL
 
 __all__ = ["TORQUE", "any_motion", "driven", "newton_euler", "reaction", "reduced", "tensor"]
 

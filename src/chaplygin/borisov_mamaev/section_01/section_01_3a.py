@@ -30,8 +30,8 @@ from ...mechanics.rolling.equations import roll
 from ...mechanics.rolling.shapes import Ellipsoid
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.free_body import COORDINATES, bracket, moving, shift, turn
-from ..methods.growth import VectorField, along
+from ..methods.growth_vector import VectorField, along
+from ..methods.rigid_body_in_space import COORDINATES, bracket, moving, shift, turn
 
 alpha, beta, gamma, R, omega, v, r, c = vectors("alpha beta gamma R omega v r c")
 I, B = Diagonal("I"), Diagonal("B")

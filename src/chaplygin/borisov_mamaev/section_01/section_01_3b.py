@@ -28,8 +28,8 @@ from ...core.vectors import (
 from ..claim import Case, Claim, Remark
 from ..methods import unspecified
 from ..methods.any_motion import any_motion, driven, newton_euler, reaction, reduced, tensor
-from ..methods.free_body import POTENTIAL, constrained, shift, turn
-from ..methods.growth import along
+from ..methods.growth_vector import along
+from ..methods.rigid_body_in_space import POTENTIAL, constrained, shift, turn
 
 alpha, beta, gamma, R, omega, v, r = vectors("alpha beta gamma R omega v r")
 lambda_, X = vectors("lambda X")

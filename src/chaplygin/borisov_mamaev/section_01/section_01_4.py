@@ -30,7 +30,7 @@ from ...mechanics.rolling.shapes import Ball, Ellipsoid
 from ...mechanics.rolling.surfaces import Sphere
 from ..claim import Case, Claim, Remark
 from ..methods.any_motion import any_motion, driven, newton_euler, reduced
-from ..methods.free_body import POTENTIAL
+from ..methods.rigid_body_in_space import POTENTIAL
 
 M, omega, gamma, r, gammatilde, X = vectors("M omega gamma r gammatilde X")
 rdot, gammadot, omegadot, torque = vectors("rdot gammadot omegadot torque")

@@ -15,8 +15,8 @@ from ...core.vectors import constant, cross, dot, norm_squared, real_symbol, to_
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods import unspecified
-from ..methods.free_body import COORDINATES, shift, turn
-from ..methods.growth import VectorField, counted, growth
+from ..methods.growth_vector import VectorField, counted, growth
+from ..methods.rigid_body_in_space import COORDINATES, shift, turn
 from ..section_01.section_01_3a import rational_rotation
 
 omega, gamma, r, R = vectors("omega gamma r R")

@@ -14,7 +14,7 @@ from ...core.laws import Identity, Integral, Rate
 from ...core.system import System
 from ...core.vectors import cross, dot, norm_squared, real_symbol, unit_vector, vectors, zero
 from ..claim import Case, Claim, Remark
-from ..methods.printed import law_named, printed_form
+from ..methods.catalogue_laws import law_named, printed_form
 
 R, omega, v, r, N, F, n, df = vectors("R omega v r N F n df")
 m, mu, b, N_0 = (real_symbol(name) for name in ("m", "mu", "b", "N_0"))

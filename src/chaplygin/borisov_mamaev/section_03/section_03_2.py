@@ -14,7 +14,7 @@ from ...mechanics.rolling.shapes import Ellipsoid
 from ...parsing.exact_decimals import exact_number
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.rest import excludes_measure
+from ..methods.divergence_at_equilibria import excludes_measure
 from ..methods.unspecified import fields, of, system
 
 x = sp.symbols("x_1:4", real=True)

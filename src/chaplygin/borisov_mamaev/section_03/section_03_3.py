@@ -14,7 +14,7 @@ from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.contrary import contrary
-from ..methods.rest import excludes_measure
+from ..methods.divergence_at_equilibria import excludes_measure
 from ..methods.unspecified import bracket, gradient, hamiltonian, of, skew, system
 
 x = sp.symbols("x_1:4", real=True)

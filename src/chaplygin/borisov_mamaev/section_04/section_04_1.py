@@ -14,8 +14,8 @@ from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.contrary import contrary
+from ..methods.divergence_at_equilibria import excludes_measure
 from ..methods.named import named
-from ..methods.rest import excludes_measure
 from ..methods.tori import F_1, F_2, canonical_in, not_hamiltonian, theta_1, theta_2, theta_3
 from ..methods.unspecified import of, system
 

@@ -35,7 +35,7 @@ from ...core.laws import Identity, Integral, Measure
 from ...core.system import System
 from ...core.vectors import constant, cross, dot, gradient, to_components, vectors
 from ..claim import Case, Claim
-from ..methods.printed import law_named, printed_form
+from ..methods.catalogue_laws import law_named, printed_form
 from .section_07_3a import CYCLIC_REST, GYROSCOPIC, KINETIC, SPIN, SPREAD, VELOCITIES, routh_slope
 
 M, omega = vectors("M omega")

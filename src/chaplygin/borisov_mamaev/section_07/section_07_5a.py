@@ -25,7 +25,7 @@ from ...core.laws import Identity
 from ...core.system import System
 from ...core.vectors import Diagonal, dot, identity, norm_squared, to_components, vectors
 from ..claim import Case, Claim
-from ..methods.printed import printed_form
+from ..methods.catalogue_laws import printed_form
 
 M, omega = vectors("M omega")
 B = Diagonal("B")

@@ -16,7 +16,7 @@ from ...core.laws import Identity, Integral, Rate
 from ...core.system import System
 from ...core.vectors import cross, dot, norm_squared, real_symbol, vectors
 from ..claim import Case, Claim, Remark
-from ..methods.printed import printed_form
+from ..methods.catalogue_laws import printed_form
 
 M, omega, Q, K = vectors("M omega Q K")
 rho = real_symbol("rho")

@@ -11,8 +11,8 @@ from ...core.system import System
 from ...core.vectors import real_symbol
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
-from ..methods.growth import VectorField, counted, growth
-from ..methods.printed import law_named
+from ..methods.catalogue_laws import law_named
+from ..methods.growth_vector import VectorField, counted, growth
 
 #: Place of the contact point, cosine and sine of the heading, inclination, turn about the axis.
 x, y, c, s, theta, phi = (real_symbol(name) for name in ("x", "y", "c", "s", "theta", "phi"))

@@ -35,9 +35,9 @@ from ...core.vectors import (
 from ...proof.prover import prove
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
+from ..methods.catalogue_laws import law_named
 from ..methods.conclusion import concluded
 from ..methods.contrary import contrary
-from ..methods.printed import law_named
 from ..methods.tori import not_hamiltonian, of_rank_two
 from ..section_07.section_07_3a import PRECESSION, SPIN, SPREAD
 

@@ -38,7 +38,8 @@ from ...core.vectors import (
     vectors,
 )
 from ..genus_two.separation import nu, nuprime
-from .chaplygin_area import (
+from .chaplygin_ball import SPIN, chaplygin_ball
+from .chaplygin_ball_area_constant import (
     BETA,
     D_ZERO,
     MOMENTUM,
@@ -52,8 +53,7 @@ from .chaplygin_area import (
     returned,
     sigma,
 )
-from .chaplygin_area import e as stretch
-from .chaplygin_ball import SPIN, chaplygin_ball
+from .chaplygin_ball_area_constant import e as stretch
 
 __all__ = ["chart", "frozen"]
 

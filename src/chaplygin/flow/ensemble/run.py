@@ -19,8 +19,8 @@ from ...formulas.digest import canonical
 from ...formulas.evaluate import as_float_array
 from ..cost import TooMuchError
 from ..kernel.runge_kutta import STATUS_MESSAGES
-from ..metadata import FRAMES, LABELS, variable_metadata
 from ..validation import moments
+from ..variable_metadata import FRAMES, LABELS, variable_metadata
 from .compute import compute
 from .members import Members, from_lists, grid, sampled, single
 from .task import Coordinate, Progress, Task, Variable

@@ -15,8 +15,8 @@ from ...formulas.batch import Formulas
 from ...formulas.evaluate import parameter_rows
 from ..ensemble.task import Coordinate, Task, Variable
 from ..kernel.runge_kutta import STATUS_MESSAGES
-from ..metadata import FRAMES, LABELS, variable_metadata
 from ..trajectory import by_name
+from ..variable_metadata import FRAMES, LABELS, variable_metadata
 from .poincare_map import PoincareMap
 
 __all__ = ["Columns", "Quantity", "Returns", "section_task"]

@@ -20,10 +20,10 @@ from ...errors import InputError
 from ...formulas.expansion import expanded
 from ...formulas.taylor import PRIMES, IrrationalError, Modular
 from ..lagrangian.mechanism import Mechanism
-from .bundle_sections import SingularError
 from .distribution import Distribution, distribution
 from .exact_points import ExactPoint, NoPointError, random_point
 from .growth import SEED, Filtration, generic, pivots_at
+from .vector_field_series import SingularError
 
 __all__ = ["Exceptional", "exceptional"]
 

@@ -17,9 +17,9 @@ import sympy as sp
 
 from ...errors import InputError
 from ...formulas.taylor import PRIMES, IrrationalError, Modular, Numbers, Rational
-from .bundle_sections import Bundle, Section, SingularError, Span
 from .distribution import Distribution, VectorField, spanned
 from .exact_points import ExactPoint, NoPointError, point_at, random_point
+from .vector_field_series import Bundle, Section, SingularError, Span
 
 __all__ = ["Filtration", "filtration", "generic", "growth"]
 

@@ -20,10 +20,10 @@ from sympy.core.function import AppliedUndef
 
 from ...formulas.expansion import angles
 from ...formulas.taylor import PRIMES, IrrationalError, Modular
-from .bundle_sections import SingularError, Values, slopes, values_at
 from .distribution import Distribution, along
 from .exact_points import NoPointError, random_point
 from .growth import SEED
+from .vector_field_series import SingularError, Values, slopes, values_at
 from .zero_test import vanishes
 
 __all__ = ["Constancy", "constant_along", "constants"]

@@ -29,8 +29,8 @@ from .closed_form import Closed, closed_forms
 from .factors import HalfAngleChart, natural_factors
 from .form import ChaplyginForm
 from .gyroscopic_form import Flux, flux, indefinite
+from .horizontal_lift import Lift, Local, lift
 from .integrals import Linear, linear_integrals
-from .lift import Lift, Local, lift
 from .momenta import ReducedMomenta, motion
 from .multiplier import Multiplier, closed, is_closed, multiplier, over_rational, poles
 from .quadratic_integral import balanced

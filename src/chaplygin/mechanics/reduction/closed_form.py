@@ -10,7 +10,7 @@ import sympy as sp
 
 from ...core.vectors import Vector
 from .factors import HalfAngleChart, has_even_degrees, in_angles, on_sphere
-from .lift import Local
+from .horizontal_lift import Local
 from .rational_evaluation import Formulas, Quotient, inverse, product, quotients
 
 __all__ = ["Closed", "closed_forms", "written"]

@@ -16,7 +16,7 @@ import sympy as sp
 from flint import Ordering, fmpq, fmpq_mat, fmpq_mpoly_ctx
 
 from ...core.vectors import Vector, real_symbol
-from .lift import Lift
+from .horizontal_lift import Lift
 from .rational_evaluation import (
     Formulas,
     Quotient,

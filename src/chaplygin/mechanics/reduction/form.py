@@ -14,8 +14,8 @@ from ...printing.formula import text
 from .base import Base
 from .closed_form import Closed
 from .gyroscopic_form import Flux
+from .horizontal_lift import Local
 from .integrals import Linear
-from .lift import Local
 from .multiplier import Multiplier, Obstruction, poles
 
 __all__ = ["ChaplyginForm"]

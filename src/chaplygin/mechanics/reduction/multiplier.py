@@ -18,7 +18,7 @@ from flint import fmpq
 from ...core.system import Parameter
 from ...core.vectors import Vector
 from .factors import HalfAngleChart, has_even_degrees, in_angles, on_sphere
-from .lift import Local
+from .horizontal_lift import Local
 from .rational_evaluation import Quotient, Value, near, number, quotients, reduced
 
 __all__ = [

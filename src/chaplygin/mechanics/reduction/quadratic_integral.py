@@ -17,8 +17,8 @@ from ...core.vectors import Vector, norm_squared, real_symbol
 from ...errors import InputError
 from ...printing.formula import text
 from ..lagrangian.mechanism import Mechanism
+from .horizontal_lift import Lift, Local, Point, Quadratic, energy, in_momenta
 from .integrals import quadratic_integrals, solutions
-from .lift import Lift, Local, Point, Quadratic, energy, in_momenta
 from .momenta import ReducedMomenta
 from .rational_evaluation import Value, bare, point
 

@@ -19,7 +19,7 @@ from ..drawing.geometry import BodyMesh, Ground
 from ..drawing.style import STYLE
 from ..scenes.ball import ball_scene
 from ..scenes.implicit_surface import SurfaceGround
-from ..scenes.plan import plan_view
+from ..scenes.planar_mechanism import plan_view
 from ..scenes.rolling_body import scene
 from .bifurcation import draw_bifurcation_diagram as bifurcation_diagram
 from .closed_form import closed_form

@@ -14,7 +14,7 @@ from ...core.system import Parameter, System
 from ...core.vectors import Diagonal, constant, cross, gradient, real_symbol, to_components, vectors
 from ...mechanics.rolling.attitude import attitude, quaternion_rate, rotation, unit_length
 from . import unspecified
-from .growth import VectorField, commutator
+from .growth_vector import VectorField, commutator
 
 __all__ = [
     "COORDINATES",

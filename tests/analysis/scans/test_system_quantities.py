@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from chaplygin.analysis.scans.named_quantities import meaning, named
+from chaplygin.analysis.scans.system_quantities import meaning, named
 from chaplygin.catalogue import entry
 
 BALL = entry("ball-on-sphere").system()

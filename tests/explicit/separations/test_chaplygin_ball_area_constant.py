@@ -11,8 +11,13 @@ import sympy as sp
 from chaplygin.core.laws import Identity
 from chaplygin.core.vectors import to_components
 from chaplygin.explicit.genus_two.separation import nuprime
-from chaplygin.explicit.separations.chaplygin_area import M, chaplygin_area, even_clock, gamma
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
+from chaplygin.explicit.separations.chaplygin_ball_area_constant import (
+    M,
+    chaplygin_area,
+    even_clock,
+    gamma,
+)
 from chaplygin.explicit.separations.chaplygin_reduction import chart, frozen
 from chaplygin.proof.prover import prove
 from explicit.along import at, follows, located, slips, states

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from chaplygin.analysis.scans.coordinates import CHARTS, StateCoordinates, chart
+from chaplygin.analysis.scans.state_coordinates import CHARTS, StateCoordinates, chart
 from chaplygin.catalogue import from_catalogue
 from chaplygin.errors import InputError
 from chaplygin.flow.sampling.draw import sample_level
