@@ -21,7 +21,7 @@ import sympy as sp
 from matplotlib.figure import Figure
 from whipple_bicycle import VALUES, critical_speeds, model, near, upright
 
-from chaplygin.flow.linear_stability import linear_stability, steady
+from chaplygin.flow.linear_stability import linear_stability, relative_equilibrium
 from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
 
 DIGITS = 15
@@ -57,7 +57,7 @@ def circles(angles: Sequence[float] = ANGLES) -> list[Circle]:
     found = []
     for angle in angles:
         guess["delta"] = math.radians(angle)
-        state = steady(model(), guess, VALUES, held=["delta"], digits=DIGITS)
+        state = relative_equilibrium(model(), guess, VALUES, held=["delta"], digits=DIGITS)
         guess = {str(name): float(x) for name, x in state.items()}
         turning = math.hypot(*(guess[f"omega_{i}"] for i in (1, 2, 3)))
         speed = -float(VALUES["R_R"]) * guess["Omega_R"]

@@ -25,7 +25,7 @@ from chaplygin.experiment.closed_form import (
     evaluated,
     letters,
     number,
-    solved,
+    solution_of_study,
     solved_if_known,
     units,
 )
@@ -184,7 +184,7 @@ def test_no_closed_form_no_section() -> None:
 
 def test_a_study_is_solved_as_its_system_is() -> None:
     study = prepare(loads('[system]\nname = "neumann"\n'))
-    solution = solved(study)
+    solution = solution_of_study(study)
     direct = solve(study.system, study.start)
     assert solution.states([3.0]).tolist() == direct.states([3.0]).tolist()
 

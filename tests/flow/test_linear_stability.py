@@ -9,7 +9,7 @@ import sympy as sp
 from chaplygin import InputError, from_catalogue
 from chaplygin.core.system import Parameter, System
 from chaplygin.core.vectors import cross, real_symbol, vectors
-from chaplygin.flow.linear_stability import linear_stability, steady
+from chaplygin.flow.linear_stability import linear_stability, relative_equilibrium
 
 x, v, w, theta, c, s, g, length, k = (
     real_symbol(name) for name in ("x", "v", "w", "theta", "c", "s", "g", "l", "k")
@@ -148,7 +148,7 @@ def test_newton_finds_the_steady_motion_of_a_speed():
         },
         parameters=PENDULUM.parameters,
     )
-    state = steady(cone, {"tilt": 1.0, "rate": 0, "turn": 6}, held=["turn"])
+    state = relative_equilibrium(cone, {"tilt": 1.0, "rate": 0, "turn": 6}, held=["turn"])
     assert float(state[turn]) == 6
     assert float(mpmath.cos(state[tilt])) == pytest.approx(19.62 / 36, rel=1e-15)
     found = linear_stability(cone, state)
@@ -159,14 +159,14 @@ def test_newton_finds_the_steady_motion_of_a_speed():
 def test_where_nothing_is_steady_newton_says_so():
     racing = System("racing", "Racing", field={v: v**2 + 1})
     with pytest.raises(InputError, match="no steady motion was found"):
-        steady(racing, {"v": 0})
+        relative_equilibrium(racing, {"v": 0})
 
 
 def test_something_must_be_left_to_be_found():
     with pytest.raises(InputError, match="all state variables are held"):
-        steady(ROUND, {"s": 0, "c": 1, "w": 0}, held=["s", "c", "w"])
+        relative_equilibrium(ROUND, {"s": 0, "c": 1, "w": 0}, held=["s", "c", "w"])
     with pytest.raises(InputError, match="digits = 3"):
-        steady(ROUND, {"s": 0, "c": 1, "w": 0}, digits=3)
+        relative_equilibrium(ROUND, {"s": 0, "c": 1, "w": 0}, digits=3)
 
 
 def test_where_nothing_depends_on_the_state_there_is_nothing_to_linearise():

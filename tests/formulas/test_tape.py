@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from chaplygin.core.vectors import real_symbol
 from chaplygin.formulas.tape import Derivation, Tape, simplify_small
-from chaplygin.mechanics.lagrangian.ldl import Factored
+from chaplygin.mechanics.lagrangian.ldl import Factorisation
 
 x, y, z, a, b, c = (real_symbol(n) for n in "xyzabc")
 STEPS = ((a, x**2 * y + sp.sin(x)), (b, a**3 / (1 + x**2)), (c, sp.sqrt(1 + a * b)))
@@ -78,7 +78,7 @@ def test_linear_equations_are_solved(seed: int, size: int) -> None:
     matrix = root.T * root
     right = [sp.Integer(dice.randint(-5, 5)) + y * dice.randint(0, 2) for _ in range(size)]
     tape = Tape((), (x, y))
-    found = Factored(tape, matrix.tolist()).solve(right)
+    found = Factorisation(tape, matrix.tolist()).solve(right)
     at = {x: sp.Rational(3, 7), y: sp.Rational(-2, 5)}
     solution = sp.Matrix([written(tape, value) for value in found]).xreplace(at)
     assert matrix.xreplace(at) * solution == sp.Matrix(right).xreplace(at)
@@ -86,4 +86,4 @@ def test_linear_equations_are_solved(seed: int, size: int) -> None:
 
 def test_a_zero_pivot_is_told() -> None:
     with pytest.raises(ZeroDivisionError):
-        Factored(Tape((), ()), [[sp.S.Zero, sp.S.One], [sp.S.One, sp.S.Zero]])
+        Factorisation(Tape((), ()), [[sp.S.Zero, sp.S.One], [sp.S.One, sp.S.Zero]])

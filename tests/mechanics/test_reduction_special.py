@@ -9,7 +9,7 @@ import sympy as sp
 
 from chaplygin.core.vectors import real_symbol
 from chaplygin.errors import InputError
-from chaplygin.mechanics.lagrangian.substituted_parameters import settled
+from chaplygin.mechanics.lagrangian.substituted_parameters import with_parameters
 from chaplygin.mechanics.reduction.chaplygin import chaplygin_form
 from chaplygin.mechanics.reduction.multiplier import poles
 from chaplygin.proof.prover import prove
@@ -46,7 +46,7 @@ def test_a_general_parameter_has_an_obstruction_and_says_where_not():
 
 
 def test_settled_is_what_was_built_with_the_number():
-    one, other = settled(sleigh(), {a: sp.S.Zero}), sleigh(sp.S.Zero)
+    one, other = with_parameters(sleigh(), {a: sp.S.Zero}), sleigh(sp.S.Zero)
     assert one.parameters == other.parameters
     assert sp.expand(one.L - other.L) == 0
     assert one.f == other.f
@@ -79,7 +79,7 @@ def test_special_values_are_to_be_put_in():
 @pytest.mark.slow
 def test_the_integral_for_equal_moments_is_that_of_the_general_ball():
     first, second, third = I.symbols
-    equal = settled(ball(), {second: first, third: first})
+    equal = with_parameters(ball(), {second: first, third: first})
     special, general = chaplygin_form(equal), chaplygin_form(ball())
     # N is known up to a constant factor, and with it S̄ and its integral
     m, R, gamma = real_symbol("m"), real_symbol("R"), general.base.normal
@@ -95,5 +95,5 @@ def test_the_integral_for_equal_moments_is_that_of_the_general_ball():
 
 def test_equal_moments_of_veselova():
     first, second, third = I.symbols
-    form = chaplygin_form(settled(veselova(), {second: first, third: first}))
+    form = chaplygin_form(with_parameters(veselova(), {second: first, third: first}))
     assert form.multiplier.value == 1

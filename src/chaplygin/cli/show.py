@@ -36,7 +36,7 @@ def command(
     from ..analysis.classification.classifier import classify_quickly
     from ..printing.code import source_code
     from ..printing.system import motion_text
-    from ..report.derivation import is_described, told
+    from ..report.derivation import derivation_notes, is_described
     from ..report.summary import legend
 
     system = study.system
@@ -80,7 +80,7 @@ def command(
                     }
                     for law in system.laws
                 ],
-                "notes": list(told(study)),
+                "notes": list(derivation_notes(study)),
                 "place": classify_quickly(system, study.rolling or study.mechanism).record,
             }
         )
@@ -95,7 +95,7 @@ def command(
     typer.echo(texts[form]().rstrip())
     if form == "text" and is_described(study) and (lines := motion_text(system)):
         typer.echo("\n".join(("\nWhat moves along and enters nothing", *lines)))
-    for words in filter(None, (legend(study), *told(study)) if form == "text" else ()):
+    for words in filter(None, (legend(study), *derivation_notes(study)) if form == "text" else ()):
         typer.echo("\n" + textwrap.fill(words, 100))
     if form == "text":
         place = classify_quickly(system, study.rolling or study.mechanism)

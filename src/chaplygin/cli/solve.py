@@ -61,14 +61,14 @@ def command(
         check_figure("--figure", figure)
         check_output("--figure", figure, force, json, what)
     study = study_of(what, overrides)
-    from ..experiment.closed_form import solved
+    from ..experiment.closed_form import solution_of_study
     from ..explicit.base.no_closed_form import NoClosedFormError
 
     if moments is None:
         moments = [Fraction(float(t)) for t in study.times]
     try:
         with waiting("solving"):
-            solution = solved(study)
+            solution = solution_of_study(study)
     except NoClosedFormError as refused:
         complain(str(refused))
         raise typer.Exit(1) from None

@@ -36,13 +36,13 @@ __all__ = [
     "diagram_if_known",
     "evaluated",
     "number",
-    "solved",
+    "solution_of_study",
     "solved_if_known",
     "units",
 ]
 
 
-def solved(study: Study) -> Solution:
+def solution_of_study(study: Study) -> Solution:
     """The motion of a study in closed form.
 
     Raises
@@ -62,7 +62,7 @@ def solved(study: Study) -> Solution:
 def solved_if_known(study: Study) -> Solution | None:
     """The motion of a study in closed form, None where it has none or none can be evaluated."""
     with contextlib.suppress(InputError, RunError, ArithmeticError):
-        return solved(study)
+        return solution_of_study(study)
     return None
 
 

@@ -22,7 +22,7 @@ from ..mechanics.rolling.attitude import attitude
 from ..mechanics.rolling.initial_state import DIGITS, SLACK
 from ..parsing import nearest
 from ..printing.formula import text
-from .file.validation import shown
+from .file.validation import value_text
 
 __all__ = ["initial_state_from_values", "lift_of", "normalised", "on_level", "unit_vectors"]
 
@@ -183,7 +183,7 @@ def _numbers(name: str, given: float | Sequence[float], size: int) -> list[Any]:
     fits = isinstance(given, Sequence) == (size > 0) and len(listed) == max(size, 1)
     if not fits or not all(mpmath.isfinite(x) for x in listed):
         wanted = f"{size} finite numbers" if size else "a finite number"
-        raise InputError(f"{name}: must be {wanted}, not {shown(given)}")
+        raise InputError(f"{name}: must be {wanted}, not {value_text(given)}")
     return [mpmath.mpf(repr(float(x))) for x in listed]
 
 

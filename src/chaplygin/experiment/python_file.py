@@ -29,7 +29,7 @@ from ..parsing import nearest
 from .file.models import EquationsExperiment
 from .file.source import Source
 from .file.toml import Key
-from .file.validation import shown, validation_messages
+from .file.validation import validation_messages, value_text
 from .initial_state import lift_of
 from .study import Study, described_study
 from .write_equations import plan_table_of, tables_of
@@ -100,7 +100,7 @@ def _changed(experiment: EquationsExperiment, parameter: Parameter) -> Parameter
     value = experiment.parameters[name].value
     if not isinstance(value, float):
         where = experiment.where("parameters", name)
-        raise InputError(f"must be a finite number, not {shown(value)}", where)
+        raise InputError(f"must be a finite number, not {value_text(value)}", where)
     return replace(parameter, default=value)
 
 
@@ -185,7 +185,7 @@ def _number(value: Any, name: str, depth: int = 0) -> Any:
 
 def _change_parameters(tables: dict[str, Any], told: Any, source: Source) -> None:
     if not isinstance(told, Mapping):
-        raise InputError(f"must be a table, not {shown(told)}", source.where(("parameters",)))
+        raise InputError(f"must be a table, not {value_text(told)}", source.where(("parameters",)))
     for name, value in told.items():
         if name not in tables["parameters"]:
             allowed = nearest(name, tables["parameters"])

@@ -31,7 +31,13 @@ from ..formulas.multiprecision import number, slopes
 from .initial_states import reduced_start
 from .multiprecision_linalg import complement, shortest, without
 
-__all__ = ["Linearisation", "components", "linear_stability", "steady", "taking_part"]
+__all__ = [
+    "Linearisation",
+    "components",
+    "essential_variables",
+    "linear_stability",
+    "relative_equilibrium",
+]
 
 NEWTON_STEPS = 60
 
@@ -151,7 +157,7 @@ def linear_stability(
         )
 
 
-def steady(
+def relative_equilibrium(
     system: System,
     guess: Mapping[Any, Any] | Sequence[Any],
     parameters: Mapping[Any, Any] | None = None,
@@ -313,7 +319,7 @@ def components(law: Symmetry, variables: Sequence[sp.Symbol]) -> list[sp.Expr]:
     return [sp.sympify(named.get(s, 0)) for s in variables]
 
 
-def taking_part(system: System) -> tuple[sp.Symbol, ...]:
+def essential_variables(system: System) -> tuple[sp.Symbol, ...]:
     """State variables without those on which nothing depends, one after the other."""
     rates = dict(zip(system.symbols, system.rates, strict=True))
     while True:
@@ -329,7 +335,7 @@ def taking_part(system: System) -> tuple[sp.Symbol, ...]:
 
 
 def _variables(system: System) -> tuple[sp.Symbol, ...]:
-    found = taking_part(system)
+    found = essential_variables(system)
     if not found:
         raise InputError(f"{system.name}: no rate depends on the state; nothing can be linearised")
     return found

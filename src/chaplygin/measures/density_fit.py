@@ -14,11 +14,11 @@ from ..formulas.expansion import expanded
 from ..formulas.taylor import IrrationalError, Rational
 from ..mechanics.constraints.distribution import Distribution
 from ..mechanics.constraints.exact_points import NoPointError, random_point
-from .lifted_fields import Lifted
-from .parameter_conditions import Level, settled
+from .lifted_fields import LiftedFields
+from .parameter_conditions import Level, solved_parameters
 from .positivity import Powers
 
-__all__ = ["fitted", "integrated"]
+__all__ = ["density_from_powers", "integrated"]
 
 SEED = 20080830
 POINTS = 6
@@ -27,7 +27,9 @@ SIMPLE = 4000
 """Operations up to which a formula is factored."""
 
 
-def fitted(given: Lifted, jacobian: Powers, level: Level) -> tuple[Powers, Powers] | None:
+def density_from_powers(
+    given: LiftedFields, jacobian: Powers, level: Level
+) -> tuple[Powers, Powers] | None:
     """e^σ, and the density over coordinates and quasi-velocities, as products of powers.
 
     Parameters
@@ -44,7 +46,7 @@ def fitted(given: Lifted, jacobian: Powers, level: Level) -> tuple[Powers, Power
         None if the density is no product of powers of the factors of kinetic determinant and
         1-form.
     """
-    table = settled(level)
+    table = solved_parameters(level)
     steps = {s: f.xreplace(table) for s, f in given.steps}
     factors: dict[sp.Expr, sp.Rational] = {}
     for base, exponent in jacobian:
@@ -71,7 +73,7 @@ def fitted(given: Lifted, jacobian: Powers, level: Level) -> tuple[Powers, Power
     )
 
 
-def integrated(given: Lifted, powers: Powers, level: Level) -> tuple[System, Identity]:
+def integrated(given: LiftedFields, powers: Powers, level: Level) -> tuple[System, Identity]:
     """That σ has the derivatives θ along the admissible fields, on the configuration space.
 
     Parameters
@@ -110,7 +112,7 @@ def integrated(given: Lifted, powers: Powers, level: Level) -> tuple[System, Ide
     return system, replace(law, on=level)
 
 
-def _moves(factor: sp.Expr, given: Lifted) -> bool:
+def _moves(factor: sp.Expr, given: LiftedFields) -> bool:
     return bool(factor.free_symbols & set(given.base.coordinates))
 
 
@@ -142,7 +144,7 @@ def _in_cosines(formula: sp.Expr) -> sp.Expr:
 
 
 def _exponents(
-    given: Lifted, level: Level, theta: list[sp.Expr], bases: list[sp.Expr]
+    given: LiftedFields, level: Level, theta: list[sp.Expr], bases: list[sp.Expr]
 ) -> list[sp.Rational] | None:
     """Rational exponents with Σ e η_β(log b) = θ_β at several points; None if there are none."""
     rows: list[list[fmpq]] = []
@@ -173,9 +175,9 @@ def _exponents(
     return [sp.Rational(int(x.p), int(x.q)) for x in solution]
 
 
-def _settled(given: Lifted, level: Level) -> Distribution:
+def _settled(given: LiftedFields, level: Level) -> Distribution:
     """The admissible fields with the parameters that the level settles put in."""
-    table = settled(level)
+    table = solved_parameters(level)
     return replace(
         given.base,
         frame=tuple({s: f.xreplace(table) for s, f in field.items()} for field in given.base.frame),

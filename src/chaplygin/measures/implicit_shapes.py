@@ -9,7 +9,7 @@ import numpy as np
 from ..core.vectors import Symmetric, Vector, real_symbol
 from ..errors import InputError
 from .one_form import OneForm
-from .quadrature import arc, evaluated
+from .quadrature import arc, numerical_functions
 
 __all__ = ["log_density_on_surface"]
 
@@ -43,7 +43,7 @@ def log_density_on_surface(
     system = form.system
     gamma, hessian = Vector("gamma").symbols, Symmetric("F").symbols
     curvatures = (real_symbol("ell"), real_symbol("sigma"), real_symbol("kappa"))
-    values = evaluated(system, (*form.form.symbols, *gamma, *hessian, *curvatures))
+    values = numerical_functions(system, (*form.form.symbols, *gamma, *hessian, *curvatures))
     first = _leaving(form, np.asarray(toward, dtype=float))
     start = values(first)[3:6]
 
@@ -80,7 +80,7 @@ def _leaving(form: OneForm, direction: np.ndarray) -> np.ndarray:
     system = form.system
     numbers = {p.symbol: p.default for p in system.parameters}
     centre = np.array([numbers.get(c, 0.0) for c in Vector("c").symbols])
-    inside = evaluated(system, (), system.relations)
+    inside = numerical_functions(system, (), system.relations)
 
     def value(distance: float) -> float:
         return float(inside(centre + distance * direction)[0])

@@ -25,11 +25,11 @@ from ..formulas.tape import Derivation, Tape
 from ..mechanics.constraints.distribution import Distribution
 from ..mechanics.lagrangian.constrained_frame import Restriction
 
-__all__ = ["Lifted", "lift"]
+__all__ = ["LiftedFields", "lift"]
 
 
 @dataclass(frozen=True)
-class Lifted:
+class LiftedFields:
     """Admissible fields with and without their share along z.
 
     Attributes
@@ -53,7 +53,7 @@ class Lifted:
     parameters: tuple[Parameter, ...]
 
 
-def lift(restriction: Restriction) -> Lifted:
+def lift(restriction: Restriction) -> LiftedFields:
     """θ_β = −(div η_β + C^s_βs) and the lifted fields of a mechanism.
 
     Raises
@@ -105,7 +105,7 @@ def lift(restriction: Restriction) -> Lifted:
         for field, share in zip(fields, theta, strict=True)
     ]
     low, high = spanned(fields, q), spanned(raised, (*q, height))
-    return Lifted(tuple(theta), steps, height, low, high, mechanism.parameters)
+    return LiftedFields(tuple(theta), steps, height, low, high, mechanism.parameters)
 
 
 def _heights() -> Iterator[str]:

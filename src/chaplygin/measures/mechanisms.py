@@ -12,15 +12,15 @@ from ..errors import InputError
 from ..formulas.expansion import expanded
 from ..mechanics.constraints.exact_points import NoPointError
 from ..mechanics.constraints.growth import generic
-from ..mechanics.lagrangian.constrained_frame import Restriction, restricted
+from ..mechanics.lagrangian.constrained_frame import Restriction, constraint_distribution
 from ..mechanics.lagrangian.mechanism import Mechanism
 from ..mechanics.lagrangian.poincare_suslov import equations
 from ..parsing.exact_decimals import exact_number
 from ..proof.fields.budget import EFFORT
 from ..proof.prover import prove
 from ..proof.verdict import Verdict
-from .density_fit import fitted, integrated
-from .lifted_fields import Lifted, lift
+from .density_fit import density_from_powers, integrated
+from .lifted_fields import LiftedFields, lift
 from .parameter_conditions import Level, branches
 from .positivity import Powers, Signs, positive
 from .result import Existence
@@ -46,7 +46,7 @@ def decide_mechanism(mechanism: Mechanism, name: str, effort: int) -> Existence:
     effort : int
         Term operations after which a proof is given up.
     """
-    restriction = restricted(mechanism)
+    restriction = constraint_distribution(mechanism)
     lifted = lift(restriction)
     parameters = tuple(p.symbol for p in mechanism.parameters)
     system = equations(mechanism)
@@ -89,7 +89,7 @@ def decide_mechanism(mechanism: Mechanism, name: str, effort: int) -> Existence:
 
 
 def _everywhere(
-    restriction: Restriction, lifted: Lifted, system: System, name: str, effort: int
+    restriction: Restriction, lifted: LiftedFields, system: System, name: str, effort: int
 ) -> Existence:
     """No obstruction at a generic point: the density, if it is found."""
     made = _measure(restriction, lifted, system, (), effort)
@@ -107,7 +107,7 @@ def _everywhere(
 
 
 def _levels(
-    restriction: Restriction, lifted: Lifted, system: System, steps: int, effort: int
+    restriction: Restriction, lifted: LiftedFields, system: System, steps: int, effort: int
 ) -> tuple[list[Found], bool]:
     """Levels in the parameters on which a measure is proven, and whether there are no others."""
     proven: list[Found] = []
@@ -150,7 +150,7 @@ def _positive(restriction: Restriction) -> frozenset[sp.Symbol]:
 
 
 def _measure(
-    restriction: Restriction, lifted: Lifted, system: System, level: Level, effort: int
+    restriction: Restriction, lifted: LiftedFields, system: System, level: Level, effort: int
 ) -> tuple[Measure, Verdict, Domain] | None:
     """A proven measure on a level, and where its density is shown to be positive."""
     steps = dict(restriction.definitions)
@@ -159,7 +159,7 @@ def _measure(
         # the constraints that stay as relations cut out the volume of the velocities
         *((expanded(f, steps), sp.S.One) for f in restriction.nonzero),
     )
-    found = fitted(lifted, jacobian, level)
+    found = density_from_powers(lifted, jacobian, level)
     if found is None:
         return None
     potential, powers = found
@@ -192,7 +192,7 @@ def _signs(restriction: Restriction) -> Signs:
     )
 
 
-def _obstruction(lifted: Lifted) -> dict[str, object] | None:
+def _obstruction(lifted: LiftedFields) -> dict[str, object] | None:
     """A rational point at which a combination of commutators points along z, for the defaults."""
     base, raised = generic(lifted.base), generic(lifted.lifted)
     full = base.final == base.dimension

@@ -25,10 +25,10 @@ from ..mechanics.reduction.rational_evaluation import (
     circle,
     quotients,
 )
-from .lifted_fields import Lifted
+from .lifted_fields import LiftedFields
 from .positivity import definite
 
-__all__ = ["Branches", "Level", "branches", "settled"]
+__all__ = ["Branches", "Level", "branches", "solved_parameters"]
 
 SEED = 20080830
 POINTS = 3
@@ -53,7 +53,7 @@ class Branches:
 
 
 def branches(
-    given: Lifted, steps: int, positive: frozenset[sp.Symbol], metric: sp.Expr
+    given: LiftedFields, steps: int, positive: frozenset[sp.Symbol], metric: sp.Expr
 ) -> Branches:
     """Solve the conditions at a few points for the parameters.
 
@@ -120,7 +120,7 @@ def branches(
     return Branches(tuple(kept), complete and clean)
 
 
-def settled(level: Level) -> dict[sp.Symbol, sp.Expr]:
+def solved_parameters(level: Level) -> dict[sp.Symbol, sp.Expr]:
     """The parameters that a level of differences p − v gives, v being free of all of these."""
     table: dict[sp.Symbol, sp.Expr] = {}
     for condition in level:
@@ -136,14 +136,14 @@ def settled(level: Level) -> dict[sp.Symbol, sp.Expr]:
 
 
 def _on(level: Level, formula: sp.Expr) -> sp.Expr:
-    return sp.cancel(formula.xreplace(settled(level)))
+    return sp.cancel(formula.xreplace(solved_parameters(level)))
 
 
 def _tidied(level: Level) -> Level:
-    return tuple(s - v for s, v in settled(level).items())
+    return tuple(s - v for s, v in solved_parameters(level).items())
 
 
-def _brackets(given: Lifted, tape: Tape, steps: int) -> list[VectorField]:
+def _brackets(given: LiftedFields, tape: Tape, steps: int) -> list[VectorField]:
     """The lifted fields and their commutators with them, so many times."""
     fields = [dict(field) for field in given.lifted.frame]
     rows, last = list(fields), list(fields)
@@ -170,7 +170,7 @@ def _bracket(tape: Tape, first: VectorField, second: VectorField) -> dict[sp.Sym
     return found
 
 
-def _point(given: Lifted, dice: random.Random, one: Quotient) -> dict[sp.Symbol, Any]:
+def _point(given: LiftedFields, dice: random.Random, one: Quotient) -> dict[sp.Symbol, Any]:
     """A rational point of the configuration space, with sines and cosines, and z = 0."""
     parameters = tuple(s for s, _ in given.lifted.constants)
     place = random_point(given.lifted.space(parameters), Rational(), dice)

@@ -11,7 +11,7 @@ from ..core.system import System
 from ..errors import InputError
 from .one_form import OneForm
 
-__all__ = ["arc", "evaluated", "log_density"]
+__all__ = ["arc", "log_density", "numerical_functions"]
 
 NODES = 24
 MORE_NODES = 40
@@ -19,7 +19,7 @@ MORE_NODES = 40
 PIECES = 8
 
 
-def evaluated(
+def numerical_functions(
     system: System, wanted: Sequence[sp.Symbol], formulas: Sequence[sp.Expr] = ()
 ) -> Callable[[np.ndarray], np.ndarray]:
     """Definitions, and further formulas, as functions of the state, with the default parameters."""
@@ -84,7 +84,7 @@ def log_density(
         `base`, by Gauss's rule with 40 nodes on each of 8 pieces, and its difference from 24.
         It raises InputError if γ is no unit vector, or opposite to `base`.
     """
-    theta = evaluated(form.system, form.form.symbols)
+    theta = numerical_functions(form.system, form.form.symbols)
     start = np.asarray(base, dtype=float)
 
     def along(across: np.ndarray, angle: float, nodes: int) -> float:

@@ -18,11 +18,11 @@ from ..core.laws import Identity, Law, Rate, Reduction
 from ..formulas.errors import OutOfReachError, UnknownSymbolError
 from ..formulas.jets import Evaluator, Jet
 from .fields.quotient_ring import Element
-from .fields.unreduced_fields import Unreduced
+from .fields.unreduced_fields import UnreducedField
 from .level.level_set import LevelSet
-from .level.named_formulas import named
+from .level.named_formulas import quantities_in_order
 from .level.time_derivatives import without_second_rates
-from .residuals import arrived
+from .residuals import target_state
 
 __all__ = ["Divisor", "divisors", "sympy_formula"]
 
@@ -31,7 +31,9 @@ Divisor = tuple[str, str, Element, bool]
 _Value = Callable[[Formula], tuple[str, Element]]
 
 
-def divisors(claim: CheckedClaim, law: Law, ground: LevelSet, made: Unreduced) -> Iterator[Divisor]:
+def divisors(
+    claim: CheckedClaim, law: Law, ground: LevelSet, made: UnreducedField
+) -> Iterator[Divisor]:
     """All divisors and radicands of a law, apart from those that have no value in the field."""
     settled = {str(s): parse(str(v), "a settled parameter") for s, v in ground.settled.items()}
     found = domain(claim, settled)
@@ -55,9 +57,9 @@ def divisors(claim: CheckedClaim, law: Law, ground: LevelSet, made: Unreduced) -
             yield GRAM, "own", value, False
 
 
-def _own(law: Law, ground: LevelSet, made: Unreduced) -> list[_Value]:
+def _own(law: Law, ground: LevelSet, made: UnreducedField) -> list[_Value]:
     """Values with derivatives along the motion, and without, which may be written otherwise."""
-    quantities = named(law, ground) if isinstance(law, Reduction | Identity) else {}
+    quantities = quantities_in_order(law, ground) if isinstance(law, Reduction | Identity) else {}
     evaluators = (ground.along(made), ground.evaluator(made), ground.partial(made))
     return [_value(ground, quantities, e.with_steps(quantities)) for e in evaluators]
 
@@ -74,11 +76,11 @@ def _value(
     return value
 
 
-def _target(law: Law, ground: LevelSet, made: Unreduced) -> list[_Value]:
+def _target(law: Law, ground: LevelSet, made: UnreducedField) -> list[_Value]:
     if not isinstance(law, Isomorphism):
         return []
     along = ground.along(made)
-    given = {s: Jet(jet.value, {}) for s, jet in arrived(law, ground, along).items()}
+    given = {s: Jet(jet.value, {}) for s, jet in target_state(law, ground, along).items()}
     there = Evaluator(made, given.get, dict(law.target.steps))
     table = {str(s): s for s in (*given, *(s for s, _ in law.target.steps))}
 
@@ -89,7 +91,7 @@ def _target(law: Law, ground: LevelSet, made: Unreduced) -> list[_Value]:
     return [value]
 
 
-def _volumes(ground: LevelSet, made: Unreduced) -> Iterator[Element]:
+def _volumes(ground: LevelSet, made: UnreducedField) -> Iterator[Element]:
     """The leading minors of the Gram matrix of the conditions."""
     partial = ground.partial(made)
     symbols = ground.system.symbols
@@ -99,14 +101,14 @@ def _volumes(ground: LevelSet, made: Unreduced) -> Iterator[Element]:
         yield _determinant(made, [row[:size] for row in rows[:size]])
 
 
-def _dot(made: Unreduced, first: Sequence[Element], second: Sequence[Element]) -> Element:
+def _dot(made: UnreducedField, first: Sequence[Element], second: Sequence[Element]) -> Element:
     total = made.zero
     for a, b in zip(first, second, strict=True):
         total = total + a * b
     return total
 
 
-def _determinant(made: Unreduced, rows: Sequence[Sequence[Element]]) -> Element:
+def _determinant(made: UnreducedField, rows: Sequence[Sequence[Element]]) -> Element:
     if not rows:
         return made.one
     total = made.zero

@@ -40,7 +40,7 @@ from ..formulas.errors import (
 from ..formulas.number_fields import ball_precision
 from ..printing.formula import text
 from .claim_text import claim_text
-from .fields.budget import EFFORT, Budget, allowed
+from .fields.budget import EFFORT, Budget, checked_effort
 from .fields.function_field import FunctionField
 from .fields.signs import Sign
 from .level.alternatives import Alternative, alternatives
@@ -89,7 +89,7 @@ def prove(
     InputError
         If a law uses an unknown symbol, or its level is empty or annuls a denominator.
     """
-    allowed(effort)
+    checked_effort(effort)
     if law is None:
         return tuple(prove(system, each, effort=effort) for each in system.laws)
     if isinstance(law, str):

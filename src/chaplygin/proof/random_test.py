@@ -16,7 +16,7 @@ from .level.level_set import Draw, LevelSet
 from .level.positivity import unmet
 from .level.sample_points import broad, far, near
 from .rank import rank_defect
-from .residuals import preserved, residuals
+from .residuals import condition_rates, residuals
 
 __all__ = ["Trial", "backwards", "everything", "trials"]
 
@@ -49,7 +49,7 @@ class Trial:
 
 def everything(law: Law, ground: LevelSet, field: Any) -> Iterator[tuple[str, Any]]:
     """All residuals: of the level being invariant, and of the law."""
-    yield from preserved(ground, field)
+    yield from condition_rates(ground, field)
     yield from residuals(law, ground, field)
 
 

@@ -34,7 +34,7 @@ from .level.level_set import LevelSet
 from .level.named_formulas import components
 from .level.separability import of_separation
 from .level.time_derivatives import without_rates
-from .residuals import arrived, pfaffian
+from .residuals import pfaffian, target_state
 
 __all__ = ["DIMENSION", "pfaffians", "rank", "rank_defect"]
 
@@ -163,7 +163,7 @@ def _too_large(
     """Whether the target has directions that no motion of the source takes."""
     target = law.target
     number = {s: i for i, s in enumerate(target.symbols)}
-    given = {s: jet.value for s, jet in arrived(law, ground, ground.evaluator(field)).items()}
+    given = {s: jet.value for s, jet in target_state(law, ground, ground.evaluator(field)).items()}
 
     def seed(symbol: sp.Symbol) -> Jet | None:
         if symbol not in given:

@@ -30,11 +30,11 @@ from ..errors import InputError
 from ..formulas.jets import Evaluator, Jet
 from ..printing.formula import text
 from .level.level_set import LevelSet
-from .level.named_formulas import components, named, scalars
+from .level.named_formulas import components, quantities_in_order, scalars
 from .level.separability import separated
 from .level.time_derivatives import without_rates, without_second_rates
 
-__all__ = ["arrived", "pfaffian", "preserved", "residuals"]
+__all__ = ["condition_rates", "pfaffian", "residuals", "target_state"]
 
 Residuals: TypeAlias = Iterator[tuple[str, Any]]
 
@@ -45,7 +45,7 @@ def residuals(law: Law, ground: LevelSet, field: Any) -> Residuals:
     raise InputError(f"a law of kind {type(law).__name__} cannot be proved")
 
 
-def preserved(ground: LevelSet, field: Any) -> Residuals:
+def condition_rates(ground: LevelSet, field: Any) -> Residuals:
     """Rates of the conditions: they vanish when the phase space and the level are invariant."""
     along = ground.along(field)
     for condition in ground.moving:
@@ -62,7 +62,7 @@ def _(law: Integral, ground: LevelSet, field: Any) -> Residuals:
 
 @residuals.register
 def _(law: Identity, ground: LevelSet, field: Any) -> Residuals:
-    quantities = named(law, ground)
+    quantities = quantities_in_order(law, ground)
     formulas = [without_second_rates(f, ground, quantities) for f in scalars(law.value)]
     if not formulas:
         raise InputError(f"the law {law.name!r} states nothing: it has no formula")
@@ -74,7 +74,7 @@ def _(law: Identity, ground: LevelSet, field: Any) -> Residuals:
 
 @residuals.register
 def _(law: Reduction, ground: LevelSet, field: Any) -> Residuals:
-    quantities = named(law, ground)
+    quantities = quantities_in_order(law, ground)
     evaluate = ground.along(field).with_steps(quantities)
     for i, equation in enumerate(law.equations, 1):
         formula = without_second_rates(to_components(equation), ground, quantities)
@@ -84,7 +84,7 @@ def _(law: Reduction, ground: LevelSet, field: Any) -> Residuals:
 @residuals.register
 def _(law: Separation, ground: LevelSet, field: Any) -> Residuals:
     yield from residuals.dispatch(Reduction)(law, ground, field)
-    evaluate = ground.evaluator(field).with_steps(named(law, ground))
+    evaluate = ground.evaluator(field).with_steps(quantities_in_order(law, ground))
     for what, formula in separated(law, ground):
         yield what, evaluate.value(formula)
 
@@ -286,7 +286,7 @@ def _(law: Isomorphism, ground: LevelSet, field: Any) -> Residuals:
     images = components(law.map, ground)
     for symbol, formula in components(law.constants, ground).items():
         yield f"rate of {symbol}", along.slope(formula)
-    given = {s: Jet(jet.value, {}) for s, jet in arrived(law, ground, along).items()}
+    given = {s: Jet(jet.value, {}) for s, jet in target_state(law, ground, along).items()}
     there = Evaluator(field, given.get, dict(target.steps))
     for relation in target.relations:
         yield f"{relation} in {target.name}", there.value(to_components(relation))
@@ -297,7 +297,7 @@ def _(law: Isomorphism, ground: LevelSet, field: Any) -> Residuals:
         yield f"rate of {symbol}", along.slope(images[symbol]) - speed * there.value(rate)
 
 
-def arrived(law: Isomorphism, ground: LevelSet, evaluate: Evaluator) -> dict[sp.Symbol, Jet]:
+def target_state(law: Isomorphism, ground: LevelSet, evaluate: Evaluator) -> dict[sp.Symbol, Jet]:
     """State and parameters of the target, as this system gives them, and what `onto` needs.
 
     Raises

@@ -27,7 +27,7 @@ from .level.level_set import LevelSet
 from .random_test import everything
 from .rank import rank_defect
 
-__all__ = ["MOST_RUNS", "Proof", "proof", "turned"]
+__all__ = ["MOST_RUNS", "Proof", "flipped_decisions", "proof"]
 
 MOST_RUNS = 48
 """Choices of signs that are followed."""
@@ -102,7 +102,7 @@ def proof(
     proven = [] if first.void else [first]
     failed: set[str] = set()
     # (signs to take, how many of them are fixed, the first decision that was turned around)
-    waiting = turned(first.field, 0)
+    waiting = flipped_decisions(first.field, 0)
     runs = 1
     while waiting:
         signs, size, origin = waiting.pop()
@@ -117,14 +117,14 @@ def proof(
             continue
         if not made.void:
             proven.append(made)
-        waiting += [(more, count, origin) for more, count, _ in turned(made.field, size)]
+        waiting += [(more, count, origin) for more, count, _ in flipped_decisions(made.field, size)]
     if not proven:
         return Proof(0)
     conditions = tuple(first.words[key] for key in first.words if key in failed)
     return Proof(proven[0].residuals, conditions)
 
 
-def turned(field: FunctionField, size: int) -> list[tuple[dict[str, int], int, str]]:
+def flipped_decisions(field: FunctionField, size: int) -> list[tuple[dict[str, int], int, str]]:
     """Signs for runs in which a decision beyond the first `size` of a field is turned around.
 
     Each with the number of signs that are fixed by it, and the decision that is turned.

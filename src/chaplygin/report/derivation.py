@@ -11,7 +11,7 @@ from ..mechanics.constraints.integrability import nonholonomy
 from ..mechanics.lagrangian.mechanism import TIME
 from ..printing.formula import text
 
-__all__ = ["is_described", "recorded_of", "told", "variables_of"]
+__all__ = ["derivation_notes", "is_described", "recorded_of", "variables_of"]
 
 
 def is_described(study: Study) -> bool:
@@ -19,7 +19,7 @@ def is_described(study: Study) -> bool:
     return isinstance(study.experiment, OwnExperiment)
 
 
-def told(study: Study) -> tuple[str, ...]:
+def derivation_notes(study: Study) -> tuple[str, ...]:
     """Sentences on what is recorded besides the state, and on the constraints.
 
     The verdict on the constraints, holonomic or not, is that of

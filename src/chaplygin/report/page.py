@@ -29,7 +29,7 @@ from ..printing.numerals import number, signed, unit
 from ..printing.system import claims_html, displayed, latex, mathml, motion_html, system_html, text
 from ..proof.fields.budget import EFFORT
 from . import figures
-from .derivation import is_described, told
+from .derivation import derivation_notes, is_described
 from .summary import drift, legend
 
 __all__ = ["render"]
@@ -144,7 +144,7 @@ def render(
         equations=Markup(system_html(replace(study.system, laws=()))),
         legend=legend(study),
         reconstruction=Markup(motion_html(study.system) if is_described(study) else ""),
-        told=told(study),
+        told=derivation_notes(study),
         laws=[
             {
                 "name": law.name,

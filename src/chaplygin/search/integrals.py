@@ -17,7 +17,7 @@ from .ansatz import Ansatz, Exponents, Table, table
 from .modular_jets import Integers, inverse, power, prime
 from .modular_linalg import combination, independent_columns, nullspace, product, rank
 from .phase_space import Sample
-from .rational_reconstruction import Draw, Part, RationalLaw, Scalars, lifted
+from .rational_reconstruction import Draw, Part, RationalLaw, Scalars, reconstructed_laws
 from .result import Progress, Question, SearchResult, silent
 from .scaling import Weight, weight_of, weights
 from .vector_invariants import VectorInvariants, component_scalars
@@ -254,7 +254,7 @@ class _Search:
             return Draw(value, (rate - value * change) % prime(), sample.table(scalars.formulas))
 
         divisor = shell.divisor**shell.exponent
-        found = lifted(parts, scalars, size, draw)
+        found = reconstructed_laws(parts, scalars, size, draw)
         return [_formula(solution, parts, scalars) / divisor for solution in found]
 
     def _accepted(self, laws: Sequence[sp.Expr], degree: int) -> Iterator[sp.Expr]:

@@ -23,7 +23,16 @@ from .modular_jets import PRIMES, Integers, modulo, prime
 from .modular_linalg import independent_columns, nullspace, rational
 from .scaling import Weight, total
 
-__all__ = ["LARGEST", "Draw", "Part", "Plan", "RationalLaw", "Scalars", "lifted", "plan"]
+__all__ = [
+    "LARGEST",
+    "Draw",
+    "Part",
+    "Plan",
+    "RationalLaw",
+    "Scalars",
+    "plan",
+    "reconstructed_laws",
+]
 
 LARGEST = 1000
 """The largest number of unknowns of one linear system; of more, the simplest are taken."""
@@ -129,7 +138,7 @@ def plan(parts: Sequence[Part], scalars: Scalars, degree: int) -> Plan:
     return Plan(tuple(tuple(block[:LARGEST]) for block in blocks.values()))
 
 
-def lifted(
+def reconstructed_laws(
     parts: Sequence[Part], scalars: Scalars, degree: int, draw: Callable[[int], Draw]
 ) -> list[RationalLaw]:
     """Laws with coefficients up to a degree in the scalars, the simplest first.

@@ -8,7 +8,7 @@ import sympy as sp
 
 from ..core.system import System
 from ..errors import InputError
-from ..proof.fields.budget import EFFORT, allowed
+from ..proof.fields.budget import EFFORT, checked_effort
 from .ansatz import Ansatz, default_momenta
 from .candidate_factors import natural_bases, natural_divisors
 from .input_formulas import condition, formula, quantities
@@ -82,7 +82,7 @@ def search_request(
     ):
         if value < least:
             raise InputError(f"{name} is {value}; it must not be negative")
-    allowed(effort)
+    checked_effort(effort)
     given = quantities(momenta, system, "momenta")
     second = quantities(coordinates, system, "coordinates")
     families = (given,) if given else default_momenta(system)

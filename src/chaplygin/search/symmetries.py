@@ -15,7 +15,7 @@ from .integrals import integrals
 from .modular_jets import Integers, prime
 from .modular_linalg import independent_columns, nullspace, product
 from .phase_space import Sample
-from .rational_reconstruction import Draw, Part, RationalLaw, Scalars, lifted
+from .rational_reconstruction import Draw, Part, RationalLaw, Scalars, reconstructed_laws
 from .result import Progress, Question, SearchResult, silent
 from .scaling import Weight, weight_of, weights
 from .vector_invariants import component_scalars
@@ -139,7 +139,7 @@ class _Search:
             chosen = [place * len(parts) + i for i, place in enumerate(places)]
             return Draw(values[chosen], conditions[chosen], sample.table(scalars.formulas))
 
-        found = lifted(parts, scalars, size, draw)
+        found = reconstructed_laws(parts, scalars, size, draw)
         return found[0] if found else None
 
     def _finding(self, found: RationalLaw, parts: Sequence[Part], scalars: Scalars) -> SearchResult:

@@ -13,10 +13,10 @@ from chaplygin.analysis.orbits.return_map import rotations
 from chaplygin.analysis.orbits.rotation import (
     average,
     frequency,
-    lifted,
     rotation,
     rotation_number,
     simplest,
+    unwrapped_turns,
 )
 from chaplygin.catalogue.fixed_point import veselova
 from chaplygin.errors import InputError
@@ -72,14 +72,14 @@ def test_at_the_edge_of_a_step_nothing_is_decided():
 
 def test_lift_of_an_angle():
     turns = arnold(0.8)(np.array([0.1]), np.array([0.45]), 3000)[0]
-    found = lifted(TURN * (turns % 1.0))
+    found = unwrapped_turns(TURN * (turns % 1.0))
     assert np.abs(found - turns).max() < 1e-10
 
 
 def test_an_angle_without_lift_is_refused():
     chaotic = np.random.default_rng(4).uniform(0, TURN, 2000)
     with pytest.raises(InputError, match="has no lift"):
-        lifted(chaotic)
+        unwrapped_turns(chaotic)
 
 
 def test_frequency_of_a_flow():

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from chaplygin.analysis.scans.grid import INADMISSIBLE, NO_STATE, axis, scan_grid
-from chaplygin.analysis.scans.system_quantities import named
+from chaplygin.analysis.scans.system_quantities import quantities_by_name
 from chaplygin.catalogue import entry
 from chaplygin.catalogue.ball_on_sphere.ball_on_sphere_equations import equations_on_sphere
 from chaplygin.errors import InputError
@@ -156,7 +156,7 @@ def test_a_mistake_names_what_is_of_use_in_the_order_of_declaration() -> None:
     with pytest.raises(InputError) as caught:
         scan_grid(BALL, axis("k_9=0:1:2"), axis("energy=0:1:2"), START)
     told = str(caught.value)
-    names = [*map(str, (*BALL.defaults, *BALL.symbols)), *named(BALL)]
+    names = [*map(str, (*BALL.defaults, *BALL.symbols)), *quantities_by_name(BALL)]
     assert told.endswith(f"allowed: {', '.join(names)}")
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from chaplygin.analysis.scans.system_quantities import meaning, named
+from chaplygin.analysis.scans.system_quantities import meaning, quantities_by_name
 from chaplygin.catalogue import entry
 
 BALL = entry("ball-on-sphere").system()
@@ -10,7 +10,7 @@ VECTORS = {"omega": ("angular velocity", "rad/s"), "z": ("height", "m")}
 
 
 def test_scalars_by_name() -> None:
-    names = named(BALL)
+    names = quantities_by_name(BALL)
     assert {"energy", "momentum", "normal_force"} <= names.keys()
     # a vector has no value of its own
     assert "omega" not in names

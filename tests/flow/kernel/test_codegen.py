@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from chaplygin.catalogue import CATALOGUE
 from chaplygin.core.system import Parameter, System
 from chaplygin.flow.kernel.arithmetic import Double, Pair
-from chaplygin.flow.kernel.codegen import evaluate, hoisted
+from chaplygin.flow.kernel.codegen import evaluate, parameter_only_terms
 from chaplygin.flow.kernel.ir_writer import IRWriter, literal
 from chaplygin.formulas.graph import Graph, Reader, Term, of_system
 from flow.machine import exact, pairs, run
@@ -228,5 +228,5 @@ def test_what_depends_on_parameters_alone_is_found() -> None:
     graph = Graph()
     p, b = graph.state(0), graph.parameter(0)
     inner = graph.recip(b * b + graph.number(1))
-    assert hoisted([p * inner + graph.number(2) * p]) == [inner]
-    assert hoisted([inner, p]) == [inner]
+    assert parameter_only_terms([p * inner + graph.number(2) * p]) == [inner]
+    assert parameter_only_terms([inner, p]) == [inner]

@@ -9,7 +9,7 @@ import pytest
 from chaplygin.core.isomorphism import Isomorphism
 from chaplygin.core.vectors import Vector, gradient
 from chaplygin.flow.integrator import integrate
-from chaplygin.mechanics.ball.equations import ball_parameters, centred, equations_of_motion
+from chaplygin.mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
 from chaplygin.mechanics.ball.initial_state import ball_state
 from chaplygin.mechanics.ball.mechanism import ball_mechanism
 from chaplygin.mechanics.ball.surface import FlatSurface, ImplicitSurface, SphericalSurface
@@ -41,7 +41,7 @@ def test_the_equations_follow_from_the_lagrangian(contact):
     potential = R.symbols[0] * R.symbols[2]
     numbers = ball_parameters(1.0, 0.4, 1.0)
     derived = equations(ball_mechanism(contact, surface, potential, numbers))
-    closed = equations_of_motion(contact, centred(surface), -gradient(potential, R), numbers)
+    closed = equations_of_motion(contact, centre_surface(surface), -gradient(potential, R), numbers)
     same = Isomorphism("derived", closed, {s: s for s in closed.symbols})
     assert prove(derived, same).decision == "proven"
 

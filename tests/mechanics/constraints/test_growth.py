@@ -9,7 +9,7 @@ import sympy as sp
 
 from chaplygin.core.vectors import Vector, norm_squared, to_components
 from chaplygin.errors import InputError
-from chaplygin.mechanics.constraints.distribution import along, commutator, spanned
+from chaplygin.mechanics.constraints.distribution import along, commutator, distribution_spanned_by
 from chaplygin.mechanics.constraints.growth import filtration, generic, growth
 
 x, y, z, u, w, p = sp.symbols("x y z u w p", real=True)
@@ -29,7 +29,7 @@ FLAT = {
 @pytest.mark.parametrize("name", FLAT)
 def test_growth_of_known_distributions(name):
     fields, coordinates, expected = FLAT[name]
-    found = generic(spanned(name, fields, coordinates))
+    found = generic(distribution_spanned_by(name, fields, coordinates))
     assert found.growth == expected
     assert found.dimension == len(coordinates)
     assert found.settled
@@ -54,15 +54,15 @@ SINGULAR = [
 
 @pytest.mark.parametrize(("second", "point", "expected"), SINGULAR)
 def test_growth_drops_at_singular_points(second, point, expected):
-    given = spanned("martinet", [{x: ONE}, second], (x, y, z))
+    given = distribution_spanned_by("martinet", [{x: ONE}, second], (x, y, z))
     assert filtration(given, point).growth == expected
     assert generic(given).growth == (2, 3)
 
 
 def test_a_point_that_no_commutator_leaves_is_not_called_settled():
-    given = spanned("grushin", [{x: ONE}, {y: x**2, z: x**3 * y}], (x, y, z))
+    given = distribution_spanned_by("grushin", [{x: ONE}, {y: x**2, z: x**3 * y}], (x, y, z))
     assert filtration(given, {x: 0, y: 0, z: 0}).growth[0] == 1
-    fixed = spanned("fixed", [{x: x}, {y: x}], (x, y))
+    fixed = distribution_spanned_by("fixed", [{x: x}, {y: x}], (x, y))
     found = filtration(fixed, {x: 0, y: 0})
     assert found.growth[-1] == 0
     assert not found.settled
@@ -97,7 +97,9 @@ def test_redundant_coordinates():
     a, b, c = gamma.symbols
     fields = [{b: c, c: -b}, {c: a, a: -c}]
     found = generic(
-        spanned("turns", fields, gamma.symbols, (to_components(norm_squared(gamma)) - 1,))
+        distribution_spanned_by(
+            "turns", fields, gamma.symbols, (to_components(norm_squared(gamma)) - 1,)
+        )
     )
     assert (found.growth, found.dimension) == ((2,), 2)
     assert sum(value**2 for value in found.point.values()) == 1
@@ -106,7 +108,7 @@ def test_redundant_coordinates():
 
 
 def test_a_point_off_the_relations_is_refused():
-    given = spanned("circle", [{x: -y, y: x}], (x, y), (x**2 + y**2 - 1,))
+    given = distribution_spanned_by("circle", [{x: -y, y: x}], (x, y), (x**2 + y**2 - 1,))
     assert filtration(given, {x: sp.Rational(3, 5), y: sp.Rational(4, 5)}).growth == (1,)
     with pytest.raises(InputError, match="does not lie on"):
         filtration(given, {x: 1, y: 1})
@@ -114,4 +116,4 @@ def test_a_point_off_the_relations_is_refused():
 
 def test_unknown_functions_are_refused():
     with pytest.raises(InputError, match=r"besselj.*cannot be computed exactly"):
-        generic(spanned("drum", [{x: sp.besselj(0, y)}, {y: ONE}], (x, y, z)))
+        generic(distribution_spanned_by("drum", [{x: sp.besselj(0, y)}, {y: ONE}], (x, y, z)))

@@ -10,7 +10,7 @@ import sympy as sp
 
 from chaplygin import Ball, Body, Ellipsoid, InputError, Plane, Rolling
 from chaplygin.core.vectors import real_symbol
-from chaplygin.mechanics.lagrangian.constrained_frame import restricted
+from chaplygin.mechanics.lagrangian.constrained_frame import constraint_distribution
 from chaplygin.mechanics.lagrangian.generic_points import GenericPoint, samples
 from chaplygin.mechanics.lagrangian.mechanism import TIME, Mechanism, coordinates
 from chaplygin.mechanics.lagrangian.poincare_suslov import equations
@@ -51,7 +51,7 @@ MECHANISMS = {
 def test_equations_on_the_distribution_are_those_of_the_mechanism(name: str) -> None:
     """Ṗ_s = C^t_rs P_t y_r with P = g y, against the closed equations, at a point, 40 digits."""
     mechanism = MECHANISMS[name]()
-    made, system = restricted(mechanism), equations(mechanism)
+    made, system = constraint_distribution(mechanism), equations(mechanism)
     count = range(len(made.velocities))
     point = dict(samples("test", mechanism.frame, mechanism)[0].point)
     with mpmath.workdps(50):
@@ -137,7 +137,7 @@ def _kinetic_slope(made: Any, mechanism: Mechanism, base: Any, s: int) -> list[l
 
 
 def test_the_sleigh_by_hand() -> None:
-    made = restricted(sleigh())
+    made = constraint_distribution(sleigh())
     steps = dict(made.definitions)
 
     def plain(value: sp.Expr) -> sp.Expr:
@@ -163,4 +163,4 @@ def test_the_sleigh_by_hand() -> None:
 )
 def test_what_is_not_of_this_kind_is_refused(mechanism: Any, words: str) -> None:
     with pytest.raises(InputError, match=words):
-        restricted(mechanism())
+        constraint_distribution(mechanism())

@@ -18,7 +18,7 @@ from chaplygin.mechanics.reduction.horizontal_lift import lift
 from chaplygin.mechanics.reduction.integrals import Linear
 from chaplygin.mechanics.reduction.momenta import motion
 from chaplygin.mechanics.reduction.numerical import integral_of_gyroscopic, log_multiplier
-from chaplygin.mechanics.reduction.quadratic_integral import balanced
+from chaplygin.mechanics.reduction.quadratic_integral import energy_like_integral
 from chaplygin.mechanics.rolling.body import Body
 from chaplygin.mechanics.rolling.equations import Rolling
 from chaplygin.mechanics.rolling.mechanism import rolling_mechanism
@@ -380,7 +380,7 @@ def test_a_level_on_which_no_integral_serves() -> None:
     crooked = Linear(omega.symbols[2], omega.symbols[2])
     up = lift(here, [crooked], [real_symbol("c")])
     with pytest.raises(InputError, match="part linear in the velocities"):
-        balanced(mechanism, moved, up)
+        energy_like_integral(mechanism, moved, up)
 
 
 def test_a_root_in_the_metric() -> None:

@@ -8,7 +8,7 @@ import pytest
 
 from chaplygin.errors import InputError
 from chaplygin.formulas.errors import EffortSpentError, OutOfReachError
-from chaplygin.proof.fields.budget import STEP, Budget, allowed
+from chaplygin.proof.fields.budget import STEP, Budget, checked_effort
 from chaplygin.proof.fields.quotient_ring import QuotientRing
 
 
@@ -56,4 +56,4 @@ def test_size_is_limited_as_well() -> None:
 @pytest.mark.parametrize("effort", [0, -5])
 def test_no_effort_is_refused(effort: int) -> None:
     with pytest.raises(InputError, match="positive number of term operations"):
-        allowed(effort)
+        checked_effort(effort)

@@ -23,7 +23,7 @@ from ...proof.level.trigonometric import circles, without_angles
 from ...proof.verdict import Verdict
 from .applicable_laws import sorted_laws
 from .classes import Found, classified
-from .configuration_measures import Decided, decided
+from .configuration_measures import MeasureFacts, configuration_measure
 from .conserved_covectors import sources
 from .facts import Fact, ProofBudget, fact_of
 from .hamiltonian_forms import Forms, hamiltonian, measures
@@ -166,7 +166,9 @@ def _placed(
     named = {law.name for law in laws if isinstance(law, Integral)}
     spare = [s.fact for i, s in enumerate(own) if i not in kept and s.fact.law in named]
     volumes = measures(standing, laws, patience) or there.measures
-    existence = Decided() if volumes or forms.brackets else decided(given, patience)
+    existence = (
+        MeasureFacts() if volumes or forms.brackets else configuration_measure(given, patience)
+    )
     symmetries = fields(standing, laws, patience)
     found = Found(
         dimension=standing.dimension,

@@ -19,14 +19,14 @@ from ...printing.formula import text
 from .facts import HERE, Fact, ProofBudget
 from .statements import Density
 
-__all__ = ["Decided", "decided"]
+__all__ = ["MeasureFacts", "configuration_measure"]
 
 
 _OPEN = "whether one has a density that depends on the configuration alone"
 
 
 @dataclass(frozen=True)
-class Decided:
+class MeasureFacts:
     """What is known of measures with a density on the configuration space.
 
     Attributes
@@ -44,7 +44,7 @@ class Decided:
     open: str = ""
 
 
-def decided(given: Rolling | Mechanism | None, patience: ProofBudget) -> Decided:
+def configuration_measure(given: Rolling | Mechanism | None, patience: ProofBudget) -> MeasureFacts:
     """Whether what moves keeps a measure whose density depends on the configuration alone.
 
     Parameters
@@ -55,24 +55,24 @@ def decided(given: Rolling | Mechanism | None, patience: ProofBudget) -> Decided
     patience : Patience
     """
     if given is None:
-        return Decided()
+        return MeasureFacts()
     if patience.over:
-        return Decided(open=f"{_OPEN} was not tried")
+        return MeasureFacts(open=f"{_OPEN} was not tried")
     patience.report("a measure whose density depends on the configuration alone")
     try:
         asked = _at_present(given) if isinstance(given, Mechanism) else given
         found = measure_exists(asked, effort=patience.effort)
     except (InputError, OutOfReachError, ZeroDivisionError):
-        return Decided(open=f"{_OPEN} is undecided")
+        return MeasureFacts(open=f"{_OPEN} is undecided")
     patience.spent += sum(verdict.effort for verdict in found.verdicts)
     if found.decision == "none":
-        return Decided(absence=_witness(found))
+        return MeasureFacts(absence=_witness(found))
     if found.decision == "undecided":
-        return Decided(open=f"{_OPEN} is undecided")
+        return MeasureFacts(open=f"{_OPEN} is undecided")
     # of a mechanism the density may depend on coordinates that its equations do without
     if found and isinstance(given, Rolling):
-        return Decided((Density(_fact(found), "kept"),))
-    return Decided()
+        return MeasureFacts((Density(_fact(found), "kept"),))
+    return MeasureFacts()
 
 
 def _at_present(mechanism: Mechanism) -> Mechanism:

@@ -20,14 +20,14 @@ from ...proof.level.time_derivatives import without_rates
 from .facts import Fact, fact_of
 from .ranks import View
 
-__all__ = ["Source", "casimirs", "many_valued", "sources"]
+__all__ = ["AnnihilatingCovectors", "casimirs", "many_valued", "sources"]
 
 #: Angles have many values, so that levels of functions of theirs need not be closed.
 _MANY_VALUED = (sp.atan, sp.atan2)
 
 
 @dataclass(frozen=True)
-class Source:
+class AnnihilatingCovectors:
     """Covectors that annihilate the field, and where they come from.
 
     Attributes
@@ -55,7 +55,7 @@ def casimirs(law: ConformallyHamiltonian) -> tuple[Any, ...]:
     return tuple(c for c in law.structure.casimirs if not many_valued(c))
 
 
-def sources(laws: Iterable[Law]) -> list[Source]:
+def sources(laws: Iterable[Law]) -> list[AnnihilatingCovectors]:
     """What the proven laws of a system say is constant; single-valued functions alone."""
     laws = list(laws)
     found = [_function(fact_of(law), law.value) for law in laws if isinstance(law, Integral)]
@@ -72,19 +72,19 @@ def sources(laws: Iterable[Law]) -> list[Source]:
     return [s for s in found if not any(map(many_valued, s.functions))]
 
 
-def carried(law: Isomorphism, source: Source) -> Source:
+def pulled_back(law: Isomorphism, source: AnnihilatingCovectors) -> AnnihilatingCovectors:
     """What is constant for the target of an isomorphism, as something constant here."""
     told = source.fact
     system = told.system or law.target.title
     fact = Fact(law.name, told.words, told.source, system, told.functions)
-    return Source(fact, lambda view: source.rows(view.through(law)))
+    return AnnihilatingCovectors(fact, lambda view: source.rows(view.through(law)))
 
 
-def _function(fact: Fact, value: Any) -> Source:
-    return Source(fact, lambda view: [view.differential(value)], (value,))
+def _function(fact: Fact, value: Any) -> AnnihilatingCovectors:
+    return AnnihilatingCovectors(fact, lambda view: [view.differential(value)], (value,))
 
 
-def _linear(law: Reduction) -> Source | None:
+def _linear(law: Reduction) -> AnnihilatingCovectors | None:
     """A reduction to linear equations q̇ᵢ = u̇ Σ aᵢⱼ(u) qⱼ, as the covectors dqᵢ − Σ aᵢⱼ qⱼ du.
 
     The constants of integration are integrals wherever the aᵢⱼ(u) are regular.
@@ -98,7 +98,9 @@ def _linear(law: Reduction) -> Source | None:
         slopes = _slopes(law.equations, variable, moving)
         if slopes is not None and _homogeneous(slopes, variable, moving, named):
             fact = replace(fact_of(law), functions=len(slopes))
-            return Source(fact, _rows(named, variable, slopes), tuple(named[s] for s in rates))
+            return AnnihilatingCovectors(
+                fact, _rows(named, variable, slopes), tuple(named[s] for s in rates)
+            )
     return None
 
 

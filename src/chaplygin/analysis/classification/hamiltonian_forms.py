@@ -15,7 +15,7 @@ from ...printing.formula import text
 from ...proof.rank import rank
 from .conserved_covectors import casimirs
 from .facts import HERE, Fact, ProofBudget, fact_of
-from .ranks import RankSample, View, settled
+from .ranks import RankSample, View, conditions_on_parameters
 from .sign_test import sign
 from .statements import Bracket, Density
 
@@ -47,7 +47,7 @@ def measures(
     found = tuple(density(standing, law) for law in laws if isinstance(law, Measure))
     if found:
         return found
-    on = (*settled(standing, laws), *standing.on)
+    on = (*conditions_on_parameters(standing, laws), *standing.on)
     volume = Measure("volume", {sp.S.One: 1}, "volume of the state", on=on, source=HERE)
     proven = patience.verdict(standing.system, volume)
     return (density(standing, volume),) if proven else ()

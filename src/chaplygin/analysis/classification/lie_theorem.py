@@ -12,9 +12,9 @@ from ...core.laws import Integral, Law, Symmetry
 from ...core.vectors import Vector, to_components
 from ...proof.level.named_formulas import components
 from ...proof.rank import rank
-from .conserved_covectors import Source
+from .conserved_covectors import AnnihilatingCovectors
 from .facts import HERE, Fact, ProofBudget, fact_of
-from .ranks import RankSample, View, settled
+from .ranks import RankSample, View, conditions_on_parameters
 from .rotation_symmetry import Turning, is_rotation_invariant
 
 __all__ = ["fields", "lie"]
@@ -29,7 +29,7 @@ def fields(standing: RankSample, laws: Sequence[Law], patience: ProofBudget) -> 
     """
     stated = [law for law in laws if isinstance(law, Symmetry)]
     if not stated and not standing.on:
-        tried = enumerate(_rotations(standing, settled(standing, laws)))
+        tried = enumerate(_rotations(standing, conditions_on_parameters(standing, laws)))
         stated = [
             law
             for axis, law in tried
@@ -41,7 +41,7 @@ def fields(standing: RankSample, laws: Sequence[Law], patience: ProofBudget) -> 
 def lie(
     standing: RankSample,
     needed: int,
-    chosen: Sequence[Source],
+    chosen: Sequence[AnnihilatingCovectors],
     symmetries: Sequence[Symmetry],
     patience: ProofBudget,
 ) -> tuple[Fact, ...]:
@@ -109,7 +109,10 @@ def _independent(standing: RankSample, laws: Sequence[Symmetry]) -> list[Symmetr
 
 
 def _tangent(
-    standing: RankSample, law: Symmetry, chosen: Sequence[Source], patience: ProofBudget
+    standing: RankSample,
+    law: Symmetry,
+    chosen: Sequence[AnnihilatingCovectors],
+    patience: ProofBudget,
 ) -> bool:
     """Whether a symmetry field leaves every one of some integrals alone; proven."""
     if not all(source.functions for source in chosen):

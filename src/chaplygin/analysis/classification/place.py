@@ -18,7 +18,7 @@ from ...core.overview import Overview, WithOverview
 from .facts import HERE, Fact
 from .statements import Bracket, Density, IgnoredLaw, IntegrabilityClass, Statement
 
-__all__ = ["Classification", "listed", "rows"]
+__all__ = ["Classification", "listing", "rows"]
 
 
 WIDTH = 100
@@ -133,7 +133,7 @@ class Classification(WithOverview):
         return to_text(self)
 
 
-def listed(facts: Iterable[Fact]) -> str:
+def listing(facts: Iterable[Fact]) -> str:
     """Facts by name and source, each once."""
     return "; ".join(dict.fromkeys(map(str, facts)))
 
@@ -231,7 +231,7 @@ def _lines(place: Classification) -> list[str]:
 
 
 def _sourced(statement: Statement) -> str:
-    return f"{statement.text} [{listed(statement.by)}]" if statement.by else statement.text
+    return f"{statement.text} [{listing(statement.by)}]" if statement.by else statement.text
 
 
 def _named(statement: Statement) -> str:

@@ -24,7 +24,13 @@ from ...proof.level.named_formulas import components
 from ...proof.level.time_derivatives import without_rates
 from ...proof.rank import rank
 
-__all__ = ["RankSample", "View", "rational_parameters", "settled", "with_numeric_parameters"]
+__all__ = [
+    "RankSample",
+    "View",
+    "conditions_on_parameters",
+    "rational_parameters",
+    "with_numeric_parameters",
+]
 
 T = TypeVar("T")
 
@@ -225,7 +231,7 @@ class RankSample:
         return found - {0}
 
 
-def settled(standing: RankSample, laws: Sequence[Law]) -> tuple[Any, ...]:
+def conditions_on_parameters(standing: RankSample, laws: Sequence[Law]) -> tuple[Any, ...]:
     """Conditions on parameters under which some laws hold."""
     state = set(standing.system.symbols)
     conditions = (to_components(c) for law in laws for c in law.on)

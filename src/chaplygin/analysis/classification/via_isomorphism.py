@@ -19,7 +19,7 @@ from ...core.system import System
 from ...formulas.errors import OutOfReachError
 from ...proof.level.named_formulas import components
 from .applicable_laws import sorted_laws
-from .conserved_covectors import Source, carried, sources
+from .conserved_covectors import AnnihilatingCovectors, pulled_back, sources
 from .facts import Fact, ProofBudget
 from .hamiltonian_forms import density, hamiltonian
 from .ranks import RankSample, View, rational_parameters
@@ -36,7 +36,7 @@ DEPTH = 2
 class TargetResults:
     """What the targets of isomorphisms give."""
 
-    sources: tuple[Source, ...] = ()
+    sources: tuple[AnnihilatingCovectors, ...] = ()
     brackets: tuple[Bracket, ...] = ()
     liouville: tuple[Fact, ...] = ()
     measures: tuple[Density, ...] = ()
@@ -81,7 +81,7 @@ def _through(
         # what holds at one value of a parameter need not hold along all of them
         laws = tuple(each for each in laws if not each.on)
     beyond = TargetResults() if moving else through_isomorphisms(there, laws, patience, depth - 1)
-    constant = tuple(carried(law, s) for s in (*sources(laws), *beyond.sources))
+    constant = tuple(pulled_back(law, s) for s in (*sources(laws), *beyond.sources))
     if not _diffeomorphic(standing, there, law, moving):
         return TargetResults(constant)
     forms = hamiltonian(there, laws, patience)

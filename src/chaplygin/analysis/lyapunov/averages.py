@@ -9,7 +9,7 @@ import numpy as np
 
 from ...errors import InputError
 
-__all__ = ["BATCHES", "Average", "average", "batched", "resolution"]
+__all__ = ["BATCHES", "Average", "average", "batch_means", "resolution"]
 
 Array: TypeAlias = Any
 
@@ -65,7 +65,7 @@ class Average:
         return bool(abs(self.value) <= self.error)
 
 
-def batched(series: Array, batches: int = BATCHES) -> Array:
+def batch_means(series: Array, batches: int = BATCHES) -> Array:
     """The means of equal batches of a series (m, ...) along its first axis, (batches, ...).
 
     The first few members are left out where the division leaves a rest.
@@ -114,7 +114,7 @@ def average(growth: Array, interval: float, began: float) -> Average:
     """
     from scipy.special import stdtrit
 
-    means = batched(growth) / interval
+    means = batch_means(growth) / interval
     span = len(growth) * interval
     value = float(growth.sum() / span)
     student = float(stdtrit(BATCHES - 1, (1 + CONFIDENCE) / 2))

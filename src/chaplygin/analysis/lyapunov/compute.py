@@ -23,7 +23,7 @@ from ...flow.tangent_space import propagate
 from ...flow.validation import require_on_phase_space
 from ...formulas.evaluate import parameter_rows, relation_terms
 from .averages import average, resolution
-from .divergence import NODES, Followed, divergence_average
+from .divergence import NODES, MotionRecord, divergence_average
 from .report import Spectrum
 from .zero_exponents import TrivialDirections, trivial_directions
 
@@ -122,7 +122,7 @@ def lyapunov_spectrum(
 class _StoppedError(Exception):
     """Interrupted after some intervals of the motion."""
 
-    def __init__(self, run: Followed) -> None:
+    def __init__(self, run: MotionRecord) -> None:
         super().__init__()
         self.run = run
 
@@ -134,7 +134,7 @@ def _followed(
     parameters: Values,
     tolerance: float,
     progress: Callable[[float], None],
-) -> Followed:
+) -> MotionRecord:
     """The motion, in intervals so short that deviations keep apart."""
     space = found.space
     machine = batch_integrator(space.system, tolerance=tolerance, deviations=space.dimension)
@@ -146,7 +146,7 @@ def _followed(
     return run
 
 
-def _not_forced(found: TrivialDirections, run: Followed) -> tuple[str, ...]:
+def _not_forced(found: TrivialDirections, run: MotionRecord) -> tuple[str, ...]:
     """Names of fields and integrals whose size does not last: their exponent is not zero.
 
     So it is with the flow where the motion comes to rest.
@@ -176,7 +176,7 @@ def _run(
     times: tuple[float, int],
     parameters: Values,
     progress: Callable[[float], None],
-) -> Followed | None:
+) -> MotionRecord | None:
     """The motion; None where deviations grow too far apart within an interval."""
     until, count = times
     interval = until / count
@@ -210,14 +210,14 @@ def _run(
         if n == 0:
             raise
         parts = nodes[:n], states[: n + 1], lengths[:n], sizes
-        raise _StoppedError(Followed(interval, *map(np.array, parts))) from None
-    return Followed(interval, *map(np.array, (nodes, states, lengths, sizes)))
+        raise _StoppedError(MotionRecord(interval, *map(np.array, parts))) from None
+    return MotionRecord(interval, *map(np.array, (nodes, states, lengths, sizes)))
 
 
 def _evaluated(
     system: System,
     found: TrivialDirections,
-    run: Followed,
+    run: MotionRecord,
     until: float,
     tolerance: float,
     parameters: Values,

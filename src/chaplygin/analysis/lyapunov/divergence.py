@@ -16,7 +16,7 @@ from ...formulas.batch import Formulas
 from .averages import Average, average
 from .zero_exponents import TrivialDirections, vanish
 
-__all__ = ["NODES", "Followed", "Volume", "divergence_average"]
+__all__ = ["NODES", "MotionRecord", "Volume", "divergence_average"]
 
 Array: TypeAlias = Any
 Values: TypeAlias = Mapping[Any, Any] | None
@@ -28,7 +28,7 @@ PIECE = 512
 
 
 @dataclass(frozen=True)
-class Followed:
+class MotionRecord:
     """What was recorded along a motion, interval by interval."""
 
     interval: float
@@ -60,7 +60,7 @@ class Volume:
 
 
 def divergence_average(
-    system: System, found: TrivialDirections, run: Followed, skipped: int, parameters: Values
+    system: System, found: TrivialDirections, run: MotionRecord, skipped: int, parameters: Values
 ) -> Volume:
     """The divergence along the motion, and what it must agree with."""
     relations = [to_components(relation) for relation in system.relations]

@@ -13,7 +13,7 @@ import numpy as np
 from ...core.overview import Overview, WithOverview
 from ...core.system import System
 from ..orbits.reversing_symmetries import Reversor
-from .averages import Average, batched
+from .averages import Average, batch_means
 from .divergence import Volume
 from .zero_exponents import TrivialExponent
 
@@ -112,7 +112,7 @@ class Spectrum(WithOverview):
         The error is the standard deviation over bootstrap draws of the batches.
         """
         began = round(self.began / self.interval)
-        means = batched(self.growth[began:]) / self.interval
+        means = batch_means(self.growth[began:]) / self.interval
         draws = np.random.default_rng(SEED).integers(len(means), size=(DRAWS, len(means)))
         zeros = np.zeros(self.within)
         found = [kaplan_yorke(np.append(means[draw].mean(axis=0), zeros)) for draw in draws]

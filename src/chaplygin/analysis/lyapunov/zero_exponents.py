@@ -19,7 +19,7 @@ import sympy as sp
 from ...core.laws import Law, Symmetry
 from ...core.system import System
 from ...core.vectors import to_components
-from ...flow.linear_stability import components, taking_part
+from ...flow.linear_stability import components, essential_variables
 from ...flow.state_scales import state_scales_at
 from ...flow.tangent_space import TangentSpace
 from ...formulas.batch import Formulas
@@ -282,7 +282,7 @@ def _fields(at: _At) -> Iterator[_Item]:
 
 
 def _idle(system: System) -> list[sp.Symbol]:
-    active = taking_part(system)
+    active = essential_variables(system)
     return [s for s in system.symbols if s not in active]
 
 

@@ -18,7 +18,15 @@ import numpy as np
 from ...errors import InputError
 from .floquet import Multipliers
 from .maps import Array, Map
-from .periodic import FAMILY, Equations, NoOrbitError, Orbit, described, held_values, solved
+from .periodic import (
+    FAMILY,
+    Equations,
+    NoOrbitError,
+    Orbit,
+    held_values,
+    newton_solution,
+    orbit_from_points,
+)
 
 __all__ = ["Branch", "Event", "follow"]
 
@@ -109,7 +117,7 @@ class _Follower:
         turned = speed < 0 if ahead is None else float(ahead @ tangent) < 0
         if turned:
             tangent, speed = -tangent, -speed
-        return _Place(described(map, points, error), tangent, speed)
+        return _Place(orbit_from_points(map, points, error), tangent, speed)
 
     def step(self, here: _Place, length: float) -> _Place:
         """The place at a distance along the tangent."""
@@ -117,7 +125,7 @@ class _Follower:
         way = length * here.tangent.reshape(here.orbit.points.shape)
         guess = here.orbit.points + way * sizes
         row = (here.tangent, float(here.tangent @ (guess / sizes).ravel()))
-        points, error = solved(self.equations, guess, row)
+        points, error = newton_solution(self.equations, guess, row)
         return self.place(points, error, here.tangent)
 
 

@@ -19,17 +19,17 @@ from ...flow.gauss import gauss_integrator
 from ...flow.kernel.double_double import unpaired
 from ...formulas.multiprecision import slopes
 from .maps import Array, measured
-from .periodic import NoOrbitError, Orbit, held_values, shortest, wrapped
+from .periodic import NoOrbitError, Orbit, held_values, periodic_difference, shortest
 from .return_map import ReturnMap
 
-__all__ = ["Refined", "refine_orbit"]
+__all__ = ["RefinedOrbit", "refine_orbit"]
 
 #: Digits of mpmath; steps at most; a step at which the iteration rests, relative to the state.
 _DIGITS, _STEPS, _REST = 36, 8, 1e-29
 
 
 @dataclass(frozen=True)
-class Refined:
+class RefinedOrbit:
     """A periodic orbit with 30 digits.
 
     Attributes
@@ -48,7 +48,7 @@ class Refined:
 
 def refine_orbit(
     made: ReturnMap, orbit: Orbit, hold: Mapping[str, float] | Iterable[str] = ()
-) -> Refined:
+) -> RefinedOrbit:
     """An orbit to 30 digits.
 
     Parameters
@@ -84,7 +84,7 @@ def refine_orbit(
                 break
         if last > 1e-20:
             raise NoOrbitError("the orbit could not be refined beyond doubles", orbit.points)
-        return Refined(point, duration, last)
+        return RefinedOrbit(point, duration, last)
 
 
 @dataclass(frozen=True)
@@ -117,7 +117,7 @@ class _Problem:
         rest = duration - mpmath.mpf(whole)
         # the flow for what the duration is longer than a double
         misses = [e + rest * r - x for e, r, x in zip(end, rates, point, strict=True)]
-        turns = wrapped(np.array([float(m) for m in misses]), self.made.periods)[1]
+        turns = periodic_difference(np.array([float(m) for m in misses]), self.made.periods)[1]
         whole_turns = [
             mpmath.mpf(0) if t == 0 else int(t) * self._period(i) for i, t in enumerate(turns)
         ]

@@ -22,13 +22,13 @@ __all__ = [
     "Equations",
     "NoOrbitError",
     "Orbit",
-    "described",
     "find",
     "held_values",
+    "newton_solution",
     "onto",
+    "orbit_from_points",
+    "periodic_difference",
     "shortest",
-    "solved",
-    "wrapped",
 ]
 
 #: Singular values below this share of the greatest belong to a family.
@@ -124,7 +124,7 @@ class Equations:
         if not np.isfinite(image.points).all():
             raise NoOrbitError("a point of the orbit has no image on the section", points)
         assert image.slopes is not None
-        gaps, _ = wrapped(np.roll(points, -1, axis=0) - image.points, self.map.periods)
+        gaps, _ = periodic_difference(np.roll(points, -1, axis=0) - image.points, self.map.periods)
         closing = np.zeros((count, size, count, size))
         for k in range(count):
             closing[k, :, k] -= image.slopes[k] * self.sizes / self.sizes[:, None]
@@ -146,7 +146,7 @@ class Equations:
         return residuals, slopes, image
 
 
-def wrapped(differences: Array, periods: Array) -> tuple[Array, Array]:
+def periodic_difference(differences: Array, periods: Array) -> tuple[Array, Array]:
     """Differences of coordinates without whole periods of angles, and these periods."""
     finite = np.where(np.isfinite(periods), periods, 1.0)
     turns = np.where(np.isfinite(periods), np.round(differences / finite), 0.0)
@@ -192,7 +192,7 @@ def onto(made: Map, points: Array, sizes: Array) -> Array:
     return points
 
 
-def solved(
+def newton_solution(
     equations: Equations, points: Array, row: tuple[Array, float] | None = None
 ) -> tuple[Array, float]:
     """Points that satisfy equations, by damped Newton steps, and the size of the last step.
@@ -314,16 +314,16 @@ def find(
     held = held_values(made, points[0], hold)
     while len(points) < period:
         points = np.concatenate([points, made.image(points[-1:]).points])
-    points, error = solved(Equations(made, held, sizes), points)
-    return described(made, points, error)
+    points, error = newton_solution(Equations(made, held, sizes), points)
+    return orbit_from_points(made, points, error)
 
 
-def described(made: Map, points: Array, error: float) -> Orbit:
+def orbit_from_points(made: Map, points: Array, error: float) -> Orbit:
     """An orbit with all that is known of it, from its points."""
     image = made.image(points, slopes=True)
     assert image.slopes is not None
-    gaps, _ = wrapped(np.roll(points, -1, axis=0) - image.points, made.periods)
-    _, turns = wrapped((image.points - points).sum(axis=0), made.periods)
+    gaps, _ = periodic_difference(np.roll(points, -1, axis=0) - image.points, made.periods)
+    _, turns = periodic_difference((image.points - points).sum(axis=0), made.periods)
     slope = np.eye(points.shape[1])
     for local in image.slopes:
         slope = local @ slope

@@ -22,7 +22,7 @@ from ...flow.sections.poincare_map import PoincareMap
 from ...flow.state_scales import state_scales_at
 from ...formulas.batch import Formulas
 from .maps import Array, Image, Kept
-from .rotation import average, lifted
+from .rotation import average, unwrapped_turns
 
 __all__ = ["Circle", "ReturnMap", "Rotations", "parameters_to_state", "rotations"]
 
@@ -243,7 +243,7 @@ def rotations(section: PoincareMap, starts: Array, angle: Any, count: int = 1000
         angles = formula(crossed.states, parameters)[..., 0]
         for i in np.flatnonzero(crossed.outcome == 0):
             try:
-                mean, error = average(np.diff(lifted(angles[i])))
+                mean, error = average(np.diff(unwrapped_turns(angles[i])))
             except InputError:
                 outcome[first + i] = -1
             else:

@@ -18,7 +18,15 @@ from ...arguments import arguments_checked
 from ...errors import InputError
 from .maps import Array
 
-__all__ = ["Rotation", "average", "frequency", "lifted", "rotation", "rotation_number", "simplest"]
+__all__ = [
+    "Rotation",
+    "average",
+    "frequency",
+    "rotation",
+    "rotation_number",
+    "simplest",
+    "unwrapped_turns",
+]
 
 #: Points with which a rotation number is tried first.
 FIRST = 256
@@ -97,7 +105,7 @@ def _weights(count: int) -> Array:
     return found
 
 
-def lifted(angles: Array, period: float = 2 * np.pi) -> Array:
+def unwrapped_turns(angles: Array, period: float = 2 * np.pi) -> Array:
     """Turns of an angle of a section, without jumps, from its values modulo a period.
 
     The advance in one step is a continuous function on the circle and misses part of it; the

@@ -23,7 +23,7 @@ from ...flow.level_projection import projected
 from ...formulas.batch import Formulas
 from ...formulas.evaluate import formula
 from ...parsing import nearest, parse
-from .system_quantities import named
+from .system_quantities import quantities_by_name
 
 __all__ = [
     "NO_NUMBER",
@@ -237,7 +237,7 @@ def scan_grid(
     known = {str(s): s for s in system.defaults} | {a.name: a.symbol for a in (x, y)}
     values: dict[str, sp.Expr] = {n: parse(t, known, f"{n} = {t}") for n, t in texts.items()}
     used = {s for value in values.values() for s in value.free_symbols}
-    levels = {str(s) for s, _ in given.steps} | named(given).keys()
+    levels = {str(s) for s, _ in given.steps} | quantities_by_name(given).keys()
     for item in (x, y):
         if item.name in symbols.keys() | levels:
             values = {item.name: item.symbol, **values}
@@ -265,7 +265,9 @@ def scan_grid(
 
 def _useful(system: System) -> list[str]:
     """Names for the user, in the order of declaration; not those defined on the way."""
-    return list(dict.fromkeys(map(str, (*system.defaults, *system.symbols, *named(system)))))
+    return list(
+        dict.fromkeys(map(str, (*system.defaults, *system.symbols, *quantities_by_name(system))))
+    )
 
 
 def _held(given: System, held: Collection[str]) -> tuple[sp.Symbol, ...]:

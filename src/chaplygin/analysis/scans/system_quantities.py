@@ -9,10 +9,10 @@ import sympy as sp
 from ...core.system import System
 from ...core.vectors import Vector, to_components
 
-__all__ = ["meaning", "named"]
+__all__ = ["meaning", "quantities_by_name"]
 
 
-def named(system: System) -> dict[str, sp.Expr]:
+def quantities_by_name(system: System) -> dict[str, sp.Expr]:
     """Scalar integrals and observables of a system by name; the integral of two of one name."""
     values = {item.name: to_components(item.value) for item in system.observables}
     values |= {item.name: to_components(item.value) for item in system.integrals}

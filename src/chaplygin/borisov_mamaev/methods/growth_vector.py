@@ -11,7 +11,7 @@ from ...mechanics.constraints import growth as mechanics
 from ...mechanics.constraints.distribution import VectorField, along, commutator
 from ...proof.verdict import Verdict
 
-__all__ = ["VectorField", "along", "commutator", "counted", "growth"]
+__all__ = ["VectorField", "along", "commutator", "growth", "holonomic_count_verdict"]
 
 
 def growth(
@@ -24,7 +24,9 @@ def growth(
     return (*counts, counts[-1])
 
 
-def counted(claimed: int, counts: tuple[int, ...], dimension: int, started: float) -> Verdict:
+def holonomic_count_verdict(
+    claimed: int, counts: tuple[int, ...], dimension: int, started: float
+) -> Verdict:
     """The verdict on a number of holonomic constraints, from the growth of a distribution.
 
     A function F with η(F) = 0 for every admissible field has dF annul their commutators too, so

@@ -15,7 +15,7 @@ from ...core.vectors import constant, cross, dot, norm_squared, real_symbol, to_
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods import unspecified
-from ..methods.growth_vector import VectorField, counted, growth
+from ..methods.growth_vector import VectorField, growth, holonomic_count_verdict
 from ..methods.rigid_body_in_space import COORDINATES, shift, turn
 from ..section_01.section_01_3a import rational_rotation
 
@@ -99,7 +99,7 @@ POINT = {x: sp.Rational(2, 3), y: sp.Rational(-1, 5), z: sp.S.Zero}
 
 def _example(fields: tuple[VectorField, ...], claimed: int) -> Verdict:
     started = time.monotonic()
-    return counted(claimed, growth(fields, (x, y, z), POINT), 3, started)
+    return holonomic_count_verdict(claimed, growth(fields, (x, y, z), POINT), 3, started)
 
 
 def full_printed() -> Verdict:
@@ -124,7 +124,7 @@ def least() -> Verdict:
 
 def _of_ball(claimed: int) -> Verdict:
     started = time.monotonic()
-    return counted(claimed, ball_growth(), 6, started)
+    return holonomic_count_verdict(claimed, ball_growth(), 6, started)
 
 
 def between_printed() -> Verdict:

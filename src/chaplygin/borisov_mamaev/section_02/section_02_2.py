@@ -18,7 +18,7 @@ from ..methods.catalogue_laws import law_named, printed_form
 
 R, omega, v, r, N, F, n, df = vectors("R omega v r N F n df")
 m, mu, b, N_0 = (real_symbol(name) for name in ("m", "mu", "b", "N_0"))
-HEAVIER = m + mu / b**2
+EFFECTIVE_MASS = m + mu / b**2
 
 
 @cache
@@ -59,7 +59,7 @@ def differentiated() -> Case:
 def regrouped() -> Case:
     """(m + μ/b²) v̇ = F − (F, e_z) e_z."""
     return marble(), Identity(
-        "regrouped", HEAVIER * rate(v) - F + dot(F, unit_vector(3)) * unit_vector(3)
+        "regrouped", EFFECTIVE_MASS * rate(v) - F + dot(F, unit_vector(3)) * unit_vector(3)
     )
 
 
@@ -74,8 +74,8 @@ def particle_in_plane() -> Case:
             Rate(x) - speeds[0],
             Rate(y) - speeds[1],
             Rate(z),
-            HEAVIER * Rate(speeds[0]) - first,
-            HEAVIER * Rate(speeds[1]) - second,
+            EFFECTIVE_MASS * Rate(speeds[0]) - first,
+            EFFECTIVE_MASS * Rate(speeds[1]) - second,
         ),
     )
 
@@ -110,7 +110,7 @@ def particle() -> Case:
 
 def on_surface() -> Case:
     """A particle on the surface with Lagrange's multiplier keeps (v, n) = 0 and f."""
-    gathered = HEAVIER * rate(v) - F
+    gathered = EFFECTIVE_MASS * rate(v) - F
     across = cross(gathered, n)
     tangent = (dot(v, n), Rate(dot(v, n)))
     return rubber(), Identity("multiplier", (across, tangent))

@@ -100,35 +100,37 @@ def new_time_motion() -> System:
     return system("new_time", "q′ = u, in the time τ", field)
 
 
-PLACES = (N * u[0], N * u[1])
+VELOCITIES = (N * u[0], N * u[1])
 
 
 def momenta() -> Case:
     """∂L/∂q̇_i = (1/N) ∂L̄/∂q′_i for any L."""
-    barred, slopes = _velocity_slopes("L", PLACES)
+    barred, slopes = _velocity_slopes("L", VELOCITIES)
     residuals = tuple(slope - sp.diff(barred, s) / N for slope, s in zip(slopes, u, strict=True))
     return new_time_motion(), Identity("momenta", residuals)
 
 
 def forces() -> Case:
     """∂L/∂q_i = ∂L̄/∂q_i − (1/N) ∂N/∂q_i Σ q′_k ∂L̄/∂q′_k for any L."""
-    barred, _ = _velocity_slopes("L", PLACES)
+    barred, _ = _velocity_slopes("L", VELOCITIES)
     power = sp.Add(*(s * sp.diff(barred, s) for s in u))
     residuals = tuple(
         slope - (sp.diff(barred, s) - sp.diff(N, s) / N * power)
-        for slope, s in zip(_coordinate_slopes("L", PLACES), q, strict=True)
+        for slope, s in zip(_coordinate_slopes("L", VELOCITIES), q, strict=True)
     )
     return new_time_motion(), Identity("forces", residuals)
 
 
 def new_time() -> Case:
     """(4.5) and (4.4) have the same residual along every motion, for any L and S."""
-    barred, slopes = _velocity_slopes("L", PLACES)
-    S = sp.Function("S")(*q, *PLACES)
+    barred, slopes = _velocity_slopes("L", VELOCITIES)
+    S = sp.Function("S")(*q, *VELOCITIES)
     first, second = (sp.diff(barred, s) for s in u)
     bar = N * S + (sp.diff(N, q_2) * first - sp.diff(N, q_1) * second) / N
     residuals = []
-    for i, (slope, force) in enumerate(zip(slopes, _coordinate_slopes("L", PLACES), strict=True)):
+    for i, (slope, force) in enumerate(
+        zip(slopes, _coordinate_slopes("L", VELOCITIES), strict=True)
+    ):
         sign, other = (1, u[1]) if i == 0 else (-1, u[0])
         old = N * Rate(slope) - force - sign * N * other * S
         new = Rate(sp.diff(barred, u[i])) - sp.diff(barred, q[i]) - sign * other * bar

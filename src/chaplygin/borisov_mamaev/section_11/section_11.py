@@ -12,7 +12,7 @@ from ...core.vectors import real_symbol
 from ...proof.verdict import Verdict
 from ..claim import Case, Claim, Remark
 from ..methods.catalogue_laws import law_named
-from ..methods.growth_vector import VectorField, counted, growth
+from ..methods.growth_vector import VectorField, growth, holonomic_count_verdict
 
 #: Place of the contact point, cosine and sine of the heading, inclination, turn about the axis.
 x, y, c, s, theta, phi = (real_symbol(name) for name in ("x", "y", "c", "s", "theta", "phi"))
@@ -38,7 +38,7 @@ def ice_growth() -> tuple[int, ...]:
 def no_holonomic_constraint() -> Verdict:
     """The velocity parallel to the horizontal diameter is a non-integrable constraint."""
     started = time.monotonic()
-    return counted(0, ice_growth(), 5, started)
+    return holonomic_count_verdict(0, ice_growth(), 5, started)
 
 
 def disk() -> System:

@@ -34,9 +34,9 @@ from ...mechanics.ball.equations import (
     Contact,
     Kinematics,
     ball_parameters,
-    centred,
+    centre_surface,
     equations_of_motion,
-    supported,
+    supporting_surface,
 )
 from ...mechanics.ball.mechanism import ball_mechanism
 from ...mechanics.lagrangian.poincare_suslov import equations
@@ -189,7 +189,7 @@ def tangential(system: System) -> System:
 
 def any_marble() -> System:
     """A marble ball whose centre moves on any surface, in any potential."""
-    kinematics = centred(SURFACE)
+    kinematics = centre_surface(SURFACE)
     return _made("marble", kinematics).with_laws(
         *_common(kinematics, {ell: 1}),
         balance("marble"),
@@ -214,7 +214,7 @@ def any_marble() -> System:
 
 def any_rubber() -> System:
     """A rubber ball whose centre moves on any surface, in any potential."""
-    kinematics = centred(SURFACE)
+    kinematics = centre_surface(SURFACE)
     density = {ell: 2, df.symbols[2]: -1}
     return tangential(_made("rubber", kinematics)).with_laws(
         *_common(kinematics, density),
@@ -234,7 +234,7 @@ def any_rubber() -> System:
 
 def any_supported_marble() -> System:
     """A marble ball on any supporting surface, in any potential."""
-    kinematics = supported(SUPPORT)
+    kinematics = supporting_surface(SUPPORT)
     return _made("marble", kinematics).with_laws(
         *_common(kinematics, {ell: 1, Delta: 1}), _turning()
     )
@@ -242,7 +242,7 @@ def any_supported_marble() -> System:
 
 def any_supported_rubber() -> System:
     """A rubber ball on any supporting surface, in any potential."""
-    kinematics = supported(SUPPORT)
+    kinematics = supporting_surface(SUPPORT)
     density = {ell: 2, Delta: 1, df.symbols[2]: -1}
     return tangential(_made("rubber", kinematics)).with_laws(
         *_common(kinematics, density), _turning()

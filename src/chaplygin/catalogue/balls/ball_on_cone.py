@@ -15,7 +15,7 @@ from ...core.laws import Integral
 from ...core.system import System
 from ...core.vectors import dot, gradient, norm_squared, to_components, vectors
 from ...mechanics.ball.ball import RollingBall
-from ...mechanics.ball.equations import ball_parameters, centred, equations_of_motion
+from ...mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
 from ...mechanics.ball.surface import Cone
 from ..entry import Numbers
 from .ball_entry import ball_entry
@@ -48,7 +48,7 @@ def any_cone() -> System:
     central = sp.Function("U")(to_components(norm_squared(R)))
     made = equations_of_motion(
         "marble",
-        centred(third - shape),
+        centre_surface(third - shape),
         -gradient(central, R),
         ball_parameters(1.0, 0.4, 1.0),
         name="marble-ball-on-any-cone",

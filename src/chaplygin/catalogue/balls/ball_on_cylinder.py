@@ -19,7 +19,7 @@ from ...core.laws import Integral
 from ...core.system import Parameter, System
 from ...core.vectors import real_symbol, unit_vector, vectors
 from ...mechanics.ball.ball import RollingBall
-from ...mechanics.ball.equations import ball_parameters, centred, equations_of_motion
+from ...mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
 from ...mechanics.ball.surface import CircularCylinder
 from ..entry import Numbers
 from .ball_entry import ball_entry
@@ -47,7 +47,7 @@ def any_cylinder() -> System:
     weight = Parameter(g, "acceleration of gravity", 9.81, "m/s^2")
     made = equations_of_motion(
         "marble",
-        centred(sp.Function("f")(first, second)),
+        centre_surface(sp.Function("f")(first, second)),
         -m * g * unit_vector(3),
         (*ball_parameters(1.0, 0.4, 1.0), weight),
         name="marble-ball-on-any-cylinder",

@@ -22,7 +22,7 @@ from ...core.vectors import (
     vectors,
 )
 from ...mechanics.ball.ball import RollingBall
-from ...mechanics.ball.equations import ball_parameters, centred, equations_of_motion
+from ...mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
 from ...mechanics.ball.surface import EllipsoidSurface
 from ..entry import Numbers
 from .ball_entry import ball_entry
@@ -80,7 +80,7 @@ def any_quadric() -> System:
     entries = tuple(Parameter(s, f"coefficient {s}", 1.0) for s in A.symbols)
     made = equations_of_motion(
         "marble",
-        centred(form),
+        centre_surface(form),
         -gradient(SPRING, R),
         (*ball_parameters(1.0, 0.4, 1.0), SPRING_STIFFNESS, *entries),
         name="marble-ball-on-any-quadric",

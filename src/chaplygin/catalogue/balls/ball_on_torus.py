@@ -13,7 +13,7 @@ import sympy as sp
 from ...core.system import Parameter, System
 from ...core.vectors import real_symbol, unit_vector, vectors
 from ...mechanics.ball.ball import RollingBall
-from ...mechanics.ball.equations import ball_parameters, centred, equations_of_motion
+from ...mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
 from ...mechanics.ball.surface import Ring
 from ..entry import Numbers
 from .ball_entry import ball_entry
@@ -46,7 +46,7 @@ def any_revolution() -> System:
     weight = Parameter(g, "acceleration of gravity", 9.81, "m/s^2")
     made = equations_of_motion(
         "marble",
-        centred(third - profile),
+        centre_surface(third - profile),
         -m * g * unit_vector(3),
         (*ball_parameters(1.0, 0.4, 1.0), weight),
         name="marble-ball-on-any-surface-of-revolution",

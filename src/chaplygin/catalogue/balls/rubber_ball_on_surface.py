@@ -22,7 +22,7 @@ from ...core.laws import Identity, Integral, Law
 from ...core.system import Parameter, System
 from ...core.vectors import constant, cross, dot, real_symbol, unit_vector, vectors
 from ...mechanics.ball.ball import RollingBall
-from ...mechanics.ball.equations import ball_parameters, centred, equations_of_motion
+from ...mechanics.ball.equations import ball_parameters, centre_surface, equations_of_motion
 from ...mechanics.ball.surface import Paraboloid
 from ..entry import Numbers
 from ..rates import rate
@@ -72,7 +72,7 @@ def laws() -> tuple[Law, ...]:
 def any_graph(force: Any = FORCE) -> System:
     """The ball over any surface z = f(x, y), with ω₃ = (∂f/∂x) ω₁ + (∂f/∂y) ω₂ as a definition."""
     numbers = ball_parameters(1.0, 0.4, 1.0)
-    made = equations_of_motion("rubber", centred(GRAPH), force, numbers, NAME, TITLE)
+    made = equations_of_motion("rubber", centre_surface(GRAPH), force, numbers, NAME, TITLE)
     return tangential(replace(made, motion=None))
 
 

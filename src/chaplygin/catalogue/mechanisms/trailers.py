@@ -24,7 +24,7 @@ from ...mechanics.lagrangian.poincare_suslov import equations
 from ..entry import Entry, Numbers, Start
 from ..positive import positive
 
-__all__ = ["drawn", "train"]
+__all__ = ["drawing_of_trailers", "train"]
 
 x, y, theta, u, v, m, J = (real_symbol(name) for name in ("x", "y", "theta", "u", "v", "m", "J"))
 HALF = sp.Rational(1, 2)
@@ -36,7 +36,7 @@ SUMMARY = (
 )
 
 
-def drawn(count: int) -> Plan:
+def drawing_of_trailers(count: int) -> Plan:
     """The axles of a car with a number of trailers, and the drawbars between them."""
     place, heading = (x, y), theta
     axles, links = [(x, y, theta)], []
@@ -144,7 +144,7 @@ ENTRIES = (
         source=SOURCE,
         defaults=_defaults(2),
         build=trailers,
-        plan=drawn(2),
+        plan=drawing_of_trailers(2),
         start=Start(
             state={"phi_1": 0.3, "phi_2": -0.2, "u": 1.0, "Omega": 0.6},
             until=20.0,

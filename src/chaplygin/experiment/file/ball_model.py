@@ -11,7 +11,7 @@ from .ball_tables import BallFieldTable, BallStartTable, FlatTable, SmoothTable
 from .base import ExperimentBase
 from .tables import BallTable, BodyTable, ContactTable, RunTable
 
-__all__ = ["BallExperiment", "means_ball", "moment"]
+__all__ = ["BallExperiment", "is_ball_experiment", "moment"]
 
 #: Kinds of surface on which no other body of the package rolls.
 _BALLS_ONLY = {table.model_fields["kind"].default for table in get_args(SmoothTable)} - {
@@ -86,7 +86,7 @@ def moment(body: BodyTable) -> float | None:
     return first if rows == wanted else None
 
 
-def means_ball(tables: Mapping[str, Any]) -> bool:
+def is_ball_experiment(tables: Mapping[str, Any]) -> bool:
     """Whether the tables of a file speak of a surface that only a ball rolls on.
 
     A plane or a sphere is meant so if the start gives the place of the ball, not γ.

@@ -20,7 +20,7 @@ from pydantic import (
 
 from .number_lists import given_numbers
 from .tables import FORMULA, THREE, Table, Vector
-from .validation import shown
+from .validation import value_text
 
 __all__ = [
     "ConstraintsTable",
@@ -47,7 +47,7 @@ Texts = tuple[Text, ...]
 
 def _formula(value: object) -> str:
     if not isinstance(value, str) or not value.strip():
-        raise ValueError(f"must be {FORMULA}, not {shown(value)}")
+        raise ValueError(f"must be {FORMULA}, not {value_text(value)}")
     return value
 
 
@@ -92,7 +92,7 @@ class NumberTable(_Noted):
         if (self.value is None) == (self.diagonal is None):
             raise ValueError("must have either a value or a diagonal")
         if isinstance(self.value, tuple) and len(self.value) != 3:
-            raise ValueError(f"must be a number or 3 numbers, not {shown(self.value)}")
+            raise ValueError(f"must be a number or 3 numbers, not {value_text(self.value)}")
         return self
 
 

@@ -24,7 +24,7 @@ from ...arguments import arguments_checked
 from ...catalogue import CATALOGUE, Entry, entry
 from ...errors import InputError
 from ...parsing import nearest
-from .ball_model import BallExperiment, means_ball
+from .ball_model import BallExperiment, is_ball_experiment
 from .base import ExperimentBase
 from .mechanism_tables import (
     ConstraintsTable,
@@ -413,7 +413,7 @@ def _own_model(tables: dict[str, Any]) -> type[Experiment]:
         return EquationsExperiment
     if "body" not in tables and tables.keys() & {"frame", "lagrangian", "constraints"}:
         return MechanismExperiment
-    return BallExperiment if means_ball(tables) else RollingExperiment
+    return BallExperiment if is_ball_experiment(tables) else RollingExperiment
 
 
 def _decided_by_system(tables: dict[str, Any]) -> dict[Key, str]:

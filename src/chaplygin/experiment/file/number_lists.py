@@ -6,7 +6,7 @@ import math
 
 from ...errors import InputError
 from ...parsing import parse
-from .validation import shown
+from .validation import value_text
 
 __all__ = ["given_numbers"]
 
@@ -30,7 +30,7 @@ def given_numbers(value: object, wanted: str) -> float | tuple[float, ...]:
     numbers = [_finite(x) for x in listed]
     found = tuple(x for x in numbers if x is not None)
     if not found or len(found) < len(listed):
-        raise ValueError(f"must be {wanted}, not {shown(value)}{_decimal(value)}")
+        raise ValueError(f"must be {wanted}, not {value_text(value)}{_decimal(value)}")
     return found if isinstance(value, list | tuple) else found[0]
 
 

@@ -15,7 +15,7 @@ from pydantic_core import ErrorDetails
 from ...parsing import nearest
 from .toml import Key
 
-__all__ = ["shown", "validation_messages"]
+__all__ = ["validation_messages", "value_text"]
 
 _LONGEST = 60
 _DEEPEST = 2
@@ -51,7 +51,7 @@ def validation_messages(
     return told
 
 
-def shown(value: object) -> str:
+def value_text(value: object) -> str:
     """A value of the file in a few words, as TOML writes it."""
     if isinstance(value, str):
         return f"the text {_short(_plain(value, 0))}"
@@ -171,4 +171,4 @@ def _sentence(details: ErrorDetails, place: _Place, value: object) -> tuple[Key,
         case "value_error":
             return place.key, str(context["error"])
         case _:
-            return place.key, f"must be {allowed}, not {shown(value)}"
+            return place.key, f"must be {allowed}, not {value_text(value)}"

@@ -15,7 +15,7 @@ from . import elementary as special
 from .arithmetic import Arithmetic, Value
 from .ir_writer import IRWriter
 
-__all__ = ["evaluate", "functions", "hoisted"]
+__all__ = ["evaluate", "functions", "parameter_only_terms"]
 
 
 def evaluate(
@@ -96,7 +96,7 @@ def _compute(
             return special.FUNCTIONS[node.kind](arithmetic, *values)
 
 
-def hoisted(terms: Sequence[Term]) -> list[Term]:
+def parameter_only_terms(terms: Sequence[Term]) -> list[Term]:
     """Terms that depend on parameters alone and are used by those that depend on the state.
 
     They are computed once for a trajectory; numbers are not among them.
@@ -134,7 +134,7 @@ def functions(
     prepare : str
         The name of the first function.
     """
-    constants = hoisted([term for terms in pieces.values() for term in terms])
+    constants = parameter_only_terms([term for terms in pieces.values() for term in terms])
     slots = {id(term): i for i, term in enumerate(constants)}
     texts = [_function(arithmetic, lanes, name, terms, slots) for name, terms in pieces.items()]
     number = arithmetic(IRWriter(lanes))

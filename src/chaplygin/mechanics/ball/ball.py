@@ -29,9 +29,9 @@ from .equations import (
     Contact,
     Kinematics,
     ball_parameters,
-    centred,
+    centre_surface,
     equations_of_motion,
-    supported,
+    supporting_surface,
 )
 from .surface import SmoothSurface
 
@@ -113,8 +113,8 @@ class RollingBall:
         offset = b if self.carrier == "support" else sp.S.Zero
         equation = self.surface.equation(R.symbols, offset)
         if equation is not None:
-            return centred(equation)
-        return supported(self.carrying)
+            return centre_surface(equation)
+        return supporting_surface(self.carrying)
 
     @cached_property
     def carrying(self) -> sp.Expr:

@@ -42,9 +42,9 @@ __all__ = [
     "Contact",
     "Kinematics",
     "ball_parameters",
-    "centred",
+    "centre_surface",
     "equations_of_motion",
-    "supported",
+    "supporting_surface",
 ]
 
 R, x, omega, v, n, ndot, xdot = vectors("R x omega v n ndot xdot")
@@ -93,7 +93,7 @@ def _shape_operator(surface: sp.Expr, place: Vector, vector: MatrixExpr) -> Matr
     return (bent - dot(n, bent) * n) / ell
 
 
-def centred(surface: sp.Expr) -> Kinematics:
+def centre_surface(surface: sp.Expr) -> Kinematics:
     """The surface of the centre is given: f(R) = 0 and ṅ = S v.
 
     Parameters
@@ -105,7 +105,7 @@ def centred(surface: sp.Expr) -> Kinematics:
     return Kinematics(surface, R, _normal(surface, R), turning, v, None)
 
 
-def supported(surface: sp.Expr) -> Kinematics:
+def supporting_surface(surface: sp.Expr) -> Kinematics:
     """The supporting surface is given: f(x) = 0 and R = x + bn.
 
     From v = (1 + bS) ẋ on the tangent plane, with the trace 2H and the determinant K of S,

@@ -21,9 +21,16 @@ from ...parsing.exact_decimals import exactly
 from ..lagrangian.mechanism import TIME, Mechanism
 from ..lagrangian.structure_functions import commutator
 from .exact_points import ConfigurationSpace
-from .reconstruction import Coefficients, VectorField, along, reconstructed
+from .reconstruction import Coefficients, VectorField, along, whole_configuration
 
-__all__ = ["Distribution", "VectorField", "along", "commutator", "distribution", "spanned"]
+__all__ = [
+    "Distribution",
+    "VectorField",
+    "along",
+    "commutator",
+    "distribution",
+    "distribution_spanned_by",
+]
 
 
 @dataclass(frozen=True)
@@ -155,7 +162,7 @@ def _less(row: list[sp.Expr], pivot: list[sp.Expr], column: int) -> list[sp.Expr
     return [sp.cancel(a - factor * b) for a, b in zip(row, pivot, strict=True)]
 
 
-def spanned(
+def distribution_spanned_by(
     name: str,
     fields: Sequence[VectorField],
     coordinates: Sequence[sp.Symbol],
@@ -207,7 +214,7 @@ def distribution(mechanism: Mechanism) -> Distribution:
     positions = [expanded(F, dict(kept)) for F in mechanism.F]
     constants = {p.symbol: p.default for p in mechanism.parameters}
     entries = [*positions, *rest, *(entry for row in rows for entry in row)]
-    whole = reconstructed(frame, entries, kept, constants)
+    whole = whole_configuration(frame, entries, kept, constants)
     coordinates, fields = whole.coordinates, whole.fields
     rows += [[along(field, F) for field in fields] for F in positions]
     rest += [sp.diff(F, TIME) for F in positions]

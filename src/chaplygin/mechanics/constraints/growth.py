@@ -17,7 +17,7 @@ import sympy as sp
 
 from ...errors import InputError
 from ...formulas.taylor import PRIMES, IrrationalError, Modular, Numbers, Rational
-from .distribution import Distribution, VectorField, spanned
+from .distribution import Distribution, VectorField, distribution_spanned_by
 from .exact_points import ExactPoint, NoPointError, point_at, random_point
 from .vector_field_series import Bundle, Section, SingularError, Span
 
@@ -299,5 +299,5 @@ def growth(
     """
     own = set(coordinates)
     constants = {s: v for s, v in point.items() if s not in own}
-    given = spanned("fields", fields, coordinates, constants=constants)
+    given = distribution_spanned_by("fields", fields, coordinates, constants=constants)
     return filtration(given, {s: v for s, v in point.items() if s in own}).growth

@@ -27,7 +27,7 @@ from ..lagrangian.mechanism import Frame, euclidean, rotations
 from ..lagrangian.structure_functions import structure
 from .exact_points import ConfigurationSpace, NoPointError, random_point
 
-__all__ = ["Coefficients", "VectorField", "Whole", "along", "reconstructed"]
+__all__ = ["Coefficients", "VectorField", "Whole", "along", "whole_configuration"]
 
 VectorField: TypeAlias = Mapping[sp.Symbol, sp.Expr]
 #: c_ij^k by (i, j, k), i < j.
@@ -59,7 +59,7 @@ class Whole:
     admissible: bool = False
 
 
-def reconstructed(
+def whole_configuration(
     frame: Frame, formulas: Sequence[sp.Expr], steps: Steps, constants: Mapping[sp.Symbol, Any]
 ) -> Whole:
     """The whole configuration behind a frame.

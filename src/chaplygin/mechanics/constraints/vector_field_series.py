@@ -60,8 +60,8 @@ class Bundle:
             self.leads.append(chosen[place[1]].value)
             inverse = self.one / chosen[place[1]]
             chosen = [entry * inverse for entry in chosen]
-            pivots = [(c, freed(other, chosen, place[1])) for c, other in pivots]
-            rows = [freed(other, chosen, place[1]) for other in rows]
+            pivots = [(c, pivot_eliminated(other, chosen, place[1])) for c, other in pivots]
+            rows = [pivot_eliminated(other, chosen, place[1]) for other in rows]
             pivots.append((place[1], chosen))
         taken = dict(pivots)
         found = []
@@ -128,7 +128,7 @@ def leading(rows: Sequence[Section], width: int) -> tuple[int, int] | None:
     return best
 
 
-def freed(section: Section, pivot: Section, column: int) -> Section:
+def pivot_eliminated(section: Section, pivot: Section, column: int) -> Section:
     """A section less a multiple of the pivot, so that a component becomes zero."""
     factor = section[column]
     if factor.is_zero:
@@ -149,7 +149,7 @@ class Span:
     def add(self, section: Section) -> tuple[Section, bool] | None:
         """What a section adds, and whether that is a direction; None if nothing."""
         for column, pivot in self.pivots:
-            section = freed(section, pivot, column)
+            section = pivot_eliminated(section, pivot, column)
         place = leading([section], len(section))
         if place is not None:
             lead = section[place[1]]

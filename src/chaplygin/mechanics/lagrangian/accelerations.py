@@ -12,7 +12,7 @@ import sympy as sp
 from ...errors import InputError
 from .assembly import Balance
 from .generic_points import rank, with_working_precision
-from .ldl import Factored, product
+from .ldl import Factorisation, product
 
 __all__ = ["Accelerations", "accelerations"]
 
@@ -104,7 +104,7 @@ def _with_multipliers(
         ]
         _refuse_singular(parts, mass)
     try:
-        solver = Factored(tape, mass)
+        solver = Factorisation(tape, mass)
     except ZeroDivisionError:
         raise InputError(
             f"{parts.mechanism.name}: the mass matrix is not definite: a motion has no kinetic "
@@ -117,7 +117,7 @@ def _with_multipliers(
     columns = [solver.solve(row) for row in C]
     gram = [[tape.name(tape.short(product(row, x))) for x in columns] for row in C]
     defect = [tape.name(tape.short(v - product(row, bare))) for v, row in zip(b, C, strict=True)]
-    lambdas = [tape.name(x) for x in Factored(tape, gram).solve(defect)]
+    lambdas = [tape.name(x) for x in Factorisation(tape, gram).solve(defect)]
     total = [
         tape.short(x + product(lambdas, [column[r] for column in columns]))
         for r, x in enumerate(bare)
@@ -135,7 +135,7 @@ def _deficient(parts: Balance, mass: Sequence[Sequence[sp.Expr]]) -> bool:
     return bool(mass) and len(rank(_numbers(parts, mass))[0]) < len(mass)
 
 
-def _refuse_negative(parts: Balance, solver: Factored) -> None:
+def _refuse_negative(parts: Balance, solver: Factorisation) -> None:
     """Refuse a kinetic energy that is negative for some motion: a pivot is negative then."""
     point = parts.typical(solver.pivots)
     if any(point.value(pivot) < 0 for pivot in solver.pivots):

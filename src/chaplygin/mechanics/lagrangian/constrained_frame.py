@@ -22,10 +22,10 @@ from ...formulas.expansion import expanded
 from ...formulas.tape import Derivation, Step
 from .assembly import Balance, balance
 from .generic_points import is_numerically_zero, rank, with_working_precision
-from .ldl import Factored, product
+from .ldl import Factorisation, product
 from .mechanism import TIME, Mechanism
 
-__all__ = ["Restriction", "restricted"]
+__all__ = ["Restriction", "constraint_distribution"]
 
 Rows = tuple[tuple[sp.Expr, ...], ...]
 
@@ -67,7 +67,7 @@ class Restriction:
 
 
 @with_working_precision
-def restricted(mechanism: Mechanism) -> Restriction:
+def constraint_distribution(mechanism: Mechanism) -> Restriction:
     """The distribution of a mechanism whose constraints are linear and homogeneous.
 
     Raises
@@ -121,7 +121,7 @@ def restricted(mechanism: Mechanism) -> Restriction:
     )
     brackets = {(r, s): _bracket(parts, basis, fields, r, s) for r in count for s in count if r < s}
     try:
-        solver = Factored(tape, kinetic)
+        solver = Factorisation(tape, kinetic)
     except ZeroDivisionError:
         raise InputError(
             f"{mechanism.name}: the mass matrix is singular on the velocities that the "

@@ -16,14 +16,14 @@ from ...formulas.tape import Step
 from .assembly import Balance
 from .mechanism import Name, Pairs
 
-__all__ = ["Named", "name_definitions"]
+__all__ = ["NamedDefinitions", "name_definitions"]
 
 SHORT = 12
 """Operations up to which a value used once is put where it is used."""
 
 
 @dataclass(frozen=True)
-class Named:
+class NamedDefinitions:
     """Definitions in order, and what became of the names that are gone.
 
     Attributes
@@ -42,7 +42,7 @@ class Named:
         return formula if not value.free_symbols & self.table.keys() else value.xreplace(self.table)
 
 
-def name_definitions(parts: Balance, formulas: Sequence[Any]) -> Named:
+def name_definitions(parts: Balance, formulas: Sequence[Any]) -> NamedDefinitions:
     """The definitions on which formulas depend.
 
     What was named on the way and is used once and short is written where it is used; the rest is
@@ -65,7 +65,7 @@ def name_definitions(parts: Balance, formulas: Sequence[Any]) -> Named:
     numbered = _numbered(parts, [s for s, _ in kept if s not in given])
     made = [(numbered.get(s, s), value.xreplace(numbered)) for s, value in kept]
     gone = {s: value.xreplace(numbered) for s, value in table.items()}
-    return Named(_grouped(parts, made), {**gone, **numbered})
+    return NamedDefinitions(_grouped(parts, made), {**gone, **numbered})
 
 
 def _own(parts: Balance) -> set[sp.Symbol]:

@@ -61,7 +61,7 @@ class GenericPoint:
         self.point = dict(point)
         self._values = dict(point)
         for symbol, value in steps:
-            self._values[symbol] = evaluated(value, self._values)
+            self._values[symbol] = value_at_generic_point(value, self._values)
 
     def value(self, formula: sp.Expr) -> Any:
         """A formula as a number.
@@ -71,7 +71,7 @@ class GenericPoint:
         ZeroDivisionError, ValueError
             Where the formula is not defined, or not real.
         """
-        return evaluated(formula, self._values)
+        return value_at_generic_point(formula, self._values)
 
     def further(self, steps: Sequence[tuple[sp.Symbol, sp.Expr]]) -> GenericPoint:
         """The same point with further definitions."""
@@ -79,12 +79,12 @@ class GenericPoint:
         made._values = dict(self._values)
         for symbol, value in steps:
             if symbol not in made._values:
-                made._values[symbol] = evaluated(value, made._values)
+                made._values[symbol] = value_at_generic_point(value, made._values)
         return made
 
 
 @with_working_precision
-def evaluated(formula: sp.Expr, values: Mapping[sp.Symbol, Any]) -> Any:
+def value_at_generic_point(formula: sp.Expr, values: Mapping[sp.Symbol, Any]) -> Any:
     """A formula at numbers, unspecified functions being replaced by generic ones."""
     number = _number_of(_specified(formula), values, {})
     if isinstance(number, mpmath.mpc):
@@ -218,11 +218,13 @@ def _on_relations(
     written = [_written(relation, steps) for relation in relations]
     slopes = [[sp.diff(f, q) for q in coordinates] for f in written]
     for _ in range(NEWTON_STEPS if relations else 0):
-        values = mpmath.matrix([evaluated(f, point) for f in written])
+        values = mpmath.matrix([value_at_generic_point(f, point) for f in written])
         defect = mpmath.norm(values)
         if defect < mpmath.mpf(10) ** (5 - DIGITS):
             return point
-        jacobian = mpmath.matrix([[evaluated(s, point) for s in row] for row in slopes])
+        jacobian = mpmath.matrix(
+            [[value_at_generic_point(s, point) for s in row] for row in slopes]
+        )
         # redundant relations make the rows dependent: a shift keeps the equations solvable
         gram = jacobian * jacobian.T
         for i in range(gram.rows):

@@ -8,7 +8,7 @@ import sympy as sp
 
 from ...formulas.tape import Tape
 
-__all__ = ["Factored", "product"]
+__all__ = ["Factorisation", "product"]
 
 
 def product(left: Sequence[sp.Expr], right: Sequence[sp.Expr]) -> sp.Expr:
@@ -16,7 +16,7 @@ def product(left: Sequence[sp.Expr], right: Sequence[sp.Expr]) -> sp.Expr:
     return sp.Add(*(u * v for u, v in zip(left, right, strict=True)))
 
 
-class Factored:
+class Factorisation:
     """A symmetric matrix factored as L D Lᵀ, rows with few entries first.
 
     No pivots are sought: a positive definite matrix needs none, and every pivot is positive.

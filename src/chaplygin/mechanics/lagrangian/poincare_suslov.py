@@ -34,11 +34,11 @@ from .definitions import name_definitions
 from .energy import EnergyTheorem, energy_theorem
 from .mechanism import TIME, Mechanism, Name, Pairs
 
-__all__ = ["Derived", "derive", "equations"]
+__all__ = ["DerivedEquations", "derive", "equations"]
 
 
 @dataclass(frozen=True)
-class Derived:
+class DerivedEquations:
     """The equations of motion of a mechanism before they are put into a System.
 
     Attributes
@@ -53,7 +53,7 @@ class Derived:
     energy: EnergyTheorem
 
 
-def derive(mechanism: Mechanism) -> Derived:
+def derive(mechanism: Mechanism) -> DerivedEquations:
     """Accelerations, multipliers and the energy theorem of a mechanism.
 
     Raises
@@ -66,7 +66,7 @@ def derive(mechanism: Mechanism) -> Derived:
     solution = accelerations(parts)
     for symbol, value in solution.multipliers:
         parts.tape.define(symbol, value)
-    return Derived(parts, solution, energy_theorem(parts))
+    return DerivedEquations(parts, solution, energy_theorem(parts))
 
 
 @arguments_checked
@@ -158,7 +158,7 @@ def equations(mechanism: Mechanism) -> System:
 # --- what matters --------------------------------------------------------------------------
 
 
-def _driving(found: Derived) -> list[sp.Expr]:
+def _driving(found: DerivedEquations) -> list[sp.Expr]:
     """Formulas that decide what belongs to the state."""
     parts = found.parts
     mechanism = parts.mechanism
@@ -190,7 +190,7 @@ def _depends(parts: Balance, formulas: Iterable[Any], symbols: Iterable[sp.Symbo
     return bool(_uses(parts, formulas) & set(symbols))
 
 
-def _kept(found: Derived) -> set[Name]:
+def _kept(found: DerivedEquations) -> set[Name]:
     """Coordinates (whole vectors) on which the motion depends."""
     parts = found.parts
     frame = parts.mechanism.frame
@@ -223,7 +223,7 @@ def _opened(parts: Balance, lost: Sequence[sp.Symbol], formula: Any) -> Any:
 # --- laws and observables ------------------------------------------------------------------
 
 
-def _energy_law(found: Derived) -> tuple[Law, ...]:
+def _energy_law(found: DerivedEquations) -> tuple[Law, ...]:
     if found.energy.broken:
         return ()
     return (Integral("energy", found.energy.energy, "energy", source="(3.3), Theorem 1", unit="J"),)
@@ -247,7 +247,7 @@ def _momenta(parts: Balance) -> tuple[Law, ...]:
     return tuple(laws)
 
 
-def _recorded(found: Derived) -> tuple[Observable, ...]:
+def _recorded(found: DerivedEquations) -> tuple[Observable, ...]:
     mechanism = found.parts.mechanism
     constraints = (*mechanism.f, *mechanism.F)
     shown = tuple(

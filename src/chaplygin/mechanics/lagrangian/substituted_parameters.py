@@ -12,10 +12,10 @@ from ...core.laws import Integral
 from ...core.vectors import to_components
 from .mechanism import Frame, Mechanism, Structure
 
-__all__ = ["settled"]
+__all__ = ["with_parameters"]
 
 
-def settled(mechanism: Mechanism, values: Mapping[sp.Symbol, sp.Expr]) -> Mechanism:
+def with_parameters(mechanism: Mechanism, values: Mapping[sp.Symbol, sp.Expr]) -> Mechanism:
     """The same mechanism with parameters replaced by numbers, or by formulas in the others.
 
     Parameters

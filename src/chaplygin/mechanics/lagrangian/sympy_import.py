@@ -22,7 +22,7 @@ from ...errors import InputError
 from .mechanism import Mechanism, coordinates
 from .poincare_suslov import equations
 from .sympy_kane import Kane, kane
-from .sympy_names import renamed
+from .sympy_names import name_translation
 
 __all__ = ["from_sympy", "mechanism_from_sympy"]
 
@@ -166,7 +166,7 @@ def _lagrange(
     forces = [_generalised_force(model, rate) for rate in rates]
     plain = {rate: real_symbol(f"{x.func}dot") for x, rate in zip(q, rates, strict=True)}
     formulas = [*model._L, *positions, *constraints, *forces]
-    words = renamed(name, formulas, q, plain, parameters, inputs)
+    words = name_translation(name, formulas, q, plain, parameters, inputs)
     frame = coordinates(*map(words, q))
     acting = {s: words(f) for s, f in zip(frame.w, forces, strict=True) if f != 0}
     return Mechanism(

@@ -34,9 +34,9 @@ from .generic_points import (
     samples,
     with_working_precision,
 )
-from .ldl import Factored, product
+from .ldl import Factorisation, product
 from .mechanism import TIME, Frame, Mechanism
-from .sympy_names import Renamed, renamed
+from .sympy_names import NameTranslation, name_translation
 
 __all__ = ["Kane", "kane"]
 
@@ -83,7 +83,7 @@ class Kane:
 
     name: str
     title: str
-    words: Renamed
+    words: NameTranslation
     coordinates: tuple[sp.Symbol, ...]
     speeds: tuple[sp.Symbol, ...]
     rates: tuple[sp.Expr, ...]
@@ -248,7 +248,7 @@ class Kane:
         defect: Sequence[sp.Expr],
     ) -> tuple[list[sp.Expr], list[sp.Expr]]:
         """u̇ and λ of A u̇ = F + Bᵀ λ, B u̇ = d."""
-        solver = Factored(tape, mass)
+        solver = Factorisation(tape, mass)
         if not slopes:
             return solver.solve(force), []
         bare = solver.solve(force)
@@ -257,7 +257,7 @@ class Kane:
         if self._deficient(tape, gram):
             raise InputError(f"{self.name}: the velocity constraints depend on each other")
         missing = [tape.name(d - product(row, bare)) for d, row in zip(defect, slopes, strict=True)]
-        multipliers = [tape.name(x) for x in Factored(tape, gram).solve(missing)]
+        multipliers = [tape.name(x) for x in Factorisation(tape, gram).solve(missing)]
         moved = [
             tape.name(x + product(multipliers, [column[i] for column in columns]))
             for i, x in enumerate(bare)
@@ -335,7 +335,7 @@ def kane(
     ]
     accelerations = {s.diff(dynamicsymbols._t): real_symbol(f"{s.func}dot") for s in u}
     plain = {**kinematics, **accelerations}
-    words = renamed(name, formulas, [*q, *u], plain, parameters, inputs)
+    words = name_translation(name, formulas, [*q, *u], plain, parameters, inputs)
     return Kane(
         name=name,
         title=title,

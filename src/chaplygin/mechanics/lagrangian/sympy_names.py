@@ -15,11 +15,11 @@ from ...core.vectors import real_symbol
 from ...errors import InputError
 from .mechanism import TIME
 
-__all__ = ["Renamed", "renamed"]
+__all__ = ["NameTranslation", "name_translation"]
 
 
 @dataclass(frozen=True)
-class Renamed:
+class NameTranslation:
     """A translation of formulas.
 
     Attributes
@@ -52,14 +52,14 @@ class Renamed:
         return [self(formula) for formula in formulas]
 
 
-def renamed(
+def name_translation(
     name: str,
     formulas: Sequence[Any],
     moving: Sequence[Any],
     rates: Mapping[Any, sp.Expr],
     parameters: Mapping[Any, Any],
     inputs: Mapping[Any, Any],
-) -> Renamed:
+) -> NameTranslation:
     """The translation for a model.
 
     Parameters
@@ -93,7 +93,7 @@ def renamed(
     # what the user writes in an input is in plain symbols already, or in those of the model
     table |= {f: formula.xreplace(plain) for f, formula in given.items()}
     table |= {rate: value.xreplace(table) for rate, value in rates.items()}
-    return Renamed(name, table, chosen)
+    return NameTranslation(name, table, chosen)
 
 
 def _inputs(

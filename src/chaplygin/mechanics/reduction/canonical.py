@@ -9,9 +9,9 @@ from ...core.laws import ConformallyHamiltonian, Integral, PoissonStructure
 from ...core.system import System
 from ...core.vectors import real_symbol
 from .base import Base
-from .closed_form import Closed
+from .closed_form import ClosedFormParts
 from .multiplier import Multiplier
-from .system import N, h_11, h_12, h_22, momenta, placed
+from .system import N, h_11, h_12, h_22, in_base_coordinates, momenta
 
 __all__ = ["canonical", "canonical_law"]
 
@@ -27,7 +27,7 @@ def _names(base: Base) -> tuple[sp.Symbol, sp.Symbol]:
 def canonical(
     form: System,
     base: Base,
-    closed: Closed,
+    closed: ClosedFormParts,
     potential: sp.Expr,
     multiplier: Multiplier,
     w: tuple[sp.Expr, sp.Expr],
@@ -47,8 +47,8 @@ def canonical(
         S̄ = ∂w₂/∂q₁ − ∂w₁/∂q₂.
     """
     q, p = base.coordinates, _names(base)
-    slowed = [placed(base, h / multiplier.value**2) for h in closed.inverse]
-    level = placed(base, closed.rest + potential)
+    slowed = [in_base_coordinates(base, h / multiplier.value**2) for h in closed.inverse]
+    level = in_base_coordinates(base, closed.rest + potential)
     first, second = (a - b for a, b in zip(p, w, strict=True))
 
     def energy(h: list[sp.Expr], v: sp.Expr) -> sp.Expr:

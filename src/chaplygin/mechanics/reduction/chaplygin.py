@@ -22,19 +22,19 @@ from ...errors import InputError
 from ...parsing.exact_decimals import exact_number, exactly
 from ..lagrangian.mechanism import Mechanism
 from ..lagrangian.poincare_suslov import equations
-from ..lagrangian.substituted_parameters import settled
+from ..lagrangian.substituted_parameters import with_parameters
 from .base import Base, base
 from .canonical import canonical, canonical_law
-from .closed_form import Closed, closed_forms
+from .closed_form import ClosedFormParts, closed_forms
 from .factors import HalfAngleChart, natural_factors
 from .form import ChaplyginForm
 from .gyroscopic_form import Flux, flux, indefinite
 from .horizontal_lift import Lift, Local, lift
 from .integrals import Linear, linear_integrals
 from .momenta import ReducedMomenta, motion
-from .multiplier import Multiplier, closed, is_closed, multiplier, over_rational, poles
-from .quadratic_integral import balanced
-from .system import chaplygin_system, lifted, motion_law, with_base
+from .multiplier import Multiplier, is_closed, multiplier, obstruction_point, over_rational, poles
+from .quadratic_integral import energy_like_integral
+from .system import chaplygin_system, motion_law, with_base, with_carried_coordinates
 
 __all__ = ["chaplygin_form"]
 
@@ -68,7 +68,7 @@ def chaplygin_form(
     if special is None:
         return found
     level, value = special
-    inner = chaplygin_form(settled(mechanism, value), levels)
+    inner = chaplygin_form(with_parameters(mechanism, value), levels)
     return replace(inner, on=(level, *inner.on))
 
 
@@ -101,7 +101,7 @@ def _reduced(mechanism: Mechanism, levels: Sequence[float | sp.Expr] | None) -> 
     here = base(mechanism, moved)
     found = _integrals(mechanism, moved, here)
     up = lift(here, found, _levels(mechanism, len(found), levels))
-    chosen = balanced(mechanism, moved, up)
+    chosen = energy_like_integral(mechanism, moved, up)
     local = Local(up, chosen.integral, mechanism.name)
     chart = HalfAngleChart.of(here.coordinates, local.symbols)
     parameters = [p.symbol for p in mechanism.parameters]
@@ -119,14 +119,14 @@ def _assembled(
     up: Lift,
     local: Local,
     chart: HalfAngleChart,
-    parts: Closed,
+    parts: ClosedFormParts,
     found: Multiplier | None,
     role: str,
 ) -> ChaplyginForm:
     potential = local.integral.potential
     original = _original(mechanism, here, up)
     made = chaplygin_system(mechanism, here, up.constants, parts, potential, found)
-    extended = lifted(made, here, parts, original)
+    extended = with_carried_coordinates(made, here, parts, original)
     way_back = motion_law(here, parts, original, up.levelled)
     if extended is None:
         made = made.with_laws(way_back)
@@ -140,7 +140,7 @@ def _assembled(
         if monopole.potential is not None:
             hamiltonian = canonical(made, here, parts, potential, found, monopole.potential)
             made = made.with_laws(canonical_law(here, hamiltonian, monopole.potential))
-    obstruction = None if found else closed(local, chart, mechanism.parameters)
+    obstruction = None if found else obstruction_point(local, chart, mechanism.parameters)
     return ChaplyginForm(
         original=original,
         base=here,

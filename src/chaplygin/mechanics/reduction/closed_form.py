@@ -13,11 +13,11 @@ from .factors import HalfAngleChart, has_even_degrees, in_angles, on_sphere
 from .horizontal_lift import Local
 from .rational_evaluation import Formulas, Quotient, inverse, product, quotients
 
-__all__ = ["Closed", "closed_forms", "written"]
+__all__ = ["ClosedFormParts", "closed_forms", "in_unit_vector"]
 
 
 @dataclass(frozen=True)
-class Closed:
+class ClosedFormParts:
     """The parts of (4.4) in closed form.
 
     Attributes
@@ -45,7 +45,7 @@ class Closed:
 
 def closed_forms(
     local: Local, chart: HalfAngleChart, parameters: Sequence[sp.Symbol], vector: Vector | None
-) -> Closed:
+) -> ClosedFormParts:
     """All parts of (4.4), with parameters and constants as symbols."""
     lift, owner = local.lift, local.owner
     one, names = quotients([*chart.variables, *parameters, *lift.constants])
@@ -61,11 +61,11 @@ def closed_forms(
     (rest,) = Formulas([local.integral.value], owner).at(at_rest, one)
 
     def plain(value: Quotient) -> sp.Expr:
-        return written(value, chart, vector)
+        return in_unit_vector(value, chart, vector)
 
     (g11, g12), (_, g22) = found.metric
     (h11, h12), (_, h22) = inverse(found.metric, one)
-    return Closed(
+    return ClosedFormParts(
         metric=(plain(g11), plain(g12), plain(g22)),
         inverse=(plain(h11), plain(h12), plain(h22)),
         a=(plain(found.a[0]), plain(found.a[1])),
@@ -77,7 +77,7 @@ def closed_forms(
     )
 
 
-def written(value: Quotient, chart: HalfAngleChart, vector: Vector | None) -> sp.Expr:
+def in_unit_vector(value: Quotient, chart: HalfAngleChart, vector: Vector | None) -> sp.Expr:
     """A fraction in the angles, its factors in the unit vector where they are functions of it."""
     if value.above == 0:
         return sp.S.Zero

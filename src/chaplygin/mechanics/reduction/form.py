@@ -12,7 +12,7 @@ from ...core.laws import Law
 from ...core.system import System
 from ...printing.formula import text
 from .base import Base
-from .closed_form import Closed
+from .closed_form import ClosedFormParts
 from .gyroscopic_form import Flux
 from .horizontal_lift import Local
 from .integrals import Linear
@@ -81,7 +81,7 @@ class ChaplyginForm:
     base: Base
     integrals: tuple[tuple[sp.Expr, Linear], ...]
     role: str
-    closed: Closed
+    closed: ClosedFormParts
     multiplier: Multiplier | None
     obstruction: Obstruction | None
     closed_form: bool

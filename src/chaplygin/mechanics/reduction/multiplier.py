@@ -19,16 +19,16 @@ from ...core.system import Parameter
 from ...core.vectors import Vector
 from .factors import HalfAngleChart, has_even_degrees, in_angles, on_sphere
 from .horizontal_lift import Local
-from .rational_evaluation import Quotient, Value, near, number, quotients, reduced
+from .rational_evaluation import Quotient, Value, near, number, quotients, reduced_echelon_form
 
 __all__ = [
     "Multiplier",
     "Obstruction",
     "as_positive",
-    "closed",
     "curl",
     "is_closed",
     "multiplier",
+    "obstruction_point",
     "open_unless",
     "over_rational",
 ]
@@ -148,7 +148,7 @@ def poles(found: Multiplier) -> tuple[sp.Expr, ...]:
     return tuple(sorted(below, key=str))
 
 
-def closed(
+def obstruction_point(
     local: Local, chart: HalfAngleChart, parameters: Sequence[Parameter]
 ) -> Obstruction | None:
     """None if the form is closed at some rational points, else a point where it is not.
@@ -305,7 +305,7 @@ def _value(poly: Any, at: Any, like: Value) -> Value:
 
 def _solved(rows: list[list[Value]], right: list[Value]) -> list[Value] | None:
     """The solution of an overdetermined system, None if there is none or more than one."""
-    left, pivots = reduced([[*row, x] for row, x in zip(rows, right, strict=True)])
+    left, pivots = reduced_echelon_form([[*row, x] for row, x in zip(rows, right, strict=True)])
     if pivots != list(range(len(rows[0]))):
         return None
     return [row[-1] for row in left]

@@ -22,14 +22,14 @@ from .integrals import quadratic_integrals, solutions
 from .momenta import ReducedMomenta
 from .rational_evaluation import Value, bare, point
 
-__all__ = ["Balanced", "balanced"]
+__all__ = ["EnergyLikeIntegral", "energy_like_integral"]
 
 
 SEED = 2008
 
 
 @dataclass(frozen=True)
-class Balanced:
+class EnergyLikeIntegral:
     """The integral that plays the part of the energy.
 
     Attributes
@@ -60,7 +60,9 @@ class _LinearParts:
         return [column[i] for i in (0, 1) for column in columns]
 
 
-def balanced(mechanism: Mechanism, motion: ReducedMomenta, lift: Lift) -> Balanced:
+def energy_like_integral(
+    mechanism: Mechanism, motion: ReducedMomenta, lift: Lift
+) -> EnergyLikeIntegral:
     """The energy where it has no linear part, else a combination with another integral.
 
     Raises
@@ -71,7 +73,7 @@ def balanced(mechanism: Mechanism, motion: ReducedMomenta, lift: Lift) -> Balanc
     base, owner = lift.base, mechanism.name
     first = energy(motion, base)
     if solutions(mechanism, base, _LinearParts([Local(lift, first, owner)]), 1):
-        return Balanced(first, "the energy")
+        return EnergyLikeIntegral(first, "the energy")
     tied = base.motion.constraints.rows > 0
     forms = [] if tied else quadratic_integrals(mechanism, motion, base)
     others = [in_momenta(motion, base, form) for form in forms]
@@ -83,7 +85,7 @@ def balanced(mechanism: Mechanism, motion: ReducedMomenta, lift: Lift) -> Balanc
         for each in combined[1:]:
             total = total + each
         if _regular(lift, total, owner):
-            return Balanced(total, _words(chosen, forms))
+            return EnergyLikeIntegral(total, _words(chosen, forms))
     raise InputError(
         f"{owner}: on the level of its linear integral the energy has a part linear in the "
         "velocities of the base, and no integral with constant coefficients in the momenta "

@@ -35,7 +35,7 @@ __all__ = [
     "point",
     "product",
     "quotients",
-    "reduced",
+    "reduced_echelon_form",
 ]
 
 #: A rational number, or a fraction of polynomials in some parameters.
@@ -187,13 +187,13 @@ def inverse(rows: Sequence[Sequence[Value]], like: Value) -> list[list[Value]]:
     """
     size = len(rows)
     wide = [[*row, *(like * int(i == j) for j in range(size))] for i, row in enumerate(rows)]
-    left, pivots = reduced(wide)
+    left, pivots = reduced_echelon_form(wide)
     if pivots != list(range(size)):
         raise ZeroDivisionError
     return [row[size:] for row in left]
 
 
-def reduced(rows: Sequence[Sequence[Value]]) -> tuple[list[list[Value]], list[int]]:
+def reduced_echelon_form(rows: Sequence[Sequence[Value]]) -> tuple[list[list[Value]], list[int]]:
     """The reduced echelon form without zero rows, and the columns of its pivots."""
     left = [list(row) for row in rows]
     pivots: list[int] = []
@@ -214,7 +214,7 @@ def reduced(rows: Sequence[Sequence[Value]]) -> tuple[list[list[Value]], list[in
 
 def kernel(rows: Sequence[Sequence[Value]], like: Value) -> list[list[Value]]:
     """A basis of the solutions of a homogeneous system, one for each free unknown."""
-    left, pivots = reduced(rows)
+    left, pivots = reduced_echelon_form(rows)
     size = len(rows[0])
     found = []
     for free in (j for j in range(size) if j not in pivots):

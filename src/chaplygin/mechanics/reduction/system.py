@@ -13,7 +13,7 @@ from ...core.system import Observable, Parameter, System
 from ...core.vectors import real_symbol
 from ..lagrangian.mechanism import Mechanism
 from .base import Base
-from .closed_form import Closed
+from .closed_form import ClosedFormParts
 from .multiplier import Multiplier
 
 __all__ = [
@@ -24,11 +24,11 @@ __all__ = [
     "h_11",
     "h_12",
     "h_22",
-    "lifted",
+    "in_base_coordinates",
     "momenta",
     "motion_law",
-    "placed",
     "with_base",
+    "with_carried_coordinates",
 ]
 
 N, S = real_symbol("N"), real_symbol("S")
@@ -56,7 +56,7 @@ def chaplygin_system(
     mechanism: Mechanism,
     base: Base,
     constants: tuple[sp.Symbol, ...],
-    closed: Closed,
+    closed: ClosedFormParts,
     potential: sp.Expr,
     multiplier: Multiplier | None,
 ) -> System:
@@ -113,7 +113,7 @@ def _level(constant: sp.Symbol) -> Parameter:
     return Parameter(constant, "value of the linear integral", LEVEL)
 
 
-def _gyroscopic(base: Base, closed: Closed, multiplier: Multiplier | None) -> sp.Expr:
+def _gyroscopic(base: Base, closed: ClosedFormParts, multiplier: Multiplier | None) -> sp.Expr:
     """S; with a multiplier it is P₂ ∂ln N/∂q₁ − P₁ ∂ln N/∂q₂ + b."""
     if multiplier is None:
         v = speeds(base)
@@ -123,23 +123,23 @@ def _gyroscopic(base: Base, closed: Closed, multiplier: Multiplier | None) -> sp
     for q in base.coordinates:
         terms = []
         for factor, exponent in multiplier.powers:
-            slope = sp.diff(placed(base, factor), q)
+            slope = sp.diff(in_base_coordinates(base, factor), q)
             terms.append(exponent * slope / factor)
         slopes.append(sp.Add(*terms))
     return P[1] * slopes[0] - P[0] * slopes[1] + closed.b
 
 
-def placed(base: Base, formula: sp.Expr) -> sp.Expr:
+def in_base_coordinates(base: Base, formula: sp.Expr) -> sp.Expr:
     """A formula in the coordinates of the base alone."""
     return formula if base.normal is None else formula.xreplace(dict(base.place))
 
 
-def _by_place(base: Base, closed: Closed, level: sp.Expr, index: int) -> sp.Expr:
+def _by_place(base: Base, closed: ClosedFormParts, level: sp.Expr, index: int) -> sp.Expr:
     """−∂H/∂q_i."""
     q, P = base.coordinates[index], momenta(base)
-    h11, h12, h22 = (sp.diff(placed(base, h), q) for h in closed.inverse)
+    h11, h12, h22 = (sp.diff(in_base_coordinates(base, h), q) for h in closed.inverse)
     square = h11 * P[0] ** 2 + 2 * h12 * P[0] * P[1] + h22 * P[1] ** 2
-    return -HALF * square - sp.diff(placed(base, level), q)
+    return -HALF * square - sp.diff(in_base_coordinates(base, level), q)
 
 
 def bracket() -> PoissonStructure:
@@ -184,7 +184,7 @@ def with_base(original: System, base: Base) -> System:
     return replace(original, field=(*missing, *original.field), motion=None)
 
 
-def _known(base: Base, closed: Closed) -> dict[sp.Symbol, sp.Expr]:
+def _known(base: Base, closed: ClosedFormParts) -> dict[sp.Symbol, sp.Expr]:
     """Coordinates and velocities of the mechanism on the base."""
     v = speeds(base)
     known = dict(base.place)
@@ -193,7 +193,9 @@ def _known(base: Base, closed: Closed) -> dict[sp.Symbol, sp.Expr]:
     return known
 
 
-def lifted(form: System, base: Base, closed: Closed, original: System) -> System | None:
+def with_carried_coordinates(
+    form: System, base: Base, closed: ClosedFormParts, original: System
+) -> System | None:
     """(4.7) with further coordinates that the original system carries along; None without any."""
     known = _known(base, closed)
     missing = [s for s in original.symbols if s not in known]
@@ -208,7 +210,7 @@ def lifted(form: System, base: Base, closed: Closed, original: System) -> System
 
 
 def motion_law(
-    base: Base, closed: Closed, original: System, level: tuple[sp.Expr, ...]
+    base: Base, closed: ClosedFormParts, original: System, level: tuple[sp.Expr, ...]
 ) -> Isomorphism:
     """The motion of the original system, on a level of its linear integrals.
 

@@ -24,13 +24,13 @@ from ...formulas.errors import NoRealValueError, OutOfReachError
 from ...formulas.number_fields import ball_precision
 from ..claim_text import claim_text
 from ..fields.budget import EFFORT, Budget
-from ..fields.unreduced_fields import Unreduced, UnreducedFormal
+from ..fields.unreduced_fields import UnreducedField, UnreducedFormal
 from ..level.alternatives import alternatives
 from ..level.level_set import LevelSet
 from ..level.polynomial_problems import polynomial_problems
 from ..prover import prove
 from ..random_test import trials
-from ..symbolic_proof import MOST_RUNS, turned
+from ..symbolic_proof import MOST_RUNS, flipped_decisions
 from ..verdict import Verdict
 from ..witness_points import witness_point
 from .identities import Excluded, Made, proof_text
@@ -150,10 +150,10 @@ def _proofs(
         """The condition of the verdict that excludes the zeros of a polynomial."""
         return next((words for words, formula in asked if made.states(formula, poly)), None)
 
-    def written(kind: type[Unreduced], signs: Mapping[str, int]) -> Made:
+    def written(kind: type[UnreducedField], signs: Mapping[str, int]) -> Made:
         return Made(kind, read, law, ground, point, budget, signs)
 
-    first = written(Unreduced, {})
+    first = written(UnreducedField, {})
     if not first.field.decisions:
         return [proof_text(first, excluded, decided=False)]
     with contextlib.suppress(OutOfReachError):
@@ -164,11 +164,13 @@ def _proofs(
 
 
 def _by_signs(
-    first: Made, written: Callable[[type[Unreduced], Mapping[str, int]], Made], excluded: Excluded
+    first: Made,
+    written: Callable[[type[UnreducedField], Mapping[str, int]], Made],
+    excluded: Excluded,
 ) -> list[Text]:
     """A proof for every choice of signs for which the law is defined and holds."""
     found = [proof_text(first, excluded, decided=True)]
-    waiting = turned(first.field, 0)
+    waiting = flipped_decisions(first.field, 0)
     runs = 1
     while waiting:
         signs, size, _ = waiting.pop()
@@ -176,11 +178,11 @@ def _by_signs(
         if runs > MOST_RUNS:
             raise OutOfReachError(f"its roots have signs in more than {MOST_RUNS} ways")
         try:
-            made = written(Unreduced, signs)
+            made = written(UnreducedField, signs)
         except (NoRealValueError, ZeroDivisionError):
             continue
         # where the law needs a sign, the check finds that a condition asks for it
         with contextlib.suppress(OutOfReachError):
             found.append(proof_text(made, excluded, decided=True))
-        waiting += turned(made.field, size)
+        waiting += flipped_decisions(made.field, size)
     return found

@@ -18,7 +18,7 @@ from ..domain import divisors, sympy_formula
 from ..fields.budget import Budget
 from ..fields.function_field import FINENESS, FunctionField
 from ..fields.quotient_ring import Element
-from ..fields.unreduced_fields import Meaning, Unreduced
+from ..fields.unreduced_fields import Meaning, UnreducedField
 from ..level.level_set import LevelSet
 from ..level.triangular_set import numerator
 from ..random_test import everything
@@ -54,7 +54,7 @@ class Made:
 
     def __init__(
         self,
-        kind: type[Unreduced],
+        kind: type[UnreducedField],
         claim: CheckedClaim,
         law: Law,
         ground: LevelSet,

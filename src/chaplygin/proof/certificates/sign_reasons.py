@@ -13,7 +13,7 @@ from typing import Any
 
 from flint import fmpq
 
-from ..fields.signs import MANY, completed
+from ..fields.signs import MANY, completed_squares
 
 __all__ = ["Reasons", "Sum", "Term", "monic"]
 
@@ -208,7 +208,7 @@ class Reasons:
             return terms
         if not poly or poly.total_degree() != 2:
             return None
-        found = completed(poly, self.ring)
+        found = completed_squares(poly, self.ring)
         if found is None:
             return None
         return tuple(Term((), weight, base) for weight, base in found)

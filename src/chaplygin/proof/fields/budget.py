@@ -12,7 +12,7 @@ from typing import Any
 from ...errors import InputError
 from ...formulas.errors import EffortSpentError, OutOfReachError
 
-__all__ = ["EFFORT", "STEP", "Budget", "allowed", "spent"]
+__all__ = ["EFFORT", "STEP", "Budget", "checked_effort", "spent"]
 
 Poly = Any
 
@@ -22,7 +22,7 @@ STEP = 200
 """What a step costs besides its terms, in term operations."""
 
 
-def allowed(effort: int) -> int:
+def checked_effort(effort: int) -> int:
     """An effort that a user gives, which must be positive.
 
     Raises

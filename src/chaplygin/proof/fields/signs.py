@@ -13,7 +13,7 @@ from typing import Any
 
 from flint import fmpq
 
-__all__ = ["Sign", "Signs", "completed"]
+__all__ = ["Sign", "Signs", "completed_squares"]
 
 Poly = Any
 
@@ -179,7 +179,7 @@ class Signs:
         if not poly or poly.total_degree() != 2:
             return None
         for given in (poly,) if definite else (poly, -poly):
-            found = completed(given, self.ring)
+            found = completed_squares(given, self.ring)
             if found is not None:
                 return [base for _, base in found]
         return None
@@ -214,7 +214,7 @@ def _ratio(poly: Poly, other: Poly) -> fmpq | None:
     return ratio if poly == ratio * other else None
 
 
-def completed(poly: Poly, ring: Any) -> list[tuple[fmpq, Poly]] | None:
+def completed_squares(poly: Poly, ring: Any) -> list[tuple[fmpq, Poly]] | None:
     """Weights and linear forms whose weighted squares add up to a quadratic polynomial.
 
     Squares are completed one variable after the other; None unless all weights are positive.

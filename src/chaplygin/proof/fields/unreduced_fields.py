@@ -14,7 +14,7 @@ from .formal_roots import FormalRoots
 from .function_field import FunctionField
 from .quotient_ring import Element
 
-__all__ = ["Meaning", "Unreduced", "UnreducedFormal"]
+__all__ = ["Meaning", "UnreducedField", "UnreducedFormal"]
 
 Poly = Any
 
@@ -57,7 +57,7 @@ class Meaning:
         return mine == (*theirs, len(other.of))
 
 
-class Unreduced(FunctionField):
+class UnreducedField(FunctionField):
     """Fractions modulo the relations of roots and circles alone, with what each symbol means."""
 
     def __init__(self, *given: Any) -> None:
@@ -98,7 +98,7 @@ class Unreduced(FunctionField):
     def circle(self, angle: Element) -> tuple[Element, Element]:
         """Sine and cosine."""
         made: tuple[Element, Element] = self._noted(
-            Meaning("", (angle,)), lambda: super(Unreduced, self).circle(angle)
+            Meaning("", (angle,)), lambda: super(UnreducedField, self).circle(angle)
         )
         return made
 
@@ -106,7 +106,7 @@ class Unreduced(FunctionField):
         """A value of a function of which only derivatives are known."""
         made: Element = self._noted(
             Meaning("known", tuple(arguments), name),
-            lambda: super(Unreduced, self).known(name, arguments),
+            lambda: super(UnreducedField, self).known(name, arguments),
         )
         return made
 
@@ -116,26 +116,26 @@ class Unreduced(FunctionField):
         """A value of an unspecified function."""
         meaning = Meaning("function", tuple(arguments), function, orders=tuple(orders))
         made: Element = self._noted(
-            meaning, lambda: super(Unreduced, self).unspecified(function, orders, arguments)
+            meaning, lambda: super(UnreducedField, self).unspecified(function, orders, arguments)
         )
         return made
 
     def _root(self, base: Poly, degree: int) -> Element:
         made: Element = self._noted(
             Meaning("", (Element(self, base, {}),)),
-            lambda: super(Unreduced, self)._root(base, degree),
+            lambda: super(UnreducedField, self)._root(base, degree),
         )
         return made
 
     def _one_power(self, base: Poly, theta: Any, exponent: Any) -> Element:
         made: Element = self._noted(
             Meaning("", (Element(self, base, {}),)),
-            lambda: super(Unreduced, self)._one_power(base, theta, exponent),
+            lambda: super(UnreducedField, self)._one_power(base, theta, exponent),
         )
         return made
 
 
-class UnreducedFormal(Unreduced, FormalRoots):
+class UnreducedFormal(UnreducedField, FormalRoots):
     """The same with roots that are not split."""
 
     def _root_made(self, element: Element, degree: int) -> Element:

@@ -18,7 +18,7 @@ from ...core.laws import Rate, Reduction
 from ...core.vectors import to_components
 from ...errors import InputError
 from .level_set import LevelSet
-from .named_formulas import named
+from .named_formulas import quantities_in_order
 from .time_derivatives import without_second_rates
 
 __all__ = ["closing", "up_to_time"]
@@ -71,7 +71,7 @@ def closing(
         If the equations hold nothing that moves.
     """
     rates = _rates(law, ground)
-    quantities = named(law, ground)
+    quantities = quantities_in_order(law, ground)
     evaluate = ground.along(field).with_steps(quantities)
 
     def value(formula: sp.Expr) -> Any:
@@ -84,7 +84,7 @@ def closing(
 
 
 def _rates(law: Reduction, ground: LevelSet) -> _Rates:
-    quantities = named(law, ground)
+    quantities = quantities_in_order(law, ground)
     variables = {*ground.system.symbols, *quantities}
     meaning: dict[sp.Symbol, sp.Expr] = {}
     symbols: dict[sp.Expr, sp.Symbol] = {}

@@ -28,7 +28,7 @@ from ..fields.budget import Budget
 from ..fields.function_field import FunctionField
 from ..fields.signs import Sign, Signs
 from .components import Component, Decomposition
-from .sample_points import near, on_sphere, shown, solved
+from .sample_points import near, number_text, on_sphere, real_root
 from .triangular_set import TriangularSet, numerator, triangle
 
 __all__ = ["EmptyGroundError", "LevelSet"]
@@ -461,7 +461,7 @@ class LevelSet:
         exact = True
         for main, terms in chain:
             if main not in values:
-                values[main] = solved(main, terms, values, generator)
+                values[main] = real_root(main, terms, values, generator)
                 exact = exact and isinstance(values[main], fmpq)
         return self._with_exchanged(values, generator, draw, exact)
 
@@ -511,7 +511,7 @@ class LevelSet:
     def point_shown(self, field: Any) -> dict[str, str]:
         """State and parameters at a point, for a reader."""
         evaluate = self.evaluator(field)
-        return {str(s): shown(evaluate.value(s)) for s in self.symbols}
+        return {str(s): number_text(evaluate.value(s)) for s in self.symbols}
 
     def roots(self, values: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
         """The main variables at a point that are not rational: roots of polynomials.

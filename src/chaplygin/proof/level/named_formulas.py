@@ -13,7 +13,7 @@ from ...errors import InputError
 from .level_set import LevelSet
 from .time_derivatives import without_rates
 
-__all__ = ["components", "named", "scalars"]
+__all__ = ["components", "quantities_in_order", "scalars"]
 
 
 def scalars(value: Any) -> list[sp.Expr]:
@@ -34,7 +34,7 @@ def components(pairs: Sequence[tuple[Any, Any]], ground: LevelSet) -> dict[sp.Sy
     return found
 
 
-def named(law: Reduction | Identity, ground: LevelSet) -> dict[sp.Symbol, sp.Expr]:
+def quantities_in_order(law: Reduction | Identity, ground: LevelSet) -> dict[sp.Symbol, sp.Expr]:
     """The quantities of a law, each in terms of the system and of earlier ones.
 
     Raises

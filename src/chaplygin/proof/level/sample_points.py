@@ -13,7 +13,7 @@ from ...formulas.errors import NotExactError
 from ...formulas.number_fields import exact_root
 from .triangular_set import Terms
 
-__all__ = ["broad", "far", "near", "on_sphere", "shown", "solved"]
+__all__ = ["broad", "far", "near", "number_text", "on_sphere", "real_root"]
 
 
 def near(default: float | None, generator: random.Random, signed: bool = False) -> fmpq:
@@ -78,7 +78,7 @@ def on_sphere(
     return {n: radius * x for n, x in zip(sorted(members), point, strict=True)}
 
 
-def solved(main: str, terms: Terms, values: Mapping[str, Any], generator: random.Random) -> Any:
+def real_root(main: str, terms: Terms, values: Mapping[str, Any], generator: random.Random) -> Any:
     """A real value of the main variable, the others being given."""
     coefficients: dict[int, Any] = {}
     for named, number in terms.items():
@@ -114,7 +114,7 @@ def solved(main: str, terms: Terms, values: Mapping[str, Any], generator: random
     raise ZeroDivisionError
 
 
-def shown(value: Any) -> str:
+def number_text(value: Any) -> str:
     """A number for a reader."""
     return str(value) if isinstance(value, fmpq) else str(value.str(20))
 

@@ -18,7 +18,7 @@ from ...core.laws import Rate, Separation
 from ...core.vectors import to_components
 from ...errors import InputError
 from .level_set import LevelSet
-from .named_formulas import named
+from .named_formulas import quantities_in_order
 
 __all__ = ["of_separation", "separated"]
 
@@ -60,7 +60,7 @@ def of_separation(
 ) -> tuple[list[list[Any]], list[list[Any]]]:
     """Gradients of the conditions and the constants, and of the quantities that separate."""
     parts = _parts(law, ground)
-    partial = ground.partial(field).with_steps(named(law, ground))
+    partial = ground.partial(field).with_steps(quantities_in_order(law, ground))
     size = len(ground.system.symbols)
 
     def row(formula: sp.Expr) -> list[Any]:
@@ -72,7 +72,7 @@ def of_separation(
 
 
 def _parts(law: Separation, ground: LevelSet) -> _Parts:
-    variables = {*ground.system.symbols, *named(law, ground)}
+    variables = {*ground.system.symbols, *quantities_in_order(law, ground)}
     squares: dict[sp.Symbol, sp.Expr] = {}
     constants = set()
     for number, raw in enumerate(law.equations, 1):

@@ -185,7 +185,7 @@ def _polygons(corners: FloatArray) -> Path:
     return Path(closed.reshape(-1, 2), codes.ravel())
 
 
-def shown(curve: SurfaceCurve, view: View, side: float) -> list[FloatArray]:
+def visible_pieces(curve: SurfaceCurve, view: View, side: float) -> list[FloatArray]:
     """Pieces of a curve on the outer (`side` 1) or inner (-1) side that the reader sees."""
     seen = view.faces_reader(side * curve.normals)
     return [curve.points[run] for run in runs(seen[1:] & seen[:-1])]

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.colors import to_hex, to_rgb
 
 from ...core.arrays import FloatArray
-from ..drawing.canvas import Canvas, shown
+from ..drawing.canvas import Canvas, visible_pieces
 from ..drawing.geometry import (
     Ground,
     PlaneGround,
@@ -78,7 +78,7 @@ def draw_outside(sheet: Canvas, radius: float, opening: float) -> None:
     lines = [
         piece
         for curve in _graticule(radius, 1.0, opening)
-        for piece in shown(curve, sheet.view, 1.0)
+        for piece in visible_pieces(curve, sheet.view, 1.0)
     ]
     sheet.strokes(lines, LINES, 0.3)
     sheet.outline(border, "#8796a4", 0.6)
@@ -90,7 +90,7 @@ def draw_far_wall(sheet: Canvas, radius: float, opening: float) -> None:
     lines = [
         piece
         for curve in _graticule(radius, -1.0, opening)
-        for piece in shown(curve, sheet.view, -1.0)
+        for piece in visible_pieces(curve, sheet.view, -1.0)
     ]
     sheet.strokes(lines, LINES, 0.3)
 

@@ -16,9 +16,9 @@ from ..drawing.canvas import (
     blank_axes,
     fit_height,
     mark_start,
-    shown,
     time_bar,
     timed_on_surface,
+    visible_pieces,
 )
 from ..drawing.dataset_access import (
     CURVE_POINTS,
@@ -247,7 +247,7 @@ def draw_body(sheet: Canvas, body: BodyMesh, track: Track) -> None:
     """The near side of the body with its seams, its border and the path traced on it."""
     facets = body.facets
     sheet.facets(facets.select(facets.faces_reader(sheet.view)), BODY_TONES, 1.0, 0.5)
-    seams = [piece for seam in body.seams for piece in shown(seam, sheet.view, 1.0)]
+    seams = [piece for seam in body.seams for piece in visible_pieces(seam, sheet.view, 1.0)]
     sheet.strokes(seams, "#3d5a76", 0.45)
     times, trace = track.trace(body.hollow, _TRACE * body.diameter)
     timed_on_surface(sheet, trace, time_shares(times, track.times[0]), 1.0, 1.4, 1.0)
@@ -274,7 +274,7 @@ def _draw_ghosts(sheet: Canvas, track: Track, outline: BodyMesh) -> None:
         ghost = outline.placed(track.rotation[index], track.centre[index])
         border = convex_hull(sheet.view.project(ghost.vertices))
         sheet.fill(border, "#eef2f6", 0.85)
-        seams = [piece for seam in ghost.seams for piece in shown(seam, sheet.view, 1.0)]
+        seams = [piece for seam in ghost.seams for piece in visible_pieces(seam, sheet.view, 1.0)]
         sheet.strokes(seams, "#cfd9e3", 0.5)
         sheet.outline(border, "#b5c2cf", 0.6)
 
@@ -331,7 +331,7 @@ def _scene_around_sphere(sheet: Canvas, track: Track, body: BodyMesh, ground: Sp
     facets = body.facets
     near = facets.faces_reader(sheet.view)
     sheet.facets(facets.select(~near), SHELL_TONES, -1.0, 0.3)
-    seams = [piece for seam in body.seams for piece in shown(seam, sheet.view, -1.0)]
+    seams = [piece for seam in body.seams for piece in visible_pieces(seam, sheet.view, -1.0)]
     sheet.strokes(seams, "#8496a8", 0.45)
     instants, trace = track.trace(body.hollow, _TRACE * body.diameter)
     timed_on_surface(sheet, trace, time_shares(instants, track.times[0]), -1.0, 1.3, 0.8)
@@ -340,6 +340,6 @@ def _scene_around_sphere(sheet: Canvas, track: Track, body: BodyMesh, ground: Sp
     timed_on_surface(sheet, path, fractions, 1.0, 2.0, 1.0)
     mark_start(sheet, path, 1.0)
     sheet.glass(facets.select(near), "#8fa6bb", 0.12)
-    seams = [piece for seam in body.seams for piece in shown(seam, sheet.view, 1.0)]
+    seams = [piece for seam in body.seams for piece in visible_pieces(seam, sheet.view, 1.0)]
     sheet.strokes(seams, "#8496a8", 0.6)
     _draw_border(sheet, body, "#2c3e50", 0.7)
