@@ -53,7 +53,7 @@ def taken_further(
     Of one that ended at a singularity the last sample does not count: there the terms of an
     integral are so large that rounding is all that is left of their sum.
     """
-    stopped = [h.guard.happening for h in motion.happenings if h.stopped]
+    stopped = [h.guard.message for h in motion.events if h.stopped]
     end = stopped[0] if stopped else failure
     first, drift = dict(found["first"]), dict(found["drift"])
     for law in motion.system.integrals:

@@ -119,7 +119,7 @@ def test_the_rattleback_has_a_direction_of_its_own():
     for sense in (-1, 1):
         motion = follow(system, (0, 0, sense * 5.0), entry.start.gamma, np.linspace(0, 8, 401))
         spins.append((motion["omega"] * motion["gamma"]).sum(axis=1))
-        assert motion.happenings == ()
+        assert motion.events == ()
     wrong, right = spins
     assert wrong[0] < -4.9
     # within four seconds it has turned back; the other way it goes on

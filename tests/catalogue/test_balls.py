@@ -108,7 +108,7 @@ def test_a_rubber_ball_in_a_pipe_falls():
 @pytest.mark.parametrize("name", BALLS)
 def test_the_ball_stays_in_touch_and_on_its_surface(name):
     found = trajectory(name)
-    assert not found.happenings
+    assert not found.events
     gap = found.recorded["centre"] - found.recorded["contact"]
     radius = CATALOGUE[name].defaults["b"]
     np.testing.assert_allclose(np.linalg.norm(gap, axis=1), radius, rtol=1e-12)

@@ -43,7 +43,7 @@ def test_names_are_unique(name):
         names = [item.name for item in group]
         assert len(set(names)) == len(names)
     # guards of one name are the parts of one condition
-    assert len({g.name for g in system.guards}) == len({g.happening for g in system.guards})
+    assert len({g.name for g in system.guards}) == len({g.message for g in system.guards})
     assert len(set(system.symbols)) == len(system.symbols)
 
 
@@ -64,7 +64,7 @@ def test_the_example_runs_to_its_end(name):
     made = built.study(name)
     motion = integrate(made.watched, made.start, np.linspace(0.0, item.start.until, 11))
     assert motion.times[-1] == item.start.until
-    assert motion.happenings == ()
+    assert motion.events == ()
     size = len(made.system.symbols)
     assert np.ptp(motion.states[:, :size], axis=0).max() > 0.1
 

@@ -165,8 +165,8 @@ def test_lift_off_is_reported(ask: Ask) -> None:
     code, out, _ = ask("run", *bowl, "-o", "stop.nc", "--json")
     facts = json.loads(out)
     assert code == 0
-    assert facts["happenings"][0]["stopped"]
-    assert facts["time"] == facts["happenings"][0]["time"] < 3.0
+    assert facts["events"][0]["stopped"]
+    assert facts["time"] == facts["events"][0]["time"] < 3.0
     _, out, _ = ask("run", *bowl, "-o", "on.nc", "--set", "run.on_liftoff=warn")
     assert "the run goes on" in out
 

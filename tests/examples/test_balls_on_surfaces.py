@@ -17,7 +17,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 @pytest.mark.parametrize("name", ["ball_in_a_pipe", "ball_on_waves"])
 def test_an_example_runs_to_its_end(name):
     found = prepare(load(EXAMPLES / f"{name}.toml")).trajectory()
-    assert not found.happenings
+    assert not found.events
     assert drift(found.recorded["law_energy"]) < 1e-14
 
 

@@ -134,7 +134,7 @@ def test_global_attributes_tell_how_it_was_made(dataset):
     assert notes["tolerance"] == 1e-15
     assert notes["precision"] == "double"
     assert notes["complete"] == 1
-    assert notes["happenings"] == ""
+    assert notes["events"] == ""
     for package in ("chaplygin", "heyoka", "numpy", "sympy"):
         assert f"{package} " in notes["versions"]
     start = dict(part.split(" = ") for part in notes["start"].split("; "))
@@ -162,8 +162,8 @@ until = 2.0
         )
     )
     made = dataset_of(study, study.trajectory())
-    assert "the body lies flat" in made.attrs["happenings"]
-    assert f"t = {made['time'].values[-1]:.17g}" in made.attrs["happenings"]
+    assert "the body lies flat" in made.attrs["events"]
+    assert f"t = {made['time'].values[-1]:.17g}" in made.attrs["events"]
 
 
 def test_further_attributes_are_added():

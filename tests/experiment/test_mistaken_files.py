@@ -329,7 +329,7 @@ def test_one_sentence(name: str, text: str | bytes, ask: Ask) -> None:
         ),
         (
             '[equations]\nstate = ["x"]\nrates = {x = "x"}\n[guards]\ne = "x"\n[start]\nx=1\n',
-            'guards.e: must be a table with value and happening, not the text "x"',
+            'guards.e: must be a table with value and message, not the text "x"',
         ),
     ],
 )

@@ -177,7 +177,7 @@ def test_systems_as_tables_read_back() -> None:
     assert again.rates == (*spinning().rates[:3], sp.sqrt(1 + real_symbol("M_1") ** 2) / 10)
     assert [type(law) for law in again.laws] == [Integral, Measure, Symmetry]
     assert again.integrals[0].on == (real_symbol("k") - 1,)
-    assert [guard.happening for guard in again.guards] == ["the angle is too large"]
+    assert [guard.message for guard in again.guards] == ["the angle is too large"]
     assert [item.name for item in again.observables] == ["spin"]
 
 

@@ -46,7 +46,7 @@ def test_a_solution_that_runs_away(precision, sense):
     assert 1 - 1e-11 < sense * error.time < 1
     assert [float(t) for t in error.partial.times] == [*times[:2], error.time]
     assert float(error.partial["x"][1]) == pytest.approx(2.0, rel=1e-15)
-    assert error.partial.happenings == ()
+    assert error.partial.events == ()
 
 
 @pytest.mark.parametrize("sense", [1, -1], ids=["forward", "backward"])
@@ -64,10 +64,10 @@ def test_a_solution_with_a_branch_point(sense):
 def test_a_guard_that_vanishes_at_the_singularity_is_what_happened():
     ended = scalar(-1 / (2 * x), guards=(Guard("positive", x, "x has come to zero"),))
     motion = integrate(ended, [1], [0.0, 0.75, 2.0])
-    (happening,) = motion.happenings
-    assert happening.guard.happening == "x has come to zero"
-    assert happening.stopped
-    assert happening.time == motion.times[-1] == pytest.approx(1.0, abs=1e-10)
+    (message,) = motion.events
+    assert message.guard.message == "x has come to zero"
+    assert message.stopped
+    assert message.time == motion.times[-1] == pytest.approx(1.0, abs=1e-10)
 
 
 @pytest.mark.parametrize(
@@ -82,7 +82,7 @@ def test_a_guard_that_vanishes_at_the_singularity_is_what_happened():
 def test_another_guard_is_not_blamed(guard):
     error = failure(scalar(x**2, guards=(guard,)), [1], [0.0, 2.0])
     assert error.reason.startswith("scalar: the step size collapsed")
-    assert error.partial.happenings == ()
+    assert error.partial.events == ()
 
 
 def test_a_field_that_is_no_number_at_the_start():

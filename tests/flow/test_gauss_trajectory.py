@@ -68,9 +68,9 @@ def test_lift_off_ends_a_run_where_taylor_series_end_it() -> None:
     times = np.linspace(0.0, 2.0, 21)
     taylor = integrate(system, start, times)
     gauss = integrate(system, start, times, method="gauss")
-    assert [h.guard for h in gauss.happenings] == [h.guard for h in taylor.happenings]
-    assert gauss.happenings[0].time == pytest.approx(taylor.happenings[0].time, abs=1e-11)
-    assert gauss.times[-1] == gauss.happenings[0].time
+    assert [h.guard for h in gauss.events] == [h.guard for h in taylor.events]
+    assert gauss.events[0].time == pytest.approx(taylor.events[0].time, abs=1e-11)
+    assert gauss.times[-1] == gauss.events[0].time
     on = integrate(system, start, times, method="gauss", on_liftoff="warn")
     assert on.times[-1] == 2.0
 

@@ -69,15 +69,15 @@ def time_of_fall() -> float:
 def test_a_disk_let_go_falls_flat_on_time(sense):
     start = initial_state(DISK, (0, 0, 0), LEAN)
     motion = integrate(DISK, start, sense * np.linspace(0.0, 5.0, 51))
-    (happening,) = motion.happenings
-    assert happening.guard.name == "flat"
-    assert happening.stopped
-    assert happening.time == motion.times[-1]
-    assert sense * happening.time == pytest.approx(time_of_fall(), abs=1e-11)
+    (message,) = motion.events
+    assert message.guard.name == "flat"
+    assert message.stopped
+    assert message.time == motion.times[-1]
+    assert sense * message.time == pytest.approx(time_of_fall(), abs=1e-11)
     assert np.hypot(*motion["gamma"][-1, :2]) == pytest.approx(1e-6, rel=1e-6)
     assert sense * motion.times[-2] == 0.5
-    assert str(happening) == (
-        f"t = {happening.time:.17g}: the body lies flat (tilt below 1e-06 rad); the run ends there"
+    assert str(message) == (
+        f"t = {message.time:.17g}: the body lies flat (tilt below 1e-06 rad); the run ends there"
     )
 
 
@@ -106,9 +106,9 @@ def test_a_guard_of_ones_own_is_passed_when_the_reference_says():
         independent.rate, (0, 5), first, "DOP853", events=lean, rtol=1e-13, atol=1e-14
     )
     motion = integrate(leaning, initial_state(leaning, omega, LEAN), [0.0, 5.0])
-    (happening,) = motion.happenings
-    assert happening.guard == low
-    assert happening.time == pytest.approx(found.t_events[0][0], abs=1e-10)
+    (message,) = motion.events
+    assert message.guard == low
+    assert message.time == pytest.approx(found.t_events[0][0], abs=1e-10)
 
 
 def test_a_disk_that_lies_flat_is_refused():
@@ -138,10 +138,10 @@ def on_the_dome(system: System, omega=(0.0, 0.0, 0.0)):
 def test_a_homogeneous_ball_leaves_the_dome_at_the_textbook_angle():
     """From rest at the angle θ₀ a homogeneous ball lifts off where cos θ = (10/17) cos θ₀."""
     motion = integrate(SMOOTH, on_the_dome(SMOOTH), np.linspace(0.0, 10.0, 101), dense=True)
-    (happening,) = motion.happenings
-    assert happening.guard.name == "contact"
-    assert happening.stopped
-    assert happening.time == motion.times[-1]
+    (message,) = motion.events
+    assert message.guard.name == "contact"
+    assert message.stopped
+    assert message.time == motion.times[-1]
     cosine = motion["contact"][-1, 2] / DOME
     assert cosine == pytest.approx(10 / 17 * np.cos(TILT), abs=1e-12)
     assert motion["normal_force"][-1] == pytest.approx(0.0, abs=1e-12)
@@ -172,7 +172,7 @@ def test_lift_off_is_found_to_the_last_digits(system):
         lambda times: np.array([pressure(state) for state in motion.dense(times)]),
         motion.dense.span,
     )
-    found = [happening.time for happening in motion.happenings]
+    found = [message.time for message in motion.events]
     assert found
     assert found == pytest.approx(exact, abs=1e-12)
 
@@ -181,7 +181,7 @@ def test_lift_off_stops_or_warns():
     times = np.linspace(0.0, 3.0, 31)
     start = on_the_dome(ROUGH)
     stop, warn = (integrate(ROUGH, start, times, on_liftoff=wish) for wish in ("stop", "warn"))
-    (stopped,), (warned,) = stop.happenings, warn.happenings
+    (stopped,), (warned,) = stop.events, warn.events
     assert stopped.time == warned.time == stop.times[-1] < 3.0
     assert stopped.stopped and not warned.stopped
     assert str(stopped).endswith("the normal force changes sign; the run ends there")
@@ -198,8 +198,8 @@ def test_a_body_that_is_not_pressed_at_the_start():
         integrate(ROUGH, start, [0.0, 0.1, 0.2], on_liftoff=wish) for wish in ("stop", "warn")
     )
     assert stop.times.tolist() == [0.0]
-    assert stop.happenings[0].time == warn.happenings[0].time == 0.0
-    assert stop.happenings[0].stopped and not warn.happenings[0].stopped
+    assert stop.events[0].time == warn.events[0].time == 0.0
+    assert stop.events[0].stopped and not warn.events[0].stopped
     assert warn.times.tolist() == [0.0, 0.1, 0.2]
     assert warn["normal_force"][0] < 0
 
@@ -214,7 +214,7 @@ def test_every_loss_of_contact_is_noted_and_no_return(until):
     motion = integrate(LOADED, start, [0.0, until], on_liftoff="warn", dense=True)
     value = guard_values(motion.system, "contact")
     exact = falls(lambda times: value(motion.dense(times)), motion.dense.span)
-    found = [happening.time for happening in motion.happenings]
+    found = [message.time for message in motion.events]
     assert len(exact) > 3
     assert found == pytest.approx(exact, abs=1e-12)
 
@@ -255,14 +255,14 @@ def test_an_implicit_body_rolls_on_to_its_waist(surface, contact, sense):
         spin -= (spin @ up) * up
     start = initial_state(system, spin, up)
     motion = integrate(system, start, sense * np.linspace(0.0, 9.0, 91), dense=True)
-    (happening,) = motion.happenings
-    assert happening.guard.name == "convex"
-    assert str(happening).endswith(
+    (message,) = motion.events
+    assert message.guard.name == "convex"
+    assert str(message).endswith(
         "the contact leaves the convex part of the body; the run ends there"
     )
-    assert happening.stopped
-    assert motion.times[-1] == happening.time
-    assert motion.dense.span[1] == happening.time
+    assert message.stopped
+    assert motion.times[-1] == message.time
+    assert motion.dense.span[1] == message.time
     # the curvature is a root of the time that is left, where the equations are singular
     slack = 1e-6 if surface == Plane() else 1e-12
     assert total_curvature(motion["r"][-1]) == pytest.approx(0.0, abs=slack)
@@ -277,8 +277,8 @@ def test_a_body_of_revolution_rolls_on_to_its_cusp():
     system = roll(Body(1.0, (0.5, 0.5, 0.6), Revolution(1 + sp.Rational(6, 5) * u**2)))
     start = initial_state(system, (0.5, 0.1, 0.2), (0.1, 0.9, 0.2))
     motion = integrate(system, start, np.linspace(0.0, 30.0, 301), dense=True)
-    (happening,) = motion.happenings
-    assert happening.guard.name == "convex"
+    (message,) = motion.events
+    assert message.guard.name == "convex"
     assert abs(motion["gamma"][-1, 2]) == pytest.approx(np.sqrt(5 / 6), abs=1e-14)
     index = motion.system.symbols.index(u)
     times = np.linspace(*motion.dense.span, 2001)
@@ -290,9 +290,9 @@ def test_an_ellipsoid_rolls_on_to_where_the_bowl_is_too_narrow():
     system = roll(Body(1.0, (0.25, 0.25, 0.3), shape), Sphere(-2.0))
     start = initial_state(system, (1.0, 0.0, 0.0), (0.0, 1.0, 0.1))
     motion = integrate(system, start, np.linspace(0.0, 30.0, 301))
-    (happening,) = motion.happenings
-    assert happening.guard.name == "fits"
-    assert str(happening).endswith(
+    (message,) = motion.events
+    assert message.guard.name == "fits"
+    assert str(message).endswith(
         "the body does not fit into the sphere at the contact; the run ends there"
     )
     # the larger principal radius of curvature there is the radius of the bowl
@@ -314,7 +314,7 @@ def test_a_guard_may_be_the_same_in_every_state():
         state = initial_state(system, *start, normal=(np.sin(TILT), 0.0, np.cos(TILT)))
         ends.append(integrate(system, state, [0.0, 5.0]))
     one, other = ends
-    assert one.happenings[0].guard.name == other.happenings[0].guard.name == "contact"
+    assert one.events[0].guard.name == other.events[0].guard.name == "contact"
     assert one.times[-1] == pytest.approx(other.times[-1], abs=1e-13)
 
 

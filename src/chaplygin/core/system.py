@@ -85,7 +85,7 @@ class Guard:
         Short name, such as ``"flat"``.
     value : sympy.Expr
         Positive inside the domain.
-    happening : str
+    message : str
         What has happened when it is no longer positive: "the disk lies flat".
     lift_off : bool
         Whether the equations themselves remain valid beyond (a two-sided contact), so that a
@@ -94,7 +94,7 @@ class Guard:
 
     name: str
     value: sp.Expr
-    happening: str
+    message: str
     lift_off: bool = False
 
 

@@ -83,7 +83,7 @@ def to_dataset(
         "start": "; ".join(
             f"{s} = {_shown(v)}" for s, v in zip(system.symbols, trajectory.states[0], strict=True)
         ),
-        "happenings": "\n".join(map(str, trajectory.happenings)),
+        "events": "\n".join(map(str, trajectory.events)),
         "tolerance": statistics.tolerance,
         "precision": statistics.precision,
         "integrator": f"Taylor series of order {statistics.order}, {statistics.steps} steps",

@@ -134,7 +134,7 @@ def _is_trajectory(folder: Path) -> bool:
 
     try:
         with xr.open_dataset(folder, engine="zarr", chunks=None, decode_times=False) as stored:
-            return "happenings" in stored.attrs
+            return "events" in stored.attrs
     except (OSError, ValueError, KeyError):
         return False
 

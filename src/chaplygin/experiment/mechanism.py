@@ -351,7 +351,7 @@ def _observables(names: Names) -> tuple[Observable, ...]:
 
 def _guards(names: Names) -> tuple[Guard, ...]:
     return tuple(
-        Guard(name, to_components(names.scalar(table.value, "guards", name)), table.happening)
+        Guard(name, to_components(names.scalar(table.value, "guards", name)), table.message)
         for name, table in names.experiment.guards.items()
     )
 

@@ -225,9 +225,9 @@ class Study:
             except TooMuchError as error:
                 where = self.experiment.where("run", "until")
                 raise InputError(error.message, where) from None
-        if len(found.times) == 1 and found.happenings:
+        if len(found.times) == 1 and found.events:
             raise InputError(
-                f"there is no motion from here: {found.happenings[-1].guard.happening}; "
+                f"there is no motion from here: {found.events[-1].guard.message}; "
                 'on_liftoff = "warn" in [run] follows it as if the surface held the body',
                 self.experiment.where("start"),
             )

@@ -54,7 +54,7 @@ def tables_of(system: System) -> dict[str, Any]:
         if item.name not in map(str, whole.state)
     }
     tables["guards"] = {
-        guard.name: {"value": _written(guard.value), "happening": guard.happening}
+        guard.name: {"value": _written(guard.value), "message": guard.message}
         for guard in whole.guards
     }
     return tables

@@ -376,7 +376,7 @@ def reason(system: System, code: int) -> str:
     return (
         STATUS_MESSAGES[code]
         if code < len(STATUS_MESSAGES)
-        else system.guards[code - len(STATUS_MESSAGES)].happening
+        else system.guards[code - len(STATUS_MESSAGES)].message
     )
 
 

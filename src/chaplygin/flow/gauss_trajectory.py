@@ -75,10 +75,10 @@ def collocate(
     flow.require_reach(point, float(moments[-1] - moments[0]), constants)
     found = flow.until([point], moments - moments[0], constants)
     outcome, reached = int(found.outcome[0]), float(found.ended[0] + moments[0])
-    happenings: tuple[Event, ...] = ()
+    events: tuple[Event, ...] = ()
     if outcome >= len(STATUS_MESSAGES):
         guard = watched.guards[outcome - len(STATUS_MESSAGES)]
-        happenings = (Event(reached, guard, True),)
+        events = (Event(reached, guard, True),)
         earlier = [t for t in moments if abs(t - moments[0]) < abs(reached - moments[0])]
         moments = np.array([*earlier, reached] if reached != moments[0] else [reached])
         found = flow.until([point], moments - moments[0], constants)
@@ -93,7 +93,7 @@ def collocate(
         seconds=clock.perf_counter() - began,
         from_cache=flow.code.found,
     )
-    trajectory = replace(trajectory, happenings=happenings, statistics=statistics)
+    trajectory = replace(trajectory, events=events, statistics=statistics)
     if 0 < outcome < len(STATUS_MESSAGES):
         raise RunError(f"{system.name}: {flow.reason(outcome)}", reached, trajectory)
     return trajectory

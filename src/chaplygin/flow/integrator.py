@@ -46,7 +46,7 @@ class _Log:
 
     times: list[Any] = field(default_factory=list)
     states: list[Any] = field(default_factory=list)
-    happenings: list[Event] = field(default_factory=list)
+    events: list[Event] = field(default_factory=list)
     dense: list[tuple[Any, Any, Any]] = field(default_factory=list)
     steps: int = 0
     corrections: int = 0
@@ -283,7 +283,7 @@ class _Run:
         self._scale_events(self.stepper.state)
         for guard, value in zip(self.system.guards, self.first_guards, strict=True):
             if not float(value) > 0 and not guard.lift_off:
-                raise InputError(f"start: {guard.happening} ({guard.name} = {float(value):.6g})")
+                raise InputError(f"start: {guard.message} ({guard.name} = {float(value):.6g})")
         self.good = (moment, self._whole(self.stepper.state))
 
     def _scale_events(self, state: Any) -> None:
@@ -422,15 +422,15 @@ class _Run:
         for guard, value in zip(self.system.guards, self.first_guards, strict=True):
             if guard.lift_off and not float(value) > 0:
                 go_on = on_liftoff == "warn"
-                pressed = replace(guard, happening="the normal force is negative at the start")
-                log.happenings.append(Event(float(now), pressed, not go_on))
+                pressed = replace(guard, message="the normal force is negative at the start")
+                log.events.append(Event(float(now), pressed, not go_on))
         return go_on
 
     def _passed(self, code: int, now: Any, log: _Log, on_liftoff: str) -> bool:
         """Note that a guard was passed; return whether to go on."""
         guard = self.system.guards[self.code.watched[-code - 1 if code < 0 else code]]
         go_on = guard.lift_off and on_liftoff == "warn"
-        log.happenings.append(Event(float(now), guard, not go_on))
+        log.events.append(Event(float(now), guard, not go_on))
         if not go_on and now != log.times[-1]:
             self._record(log, now, self.stepper.state)
         return go_on
@@ -446,7 +446,7 @@ class _Run:
         for guard, first, value in guards:
             if not guard.lift_off and float(value) < VANISHED * float(first):
                 self.keep_last(log)
-                log.happenings.append(Event(float(now), guard, True))
+                log.events.append(Event(float(now), guard, True))
                 return
         raise _StoppedError(reason)
 
@@ -500,7 +500,7 @@ class _Run:
             np.array(log.times, dtype=self.kind),
             states,
             recorded,
-            tuple(log.happenings),
+            tuple(log.events),
             statistics,
             _dense(log, self.kind),
         )

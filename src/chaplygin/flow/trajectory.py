@@ -1,4 +1,4 @@
-"""What a run leaves behind: states, observables, happenings, the continuous trajectory."""
+"""What a run leaves behind: states, observables, events, the continuous trajectory."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Event:
 
     def __str__(self) -> str:
         end = "the run ends there" if self.stopped else "the run goes on"
-        return f"t = {self.time:.17g}: {self.guard.happening}; {end}"
+        return f"t = {self.time:.17g}: {self.guard.message}; {end}"
 
 
 @dataclass(frozen=True)
@@ -121,7 +121,7 @@ class Trajectory(WithOverview):
         In the flat order of ``system.symbols``; 34-digit numbers at precision "quad".
     recorded : mapping of str to array
         Observables by name, (n,) or (n, components), and ``law_<name>`` for every integral.
-    happenings : tuple of Happening
+    events : tuple of Event
         Guards passed on the way, in order.
     statistics : Statistics
     dense : Dense or None
@@ -133,7 +133,7 @@ class Trajectory(WithOverview):
     times: Any
     states: Any
     recorded: Mapping[str, Any]
-    happenings: tuple[Event, ...]
+    events: tuple[Event, ...]
     statistics: Statistics
     dense: DenseOutput | None = None
 
@@ -154,7 +154,7 @@ class Trajectory(WithOverview):
                 ("state", ", ".join(map(str, self.system.state))),
                 ("recorded", ", ".join(name for name in self.recorded if name[:4] != "law_")),
                 *((f"drift of {law.name}", self._drift(law.name)) for law in self._integrals()),
-                *(("event", str(event)) for event in self.happenings),
+                *(("event", str(event)) for event in self.events),
                 ("steps", cost),
                 ("tolerance", f"{done.tolerance:.3g}, {done.precision} precision"),
             ),

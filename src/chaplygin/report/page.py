@@ -173,7 +173,7 @@ def render(
             for name, verdict in verdicts.items()
             if verdict.reason and not verdict.untried
         ],
-        happenings=[signed(str(happening)) for happening in trajectory.happenings],
+        events=[signed(str(event)) for event in trajectory.events],
         remarks=[signed(remark) for remark in study.remarks],
         failure=signed(str(failure)) if failure else None,
         facts=_facts(study, trajectory),

@@ -55,9 +55,9 @@ def summary(trajectory: Trajectory) -> dict[str, Any]:
         "drift": {
             law.name: drift(trajectory.recorded[f"law_{law.name}"]) for law in system.integrals
         },
-        "happenings": [
-            {"time": h.time, "what": h.guard.happening, "stopped": h.stopped}
-            for h in trajectory.happenings
+        "events": [
+            {"time": h.time, "what": h.guard.message, "stopped": h.stopped}
+            for h in trajectory.events
         ],
         "steps": statistics.steps,
         "order": statistics.order,
@@ -79,5 +79,5 @@ def summary_text(system: System, trajectory: Trajectory, facts: dict[str, Any]) 
     for name, value in facts["drift"].items():
         source = f", {laws[name].source}" if laws[name].source else ""
         lines.append(f"  {laws[name].meaning}{source}: drift {value:.1e}")
-    lines += [f"  {happening}" for happening in trajectory.happenings]
+    lines += [f"  {event}" for event in trajectory.events]
     return "\n".join(lines)

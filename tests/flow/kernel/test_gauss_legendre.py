@@ -60,8 +60,8 @@ def test_a_body_that_leaves_the_plane() -> None:
     found = gauss_integrator(system, states[0]).until(states, [1.0])
     assert found.outcome.tolist() == [len(STATUS_MESSAGES)] * 4
     for start, ended in zip(states, found.ended, strict=True):
-        (happening,) = integrate(system, start, [0.0, 1.0]).happenings
-        assert ended == pytest.approx(happening.time, rel=1e-9)
+        (message,) = integrate(system, start, [0.0, 1.0]).events
+        assert ended == pytest.approx(message.time, rel=1e-9)
 
 
 def test_a_state_that_is_no_number() -> None:

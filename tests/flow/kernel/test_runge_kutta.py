@@ -95,11 +95,11 @@ def test_a_body_that_leaves_the_plane() -> None:
     states = starts("rattleback", 4) * [30, 30, 30, 1, 1, 1]
     flow = batch_integrator(system, tolerance=1e-14)
     found = flow.until(states, [1.0])
-    assert {flow.reason(int(code)) for code in found.outcome} == {system.guards[0].happening}
+    assert {flow.reason(int(code)) for code in found.outcome} == {system.guards[0].message}
     for start, ended in zip(states, found.ended, strict=True):
-        (happening,) = integrate(system, start, [0.0, 1.0]).happenings
-        assert happening.guard == system.guards[0]
-        assert ended == pytest.approx(happening.time, rel=1e-9)
+        (message,) = integrate(system, start, [0.0, 1.0]).events
+        assert message.guard == system.guards[0]
+        assert ended == pytest.approx(message.time, rel=1e-9)
 
 
 def test_the_largest_number_of_steps(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -134,7 +134,7 @@ class GuardTable(Table):
     """A quantity that must stay positive."""
 
     value: FormulaValue = Field(description=FORMULA)
-    happening: Text = Field(description='a text in quotes, such as "the disk lies flat"')
+    message: Text = Field(description='a text in quotes, such as "the disk lies flat"')
 
 
 PLACE = 'two formulas for a place, such as ["x", "y"]'

@@ -170,7 +170,7 @@ def _check_domain(ball: RollingBall, system: System, point: list[Any], name: str
         values = {p.symbol: mpmath.mpf(p.default) for p in ball.parameters}
         known = values | dict(zip(x.symbols, point, strict=True))
         if not _positive(system, guard, known):
-            raise InputError(f"{name}: {_shown(point)} is outside the domain; {guard.happening}")
+            raise InputError(f"{name}: {_shown(point)} is outside the domain; {guard.message}")
 
 
 def _positive(system: System, guard: Guard, known: dict[Any, Any]) -> bool:

@@ -101,8 +101,8 @@ def _sphere_parameters(surface: Surface) -> tuple[Parameter, ...]:
 
 def _fits(product: sp.Expr, total: sp.Expr) -> tuple[Guard, Guard]:
     """Product and sum of 1 + R₁/a and 1 + R₂/a, up to positive factors: both are positive."""
-    happening = "the body does not fit into the sphere at the contact"
-    return Guard("fits", product, happening), Guard("fits", total, happening)
+    message = "the body does not fit into the sphere at the contact"
+    return Guard("fits", product, message), Guard("fits", total, message)
 
 
 def _check_ball(shape: Ball, surface: Surface) -> None:

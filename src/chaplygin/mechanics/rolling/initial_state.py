@@ -152,7 +152,7 @@ def _check_domain(system: System, known: Mapping[sp.Symbol, Any]) -> None:
         except ZeroDivisionError:
             value = mpmath.mpf(0)
         if not value > 0:
-            raise InputError(f"gamma: this start is outside the domain; {guard.happening}")
+            raise InputError(f"gamma: this start is outside the domain; {guard.message}")
 
 
 def _attitude(up: list[Any], normal: list[Any], heading: Any) -> list[Any]:

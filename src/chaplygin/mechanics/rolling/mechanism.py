@@ -115,7 +115,7 @@ def _written(formula: Any, swinging: dict[sp.Symbol, sp.Expr]) -> Any:
 
 
 def _guard(guard: Guard, swinging: dict[sp.Symbol, sp.Expr]) -> Guard:
-    return Guard(guard.name, _written(guard.value, swinging), guard.happening, guard.lift_off)
+    return Guard(guard.name, _written(guard.value, swinging), guard.message, guard.lift_off)
 
 
 def _parameters(

@@ -95,8 +95,8 @@ class GaussMap:
 
 def convexity(product: sp.Expr, total: sp.Expr) -> tuple[Guard, Guard]:
     """Product and sum of the principal curvatures, up to positive factors: both are positive."""
-    happening = "the contact leaves the convex part of the body"
-    return Guard("convex", product, happening), Guard("convex", total, happening)
+    message = "the contact leaves the convex part of the body"
+    return Guard("convex", product, message), Guard("convex", total, message)
 
 
 def _length(symbol: sp.Symbol, meaning: str, value: float) -> Parameter:
