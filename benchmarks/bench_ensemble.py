@@ -17,8 +17,8 @@ from pathlib import Path
 
 import numpy as np
 
-from chaplygin.catalogue import from_catalogue
-from chaplygin.flow.ensemble.run import ensemble, sampled
+from chaplygin import ensemble, from_catalogue
+from chaplygin.flow.ensemble import sampled
 
 SIZES = (1_000, 10_000, 100_000)
 TIMES = np.linspace(0, 10, 101)

@@ -17,9 +17,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 import chaplygin
-from chaplygin import lambdify
-from chaplygin.core.system import System
-from chaplygin.mechanics.rolling.initial_state import initial_state
+from chaplygin import System, initial_state, lambdify
 
 CASES = {"chaplygin-ball": 50.0, "unbalanced-ball": 50.0, "rattleback": 2.0}
 TARGETS = (1e-6, 1e-9, 1e-12)

@@ -22,11 +22,7 @@ import numpy as np
 import sympy as sp
 from kane_bicycle import kane_bicycle
 
-from chaplygin import lambdify
-from chaplygin.core.system import System
-from chaplygin.flow.linear_stability import linear_stability
-from chaplygin.mechanics.lagrangian.poincare_suslov import equations
-from chaplygin.mechanics.lagrangian.sympy_import import from_sympy
+from chaplygin import System, equations, from_sympy, lambdify, linear_stability
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "examples"))
 import whipple_bicycle

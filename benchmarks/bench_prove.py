@@ -31,8 +31,8 @@ LAWS = (
 
 def by_sympy(name: str, law_name: str) -> bool:
     """dF/dt over a common denominator, its numerator reduced modulo the relations."""
-    from chaplygin.catalogue import from_catalogue
-    from chaplygin.core.vectors import to_components
+    from chaplygin import from_catalogue
+    from chaplygin.core import to_components
     from chaplygin.proof.level.level_set import LevelSet
 
     system = from_catalogue(name)
@@ -54,8 +54,7 @@ def by_sympy(name: str, law_name: str) -> bool:
 
 def by_prover(name: str, law_name: str) -> bool:
     """The prover of this package, without verdicts of earlier runs."""
-    from chaplygin.catalogue import from_catalogue
-    from chaplygin.proof.prover import prove
+    from chaplygin import from_catalogue, prove
 
     system = from_catalogue(name)
     law = next(law for law in system.integrals if law.name == law_name)
@@ -86,7 +85,7 @@ def timed(road: str, name: str, law: str, limit: float) -> float | None:
 def one(road: str, name: str, law: str) -> None:
     """One run, printed for the parent process; building the system is not counted."""
     import chaplygin.proof.prover  # noqa: F401  (imports are not counted)
-    from chaplygin.catalogue import from_catalogue
+    from chaplygin import from_catalogue
 
     from_catalogue(name)
     began = time.perf_counter()

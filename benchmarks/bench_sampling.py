@@ -10,8 +10,8 @@ import time
 
 import numpy as np
 
-from chaplygin.catalogue import from_catalogue
-from chaplygin.flow.sampling.draw import level_sampler
+from chaplygin import from_catalogue
+from chaplygin.flow import level_sampler
 from chaplygin.formulas.evaluate import values
 
 LEVELS = (

@@ -19,11 +19,8 @@ from typing import Any
 import numpy as np
 
 import chaplygin
-from chaplygin.core.system import System
-from chaplygin.explicit.base.solution import Solution
+from chaplygin import Solution, System, initial_state, solve
 from chaplygin.explicit.rigorous import rigorous_motion
-from chaplygin.explicit.solver import solve
-from chaplygin.mechanics.rolling.initial_state import initial_state
 
 #: Systems, with angular velocities at γ = (0, 0, 1).  Doubles hold these starts, and the bodies
 #: with I₃ changed, exactly, so that all methods solve one and the same motion.

@@ -20,11 +20,8 @@ from typing import Any
 
 import numpy as np
 
-from chaplygin.catalogue import CATALOGUE
-from chaplygin.errors import RunError
+from chaplygin import CATALOGUE, RunError, Study, Trajectory, integrate, prepare
 from chaplygin.experiment.file.models import catalogue_experiment
-from chaplygin.experiment.study import Study, prepare
-from chaplygin.flow.integrator import Trajectory, integrate
 
 UNTIL = 1e5
 PIECE = 500.0

@@ -23,17 +23,13 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from chaplygin.analysis.lyapunov.compute import lyapunov_spectrum
-from chaplygin.analysis.lyapunov.indicators import MaximalExponent, Megno
-from chaplygin.analysis.lyapunov.report import Spectrum
-from chaplygin.analysis.scans.grid import axis, scan_grid
-from chaplygin.analysis.scans.scan_task import Scan, scan
+from chaplygin import Integral, System, batch_integrator, lyapunov_spectrum
+from chaplygin.analysis.lyapunov import MaximalExponent, Megno, Spectrum
+from chaplygin.analysis.scans import Scan, axis, scan, scan_grid
 from chaplygin.catalogue.ball_on_sphere.ball_on_sphere_equations import M, equations_on_sphere, k, n
-from chaplygin.core.laws import Integral
-from chaplygin.core.system import System
-from chaplygin.core.vectors import dot, to_components
-from chaplygin.flow.batch import Section, batch_integrator
-from chaplygin.flow.ensemble.compute import compute
+from chaplygin.core import dot, to_components
+from chaplygin.flow import Section
+from chaplygin.flow.ensemble import compute
 from chaplygin.flow.level_projection import projected
 from chaplygin.formulas.batch import Formulas
 from chaplygin.report.drawing.style import COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE, WIDTH

@@ -18,13 +18,9 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from chaplygin.explicit.base.solution import Solution
+from chaplygin import Body, Disk, Forces, Rolling, Solution, initial_state
 from chaplygin.explicit.revolution import solve_rolling
 from chaplygin.explicit.revolution.diagram import revolution_diagram
-from chaplygin.mechanics.rolling.body import Body
-from chaplygin.mechanics.rolling.equations import Forces, Rolling
-from chaplygin.mechanics.rolling.initial_state import initial_state
-from chaplygin.mechanics.rolling.shapes import Disk
 from chaplygin.report.drawing.style import COMPONENTS, INK, STYLE, WIDTH
 from chaplygin.report.figures.bifurcation_revolution import diagram_of_revolution
 

@@ -21,15 +21,13 @@ from typing import Any
 import numpy as np
 from scipy.spatial import KDTree
 
+from chaplygin import PoincareMap, poincare_section, sample_level as drawn
 from chaplygin.catalogue import entry
-from chaplygin.core.vectors import to_components
+from chaplygin.core import to_components
 from chaplygin.experiment.poincare import coordinates_of
-from chaplygin.flow.batch import poincare_section
-from chaplygin.flow.ensemble.compute import compute
+from chaplygin.flow.ensemble import compute
 from chaplygin.flow.level_projection import projected
-from chaplygin.flow.sampling.draw import sample_level as drawn
 from chaplygin.flow.sections.poincare_dataset import section_task
-from chaplygin.flow.sections.poincare_map import PoincareMap
 from chaplygin.formulas.batch import Formulas
 from chaplygin.report.figures import save
 from chaplygin.report.figures.poincare import draw_section

@@ -8,10 +8,9 @@ from __future__ import annotations
 
 import argparse
 
-from chaplygin.analysis.classification.classifier import classify
-from chaplygin.analysis.classification.facts import ProofBudget
-from chaplygin.analysis.classification.place import Classification
-from chaplygin.catalogue import CATALOGUE, entry
+from chaplygin import CATALOGUE, classify
+from chaplygin.analysis.classification import Classification, ProofBudget
+from chaplygin.catalogue import entry
 from chaplygin.proof.fields.budget import EFFORT
 
 HEAD = ("system", "dim", "integrals", "left", "measure", "Poisson", "symmetry", "class")

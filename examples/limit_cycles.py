@@ -21,19 +21,21 @@ import numpy as np
 import sympy as sp
 from matplotlib.figure import Figure
 
-from chaplygin.analysis.orbits.arnold_tongues import (
-    DevilsStaircase,
-    Plateau,
+from chaplygin import PoincareMap, from_catalogue, poincare_section, rotation_number
+from chaplygin.analysis.orbits import (
+    Branch,
+    Circle,
+    Orbit,
+    ReturnMap,
+    Rotation,
+    enclose_limit_cycle,
+    find,
+    follow,
     locked_interval,
-    plateaus,
     staircase,
 )
-from chaplygin.analysis.orbits.continuation import Branch, follow
-from chaplygin.analysis.orbits.limit_cycles import Cycle, enclose_limit_cycle
-from chaplygin.analysis.orbits.periodic import Orbit, find
-from chaplygin.analysis.orbits.return_map import Circle, ReturnMap
-from chaplygin.analysis.orbits.rotation import Rotation, rotation_number
-from chaplygin.catalogue import from_catalogue
+from chaplygin.analysis.orbits.arnold_tongues import DevilsStaircase, Plateau, plateaus
+from chaplygin.analysis.orbits.limit_cycles import Cycle
 from chaplygin.catalogue.bodies.unbalanced_rubber_ball_centred import (
     J_1,
     J_2,
@@ -45,8 +47,6 @@ from chaplygin.catalogue.bodies.unbalanced_rubber_ball_centred import (
     torus,
     xi,
 )
-from chaplygin.flow.batch import poincare_section
-from chaplygin.flow.sections.poincare_map import PoincareMap
 from chaplygin.report.drawing.style import INK, QUIET, SERIES, STYLE, WIDTH
 
 #: Moments about the geometric centre plus mR² (kg m²), and κ = 2mR c, c its place from the centre

@@ -7,18 +7,10 @@ The frame is that of the rigid motions in body axes; place and heading are of no
 only the vertical γ is left of the configuration.
 """
 
-from chaplygin.core.laws import Integral
-from chaplygin.core.system import Parameter
-from chaplygin.core.vectors import (
-    Diagonal,
-    Vector,
-    cross,
-    dot,
-    norm_squared,
-    real_symbol,
-    unit_vector,
-)
-from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism, euclidean
+from chaplygin import Frame, Integral, Mechanism, Parameter
+from chaplygin.core import Diagonal, Vector, cross, dot, norm_squared, real_symbol
+from chaplygin.core.vectors import unit_vector
+from chaplygin.mechanics.lagrangian import euclidean
 
 gamma, omega, v, r = (Vector(name) for name in ("gamma", "omega", "v", "r"))
 I = Diagonal("I")

@@ -19,18 +19,15 @@ from typing import Any
 import numpy as np
 from flint import ctx
 
-from chaplygin.catalogue import from_catalogue
-from chaplygin.core.isomorphism import Isomorphism
-from chaplygin.core.system import System, flat_pairs
-from chaplygin.core.vectors import to_components
-from chaplygin.explicit.genus_two.separation import SeparatedSystem
+from chaplygin import Isomorphism, System, from_catalogue, integrate
+from chaplygin.core import to_components
+from chaplygin.core.system import flat_pairs
+from chaplygin.explicit import SeparatedSystem, pull_back, push_forward
 from chaplygin.explicit.genus_two_solution import BITS, GenusTwo, solved
-from chaplygin.explicit.isomorphism import pull_back, push_forward
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
 from chaplygin.explicit.separations.clebsch import clebsch_case
 from chaplygin.explicit.separations.neumann import neumann_system
 from chaplygin.explicit.separations.veselova import veselova
-from chaplygin.flow.integrator import integrate
 from chaplygin.formulas.balls import ball, evaluated, number
 
 #: Times at which motions are compared, s.

@@ -41,11 +41,8 @@ import sympy as sp
 from scipy.optimize import brentq, minimize_scalar
 
 import chaplygin
-from chaplygin.core.system import Parameter, System
-from chaplygin.core.vectors import dot, real_symbol, to_components, vectors
-from chaplygin.mechanics.lagrangian.poincare_suslov import equations
-from chaplygin.mechanics.rolling.equations import Forces, Rolling
-from chaplygin.mechanics.rolling.mechanism import rolling_mechanism
+from chaplygin import Forces, Parameter, Rolling, System, equations, rolling_mechanism
+from chaplygin.core import dot, real_symbol, to_components, vectors
 
 omega, gamma = vectors("omega gamma")
 sigma = real_symbol("sigma")

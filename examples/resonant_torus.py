@@ -22,13 +22,13 @@ import mpmath
 from flint import arb, ctx
 from matplotlib.figure import Figure
 
+from chaplygin import integrate
+from chaplygin.explicit import SeparatedSystem
 from chaplygin.explicit.genus_two.curve import Curve
 from chaplygin.explicit.genus_two.periods import Lattice, lattice
 from chaplygin.explicit.genus_two.separated_motion import chain
-from chaplygin.explicit.genus_two.separation import SeparatedSystem
 from chaplygin.explicit.genus_two_solution import GenusTwo, solved
 from chaplygin.explicit.separations.chaplygin_ball import chaplygin_ball
-from chaplygin.flow.integrator import integrate
 from chaplygin.formulas.balls import ball_function, components
 from chaplygin.report.drawing.style import INK, QUIET, SERIES, STYLE, WIDTH
 

@@ -34,17 +34,23 @@ from sympy.physics.mechanics import (
     inertia,
 )
 
-from chaplygin.core.laws import Identity, Rate
-from chaplygin.core.system import Guard, Parameter, System
-from chaplygin.core.vectors import real_symbol
-from chaplygin.flow.integrator import Trajectory, integrate
-from chaplygin.flow.linear_stability import linear_stability
-from chaplygin.mechanics.constraints.integrability import nonholonomy
-from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism
-from chaplygin.mechanics.lagrangian.poincare_suslov import equations
-from chaplygin.mechanics.lagrangian.sympy_import import from_sympy
-from chaplygin.proof.prover import prove
-from chaplygin.proof.verdict import Verdict
+from chaplygin import (
+    Frame,
+    Identity,
+    Mechanism,
+    Parameter,
+    Rate,
+    System,
+    Trajectory,
+    Verdict,
+    equations,
+    from_sympy,
+    integrate,
+    linear_stability,
+    nonholonomy,
+    prove,
+)
+from chaplygin.core import Guard, real_symbol
 from chaplygin.report.drawing.style import QUIET, SERIES, STYLE, WIDTH
 
 DEFAULTS = {"m": 1.0, "r": 0.3, "g": 9.81}

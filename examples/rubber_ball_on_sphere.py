@@ -20,15 +20,12 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.figure import Figure
 
+from chaplygin import PoincareMap, lyapunov_spectrum, poincare_section
 from chaplygin.analysis.lyapunov.averages import Average
-from chaplygin.analysis.lyapunov.compute import lyapunov_spectrum
-from chaplygin.analysis.orbits.periodic import NoOrbitError, Orbit, find
-from chaplygin.analysis.orbits.return_map import ReturnMap
+from chaplygin.analysis.orbits import NoOrbitError, Orbit, ReturnMap, find
 from chaplygin.analysis.orbits.rotation import average
 from chaplygin.catalogue.ball_on_sphere import rubber_ball_ratio as ball
-from chaplygin.core.vectors import to_components
-from chaplygin.flow.batch import poincare_section
-from chaplygin.flow.sections.poincare_map import PoincareMap
+from chaplygin.core import to_components
 from chaplygin.formulas.batch import Formulas
 from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
 

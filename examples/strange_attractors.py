@@ -23,18 +23,24 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from chaplygin.analysis.lyapunov.compute import lyapunov_spectrum
-from chaplygin.analysis.lyapunov.report import Spectrum, remarks
-from chaplygin.analysis.orbits.reversing_symmetries import Reversor, reversors
-from chaplygin.core.system import System
-from chaplygin.errors import RunError
-from chaplygin.flow.batch import batch_integrator, poincare_section
+from chaplygin import (
+    Body,
+    Ellipsoid,
+    Forces,
+    Rolling,
+    RunError,
+    System,
+    batch_integrator,
+    lyapunov_spectrum,
+    poincare_section,
+    reversors,
+    sample_level,
+)
+from chaplygin.analysis.lyapunov import Spectrum
+from chaplygin.analysis.lyapunov.report import remarks
+from chaplygin.analysis.orbits import Reversor
 from chaplygin.flow.level_projection import projected
-from chaplygin.flow.sampling.draw import sample_level
 from chaplygin.formulas.batch import Formulas
-from chaplygin.mechanics.rolling.body import Body
-from chaplygin.mechanics.rolling.equations import Forces, Rolling
-from chaplygin.mechanics.rolling.shapes import Ellipsoid
 from chaplygin.report.drawing.style import FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 
 GRAVITY = Forces(9.81)

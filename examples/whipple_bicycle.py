@@ -33,22 +33,29 @@ from scipy.optimize import brentq
 from whipple_by_hand import by_hand
 from whipple_figures import eigenvalue_figure, run_figure
 
-from chaplygin.core.system import Guard, Observable, Parameter, System
-from chaplygin.core.vectors import (
-    constant,
+from chaplygin import (
+    Frame,
+    Mechanism,
+    Parameter,
+    System,
+    Trajectory,
+    equations,
+    integrate,
+    linear_stability,
+)
+from chaplygin.core import (
+    Guard,
+    Observable,
     cross,
     dot,
     norm_squared,
     real_symbol,
     to_components,
-    unit_vector,
     vectors,
 )
-from chaplygin.flow.integrator import Trajectory, integrate
-from chaplygin.flow.linear_stability import Linearisation, linear_stability
-from chaplygin.mechanics.lagrangian.mechanism import Frame, Mechanism, euclidean
-from chaplygin.mechanics.lagrangian.plan import Plan
-from chaplygin.mechanics.lagrangian.poincare_suslov import equations
+from chaplygin.core.vectors import constant, unit_vector
+from chaplygin.flow import Linearisation
+from chaplygin.mechanics.lagrangian import Plan, euclidean
 from chaplygin.report.drawing.style import STYLE
 
 DIGITS = 20

@@ -21,7 +21,8 @@ import sympy as sp
 from matplotlib.figure import Figure
 from whipple_bicycle import VALUES, critical_speeds, model, near, upright
 
-from chaplygin.flow.linear_stability import linear_stability, relative_equilibrium
+from chaplygin import linear_stability
+from chaplygin.flow import relative_equilibrium
 from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
 
 DIGITS = 15

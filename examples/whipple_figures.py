@@ -9,7 +9,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.figure import Figure
 
-from chaplygin.flow.integrator import Trajectory
+from chaplygin import Trajectory
 from chaplygin.report.drawing.style import FAINT, QUIET, SERIES, WIDTH
 
 

@@ -5,8 +5,7 @@ from fractions import Fraction
 
 import pytest
 import sympy
-from hypothesis import example, given, settings
-from hypothesis import strategies as st
+from hypothesis import example, given, settings, strategies as st
 
 from chaplygin.errors import InputError, RunError
 from chaplygin.parsing import FUNCTIONS, MAX_LENGTH, nearest, parse

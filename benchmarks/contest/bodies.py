@@ -14,12 +14,11 @@ import numpy as np
 import sympy as sp
 
 import chaplygin
+from chaplygin import Forces, System
 from chaplygin.catalogue.bodies import unbalanced_ball
-from chaplygin.core.system import System
 from chaplygin.flow.heyoka_expressions import Translator
 from chaplygin.flow.initial_states import flat_starts
 from chaplygin.flow.kernel import code_cache as cache
-from chaplygin.mechanics.rolling.equations import Forces
 
 __all__ = ["BODIES", "Body", "deviation", "rows"]
 

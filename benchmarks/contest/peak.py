@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from chaplygin.flow.batch import batch_integrator
+from chaplygin import batch_integrator
 from chaplygin.flow.kernel.tableaux import explicit
 
 from .bodies import Body

@@ -7,8 +7,7 @@ import re
 import pytest
 import sympy as sp
 
-from chaplygin.borisov_mamaev import Claim, claims, remarks
-from chaplygin.borisov_mamaev import audit as module
+from chaplygin.borisov_mamaev import Claim, audit as module, claims, remarks
 from chaplygin.borisov_mamaev.audit import DECISIONS, TITLES, Judgement, audit, counts, page
 from chaplygin.borisov_mamaev.methods.contrary import contrary
 from chaplygin.catalogue import from_catalogue

@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 from chaplygin.catalogue import from_catalogue
-from chaplygin.catalogue.ball_on_sphere import ball_around_sphere_chaplygin as chart
-from chaplygin.catalogue.ball_on_sphere import ball_around_sphere_hamiltonian as e3
+from chaplygin.catalogue.ball_on_sphere import (
+    ball_around_sphere_chaplygin as chart,
+    ball_around_sphere_hamiltonian as e3,
+)
 from evaluation import numeric
 
 INERTIA, MASS, RADIUS = np.array([1.0, 1.5, 2.1]), 1.0, 2.0

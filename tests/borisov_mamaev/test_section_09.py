@@ -10,8 +10,10 @@ from scipy.integrate import solve_ivp
 from chaplygin.borisov_mamaev.methods.independence import independent, rational_point
 from chaplygin.borisov_mamaev.methods.quadratic_integrals import C_11, C_22, J, conditions, s
 from chaplygin.borisov_mamaev.section_09 import section_09_3, section_09_4
-from chaplygin.catalogue.ball_on_sphere import rubber_ball_ratio as ratio
-from chaplygin.catalogue.ball_on_sphere import rubber_ball_sphero_conical as conical
+from chaplygin.catalogue.ball_on_sphere import (
+    rubber_ball_ratio as ratio,
+    rubber_ball_sphero_conical as conical,
+)
 from chaplygin.core.vectors import dot, norm_squared
 
 TENSOR = np.array([0.5, 0.9, 1.35])

@@ -11,8 +11,7 @@ from typing import Any
 
 import pytest
 
-from chaplygin.cli import main
-from chaplygin.cli import study as command
+from chaplygin.cli import main, study as command
 from chaplygin.report import write as folders
 
 Ask = Callable[..., tuple[int, str, str]]

@@ -16,8 +16,7 @@ from random import Random
 
 import pytest
 
-from chaplygin.core import private_files
-from chaplygin.core import source_digest as provenance
+from chaplygin.core import private_files, source_digest as provenance
 from chaplygin.flow.kernel import code_cache as cache
 from chaplygin.proof import verdict_cache as memory
 from chaplygin.proof.verdict import Verdict

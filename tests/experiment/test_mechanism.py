@@ -7,8 +7,7 @@ from pathlib import Path
 
 import pytest
 import sympy as sp
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from chaplygin.core.laws import Integral, Measure
 from chaplygin.core.system import System

@@ -6,8 +6,7 @@ import itertools
 
 import pytest
 import sympy as sp
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from chaplygin.core.vectors import real_symbol
 from chaplygin.formulas.tape import Derivation, Tape, simplify_small

@@ -7,8 +7,7 @@ from fractions import Fraction
 
 import pytest
 import sympy as sp
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from chaplygin.formulas.expansion import TaylorExpansion, angles
 from chaplygin.formulas.taylor import PRIMES, IrrationalError, Modular, Rational

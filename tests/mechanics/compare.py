@@ -20,14 +20,10 @@ import reference
 from chaplygin.core.system import System
 from chaplygin.core.vectors import to_components
 from chaplygin.flow.integrator import Trajectory
-from chaplygin.mechanics.rolling import body as bodies
 from chaplygin.mechanics.rolling import (
+    body as bodies,
     equations as rolling,
-)
-from chaplygin.mechanics.rolling import (
     initial_state as start,
-)
-from chaplygin.mechanics.rolling import (
     shapes,
     surfaces,
 )

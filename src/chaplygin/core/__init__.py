@@ -1,1 +1,5 @@
 """Systems, the laws claimed of them, and 3-vectors: the objects that everything else uses."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,1 +1,5 @@
 """One door to numbers: trajectories of a System, compiled once and cached."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

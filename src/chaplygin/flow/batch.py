@@ -33,8 +33,7 @@ from .kernel.double_double import paired, parameter_pairs
 from .kernel.equations import Equations, Section, equations_of, poincare_section, serial
 from .kernel.runge_kutta import STATUS_MESSAGES, STEPS, runge_kutta_loop
 from .kernel.tableaux import explicit, explicit_fine
-from .validation import check_state_shape, require_on_phase_space
-from .validation import moments as read_moments
+from .validation import check_state_shape, moments as read_moments, require_on_phase_space
 
 __all__ = [
     "THREADS",

@@ -33,8 +33,7 @@ from .kernel.equations import equations_of, serial, serial_terms
 from .kernel.gauss_legendre import gauss_loop
 from .kernel.projection_terms import projection_terms
 from .kernel.tableaux import gauss
-from .validation import check_state_shape, require_on_phase_space
-from .validation import moments as read_moments
+from .validation import check_state_shape, moments as read_moments, require_on_phase_space
 
 __all__ = ["GaussIntegrator", "GaussTrajectories", "gauss_integrator"]
 

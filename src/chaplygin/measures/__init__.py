@@ -1,1 +1,5 @@
 """Whether an invariant measure exists whose density depends on the configuration alone."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

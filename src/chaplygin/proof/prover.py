@@ -21,8 +21,7 @@ import sympy as sp
 
 from ..arguments import arguments_checked
 from ..check import CheckError
-from ..check.claim.claim import Claim as CheckedClaim
-from ..check.claim.claim import read_claim
+from ..check.claim.claim import Claim as CheckedClaim, read_claim
 from ..check.claim.errors import UndefinedError
 from ..check.witness import located
 from ..core.admissible import conditions, satisfies

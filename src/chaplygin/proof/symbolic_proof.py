@@ -9,8 +9,7 @@ those that it needs.  Before that it is tried with roots of which no sign is use
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from dataclasses import field as dataclass_field
+from dataclasses import dataclass, field as dataclass_field
 from typing import Any
 
 from ..core.laws import Law

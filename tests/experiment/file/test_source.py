@@ -1,8 +1,7 @@
 """Overrides of a file's keys, and the names of places in both."""
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from chaplygin.errors import InputError
 from chaplygin.experiment.file.source import Source

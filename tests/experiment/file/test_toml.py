@@ -6,8 +6,7 @@ from typing import Any
 
 import pytest
 import tomli_w
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from chaplygin.experiment.file.toml import Key, dotted, dumps, key_lines
 

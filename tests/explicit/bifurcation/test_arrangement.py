@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import pytest
 from flint import arb, fmpq, fmpq_poly
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from chaplygin.explicit.bifurcation.arrangement import (
     RING,

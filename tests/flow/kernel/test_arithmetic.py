@@ -12,8 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from chaplygin.flow.kernel.arithmetic import Double, Pair
 from chaplygin.flow.kernel.ir_writer import IRWriter

@@ -8,8 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from chaplygin.flow.kernel.ir_writer import IRWriter, literal
 from chaplygin.flow.kernel.jit import aligned, load_code

@@ -18,8 +18,7 @@ import sympy as sp
 from chaplygin.core.system import Guard, Parameter, System
 from chaplygin.flow.batch import batch_integrator
 from chaplygin.flow.gauss import _compiled
-from chaplygin.flow.kernel import code_cache as cache
-from chaplygin.flow.kernel import jit as native
+from chaplygin.flow.kernel import code_cache as cache, jit as native
 from chaplygin.flow.kernel.equations import equations_of, poincare_section, serial
 from chaplygin.flow.kernel.ir_writer import IRWriter
 from flow.small import OSCILLATOR, body, p, x, y

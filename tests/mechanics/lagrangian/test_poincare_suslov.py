@@ -6,8 +6,7 @@ from typing import Any
 
 import pytest
 import sympy as sp
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from chaplygin import InputError, prove
 from chaplygin.core.laws import Identity, Integral, Rate

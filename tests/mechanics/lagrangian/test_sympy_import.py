@@ -19,11 +19,11 @@ from sympy.physics.mechanics import (
     PrismaticJoint,
     ReferenceFrame,
     RigidBody,
+    System as SympySystem,
     Torque,
     dynamicsymbols,
     inertia,
 )
-from sympy.physics.mechanics import System as SympySystem
 
 from chaplygin import InputError, prove
 from chaplygin.core.laws import Identity, Rate

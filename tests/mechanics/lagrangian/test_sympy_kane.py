@@ -10,10 +10,10 @@ from sympy.physics.mechanics import (
     Point,
     ReferenceFrame,
     RigidBody,
+    System as SympySystem,
     dynamicsymbols,
     inertia,
 )
-from sympy.physics.mechanics import System as SympySystem
 
 from chaplygin import InputError, prove
 from chaplygin.core.laws import Identity, Rate

@@ -5,8 +5,7 @@ from fractions import Fraction
 import pytest
 import sympy as sp
 from flint import fmpq
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from chaplygin.core.vectors import Vector, real_symbol
 from chaplygin.errors import InputError

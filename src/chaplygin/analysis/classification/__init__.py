@@ -1,1 +1,5 @@
 """The place of a system in the hierarchy of dynamics, from laws that are proven."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -22,8 +22,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ...catalogue.ball_on_sphere import ball_around_sphere_coordinates as chart
-from ...catalogue.ball_on_sphere import ball_on_sphere_equations as ball
+from ...catalogue.ball_on_sphere import (
+    ball_around_sphere_coordinates as chart,
+    ball_on_sphere_equations as ball,
+)
 from ...core.laws import Law
 from ...core.system import System
 from ...core.vectors import real_symbol

@@ -18,12 +18,12 @@ from ..methods.veselova_in_angles import (
     ANGLES,
     RATES,
     T_0,
+    body as in_angles,
     constrained,
     psi,
     psidot,
     slope_of_potential,
 )
-from ..methods.veselova_in_angles import body as in_angles
 
 omega, gamma = vectors("omega gamma")
 I = Diagonal("I")

@@ -12,8 +12,7 @@ import sympy as sp
 
 from ...catalogue import e3
 from ...catalogue.e3 import Gamma, I, M
-from ...catalogue.fixed_point import veselova as catalogue
-from ...catalogue.fixed_point import veselova_geodesic as geodesic
+from ...catalogue.fixed_point import veselova as catalogue, veselova_geodesic as geodesic
 from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Integral, PoissonStructure
 from ...core.system import System

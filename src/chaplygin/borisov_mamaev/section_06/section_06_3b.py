@@ -12,9 +12,12 @@ from sympy.matrices.expressions import MatrixExpr
 
 from ...catalogue import e3
 from ...catalogue.e3 import Gamma, I, M
-from ...catalogue.fixed_point import clebsch, neumann
-from ...catalogue.fixed_point import veselova as catalogue
-from ...catalogue.fixed_point import veselova_geodesic as geodesic
+from ...catalogue.fixed_point import (
+    clebsch,
+    neumann,
+    veselova as catalogue,
+    veselova_geodesic as geodesic,
+)
 from ...catalogue.fixed_point.clebsch import alpha, beta
 from ...catalogue.fixed_point.neumann import c
 from ...catalogue.rates import rate

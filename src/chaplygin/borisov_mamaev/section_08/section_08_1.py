@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ...catalogue.ball_on_sphere import ball_on_sphere_equations as ball
-from ...catalogue.ball_on_sphere import rubber_ball_ratio as rubber
+from ...catalogue.ball_on_sphere import (
+    ball_on_sphere_equations as ball,
+    rubber_ball_ratio as rubber,
+)
 from ...catalogue.rates import rate
 from ...core.laws import Identity, Integral, Measure
 from ...core.system import Parameter, System

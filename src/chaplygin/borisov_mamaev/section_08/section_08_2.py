@@ -6,9 +6,11 @@ from typing import Any
 
 import sympy as sp
 
-from ...catalogue.ball_on_sphere import ball_around_sphere_chaplygin as chart
-from ...catalogue.ball_on_sphere import ball_around_sphere_hamiltonian as e3
-from ...catalogue.ball_on_sphere import ball_on_sphere_equations as ball
+from ...catalogue.ball_on_sphere import (
+    ball_around_sphere_chaplygin as chart,
+    ball_around_sphere_hamiltonian as e3,
+    ball_on_sphere_equations as ball,
+)
 from ...catalogue.e3 import Gamma, lie_poisson
 from ...catalogue.rates import rate
 from ...core.laws import Identity, Integral, PoissonStructure

@@ -7,9 +7,11 @@ from itertools import combinations_with_replacement, product
 
 import sympy as sp
 
-from ...catalogue.ball_on_sphere import ball_around_sphere_coordinates as chart
-from ...catalogue.ball_on_sphere import ball_around_sphere_hamiltonian as e3
-from ...catalogue.ball_on_sphere import ball_on_sphere_equations as ball
+from ...catalogue.ball_on_sphere import (
+    ball_around_sphere_coordinates as chart,
+    ball_around_sphere_hamiltonian as e3,
+    ball_on_sphere_equations as ball,
+)
 from ...catalogue.e3 import Gamma, M
 from ...catalogue.rates import rate
 from ...core.laws import Identity, Integral

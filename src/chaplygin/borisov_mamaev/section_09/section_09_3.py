@@ -7,9 +7,11 @@ from itertools import pairwise
 
 import sympy as sp
 
-from ...catalogue.ball_on_sphere import rubber_ball_on_e3 as e3
-from ...catalogue.ball_on_sphere import rubber_ball_ratio as ratio
-from ...catalogue.ball_on_sphere import rubber_ball_sphero_conical as conical
+from ...catalogue.ball_on_sphere import (
+    rubber_ball_on_e3 as e3,
+    rubber_ball_ratio as ratio,
+    rubber_ball_sphero_conical as conical,
+)
 from ...catalogue.ball_on_sphere.rubber_ball_ratio import DET_J, RHO_SQUARED, J, k
 from ...catalogue.ball_on_sphere.rubber_ball_separated import PLAIN, roots
 from ...catalogue.ball_on_sphere.rubber_ball_sphero_conical import cubic, eta, p_eta, p_xi, xi

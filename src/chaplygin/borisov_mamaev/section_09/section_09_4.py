@@ -7,10 +7,12 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ...catalogue.ball_on_sphere import power_potential_on_sphere as point
-from ...catalogue.ball_on_sphere import rubber_ball_on_e3 as e3
-from ...catalogue.ball_on_sphere import rubber_ball_ratio as ratio
-from ...catalogue.ball_on_sphere import rubber_ball_separated as separated
+from ...catalogue.ball_on_sphere import (
+    power_potential_on_sphere as point,
+    rubber_ball_on_e3 as e3,
+    rubber_ball_ratio as ratio,
+    rubber_ball_separated as separated,
+)
 from ...catalogue.ball_on_sphere.rubber_ball_on_e3 import KINETIC, STIFFNESS
 from ...catalogue.ball_on_sphere.rubber_ball_ratio import DET_J, RHO_SQUARED, A, J, k
 from ...catalogue.ball_on_sphere.rubber_ball_separated import (

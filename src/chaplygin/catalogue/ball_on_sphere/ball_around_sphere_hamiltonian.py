@@ -20,8 +20,7 @@ from ...core.system import Guard, Parameter, System
 from ...core.vectors import Diagonal, dot, identity, norm_squared, real_symbol, to_components, zero
 from ..e3 import Gamma, M, e3_system
 from ..entry import Entry, Numbers, Start
-from . import ball_around_sphere_chaplygin as chaplygin
-from . import ball_on_sphere_equations as ball
+from . import ball_around_sphere_chaplygin as chaplygin, ball_on_sphere_equations as ball
 
 __all__ = [
     "ENTRIES",

@@ -18,8 +18,7 @@ from ...core.vectors import Components, constant, cross, real_symbol, vectors
 from ...errors import InputError
 from ...mechanics.rolling.body import check_inertia
 from ..entry import Entry, Numbers, Start
-from . import rubber_ball_on_e3
-from . import rubber_ball_ratio as ratio
+from . import rubber_ball_on_e3, rubber_ball_ratio as ratio
 from .rubber_ball_ratio import DET_J, J, k
 
 omega, n, ndot = vectors("omega n ndot")

@@ -15,8 +15,7 @@ from ...core.laws import Integral
 from ...core.system import Parameter, System
 from ...core.vectors import Diagonal, constant, cross, dot, norm_squared, real_symbol, vectors
 from ...mechanics.rolling.body import check_inertia
-from ..e3 import Gamma, inertia_parameters
-from ..e3 import M as CLEBSCH_MOMENTUM
+from ..e3 import Gamma, M as CLEBSCH_MOMENTUM, inertia_parameters
 from ..entry import Entry, Numbers, Start
 from ..fixed_point import clebsch, neumann
 from ..fixed_point.neumann import c

@@ -46,6 +46,7 @@ from .chaplygin_ball_area_constant import (
     NORMAL,
     chaplygin_area,
     delta,
+    e as stretch,
     f,
     g,
     h,
@@ -53,7 +54,6 @@ from .chaplygin_ball_area_constant import (
     returned,
     sigma,
 )
-from .chaplygin_ball_area_constant import e as stretch
 
 __all__ = ["chart", "frozen"]
 

@@ -1,1 +1,5 @@
 """Mechanisms: equations of motion from a Lagrangian in quasi-velocities."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

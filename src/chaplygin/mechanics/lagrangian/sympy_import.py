@@ -12,8 +12,13 @@ from collections.abc import Mapping
 from typing import Any
 
 import sympy as sp
-from sympy.physics.mechanics import KanesMethod, LagrangesMethod, Lagrangian, dynamicsymbols
-from sympy.physics.mechanics import System as SympySystem
+from sympy.physics.mechanics import (
+    KanesMethod,
+    LagrangesMethod,
+    Lagrangian,
+    System as SympySystem,
+    dynamicsymbols,
+)
 
 from ...arguments import arguments_checked
 from ...core.system import System

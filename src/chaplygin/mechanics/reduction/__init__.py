@@ -1,1 +1,5 @@
 """Chaplygin's reduction and its reducing multiplier."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -51,8 +51,7 @@ from .attitude import (
     unit_length,
 )
 from .body import Body, triangle_inequalities
-from .contact import Contact
-from .contact import contact as contact_of
+from .contact import Contact, contact as contact_of
 from .shapes import check_values, real_values
 from .surfaces import Plane, Surface
 

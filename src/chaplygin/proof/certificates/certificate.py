@@ -14,8 +14,7 @@ from dataclasses import replace
 from typing import Any
 
 from ...check import FORMAT, BadInputError, CheckError, check
-from ...check.claim.claim import Claim as CheckedClaim
-from ...check.claim.claim import read_claim
+from ...check.claim.claim import Claim as CheckedClaim, read_claim
 from ...check.claim.formulas import name, parse_condition
 from ...check.witness import located
 from ...core.laws import Law

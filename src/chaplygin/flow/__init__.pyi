@@ -1,0 +1,15 @@
+from .batch import (
+    Section as Section,
+    batch_integrator as batch_integrator,
+    poincare_section as poincare_section,
+)
+from .gauss import gauss_integrator as gauss_integrator
+from .integrator import integrate as integrate
+from .linear_stability import (
+    Linearisation as Linearisation,
+    linear_stability as linear_stability,
+    relative_equilibrium as relative_equilibrium,
+)
+from .sampling.draw import level_sampler as level_sampler, sample_level as sample_level
+from .sections.poincare_map import PoincareMap as PoincareMap
+from .trajectory import Event as Event, Trajectory as Trajectory

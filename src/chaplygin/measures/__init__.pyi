@@ -1,0 +1,1 @@
+from .existence import measure_exists as measure_exists
