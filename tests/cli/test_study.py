@@ -93,7 +93,7 @@ def test_an_interrupted_study_goes_on(
         code, out, err = ask(*SHORT, "--quick")
     assert (code, out) == (130, "")
     assert err.endswith(
-        "interrupted: what is done is in veselova; the same command goes on there\n"
+        "interrupted: the part that is done is in veselova; the same command resumes there\n"
     )
     assert not (tmp_path / "veselova" / "report.html").exists()
     code, _, err = ask("study", "veselova", "--set", "run.until=0.3", "--quick")
