@@ -243,7 +243,7 @@ def _motions(found: Found) -> list[Statement]:
     if found.euler_jacobi and found.volume is not None:
         return [
             Statement(
-                "On compact common levels on which the measure is regular and without equilibria: tori, "
+                "On compact common levels without equilibria on which the measure is regular: tori "
                 "wound by straight lines after a change of time (θ̇ = λ/Φ), not uniformly in the "
                 "time itself; on a resonant torus the periods may differ. No chaos.",
                 (*found.integrals, found.volume.law),
