@@ -143,7 +143,7 @@ def test_interrupted(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
     )
     assert err.endswith(sentence)
     code, _, err = ask(*BALL, "-o", "ball.zarr", "--force")
-    assert "the same command without --force goes on" in err
+    assert "the same command without --force resumes" in err
 
 
 @pytest.mark.parametrize(
