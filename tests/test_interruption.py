@@ -68,7 +68,10 @@ with ending(lambda: "half of it is kept"):
 
 def test_what_says_nothing_has_saved_nothing() -> None:
     code, _, err, _ = interrupted(block("ready()\ntime.sleep(60)"))
-    assert (code, err) == (130, "interrupted: nothing was saved; the same command begins again\n")
+    assert (code, err) == (
+        130,
+        "interrupted: nothing was saved; the same command starts from the beginning\n",
+    )
 
 
 def test_what_is_saved_is_waited_for() -> None:
@@ -118,7 +121,7 @@ except KeyboardInterrupt:
 """)
     code, _, err, _ = interrupted(script)
     assert code == 130
-    assert err == "interrupted: nothing was saved; the same command begins again\n"
+    assert err == "interrupted: nothing was saved; the same command starts from the beginning\n"
 
 
 def test_nothing_is_interrupted_while_the_interpreter_ends() -> None:

@@ -18,7 +18,7 @@ def test_the_steps_run(capsys: pytest.CaptureFixture[str]) -> None:
         exec(compile(step, "orbits.md", "exec"), names)
     told = capsys.readouterr().out
     assert "attracting" in told
-    assert "one by force: flow, energy, quadratic" in told
+    assert "trivial multipliers (equal to 1): flow, energy, quadratic" in told
     assert "fold at F/2H = 0.870556044" in told
     assert "fold at F/2H = 1.013611791" in told
     assert "the branch is closed" in told

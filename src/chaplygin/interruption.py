@@ -23,7 +23,7 @@ __all__ = ["CODE", "GRACE", "NOTHING", "concluding", "ending", "say", "watched"]
 CODE = 130
 
 #: What is said where nothing else is.
-NOTHING = "nothing was saved; the same command begins again"
+NOTHING = "nothing was saved; the same command starts from the beginning"
 
 #: Seconds in which a command may end by itself.
 GRACE = 0.6

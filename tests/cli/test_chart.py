@@ -60,7 +60,7 @@ def test_store_picture_and_table(ask: Ask, tmp_path: Path) -> None:
     assert "largest Lyapunov exponent" in out
     assert "4 of 12 have a number" in out
     assert "8 of 12   no state with these values was found" in out
-    assert "written to chart.zarr, picture: chart.png" in err
+    assert "written to chart.zarr, figure: chart.png" in err
     assert (tmp_path / "chart.png").read_bytes().startswith(b"\x89PNG")
     found = xr.open_zarr("chart.zarr")
     assert found["lyapunov"].dims == ("gamma_1", "k")
@@ -115,7 +115,9 @@ def test_interrupted(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
         patched.setattr(Scan, "__call__", interrupted)
         code, out, err = ask(*SMALL, "-o", "chart.zarr")
     assert (code, out) == (130, "")
-    assert err.endswith("interrupted: nothing was saved; the same command begins again\n")
+    assert err.endswith(
+        "interrupted: nothing was saved; the same command starts from the beginning\n"
+    )
     assert ask(*SMALL, "-o", "chart.zarr")[0] == 0
 
 

@@ -168,7 +168,7 @@ def test_lift_off_is_reported(ask: Ask) -> None:
     assert facts["events"][0]["stopped"]
     assert facts["time"] == facts["events"][0]["time"] < 3.0
     _, out, _ = ask("run", *bowl, "-o", "on.nc", "--set", "run.on_liftoff=warn")
-    assert "the run goes on" in out
+    assert "the run continues" in out
 
 
 @pytest.mark.slow

@@ -41,7 +41,7 @@ def test_drawn_starts_with_several_masses(ask: Ask) -> None:
     code, out, err = ask(*arguments)
     assert code == 0, err
     assert "4 drawn on energy = 1.0 (seed 3) × 3 of m" in out
-    assert "starts drawn by the invariant measure ρ d³M d³γ (7.3)" in out
+    assert "starts drawn according to the invariant measure ρ d³M d³γ (7.3)" in out
     assert "12 of 12 motions: the last time was reached" in out
     data = read_store("balls.zarr")
     assert data.sizes == {"run": 12, "time": 6, "axis": 3}

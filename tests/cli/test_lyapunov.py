@@ -53,14 +53,14 @@ def test_nothing_left(ask: Ask) -> None:
     code, out, _ = ask("lagrange-top", "--until", 20)
     assert code == 0
     assert "λ1" not in out
-    assert "force all exponents to be zero" in out
+    assert "make all exponents trivial" in out
 
 
 def test_motions_that_come_to_rest(ask: Ask) -> None:
     code, out, _ = ask("chaplygin-sleigh")
     assert code == 0
     assert "λ1             -0.382" in out
-    assert "No zero is forced by flow on this motion" in out
+    assert "No exponent is made trivial by flow on this motion" in out
 
 
 @pytest.mark.slow
@@ -120,8 +120,8 @@ def test_errors_as_large_as_the_rates_decide_nothing(ask: Ask) -> None:
 def test_a_density_without_bounds_forbids_nothing(ask: Ask) -> None:
     code, out, _ = ask(Path(__file__).parents[2] / "examples" / "sleigh.toml")
     assert code == 0
-    assert "it grows beyond all bounds along this motion, and so forbids nothing" in out
-    assert "about what it tends to there is no invariant measure" in out
+    assert "it grows beyond all bounds along this motion, and so excludes nothing" in out
+    assert "near its limit set there is no invariant measure" in out
 
 
 @pytest.mark.parametrize(
@@ -161,11 +161,13 @@ def test_ctrl_c_gives_the_spectrum_until_then(
     monkeypatch.setattr(followed, "propagate", stopped(200))
     code, out, err = ask("unbalanced-ball", "--until", 200, "-o", "half.nc")
     assert code == 130
-    assert "followed to t = 100 s" in out
-    assert err.endswith("interrupted: at t = 100 of 200; this is the spectrum until then\n")
+    assert "integrated to t = 100 s" in out
+    assert err.endswith("interrupted: at t = 100 of 200; this is the spectrum up to then\n")
     assert (tmp_path / "half.nc").exists()
     monkeypatch.setattr(followed, "propagate", stopped(50))
     code, out, err = ask("unbalanced-ball", "--until", 200, "-o", "none.nc")
     assert (code, out) == (130, "")
-    assert err.endswith("interrupted: nothing was saved; the same command begins again\n")
+    assert err.endswith(
+        "interrupted: nothing was saved; the same command starts from the beginning\n"
+    )
     assert not (tmp_path / "none.nc").exists()

@@ -254,7 +254,7 @@ def test_one_sentence(line: str, ask: Ask) -> None:
             "run veselova -o a.nc --forse",
             "run --forse: there is no such option, did you mean '--fo",
         ),
-        ("run veselova", "run: -o/--output is missing (Written by its ending: .nc, .zarr or .csv"),
+        ("run veselova", "run: -o/--output is missing (File to write: .nc, .zarr or .csv"),
         ("run", "run: NAME|FILE is missing (A catalogue name, an experiment file, or a Python f"),
         ("run veselova -o", "-o: a value is missing"),
         ("run veselova -o a.nc --force=yes", "--force: it takes no value"),

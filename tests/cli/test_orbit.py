@@ -21,8 +21,8 @@ def test_a_limit_cycle_and_its_branch(ask: Ask) -> None:
     code, out, err = ask(*CYCLE, *found, "-o", "cycle.nc")
     assert code == 0, err
     assert "a periodic orbit of 1 return, attracting (observed)" in out
-    assert "followed through " in out
-    assert "one by force: flow, energy, quadratic" in out
+    assert "continued through " in out
+    assert "trivial multipliers (equal to 1): flow, energy, quadratic" in out
     data = read("cycle.nc")
     assert abs(data.gamma[0] - data.gamma[-1]).max() < 1e-10
     assert Path("branch.png").stat().st_size > 10_000
@@ -61,4 +61,4 @@ def test_mistakes(options: tuple[str, ...], sentence: str, ask: Ask) -> None:
 def test_a_section_that_is_never_met(ask: Ask) -> None:
     code, _, err = ask(*CYCLE, "--value", "2")
     assert code == 1
-    assert "the motion does not come to gamma_1 = 2 so often" in err
+    assert "the motion does not return to gamma_1 = 2 often enough" in err

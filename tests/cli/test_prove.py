@@ -166,7 +166,7 @@ def test_an_interrupted_proof_prints_what_is_done(ask, monkeypatch):
     assert "energy" in out
     assert "proven" in out
     assert "interrupted: " in err
-    assert "laws have no verdict; the same command goes on" in err
+    assert "laws have no verdict; verdicts are saved, and the same command resumes" in err
 
 
 # --- proven where a condition holds --------------------------------------------------------

@@ -42,7 +42,7 @@ def test_the_points_of_one_motion(ask: Ask) -> None:
     assert code == 0
     for part in ("gamma_3 = 0, rising", "the start of the experiment", "20 of 1 motion"):
         assert part in out
-    assert "written to ball.zarr, picture: ball.png" in err
+    assert "written to ball.zarr, figure: ball.png" in err
     assert Path("ball.png").read_bytes().startswith(b"\x89PNG")
     found = read_store(Path("ball.zarr"))
     assert found.sizes["run"] == 1
@@ -116,7 +116,7 @@ def test_a_section_of_the_section(ask: Ask) -> None:
 def test_a_surface_that_is_never_met_is_an_answer(ask: Ask) -> None:
     code, out, err = ask(*BALL, "--value", "2", "--until", "10", "-o", "ball.zarr")
     assert (code, out) == (1, "")
-    assert err.startswith("error: no motion passes gamma_3 = 2, rising: the time was over")
+    assert err.startswith("error: no motion passes gamma_3 = 2, rising: the time limit was reached")
     assert err.count("\n") == 1
     # nothing stays that would refuse the corrected command
     assert ask(*BALL, "-o", "ball.zarr")[0] == 0
@@ -138,10 +138,12 @@ def test_interrupted(ask: Ask, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("chaplygin.flow.ensemble.compute.compute", interrupted)
     code, out, err = ask(*BALL, "-o", "ball.zarr")
     assert (code, out) == (130, "")
-    sentence = "interrupted: 25% is computed; the same command goes on with what is in ball.zarr\n"
+    sentence = (
+        "interrupted: 25% is computed and saved in ball.zarr; the same command resumes from there\n"
+    )
     assert err.endswith(sentence)
     code, _, err = ask(*BALL, "-o", "ball.zarr", "--force")
-    assert "the same command without --force goes on" in err
+    assert "the same command without --force resumes" in err
 
 
 @pytest.mark.parametrize(

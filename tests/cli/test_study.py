@@ -1,4 +1,4 @@
-"""A study as a user meets it: what it says while it works, and how it goes on when interrupted."""
+"""A study as a user meets it: what it says while it works, and how it resumes when interrupted."""
 
 from __future__ import annotations
 
@@ -94,7 +94,7 @@ def test_an_interrupted_study_goes_on(
         code, out, err = ask(*SHORT, "--quick")
     assert (code, out) == (130, "")
     assert err.endswith(
-        "interrupted: what is done is in veselova; the same command goes on there\n"
+        "interrupted: the part that is done is in veselova; the same command resumes there\n"
     )
     assert not (tmp_path / "veselova" / "report.html").exists()
     code, _, err = ask("study", "veselova", "--set", "run.until=0.3", "--quick")
@@ -130,5 +130,5 @@ def test_an_interrupted_integration_is_no_finished_study(
         assert err.count("interrupted: ") == 1
         code, out, err = ask("run", "veselova", "-o", "v.nc")
         assert code == 130
-        assert re.search(r"interrupted: the motion until t = 0 is in v\.nc; the same", err)
+        assert re.search(r"interrupted: the trajectory up to t = 0 is in v\.nc; the same", err)
     assert ask(*SHORT, "--quick")[0] == 0

@@ -191,7 +191,7 @@ def test_every_command_takes_a_system_of_ones_own(ask: Ask, path: Path, tmp_path
     code, out, err = ask("show", path)
     assert (code, err) == (0, "")
     assert "Equations of motion" in out
-    assert "Recorded besides the state: λ₁ (multiplier of" in out
+    assert "Also recorded: λ₁ (multiplier of" in out
     assert "nonholonomic" in out
     assert max(map(len, out.splitlines())) <= 100
     assert "nonholonomic" in json.loads(ask("show", path, "--json")[1])["notes"][-1]
@@ -213,7 +213,7 @@ def test_every_command_takes_a_system_of_ones_own(ask: Ask, path: Path, tmp_path
     assert ask("study", path, "-o", "whole", *options)[0] == 0
     page = (tmp_path / "whole" / "report.html").read_text(encoding="utf-8")
     assert page.count("<svg") == 8
-    assert "Recorded besides" in page
+    assert "Other recorded quantities" in page
     assert "nonholonomic" in page
 
 

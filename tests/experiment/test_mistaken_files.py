@@ -276,7 +276,7 @@ MISTAKES: list[tuple[str, str | bytes]] = [
     ("guards", '[equations]\nstate = ["x"]\nrates = {x = "x"}\n[guards]\ne = "x"\n[start]\nx=1\n'),
     (
         "guard neg at start",
-        '[equations]\nstate = ["x"]\nrates = {x = "x"}\n[guards.e]\nvalue = "x - 2"\nhappening = "it falls"\n[start]\nx=1\n',
+        '[equations]\nstate = ["x"]\nrates = {x = "x"}\n[guards.e]\nvalue = "x - 2"\nmessage = "it falls"\n[start]\nx=1\n',
     ),
     (
         "both equations and lagrangian",

@@ -185,7 +185,7 @@ def test_lift_off_stops_or_warns():
     assert stopped.time == warned.time == stop.times[-1] < 3.0
     assert stopped.stopped and not warned.stopped
     assert str(stopped).endswith("the normal force changes sign; the run ends there")
-    assert str(warned).endswith("the normal force changes sign; the run goes on")
+    assert str(warned).endswith("the normal force changes sign; the run continues")
     assert warn.times.tolist() == times.tolist()
     assert np.all((warn["normal_force"] > 0) == (times < warned.time))
     before = len(stop.times) - 1

@@ -28,7 +28,7 @@ def test_a_rolling_body() -> None:
     words = legend(built.study("rubber-body"))
     for part in (
         "J inertia tensor about the contact point, plus m r ⊗ r",
-        "X torque but for that of the constraints",
+        "X torque other than that of the constraints",
         "λ₀ torque about the normal",
         "r from the centre of mass to the contact point",
     ):

@@ -32,7 +32,10 @@ __all__ = ["app", "main"]
 
 app = typer.Typer(
     name="chaplygin",
-    help="A laboratory for nonholonomic mechanics: say what rolls on what.",
+    help="A laboratory for nonholonomic mechanics: say what rolls on what.\n\n"
+    "A body rolls in marble contact (no slipping; spinning allowed) or in rubber contact (neither "
+    "slipping nor spinning). The paper is Borisov and Mamaev, 2008 (Regul. Chaotic Dyn. 13, "
+    "443–490).",
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,

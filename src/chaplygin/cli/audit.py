@@ -27,18 +27,19 @@ SECTIONS = range(1, 13)
 
 def command(
     section: Annotated[
-        int | None, typer.Option(help="Only this section of the paper, 1 to 12.")
+        int | None, typer.Option(help="Judge only this section of the paper, 1 to 12.")
     ] = None,
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write a page (HTML).")
+        Path | None,
+        typer.Option("-o", "--output", metavar="FILE", help="HTML page to write."),
     ] = None,
     workers: Annotated[
-        int | None, typer.Option(help="Processes; by default one for each processor.")
+        int | None, typer.Option(help="Number of processes; default: one for each processor.")
     ] = None,
     force: Force = False,
     json: Json = False,
 ) -> None:
-    """Judge every claim of the paper; exit 1 when a corrected statement is refuted."""
+    """Judge every claim of Borisov and Mamaev (2008); exit 1 if a corrected one is refuted."""
     from ..errors import InputError
 
     if workers is not None and workers < 1:
@@ -54,7 +55,7 @@ def command(
     with waiting("reading the claims of the paper"):
         from ..borisov_mamaev.audit import audit, page
 
-    with concluding("the claims judged until now are about to be printed"):
+    with concluding("the verdicts reached so far are about to be printed"):
         with progress("judging the claims of the paper") as report:
             judgements, left = audit(section, workers, report)
         with beside(output):
@@ -67,7 +68,7 @@ def command(
                 place.write_text(page(judgements, section), encoding="utf-8")
             inform(f"page: {name_of(output)}")
     if left:
-        say(f"{left} claims were not judged; the same command goes on, since verdicts are kept")
+        say(f"{left} claims were not judged; verdicts are saved, and the same command resumes")
         raise typer.Exit(CODE)
     if any(j.corrected is not None and j.corrected.decision == "refuted" for j in judgements):
         raise typer.Exit(1)

@@ -22,26 +22,28 @@ def command(
         str,
         typer.Argument(
             metavar="NAME|FILE",
-            help="A catalogue name, an experiment file, or a plane of docs/bifurcations.md.",
+            help="A catalogue name, an experiment file, or a plane listed in docs/bifurcations.md.",
         ),
     ],
     figure: Annotated[
         Path | None,
-        typer.Option("-o", "--output", metavar="FILE.png", help="Picture to write; .svg, .pdf."),
+        typer.Option(
+            "-o", "--output", metavar="FILE.png", help="Figure to write: .png, .svg or .pdf."
+        ),
     ] = None,
     overrides: Override = None,
     force: Force = False,
     json: Json = False,
 ) -> None:
-    """The bifurcation diagram of an integrable system, exactly, with the place of the motion.
+    """Compute the bifurcation diagram of an integrable system exactly, and locate the motion in it.
 
-    Every region of the plane with its number of tori, and every boundary with the motions on it,
-    stable or not.
+    In the plane of two integrals: every region with its number of tori, and every boundary with
+    the motions on it, stable or unstable.
     """
     if figure is not None:
         check_figure("--output", figure)
         check_output("--output", figure, force, json, what)
-    with waiting(f"the diagram of {what}"):
+    with waiting(f"computing the diagram of {what}"):
         diagram, mark = _diagram(what, overrides)
     if figure is not None:
         from ..report.drawing.files import save
@@ -54,7 +56,7 @@ def command(
         return
     _print(result)
     if figure is not None:
-        inform(f"picture: {figure}")
+        inform(f"figure: {figure}")
 
 
 def _diagram(what: str, overrides: list[str] | None) -> tuple[Diagram, tuple[float, float] | None]:
@@ -150,7 +152,7 @@ def _print(result: dict[str, Any]) -> None:
     for rest in result["equilibria"]:
         kind = "stable" if rest["stable"] else "unstable"
         place = ", ".join(f"{x:.6g}" for x in rest["place"])
-        typer.echo(f"  at rest on axis {rest['axis']}: {kind}; at ({place})")
+        typer.echo(f"  equilibrium on axis {rest['axis']}: {kind}; at ({place})")
     if result["motion"] is not None:
         values = ", ".join(
             f"{axis['symbol']} = {value:.9g}"

@@ -22,39 +22,37 @@ def command(
     what: What,
     of: Annotated[
         str,
-        typer.Option(metavar="NUMBER", help="What to compute, such as lyapunov or mean:FORMULA."),
+        typer.Option(metavar="NUMBER", help="Number to compute, such as lyapunov or mean:FORMULA."),
     ],
     x: Annotated[
-        str, typer.Option(metavar="NAME=A:B:N", help="What varies to the right: N cells, A to B.")
+        str, typer.Option(metavar="NAME=A:B:N", help="Horizontal axis: N values from A to B.")
     ],
-    y: Annotated[str, typer.Option(metavar="NAME=A:B:N", help="What varies upward.")],
+    y: Annotated[str, typer.Option(metavar="NAME=A:B:N", help="Vertical axis, likewise.")],
     output: Annotated[Path, typer.Option("-o", "--output", help="Zarr store to write, FILE.zarr.")],
     until: Annotated[
-        float | None, typer.Option(help="How long each motion is; else as in the experiment.")
+        float | None, typer.Option(help="Duration of each motion; default: as in the experiment.")
     ] = None,
     let: Annotated[
         list[str] | None,
         typer.Option(
             metavar="NAME=FORMULA",
-            help="A parameter, a variable of the start or its level, from what varies.",
+            help="Set a parameter, a variable of the start or a level by a formula in the axes.",
         ),
     ] = None,
     hold: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME", help="A variable of the start that must not be moved."),
+        typer.Option(metavar="NAME", help="Hold this variable of the start fixed."),
     ] = None,
-    figure: Annotated[
-        Path | None, typer.Option(help="Picture to write; FILE.png if left out.")
-    ] = None,
+    figure: Annotated[Path | None, typer.Option(help="Figure to write; default: FILE.png.")] = None,
     workers: Workers = None,
     overrides: Override = None,
     force: Force = False,
     json: Json = False,
 ) -> None:
-    """Chart a number over a plane; what was begun is gone on with.
+    """Chart a number over a plane of parameters and starts; resumes an interrupted run.
 
-    What varies is a parameter, a variable of the start, a quantity such as energy on whose level
-    the start is to lie, or a name of its own for the formulas of --let.
+    An axis is a parameter, a variable of the start (the initial state), a quantity such as energy
+    on whose level the start is placed, or a new name for the formulas of --let.
     """
     picture = output.with_suffix(".png") if figure is None else figure
     check_store(output)
@@ -141,4 +139,4 @@ def _print(title: str, result: dict[str, Any]) -> None:
     for reason, count in result["outcomes"].items():
         table.add_row(f"{count:,} of {result['cells']:,}", escape(reason))
     console().print(table)
-    inform(f"written to {result['file']}, picture: {result['figure']}")
+    inform(f"written to {result['file']}, figure: {result['figure']}")

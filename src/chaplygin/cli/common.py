@@ -45,24 +45,24 @@ Override = Annotated[
     typer.Option(
         "--set",
         metavar="KEY=VALUE",
-        help="Override a key of the experiment, e.g. body.mass=2 or run.until=5; a parameter "
-        "alone by its name, e.g. I_1=2.",
+        help="Override a key of the experiment file, e.g. body.mass=2 or run.until=5; a parameter "
+        "by its name alone, e.g. I_1=2.",
     ),
 ]
 Effort = Annotated[
     float,
     typer.Option(
         metavar="FACTOR",
-        help="How much work the proof of one law may take before it is left undecided: 1 is two "
-        "thousand million operations, some minutes on one core; 0.1 a tenth of that. Operations "
-        "are counted, so that every machine comes to the same answer.",
+        help="Work allowed for the proof of one law before it is left undecided: 1 is two "
+        "thousand million operations, some minutes on one core; 0.1 is a tenth of that. "
+        "Operations are counted, so every machine reaches the same answer.",
     ),
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")]
 Force = Annotated[bool, typer.Option("--force", help="Replace files that exist already.")]
 Precision = Annotated[
     str | None,
-    typer.Option(help="double (16 digits) or quad (34 digits); short for --set run.precision=…"),
+    typer.Option(help="double (16 digits) or quad (34 digits); short for --set run.precision=…."),
 ]
 
 
@@ -131,7 +131,7 @@ def study_of(what: str, overrides: list[str] | None, precision: str | None = Non
         if precision not in PRECISIONS:
             raise InputError(f"--precision {precision}: it must be {' or '.join(PRECISIONS)}")
         options.append(f"run.precision={precision}")
-    with waiting(f"making {what} ready"):
+    with waiting(f"preparing {what}"):
         from ..experiment.file.models import catalogue_experiment, load
         from ..experiment.python_file import load_python
         from ..experiment.study import prepare

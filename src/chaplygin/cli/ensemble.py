@@ -22,31 +22,34 @@ def command(
     what: What,
     output: Annotated[Path, typer.Option("-o", "--output", help="Zarr store to write, FILE.zarr.")],
     starts: Annotated[
-        int, typer.Option(help="How many starts are drawn on the level; needs --level.")
+        int, typer.Option(help="Number of starts to draw at random; needs --level.")
     ] = 1,
     level: Annotated[
         str | None,
-        typer.Option(metavar="NAME=VALUE,...", help="Integrals on whose level starts are drawn."),
+        typer.Option(
+            metavar="NAME=VALUE,…", help="Level of the integrals on which starts are drawn."
+        ),
     ] = None,
-    seed: Annotated[int, typer.Option(help="Of the starts that are drawn.")] = 0,
+    seed: Annotated[int, typer.Option(help="Seed of the random starts.")] = 0,
     over: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME=A:B:N", help="A parameter that takes N values, A to B."),
+        typer.Option(metavar="NAME=A:B:N", help="Vary a parameter: N values from A to B."),
     ] = None,
     record: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME", help="An observable or integral to be recorded too."),
+        typer.Option(metavar="NAME", help="Also record this observable or integral."),
     ] = None,
-    tolerance: Annotated[float, typer.Option(help="Error allowed in a step.")] = 1e-13,
+    tolerance: Annotated[float, typer.Option(help="Error tolerance of one step.")] = 1e-13,
     workers: Workers = None,
     overrides: Override = None,
     force: Force = False,
     json: Json = False,
 ) -> None:
-    """Motions from many starts with many parameters; what was begun is gone on with.
+    """Integrate motions from many starts and parameters; resumes an interrupted run.
 
-    Every start with every parameter: the start of the experiment, or starts drawn by chance on a
-    level of the integrals, at the times of the experiment.
+    Every start is combined with every parameter value. The start (the initial state) is that of
+    the experiment, or starts are drawn at random on a level of the integrals; the times are those
+    of the experiment.
     """
     check_store(output)
     client = check_workers(workers)
@@ -83,14 +86,14 @@ def command(
         return
     typer.echo(f"{study.system.title}: {result['members']}")
     if result["measure"]:
-        typer.echo(f"starts drawn by the {result['measure']}")
+        typer.echo(f"starts drawn according to the {result['measure']}")
     for reason, count in result["outcomes"].items():
         typer.echo(f"{count:,} of {result['motions']:,} motions: {reason}")
     inform(f"written to {output}")
 
 
 def _members(study: Study, starts: int, level: str | None, seed: int, over: list[str]) -> Members:
-    """Who takes part."""
+    """The members of the ensemble."""
     import numpy as np
 
     from ..analysis.scans.grid import axis

@@ -1,4 +1,4 @@
-"""``chaplygin find``: laws that nobody has told."""
+"""``chaplygin find``: laws found from the equations alone."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _TITLES = {
 }
 _NOTHING_ELSE = {
     "integrals": "Everything else of this form is a function of these and of the parameters.",
-    "symmetries": "Everything else of this form follows from these, the field and integrals.",
+    "symmetries": "Everything else of this form follows from these, the flow and the integrals.",
 }
 
 
@@ -35,30 +35,33 @@ def command(
     degree: Annotated[int, typer.Option(help="Largest degree in the momenta.")] = 2,
     gamma_degree: Annotated[int, typer.Option(help="Largest degree in the coordinates.")] = 2,
     momenta: Annotated[
-        str, typer.Option(metavar="NAMES", help="Momenta, e.g. M; by default M, and ω.")
+        str, typer.Option(metavar="NAMES", help="Momenta, e.g. M; default: M, and also ω.")
     ] = "",
     coordinates: Annotated[
-        str, typer.Option(metavar="NAMES", help="Coordinates, e.g. gamma; by default the others.")
+        str,
+        typer.Option(
+            metavar="NAMES", help="Coordinates, e.g. gamma; default: all other variables."
+        ),
     ] = "",
     at: Annotated[
         list[str] | None,
         typer.Option(
             metavar="CONDITION",
-            help="A condition on the parameters, e.g. k=-1; by default what is special in those "
-            "given (equal moments or semi-axes, zeros); none for none.",
+            help="A condition on the parameters, e.g. k=-1. Default: the coincidences of the "
+            "present values (equal moments or semi-axes, zeros). none: no condition.",
         ),
     ] = None,
     on: Annotated[
         list[str] | None,
-        typer.Option(metavar="FORMULA", help="Vanishes on the level, e.g. 'M·γ'."),
+        typer.Option(metavar="FORMULA", help="Search on the level where this is 0, e.g. 'M·γ'."),
     ] = None,
     divisors: Annotated[
         list[str] | None,
         typer.Option(
             "--denominator",
             metavar="FORMULA",
-            help="May divide an integral, e.g. '(γ, A γ)'; by default what suggests itself; 1 for "
-            "none.",
+            help="A denominator to try, e.g. '(γ, A γ)'; default: candidates from the equations. "
+            "1: none.",
         ),
     ] = None,
     bases: Annotated[
@@ -66,7 +69,8 @@ def command(
         typer.Option(
             "--base",
             metavar="FORMULA",
-            help="A factor of a density, up to a power; by default what suggests itself.",
+            help="A factor of the density, to a power to be found; default: candidates from the "
+            "equations.",
         ),
     ] = None,
     power: Annotated[int, typer.Option(help="Largest power of a denominator.")] = 1,
@@ -76,7 +80,7 @@ def command(
     effort: Effort = 1.0,
     json: Json = False,
 ) -> None:
-    """Search for integrals, invariant measures or symmetries, and prove what is found."""
+    """Search for first integrals, invariant measures or symmetries, and prove those found."""
     from ..errors import InputError
 
     if kind not in _TITLES:
@@ -109,7 +113,7 @@ def command(
         parameter_degree=parameter_degree,
         effort=allowed,
     )
-    with concluding("what was found until now is about to be printed"):
+    with concluding("the results found so far are about to be printed"):
         found, complete = _collected(kind, question)
         elapsed = time.monotonic() - began
         if json:
@@ -120,7 +124,7 @@ def command(
             if at is None and conditions:
                 inform(
                     f"searched where {', '.join(conditions)}, as the parameters are; --at none "
-                    "searches at any parameters"
+                    "searches for arbitrary parameters"
                 )
             typer.echo(_as_text(kind, question, found, complete))
     if not complete:
@@ -156,7 +160,7 @@ def _collected(kind: str, question: Question) -> tuple[list[SearchResult], bool]
 
             found.extend(search(question, update))
     except KeyboardInterrupt:
-        say("what follows was found until then")
+        say("the results found up to then follow")
         return found, False
     return found, True
 
@@ -202,11 +206,11 @@ def _shown(finding: SearchResult) -> list[str]:
 
     law, verdict = finding.law, finding.verdict
     if law is None or verdict is None:
-        return [f"  observed modulo a prime only: {finding.remark}"]
+        return [f"  only observed, modulo a prime: {finding.remark}"]
     status = (
         verdict.stated
         if verdict.decision in ("proven", "proven where")
-        else f"observed only, {verdict.words}"
+        else f"only observed, {verdict.words}"
     )
     known = f"; repeats {finding.known}" if finding.known else ""
     label = "ρ" if finding.kind == "measure" else text(real_symbol(law.name))
@@ -230,13 +234,13 @@ def _as_text(kind: str, question: Question, found: list[SearchResult], complete:
         lines.append(f"    {_setting(question)}")
     factors = _factors(kind, question)
     if factors:
-        words = "perhaps divided by" if kind == "integrals" else "made of powers of"
+        words = "possibly divided by" if kind == "integrals" else "products of powers of"
         lines.append(f"    {words} {', '.join(text(f) for f in factors)}")
     lines.append("")
     for finding in found:
         lines += _shown(finding)
     if not complete:
-        lines.append("  interrupted: what else there is has not been looked at")
+        lines.append("  interrupted: the search is incomplete")
     elif not found:
         lines.append("  none")
     elif kind != "measure" and all(finding.law is not None for finding in found):

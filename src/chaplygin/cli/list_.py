@@ -19,18 +19,29 @@ CONTACTS = ("marble", "rubber", "none")
 def command(
     contact: Annotated[
         str | None,
-        typer.Option(help="Only what rolls so: marble (no slip), rubber (no spin either), none."),
+        typer.Option(
+            help="Only this contact: marble (no slipping; spinning allowed), rubber (neither "
+            "slipping nor spinning) or none (nothing rolls)."
+        ),
     ] = None,
     section: Annotated[
-        str | None, typer.Option(metavar="N", help="Only what stands in a section of the paper.")
+        str | None,
+        typer.Option(
+            metavar="N", help="Only systems from this section of Borisov and Mamaev (2008)."
+        ),
     ] = None,
     integrable: Annotated[
         bool,
-        typer.Option("--integrable", help="Only what is proven integrable as it is suggested."),
+        typer.Option(
+            "--integrable", help="Only systems proven integrable at their default parameters."
+        ),
     ] = False,
     json: Json = False,
 ) -> None:
-    """List the systems of the catalogue in groups, all or some of them."""
+    """List the systems of the catalogue by groups.
+
+    Bruns' field, in some titles, is the quadratic potential U = ½ K (γ, I γ).
+    """
     from ..catalogue import CATALOGUE
     from ..catalogue.groups import GROUPS, INTEGRABLE, in_section, sections
     from ..errors import InputError
@@ -93,4 +104,7 @@ def command(
         if items:
             shown.print(f"\n[bold]{group.title}[/]")
             shown.print(table)
-    shown.print("\nchaplygin show NAME prints the equations; chaplygin study NAME follows them.")
+    shown.print(
+        "\nchaplygin show NAME prints the equations; chaplygin study NAME writes a report of a "
+        "motion."
+    )

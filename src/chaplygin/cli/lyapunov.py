@@ -27,17 +27,18 @@ def command(
     what: What,
     until: Annotated[
         float | None,
-        typer.Option(help="How long to follow the motion; else ten times as in the experiment."),
+        typer.Option(help="Duration of the motion; default: ten times that of the experiment."),
     ] = None,
     level: Annotated[
         str | None,
         typer.Option(
             metavar="NAME=VALUE,…",
-            help="Integrals on whose level to start by chance; else as in the experiment.",
+            help="Draw the start at random on this level of the integrals; default: the start of "
+            "the experiment.",
         ),
     ] = None,
-    seed: Annotated[int, typer.Option(help="Of the random start.")] = 0,
-    tolerance: Annotated[float, typer.Option(help="Error allowed in a step.")] = 1e-13,
+    seed: Annotated[int, typer.Option(help="Seed of the random start.")] = 0,
+    tolerance: Annotated[float, typer.Option(help="Error tolerance of one step.")] = 1e-13,
     output: Annotated[
         Path | None, typer.Option("-o", "--output", help="NetCDF file to write.")
     ] = None,
@@ -45,7 +46,10 @@ def command(
     force: Force = False,
     json: Json = False,
 ) -> None:
-    """Lyapunov exponents of a motion with errors, and those that are zero because they must be."""
+    """Compute the Lyapunov exponents of a motion, with errors and the trivial ones named.
+
+    A trivial exponent is zero for a known reason: an integral, a symmetry, the flow.
+    """
     from ..errors import InputError, InterruptionError
 
     if output is not None:
@@ -69,7 +73,7 @@ def command(
         start = sample_level(system, 1, numbers, seed=seed)[0].tolist()
     length = TIMES_LONGER * study.until if until is None else until
     interrupted = ""
-    with ending(NOTHING, "the spectrum of the motion until now is evaluated"):
+    with ending(NOTHING, "the spectrum of the motion so far is being evaluated"):
         try:
             with progress(study.system.title) as report:
                 found = lyapunov_spectrum(
@@ -79,7 +83,7 @@ def command(
             if not isinstance(stop.partial, Spectrum):
                 raise KeyboardInterrupt from stop
             found = stop.partial
-            interrupted = f"at t = {found.until:g} of {length:g}; this is the spectrum until then"
+            interrupted = f"at t = {found.until:g} of {length:g}; this is the spectrum up to then"
         turned = reversors(system)
         if output is not None:
             deliver(found.dataset(), output, force)
@@ -104,7 +108,7 @@ def _print(found: Spectrum, turned: Any) -> None:
 
     typer.echo(found.system.title)
     typer.echo(
-        f"followed to t = {found.until:g} s, counted from {found.began:g} s, "
+        f"integrated to t = {found.until:g} s, averaged from {found.began:g} s, "
         f"{len(found.growth)} intervals; exponents in 1/s"
     )
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
@@ -117,11 +121,11 @@ def _print(found: Spectrum, turned: Any) -> None:
     total, mean = found.total, found.volume.divergence
     if found.exponents:
         table.add_row("sum", *rounded(total.value, total.error), word_of_sum(total))
-    table.add_row("divergence", *rounded(mean.value, mean.error), "its mean along the motion")
+    table.add_row("divergence", *rounded(mean.value, mean.error), "mean along the motion")
     zeros = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
-    zeros.add_column("", style="bold", no_wrap=True)
+    zeros.add_column("trivial", style="bold", no_wrap=True)
     zeros.add_column("exponent", justify="right", no_wrap=True)
-    zeros.add_column("seen", justify="right", no_wrap=True)
+    zeros.add_column("measured", justify="right", no_wrap=True)
     zeros.add_column("")
     for forced, rate in found.removed:
         shown = ("", "") if rate is None else ("0", f"{rate:.1e}" if rate else "0")
@@ -135,7 +139,9 @@ def _print(found: Spectrum, turned: Any) -> None:
         terminal.print(zeros)
     typer.echo()
     if found.dependent:
-        typer.echo(f"Nothing more is forced by {', '.join(found.dependent)} at this start.")
+        typer.echo(
+            f"No further exponent is made trivial by {', '.join(found.dependent)} at this start."
+        )
     for text in remarks(found, turned):
         first = text[0].upper() if text[0].isascii() else text[0]
         typer.echo(f"{first}{text[1:]}.")
@@ -144,7 +150,7 @@ def _print(found: Spectrum, turned: Any) -> None:
 def word_of_sum(total: Average) -> str:
     """What the sum of the exponents says."""
     if not total.settled:
-        return "not settled"
+        return "not converged"
     if total.zero:
-        return "volumes keep their size within the error"
-    return "volumes grow" if total.value > 0 else "volumes shrink"
+        return "phase volume preserved within the error"
+    return "phase volume expands" if total.value > 0 else "phase volume contracts"

@@ -25,49 +25,53 @@ def command(
     what: What,
     on: Annotated[
         str,
-        typer.Option("--on", metavar="QUANTITY", help="The section: gamma_3, a formula."),
+        typer.Option(
+            "--on", metavar="QUANTITY", help="Section QUANTITY = value: gamma_3, or a formula."
+        ),
     ],
-    value: Annotated[float, typer.Option(help="The value that it passes.")] = 0.0,
-    direction: Annotated[str, typer.Option(help="rising, falling or both.")] = "rising",
+    value: Annotated[float, typer.Option(help="Value of QUANTITY on the section.")] = 0.0,
+    direction: Annotated[
+        str, typer.Option(help="Crossings to count: rising, falling or both.")
+    ] = "rising",
     angle: Annotated[
-        bool, typer.Option("--angle", help="It is an angle: its value counts up to whole turns.")
+        bool, typer.Option("--angle", help="QUANTITY is an angle: take it modulo 2π.")
     ] = False,
     after: Annotated[
-        int, typer.Option(help="Returns of the experiment's motion before the search begins.")
+        int, typer.Option(help="Returns of the motion to the section before the search starts.")
     ] = 1,
-    period: Annotated[int, typer.Option(help="Returns after which the orbit closes.")] = 1,
+    period: Annotated[int, typer.Option(help="Number of returns after which it closes.")] = 1,
     hold: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME", help="An integral that is to keep its value."),
+        typer.Option(metavar="NAME", help="Hold the value of this integral fixed."),
     ] = None,
     follow: Annotated[
         str | None,
         typer.Option(
             metavar="NAME=VALUE",
-            help="Follow the orbit while an integral or a parameter goes to this value.",
+            help="Continue the orbit as this integral or parameter goes to VALUE.",
         ),
     ] = None,
-    tolerance: Annotated[float, typer.Option(help="Error allowed in a step.")] = 1e-15,
+    tolerance: Annotated[float, typer.Option(help="Error tolerance of one step.")] = 1e-15,
     output: Annotated[
         Path | None,
         typer.Option(
-            "-o", "--output", metavar="FILE", help="One period, written to .nc, .zarr or .csv."
+            "-o", "--output", metavar="FILE", help="File for one period: .nc, .zarr or .csv."
         ),
     ] = None,
     figure: Annotated[
         Path | None,
         typer.Option(
-            metavar="FILE.png", help="Picture of one period, or of the branch; .svg, .pdf."
+            metavar="FILE.png", help="Figure of one period or the branch: .png, .svg or .pdf."
         ),
     ] = None,
     overrides: Override = None,
     force: Force = False,
     json: Json = False,
 ) -> None:
-    """A periodic orbit near the motion: period, multipliers, stability; and where it leads.
+    """Find a periodic orbit near the motion: period, multipliers, stability; or continue it.
 
-    The motion is followed to the section; from there Newton's method looks for a motion that
-    closes. All of it is observed, not proven.
+    The motion is integrated to the Poincaré section; from there Newton's method finds a closed
+    orbit. All results are observed, not proven.
     """
     from ..errors import InputError
     from ..experiment.formats import check_output as check_trajectory
@@ -103,7 +107,7 @@ def command(
         print_json(_record(study, orbit, branch))
         return
     _print(study, orbit, branch)
-    for place, words in ((output, "one period is in"), (figure, "picture:")):
+    for place, words in ((output, "one period is in"), (figure, "figure:")):
         if place is not None:
             inform(f"{words} {place}")
 
@@ -169,7 +173,7 @@ def _searched(
     crossed = returns.section.returns(np.array([start]), max(after, 1))
     if crossed.outcome[0]:
         raise RunError(
-            f"the motion does not come to {on} = {value:g} so often: "
+            f"the motion does not return to {on} = {value:g} often enough: "
             f"{returns.section.reason(int(crossed.outcome[0]))}",
             float(crossed.ended[0]),
         )
@@ -247,12 +251,12 @@ def _print(study: Study, orbit: Orbit, branch: Branch | None) -> None:
             f" {'+' if value.imag > 0 else '−'} {abs(value.imag):.9g} i" if value.imag else ""
         )
         typer.echo(f"  multiplier  {value.real:.9g}{imaginary} ± {error:.0e}")
-    typer.echo(f"  one by force: {', '.join(found.forced)}")
+    typer.echo(f"  trivial multipliers (equal to 1): {', '.join(found.forced)}")
     if branch is None:
         return
     places = branch.places
     typer.echo(
-        f"\nfollowed through {len(branch.orbits)} orbits, {branch.varied} from {places[0]:.9g} to "
+        f"\ncontinued through {len(branch.orbits)} orbits, {branch.varied} from {places[0]:.9g} to "
         f"{places[-1]:.9g}: {branch.reason}"
     )
     for event in branch.events:

@@ -37,25 +37,28 @@ def command(
     what: What,
     overrides: Override = None,
     only: Annotated[
-        list[str] | None, typer.Option("--law", metavar="LAW", help="Only this law, by its name.")
+        list[str] | None,
+        typer.Option("--law", metavar="LAW", help="Prove only the law of this name."),
     ] = None,
     effort: Effort = 1.0,
     certificate: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="Write certificates (JSON) that a program can check."),
+        typer.Option(
+            metavar="FILE", help="Certificates to write (JSON), for an independent check."
+        ),
     ] = None,
     force: Force = False,
     json: Json = False,
 ) -> None:
     """Prove or refute the laws of a system; exit 1 unless all are proven without conditions.
 
-    A law that is proven where some condition holds, undecided or refuted makes the exit status 1.
+    The exit status is 1 if any law is refuted, undecided, or proven only where a condition holds.
     """
     allowed = operations(effort)
     if certificate is not None:
         check_output("--certificate", certificate, force, json, what, binary=False)
     claims = _chosen(_claims(what, overrides), only or [], what)
-    with concluding("the verdicts until now are about to be printed"):
+    with concluding("the verdicts reached so far are about to be printed"):
         done = _tried(claims, allowed, certificate is not None)
         with beside(certificate):
             if json:
@@ -66,8 +69,8 @@ def command(
             _write(certificate, [tried.verdict for tried in done])
     if len(done) < len(claims):
         say(
-            f"{len(claims) - len(done)} of {len(claims)} laws have no verdict; the same command "
-            "goes on, since verdicts are kept"
+            f"{len(claims) - len(done)} of {len(claims)} laws have no verdict; verdicts are saved, "
+            "and the same command resumes"
         )
         raise typer.Exit(CODE)
     if not all(tried.verdict for tried in done):

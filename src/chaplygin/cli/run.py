@@ -23,7 +23,7 @@ def command(
             "-o",
             "--output",
             metavar="FILE",
-            help="Written by its ending: .nc, .zarr or .csv; - for NetCDF on standard output.",
+            help="File to write: .nc, .zarr or .csv; - for NetCDF on standard output.",
         ),
     ],
     overrides: Override = None,
@@ -31,7 +31,7 @@ def command(
     force: Force = False,
     json: Json = False,
 ) -> None:
-    """Integrate a motion and write it to a file: NetCDF, Zarr, or a table for a spreadsheet."""
+    """Integrate one motion and write the trajectory: NetCDF, Zarr, or a table for a spreadsheet."""
     from ..experiment.formats import check_output as check_trajectory
 
     check_output("--output", output, force, json, what, place=check_trajectory)
@@ -42,7 +42,7 @@ def command(
 
     place = name_of(output)
     failure: RunError | None = None
-    with ending(NOTHING, f"the motion until now is being written to {place}"):
+    with ending(NOTHING, f"the trajectory computed so far is being written to {place}"):
         with progress(study.system.title) as report:
             try:
                 trajectory = study.trajectory(report)
@@ -53,12 +53,12 @@ def command(
         deliver(dataset_of(study, trajectory, complete=failure is None), output, force)
     if isinstance(failure, InterruptionError):
         say(
-            f"the motion until t = {failure.time:.9g} is in {place}; the same command with "
-            "--force begins again"
+            f"the trajectory up to t = {failure.time:.9g} is in {place}; the same command with "
+            "--force starts from the beginning"
         )
         raise typer.Exit(CODE)
     if failure is not None:
-        inform(f"what was computed until then is in {place}")
+        inform(f"the trajectory up to then is in {place}")
         raise failure
     result = summary(trajectory)
     if json:

@@ -33,55 +33,64 @@ _AT_ONCE = 2**18
 def command(
     what: What,
     on: Annotated[
-        str, typer.Option("--on", metavar="QUANTITY", help="What is looked at: gamma_3, a formula.")
+        str,
+        typer.Option(
+            "--on", metavar="QUANTITY", help="Section QUANTITY = value: gamma_3, or a formula."
+        ),
     ],
     output: Annotated[
         Path,
         typer.Option(
-            "-o", "--output", metavar="FILE.zarr|DIR", help="Zarr store, or folder of it."
+            "-o", "--output", metavar="FILE.zarr|DIR", help="Zarr store to write, or its folder."
         ),
     ],
-    value: Annotated[float, typer.Option(help="The value that it passes.")] = 0.0,
-    direction: Annotated[str, typer.Option(help="rising, falling or both.")] = "rising",
+    value: Annotated[float, typer.Option(help="Value of QUANTITY on the section.")] = 0.0,
+    direction: Annotated[
+        str, typer.Option(help="Crossings to count: rising, falling or both.")
+    ] = "rising",
     angle: Annotated[
-        bool, typer.Option("--angle", help="It is an angle: its value counts up to whole turns.")
+        bool, typer.Option("--angle", help="QUANTITY is an angle: take it modulo 2π.")
     ] = False,
     within: Annotated[
         list[str] | None,
-        typer.Option(metavar="QUANTITY<WIDTH", help="Only points count where it is near zero."),
+        typer.Option(metavar="QUANTITY<WIDTH", help="Count only points with |QUANTITY| < WIDTH."),
     ] = None,
-    points: Annotated[int, typer.Option(help="Points of each motion.")] = 1000,
+    points: Annotated[int, typer.Option(help="Number of points of each motion.")] = 1000,
     starts: Annotated[
-        int, typer.Option(help="Motions; more than one start by chance on a level.")
+        int,
+        typer.Option(help="Number of motions; if several, they start at random on a level."),
     ] = 1,
     level: Annotated[
         str | None,
         typer.Option(
             metavar="NAME=VALUE,…",
-            help="Integrals on whose level they start; else as in the experiment.",
+            help="Level of the integrals for the starts; default: that of the experiment.",
         ),
     ] = None,
-    seed: Annotated[int, typer.Option(help="Of the random starts.")] = 0,
+    seed: Annotated[int, typer.Option(help="Seed of the random starts.")] = 0,
     coordinates: Annotated[
         str,
         typer.Option(
-            metavar="A,B[,C]", help="Two or three to draw: M_1,M_2, NAME=FORMULA, andoyer:l,L,H."
+            metavar="A,B[,C]",
+            help="Two or three coordinates to draw: M_1,M_2, NAME=FORMULA, andoyer:l,L,H.",
         ),
     ] = "",
     until: Annotated[
         float | None,
-        typer.Option(help="When a motion is given up; else the experiment's time for each point."),
+        typer.Option(
+            help="Time limit of a motion; default: the experiment's duration for each point."
+        ),
     ] = None,
-    tolerance: Annotated[float, typer.Option(help="Error allowed in a step.")] = 1e-13,
+    tolerance: Annotated[float, typer.Option(help="Error tolerance of one step.")] = 1e-13,
     workers: Workers = None,
     overrides: Override = None,
     force: Force = False,
     json: Json = False,
 ) -> None:
-    """Points of a section with their figure; what was begun is gone on with.
+    """Compute and draw a Poincaré section; resumes an interrupted run.
 
-    A section exists where some quantity passes a value; every motion is followed until it has
-    passed so many times.
+    The section is the set of states at which a quantity passes a value; every motion is
+    integrated until it has crossed the section the required number of times.
     """
     store = _store(output)
     client = check_workers(workers)
@@ -112,7 +121,7 @@ def command(
     result = {"file": str(store), "figure": str(picture), **_summary(found)}
     if not result["points"]:
         found.close()
-        # another section may be asked for under the same name
+        # another section may be requested under the same name
         rmtree(store)
         reasons = ", ".join(result["outcomes"])
         raise RunError(f"no motion passes {place}: {reasons}", result["longest"])
@@ -207,4 +216,4 @@ def _print(title: str, result: dict[str, Any]) -> None:
     for reason, count in result["outcomes"].items():
         table.add_row(f"{count:,} of {result['runs']:,}", escape(reason))
     console().print(table)
-    inform(f"written to {result['file']}, picture: {result['figure']}")
+    inform(f"written to {result['file']}, figure: {result['figure']}")

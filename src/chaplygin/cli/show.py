@@ -18,14 +18,18 @@ def command(
     what: What,
     overrides: Override = None,
     form: Annotated[
-        str, typer.Option("--as", help="text, latex, julia, c or toml (the experiment file).")
+        str, typer.Option("--as", help="text, latex, julia, c, or toml (the experiment file).")
     ] = "text",
     laws: Annotated[
-        bool, typer.Option("--laws", help="Only what is known of the motion: the laws.")
+        bool, typer.Option("--laws", help="Print only the known laws of the system.")
     ] = False,
     json: Json = False,
 ) -> None:
-    """Print equations, parameters, laws and source of a system, and its place among all."""
+    """Print equations, parameters, laws and source of a system, and its place in the hierarchy.
+
+    The place in the hierarchy of dynamics says what is proven (integrals, an invariant measure,
+    a Hamiltonian form), how integrable that makes the system, and which motions can occur.
+    """
     from ..errors import InputError
 
     if form not in FORMS:
@@ -43,7 +47,7 @@ def command(
     if laws:
         from ..printing.system import laws_text
 
-        typer.echo(f"{system.title}\n\n{laws_text(system) or 'No law of it is known.'}")
+        typer.echo(f"{system.title}\n\n{laws_text(system) or 'No laws of it are known.'}")
         typer.echo(f"\nchaplygin prove {what} proves them.")
         return
     if json:
@@ -94,11 +98,11 @@ def command(
     }
     typer.echo(texts[form]().rstrip())
     if form == "text" and is_described(study) and (lines := motion_text(system)):
-        typer.echo("\n".join(("\nWhat moves along and enters nothing", *lines)))
+        typer.echo("\n".join(("\nReconstruction equations", *lines)))
     for words in filter(None, (legend(study), *derivation_notes(study)) if form == "text" else ()):
         typer.echo("\n" + textwrap.fill(words, 100))
     if form == "text":
         place = classify_quickly(system, study.rolling or study.mechanism)
         typer.echo(f"\n{place}")
         if any("effort" in entry.why for entry in place.uncounted):
-            typer.echo(f"\nMore effort may decide what is left: chaplygin prove {what}")
+            typer.echo(f"\nMore effort may decide the undecided laws: chaplygin prove {what}")

@@ -32,23 +32,25 @@ def command(
     what: What,
     at: Annotated[
         str | None,
-        typer.Option(metavar="TIMES", help="Times, as in 0,1,1e6; those of the run if left out."),
+        typer.Option(
+            metavar="TIMES", help="Times, such as 0,1,1e6; default: those of the experiment."
+        ),
     ] = None,
     digits: Annotated[
         int | None,
-        typer.Option(help="Evaluate rigorously, to so many digits with error bars."),
+        typer.Option(help="Evaluate rigorously to this many digits, with error bounds."),
     ] = None,
     output: Annotated[
         Path | None, typer.Option("-o", "--output", help="File to write: .nc, .zarr or .csv.")
     ] = None,
     figure: Annotated[
-        Path | None, typer.Option(help="Figure of the closed form to write: .png, .svg, .pdf.")
+        Path | None, typer.Option(help="Figure of the closed form: .png, .svg or .pdf.")
     ] = None,
     overrides: Override = None,
     force: Force = False,
     json: Json = False,
 ) -> None:
-    """The state at any time, in closed form; exit 1 where none is known."""
+    """Compute the state at any time in closed form; exit 1 if none is known."""
     from ..errors import InputError
     from ..experiment.formats import check_output as check_trajectory
 
@@ -139,7 +141,7 @@ def _print(study: Study, solution: Solution, moments: list[Fraction], digits: in
         typer.echo()
         shown_on.print(table)
     if study.system.motion is not None and not in_space(study, solution):
-        inform("the attitude and the place in space are not part of this closed form")
+        inform("the attitude and the position in space are not part of this closed form")
     if digits is not None and solution.left_open:
         inform(solution.left_open)
     if len(shown) < len(moments):

@@ -27,7 +27,9 @@ __all__ = [
 
 Workers = Annotated[
     str | None,
-    typer.Option(metavar="N|ADDRESS", help="So many processes, or those of a Dask scheduler."),
+    typer.Option(
+        metavar="N|ADDRESS", help="Number of processes, or the address of a Dask scheduler."
+    ),
 ]
 
 
@@ -145,7 +147,7 @@ def resumable(store: Path, report: Progress, force: bool) -> Iterator[Progress]:
         if not share:
             return NOTHING
         command = "the same command without --force" if force else "the same command"
-        return f"{share:.0%} is computed; {command} goes on with what is in {store}"
+        return f"{share:.0%} is computed and saved in {store}; {command} resumes from there"
 
     begun = store.exists()
     try:

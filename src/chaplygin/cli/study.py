@@ -18,25 +18,26 @@ __all__ = ["command"]
 def command(
     what: What,
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", help="Folder to write; the name if left out.")
+        Path | None,
+        typer.Option("-o", "--output", help="Folder to write; default: named after NAME|FILE."),
     ] = None,
     overrides: Override = None,
     precision: Precision = None,
     quick: Annotated[
-        bool, typer.Option("--quick", help="Leave proofs out; laws are observed only.")
+        bool, typer.Option("--quick", help="Skip the proofs; laws are only observed.")
     ] = False,
     effort: Annotated[
         float | None,
         typer.Option(
             metavar="FACTOR",
-            help="How much work the proof of one law may take, as for prove, where it is 1; "
-            "0.05 if left out. All proofs together may take four times as much.",
+            help="Work allowed for the proof of one law, in the units of prove --effort; default "
+            "0.05. All proofs together may take four times as much.",
         ),
     ] = None,
     force: Force = False,
     json: Json = False,
 ) -> None:
-    """Equations, trajectory, figures and a report of one motion; resumed if interrupted."""
+    """Write equations, trajectory, figures and a report of one motion; resumes if interrupted."""
     from ..errors import InputError, InterruptionError
     from ..report.study_folder import check_folder, is_begun
 
@@ -59,7 +60,7 @@ def command(
     def words() -> str:
         if not is_begun(folder):
             return NOTHING
-        return f"what is done is in {folder}; the same command goes on there"
+        return f"the part that is done is in {folder}; the same command resumes there"
 
     with ending(words), progress(f"integrating: {study.system.title}") as report:
         patience = ProofBudget(each, altogether, lambda what: report.say(f"proving: {what}"))

@@ -22,8 +22,8 @@ def command(
         list[str],
         typer.Option(
             metavar="NAME=VALUES",
-            help="A parameter and its values: m=1,1.5,2, or m=1:2:5 for five from 1 to 2. Several "
-            "of these mean every combination.",
+            help="A parameter and its values: m=1,1.5,2, or m=1:2:5 for five from 1 to 2. Given "
+            "several times: every combination.",
         ),
     ],
     output: Annotated[
@@ -32,25 +32,25 @@ def command(
     ],
     record: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME", help="An observable or integral to be recorded too."),
+        typer.Option(metavar="NAME", help="Also record this observable or integral."),
     ] = None,
     draw: Annotated[
         str | None,
-        typer.Option(metavar="NAME", help="What the picture shows: M_3, theta; else the first."),
+        typer.Option(
+            metavar="NAME", help="Variable to draw: M_3, theta; default: the first of the state."
+        ),
     ] = None,
-    figure: Annotated[
-        Path | None, typer.Option(help="Picture to write; FILE.png if left out.")
-    ] = None,
-    tolerance: Annotated[float, typer.Option(help="Error allowed in a step.")] = 1e-13,
+    figure: Annotated[Path | None, typer.Option(help="Figure to write; default: FILE.png.")] = None,
+    tolerance: Annotated[float, typer.Option(help="Error tolerance of one step.")] = 1e-13,
     workers: Workers = None,
     overrides: Override = None,
     force: Force = False,
     json: Json = False,
 ) -> None:
-    """One motion for each value of a parameter; what was begun is gone on with.
+    """Integrate one motion for each value of a parameter; resumes an interrupted run.
 
-    Every motion begins as the experiment does, at its times, and is streamed to a store as those
-    of an ensemble are.
+    Every motion has the start and the times of the experiment and is streamed to a store, like
+    the motions of an ensemble.
     """
     check_store(output)
     client = check_workers(workers)
@@ -107,7 +107,7 @@ def command(
     typer.echo(f"{study.system.title}: {result['motions']:,} motions, {told}")
     for reason, count in result["outcomes"].items():
         typer.echo(f"{count:,} of {result['motions']:,} motions: {reason}")
-    inform(f"written to {output}, picture: {picture}")
+    inform(f"written to {output}, figure: {picture}")
 
 
 def values_of(text: str) -> tuple[str, list[float]]:

@@ -45,7 +45,7 @@ class Event:
     stopped: bool
 
     def __str__(self) -> str:
-        end = "the run ends there" if self.stopped else "the run goes on"
+        end = "the run ends there" if self.stopped else "the run continues"
         return f"t = {self.time:.17g}: {self.guard.message}; {end}"
 
 

@@ -53,7 +53,7 @@ def _recorded(study: Study) -> str:
         else f"{text(real_symbol(item.name))} ({item.meaning})"
         for item in _observables(study.system)
     ]
-    return f"Recorded besides the state: {'; '.join(listed)}." if listed else ""
+    return f"Also recorded: {'; '.join(listed)}." if listed else ""
 
 
 def _constraints(study: Study) -> str:

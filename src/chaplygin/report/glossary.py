@@ -21,7 +21,7 @@ _BODY = {
     "gamma": "unit vector fixed in space",
     "zeta": "upward vertical",
     "I": "inertia tensor",
-    "X": "torque but for that of the constraints",
+    "X": "torque other than that of the constraints",
     "U": "potential",
     "k": "momentum of the rotors",
 }
@@ -39,7 +39,7 @@ _TOUCHING = {
     "B": "tensor of the squared semi-axes",
     "s": "height of the geometric centre above the tangent plane",
     "p": "height of the geometric centre above the tangent plane",
-    "pprime": "its derivative by γ₃",
+    "pprime": "its derivative with respect to γ₃",
     "pprime2": "its second derivative",
     "gammatilde": "angular acceleration by a unit torque about the normal",
     "A_a": "(a + ρ₁)(a + ρ₂) with the principal radii of curvature ρ of the body",

@@ -46,21 +46,25 @@ PICTURES = ("scene", "plan_view", "contact_path", "normal_on_sphere", "bifurcati
 PLATES = {
     "plan_view": (
         "Path in the plane",
-        "To scale, coloured by time from the ring; the mechanism at times, dark at the end.",
+        "To scale, coloured by time; the ring marks the start. The mechanism is drawn at several "
+        "instants, darkest at the end.",
     ),
     "contact_path": (
         "Path of the contact point",
         "On the surface, coloured by time; the ring marks the start, the dot the end.",
     ),
     "state": ("The state", "The variables of the state against time."),
-    "recorded": ("Recorded besides", "Multipliers of the constraints and other quantities."),
+    "recorded": (
+        "Other recorded quantities",
+        "Multipliers of the constraints and other quantities against time.",
+    ),
     "normal_on_sphere": (
-        "The unit vector γ on its sphere",
-        "In body axes: the direction from which the body sees the surface it rolls on.",
+        "The unit vector γ on the sphere",
+        "In body axes: the normal of the supporting surface at the contact.",
     ),
     "attitude": (
         "Attitude",
-        "Three angles of the body's axes against space, whole turns counted on.",
+        "Three angles of the body axes relative to space, continued beyond full turns.",
     ),
     "angular_velocity": ("Angular velocity ω", "Components along the body axes."),
     "normal_force": (
@@ -74,7 +78,7 @@ PLATES = {
     ),
     "drift": (
         "Drift of the known integrals",
-        "How far each wanders from its first value, relative to that value.",
+        "Deviation of each from its initial value, relative to that value.",
     ),
 }
 
@@ -233,16 +237,16 @@ def _unobserved(study: Study) -> tuple[Law, ...]:
 def _caption(study: Study, name: str, caption: str) -> str:
     """What a figure shows; without a surface γ is another vector."""
     if name == "normal_on_sphere" and study.rolling is None and not study.letters:
-        return "In body axes: the unit vector fixed in space, as the body sees it."
+        return "In body axes: the components of a unit vector fixed in space."
     return caption
 
 
 def _remark(study: Study, name: str) -> str:
     """What a figure needs to be said besides, for this study."""
     if name == "drift" and study.experiment.run.precision == "double":
-        return "Rounding of double precision is at 1.1 × 10⁻¹⁶."
+        return "The unit roundoff of double precision is 1.1 × 10⁻¹⁶."
     if name == "normal_force" and _two_sided(study):
-        return "Without gravity the contact is taken as two-sided, and the sign is not watched."
+        return "Without gravity the contact is taken as two-sided, and the sign is not monitored."
     return ""
 
 
@@ -291,6 +295,6 @@ def _facts(study: Study, trajectory: Trajectory) -> list[tuple[str, str]]:
         ("time", f"{first:g} … {last:.10g}, {len(trajectory.times)} samples"),
         ("method", f"{METHODS[run.method]} of order {statistics.order}, {statistics.steps} steps"),
         ("tolerance", f"{number(statistics.tolerance, 3)}, {run.precision} precision"),
-        ("corrections", f"{statistics.corrections} returns to the phase space at rounding level"),
-        ("integrals", "kept by projection" if run.keep_integrals else "left free, as a check"),
+        ("corrections", f"{statistics.corrections} projections onto the phase space"),
+        ("integrals", "enforced by projection" if run.keep_integrals else "free, as a check"),
     ]

@@ -61,7 +61,7 @@ def test_motions_that_have_no_more_points_say_why(found: xr.Dataset) -> None:
     assert 0 < int(short.sum()) < 24
     flags, words = found["outcome"].flag_values, found["outcome"].flag_meanings.split()
     told = dict(zip(flags, words, strict=True))
-    assert {told[int(c)] for c in found["outcome"][short]} == {"the_time_was_over"}
+    assert {told[int(c)] for c in found["outcome"][short]} == {"the_time_limit_was_reached"}
     assert {told[int(c)] for c in found["outcome"][~short]} == {"all_its_points"}
     there = np.isfinite(found["time"]).sum("section_point")
     assert np.array_equal(there, found["points"])

@@ -202,7 +202,7 @@ def test_what_does_not_return_is_told() -> None:
     image = back(starts("unbalanced-ball"))
     assert np.isnan(image).all()
     crossed = back.returns(starts("unbalanced-ball"), 1)
-    assert {back.reason(code) for code in crossed.outcome} == {"the time was over"}
+    assert {back.reason(code) for code in crossed.outcome} == {"the time limit was reached"}
     assert np.isnan(back.derivative(starts("unbalanced-ball")).matrices).all()
 
 

@@ -182,7 +182,7 @@ def _hamiltonian(found: Found) -> list[IntegrabilityClass]:
         kinds.append(
             IntegrabilityClass(
                 "liouville",
-                "integrable after Liouville"
+                "integrable in the sense of Liouville"
                 + (", in the new time" if best.conformal else "")
                 + ": as many integrals in involution as half the rank",
                 found.complete,
@@ -222,7 +222,7 @@ def _motions(found: Found) -> list[Statement]:
         return [
             Statement(
                 "Every motion runs along a curve: periodic where the curve is closed and free of "
-                "rest points, towards a rest point or away where it is not. No chaos.",
+                "equilibria, towards or away from an equilibrium where it is not. No chaos.",
                 found.integrals,
             )
         ]
@@ -231,7 +231,7 @@ def _motions(found: Found) -> list[Statement]:
         time = "new time" if form.conformal else "time"
         half = form.rank // 2
         told = [
-            f"On compact common levels without rest points: straight, uniform windings of "
+            f"On compact common levels without equilibria: straight, uniform windings of "
             f"{half}-dimensional tori in the {time}, quasi-periodic or periodic. No chaos."
         ]
         if form.conformal and found.euler_jacobi:
@@ -243,7 +243,7 @@ def _motions(found: Found) -> list[Statement]:
     if found.euler_jacobi and found.volume is not None:
         return [
             Statement(
-                "On compact common levels on which the measure is regular and nothing rests: tori, "
+                "On compact common levels without equilibria on which the measure is regular: tori "
                 "wound by straight lines after a change of time (θ̇ = λ/Φ), not uniformly in the "
                 "time itself; on a resonant torus the periods may differ. No chaos.",
                 (*found.integrals, found.volume.law),
@@ -258,7 +258,7 @@ def _motions(found: Found) -> list[Statement]:
     if found.remaining == 2:
         return [
             Statement(
-                "Motions on surfaces: rest points, closed orbits, limit cycles and windings, but "
+                "Motions on surfaces: equilibria, closed orbits, limit cycles and windings, but "
                 "no chaos.",
                 found.integrals,
             )
@@ -288,9 +288,9 @@ def _attraction(found: Found) -> list[Statement]:
     if best is None:
         if found.remaining <= 1:
             return []
-        kinds = "attracting rest points and limit cycles"
+        kinds = "attracting equilibria and limit cycles"
         if found.remaining > 2:
-            kinds = "attracting rest points, limit cycles, attracting tori"
+            kinds = "attracting equilibria, limit cycles, attracting tori"
             kinds += "" if found.lie else " and strange attractors"
         known = "No invariant measure is proven"
         if found.absence:

@@ -171,7 +171,7 @@ def _integrals(place: Classification) -> list[Statement]:
     told = f"{place.count} independent, common levels of dimension {place.remaining}"
     found = [Statement(told, place.integrals)]
     if place.dependent:
-        found.append(Statement("not independent of these where it was tried", place.dependent))
+        found.append(Statement("not independent of these at the points tested", place.dependent))
     return found
 
 
@@ -206,7 +206,7 @@ def _symmetry(place: Classification) -> Statement:
     if not count:
         return Statement("no field proven")
     told = "one field" if count == 1 else f"{count} independent fields"
-    return Statement(f"{told} besides the motion itself", place.symmetries)
+    return Statement(f"{told} besides the flow itself", place.symmetries)
 
 
 def to_text(place: Classification) -> str:

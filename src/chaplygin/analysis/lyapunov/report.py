@@ -94,11 +94,7 @@ class Spectrum(WithOverview):
     @property
     def chaotic(self) -> bool:
         """Whether the largest exponent is settled and positive beyond its error: observed."""
-        return bool(
-            self.exponents
-            and self.exponents[0].settled
-            and self.exponents[0].value > self.exponents[0].error
-        )
+        return any(one.settled and one.value > one.error for one in self.exponents[:1])
 
     @property
     def within(self) -> int:
@@ -155,7 +151,7 @@ class Spectrum(WithOverview):
             (
                 *((f"λ_{i}", text) for i, text in enumerate(shown, 1)),
                 ("sum", " ± ".join(rounded(self.total.value, self.total.error))),
-                ("zero for a reason", "; ".join(forced)),
+                ("trivial", "; ".join(forced)),
             ),
         )
 
@@ -183,10 +179,10 @@ def kaplan_yorke(exponents: Sequence[float] | Array) -> float:
 def word(item: Average) -> str:
     """What an exponent says."""
     if not item.settled:
-        return "not settled"
+        return "not converged"
     if item.zero:
         return "zero within its error"
-    return "neighbours part" if item.value > 0 else "neighbours approach"
+    return "nearby motions diverge" if item.value > 0 else "nearby motions converge"
 
 
 def rounded(value: float, error: float) -> tuple[str, str]:
@@ -208,8 +204,8 @@ def remarks(found: Spectrum, reversors: Sequence[Reversor] = ()) -> Iterator[str
     yield from _convergence(found)
     for name in found.fading:
         yield (
-            f"no zero is forced by {name} on this motion, because its size does not last: the "
-            "motion comes to rest, or runs away"
+            f"no exponent is made trivial by {name} on this motion, because its size does not "
+            "last: the motion comes to rest, or runs away"
         )
     yield from _kind(found)
     yield from _volumes(found)
@@ -233,31 +229,31 @@ def _convergence(found: Spectrum) -> Iterator[str]:
         if not item.settled:
             first, second = item.halves
             yield (
-                f"λ{number} has not settled: {first:.3g} over the first half of the time, "
-                f"{second:.3g} over the second; follow the motion longer"
+                f"λ{number} has not converged: {first:.3g} over the first half of the time, "
+                f"{second:.3g} over the second; integrate for longer (--until)"
             )
     if abs(found.volume.balance) > CAREFUL * found.total.error:
         yield (
-            f"the mean of the divergence is uncertain by {abs(found.volume.balance):.2g} besides: "
-            "it varies faster than the points where it was taken"
+            f"the mean of the divergence has a further uncertainty of "
+            f"{abs(found.volume.balance):.2g}: it varies faster than it is sampled"
         )
 
 
 def _kind(found: Spectrum) -> Iterator[str]:
     if not found.exponents:
-        yield "integrals, relations and symmetries force all exponents to be zero"
+        yield "integrals, relations and symmetries make all exponents trivial"
     elif found.chaotic:
         yield "the largest exponent is positive: the motion is chaotic (observed)"
     elif all(item.zero for item in found.exponents) and _undecided(found):
         yield (
-            "no exponent is told from zero, but the errors are not small beside the rates at which "
-            "deviations grow and shrink on the way: nothing can be told yet; follow the motion "
-            "longer (--until)"
+            "no exponent differs from zero beyond its error, but the errors are not small beside "
+            "the rates at which deviations grow and shrink along the motion: nothing can be "
+            "concluded yet; integrate for longer (--until)"
         )
     elif all(item.zero for item in found.exponents) and found.settled:
         yield (
-            "no exponent is told from zero: the motion is regular as far as this time shows "
-            "(observed)"
+            "no exponent differs from zero beyond its error: the motion is regular as far as this "
+            "time shows (observed)"
         )
     elif found.settled and found.exponents[0].value < -found.exponents[0].error:
         yield "all exponents are negative: a periodic or steady motion attracts this one (observed)"
@@ -272,18 +268,18 @@ def _volumes(found: Spectrum) -> Iterator[str]:
             yield (
                 f"the density of the invariant measure {name!r} accounts for the mean of the "
                 f"divergence, to {abs(defect):.1g}"
-                + (f": it {limit} along this motion, and so forbids nothing" if changing else "")
+                + (f": it {limit} along this motion, and so excludes nothing" if changing else "")
             )
         else:
             yield (
                 f"the density of the invariant measure {name!r} does not account for the mean of "
-                f"the divergence, by {abs(defect):.1g}: the motion runs where it has no value"
+                f"the divergence, by {abs(defect):.1g}: the motion runs where it is not defined"
             )
     if not changing:
         return
-    way, end = ("shrink", "attracts") if total.value < 0 else ("grow", "repels")
+    way, end = ("contracts", "attracts") if total.value < 0 else ("expands", "repels")
     yield (
-        f"volumes {way} along this motion: about what it tends to there is no invariant measure "
+        f"phase volume {way} along this motion: near its limit set there is no invariant measure "
         "with a smooth positive density (observed, not proven)"
     )
     if found.chaotic and total.value < 0:
@@ -297,10 +293,10 @@ def _pairs(found: Spectrum, reversor: Reversor) -> Iterator[str]:
     yield (f"the equations are reversible (proven): {reversor.words(found.system)} with the time")
     if found.exponents and found.settled and not _undecided(found):
         yield (
-            "the exponents come in pairs of opposite sign within their errors"
+            "the exponents form pairs of opposite sign within their errors"
             if found.symmetric
-            else "the exponents do not come in pairs of opposite sign: the reversed motion has the "
-            "opposite ones, and is another motion"
+            else "the exponents do not form pairs of opposite sign: the reversed motion has the "
+            "opposite exponents and is a different motion"
         )
 
 

@@ -40,9 +40,9 @@ BESIDE, NEAR, SEED = 4, 0.1, 20080830
 
 _REASONS: Mapping[Kind, str] = {
     "relation": "holds on the phase space",
-    "integral": "does not change",
-    "flow": "the direction of the motion",
-    "symmetry": "carried along by the motion",
+    "integral": "constant along the motion",
+    "flow": "direction of the motion",
+    "symmetry": "carried along by the flow",
     "quadrature": "nothing depends on it",
 }
 

@@ -131,7 +131,7 @@ def _motions_of_the_plane() -> tuple[Law, ...]:
 REDUCED = "Velocities of the Chaplygin sleigh"
 REDUCED_SUMMARY = (
     "The velocities of the Chaplygin sleigh: a conformally Hamiltonian system whose multiplier "
-    "vanishes where the sleigh goes straight on, so that motions tend to rest points."
+    "vanishes where the sleigh goes straight on, so that motions tend to equilibria."
 )
 
 

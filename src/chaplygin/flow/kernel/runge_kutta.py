@@ -30,7 +30,7 @@ STATUS_MESSAGES = (
     "the step size collapsed (a singularity of the equations is near)",
     "the state stopped being a number",
     "the largest number of steps was reached",
-    "the time was over",
+    "the time limit was reached",
     "a million steps passed without a crossing",
 )
 
