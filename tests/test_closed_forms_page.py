@@ -16,10 +16,10 @@ def test_the_steps_run(capsys: pytest.CaptureFixture[str]) -> None:
     names: dict[str, Any] = {}
     for step in re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL):
         exec(compile(step, "closed-forms.md", "exec"), names)
-    told = capsys.readouterr().out
-    assert "two-frequency motion on a torus" in told
-    assert "refuted" not in told
-    assert "undecided" not in told
+    sentence = capsys.readouterr().out
+    assert "two-frequency motion on a torus" in sentence
+    assert "refuted" not in sentence
+    assert "undecided" not in sentence
     assert (
         np.abs(names["solution"].states([10.0]) - np.float64(names["path"].states[-1])).max()
         < 1e-13

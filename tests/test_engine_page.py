@@ -16,10 +16,10 @@ def test_the_steps_run(capsys: pytest.CaptureFixture[str]) -> None:
     names: dict[str, Any] = {}
     for step in re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL):
         exec(compile(step, "engine.md", "exec"), names)
-    told = capsys.readouterr().out
-    assert "(1000, 2, 6)" in told
-    assert "normal force" in told
-    assert "'energy'" in told
+    sentence = capsys.readouterr().out
+    assert "(1000, 2, 6)" in sentence
+    assert "normal force" in sentence
+    assert "'energy'" in sentence
     assert (names["crossed"].counts > 0).all()
 
 

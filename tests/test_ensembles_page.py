@@ -18,8 +18,8 @@ def test_the_steps_run(
     names: dict[str, Any] = {"__name__": "ensembles_page"}
     for step in re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL):
         exec(compile(step, "ensembles.md", "exec"), names)
-    told = capsys.readouterr().out
+    sentence = capsys.readouterr().out
     quoted = re.findall(r"^> (.*)$", PAGE, re.MULTILINE)
     assert quoted
-    assert all(line in told for line in quoted)
+    assert all(line in sentence for line in quoted)
     assert {path.name for path in tmp_path.iterdir()} == {"balls.zarr", "powers.zarr"}

@@ -19,9 +19,9 @@ def test_the_steps_run(capsys: pytest.CaptureFixture[str]) -> None:
     names: dict[str, Any] = {}
     for step in re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL):
         exec(compile(step, "isomorphisms.md", "exec"), names)
-    told = capsys.readouterr().out
-    assert "gamma_1 = Gamma_1" in told
-    assert "proven" in told
+    sentence = capsys.readouterr().out
+    assert "gamma_1 = Gamma_1" in sentence
+    assert "proven" in sentence
     motion = integrate(names["system"], names["start"], [0.0, 10.0])
     assert np.abs(names["solution"].states([10.0])[0] - motion.states[-1]).max() < 1e-12
 

@@ -16,11 +16,11 @@ def test_the_steps_run(capsys: pytest.CaptureFixture[str]) -> None:
     names: dict[str, Any] = {}
     for step in re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL):
         exec(compile(step, "lyapunov.md", "exec"), names)
-    told = capsys.readouterr().out
-    assert "['γ² = 1', 'energy', 'area', 'momentum', 'flow']" in told
-    assert "chaotic (observed)" in told
-    assert "M changes sign\n" in told
-    assert "M₁, γ₁ change sign where c₁ = 0" in told
+    sentence = capsys.readouterr().out
+    assert "['γ² = 1', 'energy', 'area', 'momentum', 'flow']" in sentence
+    assert "chaotic (observed)" in sentence
+    assert "M changes sign\n" in sentence
+    assert "M₁, γ₁ change sign where c₁ = 0" in sentence
     first = names["butterfly"].exponents[0]
     assert abs(first.value - 0.9056) < first.error
     # the numbers on the page are those of its own steps, but for chaos

@@ -60,9 +60,9 @@ def test_many_motions_are_computed() -> None:
 
 def test_the_sleigh_is_derived(capsys: pytest.CaptureFixture[str]) -> None:
     exec(compile(block("python", "sleigh = Mechanism"), "README.md", "exec"), {})
-    told = capsys.readouterr().out
-    assert told.startswith("proven")
-    assert "completely nonholonomic" in told
+    sentence = capsys.readouterr().out
+    assert sentence.startswith("proven")
+    assert "completely nonholonomic" in sentence
 
 
 def test_the_equations_are_the_ones_that_show_prints(

@@ -86,8 +86,8 @@ def ending(words: str | Callable[[], str], saving: str = "") -> Iterator[None]:
     saving : str, optional
         What is under way where the block, interrupted, saves what it has; that is waited for.
     """
-    told = words if callable(words) else (lambda: words)
-    with _during(_Ending(told, saving)):
+    text = words if callable(words) else (lambda: words)
+    with _during(_Ending(text, saving)):
         try:
             yield
         except KeyboardInterrupt:

@@ -127,10 +127,18 @@ def test_no_motion_of_a_body_that_cannot_be(name):
     state, sizes = start[: len(system.symbols)], system.constants
     for i in (1, 2, 3):
         others = sum(dict(sizes)[f"I_{j}"] for j in (1, 2, 3) if j != i)
-        for value, told in ((0.0, f"I_{i} > 0"), (-others, f"I_{i} > 0"), (1.01 * others, " <= ")):
-            with pytest.raises(InputError, match=f"I_{i} = .* is not admissible; .*{told}.* must"):
+        for value, sentence in (
+            (0.0, f"I_{i} > 0"),
+            (-others, f"I_{i} > 0"),
+            (1.01 * others, " <= "),
+        ):
+            with pytest.raises(
+                InputError, match=f"I_{i} = .* is not admissible; .*{sentence}.* must"
+            ):
                 integrate(system, state, [0.0, 1.0], parameters={f"I_{i}": value})
-            with pytest.raises(InputError, match=f"I_{i} = .* is not admissible; .*{told}.* must"):
+            with pytest.raises(
+                InputError, match=f"I_{i} = .* is not admissible; .*{sentence}.* must"
+            ):
                 batch_integrator(system).until([state], [1.0], {f"I_{i}": value})
 
 

@@ -67,7 +67,7 @@ def test_the_start_of_the_experiment(name: str, ask: Ask) -> None:
 
 
 @pytest.mark.parametrize(
-    ("arguments", "told"),
+    ("arguments", "sentence"),
     [
         (("-o", "a.nc"), "--output a.nc: its name must end in .zarr"),
         (("-o", "a.zarr", "--starts", "3"), "--level is needed"),
@@ -78,8 +78,8 @@ def test_the_start_of_the_experiment(name: str, ask: Ask) -> None:
     ],
     ids=["name", "level", "value", "axis", "parameter", "folder"],
 )
-def test_mistakes_are_told(arguments: tuple[str, ...], told: str, ask: Ask) -> None:
+def test_mistakes_are_told(arguments: tuple[str, ...], sentence: str, ask: Ask) -> None:
     code, _, err = ask("chaplygin-ball", *arguments)
     assert code == 2
-    assert told in err
+    assert sentence in err
     assert err.count("\n") == 1

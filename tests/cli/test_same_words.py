@@ -53,10 +53,10 @@ def test_show_says_what_it_has_no_effort_for(
 ) -> None:
     monkeypatch.setenv("CHAPLYGIN_CACHE", str(tmp_path / "cache"))
     assert prove(entry("rubber-disk").system(), "measure")
-    told = " ".join(say("show", "rubber-disk").split())
-    assert "measure: undecided: not decided with an effort of " in told
-    assert "No invariant measure is proven (measure is undecided" in told
-    assert "chaplygin prove rubber-disk" in told
+    sentence = " ".join(say("show", "rubber-disk").split())
+    assert "measure: undecided: not decided with an effort of " in sentence
+    assert "No invariant measure is proven (measure is undecided" in sentence
+    assert "chaplygin prove rubber-disk" in sentence
     assert "chaplygin prove" not in say("show", "veselova")
 
 

@@ -24,9 +24,9 @@ def example():
 @pytest.mark.slow
 def test_story(example, tmp_path, capsys):
     example.main(["-o", str(tmp_path)])
-    told = capsys.readouterr().out
-    assert "nods while it precesses" in told
-    assert "mean rate of precession" in told
+    sentence = capsys.readouterr().out
+    assert "nods while it precesses" in sentence
+    assert "mean rate of precession" in sentence
     assert {path.name for path in tmp_path.iterdir()} == {"paths.svg", "diagram.svg"}
 
 

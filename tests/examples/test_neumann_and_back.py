@@ -44,6 +44,6 @@ def test_forth(example: ModuleType):
 @pytest.mark.slow
 def test_report(example: ModuleType, capsys: pytest.CaptureFixture[str]):
     example.report(example.CASES[0])
-    told = capsys.readouterr().out
-    assert told.count("forth, against") == len(example.LONG)
-    assert "rotation number -0.8359290392843" in told
+    sentence = capsys.readouterr().out
+    assert sentence.count("forth, against") == len(example.LONG)
+    assert "rotation number -0.8359290392843" in sentence

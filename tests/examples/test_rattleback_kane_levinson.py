@@ -99,12 +99,12 @@ def their_third(time: float, state: Any, sigma: float) -> float:
 def test_json(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "argv", ["rattleback_kane_levinson.py", "--json"])
     example.main()
-    told = json.loads(capsys.readouterr().out)
-    assert told["reversals"] == [round(t, 11) for t in REVERSALS]
-    assert told["omega3_zeros"] == [round(t, 11) for t in OMEGA3_ZEROS]
-    assert told["damped"]["sigma"] == 1e-4
-    assert told["damped"]["reversals"] == [round(t, 11) for t in DAMPED_REVERSALS]
-    assert told["damped"]["omega3_zeros"] == [round(t, 11) for t in DAMPED_ZEROS]
+    sentence = json.loads(capsys.readouterr().out)
+    assert sentence["reversals"] == [round(t, 11) for t in REVERSALS]
+    assert sentence["omega3_zeros"] == [round(t, 11) for t in OMEGA3_ZEROS]
+    assert sentence["damped"]["sigma"] == 1e-4
+    assert sentence["damped"]["reversals"] == [round(t, 11) for t in DAMPED_REVERSALS]
+    assert sentence["damped"]["omega3_zeros"] == [round(t, 11) for t in DAMPED_ZEROS]
 
 
 @pytest.mark.slow

@@ -37,11 +37,11 @@ MOMENTS = (1.0, 1.5, 2.1)
 FULL = ((1.0, 0.1, 0.05), (0.1, 1.5, -0.2), (0.05, -0.2, 2.1))
 
 
-def problem_of(rolling: Rolling, omega: Any = NO_SPIN, told: bool = True) -> Problem:
+def problem_of(rolling: Rolling, omega: Any = NO_SPIN, words: bool = True) -> Problem:
     """A rolling body with a start; `told` whether what rolls on what is known."""
     system = rolling.system()
     start = initial_state(system, omega, GAMMA)
-    return Problem(system, system.defaults, start, rolling if told else None)
+    return Problem(system, system.defaults, start, rolling if words else None)
 
 
 def catalogue(name: str, **parameters: float) -> Problem:

@@ -234,6 +234,6 @@ MISTAKES: dict[str, tuple[Any, str]] = {
 @pytest.mark.parametrize("name", MISTAKES)
 def test_mistakes_give_one_sentence(name: str) -> None:
     attempt, sentence = MISTAKES[name]
-    with pytest.raises(InputError) as told:
+    with pytest.raises(InputError) as caught:
         attempt()
-    assert str(told.value) == sentence
+    assert str(caught.value) == sentence

@@ -85,16 +85,16 @@ def test_a_singularity_is_an_error_that_carries_the_trajectory() -> None:
 
 
 @pytest.mark.parametrize(
-    ("asked", "told"),
+    ("asked", "sentence"),
     [
         ({"tolerance": 1e-12}, "tolerance: method 'gauss' has none"),
         ({"dense": True}, "dense: method 'gauss' has none"),
         ({"time_limit": 1.0}, "time_limit: method 'gauss' has none"),
     ],
 )
-def test_what_the_method_has_not_is_refused(asked: dict[str, Any], told: str) -> None:
+def test_what_the_method_has_not_is_refused(asked: dict[str, Any], sentence: str) -> None:
     system = from_catalogue("veselova")
-    with pytest.raises(InputError, match=told):
+    with pytest.raises(InputError, match=sentence):
         integrate(system, [0.0] * 6, [0.0, 1.0], method="gauss", **asked)
 
 

@@ -55,7 +55,7 @@ def test_by_variables_and_by_components() -> None:
 
 
 @pytest.mark.parametrize(
-    ("given", "told"),
+    ("given", "sentence"),
     [
         ({"M": OMEGA}, "the start does not tell gamma_1, gamma_2, gamma_3"),
         ({"omega": OMEGA}, "omega is given, but gamma is not"),
@@ -69,8 +69,8 @@ def test_by_variables_and_by_components() -> None:
     ],
     ids=["missing", "no-gamma", "unknown", "shape", "state", "zero"],
 )
-def test_mistakes_are_told(given: dict[str, Any], told: str) -> None:
-    with pytest.raises(InputError, match=f"^chaplygin-ball: {told}"):
+def test_mistakes_are_told(given: dict[str, Any], sentence: str) -> None:
+    with pytest.raises(InputError, match=f"^chaplygin-ball: {sentence}"):
         flat_starts(BALL, given)
 
 

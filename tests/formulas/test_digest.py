@@ -135,7 +135,7 @@ def test_names_are_the_same_in_another_process() -> None:
         "print(digest((from_catalogue('unbalanced-ball'), {'b': 1, 'a': {'x', 'y', 'z'}})))"
     )
     here = digest((from_catalogue("unbalanced-ball"), {"a": {"z", "y", "x"}, "b": 1}))
-    told = subprocess.run(
+    sentence = subprocess.run(
         [sys.executable, "-c", script],
         capture_output=True,
         text=True,
@@ -143,7 +143,7 @@ def test_names_are_the_same_in_another_process() -> None:
         env={**os.environ, "PYTHONHASHSEED": "7"},
         cwd=Path(__file__).parents[2],
     )
-    assert told.stdout.strip() == here
+    assert sentence.stdout.strip() == here
 
 
 def test_parts_are_named() -> None:

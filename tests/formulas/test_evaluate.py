@@ -149,17 +149,17 @@ MISTAKES: dict[str, tuple[Any, str]] = {
 @pytest.mark.parametrize("name", MISTAKES)
 def test_mistakes_give_one_sentence(name: str) -> None:
     attempt, sentence = MISTAKES[name]
-    with pytest.raises(InputError) as told:
+    with pytest.raises(InputError) as caught:
         attempt()
-    assert str(told.value) == sentence
+    assert str(caught.value) == sentence
 
 
 def test_a_text_that_cannot_be_read_shows_the_place() -> None:
-    with pytest.raises(InputError) as told:
+    with pytest.raises(InputError) as caught:
         formula(TRIAL, "x + height2")
     assert (
-        str(told.value)
+        str(caught.value)
         .splitlines()[0]
         .startswith("trial: quantity: unknown name 'height2'; allowed: x, y, w, p, a,")
     )
-    assert str(told.value).splitlines()[2].strip("~") == "        ^"
+    assert str(caught.value).splitlines()[2].strip("~") == "        ^"

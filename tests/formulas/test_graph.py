@@ -159,9 +159,9 @@ def test_operands_come_first() -> None:
     ids=str,
 )
 def test_unknown_functions(formula: sp.Expr, sentence: str) -> None:
-    with pytest.raises(InputError) as told:
+    with pytest.raises(InputError) as caught:
         read(formula)
-    assert str(told.value) == sentence
+    assert str(caught.value) == sentence
 
 
 #: Every fourth system at all times, the others among the slow tests.

@@ -41,8 +41,8 @@ def test_every_letter_of_the_equations_has_words(name: str) -> None:
     """But for parameters, which have a table of their own, and rates with a dot."""
     system = built.system(name)
     words = legend(built.study(name))
-    told = {part.split()[0] for part in words.removeprefix("In body axes: ").split(", ")}
+    sentence = {part.split()[0] for part in words.removeprefix("In body axes: ").split(", ")}
     for letter in ("ω", "γ", "J", "A", "X", "p", "q", "λ₀"):
         shown = str(system).partition("Parameters")[0]
         if f"    {letter} = " in shown:
-            assert letter in told, (name, letter)
+            assert letter in sentence, (name, letter)

@@ -114,12 +114,12 @@ def _claim(judgement: Judgement, wide: bool) -> RenderableType:
         shown,
         f"{judgement.seconds:.2f} s",
     )
-    told = Table.grid(padding=(0, 2, 0, 0))
-    told.add_column(no_wrap=True, style="dim", min_width=11)
-    told.add_column()
+    text = Table.grid(padding=(0, 2, 0, 0))
+    text.add_column(no_wrap=True, style="dim", min_width=11)
+    text.add_column()
     for label, words in _told(judgement):
-        told.add_row(f"  {label}", escape(words))
-    return Group(head, told) if told.rows else head
+        text.add_row(f"  {label}", escape(words))
+    return Group(head, text) if text.rows else head
 
 
 def _told(judgement: Judgement) -> Iterator[tuple[str, str]]:

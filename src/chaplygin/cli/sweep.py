@@ -103,8 +103,8 @@ def command(
     if json:
         print_json(result)
         return
-    told = ", ".join(f"{len(numbers)} of {name}" for name, numbers in values)
-    typer.echo(f"{study.system.title}: {result['motions']:,} motions, {told}")
+    words = ", ".join(f"{len(numbers)} of {name}" for name, numbers in values)
+    typer.echo(f"{study.system.title}: {result['motions']:,} motions, {words}")
     for reason, count in result["outcomes"].items():
         typer.echo(f"{count:,} of {result['motions']:,} motions: {reason}")
     inform(f"written to {output}, figure: {picture}")

@@ -162,8 +162,8 @@ def unknown_names(formula: sp.Expr, known: Iterable[sp.Symbol]) -> str:
 
 def _assumed(symbol: sp.Symbol) -> str:
     """What was assumed of a symbol when it was made."""
-    told = [f"{key}={value}" for key, value in sorted(symbol._assumptions_orig.items())]
-    return ", ".join(told) or "no assumptions"
+    text = [f"{key}={value}" for key, value in sorted(symbol._assumptions_orig.items())]
+    return ", ".join(text) or "no assumptions"
 
 
 @arguments_checked

@@ -103,12 +103,15 @@ def _used(variables: Mapping[str, Any], dim: str) -> bool:
 
 
 def _add_state(
-    variables: dict[str, Any], trajectory: Trajectory, name: str, told: tuple[str, str] | None
+    variables: dict[str, Any],
+    trajectory: Trajectory,
+    name: str,
+    description: tuple[str, str] | None,
 ) -> None:
     """A variable of the state; what its system does not tell of it follows from its name."""
     values = trajectory[name]
     size = values.shape[1] if values.ndim > 1 else 1
-    meaning, units, source, frame = variable_metadata(trajectory.system, name, size, told)
+    meaning, units, source, frame = variable_metadata(trajectory.system, name, size, description)
     _add(variables, name, values, frame, meaning, units, source)
 
 

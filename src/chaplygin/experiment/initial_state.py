@@ -96,8 +96,8 @@ def normalised(values: Values, names: Collection[str]) -> dict[str, tuple[float,
     """The vectors of these names that had not the length one: their length and their direction."""
     found = {}
     for name in names & values.keys():
-        told = values[name]
-        given = list(map(float, told)) if isinstance(told, Sequence) else []
+        words = values[name]
+        given = list(map(float, words)) if isinstance(words, Sequence) else []
         length = math.hypot(*given)
         if length and abs(length - 1) > ROUNDING:
             found[name] = length, [x / length for x in given]
@@ -116,15 +116,15 @@ def _sorted(lifted: System, values: Values) -> tuple[Values, dict[sp.Symbol, flo
     """Values of the state by its names, and of definitions by their symbols."""
     state = set(map(str, lifted.state))
     defined = {str(s): s for s, _ in lifted.steps}
-    told: dict[str, float | Sequence[float]] = {}
+    words: dict[str, float | Sequence[float]] = {}
     claims: dict[sp.Symbol, float] = {}
     for name, given in values.items():
         for part, value in _parts(name, given, state, {*map(str, lifted.symbols), *defined}):
             if part in defined and not isinstance(value, Sequence):
                 claims[defined[part]] = value
             else:
-                told[part] = value
-    return told, claims
+                words[part] = value
+    return words, claims
 
 
 def _parts(

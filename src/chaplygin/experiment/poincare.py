@@ -127,7 +127,7 @@ def section_of(
     names, quantities, columns = coordinates_of(
         system, coordinates, study.variables, place.quantity
     )
-    given, told = _starts(study, system, starts)
+    given, sentence = _starts(study, system, starts)
     returns = PoincareMap(system, where, {}, tolerance, until=until)
     task = section_task(
         returns,
@@ -138,7 +138,7 @@ def section_of(
         {
             "section": str(place),
             "coordinates": list(names),
-            "starts": told,
+            "starts": sentence,
             "experiment": study.complete_toml(),
         },
         study.variables,
@@ -156,8 +156,8 @@ def _starts(study: Study, system: System, starts: Starts) -> tuple[Any, str]:
     level = dict(starts.level or _level(system, own))
     chosen = level_sampler(system, level)
     held = ", ".join(f"{name} = {value:.6g}" for name, value in level.items())
-    told = f"{starts.count} drawn on {held} by the {chosen.measure} (seed {starts.seed})"
-    return chosen.draw(starts.count, seed=starts.seed), told
+    sentence = f"{starts.count} drawn on {held} by the {chosen.measure} (seed {starts.seed})"
+    return chosen.draw(starts.count, seed=starts.seed), sentence
 
 
 def _level(system: System, start: Any) -> dict[str, float]:

@@ -76,18 +76,18 @@ def load_python(path: Path, overrides: Iterable[str] = ()) -> Study:
             tables["plan"] = plan_table_of(plan)
     short = {name: ("parameters", name) for name in tables["parameters"]}
     source = Source(str(path), "", options, short=short)
-    told = source.tables()
-    for name in told:
+    text = source.tables()
+    for name in text:
         if name not in _CHANGEABLE:
             allowed = nearest(name, (*_CHANGEABLE, *short))
             raise InputError(f"a Python file decides this itself{allowed}", source.where((name,)))
     for name in ("start", "run"):
         with _Placed(path):
             given = _plain(found.get(name, {}), name)
-        tables[name] = given | told.get(name, {})
+        tables[name] = given | text.get(name, {})
     tables["start"] = lift_of(system, tables["start"]) | tables["start"]
-    _change_parameters(tables, told.get("parameters", {}), source)
-    tables |= {key: value for key, value in told.items() if key == "title"}
+    _change_parameters(tables, text.get("parameters", {}), source)
+    tables |= {key: value for key, value in text.items() if key == "title"}
     experiment = _validated(tables, source)
     parameters = tuple(_changed(experiment, parameter) for parameter in system.parameters)
     system = replace(system, title=experiment.title or system.title, parameters=parameters)
@@ -183,10 +183,10 @@ def _number(value: Any, name: str, depth: int = 0) -> Any:
     return [_number(part, name, depth + 1) for part in parts]
 
 
-def _change_parameters(tables: dict[str, Any], told: Any, source: Source) -> None:
-    if not isinstance(told, Mapping):
-        raise InputError(f"must be a table, not {value_text(told)}", source.where(("parameters",)))
-    for name, value in told.items():
+def _change_parameters(tables: dict[str, Any], text: Any, source: Source) -> None:
+    if not isinstance(text, Mapping):
+        raise InputError(f"must be a table, not {value_text(text)}", source.where(("parameters",)))
+    for name, value in text.items():
         if name not in tables["parameters"]:
             allowed = nearest(name, tables["parameters"])
             raise InputError(f"unknown parameter{allowed}", source.where(("parameters", name)))

@@ -71,10 +71,10 @@ def plane_of(
 ) -> ScanGrid:
     """A plane through the start of an experiment; its axes know their meaning and unit."""
     system = without_reconstruction(study)
-    told = {**VECTORS, **study.variables}
+    text = {**VECTORS, **study.variables}
 
     def described(item: Axis) -> Axis:
-        words, unit = meaning(system, item.name, told)
+        words, unit = meaning(system, item.name, text)
         return replace(item, meaning=words, unit=unit)
 
     start = _start(study, system)

@@ -79,8 +79,8 @@ def _entries(rate: object) -> list[sp.Expr]:
     return list(found) if isinstance(found, sp.MatrixBase) else [found]
 
 
-def within_a_turn(symbol: sp.Symbol, told: tuple[str, str] | None = None) -> Quantity:
+def within_a_turn(symbol: sp.Symbol, description: tuple[str, str] | None = None) -> Quantity:
     """An angle of the state between −π and π."""
-    meaning = told[0] if told and told[0] else str(symbol)
+    meaning = description[0] if description and description[0] else str(symbol)
     value = sp.atan2(sp.sin(symbol), sp.cos(symbol))
     return Quantity(f"{symbol}_in_turn", value, f"{meaning}, within a turn", "rad", str(symbol))

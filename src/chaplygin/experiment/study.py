@@ -119,11 +119,11 @@ class Study:
         """What was done to the input, one sentence each."""
         unit = unit_vectors(self.system) if self.by_state else {"gamma"}
         start = self.experiment.start
-        told = start if isinstance(start, dict) else start.model_dump(exclude_none=True)
+        words = start if isinstance(start, dict) else start.model_dump(exclude_none=True)
         lengths = tuple(
             f"start.{name} has length {length:.9g}; it was normalised to "
             f"[{', '.join(f'{x:.17g}' for x in direction)}]"
-            for name, (length, direction) in normalised(told, unit).items()
+            for name, (length, direction) in normalised(words, unit).items()
         )
         if self.own and self.rolling is not None and centre_outside(self.rolling.body.shape):
             return (*lengths, "body.shape.centre puts the centre of mass outside the body")
@@ -303,8 +303,8 @@ def _from_catalogue(experiment: SystemExperiment | StateExperiment) -> Study:
     if experiment.title:
         system = replace(system, title=experiment.title)
     start, suggested = experiment.start, item.start
-    told = start if isinstance(start, dict) else {"omega": start.omega, "gamma": start.gamma}
-    given = suggested.values | {name: value for name, value in told.items() if value is not None}
+    words = start if isinstance(start, dict) else {"omega": start.omega, "gamma": start.gamma}
+    given = suggested.values | {name: value for name, value in words.items() if value is not None}
     until = experiment.run.until or suggested.until
     return Study(
         experiment,
@@ -342,7 +342,7 @@ def described_study(
 ) -> Study:
     """The study of a system of the user's own."""
     given = ({str(TIME): 0.0} if TIME in system.symbols else {}) | experiment.start
-    variables = {name: (told.meaning, told.unit) for name, told in experiment.variables.items()}
+    variables = {name: (words.meaning, words.unit) for name, words in experiment.variables.items()}
     until = experiment.run.until
     plan = described_plan(experiment, system, mechanism)
     return Study(experiment, system, None, given, until, variables, mechanism, plan=plan)

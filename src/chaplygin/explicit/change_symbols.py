@@ -40,32 +40,32 @@ def in_symbols_of(
     }
     names = dict(zip(separable.system.symbols, system.symbols, strict=True))
 
-    def told(formula: Any) -> Any:
+    def text(formula: Any) -> Any:
         value = to_components(sp.sympify(formula))
         made = value.xreplace(known)
         return constant(list(made)) if isinstance(value, sp.MatrixBase) else made
 
     def each(formulas: Any) -> Any:
-        return tuple(told(formula) for formula in formulas)
+        return tuple(text(formula) for formula in formulas)
 
     return replace(
         separable,
         system=system,
         level=each(separable.level),
         constants=tuple(
-            (known.get(symbol, symbol), told(formula)) for symbol, formula in separable.constants
+            (known.get(symbol, symbol), text(formula)) for symbol, formula in separable.constants
         ),
-        direction=told(separable.direction),
-        turning=told(separable.turning),
+        direction=text(separable.direction),
+        turning=text(separable.turning),
         poles=each(separable.poles),
         weights=each(separable.weights),
-        leading=told(separable.leading),
+        leading=text(separable.leading),
         roots=each(separable.roots),
         speeds=each(separable.speeds),
         along=None if separable.along is None else each(separable.along),
-        clock=told(separable.clock),
+        clock=text(separable.clock),
         state=tuple(
-            (names[symbol], told(part))
+            (names[symbol], text(part))
             for name, formula in separable.state
             for symbol, part in _parts(name, formula)
         ),

@@ -145,21 +145,21 @@ def pull_back(
     names = _fresh((*given, *(s for s, _ in separable.constants)), system)
     image = dict(flat_pairs(law.map))
 
-    def told(formula: Any) -> Any:
+    def text(formula: Any) -> Any:
         return _put(written_out(target, formula), names | image)
 
     state = {s: _put(f, names) for s, f in flat_pairs(separable.state)}
     back = {s: _put(f, state) for s, f in inverse(system, law).items()}
     rate = _put(written_out(system, to_components(law.time)), back)
     return replace(
-        _renamed(separable, told, names),
+        _renamed(separable, text, names),
         name=system.name,
         title=system.title,
         system=system,
         level=law.on,
         constants=(
             *((names[p], to_components(formula)) for p, formula in law.constants),
-            *((names[s], told(to_components(formula))) for s, formula in separable.constants),
+            *((names[s], text(to_components(formula))) for s, formula in separable.constants),
         ),
         clock=_put(to_components(separable.clock), names) / rate,
         state=tuple(back.items()),
@@ -213,20 +213,20 @@ def push_forward(system: System, law: Isomorphism, separable: SeparatedSystem) -
     )
     back = {s: _put(f, names) for s, f in inverse(system, law).items()}
 
-    def told(formula: Any) -> Any:
+    def text(formula: Any) -> Any:
         return _put(written_out(system, formula), names | back)
 
     state = {s: _put(written_out(system, f), names) for s, f in flat_pairs(separable.state)}
     rate = _put(_put(written_out(system, to_components(law.time)), names), state)
     image = {s: written_out(system, f) for s, f in flat_pairs(law.map)}
     return replace(
-        _renamed(separable, told, names),
+        _renamed(separable, text, names),
         name=target.name,
         title=target.title,
         system=target,
-        level=tuple(told(to_components(condition)) for condition in law.on),
+        level=tuple(text(to_components(condition)) for condition in law.on),
         constants=tuple(
-            (names[s], told(to_components(formula))) for s, formula in separable.constants
+            (names[s], text(to_components(formula))) for s, formula in separable.constants
         ),
         clock=_put(written_out(system, to_components(separable.clock)), names) * rate,
         state=tuple((s, _put(_put(f, names), state)) for s, f in image.items()),
@@ -236,7 +236,7 @@ def push_forward(system: System, law: Isomorphism, separable: SeparatedSystem) -
     )
 
 
-def _renamed(separable: SeparatedSystem, told: Any, names: Formulas) -> SeparatedSystem:
+def _renamed(separable: SeparatedSystem, text: Any, names: Formulas) -> SeparatedSystem:
     """The curve in other names, ν and ν′ told in another state."""
 
     def each(formulas: Iterable[Any]) -> Any:
@@ -244,8 +244,8 @@ def _renamed(separable: SeparatedSystem, told: Any, names: Formulas) -> Separate
 
     return replace(
         separable,
-        direction=told(to_components(separable.direction)),
-        turning=told(to_components(separable.turning)),
+        direction=text(to_components(separable.direction)),
+        turning=text(to_components(separable.turning)),
         poles=each(separable.poles),
         weights=each(separable.weights),
         leading=_put(sp.sympify(separable.leading), names),

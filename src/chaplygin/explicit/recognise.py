@@ -201,14 +201,14 @@ def _like(problem: Problem, known: SeparatedSystem, formulas: Formulas, part: fm
         *(pair for pair in relations if sp.expand(pair[1]) not in kept),
     ]
     missed, moving = [], []
-    for told, formula in conditions:
+    for text, formula in conditions:
         if formula.free_symbols & state:
             moving.append(formula)
             holds = problem.vanish([formula], part)
         else:
             holds = sp.sympify(formula).xreplace(numbers) == 0
         if not holds:
-            missed.append(Condition(told, formula))
+            missed.append(Condition(text, formula))
     return Match(known, replace(own, level=tuple(moving)), tuple(missed))
 
 
@@ -221,9 +221,9 @@ def _matches(problem: Problem, target: System) -> Iterator[Formulas]:
         yield {s: given[s] for s in wanted}
     for law in problem.system.laws:
         if isinstance(law, Isomorphism) and law.time == 1:
-            told = _written_out(problem.system, law)
-            if all(s in told for s in wanted):
-                yield {s: told[s] for s in wanted}
+            text = _written_out(problem.system, law)
+            if all(s in text for s in wanted):
+                yield {s: text[s] for s in wanted}
     if problem.rolling is None and len(wanted) <= len(own) <= FEW:
         for chosen in permutations(problem.parameters, len(wanted)):
             yield dict(zip(wanted, chosen, strict=True))

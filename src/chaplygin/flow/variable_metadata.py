@@ -41,9 +41,9 @@ UNKNOWN = "unknown"
 
 
 def variable_metadata(
-    system: System, name: str, size: int, told: tuple[str, str] | None = None
+    system: System, name: str, size: int, description: tuple[str, str] | None = None
 ) -> tuple[str, str, str, str]:
-    """What is known of a variable of the state; it follows from its name unless it is told.
+    """What is known of a variable of the state; it follows from its name unless it is given.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ def variable_metadata(
     name : str
     size : int
         Number of components; 1 for a scalar.
-    told : (str, str), optional
+    description : (str, str), optional
         Meaning and unit.
 
     Returns
@@ -64,7 +64,9 @@ def variable_metadata(
         return "attitude quaternion, body to space", "", "", "quaternion"
     touching = any(item.name == "contact" for item in system.observables)
     known = (_TOUCHING if touching else _BODY) if size == 3 else {}
-    meaning, units, source = (*told, "") if told else known.get(name, (name, UNKNOWN, ""))
+    meaning, units, source = (
+        (*description, "") if description else known.get(name, (name, UNKNOWN, ""))
+    )
     if name in known:
         return meaning, units, source, "body"
     return meaning, units, source, "" if size == 1 else f"{name}_component"

@@ -148,8 +148,8 @@ def _law_lines(law: Law, system: System) -> list[str]:
     for left, right in equation_sides(law, system, UNICODE):
         head = f"{_INDENT}{left} = " if left else _INDENT * 2
         lines += _broken(head, right if isinstance(right, str) else text(right))
-    told = caption(law, system, text)
-    return [*lines, *(textwrap.indent(line, _INDENT) for line in textwrap.wrap(told, WIDTH - 4))]
+    wrapped = textwrap.wrap(caption(law, system, text), WIDTH - 4)
+    return [*lines, *(textwrap.indent(line, _INDENT) for line in wrapped)]
 
 
 def _table(rows: Sequence[tuple[str, ...]]) -> list[str]:
@@ -307,9 +307,9 @@ def motion_html(system: System) -> str:
 def law_html(law: Law, system: System) -> str:
     """A law of any kind as HTML: what it is, its equations in MathML, its caption."""
     parts = [f"<h4>{html.escape(heading(law))}</h4>", _display(_law_rows_latex(law, system))]
-    told = _caption_html(law, system)
-    if told:
-        parts.append(f'<p class="caption">{told}</p>')
+    sentence = _caption_html(law, system)
+    if sentence:
+        parts.append(f'<p class="caption">{sentence}</p>')
     return "\n".join(parts)
 
 
@@ -347,8 +347,8 @@ def _caption_html(law: Law, system: System) -> str:
         kept.append(mathml(latex(formula)))
         return f"\0{len(kept) - 1}\0"
 
-    told = html.escape(caption(law, system, mark))
-    return re.sub(r"\0(\d+)\0", lambda match: kept[int(match[1])], told)
+    sentence = html.escape(caption(law, system, mark))
+    return re.sub(r"\0(\d+)\0", lambda match: kept[int(match[1])], sentence)
 
 
 def _defining_rows(pairs: Pairs) -> list[str]:

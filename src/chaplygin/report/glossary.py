@@ -67,11 +67,11 @@ def glossary(system: System, touching: bool, besides: Mapping[str, str] | None =
     """
     known = (_TOUCHING if touching else _BODY) | dict(besides or {})
     observed = {item.value: item.meaning for item in system.observables if _named(item.value)}
-    told: dict[str, str] = {}
+    sentence: dict[str, str] = {}
     for letter in _letters(system):
         if words := _meaning(letter, system, known, observed):
-            told[str(letter)] = f"{text(letter)} {words}"
-    return f"In body axes: {', '.join(told.values())}; E is the unit tensor."
+            sentence[str(letter)] = f"{text(letter)} {words}"
+    return f"In body axes: {', '.join(sentence.values())}; E is the unit tensor."
 
 
 def _letters(system: System) -> tuple[Any, ...]:

@@ -148,7 +148,7 @@ def render(
         equations=Markup(system_html(replace(study.system, laws=()))),
         legend=legend(study),
         reconstruction=Markup(motion_html(study.system) if is_described(study) else ""),
-        told=derivation_notes(study),
+        notes=derivation_notes(study),
         laws=[
             {
                 "name": law.name,

@@ -290,13 +290,13 @@ class _Search:
         others = [row for row in products if (row != value).any()]
         for law in self.stage.system.integrals:
             try:
-                told = self.sample(law.value)
+                text = self.sample(law.value)
             except InputError:
                 # its functions are beyond the search, and so it is nothing found here
                 continue
-            if self.sample.along(told).any():
+            if self.sample.along(text).any():
                 continue
-            found = combination(np.array([*others, value]).T, told.value)
+            found = combination(np.array([*others, value]).T, text.value)
             if found is not None and found[-1]:
                 return f"{law.name}, {law.source}" if law.source else law.name
         return ""

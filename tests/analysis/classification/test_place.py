@@ -94,15 +94,15 @@ def test_without_a_measure_attractors_are_not_excluded() -> None:
 
 @pytest.mark.slow
 def test_surfaces_without_a_measure_have_limit_cycles_but_no_chaos() -> None:
-    told = motions(of("unbalanced-rubber-ball"))
-    assert "no chaos" in told
-    assert "limit cycles are not excluded" in told
+    sentence = motions(of("unbalanced-rubber-ball"))
+    assert "no chaos" in sentence
+    assert "limit cycles are not excluded" in sentence
 
 
 def test_with_a_measure_chaos_preserves_volume() -> None:
-    told = motions(of("ball-on-sphere"))
-    assert "volume-preserving" in told
-    assert "No attracting sets" in told
+    sentence = motions(of("ball-on-sphere"))
+    assert "volume-preserving" in sentence
+    assert "No attracting sets" in sentence
 
 
 def test_a_density_with_zeros_excludes_no_asymptotic_motion() -> None:
@@ -335,8 +335,8 @@ def test_a_measure_left_open_is_named_where_it_would_decide() -> None:
         (Verdict("volume", "undecided", reason="too large"), "volume is undecided"),
         (Verdict("volume", "proven where", conditions=("x > 0",)), "volume is proven where x > 0"),
     ):
-        told = classified_with(oscillator, verdict)
-        assert f"No invariant measure is proven ({words})" in told
+        sentence = classified_with(oscillator, verdict)
+        assert f"No invariant measure is proven ({words})" in sentence
     refuted = classified_with(oscillator, Verdict("volume", "refuted"))
     assert "No invariant measure is proven:" in refuted
 
@@ -359,11 +359,13 @@ def with_what_moves(name: str) -> Classification:
 def test_a_question_that_was_not_tried_is_told() -> None:
     item = entry("rattleback")
     system = item.system()
-    told = str(classify(replace(system, laws=()), {}, ProofBudget(1, 0), item.rolling()))
+    sentence = str(classify(replace(system, laws=()), {}, ProofBudget(1, 0), item.rolling()))
     words = "whether one has a density that depends on the configuration alone was not tried"
-    assert words in " ".join(told.split())
-    told = str(classify(replace(system, laws=()), {}, ProofBudget(EFFORT // 10), item.rolling()))
-    assert "was not tried" not in told
+    assert words in " ".join(sentence.split())
+    sentence = str(
+        classify(replace(system, laws=()), {}, ProofBudget(EFFORT // 10), item.rolling())
+    )
+    assert "was not tried" not in sentence
 
 
 def test_the_absence_of_a_measure_is_told_with_its_witness() -> None:

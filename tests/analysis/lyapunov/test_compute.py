@@ -217,11 +217,11 @@ def test_a_short_motion_is_said_not_to_have_settled() -> None:
 
 
 def test_what_a_spectrum_tells(butterfly: Spectrum) -> None:
-    told = " ".join(remarks(butterfly))
-    assert "chaotic (observed)" in told
-    assert "no invariant measure with a smooth positive density" in told
-    assert "observed, not proven" in told
-    assert "Kaplan–Yorke dimension 2.06" in told
+    sentence = " ".join(remarks(butterfly))
+    assert "chaotic (observed)" in sentence
+    assert "no invariant measure with a smooth positive density" in sentence
+    assert "observed, not proven" in sentence
+    assert "Kaplan–Yorke dimension 2.06" in sentence
 
 
 def test_plain_values(butterfly: Spectrum) -> None:

@@ -155,9 +155,9 @@ def test_mistakes(x: str, y: str, more: dict[str, object], message: str) -> None
 def test_a_mistake_names_what_is_of_use_in_the_order_of_declaration() -> None:
     with pytest.raises(InputError) as caught:
         scan_grid(BALL, axis("k_9=0:1:2"), axis("energy=0:1:2"), START)
-    told = str(caught.value)
+    caught = str(caught.value)
     names = [*map(str, (*BALL.defaults, *BALL.symbols)), *quantities_by_name(BALL)]
-    assert told.endswith(f"allowed: {', '.join(names)}")
+    assert caught.endswith(f"allowed: {', '.join(names)}")
 
 
 def test_starts_that_are_incomplete() -> None:

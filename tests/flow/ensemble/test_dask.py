@@ -150,9 +150,9 @@ def test_no_scheduler(address: str, monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("client", [0, -1, 2.5, False, np.int64(0), ["local"]], ids=repr)
 def test_no_cluster(client: Any) -> None:
-    with pytest.raises(InputError) as told:
+    with pytest.raises(InputError) as caught:
         compute(task(), client=client)
-    assert str(told.value) == (
+    assert str(caught.value) == (
         f"there is no cluster {client!r}: a Dask client, an address such as 'tcp://host:8786', "
         "'local' or a number of processes from 1 on is needed"
     )

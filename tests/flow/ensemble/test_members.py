@@ -66,7 +66,7 @@ def test_they_say_what_they_are() -> None:
 
 
 @pytest.mark.parametrize(
-    ("made", "told"),
+    ("made", "sentence"),
     [
         (from_lists, "at least one is needed"),
         (grid, "at least one is needed"),
@@ -94,8 +94,8 @@ def test_they_say_what_they_are() -> None:
         "drawn-twice",
     ],
 )
-def test_mistakes_are_told(made: Any, told: str) -> None:
-    with pytest.raises(InputError, match=told):
+def test_mistakes_are_told(made: Any, sentence: str) -> None:
+    with pytest.raises(InputError, match=sentence):
         made()
 
 

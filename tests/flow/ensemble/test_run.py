@@ -162,7 +162,7 @@ def test_workers_find_something_to_do(size: int, blocks: int) -> None:
 
 
 @pytest.mark.parametrize(
-    ("members", "options", "told"),
+    ("members", "options", "sentence"),
     [
         (single(M=(1, 2, 3)), {}, "the start does not tell gamma_1, gamma_2, gamma_3"),
         (single(M=(1, 2, 3), gamma=(0, 0, 1), mass=1), {}, "there is no mass"),
@@ -198,8 +198,8 @@ def test_workers_find_something_to_do(size: int, blocks: int) -> None:
         "row",
     ],
 )
-def test_mistakes_are_told(members: Any, options: dict[str, Any], told: str) -> None:
-    with pytest.raises(InputError, match=told):
+def test_mistakes_are_told(members: Any, options: dict[str, Any], sentence: str) -> None:
+    with pytest.raises(InputError, match=sentence):
         ensemble(BALL, members, TIMES, **options)
 
 

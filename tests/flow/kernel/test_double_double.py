@@ -78,6 +78,6 @@ def test_parameters_keep_their_digits() -> None:
 
 @pytest.mark.parametrize("values", [["a", "b"], [[1, 2], [3]], [1j]])
 def test_what_is_no_number(values: list[object]) -> None:
-    with pytest.raises(InputError) as told:
+    with pytest.raises(InputError) as caught:
         paired("starts", values)
-    assert str(told.value) == "starts: all must be real numbers, in rows of one length"
+    assert str(caught.value) == "starts: all must be real numbers, in rows of one length"

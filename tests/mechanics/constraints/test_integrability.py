@@ -358,12 +358,12 @@ def test_the_frame_does_not_matter():
     turned = Frame(
         {x: u * sp.cos(z) - v * sp.sin(z), y: u * sp.sin(z) + v * sp.cos(z), z: w}, (u, v, w)
     )
-    told = Frame(
+    sentence = Frame(
         turned.rates,
         (u, v, w),
         structure={(w, u): {v: sp.S.One}, (w, v): {u: -sp.S.One}},
     )
-    for frame in (turned, told):
+    for frame in (turned, sentence):
         found = nonholonomy(Mechanism("skate", frame, sp.S.Zero, (v,)))
         assert (found.growth, found.verdict) == ((2, 3), "completely nonholonomic")
 

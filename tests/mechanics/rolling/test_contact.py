@@ -121,8 +121,8 @@ def test_large_sphere_is_a_plane(shape, contact_model, omega, gamma):
         for radius in (1e9, -1e9)
     }
     for name in ("omegadot", "N", "touch rdot", "touch gammadot"):
-        for told in curved.values():
-            assert np.abs(told[name] - flat[name]).max() < 1e-6 * (1 + np.abs(flat[name]).max())
+        for sentence in curved.values():
+            assert np.abs(sentence[name] - flat[name]).max() < 1e-6 * (1 + np.abs(flat[name]).max())
 
 
 # ---------------------------------------------------------------------------------------------

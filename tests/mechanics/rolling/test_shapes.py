@@ -61,9 +61,14 @@ def compiled(shape):
         across = np.cross(gamma, np.eye(3)[int(np.argmin(np.abs(gamma.real)))])
         across = across / np.sqrt(across @ across)
         along = np.cross(gamma, across)
-        told = np.array(function(*numbers, *gamma, *across, *along))
+        sentence = np.array(function(*numbers, *gamma, *across, *along))
         frame = np.stack([across, along])
-        return told[:3], *told[3:6], frame @ np.stack([told[6:9], told[9:12]], axis=1), frame
+        return (
+            sentence[:3],
+            *sentence[3:6],
+            frame @ np.stack([sentence[6:9], sentence[9:12]], axis=1),
+            frame,
+        )
 
     return at
 

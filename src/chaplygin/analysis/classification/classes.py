@@ -198,13 +198,13 @@ def _lacking(found: Found) -> str:
         missing.append(f"{_number(found.remaining - 2, 'further integral')}")
     if found.volume is None:
         missing.append("an invariant measure")
-    told = (
+    text = (
         "none known: the laws proven here fulfil no theorem of integrability; that of Euler and "
         f"Jacobi lacks {' and '.join(missing)}"
     )
     if found.reductions:
-        told += "; proven reductions may lead further"
-    return told
+        text += "; proven reductions may lead further"
+    return text
 
 
 def _number(count: int, what: str) -> str:
@@ -230,16 +230,16 @@ def _motions(found: Found) -> list[Statement]:
         form = found.form
         time = "new time" if form.conformal else "time"
         half = form.rank // 2
-        told = [
+        text = [
             f"On compact common levels without equilibria: straight, uniform windings of "
             f"{half}-dimensional tori in the {time}, quasi-periodic or periodic. No chaos."
         ]
         if form.conformal and found.euler_jacobi:
-            told.append(
+            text.append(
                 "In the time itself the windings are not uniform: on a resonant torus the periods "
                 "may differ from one trajectory to the next."
             )
-        return [Statement(" ".join(told), found.complete)]
+        return [Statement(" ".join(text), found.complete)]
     if found.euler_jacobi and found.volume is not None:
         return [
             Statement(

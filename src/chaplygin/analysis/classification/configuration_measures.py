@@ -107,8 +107,8 @@ def _witness(found: Existence) -> str:
     point: dict[str, Any] = found.obstruction["point"]
     shown = {text(real_symbol(name)): _short(value) for name, value in point.items()}
     # of a rolling body the vertical says where; parameters and the rest are left to the report
-    told = [name for name in shown if "γ" in name] or list(shown)
-    place = ", ".join(f"{name} = {shown[name]}" for name in told)
+    words = [name for name in shown if "γ" in name] or list(shown)
+    place = ", ".join(f"{name} = {shown[name]}" for name in words)
     what = str(found.obstruction["what"])
     return f"{what}, as at {place}" if place else what
 

@@ -74,9 +74,9 @@ def sources(laws: Iterable[Law]) -> list[AnnihilatingCovectors]:
 
 def pulled_back(law: Isomorphism, source: AnnihilatingCovectors) -> AnnihilatingCovectors:
     """What is constant for the target of an isomorphism, as something constant here."""
-    told = source.fact
-    system = told.system or law.target.title
-    fact = Fact(law.name, told.words, told.source, system, told.functions)
+    text = source.fact
+    system = text.system or law.target.title
+    fact = Fact(law.name, text.words, text.source, system, text.functions)
     return AnnihilatingCovectors(fact, lambda view: source.rows(view.through(law)))
 
 

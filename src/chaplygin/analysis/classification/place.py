@@ -158,18 +158,18 @@ _NO_FORM = Statement("no Hamiltonian form proven")
 
 
 def _space(place: Classification) -> str:
-    told = f"{place.dimension}-dimensional: {place.variables} variables"
+    sentence = f"{place.dimension}-dimensional: {place.variables} variables"
     if place.conditions:
         what = "condition" if place.conditions == 1 else "conditions"
-        told += f", {place.conditions} independent {what}"
-    return told
+        sentence += f", {place.conditions} independent {what}"
+    return sentence
 
 
 def _integrals(place: Classification) -> list[Statement]:
     if not place.count:
         return [Statement("none proven")]
-    told = f"{place.count} independent, common levels of dimension {place.remaining}"
-    found = [Statement(told, place.integrals)]
+    sentence = f"{place.count} independent, common levels of dimension {place.remaining}"
+    found = [Statement(sentence, place.integrals)]
     if place.dependent:
         found.append(Statement("not independent of these at the points tested", place.dependent))
     return found
@@ -181,8 +181,8 @@ def _measures(place: Classification) -> list[Statement]:
     if place.brackets:
         return [Statement("that of the Hamiltonian form, on its symplectic leaves (§3.3)")]
     if place.absence:
-        told = "none whose density depends on the configuration alone exists"
-        return [Statement(f"{told}: {place.absence}")]
+        sentence = "none whose density depends on the configuration alone exists"
+        return [Statement(f"{sentence}: {place.absence}")]
     return [Statement("none proven")]
 
 
@@ -193,20 +193,20 @@ def _measure(density: Density) -> str:
 
 def _bracket(bracket: Bracket) -> Statement:
     form = "conformally Hamiltonian" if bracket.conformal else "Hamiltonian"
-    told = f"{form}, rank {bracket.rank}"
+    sentence = f"{form}, rank {bracket.rank}"
     if bracket.casimirs:
-        told += f", Casimir functions {', '.join(bracket.casimirs)}"
-    return Statement(
-        f"{told}; {_MULTIPLIERS[bracket.sign]}" if bracket.conformal else told, (bracket.law,)
-    )
+        sentence += f", Casimir functions {', '.join(bracket.casimirs)}"
+    if bracket.conformal:
+        sentence += f"; {_MULTIPLIERS[bracket.sign]}"
+    return Statement(sentence, (bracket.law,))
 
 
 def _symmetry(place: Classification) -> Statement:
     count = len(place.symmetries)
     if not count:
         return Statement("no field proven")
-    told = "one field" if count == 1 else f"{count} independent fields"
-    return Statement(f"{told} besides the flow itself", place.symmetries)
+    sentence = "one field" if count == 1 else f"{count} independent fields"
+    return Statement(f"{sentence} besides the flow itself", place.symmetries)
 
 
 def to_text(place: Classification) -> str:

@@ -97,17 +97,17 @@ def lyapunov_spectrum(
         raise InputError(f"intervals = {intervals}: there must be from {LEAST} to {MOST}")
     start = [float(x) for x in reduced_start(system, start, parameters)]
     _check(system, start, parameters)
-    told = progress or (lambda done: None)
+    text = progress or (lambda done: None)
     batch_integrator(system, tolerance=tolerance).require_reach(start, until, parameters)
     sizes = state_scales(system, [start], until, parameters, tolerance)[0]
     found = trivial_directions(system, start, parameters, sizes=sizes)
     kept: tuple[str, ...] = ()
     try:
-        run = _followed(found, start, (until, intervals), parameters, tolerance, told)
+        run = _followed(found, start, (until, intervals), parameters, tolerance, text)
         kept = _not_forced(found, run)
         if kept:
             found = trivial_directions(system, start, parameters, kept, sizes)
-            run = _followed(found, start, (until, intervals), parameters, tolerance, told)
+            run = _followed(found, start, (until, intervals), parameters, tolerance, text)
     except _StoppedError as stop:
         run = stop.run
         length = run.interval * len(run.lengths)

@@ -295,9 +295,9 @@ def _given(system: System, start: Mapping[str, Any]) -> tuple[System, tuple[floa
 def _by_velocity(system: System, start: Mapping[str, Any]) -> System:
     """The same phase space described by ω and γ, of which the state consists or follows."""
     follow = [(name, value) for name, value in system.start if name in system.state]
-    told = {str(name): name for name, _ in system.definitions}
-    told |= {str(name): name for name in system.state}
-    names = [told[name] for name in start if name in told]
+    words = {str(name): name for name, _ in system.definitions}
+    words |= {str(name): name for name in system.state}
+    names = [words[name] for name in start if name in words]
     missing = {*system.state} - {*names, *(name for name, _ in follow)}
     if missing:
         raise InputError(

@@ -142,12 +142,12 @@ class StateCoordinates:
         def span(name: str, known: Mapping[str, Any]) -> tuple[Any, Any]:
             return self._range(name, {**known, **values})
 
-        told = "".join(f", {name} = {value:.6g}" for name, value in values.items())
+        text = "".join(f", {name} = {value:.6g}" for name, value in values.items())
         return replace(
             self,
             names=tuple(self.names[i] for i in kept),
             periods=tuple(self.periods[i] for i in kept),
-            domain=self.domain + told,
+            domain=self.domain + text,
             _every=every,
             _point=lambda states: self._point(states)[kept],
             _range=span,

@@ -34,12 +34,12 @@ def meaning(system: System, name: str, variables: Mapping[str, tuple[str, str]])
     tuple of str
         Both empty if nothing is known.
     """
-    told = {str(p.symbol): (p.meaning, p.unit) for p in system.parameters}
-    told |= {item.name: (item.meaning, item.unit) for item in system.observables}
-    told |= {item.name: (item.meaning, item.unit) for item in system.integrals}
+    text = {str(p.symbol): (p.meaning, p.unit) for p in system.parameters}
+    text |= {item.name: (item.meaning, item.unit) for item in system.observables}
+    text |= {item.name: (item.meaning, item.unit) for item in system.integrals}
     for vector in (*system.state, *(n for n, _ in system.definitions)):
         if isinstance(vector, Vector) and str(vector) in variables:
             of, unit = variables[str(vector)]
             for i, component in enumerate(vector.symbols, 1):
-                told[str(component)] = (f"{of}, component {i}", unit)
-    return told.get(name, variables.get(name, ("", "")))
+                text[str(component)] = (f"{of}, component {i}", unit)
+    return text.get(name, variables.get(name, ("", "")))

@@ -72,10 +72,10 @@ class _Noted(Table):
 
     @model_serializer(mode="wrap")
     def _as_given(self, serialised: Callable[[Self], dict[str, Any]]) -> Any:
-        told = {
+        text = {
             key: value for key, value in serialised(self).items() if value not in (None, "", (), [])
         }
-        return told.get("value") if set(told) == {"value"} else told
+        return text.get("value") if set(text) == {"value"} else text
 
 
 class NumberTable(_Noted):

@@ -41,14 +41,14 @@ def validation_messages(
     dict
         The path of each wrong key ↦ one sentence.
     """
-    told: dict[Key, str] = {}
+    words: dict[Key, str] = {}
     for details in error.errors(include_url=False):
         place = _locate(model, details["loc"])
-        if _as_written(data, place.key) in told:
+        if _as_written(data, place.key) in words:
             continue  # of a long array each element may be wrong
         key, sentence = _sentence(details, place, _value(data, place.key))
-        told.setdefault(_as_written(data, key), sentence)
-    return told
+        words.setdefault(_as_written(data, key), sentence)
+    return words
 
 
 def value_text(value: object) -> str:

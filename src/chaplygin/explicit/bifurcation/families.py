@@ -168,8 +168,8 @@ def _axis(symbol: sp.Symbol, value: Any, system: System) -> Axis:
     """An axis with the meaning that the system gives to this integral."""
     steps = dict(system.steps)
     for law in system.integrals:
-        told = to_components(law.value)
-        if sp.expand(steps.get(told, told) - to_components(value)) == 0:
+        text = to_components(law.value)
+        if sp.expand(steps.get(text, text) - to_components(value)) == 0:
             return Axis(symbol, value, law.meaning, law.unit)
     return Axis(symbol, value)
 

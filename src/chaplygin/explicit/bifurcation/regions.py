@@ -145,11 +145,11 @@ class Kinds:
             # beyond a bound; elsewhere a circle has tori beside it
             return set()
         curve = self.cut.curves[self.cut.orders[column][rank]]
-        for bound, told in zip(self.bounds, self.plane.bounds, strict=True):
+        for bound, text in zip(self.bounds, self.plane.bounds, strict=True):
             if _divides(curve, bound):
                 # every torus shrinks to one circle
                 count = sum(family.tori for families in beside for family in families)
-                return {(told.words, count, True, 0)}
+                return {(text.words, count, True, 0)}
         found: dict[tuple[str, bool, int], int] = {}
         for circles in self._circles(arc, curve):
             axis = self.order[circles.pole - 1] if circles.pole else 0

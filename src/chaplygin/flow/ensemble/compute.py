@@ -56,9 +56,9 @@ def compute(
     UnfinishedError
         If the disk is full, or a block brings down the workers; what was written stays.
     """
-    told = progress if progress is not None else _silent
+    text = progress if progress is not None else _silent
     _require_room(task, where)
-    return _in_memory(task, client, told) if where is None else _stored(task, where, client, told)
+    return _in_memory(task, client, text) if where is None else _stored(task, where, client, text)
 
 
 def _require_room(task: Task, where: str | Path | None) -> None:

@@ -151,8 +151,8 @@ def from_lists(**values: Any) -> Members:
     if not arrays or 0 in lengths.values():
         raise InputError("members of an ensemble: at least one is needed")
     if len(set(lengths.values())) > 1:
-        told = ", ".join(f"{name} {length}" for name, length in lengths.items())
-        raise InputError(f"members of an ensemble: lists have different lengths ({told})")
+        text = ", ".join(f"{name} {length}" for name, length in lengths.items())
+        raise InputError(f"members of an ensemble: lists have different lengths ({text})")
     return Members((ListedMembers(arrays),))
 
 

@@ -180,9 +180,9 @@ def _constants(system: System, parameters: Mapping[Any, float] | None) -> dict[s
 def _variables(work: EnsembleWork, drawn: bool) -> dict[str, Variable]:
     """Everything that `Motions` gives."""
     system, moments = work.system, len(work.times)
-    told = {str(p.symbol): p for p in system.parameters}
+    text = {str(p.symbol): p for p in system.parameters}
     found = {
-        name: Variable(attributes=_notes(told[name].meaning, told[name].unit, ""), coordinate=True)
+        name: Variable(attributes=_notes(text[name].meaning, text[name].unit, ""), coordinate=True)
         for name in work.varied
     }
     if drawn:
@@ -246,14 +246,14 @@ def _attributes(work: EnsembleWork) -> dict[str, Any]:
     """What is told of the whole ensemble."""
     system = work.system
     constants = {str(p.symbol): p.default for p in system.parameters} | dict(work.parameters)
-    told = [f"{s} = {float(v)!r}" for s, v in constants.items() if s not in work.varied]
+    text = [f"{s} = {float(v)!r}" for s, v in constants.items() if s not in work.varied]
     return {
         "Conventions": "CF-1.11",
         "system": system.title,
         "system_name": system.name,
         "summary": system.summary,
         "source": system.source,
-        "parameters": "; ".join(told),
+        "parameters": "; ".join(text),
         "members": str(work.members),
         "tolerance": work.tolerance,
         "integrator": "explicit Runge–Kutta of order 8, a lane for each motion",

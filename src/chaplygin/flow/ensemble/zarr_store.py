@@ -291,8 +291,8 @@ def _marks(folder: Path, group: Any) -> Any:
 
 def _lost(folder: Path, group: Any, done: Any) -> list[int]:
     """Blocks that are marked, but of which a chunk is missing, empty or damaged."""
-    told = (name.partition("variable ") for name in group[DONE].attrs["task"])
-    arrays = [group[name] for before, found, name in told if found and not before]
+    text = (name.partition("variable ") for name in group[DONE].attrs["task"])
+    arrays = [group[name] for before, found, name in text if found and not before]
     return [
         block
         for block in np.flatnonzero(done).tolist()

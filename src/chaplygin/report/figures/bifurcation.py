@@ -162,9 +162,9 @@ def _said(region: Region) -> str:
 
 def _label(axes: Axes, diagram: Diagram, grid: Grid) -> None:
     empty = [region for region in diagram.regions if not region.tori]
-    told = [region for region in diagram.regions if region.tori]
-    found = places(grid, told, empty)
-    for region in told:
+    sentence = [region for region in diagram.regions if region.tori]
+    found = places(grid, sentence, empty)
+    for region in sentence:
         if region.number not in found:
             continue
         inside, outside = found[region.number]

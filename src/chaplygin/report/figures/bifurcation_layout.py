@@ -172,7 +172,7 @@ class Grid:
 
 
 def places(
-    grid: Grid, told: Sequence[Region], empty: Sequence[Region]
+    grid: Grid, text: Sequence[Region], empty: Sequence[Region]
 ) -> dict[int, tuple[Place, Place | None]]:
     """For every region a place inside and, where that is too narrow, one for its label outside.
 
@@ -180,7 +180,7 @@ def places(
     """
     free = grid.of(empty)
     found: dict[int, tuple[Place, Place | None]] = {}
-    for region in told:
+    for region in text:
         room = grid.room(grid.of([region]))
         if room.max() <= 0:
             continue

@@ -96,8 +96,8 @@ def draw_section(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
         title = f"{readable(title_of(dataset))}: {where}".removesuffix(": ")
         figure.text(0.02, 0.975, title, va="top", fontsize=10)
         there = int(np.minimum(dataset["points"].values, count).sum())
-        told = f"{there:,} points{drawn}"
-        figure.text(0.98, 0.975, told, ha="right", va="top", color=QUIET)
+        words = f"{there:,} points{drawn}"
+        figure.text(0.98, 0.975, words, ha="right", va="top", color=QUIET)
     return figure
 
 
@@ -207,8 +207,8 @@ def _key(figure: Figure, runs: int, count: int) -> None:
             fontsize=8,
         )
     elif runs > 1:
-        told = f"{runs} starts,\n{len(KINDS)} colours\nby turns"
-        figure.text(0.9, 0.89, told, va="top", fontsize=8, color=QUIET)
+        words = f"{runs} starts,\n{len(KINDS)} colours\nby turns"
+        figure.text(0.9, 0.89, words, va="top", fontsize=8, color=QUIET)
     elif count > 1:
         colours = mpl.colors.ListedColormap(COLOURS(np.linspace(0.0, PALEST, 256)))
         place = figure.add_axes((0.925, 0.44, 0.014, 0.44))

@@ -54,13 +54,13 @@ def sweep(dataset: xr.Dataset, parameters: Sequence[str], quantity: str) -> Figu
         figure.set_label(f"{quantity} for each value of {', '.join(parameters)}")
         axes = figure.add_subplot(title=title_of(dataset))
         for number in chosen:
-            told = ", ".join(
+            text = ", ".join(
                 f"{typeset(p)} = {float(dataset[p].values[number]):g}" for p in parameters
             )
             colour = (
                 SERIES[number % len(SERIES)] if few else COLOURS(PALEST * scale(shades[number]))
             )
-            axes.plot(times, values[number], color=colour, label=told if few else None)
+            axes.plot(times, values[number], color=colour, label=text if few else None)
         axes.grid(axis="y", color=FAINT, linewidth=0.4)
         axes.set_axisbelow(True)
         axes.set_xlabel(time_label(dataset))
