@@ -37,8 +37,8 @@ def command(
 ) -> None:
     """Compute the bifurcation diagram of an integrable system exactly, and locate the motion in it.
 
-    In the plane of two integrals: every region with its number of tori, and every boundary with
-    the motions on it, stable or unstable.
+    In the plane of two integrals: every region with its number of tori, and every
+    boundary with the motions on it, stable or unstable.
     """
     if figure is not None:
         check_figure("--output", figure)

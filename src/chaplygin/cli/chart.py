@@ -51,8 +51,9 @@ def command(
 ) -> None:
     """Chart a number over a plane of parameters and starts; resumes an interrupted run.
 
-    An axis is a parameter, a variable of the start (the initial state), a quantity such as energy
-    on whose level the start is placed, or a new name for the formulas of --let.
+    An axis is a parameter, a variable of the start (the initial state), a
+    quantity such as energy on whose level the start is placed, or a new name for
+    the formulas of --let.
     """
     picture = output.with_suffix(".png") if figure is None else figure
     check_store(output)

@@ -47,9 +47,9 @@ def command(
 ) -> None:
     """Integrate motions from many starts and parameters; resumes an interrupted run.
 
-    Every start is combined with every parameter value. The start (the initial state) is that of
-    the experiment, or starts are drawn at random on a level of the integrals; the times are those
-    of the experiment.
+    Every start is combined with every parameter value. The start (the initial
+    state) is that of the experiment, or starts are drawn at random on a level of
+    the integrals; the times are those of the experiment.
     """
     check_store(output)
     client = check_workers(workers)

@@ -48,7 +48,8 @@ def command(
 ) -> None:
     """Compute the Lyapunov exponents of a motion, with errors and the trivial ones named.
 
-    A trivial exponent is zero for a known reason: an integral, a symmetry, the flow.
+    A trivial exponent is zero for a known reason: an integral, a symmetry, the
+    flow.
     """
     from ..errors import InputError, InterruptionError
 

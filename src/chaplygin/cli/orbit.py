@@ -70,8 +70,8 @@ def command(
 ) -> None:
     """Find a periodic orbit near the motion: period, multipliers, stability; or continue it.
 
-    The motion is integrated to the Poincaré section; from there Newton's method finds a closed
-    orbit. All results are observed, not proven.
+    The motion is integrated to the Poincaré section; from there Newton's method
+    finds a closed orbit. All results are observed, not proven.
     """
     from ..errors import InputError
     from ..experiment.formats import check_output as check_trajectory

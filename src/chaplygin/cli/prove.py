@@ -52,7 +52,8 @@ def command(
 ) -> None:
     """Prove or refute the laws of a system; exit 1 unless all are proven without conditions.
 
-    The exit status is 1 if any law is refuted, undecided, or proven only where a condition holds.
+    The exit status is 1 if any law is refuted, undecided, or proven only where a
+    condition holds.
     """
     allowed = operations(effort)
     if certificate is not None:

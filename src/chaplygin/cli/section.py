@@ -89,8 +89,9 @@ def command(
 ) -> None:
     """Compute and draw a Poincaré section; resumes an interrupted run.
 
-    The section is the set of states at which a quantity passes a value; every motion is
-    integrated until it has crossed the section the required number of times.
+    The section is the set of states at which a quantity passes a value; every
+    motion is integrated until it has crossed the section the required number of
+    times.
     """
     store = _store(output)
     client = check_workers(workers)

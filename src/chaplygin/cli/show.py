@@ -27,8 +27,9 @@ def command(
 ) -> None:
     """Print equations, parameters, laws and source of a system, and its place in the hierarchy.
 
-    The place in the hierarchy of dynamics says what is proven (integrals, an invariant measure,
-    a Hamiltonian form), how integrable that makes the system, and which motions can occur.
+    The place in the hierarchy of dynamics says what is proven (integrals, an
+    invariant measure, a Hamiltonian form), how integrable that makes the system,
+    and which motions can occur.
     """
     from ..errors import InputError
 

@@ -49,8 +49,8 @@ def command(
 ) -> None:
     """Integrate one motion for each value of a parameter; resumes an interrupted run.
 
-    Every motion has the start and the times of the experiment and is streamed to a store, like
-    the motions of an ensemble.
+    Every motion has the start and the times of the experiment and is streamed to
+    a store, like the motions of an ensemble.
     """
     check_store(output)
     client = check_workers(workers)

@@ -206,10 +206,10 @@ class ClosedFormSection:
 
 
 _CAPTION = (
-    "The curve over the real line, each oval to its own height: its roots, and where the "
-    "separated variables move; and nine turns on the torus of the two phases."
+    "The curve over the real line, each oval scaled to its own height, with its roots and the "
+    "intervals of the separated variables; and nine turns on the torus of the two phases."
 )
-_CAPTION_OF_ONE = "Where the separated variable moves."
+_CAPTION_OF_ONE = "The interval on which the separated variable moves."
 
 
 def closed_form_section(solution: Solution, trajectory: Trajectory) -> ClosedFormSection:

@@ -89,23 +89,23 @@ def criterion(rolling: Rolling) -> str:
     if isinstance(shape, Ball):
         equal = "" if plane or not rubber else ", or the sphere is as large as the ball (R = a)"
         return (
-            f"{contact} ball on {where} keeps such a measure if and only if its centre is its "
+            f"{contact} ball on {where} has such a measure if and only if its centre is its "
             "centre of mass, or the line through both is an axis of dynamical symmetry" + equal
         )
     if isinstance(shape, Ellipsoid) and centred and plane and not rubber:
         return (
-            f"{contact} ellipsoid on {where}, its centre being its centre of mass, keeps such a "
+            f"{contact} ellipsoid on {where}, its centre being its centre of mass, has such a "
             f"measure if and only if it is {_SPHERICAL}, or a ball, or a body of revolution with "
             "its inertia, or its semi-axes are principal axes of inertia and the three "
             "differences I_i − m b_i² agree"
         )
     if isinstance(shape, Ellipsoid) and centred and plane:
         return (
-            f"{contact} ellipsoid on {where}, its centre being its centre of mass, keeps such a "
+            f"{contact} ellipsoid on {where}, its centre being its centre of mass, has such a "
             "measure if and only if its semi-axes are principal axes of inertia and the three "
             "points (I_i b_i², I_i − m b_i²) lie on a line"
         )
-    revolution = f"{contact} body on {where} keeps such a measure if it is a body of revolution"
+    revolution = f"{contact} body on {where} has such a measure if it is a body of revolution"
     revolution += " with its inertia"
     if rubber and not plane:
         return revolution

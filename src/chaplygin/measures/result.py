@@ -100,11 +100,11 @@ class Existence:
 
 
 _HEADS = {
-    "exists": "keeps a smooth invariant measure whose density depends on the configuration alone",
+    "exists": "has a smooth invariant measure whose density depends on the configuration alone",
     "none": "has no smooth invariant measure whose density depends on the configuration alone",
-    "conditional": "keeps an invariant measure whose density depends on the configuration alone "
+    "conditional": "has an invariant measure whose density depends on the configuration alone "
     "for some values of its parameters",
-    "undecided": "undecided whether it keeps an invariant measure whose density depends on the "
+    "undecided": "undecided whether it has an invariant measure whose density depends on the "
     "configuration alone",
 }
 

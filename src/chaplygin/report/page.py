@@ -77,7 +77,7 @@ PLATES = {
         "materials, a real body would slip.",
     ),
     "drift": (
-        "Drift of the known integrals",
+        "Drift of the first integrals",
         "Deviation of each from its initial value, relative to that value.",
     ),
 }

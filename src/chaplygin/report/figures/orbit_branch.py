@@ -42,7 +42,7 @@ def branch(found: Branch, title: str) -> Figure:
             column = [size[number] if number < len(size) else np.nan for size in sizes]
             below.plot(places, column, color=SERIES[number % len(SERIES)])
         below.axhline(1.0, color=QUIET, linewidth=0.6)
-        below.set_ylabel("size of the multipliers")
+        below.set_ylabel("modulus of the multipliers")
         below.set_xlabel(typeset(found.varied))
         for kind in dict.fromkeys(event.kind for event in found.events):
             events = [event for event in found.events if event.kind == kind]

@@ -288,7 +288,7 @@ def drift(dataset: xr.Dataset) -> Figure:
         labels = {name: _law_label(dataset, name) for name in names}
         columns = 2 if max(map(len, labels.values())) < 50 else 1
         rows = -(-len(names) // columns)
-        figure, axes = _chart(dataset, 2.7 + 0.19 * rows, "Drift of the conserved quantities")
+        figure, axes = _chart(dataset, 2.7 + 0.19 * rows, "Drift of the first integrals")
         axes.set_yscale("log")
         every = max(1, len(times) // _DOTS)
         for number, (name, values) in enumerate(drifts.items()):
