@@ -172,9 +172,9 @@ def roll(
     Returns
     -------
     System
-        State M, γ (marble) or ω, γ (rubber), all in body axes; r instead of γ for an implicit shape; and ζ, the
-        vertical in body axes, under gravity on a sphere.  It carries the energy integral, the
-        contact force as observables, its domain as guards, and the motion in space.
+        State M, γ (marble) or ω, γ (rubber), in body axes; r instead of γ for an implicit shape;
+        and ζ, the vertical in body axes, under gravity on a sphere.  It carries the energy
+        integral, the contact force as observables, its domain as guards, and the motion in space.
 
     Raises
     ------
