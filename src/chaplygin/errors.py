@@ -63,6 +63,15 @@ class InputError(ValueError):
         One sentence, written for the user; a mistake inside a formula adds a two-line excerpt.
     where
         Where the mistake stands, such as ``"body.toml, line 7, body.inertia"``; may be empty.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> try:
+    ...     ch.Ball(-1.0)
+    ... except ch.InputError as error:
+    ...     print(error)
+    radius -1.0 of the ball: it must be a positive finite number
     """
 
     def __init__(self, message: str, where: str = "") -> None:
@@ -85,6 +94,17 @@ class RunError(RuntimeError):
         The last instant at which the solution was still good.
     partial
         What had been computed by then, such as a trajectory; nothing is lost.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x = sp.Symbol("x", real=True)
+    >>> try:
+    ...     ch.integrate(ch.System("blow-up", "Blow-up", {x: x**2}), [1.0], [0.0, 2.0])
+    ... except ch.RunError as error:
+    ...     print(f"good until t = {error.time:.3f}")
+    good until t = 1.000
     """
 
     def __init__(self, reason: str, time: float, partial: Any = None) -> None:

@@ -140,9 +140,13 @@ def audit(
 ) -> tuple[tuple[Judgement, ...], int]:
     """Judge the claims of one section, or of the whole paper.
 
+    The processes import the script that calls this, so that the call stands there below
+    ``if __name__ == "__main__":``.
+
     Parameters
     ----------
     section : int, optional
+        1 to 12; by default all of them.
     workers : int, optional
         Processes; by default one for each processor.
     report : callable
@@ -154,6 +158,20 @@ def audit(
         In reading order; those that were done, when it was interrupted.
     left : int
         How many claims were left unjudged by an interruption.
+
+    Raises
+    ------
+    InputError
+        If the paper has no such section, or `workers` is less than one.
+    IncompleteError
+        If a process ended before it had an answer.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> judgements, left = ch.audit(section=11, workers=1)
+    >>> {judgement.printed.decision for judgement in judgements}, left
+    ({'proven'}, 0)
     """
     if workers is not None and workers < 1:
         raise InputError(f"workers = {workers}: there must be one at least")

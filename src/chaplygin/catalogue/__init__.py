@@ -1,6 +1,14 @@
 """The catalogue: one file per system of Borisov and Mamaev (2008), each described once.
 
 A file offers its systems as ``ENTRIES``; :data:`CATALOGUE` collects them by name.
+
+Examples
+--------
+>>> import chaplygin as ch
+>>> [name for name, entry in ch.CATALOGUE.items() if entry.source.startswith("§5")]
+['rubber-body-of-revolution', 'rubber-disk', 'rubber-routh-sphere']
+>>> ch.CATALOGUE["veselova"].title
+'Veselova system'
 """
 
 from __future__ import annotations
@@ -47,10 +55,29 @@ def entry(name: str) -> Entry:
 def from_catalogue(name: str, **parameters: float) -> System:
     """A System of the catalogue, with some of its parameters given by symbol name.
 
+    Parameters
+    ----------
+    name : str
+        Such as ``"chaplygin-ball"``; :data:`CATALOGUE` has all of them.
+    **parameters : float
+        Values, in SI units, that replace the defaults: ``I_1=1.2``.
+
+    Returns
+    -------
+    System
+        With the laws that the paper names for it.
+
     Raises
     ------
     InputError
         If the catalogue has no such system, or the system no such parameter.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball", I_1=1.2)
+    >>> [law.name for law in ball.integrals]
+    ['energy', 'area', 'momentum']
     """
     return entry(name).system(parameters)
 

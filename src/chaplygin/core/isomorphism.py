@@ -9,7 +9,8 @@ import sympy as sp
 
 from ..arguments import Declared, arguments_checked
 from ..errors import InputError
-from .laws import Law, Pairs, pairs, repeated, scalar_names
+from .laws import Law
+from .named_formulas import Pairs, repeated, scalar_names
 from .system import System
 
 __all__ = ["Isomorphism"]
@@ -48,6 +49,16 @@ class Isomorphism(Law):
     ------
     InputError
         If `map` or `constants` name something that the target does not have.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> slow = ch.System("slow", "Slow oscillator", {x: v, v: -x})
+    >>> fast = ch.System("fast", "Fast oscillator", {x: v, v: -4 * x})
+    >>> ch.prove(fast, ch.Isomorphism("slowed", slow, {x: x, v: v / 2}, time=2)).decision
+    'proven'
     """
 
     target: System
@@ -58,8 +69,7 @@ class Isomorphism(Law):
     onto: tuple[sp.Expr, ...] = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "map", pairs(self.map))
-        object.__setattr__(self, "constants", pairs(self.constants))
+        super().__post_init__()
         parameters = [p.symbol for p in self.target.parameters]
         self._must_be_among("map", self.map, self.target.symbols, "state variable")
         self._must_be_among("constants", self.constants, parameters, "parameter")

@@ -11,14 +11,14 @@ claims nothing at points where one of its formulas has no real value.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import Any, TypeAlias
+from dataclasses import dataclass, field, fields
+from typing import Any
 
 import sympy as sp
 
 from ..arguments import Declared, Formula, Formulas, arguments_checked
 from ..errors import InputError
+from .named_formulas import Pairs, repeated, scalar_names, with_formulas
 
 __all__ = [
     "ConformallyHamiltonian",
@@ -33,13 +33,20 @@ __all__ = [
     "Symmetry",
 ]
 
-Pairs: TypeAlias = tuple[tuple[Any, Any], ...]
-
 
 class Rate(sp.Function):
     """The time derivative of a scalar formula along the field of its system.
 
     ``Rate(gamma_1)`` stands for γ̇₁, ``Rate(Rate(theta))`` for the second derivative.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> oscillator = ch.System("oscillator", "Oscillator", {x: v, v: -x})
+    >>> ch.prove(oscillator, ch.Identity("newton", ch.Rate(ch.Rate(x)) + x)).decision
+    'proven'
     """
 
     nargs = 1
@@ -48,21 +55,6 @@ class Rate(sp.Function):
     def __new__(cls, *formulas: Formula, **options: Any) -> Any:
         """Refuse a text, which SymPy would run."""
         return super().__new__(cls, *formulas, **options)
-
-
-def pairs(mapping: Mapping[Any, Any] | Pairs) -> Pairs:
-    return tuple(mapping.items()) if isinstance(mapping, Mapping) else tuple(mapping)
-
-
-def scalar_names(pairs: Pairs) -> list[sp.Symbol]:
-    """The names of pairs (named quantity, formula), one for each scalar component."""
-    names = ((name,) if isinstance(name, sp.Symbol) else name.symbols for name, _ in pairs)
-    return [symbol for symbols in names for symbol in symbols]
-
-
-def repeated(names: Sequence[sp.Symbol]) -> sp.Symbol | None:
-    """A name that occurs more than once, or None."""
-    return next((name for i, name in enumerate(names) if name in names[:i]), None)
 
 
 def _check_named(law: str, quantities: Pairs) -> None:
@@ -97,6 +89,10 @@ class Law:
     as_printed: Law | None = None
     misprint: str = ""
 
+    def __post_init__(self) -> None:
+        for item in fields(self):
+            object.__setattr__(self, item.name, with_formulas(getattr(self, item.name)))
+
 
 @arguments_checked
 @dataclass(frozen=True)
@@ -115,6 +111,15 @@ class Integral(Law):
         A few words for a reader ("energy", "area integral").
     unit : str
         SI unit of its value.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> M, gamma = ball.state
+    >>> momentum = ch.Integral("momentum_squared", sum(x**2 for x in M), unit="kg^2 m^4/s^2")
+    >>> ch.prove(ball, momentum).decision
+    'proven'
     """
 
     value: sp.Expr
@@ -141,13 +146,19 @@ class Measure(Law):
     density : mapping or pairs of base to exponent
         Bases in state, definitions and parameters; exponents free of the state.
     meaning : str
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> y, u, v = sp.symbols("y u v", real=True)
+    >>> particle = ch.System("particle", "Particle", {y: v, u: -y * u * v / (1 + y**2), v: 0})
+    >>> ch.prove(particle, ch.Measure("volume", {1 + y**2: sp.Rational(1, 2)})).decision
+    'proven'
     """
 
     density: Declared
     meaning: str = ""
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "density", pairs(self.density))
 
     @property
     def value(self) -> sp.Expr:
@@ -166,13 +177,19 @@ class Symmetry(Law):
     field : mapping or pairs of state name to formula
         u; what is not named has component zero.
     meaning : str
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, y, u, v = sp.symbols("x y u v", real=True)
+    >>> oscillator = ch.System("oscillator", "Plane oscillator", {x: u, y: v, u: -x, v: -y})
+    >>> ch.prove(oscillator, ch.Symmetry("rotation", {x: -y, y: x, u: -v, v: u})).decision
+    'proven'
     """
 
     field: Declared
     meaning: str = ""
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "field", pairs(self.field))
 
 
 @arguments_checked
@@ -198,6 +215,16 @@ class PoissonStructure(Law):
     ------
     InputError
         If the matrix is not square, or has no skew matrix of its size the rank.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> oscillator = ch.System("oscillator", "Oscillator", {x: v, v: -x})
+    >>> canonical = ch.PoissonStructure("canonical", sp.Matrix([[0, 1], [-1, 0]]), rank=2)
+    >>> ch.prove(oscillator, canonical).decision
+    'proven'
     """
 
     matrix: Formulas
@@ -206,6 +233,7 @@ class PoissonStructure(Law):
     meaning: str = ""
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         object.__setattr__(self, "matrix", sp.ImmutableDenseMatrix(self.matrix))
         height, width = self.matrix.shape
         if height != width:
@@ -216,12 +244,12 @@ class PoissonStructure(Law):
         rank = self.rank
         if rank is None:
             return
-        whole = isinstance(rank, int | sp.Integer) and not isinstance(rank, bool)
-        if not whole or rank % 2 or not 0 <= rank <= height:
+        if not isinstance(rank, sp.Integer) or rank % 2 or not 0 <= rank <= height:
             raise InputError(
                 f"the law {self.name!r}: its rank is {rank}; a skew {height}×{height} matrix has "
                 f"an even rank from 0 to {height - height % 2}"
             )
+        object.__setattr__(self, "rank", int(rank))
 
 
 @arguments_checked
@@ -241,6 +269,18 @@ class ConformallyHamiltonian(Law):
     hamiltonian : sympy.Expr
         H.
     meaning : str
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> u, w = sp.symbols("u omega", real=True)
+    >>> sleigh = ch.System("sleigh", "Chaplygin sleigh", {u: w**2, w: -u * w / 2})
+    >>> bracket = ch.PoissonStructure("canonical", sp.Matrix([[0, 1], [-1, 0]]))
+    >>> ch.prove(
+    ...     sleigh, ch.ConformallyHamiltonian("form", w / 2, bracket, u**2 / 2 + w**2)
+    ... ).decision
+    'proven'
     """
 
     multiplier: sp.Expr
@@ -277,6 +317,18 @@ class Reduction(Law):
     ------
     InputError
         If there is no equation, or a quantity is named twice.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> oscillator = ch.System("oscillator", "Oscillator", {x: v, v: -x})
+    >>> s, w = sp.symbols("s w", real=True)
+    >>> equations = (ch.Rate(s) - 2 * w, ch.Rate(w) - 1 + 2 * s)
+    >>> on = (x**2 + v**2 - 1,)
+    >>> ch.prove(oscillator, ch.Reduction("square", {s: x**2, w: x * v}, equations, on=on)).decision
+    'proven'
     """
 
     quantities: Declared
@@ -284,7 +336,7 @@ class Reduction(Law):
     meaning: str = ""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "quantities", pairs(self.quantities))
+        super().__post_init__()
         object.__setattr__(self, "equations", tuple(self.equations))
         _check_named(self.name, self.quantities)
         if not self.equations:
@@ -305,6 +357,19 @@ class Separation(Reduction):
     the u_i are independent at almost every point.
 
     The variables are usually roots of a quadratic, written with square roots.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, y, u, v = sp.symbols("x y u v", real=True)
+    >>> oscillator = ch.System("oscillator", "Plane oscillator", {x: u, y: v, u: -x, v: -y})
+    >>> h, k = sp.symbols("h k", real=True)
+    >>> energies = {h: u**2 + x**2, k: v**2 + y**2}
+    >>> of_x, of_y = ch.Rate(x) ** 2 - h + x**2, ch.Rate(y) ** 2 - k + y**2
+    >>> law = ch.Separation("axes", energies, (of_x, of_y, ch.Rate(h), ch.Rate(k)))
+    >>> ch.prove(oscillator, law).decision
+    'proven'
     """
 
 
@@ -327,6 +392,15 @@ class Identity(Law):
     ------
     InputError
         If a quantity is named twice.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> M, gamma = ball.state
+    >>> tangent = ch.Identity("tangent", sum(x * ch.Rate(x) for x in gamma))
+    >>> ch.prove(ball, tangent).decision
+    'proven'
     """
 
     value: Formulas
@@ -334,5 +408,5 @@ class Identity(Law):
     quantities: Declared = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "quantities", pairs(self.quantities))
+        super().__post_init__()
         _check_named(self.name, self.quantities)

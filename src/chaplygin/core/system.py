@@ -50,6 +50,15 @@ class Parameter:
         SI unit of the examples; any consistent units will do.
     admissible : tuple of sympy relations
         Conditions on this and other parameters.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, v, k = sp.symbols("x v k", real=True)
+    >>> stiffness = ch.Parameter(k, "stiffness over mass", 4.0, "1/s^2", (k > 0,))
+    >>> ch.System("spring", "Spring", {x: v, v: -k * x}, (stiffness,)).defaults
+    {k: 4.0}
     """
 
     symbol: sp.Symbol
@@ -186,7 +195,7 @@ class System(Displayed):
     laws : tuple of Law
     observables : tuple of Observable
     guards : tuple of Guard
-    motion : Motion, optional
+    motion : Reconstruction, optional
     source : str
         Equation numbers in the paper.
     summary : str
@@ -200,6 +209,16 @@ class System(Displayed):
     InputError
         If a formula uses a symbol that is neither state, definition nor parameter, or two of
         these have the same name.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> pendulum = ch.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
+    >>> energy = ch.Integral("energy", v**2 / 2 - sp.cos(x))
+    >>> ch.prove(pendulum.with_laws(energy), "energy").decision
+    'proven'
     """
 
     name: str

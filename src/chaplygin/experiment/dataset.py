@@ -45,6 +45,20 @@ def to_dataset(
         vectors of the state in no known frame a dimension ``<name>_component``.  Every
         variable has ``long_name``, ``units`` and ``source``.  Numbers of 34 digits are split: the
         variable ``<name>_low`` is what must be added to ``<name>`` to have all of them.
+
+    Raises
+    ------
+    InputError
+        If an argument is of another kind.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> motion = ch.integrate(ball, {"omega": (1, 0, 2), "gamma": (0, 0, 1)}, [0.0, 5.0, 10.0])
+    >>> omega = ch.to_dataset(motion)["omega"]
+    >>> omega.dims, omega.attrs["units"], omega.attrs["frame"]
+    (('time', 'axis'), 'rad/s', 'body axes')
     """
     system = trajectory.system
     variables: dict[str, Any] = {}
@@ -156,11 +170,26 @@ def write(dataset: xr.Dataset, path: str | Path, force: bool = False) -> Path:
     force : bool
         Whether to replace what is there.
 
+    Returns
+    -------
+    Path
+        Where it was written.
+
     Raises
     ------
     InputError
         If the ending is another one, the file exists and `force` is false, or its place cannot
         be written.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> from tempfile import TemporaryDirectory
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> motion = ch.integrate(ball, {"omega": (1, 0, 2), "gamma": (0, 0, 1)}, [0.0, 5.0, 10.0])
+    >>> with TemporaryDirectory() as folder:
+    ...     ch.write(ch.to_dataset(motion), f"{folder}/ball.csv").name
+    'ball.csv'
     """
     target = Path(path)
     save(dataset, target, force)
@@ -171,10 +200,28 @@ def write(dataset: xr.Dataset, path: str | Path, force: bool = False) -> Path:
 def read(path: str | Path) -> xr.Dataset:
     """Read a dataset written by :func:`write` to NetCDF or Zarr, into memory.
 
+    Parameters
+    ----------
+    path : str or Path
+
+    Returns
+    -------
+    xarray.Dataset
+
     Raises
     ------
     InputError
         If the file is missing or damaged, or neither a NetCDF file nor a Zarr store.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> from tempfile import TemporaryDirectory
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> motion = ch.integrate(ball, {"omega": (1, 0, 2), "gamma": (0, 0, 1)}, [0.0, 5.0, 10.0])
+    >>> with TemporaryDirectory() as folder:
+    ...     ch.read(ch.write(ch.to_dataset(motion), f"{folder}/ball.nc"))["omega"].shape
+    (3, 3)
     """
     import h5py
 

@@ -80,7 +80,7 @@ class Study:
     given : mapping of str to number or numbers
         The start as given, by name: ω and γ, or the variables of the state.
     until : float
-        Duration.
+        Duration (s).
     variables : mapping of str to (str, str)
         Meaning and unit of variables of the state, where the start is given by it.
     mechanism : Mechanism, optional
@@ -91,6 +91,14 @@ class Study:
         Meanings of letters that this system alone has.
     plan : Plan, optional
         What is drawn of a mechanism in the plane.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> experiment = ch.loads('system = {name = "veselova"}', overrides=["run.until=5"])
+    >>> motion = ch.prepare(experiment).trajectory()
+    >>> motion["omega"].shape
+    (101, 3)
     """
 
     experiment: Experiment
@@ -272,10 +280,28 @@ def _at(experiment: Experiment, *key: str) -> Iterator[None]:
 def prepare(experiment: Experiment) -> Study:
     """Make an experiment ready.
 
+    Parameters
+    ----------
+    experiment : Experiment
+        As :func:`load` and :func:`loads` give it.
+
+    Returns
+    -------
+    Study
+        Its system, start and times; ``study.trajectory()`` integrates it.
+
     Raises
     ------
     InputError
         If its parts do not fit together; the message names the place in the file.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> experiment = ch.loads('system = {name = "veselova"}', overrides=["run.samples=11"])
+    >>> study = ch.prepare(experiment)
+    >>> study.system.title, study.times.shape
+    ('Veselova system', (11,))
     """
     if isinstance(experiment, MechanismExperiment | EquationsExperiment):
         mechanism, system = build_described_system(experiment)

@@ -48,6 +48,14 @@ def solve(
         If no closed form is known; the sentence says what is known instead.
     InputError
         If start or parameters do not fit the system.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> disk = ch.from_catalogue("rubber-disk")
+    >>> solution = ch.solve(disk, ch.CATALOGUE["rubber-disk"].start.values)
+    >>> [round(float(x), 6) for x in solution(1e6)["gamma"][0]]
+    [0.312372, -0.233492, 0.920818]
     """
     values = dict(system.defaults)
     names = {str(symbol): symbol for symbol in values}

@@ -432,12 +432,28 @@ def batch_integrator(
         and a method of order 8 needs very many steps to make use of them all: for single motions
         see :mod:`chaplygin.flow.gauss`.
 
+    Returns
+    -------
+    BatchIntegrator
+        ``until(starts, times)`` gives states (motions, times, size) at given times, and
+        ``returns(starts, count)`` states (motions, count, size) on the section, both for starts
+        (motions, size) in flat order.
+
     Raises
     ------
     InputError
         If a section is asked for with 30 digits, the tolerance is not between 1e-16 (1e-30 with 30
         digits) and 0.1, a formula has a function that machine code does not know, or the number of
         deviations is negative.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("unbalanced-ball")
+    >>> starts = ch.sample_level(ball, 100, {"energy": 2.0}, seed=1)
+    >>> motions = ch.batch_integrator(ball).until(starts, [5.0, 10.0])
+    >>> motions.states.shape, int((motions.outcome == 0).sum())
+    ((100, 2, 6), 100)
     """
     _require_numbers(tolerance, deviations)
     if digits not in (16, 30):

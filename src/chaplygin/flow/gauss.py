@@ -194,10 +194,28 @@ def gauss_integrator(
     backward : bool
         Whether time runs backward.
 
+    Returns
+    -------
+    GaussIntegrator
+        ``until(starts, times)`` gives states (motions, times, size) for starts (motions, size)
+        in flat order.
+
     Raises
     ------
     InputError
         If the digits are neither, or a formula has a function that machine code does not know.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("unbalanced-ball")
+    >>> starts = ch.sample_level(ball, 1, {"energy": 2.0}, seed=1)
+    >>> there = ch.gauss_integrator(ball, starts[0]).until(starts, [10.0]).states[:, -1]
+    >>> back = (
+    ...     ch.gauss_integrator(ball, there[0], backward=True).until(there, [-10.0]).states[:, -1]
+    ... )
+    >>> bool(abs(back - starts).max() < 1e-13)
+    True
     """
     if digits not in _METHODS:
         raise InputError(f"digits = {digits}: single motions are computed to 16 or to 30 digits")

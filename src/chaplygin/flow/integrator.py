@@ -80,7 +80,7 @@ def integrate(
         name (ω and γ, or the variables of the state).  The motion in space begins at zero where it
         is left out, with γ pointing upward.
     times : sequence of numbers
-        At least two, all increasing or all decreasing (backward integration).
+        At least two, all increasing or all decreasing (backward integration), in s.
     parameters : mapping of Symbol or name to number, optional
         Values that replace the system's defaults.
     tolerance, precision
@@ -115,6 +115,17 @@ def integrate(
     RunError
         If the integration fails; it carries the last good time and the trajectory so far.  An
         InterruptionError if it is interrupted.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> motion = ch.integrate(ball, {"omega": (1, 0, 2), "gamma": (0, 0, 1)}, [0.0, 5.0, 10.0])
+    >>> motion["gamma"].shape
+    (3, 3)
+    >>> energy = motion["law_energy"]
+    >>> bool(abs(energy - energy[0]).max() < 1e-13)
+    True
     """
     if time_limit is not None and not time_limit > 0:
         raise InputError(f"time_limit = {time_limit}: it must be a positive number of seconds")

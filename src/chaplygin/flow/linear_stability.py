@@ -130,11 +130,24 @@ def linear_stability(
         Digits of the eigenvalues; four times as many are carried, so that double and fourfold
         eigenvalues have them too, however defective.
 
+    Returns
+    -------
+    Linearisation
+
     Raises
     ------
     InputError
         If the state misses the phase space or is not steady, if a name is unknown, or if A does
         not annul a direction of `along`.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> about_middle_axis = {"M_1": 0, "M_2": 1, "M_3": 0, "gamma_1": 0, "gamma_2": 1, "gamma_3": 0}
+    >>> growth_rates = ch.linear_stability(ball, about_middle_axis).eigenvalues
+    >>> round(float(growth_rates[0].real), 6)
+    0.146647
     """
     with mpmath.workdps(_working(digits)):
         frozen = _Frozen(system, state, parameters, digits)

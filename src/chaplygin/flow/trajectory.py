@@ -117,6 +117,7 @@ class Trajectory(WithOverview):
         Lifted to space where it has a motion.
     parameters : mapping of Symbol to number
     times : array (n,)
+        In s.
     states : array (n, size)
         In the flat order of ``system.symbols``; 34-digit numbers at precision "quad".
     recorded : mapping of str to array
@@ -124,8 +125,16 @@ class Trajectory(WithOverview):
     events : tuple of Event
         Guards passed on the way, in order.
     statistics : Statistics
-    dense : Dense or None
+    dense : DenseOutput or None
         The continuous trajectory, when it was asked for.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> motion = ch.integrate(ball, {"omega": (1, 0, 2), "gamma": (0, 0, 1)}, [0.0, 5.0, 10.0])
+    >>> motion["omega"].shape, motion["attitude"].shape, motion["law_energy"].shape
+    ((3, 3), (3, 4), (3,))
     """
 
     system: System

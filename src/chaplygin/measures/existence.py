@@ -48,6 +48,17 @@ def measure_exists(given: Any, name: str = "", *, effort: int = EFFORT) -> Exist
     ------
     InputError
         If something else is given, or the constraints are of another kind.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, y, z, xdot, ydot, zdot = sp.symbols("x y z xdot ydot zdot", real=True)
+    >>> lagrangian, constraint = (xdot**2 + ydot**2 + zdot**2) / 2, zdot - y * xdot
+    >>> particle = ch.Mechanism("particle", ch.coordinates(x, y, z), lagrangian, (constraint,))
+    >>> print(ch.measure_exists(particle))
+    particle: keeps a smooth invariant measure whose density depends on the configuration alone
+    density: √(1 + y²)
     """
     raise InputError(
         f"measure_exists: {type(given).__name__} is neither a Rolling nor a Mechanism; the "

@@ -57,6 +57,13 @@ def lambdify(system: System, target: str = "numpy") -> Field:
     InputError
         If the target is unknown or its package is not installed.  The functions for
         ``"numpy"`` and ``"jax"`` raise it for arrays of a wrong length.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> rate = ch.lambdify(ch.from_catalogue("chaplygin-ball"))
+    >>> [float(x) for x in rate(0.0, [0.0, 0.0, 2.0, 0.0, 1.0, 0.0]).round(6)]
+    [0.0, 0.0, 0.0, 0.645161, 0.0, 0.0]
     """
     if target not in TARGETS:
         raise InputError(f"target {target!r}: it must be one of {', '.join(map(repr, TARGETS))}")
@@ -84,6 +91,13 @@ def source_code(system: System, language: str) -> str:
     ------
     InputError
         If the language is unknown.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> code = ch.source_code(ch.from_catalogue("chaplygin-ball"), "julia")
+    >>> [line for line in code.splitlines() if line.startswith("function")]
+    ['function chaplygin_ball!(dx, x, p, t)']
     """
     if language not in LANGUAGES:
         allowed = ", ".join(map(repr, LANGUAGES))

@@ -87,6 +87,15 @@ def prove(
     ------
     InputError
         If a law uses an unknown symbol, or its level is empty or annuls a denominator.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> ch.prove(ball, "measure").decision
+    'proven'
+    >>> ch.prove(ball, ch.Integral("M_3", ball.symbols[2])).decision
+    'refuted'
     """
     checked_effort(effort)
     if law is None:

@@ -52,6 +52,14 @@ class Verdict(WithOverview):
         What another program needs in order to check the verdict.
     uncertified : str
         Why there is no certificate, where one was asked for.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("chaplygin-ball")
+    >>> verdict = ch.prove(ball, ch.Integral("M_3", ball.symbols[2]))
+    >>> verdict.decision, bool(verdict), verdict.witness["what"]
+    ('refuted', False, 'v(F)')
     """
 
     law: str

@@ -227,7 +227,7 @@ def classify(
     verdicts : mapping of str to Verdict
         On its laws, by name; a law without a verdict does not count.  By default what can
         be proven with `patience`.
-    patience : Patience, optional
+    patience : ProofBudget, optional
         For the proofs needed besides: that symmetries leave the integrals alone, that integrals
         are in involution, laws of the targets of isomorphisms, laws restricted to a level.
     given : Rolling or Mechanism, optional
@@ -236,7 +236,23 @@ def classify(
 
     Returns
     -------
-    Place
+    Classification
+        Dimensions, integrals, measures, brackets and symmetries that are proven, and which
+        motions they allow.  Where nothing can be counted, `reason` says why.
+
+    Raises
+    ------
+    InputError
+        If an argument is of another kind.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> place = ch.classify(ch.from_catalogue("suslov"))
+    >>> place.dimension, place.count, place.remaining
+    (4, 1, 3)
+    >>> [kind.name for kind in place.kinds]
+    ['none known']
     """
     patience = patience or ProofBudget(PATIENCE, ALTOGETHER)
     known = patience.verdicts(system) if verdicts is None else verdicts

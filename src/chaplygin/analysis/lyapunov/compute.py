@@ -68,7 +68,7 @@ def lyapunov_spectrum(
     parameters : mapping of Symbol or name to number, optional
         Values that replace the defaults.
     until : float
-        How long to follow the motion; the first fifth is not counted.
+        How long to follow the motion (s); the first fifth is not counted.
     intervals : int
         Into how many intervals to divide it, at least; their number is doubled as long as
         deviations grow too far apart within one.
@@ -80,6 +80,7 @@ def lyapunov_spectrum(
     Returns
     -------
     Spectrum
+        The exponents (1/s) with their errors, the largest first.
 
     Raises
     ------
@@ -90,6 +91,16 @@ def lyapunov_spectrum(
     InterruptionError
         If it is interrupted; it carries the spectrum of the motion until then, if that has at
         least `LEAST` intervals.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> u, w = sp.symbols("u omega", real=True)
+    >>> sleigh = ch.System("sleigh", "Chaplygin sleigh", {u: w**2, w: -u * w / 2})
+    >>> spectrum = ch.lyapunov_spectrum(sleigh, [0.0, 1.0], until=50.0)
+    >>> [float(x) for x in spectrum.values.round(3) + 0.0]
+    [0.0, -0.707]
     """
     if not 0 < until < np.inf:
         raise InputError(f"until = {until:g}: it must be positive and finite")

@@ -142,10 +142,7 @@ class Spectrum(WithOverview):
         shown = [
             " ± ".join(rounded(one.value, one.error)) + f", {word(one)}" for one in self.exponents
         ]
-        forced = [
-            zero.name if zero.name == zero.kind else f"{zero.kind} {zero.name}"
-            for zero, _ in self.removed
-        ]
+        forced = [z.name if z.name == z.kind else f"{z.kind} {z.name}" for z, _ in self.removed]
         return Overview(
             f"Lyapunov exponents of {self.system.title}, t = {self.began:g} to {self.until:g}",
             (

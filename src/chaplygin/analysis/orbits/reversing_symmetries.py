@@ -85,6 +85,18 @@ def reversors(system: System) -> tuple[Reversor, ...]:
     tuple of Reversor
         Those without conditions first.  What is seen in numbers but not proven, parity by parity
         along the definitions, is left out.
+
+    Raises
+    ------
+    InputError
+        If something else than a system is given.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("unbalanced-ball")
+    >>> [found.words(ball) for found in ch.reversors(ball)][:2]
+    ['M changes sign', 'M₁, γ₁ change sign where c₁ = 0']
     """
     found: list[Reversor] = []
     for made in sorted(_candidates(system), key=lambda r: (len(r.vanishing), len(r.odd))):

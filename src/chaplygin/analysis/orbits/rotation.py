@@ -255,10 +255,22 @@ def rotation_number(
     most : int
         Number of steps at which to give up.
 
+    Returns
+    -------
+    Rotation
+        The rotation number in turns per step, its error, and whether the motion is locked or
+        quasi-periodic.
+
+    Raises
+    ------
+    InputError
+        If the orbit gives another number of values, or too few for an average.
+
     Examples
     --------
+    >>> import chaplygin as ch
     >>> import numpy as np
-    >>> found = rotation_number(lambda n: 0.1 + (np.sqrt(5) - 1) / 2 * np.arange(n + 1))
+    >>> found = ch.rotation_number(lambda n: 0.1 + (np.sqrt(5) - 1) / 2 * np.arange(n + 1))
     >>> print(found.verdict, round(found.value, 10))
     quasi-periodic 0.6180339887
     """

@@ -252,6 +252,18 @@ def load(source: str | Path, overrides: Iterable[str] = ()) -> Experiment:
     InputError
         If the file cannot be read, or for all that is wrong in it: one line for each mistake
         with file, line, key and what is allowed.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> from pathlib import Path
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     path = Path(folder, "veselova.toml")
+    ...     _ = path.write_text('system = {name = "veselova"}')
+    ...     experiment = ch.load(path, overrides=["run.samples=11"])
+    >>> experiment.run.samples
+    11
     """
     if isinstance(source, str) and "\n" in source:
         return loads(source, overrides=overrides)
@@ -294,6 +306,16 @@ def loads(text: str, name: str = "<text>", overrides: Iterable[str] = ()) -> Exp
     ------
     InputError
         For all that is wrong in it, as `load` does.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> experiment = ch.loads('''
+    ... system = {name = "veselova"}
+    ... run = {until = 5.0}
+    ... ''')
+    >>> experiment.run.until, experiment.run.precision
+    (5.0, 'double')
     """
     return _read(Source(name, text, tuple(overrides)))
 

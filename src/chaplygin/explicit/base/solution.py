@@ -126,6 +126,15 @@ class Solution(WithOverview):
     system : System
         Lifted to space where it has a motion.
     parameters : mapping of Symbol to number
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> disk = ch.from_catalogue("rubber-disk")
+    >>> solution = ch.solve(disk, ch.CATALOGUE["rubber-disk"].start.values)
+    >>> [one] = [one for one in solution.form.figures if one.symbol == "T"]
+    >>> round(float(one.value), 6), one.meaning
+    (1.255333, 'period of the nutation')
     """
 
     system: System

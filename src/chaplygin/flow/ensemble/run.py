@@ -65,7 +65,7 @@ def ensemble(
         :func:`~chaplygin.flow.ensemble.members.sampled` and products of them with ``*``; or starts
         alone, in flat order.
     times : array (k,)
-        Increasing from 0 or later, or decreasing from 0 or before; motions begin at 0.
+        In s, increasing from 0 or later, or decreasing from 0 or before; motions begin at 0.
     parameters : mapping of Symbol or name to float, optional
         Values, the same for all, that replace the defaults.
     record : sequence of str
@@ -91,6 +91,15 @@ def ensemble(
         If anything given cannot be used.
     UnfinishedError
         If a store could not be written to the end.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("unbalanced-ball")
+    >>> starts = ch.sample_level(ball, 100, {"energy": 2.0}, seed=1)
+    >>> runs = ch.ensemble(ball, starts, [0.0, 10.0], record=["energy"])
+    >>> dict(runs.sizes), bool(abs(runs["law_energy"] - 2.0).max() < 1e-9)
+    ({'run': 100, 'time': 2, 'axis': 3}, True)
     """
     task = ensemble_task(
         system,

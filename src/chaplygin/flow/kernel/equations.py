@@ -59,12 +59,25 @@ def poincare_section(
     direction : int
         +1 where the quantity rises through the value, −1 where it falls, 0 for both.
     angle : bool
-        The quantity is an angle, and has the value up to whole turns.
+        The quantity is an angle (rad), and has the value up to whole turns.
+
+    Returns
+    -------
+    Section
 
     Raises
     ------
     InputError
         If the quantity cannot be read or does not change, or the direction is none of the three.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("unbalanced-ball")
+    >>> section = ch.poincare_section(ball, "gamma_3")
+    >>> starts = ch.sample_level(ball, 4, {"energy": 2.0}, seed=1)
+    >>> ch.batch_integrator(ball, section=section).returns(starts, 10).states.shape
+    (4, 10, 6)
     """
     if direction not in (-1, 0, 1):
         raise InputError(f"direction = {direction}: it must be 1 (rising), -1 (falling) or 0")

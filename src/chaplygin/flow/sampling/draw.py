@@ -81,6 +81,13 @@ def sample_level(
     InputError
         If an integral is unknown or does not hold at these parameters, if the level is empty (the
         message names the values that are reached) or not bounded.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("unbalanced-ball")
+    >>> ch.sample_level(ball, 1000, {"energy": 2.0}, seed=1).shape
+    (1000, 6)
     """
     return level_sampler(system, level, parameters).draw(count, seed=seed, first=first)
 

@@ -76,12 +76,21 @@ class PoincareMap:
     backward : bool
         Whether to go back in time: the inverse map.
     until : float
-        After so much time without a return a point counts as one that does not return.
+        After so much time (s) without a return a point counts as one that does not return.
 
     Raises
     ------
     InputError
         If the section or a parameter is not one of the system.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.from_catalogue("unbalanced-ball")
+    >>> returns = ch.PoincareMap(ball, ch.poincare_section(ball, "gamma_3"))
+    >>> point = returns(ch.sample_level(ball, 1, {"energy": 2.0}, seed=1)[0])
+    >>> bool(abs(returns.inverse(returns(point)) - point).max() < 1e-10), returns.dimension(point)
+    (True, 2)
     """
 
     system: System

@@ -50,14 +50,14 @@ class RollingBall:
     Parameters
     ----------
     mass, inertia, radius : float
-        m, the moment of inertia μ about any axis through the centre, and b.
+        m (kg), the moment of inertia μ about any axis through the centre (kg m²), and b (m).
     surface : SmoothSurface
     carrier : ``"support"`` or ``"centre"``
         Whether `surface` carries the ball, or is the one on which its centre moves.
     contact : ``"marble"`` or ``"rubber"``
         No slip; or no slip and no spin about the normal.
     gravity : float
-        Acceleration g.
+        Acceleration g (m/s²).
     direction : 3 floats
         Where it points, space axes; of any length.
     potential : sympy.Expr
@@ -69,6 +69,15 @@ class RollingBall:
     ------
     InputError
         If a number is not admissible, or the ball is too large for the inside of the surface.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> from chaplygin.mechanics.ball.surface import CircularCylinder
+    >>> pipe = CircularCylinder(3.0, side="inside")
+    >>> ball = ch.RollingBall(mass=1.0, inertia=0.4, radius=1.0, surface=pipe, gravity=9.81)
+    >>> [(verdict.law, verdict.decision) for verdict in ch.prove(ball.system())]
+    [('energy', 'proven'), ('volume', 'proven')]
     """
 
     mass: float

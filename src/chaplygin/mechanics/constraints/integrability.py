@@ -105,11 +105,25 @@ def nonholonomy(mechanism: Mechanism | Distribution) -> Nonholonomy:
         With constraints linear in the velocities; affine ones, and those that depend on the time,
         are treated in the space of time and configuration.
 
+    Returns
+    -------
+    Nonholonomy
+
     Raises
     ------
     InputError
         If a constraint is not linear, constraints contradict each other, the frame does not
         span, or no point is found.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, y, z, xdot, ydot, zdot = sp.symbols("x y z xdot ydot zdot", real=True)
+    >>> lagrangian, constraint = (xdot**2 + ydot**2 + zdot**2) / 2, zdot - y * xdot
+    >>> particle = ch.Mechanism("particle", ch.coordinates(x, y, z), lagrangian, (constraint,))
+    >>> ch.nonholonomy(particle).verdict, ch.nonholonomy(particle).growth
+    ('completely nonholonomic', (2, 3))
     """
     given = _given(mechanism)
     symbols = [s for s, _ in given.constants]

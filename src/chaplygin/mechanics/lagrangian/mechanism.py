@@ -74,6 +74,19 @@ class Frame:
     ------
     InputError
         If a rate is not linear in the velocities, or uses one that nobody declared.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, y, phi, u, v, w = sp.symbols("x y phi u v omega", real=True)
+    >>> c, s = sp.cos(phi), sp.sin(phi)
+    >>> body_axes = ch.Frame({x: u * c - v * s, y: u * s + v * c, phi: w}, (u, v, w))
+    >>> body_axes.matrix
+    Matrix([
+    [cos(phi), -sin(phi), 0],
+    [sin(phi),  cos(phi), 0],
+    [       0,         0, 1]])
     """
 
     rates: Declared
@@ -144,7 +157,31 @@ def _twice(names: Iterable[sp.Symbol]) -> list[str]:
 
 @arguments_checked
 def coordinates(*names: Name, dot: str = "dot") -> Frame:
-    """The frame of the coordinates themselves: w = q̇, named ``xdot`` for the coordinate ``x``."""
+    """The frame of the coordinates themselves: w = q̇, named ``xdot`` for the coordinate ``x``.
+
+    Parameters
+    ----------
+    names : Vector or Symbol
+        The coordinates, in order.
+    dot : str
+        What the name of a velocity adds to that of its coordinate.
+
+    Returns
+    -------
+    Frame
+
+    Raises
+    ------
+    InputError
+        If a coordinate is neither a vector nor a symbol, or is given twice.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> ch.coordinates(*sp.symbols("x theta", real=True)).velocities
+    (xdot, thetadot)
+    """
     symbols = flat(names)
     speeds = tuple(real_symbol(f"{q}{dot}") for q in symbols)
     return Frame(dict(zip(symbols, speeds, strict=True)), speeds)
@@ -198,6 +235,18 @@ class Mechanism:
     ------
     InputError
         If a formula uses a name that nobody declared.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, y, phi, u, v, w = sp.symbols("x y phi u v omega", real=True)
+    >>> c, s = sp.cos(phi), sp.sin(phi)
+    >>> body_axes = ch.Frame({x: u * c - v * s, y: u * s + v * c, phi: w}, (u, v, w))
+    >>> energy = (u**2 + (v + w) ** 2 + w**2) / 2
+    >>> sleigh = ch.Mechanism("sleigh", body_axes, energy, constraints=(v,))
+    >>> dict(zip(ch.equations(sleigh).state, ch.equations(sleigh).rates))
+    {u: omega**2, omega: -omega*u/2}
     """
 
     name: str

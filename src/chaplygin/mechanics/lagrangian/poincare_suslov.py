@@ -73,6 +73,10 @@ def derive(mechanism: Mechanism) -> DerivedEquations:
 def equations(mechanism: Mechanism) -> System:
     """The closed equations of motion of a mechanism.
 
+    Parameters
+    ----------
+    mechanism : Mechanism
+
     Returns
     -------
     System
@@ -87,6 +91,16 @@ def equations(mechanism: Mechanism) -> System:
     ------
     InputError
         As :func:`derive`.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, y, z, xdot, ydot, zdot = sp.symbols("x y z xdot ydot zdot", real=True)
+    >>> lagrangian, constraint = (xdot**2 + ydot**2 + zdot**2) / 2, zdot - y * xdot
+    >>> particle = ch.Mechanism("particle", ch.coordinates(x, y, z), lagrangian, (constraint,))
+    >>> dict(ch.equations(particle).field)
+    {y: ydot, xdot: -xdot*y*ydot/(y**2 + 1), ydot: 0}
     """
     found = derive(mechanism)
     parts = found.parts

@@ -70,6 +70,17 @@ def from_sympy(
     InputError
         If the object is of another kind or not ready, if a constant has no default, or if its
         constraints depend on each other.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
+    >>> theta, (g, l) = dynamicsymbols("theta"), sp.symbols("g l")
+    >>> lagrangian = l**2 * theta.diff() ** 2 / 2 + g * l * sp.cos(theta)
+    >>> pendulum = ch.from_sympy(LagrangesMethod(lagrangian, [theta]), {g: 9.81, l: 1.0})
+    >>> dict(pendulum.field)
+    {theta: thetadot, thetadot: -g*sin(theta)/l}
     """
     found = _opened(model, parameters, inputs, name, title or name)
     return found.system() if isinstance(found, Kane) else equations(found)
@@ -90,7 +101,31 @@ def mechanism_from_sympy(
     active forces, if these have the same equations of motion: where a constraint was built into
     the velocities of its points (a contact point at rest), Lagrange's equations are not Kane's.
 
-    Parameters and errors are those of :func:`from_sympy`.
+    Parameters
+    ----------
+    model, parameters, inputs, name, title
+        As of :func:`from_sympy`.
+
+    Returns
+    -------
+    Mechanism
+
+    Raises
+    ------
+    InputError
+        As :func:`from_sympy`, and if Lagrange's equations of a model of Kane's method are not
+        its own.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
+    >>> theta, (g, l) = dynamicsymbols("theta"), sp.symbols("g l")
+    >>> lagrangian = l**2 * theta.diff() ** 2 / 2 + g * l * sp.cos(theta)
+    >>> pendulum = ch.mechanism_from_sympy(LagrangesMethod(lagrangian, [theta]), {g: 9.81, l: 1.0})
+    >>> ch.prove(ch.equations(pendulum), "energy").decision
+    'proven'
     """
     found = _opened(model, parameters, inputs, name, title or name)
     if not isinstance(found, Kane):

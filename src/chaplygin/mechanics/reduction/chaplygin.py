@@ -62,6 +62,16 @@ def chaplygin_form(
     ------
     InputError
         If the system is not of this kind: the sentence says in what it differs.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, y, z, xdot, ydot, zdot = sp.symbols("x y z xdot ydot zdot", real=True)
+    >>> lagrangian, constraint = (xdot**2 + ydot**2 + zdot**2) / 2, zdot - y * xdot
+    >>> particle = ch.Mechanism("particle", ch.coordinates(x, y, z), lagrangian, (constraint,))
+    >>> ch.chaplygin_form(particle).multiplier.value
+    1/sqrt(y**2 + 1)
     """
     found = _reduced(mechanism, levels)
     special = _special(mechanism, found)

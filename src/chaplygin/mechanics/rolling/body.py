@@ -24,20 +24,27 @@ class Body:
     Parameters
     ----------
     mass : float
-        m > 0.
+        m > 0, in kg.
     inertia : 3 floats or 3×3 floats
         Principal moments about the centre of mass, if the body axes are principal axes, or the
-        full symmetric inertia tensor in the body axes.
+        full symmetric inertia tensor in the body axes (kg m²).
     shape : Shape
         Its surface, with the geometric centre relative to the centre of mass.
     gyrostat : 3 floats
-        Constant momentum k of symmetric rotors, body axes; the total momentum is Iω + k.
+        Constant momentum k of symmetric rotors, body axes (kg m²/s); the total momentum is Iω + k.
 
     Raises
     ------
     InputError
         If the mass is not positive, or the inertia tensor is not symmetric, not positive
         definite, or breaks the triangle inequality I₁ + I₂ ≥ I₃.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.Body(1.0, (0.4, 0.5, 0.6), ch.Ball(1.0), gyrostat=(0.0, 0.0, 0.2))
+    >>> ch.roll(ball).defaults
+    {m: 1.0, I_1: 0.4, I_2: 0.5, I_3: 0.6, k_1: 0.0, k_2: 0.0, k_3: 0.2, R: 1.0}
     """
 
     mass: float

@@ -74,12 +74,22 @@ class Forces:
     Parameters
     ----------
     gravity : float
-        Acceleration g along −z of space.
+        Acceleration g along −z of space (m/s²).
     potential : sympy.Expr, optional
-        U(γ) in ``gamma_1``, ``gamma_2``, ``gamma_3``; it may also use the body's parameters
+        U(γ), in J, of ``gamma_1``, ``gamma_2``, ``gamma_3``; it may also use the body's parameters
         ``I_1`` … and ``m``.  It acts as a couple, so that it does not enter the contact force.
     values : mapping of Symbol to float
         Values of further symbols in `potential`.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> gamma_3, k = sp.symbols("gamma_3 k")
+    >>> spring = ch.Forces(potential=k * gamma_3**2 / 2, values={k: 0.1})
+    >>> ball = ch.roll(ch.Body(1.0, (0.4, 0.5, 0.6), ch.Ball(1.0)), field=spring)
+    >>> [(verdict.law, verdict.decision) for verdict in ch.prove(ball)]
+    [('energy', 'proven')]
     """
 
     gravity: float = 0.0
@@ -96,7 +106,16 @@ class Forces:
 @arguments_checked
 @dataclass(frozen=True)
 class Rolling:
-    """What rolls on what: a body, a surface, a contact model and a field, with their numbers."""
+    """What rolls on what: a body, a surface, a contact model and a field, with their numbers.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.Body(1.0, (0.4, 0.5, 0.6), ch.Ball(1.0, centre=(0.0, 0.0, 0.1)))
+    >>> rolling = ch.Rolling(ball, ch.Plane(), "rubber")
+    >>> ch.measure_exists(rolling).decision
+    'none'
+    """
 
     body: Body
     surface: Surface = Plane()  # noqa: RUF009  (immutable)
@@ -144,7 +163,7 @@ def roll(
         What it rolls on.
     contact : ``"marble"`` or ``"rubber"``
         No slip; or no slip and no spin about the normal, (ω, γ) = 0.
-    field : Field
+    field : Forces
         Gravity and a potential U(γ).
     name, title : str
         Identifier and human form.
@@ -152,14 +171,22 @@ def roll(
     Returns
     -------
     System
-        State M, γ (marble) or ω, γ (rubber); r instead of γ for an implicit shape; and ζ, the
-        vertical in body axes, under gravity on a sphere.  It carries the energy integral, the
-        contact force as observables, its domain as guards, and the motion in space.
+        State M, γ (marble) or ω, γ (rubber), in body axes; r instead of γ for an implicit shape;
+        and ζ, the vertical in body axes, under gravity on a sphere.  It carries the energy
+        integral, the contact force as observables, its domain as guards, and the motion in space.
 
     Raises
     ------
     InputError
         If the contact model is unknown or the potential uses an unknown symbol.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.Body(1.0, (0.4, 0.5, 0.6), ch.Ball(1.0))
+    >>> system = ch.roll(ball, ch.Plane(), "marble")
+    >>> dict(system.field)
+    {M: Cross(M, omega), gamma: Cross(gamma, omega)}
     """
     if contact not in ("marble", "rubber"):
         raise InputError(f"contact {contact!r}: it must be 'marble' or 'rubber'")

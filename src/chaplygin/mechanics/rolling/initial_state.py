@@ -48,11 +48,11 @@ def initial_state(
     ----------
     system : System
     omega : 3 floats
-        Angular velocity, body axes.
+        Angular velocity, body axes (rad/s).
     gamma : 3 floats
         Outward normal of the supporting surface at the contact, body axes; normalised here.
     heading : float
-        Angle by which the body is turned about the normal, from the attitude that takes γ to
+        Angle (rad) by which the body is turned about the normal, from the attitude that takes γ to
         `normal` along the shortest way.
     normal : 3 floats
         The same normal in space axes; (0, 0, 1) on a plane.
@@ -62,7 +62,8 @@ def initial_state(
     Returns
     -------
     tuple of mpmath.mpf
-        In flat order.  The contact point starts above or below the origin of space.
+        In the flat order of ``system.lifted().symbols``.  The contact point starts above or below
+        the origin of space.
 
     Raises
     ------
@@ -70,6 +71,14 @@ def initial_state(
         If γ or the normal is zero or outside the domain of the equations (a body lying flat), or
         ω breaks the constraint (ω, γ) = 0 of a rubber contact; the message then names the
         nearest admissible ω.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.roll(ch.Body(1.0, (0.4, 0.5, 0.6), ch.Ball(1.0)))
+    >>> start = ch.initial_state(ball, omega=(1, 0, 2), gamma=(0, 0, 1))
+    >>> [float(x) for x in start[:6]]
+    [1.4, 0.0, 1.2, 0.0, 0.0, 1.0]
     """
     with mpmath.workdps(DIGITS):
         values = system.defaults | parameters_by_symbol(system, parameters)

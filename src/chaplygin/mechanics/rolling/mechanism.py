@@ -56,6 +56,14 @@ def rolling_mechanism(rolling: Rolling, name: str = "rolling-body") -> Mechanism
     ------
     InputError
         As :func:`chaplygin.mechanics.rolling.contact.contact`.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.Body(1.0, (0.4, 0.5, 0.6), ch.Ball(1.0))
+    >>> mechanism = ch.rolling_mechanism(ch.Rolling(ball, contact="rubber"))
+    >>> ch.nonholonomy(mechanism).growth
+    (2, 3, 5)
     """
     body, field = rolling.body, rolling.field
     touch = contact_of(body.shape, rolling.surface)

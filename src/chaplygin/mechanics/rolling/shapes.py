@@ -163,10 +163,25 @@ class _Centred:
 class Ball(_Centred):
     """A ball of the given radius; a hollow one rolls with its inner surface around a sphere.
 
+    Parameters
+    ----------
+    radius : float
+        R > 0, in m.
+    hollow : bool
+    centre : 3 floats
+        Geometric centre minus centre of mass, body axes (m); so for all shapes.
+
     Raises
     ------
     InputError
         If the radius is not positive.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.Ball(0.01, centre=(0.0, 0.0, 0.002))
+    >>> ball.gauss().reach  # from the geometric centre to the contact point, body axes
+    (-R)*gamma
     """
 
     radius: float
@@ -222,15 +237,23 @@ class Ellipsoid(_Centred):
     Parameters
     ----------
     axes : 3 floats
-        Semi-axes.
+        Semi-axes (m).
     turn : float
-        Angle δ between the first semi-axis, (cos δ, sin δ, 0) in body axes, and body axis 1.
+        Angle δ between the first semi-axis, (cos δ, sin δ, 0) in body axes, and body axis 1 (rad).
         With δ ≠ 0 and unequal principal moments this is a rattleback.
 
     Raises
     ------
     InputError
         If there are not three positive semi-axes, or the angle is not finite.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> shape = ch.Ellipsoid((0.2, 0.03, 0.02), turn=-0.0143, centre=(0.0, 0.0, 0.01))
+    >>> stone = ch.roll(ch.Body(1.0, (2e-4, 16e-4, 17e-4), shape), field=ch.Forces(gravity=9.81))
+    >>> ch.prove(stone, "energy").decision
+    'proven'
     """
 
     axes: tuple[float, float, float]
@@ -295,10 +318,23 @@ def _rim(radius: float, tube: sp.Expr, parameters: tuple[Parameter, ...], what: 
 class Disk(_Centred):
     """A disk with a sharp circular edge of the given radius, normal to body axis 3.
 
+    Parameters
+    ----------
+    radius : float
+        R > 0, in m.
+
     Raises
     ------
     InputError
         If the radius is not positive.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> coin = ch.Body(0.005, (1.25e-7, 1.25e-7, 2.5e-7), ch.Disk(0.01))
+    >>> system = ch.roll(coin, field=ch.Forces(gravity=9.81))
+    >>> [guard.happening for guard in system.guards]
+    ['the body lies flat (tilt below 1e-06 rad)', 'the normal force changes sign']
     """
 
     radius: float
@@ -320,14 +356,21 @@ class Torus(_Centred):
     Parameters
     ----------
     radius : float
-        Radius R of the circle of the tube's centres.
+        Radius R of the circle of the tube's centres (m).
     tube : float
-        Radius ρ of the tube.
+        Radius ρ of the tube (m).
 
     Raises
     ------
     InputError
         If a radius is not positive.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> coin = ch.Body(0.005, (1.25e-7, 1.25e-7, 2.5e-7), ch.Torus(0.009, 0.001))
+    >>> ch.roll(coin).defaults
+    {m: 0.005, I_1: 1.25e-07, I_2: 1.25e-07, I_3: 2.5e-07, R: 0.009, rho: 0.001}
     """
 
     radius: float
@@ -352,7 +395,7 @@ class Revolution(_Centred):
     Parameters
     ----------
     support : sympy.Expr
-        Height p(γ₃) of the geometric centre above the plane, in the symbol ``gamma_3``.
+        Height p(γ₃) of the geometric centre above the plane (m), in the symbol ``gamma_3``.
     values : mapping of Symbol to float
         Values of further symbols in `support`.
 
@@ -364,6 +407,16 @@ class Revolution(_Centred):
     See Also
     --------
     Revolution.from_profile : the same from the functions χ₁, χ₂ of §5.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> u, a, b = sp.symbols("gamma_3 a b")
+    >>> egg = ch.Revolution(sp.sqrt(a**2 * (1 - u**2) + b**2 * u**2), {a: 0.02, b: 0.03})
+    >>> system = ch.roll(ch.Body(0.05, (8e-6, 8e-6, 6e-6), egg), contact="rubber")
+    >>> ch.prove(system, "energy").decision
+    'proven'
     """
 
     support: sp.Expr
@@ -464,8 +517,8 @@ class Implicit(_Centred):
     Parameters
     ----------
     surface : sympy.Expr
-        f in the symbols ``x``, ``y``, ``z`` (body axes from the geometric centre), negative
-        inside.
+        f in the symbols ``x``, ``y``, ``z`` (m; body axes from the geometric centre),
+        negative inside.
     values : mapping of Symbol to float
         Values of further symbols in `surface`.
 
@@ -473,6 +526,15 @@ class Implicit(_Centred):
     ------
     InputError
         If `surface` uses an unknown symbol or is not negative at the geometric centre.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> import sympy as sp
+    >>> x, y, z = sp.symbols("x y z")
+    >>> cushion = ch.Implicit(x**4 + y**4 + z**4 + x**2 + y**2 + z**2 - 1)
+    >>> ch.roll(ch.Body(1.0, (0.2, 0.2, 0.2), cushion)).state
+    (M, r)
     """
 
     surface: sp.Expr

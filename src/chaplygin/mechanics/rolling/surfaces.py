@@ -13,7 +13,15 @@ __all__ = ["Plane", "Sphere", "Surface"]
 
 @dataclass(frozen=True)
 class Plane:
-    """The horizontal plane z = 0, with the body above it."""
+    """The horizontal plane z = 0, with the body above it.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.Body(1.0, (0.4, 0.5, 0.6), ch.Ball(1.0))
+    >>> ch.roll(ball, ch.Plane(), field=ch.Forces(gravity=9.81)).state  # gamma is the vertical
+    (M, gamma)
+    """
 
 
 @arguments_checked
@@ -24,13 +32,21 @@ class Sphere:
     Parameters
     ----------
     radius : float
-        Signed radius a: positive when the body rolls on its outside (a dome), negative when it
+        Signed radius a (m): positive when the body rolls on its outside (a dome), negative when it
         rolls on its inside (a bowl).
 
     Raises
     ------
     InputError
         If the radius is zero or not finite.
+
+    Examples
+    --------
+    >>> import chaplygin as ch
+    >>> ball = ch.Body(1.0, (0.4, 0.5, 0.6), ch.Ball(1.0))
+    >>> bowl = ch.Sphere(-3.0)
+    >>> ch.roll(ball, bowl, field=ch.Forces(gravity=9.81)).state  # zeta: the vertical, body axes
+    (M, gamma, zeta)
     """
 
     radius: float

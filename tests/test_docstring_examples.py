@@ -1,0 +1,79 @@
+"""The docstring of every public name has an example that runs, and tells what comes back."""
+
+from __future__ import annotations
+
+import doctest
+import inspect
+import re
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import chaplygin
+
+NAMES = sorted(set(chaplygin.__all__) - {"__version__"})
+FUNCTIONS = [name for name in NAMES if inspect.isroutine(inspect.unwrap(getattr(chaplygin, name)))]
+OPTIONS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
+
+
+def documented(name: str) -> Any:
+    """What has the docstring of a name: a class or a function, not what checks its arguments.
+
+    A dictionary has none of its own; its module stands for it.
+    """
+    thing = getattr(chaplygin, name)
+    if callable(thing):
+        return inspect.unwrap(thing)
+    return sys.modules[f"chaplygin.{chaplygin._HOME[name]}"]
+
+
+def sections(name: str) -> set[str]:
+    """The headings of a docstring."""
+    return set(re.findall(r"^(\w[\w ]*)\n-+$", inspect.getdoc(documented(name)) or "", re.M))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_example_gives_what_it_shows(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (found,) = doctest.DocTestFinder(recurse=False).find(documented(name), name, globs={})
+    assert found.examples, f"the docstring of {name} has no example"
+    assert found.examples[0].source == "import chaplygin as ch\n"
+    assert any(example.want for example in found.examples), "an example shows a result"
+    assert not any(example.options.get(doctest.SKIP) for example in found.examples)
+    report: list[str] = []
+    failed, _ = doctest.DocTestRunner(optionflags=OPTIONS).run(found, out=report.append)
+    assert not failed, "".join(report)
+    assert list(tmp_path.iterdir()) == [], "an example leaves files only in a temporary folder"
+
+
+def test_a_wrong_result_is_reported() -> None:
+    found = doctest.DocTestParser().get_doctest(">>> 1 + 1\n3\n", {}, "sum", None, 0)
+    report: list[str] = []
+    failed, _ = doctest.DocTestRunner(optionflags=OPTIONS).run(found, out=report.append)
+    assert failed == 1 and "Got:\n    2" in "".join(report)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_example_stands_below_its_heading(name: str) -> None:
+    text = inspect.getdoc(documented(name)) or ""
+    assert re.search(r"^Examples\n--------\n>>> import chaplygin as ch$", text, re.M)
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_a_function_tells_what_it_takes_returns_and_refuses(name: str) -> None:
+    function = documented(name)
+    found = sections(name)
+    assert "Raises" in found
+    if inspect.signature(function).parameters:
+        assert "Parameters" in found
+    if inspect.signature(function).return_annotation not in (None, "None"):
+        assert "Returns" in found
+
+
+def test_functions_are_found_below_what_checks_their_arguments() -> None:
+    assert {"roll", "batch_integrator", "prove", "audit"} <= set(FUNCTIONS)
+    assert not {"System", "CATALOGUE"} & set(FUNCTIONS)
