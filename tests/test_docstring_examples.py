@@ -5,13 +5,13 @@ from __future__ import annotations
 import doctest
 import inspect
 import re
-import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 import chaplygin
+import chaplygin.catalogue
 
 NAMES = sorted(set(chaplygin.__all__) - {"__version__"})
 FUNCTIONS = [name for name in NAMES if inspect.isroutine(inspect.unwrap(getattr(chaplygin, name)))]
@@ -21,12 +21,12 @@ OPTIONS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
 def documented(name: str) -> Any:
     """What has the docstring of a name: a class or a function, not what checks its arguments.
 
-    A dictionary has none of its own; its module stands for it.
+    The dictionary of the catalogue has none of its own; its folder stands for it.
     """
     thing = getattr(chaplygin, name)
     if callable(thing):
         return inspect.unwrap(thing)
-    return sys.modules[f"chaplygin.{chaplygin._HOME[name]}"]
+    return chaplygin.catalogue
 
 
 def sections(name: str) -> set[str]:

@@ -57,7 +57,7 @@ def measure_exists(given: Any, name: str = "", *, effort: int = EFFORT) -> Exist
     >>> lagrangian, constraint = (xdot**2 + ydot**2 + zdot**2) / 2, zdot - y * xdot
     >>> particle = ch.Mechanism("particle", ch.coordinates(x, y, z), lagrangian, (constraint,))
     >>> print(ch.measure_exists(particle))
-    particle: keeps a smooth invariant measure whose density depends on the configuration alone
+    particle: has a smooth invariant measure whose density depends on the configuration alone
     density: √(1 + y²)
     """
     raise InputError(

@@ -333,7 +333,7 @@ class Disk(_Centred):
     >>> import chaplygin as ch
     >>> coin = ch.Body(0.005, (1.25e-7, 1.25e-7, 2.5e-7), ch.Disk(0.01))
     >>> system = ch.roll(coin, field=ch.Forces(gravity=9.81))
-    >>> [guard.happening for guard in system.guards]
+    >>> [guard.message for guard in system.guards]
     ['the body lies flat (tilt below 1e-06 rad)', 'the normal force changes sign']
     """
 
