@@ -150,7 +150,7 @@ def lookup(catalogue: Mapping[str, Entry], name: str) -> Entry:
     if name not in catalogue:
         raise InputError(
             f"no system {name!r} in the catalogue{_nearest(name, catalogue)}; "
-            "`chaplygin list` shows all of them"
+            "`chaplygin list` and `chaplygin.CATALOGUE` show all of them"
         )
     return catalogue[name]
 

@@ -16,6 +16,7 @@ from ..arguments import arguments_checked
 from ..catalogue import entry, known_laws_of
 from ..catalogue.balls.ball_entry import ball_variables
 from ..catalogue.balls.ball_laws import known_ball_laws
+from ..core.overview import Overview, WithOverview
 from ..core.system import System
 from ..errors import InputError
 from ..flow.cost import TooMuchError
@@ -66,8 +67,8 @@ from .plan import described_plan
 __all__ = ["Study", "dataset_of", "described_study", "prepare", "shape_name"]
 
 
-@dataclass(frozen=True)
-class Study:
+@dataclass(frozen=True, repr=False)
+class Study(WithOverview):
     """An experiment made ready.
 
     Attributes
@@ -111,6 +112,12 @@ class Study:
     ball: RollingBall | None = None
     letters: Mapping[str, str] = field(default_factory=dict)
     plan: Plan | None = None
+
+    def overview(self) -> Overview:
+        """The system, the start as given, and the duration."""
+        start = ", ".join(f"{name} = {value}" for name, value in self.given.items())
+        rows = (("system", repr(self.system)), ("start", start), ("until", f"{self.until:g} s"))
+        return Overview(self.system.title, rows)
 
     @property
     def own(self) -> bool:

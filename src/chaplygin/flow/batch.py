@@ -67,7 +67,7 @@ class BatchTrajectories:
         In flat order; not-a-number after the end of a motion.
     deviations : array (motions, times, deviations, size) or None
     outcome : array (motions,) of int
-        0 where the last time was reached; else see :meth:`Lanes.reason`.
+        0 where the last time was reached; else see :meth:`BatchIntegrator.reason`.
     ended : array (motions,)
         The time that was reached.
     steps : array (motions,) of int
@@ -98,7 +98,7 @@ class BatchCrossings:
     counts : array (motions,) of int
         Crossings found.
     outcome, ended, steps, rest
-        As in `Marched`; the outcome is 0 where all crossings were found.
+        As in `BatchTrajectories`; the outcome is 0 where all crossings were found.
     """
 
     states: Any

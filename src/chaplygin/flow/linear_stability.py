@@ -183,7 +183,7 @@ def relative_equilibrium(
     Parameters
     ----------
     system, parameters, digits
-        See :func:`linearise`.
+        See :func:`linear_stability`.
     guess : mapping of Symbol or name to number, or sequence in flat order
     held : iterable of Symbol or name
         State variables that keep their guessed values; they choose one of a family.
@@ -191,7 +191,7 @@ def relative_equilibrium(
     Returns
     -------
     dict of Symbol to mpf
-        The state where the field and the relations vanish, to be given to :func:`linearise`.
+        The state where the field and the relations vanish, to be given to :func:`linear_stability`.
 
     Raises
     ------

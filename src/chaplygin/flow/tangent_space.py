@@ -254,7 +254,7 @@ class Stretch:
     sizes : (n, conditions + mixed) array
         Logarithms of the sizes of what is excluded, at the end; see `TangentSpace.excluded`.
     outcome : (n,) array of int
-        0, or why a motion ended; see ``Lanes.reason``.
+        0, or why a motion ended; see ``BatchIntegrator.reason``.
     ended : (n,) array
         When, counted from the start of the interval.
     """
@@ -284,7 +284,7 @@ def propagate(
 
     Parameters
     ----------
-    lanes : Lanes
+    lanes : BatchIntegrator
         Of ``space.system``, compiled for as many deviations as there are frames.
     space : TangentSpace
     starts : (n, size) array

@@ -18,7 +18,7 @@ __all__ = ["Existence", "Outcome"]
 Outcome = Literal["exists", "none", "conditional", "undecided"]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Existence:
     """Whether a system keeps a smooth measure whose density depends on the configuration alone.
 
@@ -71,6 +71,9 @@ class Existence:
 
     def __bool__(self) -> bool:
         return self.decision == "exists" or (self.decision == "conditional" and self.holds)
+
+    def __repr__(self) -> str:
+        return str(self)
 
     def __str__(self) -> str:
         lines = [f"{self.name}: {_HEADS[self.decision]}"]

@@ -103,7 +103,7 @@ def render(
         The same, as it is stored.
     pictures : mapping of str to Figure
         By name, as :func:`chaplygin.report.figures.all_figures` returns them.
-    patience : Patience
+    patience : ProofBudget
         For the proofs of its laws and of its place among all systems.
     failure : RunError, optional
         Why the run ended early, if it failed.

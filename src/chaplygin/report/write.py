@@ -50,7 +50,7 @@ def write_study(
         New, or that of the same study, which was interrupted.
     force : bool
         Whether files of another study may be replaced.
-    patience : Patience
+    patience : ProofBudget
         For the proofs.
     report : Report
 

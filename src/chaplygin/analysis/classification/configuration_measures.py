@@ -52,7 +52,7 @@ def configuration_measure(given: Rolling | Mechanism | None, patience: ProofBudg
     given : Rolling or Mechanism, optional
         What moves, with its numbers; nothing can be said without it.  The parameters of a
         mechanism have their present values, as exact decimals.
-    patience : Patience
+    patience : ProofBudget
     """
     if given is None:
         return MeasureFacts()

@@ -61,7 +61,7 @@ def hamiltonian(standing: RankSample, laws: Sequence[Law], patience: ProofBudget
     standing : Standing
     laws : sequence of Law
         Proven on it.
-    patience : Patience
+    patience : ProofBudget
         For the proofs that integrals are in involution.
     """
     brackets = []

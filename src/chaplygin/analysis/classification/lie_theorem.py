@@ -58,7 +58,7 @@ def lie(
         The integrals.
     symmetries : sequence of Symmetry
         Independent of one another and of the motion.
-    patience : Patience
+    patience : ProofBudget
     """
     if needed <= 0 or len(symmetries) < needed:
         return ()

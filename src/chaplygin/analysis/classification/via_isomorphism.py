@@ -52,7 +52,7 @@ def through_isomorphisms(
     standing : Standing
     laws : sequence of Law
         Proven on it.
-    patience : Patience
+    patience : ProofBudget
         For the proofs of the laws of the targets.
     depth : int
         How many isomorphisms may follow one another.

@@ -70,7 +70,7 @@ class Returns:
 
     Attributes
     ----------
-    returns : SectionMap
+    returns : PoincareMap
         Its parameters are the same for all motions.
     starts : array (n, size)
     count : int
@@ -134,7 +134,7 @@ def section_task(
 
     Parameters
     ----------
-    returns : SectionMap
+    returns : PoincareMap
         With the same parameters for all motions.
     starts : array (n, size)
         States, on the section or not.

@@ -256,7 +256,7 @@ class PoincareMap:
 
 
 def slab(section: Section, quantity: Any, width: float) -> Section:
-    """A section where only crossings with |quantity| < width count; see `SectionMap.within`.
+    """A section where only crossings with |quantity| < width count; see `PoincareMap.within`.
 
     Raises
     ------

@@ -32,7 +32,7 @@ __all__ = ["Nonholonomy", "Word", "nonholonomy", "nonholonomy_at"]
 Word = Literal["free", "holonomic", "in between", "completely nonholonomic"]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Nonholonomy:
     """The verdict on the constraints of a mechanism.
 
@@ -90,6 +90,9 @@ class Nonholonomy:
     def constraints(self) -> int:
         """How many independent constraints there are."""
         return self.dimension - self.rank
+
+    def __repr__(self) -> str:
+        return str(self)
 
     def __str__(self) -> str:
         return " ".join(_sentences(self))

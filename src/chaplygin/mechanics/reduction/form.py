@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ...core.laws import Law
+from ...core.overview import Overview, WithOverview
 from ...core.system import System
 from ...printing.formula import text
 from .base import Base
@@ -33,8 +34,8 @@ OPEN = (
 )
 
 
-@dataclass(frozen=True)
-class ChaplyginForm:
+@dataclass(frozen=True, repr=False)
+class ChaplyginForm(WithOverview):
     """What Theorem 6 makes of a mechanism.
 
     Attributes
@@ -99,6 +100,10 @@ class ChaplyginForm:
         for system in (self.original, self.system, self.lifted, self.hamiltonian):
             if system is not None:
                 yield from ((system, law) for law in system.laws)
+
+    def overview(self) -> Overview:
+        """Coordinates, levels, multiplier, gyroscopic forces and what follows."""
+        return Overview(self.system.title, tuple(_rows(self)))
 
     def __str__(self) -> str:
         return page(self)
