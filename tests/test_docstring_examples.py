@@ -5,6 +5,7 @@ from __future__ import annotations
 import doctest
 import inspect
 import re
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -77,3 +78,28 @@ def test_a_function_tells_what_it_takes_returns_and_refuses(name: str) -> None:
 def test_functions_are_found_below_what_checks_their_arguments() -> None:
     assert {"roll", "batch_integrator", "prove", "audit"} <= set(FUNCTIONS)
     assert not {"System", "CATALOGUE"} & set(FUNCTIONS)
+
+
+HOME = Path(chaplygin.__file__).parent
+#: Modules with examples of names that are not public.
+MODULES = sorted(
+    ".".join(("chaplygin", *path.relative_to(HOME).with_suffix("").parts)).removesuffix(".__init__")
+    for path in HOME.rglob("*.py")
+    if ">>>" in path.read_text(encoding="utf-8")
+)
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_examples_of_a_module_run(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    module = import_module(name)
+    public = {id(documented(name)) for name in NAMES}
+    runner = doctest.DocTestRunner(optionflags=OPTIONS)
+    report: list[str] = []
+    for found in doctest.DocTestFinder(exclude_empty=True).find(module):
+        inner = found.name.removeprefix(f"{name}.")
+        if id(inspect.unwrap(getattr(module, inner, module))) not in public:
+            runner.run(found, out=report.append)
+    assert not runner.failures, "".join(report)

@@ -1,4 +1,4 @@
-"""The search for laws: integrals, measures and symmetries that nobody has told.
+"""The search for laws: integrals, measures and symmetries, from the equations alone.
 
 A question names an ansatz; its linear algebra is done modulo a large prime at random points of
 the phase space, and what is found there becomes a formula in the parameters and is proven.
@@ -7,6 +7,8 @@ the phase space, and what is found there becomes a formula in the parameters and
 >>> from chaplygin.search import search_request, integrals
 >>> for found in integrals(search_request(from_catalogue("veselova"))):
 ...     print(found.formula, found.verdict.decision)
+Dot(omega, I*omega) proven
+Dot(I*omega, I*omega) - Dot(omega, I*gamma)**2 proven
 """
 
 from .integrals import integrals

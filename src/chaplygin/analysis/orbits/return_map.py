@@ -47,7 +47,7 @@ def parameters_to_state(system: System, *names: str) -> System:
     Examples
     --------
     >>> from chaplygin.catalogue import from_catalogue
-    >>> print(promoted(from_catalogue("rattleback"), "g").symbols[-1])
+    >>> print(parameters_to_state(from_catalogue("rattleback"), "g").symbols[-1])
     g
     """
     known = {str(p.symbol): p for p in system.parameters}
