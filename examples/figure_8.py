@@ -25,7 +25,7 @@ from chaplygin import PoincareMap, poincare_section, sample_level as drawn
 from chaplygin.catalogue import entry
 from chaplygin.core import to_components
 from chaplygin.experiment.poincare import coordinates_of
-from chaplygin.flow.ensemble import compute
+from chaplygin.flow.ensemble.compute import compute
 from chaplygin.flow.level_projection import projected
 from chaplygin.flow.sections.poincare_dataset import section_task
 from chaplygin.formulas.batch import Formulas

@@ -42,7 +42,8 @@ from scipy.optimize import brentq, minimize_scalar
 
 import chaplygin
 from chaplygin import Forces, Parameter, Rolling, System, equations, rolling_mechanism
-from chaplygin.core import dot, real_symbol, to_components, vectors
+from chaplygin.core import dot, real_symbol, to_components
+from chaplygin.core.vectors import vectors
 
 omega, gamma = vectors("omega gamma")
 sigma = real_symbol("sigma")

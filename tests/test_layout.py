@@ -219,12 +219,14 @@ def _defined(path: Path) -> set[str]:
 def hidden_by_modules(home: Path) -> list[str]:
     """Names that a folder binds and that a module of the folder, once imported, replaces."""
     found = []
-    for init in home.rglob("__init__.py"):
+    for init in home.rglob("__init__.py*"):
         below = {path.stem for path in init.parent.iterdir()}
         for node in ast.parse(init.read_text(encoding="utf-8")).body:
             if isinstance(node, ast.ImportFrom) and node.module:
                 bound = {alias.asname or alias.name for alias in node.names}
-                origin = node.module if node.level == 1 else None
+                # what a stub names is looked up late, when the module may have taken the place
+                eager = node.level == 1 and init.suffix == ".py"
+                origin = node.module if eager else None
                 found += [f"{init.parent.name}.{name}" for name in (bound & below) - {origin}]
     return found
 

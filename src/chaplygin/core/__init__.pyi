@@ -25,5 +25,4 @@ from .vectors import (
     norm_squared as norm_squared,
     real_symbol as real_symbol,
     to_components as to_components,
-    vectors as vectors,
 )

@@ -7,7 +7,6 @@ from .gauss import gauss_integrator as gauss_integrator
 from .integrator import integrate as integrate
 from .linear_stability import (
     Linearisation as Linearisation,
-    linear_stability as linear_stability,
     relative_equilibrium as relative_equilibrium,
 )
 from .sampling.draw import level_sampler as level_sampler, sample_level as sample_level

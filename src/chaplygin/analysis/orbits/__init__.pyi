@@ -6,4 +6,4 @@ from .limit_cycles import enclose_limit_cycle as enclose_limit_cycle
 from .periodic import NoOrbitError as NoOrbitError, Orbit as Orbit, find as find
 from .return_map import Circle as Circle, ReturnMap as ReturnMap
 from .reversing_symmetries import Reversor as Reversor, reversors as reversors
-from .rotation import Rotation as Rotation, rotation as rotation, rotation_number as rotation_number
+from .rotation import Rotation as Rotation, rotation_number as rotation_number

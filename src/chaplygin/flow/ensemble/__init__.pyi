@@ -1,4 +1,3 @@
-from .compute import compute as compute
 from .members import from_lists as from_lists, grid as grid, sampled as sampled, single as single
 from .run import ensemble as ensemble
 from .task import IncompleteError as IncompleteError, Task as Task, Variable as Variable

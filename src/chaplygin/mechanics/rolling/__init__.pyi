@@ -1,6 +1,5 @@
 from .body import Body as Body
 from .equations import Forces as Forces, Rolling as Rolling, roll as roll
-from .initial_state import initial_state as initial_state
 from .mechanism import rolling_mechanism as rolling_mechanism
 from .shapes import (
     Ball as Ball,

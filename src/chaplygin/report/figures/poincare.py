@@ -163,7 +163,7 @@ def _space(
 ) -> None:
     """Two views above three projections; within a layer, near points hide far ones."""
     for i, (height, turn) in enumerate(VIEWS):
-        view: Any = figure.add_axes((0.03 + 0.39 * i, 0.4, 0.4, 0.56), projection="3d")
+        view: Any = figure.add_axes((0.045 + 0.38 * i, 0.4, 0.4, 0.56), projection="3d")
         view.patch.set_visible(False)
         view.computed_zorder = False
         for layer, part in enumerate(layers):
