@@ -51,9 +51,8 @@ from chaplygin.core import (
     norm_squared,
     real_symbol,
     to_components,
-    vectors,
 )
-from chaplygin.core.vectors import constant, unit_vector
+from chaplygin.core.vectors import constant, unit_vector, vectors
 from chaplygin.flow import Linearisation
 from chaplygin.mechanics.lagrangian import Plan, euclidean
 from chaplygin.report.drawing.style import STYLE
