@@ -165,8 +165,10 @@ def figure(found: dict[str, Found]) -> Figure:
         panel.set(xlim=(-np.pi, np.pi), ylim=(0, np.pi))
         panel.set_xticks([-np.pi, 0, np.pi], [r"$-\pi$", "0", r"$\pi$"])
         panel.set_yticks([0, np.pi / 2, np.pi], ["0", r"$\pi/2$", r"$\pi$"])
+    # half of the last tick label stands beyond the axes
+    made.get_layout_engine().set(w_pad=0.08)
     for panel in axes[1]:
-        panel.set_xlabel(r"place on the circle $n_2 = 0$, $\theta$ (rad)")
+        panel.set_xlabel(r"position on the circle $n_2 = 0$, $\theta$ (rad)")
     for panel in axes[:, 0]:
         panel.set_ylabel(r"direction $\psi$ (rad)")
     return made

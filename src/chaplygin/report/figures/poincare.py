@@ -211,9 +211,10 @@ def _key(figure: Figure, runs: int, count: int) -> None:
         figure.text(0.9, 0.89, words, va="top", fontsize=8, color=QUIET)
     elif count > 1:
         colours = mpl.colors.ListedColormap(COLOURS(np.linspace(0.0, PALEST, 256)))
-        place = figure.add_axes((0.925, 0.44, 0.014, 0.44))
+        place = figure.add_axes((0.92, 0.44, 0.014, 0.4))
         bar = figure.colorbar(ScalarMappable(Normalize(1, count), colours), cax=place)
-        bar.set_label("number of the return", fontsize=9)
+        # above and not beside the bar, where the tick labels may be of any length
+        bar.ax.set_title("number of\nthe return", fontsize=8, color=QUIET)
         bar.ax.tick_params(labelsize=7)
         bar.locator = mpl.ticker.MaxNLocator(5, integer=True)
         bar.update_ticks()
