@@ -139,7 +139,7 @@ def measured(turns: int, linearisation: bool) -> dict[str, dict[str, float]]:
                 note(way, "one evaluation (µs)", 1e6 * each(kane_rate(model)))
             if linearisation:
                 job = {
-                    "chaplygin": lambda: whipple_bicycle.near(SPEED).eigenvalues,
+                    "chaplygin": lambda: whipple_bicycle.linearisation_near(SPEED).eigenvalues,
                     "SymPy": lambda model=model: kane_eigenvalues(model),
                     "SymPy, taken in": lambda model=model: taken_in_eigenvalues(model),
                 }[way]

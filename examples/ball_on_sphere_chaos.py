@@ -34,7 +34,7 @@ from chaplygin.flow.level_projection import projected
 from chaplygin.formulas.batch import Formulas
 from chaplygin.report.drawing.style import COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 from chaplygin.report.figures import save
-from chaplygin.report.figures.scan import chart as drawn
+from chaplygin.report.figures.scan import chart as draw_chart
 from chaplygin.search import integrals, search_request
 
 #: The integrals of the cases k = 1 and k = 0; that of k = −1 is among the laws of the equations.
@@ -76,13 +76,13 @@ SHOWN = (-1.0, -0.7, -0.3, 0.3, 0.7, 1.0)
 # --- what holds, and what is forced ---------------------------------------------------------
 
 
-def found(condition: str, degree: int) -> list[str]:
+def proven_integrals(condition: str, degree: int) -> list[str]:
     """Integrals polynomial in M and n up to a degree in each, at a condition on k; all proven."""
     question = search_request(
         equations_on_sphere(), degree=degree, gamma_degree=degree, at=[condition] * bool(condition)
     )
-    told = [(finding.formula, finding.proven) for finding in integrals(question)]
-    return [f"{formula} ({'proven' if proven else 'not proven'})" for formula, proven in told]
+    findings = [(finding.formula, finding.proven) for finding in integrals(question)]
+    return [f"{formula} ({'proven' if proven else 'not proven'})" for formula, proven in findings]
 
 
 def starts(count: int) -> Any:
@@ -124,23 +124,23 @@ def exponents(row: Row, until: float) -> Spectrum:
     return lyapunov_spectrum(SYSTEM, row.wildest, {k: row.ratio}, until=until, intervals=intervals)
 
 
-def told(row: Row, made: Spectrum) -> str:
+def table_row(row: Row, spectrum: Spectrum) -> str:
     """A line of the table."""
-    values = ", ".join(f"{e.value:+.5f} ± {e.error:.5f}" for e in made.exponents)
-    forced = ", ".join(item.name for item, _ in made.removed if item.kind != "relation")
-    word = "no chaos seen" if made.settled else "not settled"
+    values = ", ".join(f"{e.value:+.5f} ± {e.error:.5f}" for e in spectrum.exponents)
+    forced = ", ".join(item.name for item, _ in spectrum.removed if item.kind != "relation")
+    word = "no chaos seen" if spectrum.settled else "not settled"
     return (
         f"{row.ratio:6g}  {100 * row.share:5.1f} %  {row.highest:7.2f}  {values:40s}  "
-        f"{'chaotic' if made.chaotic else word}; forced to zero: {forced}"
+        f"{'chaotic' if spectrum.chaotic else word}; forced to zero: {forced}"
     )
 
 
 # --- pictures -------------------------------------------------------------------------------
 
 
-def charted(size: Size) -> Any:
+def exponent_chart(size: Size) -> Any:
     """The largest exponent over k and a coordinate of the start."""
-    made = scan_grid(
+    grid = scan_grid(
         SYSTEM,
         axis(f"k=-2:2:{size.cells}"),
         axis(f"theta=0:pi:{size.cells}"),
@@ -154,7 +154,7 @@ def charted(size: Size) -> Any:
         },
     )
     rule = MaximalExponent(SYSTEM, size.until, intervals=100)
-    return compute(scan(Scan(made, rule, "lyapunov", "largest Lyapunov exponent", "1/s")))
+    return compute(scan(Scan(grid, rule, "lyapunov", "largest Lyapunov exponent", "1/s")))
 
 
 def section_starts(count: int) -> Any:
@@ -203,7 +203,7 @@ def sections(size: Size) -> Figure:
     return figure
 
 
-def counted(rows: Sequence[Row]) -> Figure:
+def share_figure(rows: Sequence[Row]) -> Figure:
     """The share of chaotic starts against k."""
     ratios, parts = [row.ratio for row in rows], [100 * row.share for row in rows]
     with mpl.rc_context(STYLE):
@@ -224,27 +224,27 @@ def main(folder: Path, size: Size = FULL) -> None:
     """Search, measure, draw."""
     print("Integrals that are polynomials in M and n")
     for condition in ("k = 1", "k = -1", "k = 0"):
-        print(f"  {condition}, to degree 2 in each: {'; '.join(found(condition, 2))}")
+        print(f"  {condition}, to degree 2 in each: {'; '.join(proven_integrals(condition, 2))}")
     for condition in ("", "k = 1/2", "k = -1/2", "k = 2", "k = -2"):
-        told_of = "; ".join(found(condition, size.degree))
-        print(f"  {condition or 'any k'}, to degree {size.degree} in each: {told_of}", flush=True)
+        formulas = "; ".join(proven_integrals(condition, size.degree))
+        print(f"  {condition or 'any k'}, to degree {size.degree} in each: {formulas}", flush=True)
     print("     k  chaotic    MEGNO  exponents of the wildest start, 1/s")
     rows = []
     for row in shares(size):
         rows.append(row)
-        print(told(row, exponents(row, size.long)), flush=True)
-    save(counted(rows), folder / "ball_on_sphere_shares.png")
+        print(table_row(row, exponents(row, size.long)), flush=True)
+    save(share_figure(rows), folder / "ball_on_sphere_shares.png")
     began, busy = time.perf_counter(), time.process_time()
-    made = charted(size)
+    chart = exponent_chart(size)
     seconds, work = time.perf_counter() - began, time.process_time() - busy
     memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
-    values = made["lyapunov"].values
+    values = chart["lyapunov"].values
     print(f"chart of {values.size} cells until {size.until:g}: {seconds:.0f} s", end="")
     print(f", {work:.0f} s of processor time")
     print(f"  the whole run has taken {memory:.0f} MB of memory at most")
-    sure = values > made["lyapunov_error"].values
+    sure = values > chart["lyapunov_error"].values
     print(f"  positive beyond its error in {100 * sure.mean():.1f} % of the cells")
-    save(drawn(made), folder / "ball_on_sphere_chart.png")
+    save(draw_chart(chart), folder / "ball_on_sphere_chart.png")
     save(sections(size), folder / "ball_on_sphere_sections.png")
 
 

@@ -33,10 +33,10 @@ def table(diagram: Diagram) -> str:
     lines = [diagram.plane.title]
     for region in diagram.regions:
         for family in region.families:
-            kept = ", ".join(f"ν_{i}" for i in family.kept) or "no component"
+            components = ", ".join(f"ν_{i}" for i in family.kept) or "no component"
             lines.append(
                 f"  region {region.number}: {family.tori} tori, z_1 in {family.first.text}, "
-                f"z_2 in {family.second.text}; {kept} keeps its sign"
+                f"z_2 in {family.second.text}; {components} keeps its sign"
             )
     for boundary in diagram.boundaries:
         fate = "stable" if boundary.stable else "unstable"

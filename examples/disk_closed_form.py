@@ -32,7 +32,7 @@ OMEGA, GAMMA = (0.4, 0.8, 2.0), (1.0, -0.5, 0.0)
 EARLY, LATE, LENGTH = 0.0, 1e6, 30.0
 
 
-def solved() -> Solution:
+def closed_form() -> Solution:
     """The motion of the disk."""
     system = DISK.system("disk", "Rubber disk")
     solution = solve_rolling(DISK, system, initial_state(system, OMEGA, GAMMA))
@@ -60,7 +60,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("-o", "--output", type=Path, default=Path("disk_closed_form"))
     output = parser.parse_args(arguments).output
-    solution = solved()
+    solution = closed_form()
     print(solution.form.motion)
     for figure in solution.form.figures:
         print(f"{figure.meaning:40s} {figure.value.str(20, radius=False)} {figure.unit}")

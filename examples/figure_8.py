@@ -183,7 +183,7 @@ def dataset(starts: Any, returns: int) -> Any:
     return compute(section_task(RETURN, starts, returns, QUANTITIES, attributes=notes))
 
 
-def listed(points: Any) -> str:
+def point_list(points: Any) -> str:
     """Points by the coordinates of the pictures."""
     return "; ".join(", ".join(f"{x:+.4f}" for x in place) for place in PLACES(points).tolist())
 
@@ -195,13 +195,13 @@ def main(folder: Path) -> None:
     whole = many["points"].values == RETURNS
     print(f"{STARTS} motions on energy = 1, F_2 = {LEVEL['quadratic']}, {RETURNS} returns each;")
     print(f"  {int((~whole).sum())} of them never come to the section or too rarely")
-    found = cycles(states[whole])
-    for cycle in found:
+    attractors = cycles(states[whole])
+    for cycle in attractors:
         print(
             f"  {cycle.share:.0%} come to a cycle of {cycle.period} points, "
             f"largest multiplier {cycle.multiplier:.4f}"
         )
-        print(f"    (l, L/G, H/G) = {listed(cycle.points)}")
+        print(f"    (l, L/G, H/G) = {point_list(cycle.points)}")
     apart = float(abs(many["law_quadratic"] - LEVEL["quadratic"]).max())
     print(f"  F_2 stays what it is within {apart:.1e}")
     middle = states[whole][:, :: RETURNS // 100].reshape(-1, states.shape[2])
@@ -211,7 +211,7 @@ def main(folder: Path) -> None:
     print(f"  thickness of the cloud of points: {thickness(in_space(middle)):.3f};")
     print(f"  with any F_2 at the same energy:  {thickness(in_space(apart_free)):.3f}")
 
-    target = found[0]
+    target = attractors[0]
     starts, paths = departures(target)
     print(f"{DEPARTURES} motions that begin near the reversed cycle come:")
     print(f"  {fates(paths)}")
@@ -220,7 +220,7 @@ def main(folder: Path) -> None:
     start = starts[quickest]
     one = dataset(start[None], counts[quickest] + FURTHER)
     print(f"The quickest of those that come to the cycle starts at {start.tolist()}")
-    print(f"  leaves (l, L/G, H/G) = {listed(start[None])}")
+    print(f"  leaves (l, L/G, H/G) = {point_list(start[None])}")
     (path,) = np.concatenate([one["M"].values, one["gamma"].values], axis=2)
     origin = reversed_of(target.points[-1])
     left = distances(path, RETURN.returns(origin[None], target.period).states[0])

@@ -18,7 +18,7 @@ HEAD = ("system", "dim", "integrals", "left", "measure", "Poisson", "symmetry", 
 SIGNS = {"kept": "positive", "changes": "singular", "unknown": "sign undecided"}
 
 
-def found(name: str) -> Classification:
+def classification(name: str) -> Classification:
     """The place of a system of the catalogue, with its suggested parameters."""
     system = entry(name).system()
     patience = ProofBudget(EFFORT)
@@ -27,7 +27,7 @@ def found(name: str) -> Classification:
 
 def rows(name: str) -> list[str]:
     """The lines of a system: one for its phase space, one for each level with laws of its own."""
-    whole = found(name)
+    whole = classification(name)
     return [line(f"`{name}`", whole), *(line(f"… {part.level}", part) for part in whole.levels)]
 
 

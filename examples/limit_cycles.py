@@ -73,10 +73,10 @@ AROUND = (("0.62", "0.92"), ("4.12", "4.42"))
 
 def circles(moments: np.ndarray, kappa: np.ndarray) -> Circle:
     """The maps of the circle of α after one turn of β, by F/2H, for J₁ < F/2H < J₂."""
-    made = torus()
+    system = torus()
     values = {f"J_{i}": J for i, J in enumerate(moments, 1)}
     values |= {f"kappa_{i}": k for i, k in enumerate(kappa, 1)}
-    returns = PoincareMap(made, poincare_section(made, "beta", angle=True), values, TOLERANCE)
+    returns = PoincareMap(system, poincare_section(system, "beta", angle=True), values, TOLERANCE)
     return Circle(returns, "alpha", "lambda", {"beta": 0.0})
 
 
@@ -156,10 +156,12 @@ class Ball:
     @property
     def returns(self) -> ReturnMap:
         """Where γ passes the plane across the first axis of J, upwards: β a multiple of 2π."""
-        made = replace(from_catalogue("unbalanced-rubber-ball"), guards=())
-        gamma = made.symbols[3:]
+        system = replace(from_catalogue("unbalanced-rubber-ball"), guards=())
+        gamma = system.symbols[3:]
         height = sp.Add(*(sp.Float(a, 20) * g for a, g in zip(self.axes[0], gamma, strict=True)))
-        return ReturnMap(PoincareMap(made, poincare_section(made, height), self.values, TOLERANCE))
+        return ReturnMap(
+            PoincareMap(system, poincare_section(system, height), self.values, TOLERANCE)
+        )
 
     def start(self, level: float, alpha: float) -> np.ndarray:
         """ω, γ on the torus F/2H = level with 2H = 1 J, at β = 0, with β and α growing.
@@ -183,8 +185,8 @@ def cycles(ball: Ball, level: float = LEVEL, settle: int = 200) -> tuple[Orbit, 
     """The attracting limit cycle of a torus, and its branch over all tori of the same energy."""
     returns = ball.returns
     near = returns.section.iterate(ball.start(level, 2.0)[None], settle)[0]
-    found = find(returns, near, hold={"energy": 0.5, "quadratic": level})
-    return found, follow(returns, found, "quadratic", 2.0, {"energy": 0.5}, longest=0.3)
+    orbit = find(returns, near, hold={"energy": 0.5, "quadratic": level})
+    return orbit, follow(returns, orbit, "quadratic", 2.0, {"energy": 0.5}, longest=0.3)
 
 
 def control(ball: Ball, level: float, period: int) -> Orbit:
@@ -199,12 +201,12 @@ def resonance(circle: Circle, fraction: Fraction, stairs: DevilsStaircase) -> fl
 
 def proofs(steps: int = 4000) -> list[Cycle]:
     """That there are an attracting and a repelling limit cycle, with bounds of the multipliers."""
-    made = torus()
-    definitions = dict(made.definitions)
+    system = torus()
+    definitions = dict(system.definitions)
     # as they stand, but each angle occurs once, so that balls stay small
     definitions[xi] = J_1 + (level - J_1) * sp.sin(beta) ** 2
     definitions[eta] = J_2 + (J_3 - J_2) * sp.sin(alpha) ** 2
-    sharp = replace(made, definitions=definitions)
+    sharp = replace(system, definitions=definitions)
     values = {f"J_{i}": str(x) for i, x in enumerate(J, 1)}
     values |= {f"kappa_{i}": str(x) for i, x in enumerate(KAPPA, 1)} | {"lambda": str(LEVEL)}
     return [enclose_limit_cycle(sharp, values, ends, 2, steps=steps) for ends in AROUND]
@@ -229,7 +231,7 @@ class Story:
     proofs: list[Cycle]
 
 
-def told(count: int = 400, longest: int = LONGEST) -> Story:
+def measure(count: int = 400, longest: int = LONGEST) -> Story:
     """Staircase, widths, limit cycles and controls."""
     full, even = circles(J, KAPPA), circles(J, 0 * KAPPA)
     stairs = staircase(full, levels(J, count), target=1e-9, most=2048)
@@ -264,8 +266,8 @@ def told(count: int = 400, longest: int = LONGEST) -> Story:
 
 def figure(story: Story) -> Figure:
     """The staircase, and the widths of its steps."""
-    made = plt.figure(figsize=(WIDTH, 5.4), layout="constrained")
-    top, low = made.add_gridspec(2, 1, height_ratios=(1.15, 1)).subplots()
+    drawing = plt.figure(figsize=(WIDTH, 5.4), layout="constrained")
+    top, low = drawing.add_gridspec(2, 1, height_ratios=(1.15, 1)).subplots()
     stairs = story.stairs
     top.plot(stairs.values, stairs.rotations, color=SERIES[0], lw=0.9)
     for step in story.steps:
@@ -276,14 +278,14 @@ def figure(story: Story) -> Figure:
         text = {"fontsize": 9 if short else 6.5, "color": INK}
         top.annotate(str(step.fraction), place, offset, textcoords="offset points", **text)
     top.set(xlabel=r"torus, $F_2/2H$ (kg m$^2$)", ylabel=r"turns of $\alpha$ in one of $\beta$")
-    for found, colour in zip(story.widths, SERIES, strict=False):
-        shares = np.array(found.shares)
-        sizes = np.array([step.width for step in found.steps])
+    for width, colour in zip(story.widths, SERIES, strict=False):
+        shares = np.array(width.shares)
+        sizes = np.array([step.width for step in width.steps])
         low.loglog(shares, sizes, "o-", color=colour)
-        label = rf"  {found.fraction}: $\propto a^{{{found.power:.2f}}}$"
-        side = {Fraction(4, 3): "bottom", Fraction(5, 3): "top"}.get(found.fraction, "center")
+        label = rf"  {width.fraction}: $\propto a^{{{width.power:.2f}}}$"
+        side = {Fraction(4, 3): "bottom", Fraction(5, 3): "top"}.get(width.fraction, "center")
         low.text(1.0, sizes[0], label, color=colour, va=side, fontsize=9)
-    noise = max(step.error for found in story.widths for step in found.steps)
+    noise = max(step.error for width in story.widths for step in width.steps)
     low.axhspan(noise / 100, noise, color=QUIET, alpha=0.2, lw=0)
     low.text(shares[-1], noise / 10, "errors of the edges", va="center", color=QUIET, fontsize=8)
     low.set(xlabel="displacement of the centre of mass, as a share of that above")
@@ -291,7 +293,7 @@ def figure(story: Story) -> Figure:
     low.set_ylim(bottom=noise / 100)
     low.set_xticks(shares, [f"{Fraction(share)}" for share in shares], minor=False)
     low.minorticks_off()
-    return made
+    return drawing
 
 
 def report(story: Story) -> None:
@@ -312,8 +314,8 @@ def report(story: Story) -> None:
     for found in story.proofs:
         low, high = (float(x) for x in (found.multiplier.lower(), found.multiplier.upper()))
         ends = " to ".join(f"{float(x):.2f}" for x in found.interval)
-        told = "proven" if found.kind != "undecided" else "not proven"
-        print(f"  {told}: {found.kind}, α from {ends}, multiplier from {low:.3f} to {high:.3f}")
+        status = "proven" if found.kind != "undecided" else "not proven"
+        print(f"  {status}: {found.kind}, α from {ends}, multiplier from {low:.3f} to {high:.3f}")
     _tell("attracting limit cycle of the ball itself, ω and γ", cycle)
     worst = min(story.branch.orbits, key=lambda orbit: -abs(orbit.multipliers.values[0]))
     _tell(f"most repelling one, F/2H = {worst.values['quadratic']:.4f}", worst)
@@ -338,7 +340,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("-o", "--output", type=Path, default=Path(), help="folder of the figure")
     folder = parser.parse_args(arguments).output
-    story = told()
+    story = measure()
     report(story)
     with plt.rc_context(STYLE):
         folder.mkdir(parents=True, exist_ok=True)

@@ -117,8 +117,10 @@ def image(case: Case) -> tuple[dict[Any, Any], tuple[Any, ...]]:
         for symbol, formula in system.steps:
             known[symbol] = evaluated([formula], known)[0]
         shared = {p.symbol: known.get(p.symbol) for p in law.target.parameters}
-        given = {p: evaluated([to_components(formula)], known)[0] for p, formula in law.constants}
-        return {**shared, **given}, evaluated([f for _, f in flat_pairs(law.map)], known)
+        parameters = {
+            p: evaluated([to_components(formula)], known)[0] for p, formula in law.constants
+        }
+        return {**shared, **parameters}, evaluated([f for _, f in flat_pairs(law.map)], known)
 
 
 def back(case: Case) -> GenusTwo:

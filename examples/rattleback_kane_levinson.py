@@ -121,12 +121,12 @@ class Run:
 def run(system: System, until: float, precision: str, tolerance: float | None = None) -> Run:
     """Integrate the motion and find where the spin changes sign."""
     moments = [0.0, until]
-    made = chaplygin.integrate(
+    trajectory = chaplygin.integrate(
         system, start(system), moments, precision=precision, tolerance=tolerance, dense=True
     )
     dense = replace(
-        made.dense,
-        **{name: np.asarray(value, dtype=float) for name, value in vars(made.dense).items()},
+        trajectory.dense,
+        **{name: np.asarray(value, dtype=float) for name, value in vars(trajectory.dense).items()},
     )
     vertical = function(system, to_components(dot(omega, gamma)))
     third = function(system, omega.symbols[2])
@@ -147,8 +147,8 @@ def function(system: System, formula: sp.Expr) -> Callable[[Any], Any]:
     steps = list(system.needed([formula]))
     values = {s: sp.Float(repr(v), 17) for s, v in system.defaults.items()}
     steps = [(s, f.xreplace(values)) for s, f in steps]
-    made = sp.lambdify([list(system.symbols)], [formula], "numpy", cse=lambda e: (steps, e))
-    return lambda states: made(states.T)[0]
+    function_of = sp.lambdify([list(system.symbols)], [formula], "numpy", cse=lambda e: (steps, e))
+    return lambda states: function_of(states.T)[0]
 
 
 def sign_changes(curve: Callable[[Any], Any], knots: Any, pieces: int = 4) -> list[float]:
@@ -177,37 +177,37 @@ def sign_changes(curve: Callable[[Any], Any], knots: Any, pieces: int = 4) -> li
 def closest(curve: Callable[[Any], Any], low: float, high: float) -> float:
     """Where a curve that keeps its sign comes nearest to zero, or passes it."""
     sign = np.sign(float(curve(0.5 * (low + high))[0]))
-    found = minimize_scalar(
+    minimum = minimize_scalar(
         lambda t: sign * float(curve(t)[0]),
         bounds=(low, high),
         method="bounded",
         options={"xatol": 1e-10},
     )
-    return float(found.x)
+    return float(minimum.x)
 
 
-def record(made: Run) -> dict[str, list[float]]:
+def record(motion: Run) -> dict[str, list[float]]:
     """The moments, with as many digits as are certain."""
     return {
-        "reversals": [round(t, DIGITS) for t in made.reversals],
-        "omega3_zeros": [round(t, DIGITS) for t in made.omega3_zeros],
+        "reversals": [round(t, DIGITS) for t in motion.reversals],
+        "omega3_zeros": [round(t, DIGITS) for t in motion.omega3_zeros],
     }
 
 
 def table(free: Run, damped: Run) -> str:
     """The moments for a reader."""
     lines = [f"Started at ω₃ = {SPIN} rad/s, roll = pitch = {TILT}°; times in seconds", ""]
-    for words, made in (("no dissipation", free), (f"couple −σω, σ = {SIGMA:g} N m s", damped)):
+    for words, motion in (("no dissipation", free), (f"couple −σω, σ = {SIGMA:g} N m s", damped)):
         lines.append(words)
         for name, moments in (
-            ("(ω, γ) changes sign at", made.reversals),
-            ("ω₃ changes sign at", made.omega3_zeros),
+            ("(ω, γ) changes sign at", motion.reversals),
+            ("ω₃ changes sign at", motion.omega3_zeros),
         ):
             shown = [f"{t:.{DIGITS}f}" for t in moments]
             for i in range(0, max(len(shown), 1), 4):
                 head = name if i == 0 else ""
                 lines.append(f"  {head:<24}{'  '.join(shown[i : i + 4]) or 'never'}")
-        lines.append(f"  {'spin at the end':<24}{made.spin[-1]:.4f} rad/s")
+        lines.append(f"  {'spin at the end':<24}{motion.spin[-1]:.4f} rad/s")
     return "\n".join(lines)
 
 
@@ -221,12 +221,12 @@ def draw(free: Run, damped: Run, path: Path) -> None:
     with rc_context(STYLE):
         figure = Figure(figsize=(WIDTH, 4.6), layout="constrained")
         upper, lower = figure.subplots(2, 1, sharex=True)
-        for made, colour, words in (
+        for motion, colour, words in (
             (free, COMPONENTS[0], "no dissipation"),
             (damped, COMPONENTS[1], f"couple −σω, σ = {SIGMA:g} N m s"),
         ):
-            upper.plot(made.times, made.spin, color=colour, label=words)
-            lower.plot(made.times, np.degrees(made.tilt), color=colour, linewidth=0.6)
+            upper.plot(motion.times, motion.spin, color=colour, label=words)
+            lower.plot(motion.times, np.degrees(motion.tilt), color=colour, linewidth=0.6)
         upper.axhline(0.0, color=FAINT, linewidth=0.6, zorder=0)
         upper.set_ylabel("spin (ω, γ)  (rad/s)")
         lower.set_ylabel("tilt of axis 3  (degrees)")

@@ -45,10 +45,10 @@ with mpmath.workdps(DIGITS):
     D = mpmath.mpf(BALL["m"]) * mpmath.mpf(BALL["R"]) ** 2
 
 
-def reduced() -> SeparatedSystem:
+def reduced_system() -> SeparatedSystem:
     """The ball without its motion in space."""
-    made = chaplygin_ball()
-    return replace(made, system=replace(made.system, motion=None, observables=(), guards=()))
+    system = chaplygin_ball()
+    return replace(system, system=replace(system.system, motion=None, observables=(), guards=()))
 
 
 # --- the level -----------------------------------------------------------------------------
@@ -66,8 +66,8 @@ def periods(root: Any) -> Lattice:
 def rotation_number(root: Any) -> Any:
     """How often z₁ goes around while z₂ goes around once, for I₁ < r < I₂ (mpmath)."""
     with ctx.workdps(DIGITS + 10):
-        found = periods(root)
-        first, second = found.around_ovals(found.normalised((arb(0), arb(1))))
+        lengths = periods(root)
+        first, second = lengths.around_ovals(lengths.normalised((arb(0), arb(1))))
         return mpmath.mpf(abs(first / second).str(DIGITS, radius=False))
 
 
@@ -126,10 +126,10 @@ class Story:
     orbits: tuple[Orbit, ...]
 
 
-def told(count: int = PHASES) -> Story:
+def measure(count: int = PHASES) -> Story:
     """Orbits at `count` phases."""
     root = resonance()
-    separable = reduced()
+    separable = reduced_system()
     values = {p.symbol: BALL[str(p.symbol)] for p in separable.system.parameters}
     solution = solved(separable, values, start(root))
     with ctx.workdps(DIGITS):
@@ -156,9 +156,9 @@ def _orbit(solution: GenusTwo, phase: Any, common: Any) -> Orbit:
         direction, turning = torus.ball([v + V * tau for v, V in zip(origin, torus.V, strict=True)])
         return function(*direction, *turning, *fixed)
 
-    found = [at(common * i / POINTS) for i in range(POINTS)]
-    period = sum((value[0] for value in found), arb(0)) * common / POINTS
-    state = [x.str(DIGITS, radius=False) for x in found[0][1:]]
+    samples = [at(common * i / POINTS) for i in range(POINTS)]
+    period = sum((value[0] for value in samples), arb(0)) * common / POINTS
+    state = [x.str(DIGITS, radius=False) for x in samples[0][1:]]
     return Orbit(float(phase), state, period)
 
 
@@ -176,7 +176,7 @@ def miss(story: Story, orbit: Orbit, period: Any) -> float:
 
 def figure(story: Story) -> Figure:
     """Periods in t and in τ against the phase, each by its mean."""
-    made, axes = plt.subplots(figsize=(WIDTH, 2.9), layout="constrained")
+    drawing, axes = plt.subplots(figsize=(WIDTH, 2.9), layout="constrained")
     phases = [orbit.phase for orbit in story.orbits] + [1.0]
     shares = [float(orbit.period / story.mean) for orbit in story.orbits]
     axes.axhline(1.0, color=QUIET, label=rf"in $\tau$: all {float(story.common):.4f}")
@@ -184,7 +184,7 @@ def figure(story: Story) -> Figure:
     axes.plot(phases, [*shares, shares[0]], ".-", color=SERIES[0], label=label)
     axes.set(xlabel="phase of the orbit on the torus", ylabel="period / mean", xlim=(0, 1))
     axes.legend(loc="upper right", labelcolor=INK)
-    return made
+    return drawing
 
 
 def report(story: Story) -> None:
@@ -218,7 +218,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("-o", "--output", type=Path, default=Path(), help="folder of the figure")
     folder = parser.parse_args(arguments).output
-    story = told()
+    story = measure()
     report(story)
     with plt.rc_context(STYLE):
         folder.mkdir(parents=True, exist_ok=True)

@@ -228,8 +228,8 @@ def growth(system: System, spin: sp.Expr) -> float:
     numbers = {name: sp.Rational(str(value)) for name, value in DEFAULTS.items()}
     straight = {"q1dot": 0, "q2": 0, "q2dot": 0, "q3dot": spin}
     with mpmath.workdps(30):
-        found = linear_stability(system, straight, numbers)
-        return float(max(value.real for value in found.eigenvalues))
+        modes = linear_stability(system, straight, numbers)
+        return float(max(value.real for value in modes.eigenvalues))
 
 
 def critical(share: int) -> sp.Expr:
@@ -256,7 +256,7 @@ def column(run: Trajectory, name: str) -> np.ndarray:
 
 def figure(true: Trajectory, false: Trajectory) -> Figure:
     """Lean against time, and the paths of the contact point."""
-    made, (left, right) = plt.subplots(
+    drawing, (left, right) = plt.subplots(
         1, 2, figsize=(WIDTH, 3.0), layout="constrained", width_ratios=(1.4, 1)
     )
     pairs = (("rolling disc", true, SERIES[0]), ("constraint substituted", false, SERIES[1]))
@@ -273,14 +273,14 @@ def figure(true: Trajectory, false: Trajectory) -> Figure:
     left.axhline(0, color=QUIET, linewidth=0.6)
     left.set(xlabel="time (s)", ylabel="lean (degrees)")
     right.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
-    made.legend(loc="outside upper left", ncols=2)
-    return made
+    drawing.legend(loc="outside upper left", ncols=2)
+    return drawing
 
 
 # --- in words ------------------------------------------------------------------------------------
 
 
-def told(verdict: Verdict, fails: str = "is off by") -> str:
+def verdict_text(verdict: Verdict, fails: str = "is off by") -> str:
     """A verdict; of a refutation, the point."""
     if verdict.witness is None:
         return f"{verdict.decision} ({verdict.shown or verdict.reason})"
@@ -299,24 +299,29 @@ def report(folder: Path) -> None:
     for name, rate in accelerations(disc_itself).items():
         print(f"    d{name}/dt = {rate}")
     print("\nRight ways to them")
-    print("  SymPy, Lagrange with multipliers:", told(same(with_multipliers(), disc_itself, {})))
+    print(
+        "  SymPy, Lagrange with multipliers:",
+        verdict_text(same(with_multipliers(), disc_itself, {})),
+    )
     speeds = {f"q{i}dot": real_symbol(f"u{i}") for i in (1, 2, 3)}
-    print("  SymPy, Kane:", told(same(by_kane(), disc_itself, speeds)))
+    print("  SymPy, Kane:", verdict_text(same(by_kane(), disc_itself, speeds)))
     print("\nThe tutorial's equations: the same motions?")
-    print("  as printed:", told(same(exact, in_cosines(printed), {})))
-    print("  with the sign of gravity put right:", told(same(exact, in_cosines(mistaken), {})))
+    print("  as printed:", verdict_text(same(exact, in_cosines(printed), {})))
+    print(
+        "  with the sign of gravity put right:", verdict_text(same(exact, in_cosines(mistaken), {}))
+    )
     print("\nThey differ by")
     print("    d(q1dot)/dt:  4 q2dot (q1dot sin q2 + q3dot) / cos q2")
     print("    d(q2dot)/dt:  0")
     print("    d(q3dot)/dt:  q2dot (10/3 q1dot cos q2 − 4 (q3dot sin q2 + q1dot) / cos q2)")
-    print("  ", told(prove(disc_itself, difference(mistaken))))
+    print("  ", verdict_text(prove(disc_itself, difference(mistaken))))
     print("  Where the lean does not change both agree: steady circles and straight rolling are")
     print("  the same, but how they respond to a push is not.")
     print("\nWhat would be conserved if it were right")
     for law in mistaken.integrals:
         value = sp.expand_trig(written(mistaken, law.value)).xreplace({s: sine, c: cosine})
         verdict = prove(exact, replace(law, value=value))
-        print(f"  {law.meaning}: {told(verdict, 'changes at the rate')}")
+        print(f"  {law.meaning}: {verdict_text(verdict, 'changes at the rate')}")
     print("  The energy is kept by both, so that a check of the energy shows nothing.")
     print("\nStraight rolling is stable above")
     for label, system, share in (("rolling disc", disc_itself, 3), ("tutorial", mistaken, 9)):

@@ -72,7 +72,7 @@ def angles(states: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 @dataclass(frozen=True)
-class Found:
+class Measurements:
     """What was measured for one ratio.
 
     Attributes
@@ -102,48 +102,50 @@ def residue(orbit: Orbit) -> float:
     return float((2 - np.trace(orbit.multipliers.matrix)) / 4)
 
 
-def measured(k: float, count: int = 72, length: int = 4000, until: float = UNTIL) -> Found:
+def measure(k: float, count: int = 72, length: int = 4000, until: float = UNTIL) -> Measurements:
     """All measurements for one ratio."""
-    made = returns(k)
+    section = returns(k)
     line = np.linspace(0.02 - np.pi, np.pi - 0.02, count)
     across = np.where(np.arange(count) % 2, np.pi / 2, np.pi / 2 + 0.43 * line)
-    points = made.returns(starts(k, line, across), length).states
+    points = section.returns(starts(k, line, across), length).states
     _, errors = average(points[..., 3] ** 2)
     (start,) = starts(k, *np.array(START)[:, None])
-    exponents = lyapunov_spectrum(SYSTEM, start, made.parameters, until=until)
-    return Found(
+    exponents = lyapunov_spectrum(SYSTEM, start, section.parameters, until=until)
+    return Measurements(
         points,
-        drifts(made, points),
-        closed(k),
+        drifts(section, points),
+        closed_orbits(k),
         float((errors < 1e-6).mean()),
         exponents.exponents[0],
     )
 
 
-def drifts(made: PoincareMap, points: np.ndarray) -> dict[str, float]:
+def drifts(section: PoincareMap, points: np.ndarray) -> dict[str, float]:
     """How much the energy and the two quadratic integrals change."""
     laws = {"energy": ball.ENERGY, "for k = 1": ball.ON_PLANE, "for k = −1": ball.AROUND}
     values = Formulas(SYSTEM, [to_components(law.value) for law in laws.values()])(
-        points, made.parameters
+        points, section.parameters
     )
     change = np.ptp(values, axis=1) / np.abs(values).mean(axis=1)
     return dict(zip(laws, change.max(axis=0).tolist(), strict=True))
 
 
-def closed(k: float, periods: Sequence[int] = PERIODS, sought: int = SOUGHT) -> tuple[Orbit, ...]:
+def closed_orbits(
+    k: float, periods: Sequence[int] = PERIODS, sought: int = SOUGHT
+) -> tuple[Orbit, ...]:
     """Closed orbits of several points, from starts on the line ψ = π/2."""
-    made, found = ReturnMap(returns(k)), []
+    return_map, orbits = ReturnMap(returns(k)), []
     for period in periods:
         for theta in np.linspace(0.05, np.pi - 0.05, sought):
             (start,) = starts(k, np.array([theta]), np.array([np.pi / 2]))
             try:
-                orbit = find(made, start, period, {"energy": 0.5})
+                orbit = find(return_map, start, period, {"energy": 0.5})
             except NoOrbitError:
                 continue
             apart = np.linalg.norm(orbit.points[1:] - orbit.points[0], axis=1).min()
-            if apart > 1e-4 and not any(_same(orbit, other) for other in found):
-                found.append(orbit)
-    return tuple(found)
+            if apart > 1e-4 and not any(_same(orbit, other) for other in orbits):
+                orbits.append(orbit)
+    return tuple(orbits)
 
 
 def _same(orbit: Orbit, other: Orbit) -> bool:
@@ -151,12 +153,12 @@ def _same(orbit: Orbit, other: Orbit) -> bool:
     return near and orbit.period == other.period
 
 
-def figure(found: dict[str, Found]) -> Figure:
+def figure(measurements: dict[str, Measurements]) -> Figure:
     """The four sections."""
-    made, axes = plt.subplots(
+    drawing, axes = plt.subplots(
         2, 2, figsize=(WIDTH, 4.9), sharex=True, sharey=True, layout="constrained"
     )
-    for panel, (name, one) in zip(axes.flat, found.items(), strict=True):
+    for panel, (name, one) in zip(axes.flat, measurements.items(), strict=True):
         theta, psi = angles(one.points[:, :SHOWN])
         for number, (places, directions) in enumerate(zip(theta, psi, strict=True)):
             colour = SERIES[number % len(SERIES)]
@@ -166,18 +168,18 @@ def figure(found: dict[str, Found]) -> Figure:
         panel.set_xticks([-np.pi, 0, np.pi], [r"$-\pi$", "0", r"$\pi$"])
         panel.set_yticks([0, np.pi / 2, np.pi], ["0", r"$\pi/2$", r"$\pi$"])
     # half of the last tick label stands beyond the axes
-    made.get_layout_engine().set(w_pad=0.08)
+    drawing.get_layout_engine().set(w_pad=0.08)
     for panel in axes[1]:
         panel.set_xlabel(r"position on the circle $n_2 = 0$, $\theta$ (rad)")
     for panel in axes[:, 0]:
         panel.set_ylabel(r"direction $\psi$ (rad)")
-    return made
+    return drawing
 
 
-def report(found: dict[str, Found]) -> None:
+def report(measurements: dict[str, Measurements]) -> None:
     """The numbers."""
     print(f"J = {J.tolist()} kg m², energy 0.5 J, section n₂ = 0 rising\n")
-    for name, one in found.items():
+    for name, one in measurements.items():
         print(f"{name}:")
         changes = ", ".join(f"{law} {value:.1e}" for law, value in one.drifts.items())
         print(f"  change along {one.points.shape[1]} returns: {changes}")
@@ -187,19 +189,19 @@ def report(found: dict[str, Found]) -> None:
         sizes = np.abs([residue(orbit) for orbit in one.orbits])
         print(f"  closed orbits of {PERIODS[0]} to {PERIODS[-1]} points: {count}")
         print(f"    |residue| from {sizes.min():.1e} to {sizes.max():.1e}")
-        told = f"{one.exponent.value:.5f} ± {one.exponent.error:.5f}"
-        print(f"  largest exponent from θ, ψ = {START}: {told} 1/s")
+        exponent = f"{one.exponent.value:.5f} ± {one.exponent.error:.5f}"
+        print(f"  largest exponent from θ, ψ = {START}: {exponent} 1/s")
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("-o", "--output", type=Path, default=Path(), help="folder of the figure")
     folder = parser.parse_args(arguments).output
-    found = {name: measured(k) for name, k in RATIOS.items()}
-    report(found)
+    measurements = {name: measure(k) for name, k in RATIOS.items()}
+    report(measurements)
     with plt.rc_context(STYLE):
         folder.mkdir(parents=True, exist_ok=True)
-        figure(found).savefig(folder / "rubber_ball_on_sphere.png", dpi=120)
+        figure(measurements).savefig(folder / "rubber_ball_on_sphere.png", dpi=120)
     print(f"wrote {folder / 'rubber_ball_on_sphere.png'}")
 
 

@@ -85,7 +85,7 @@ class Attractor:
     points: np.ndarray
 
 
-def settled(system: System, case: Case, pieces: int = 20) -> np.ndarray:
+def state_on_attractor(system: System, case: Case, pieces: int = 20) -> np.ndarray:
     """A state on the level of the energy, drawn at random and followed for a while."""
     level = Formulas(system, [system.relations[0], system.integrals[0].value])
     flow = batch_integrator(system, tolerance=1e-12)
@@ -101,23 +101,23 @@ def section_points(system: System, state: np.ndarray, count: int, each: int = 20
     level = Formulas(system, [system.relations[0], system.integrals[0].value])
     energy = level(state[None])[0, 1]
     flow = batch_integrator(system, tolerance=1e-12, section=poincare_section(system, "gamma_1"))
-    found, states = [], state[None]
+    points, states = [], state[None]
     for _ in range(count // each):
         crossed = flow.returns(states, each)
         if crossed.outcome[0]:
             raise RunError(flow.reason(int(crossed.outcome[0])), float(crossed.ended[0]))
-        found.append(crossed.states[0])
-        states, _ = projected(level, found[-1][-1:], [0.0, energy])
-    return np.concatenate(found)
+        points.append(crossed.states[0])
+        states, _ = projected(level, points[-1][-1:], [0.0, energy])
+    return np.concatenate(points)
 
 
-def told(case: Case, until: float, count: int) -> Attractor:
+def attractor_of(case: Case, until: float, count: int) -> Attractor:
     """Spectrum and section of one case."""
     system = case.build()
-    state = settled(system, case)
-    found = lyapunov_spectrum(system, state, until=until)
-    holding = tuple(r for r in reversors(system) if r.holds(found.parameters))
-    return Attractor(case, found, holding, section_points(system, state, count))
+    state = state_on_attractor(system, case)
+    spectrum = lyapunov_spectrum(system, state, until=until)
+    holding = tuple(r for r in reversors(system) if r.holds(spectrum.parameters))
+    return Attractor(case, spectrum, holding, section_points(system, state, count))
 
 
 #: The stone with 7.6 times the energy of its rest.
@@ -127,11 +127,11 @@ CASES = [Case(rattleback, 0.75, 100.0)]
 # --- pictures ------------------------------------------------------------------------------
 
 
-def _running(axes: Axes, found: Spectrum) -> None:
+def _running(axes: Axes, spectrum: Spectrum) -> None:
     axes.axhline(0, color=FAINT, lw=0.8)
-    shown = found.running
-    for number, (item, colour) in enumerate(zip(found.exponents, SERIES, strict=False), 1):
-        axes.plot(found.times, shown[:, number - 1], color=colour, lw=0.9)
+    shown = spectrum.running
+    for number, (item, colour) in enumerate(zip(spectrum.exponents, SERIES, strict=False), 1):
+        axes.plot(spectrum.times, shown[:, number - 1], color=colour, lw=0.9)
         axes.axhspan(
             item.value - item.error, item.value + item.error, color=colour, alpha=0.13, lw=0
         )
@@ -147,14 +147,14 @@ def _running(axes: Axes, found: Spectrum) -> None:
     # the values of the first instants are part of the picture
     low, high = np.nanmin(shown), np.nanmax(shown)
     axes.set_ylim(low - 0.06 * (high - low), high + 0.06 * (high - low))
-    axes.set_xlim(0, found.until)
+    axes.set_xlim(0, spectrum.until)
     axes.set_xlabel("time (s)")
     axes.set_ylabel("exponent (1/s)")
 
 
-def _section(figure: Figure, axes: Axes, found: Attractor) -> None:
+def _section(figure: Figure, axes: Axes, attractor: Attractor) -> None:
     """Vertical momentum and momentum about the third axis; the mirror image in grey."""
-    M, gamma = found.points[:, :3], found.points[:, 3:]
+    M, gamma = attractor.points[:, :3], attractor.points[:, 3:]
     vertical = (M * gamma).sum(axis=1)
     axes.plot(-1e3 * vertical, -1e3 * M[:, 2], ",", color=FAINT, zorder=1)
     shown = axes.scatter(
@@ -168,12 +168,12 @@ def _section(figure: Figure, axes: Axes, found: Attractor) -> None:
     bar.outline.set_visible(False)
 
 
-def draw_all(found: list[Attractor]) -> Figure:
+def draw_all(attractors: list[Attractor]) -> Figure:
     """Sections above, the way the exponents settle below."""
     with plt.rc_context(STYLE):
         figure, axes = plt.subplots(
             2,
-            len(found),
+            len(attractors),
             figsize=(WIDTH, 5.0),
             squeeze=False,
             height_ratios=(1.5, 1.0),
@@ -181,7 +181,7 @@ def draw_all(found: list[Attractor]) -> Figure:
         )
         # letters keep their distance from the edge
         figure.get_layout_engine().set(w_pad=0.12, h_pad=0.08)
-        for (above, below), each in zip(axes.T, found, strict=True):
+        for (above, below), each in zip(axes.T, attractors, strict=True):
             _section(figure, above, each)
             _running(below, each.spectrum)
             system = each.spectrum.system
@@ -198,17 +198,17 @@ def main() -> None:
     parser.add_argument("--points", type=int, default=20_000, help="points of each section")
     parser.add_argument("-o", "--output", type=Path, default=Path("docs/pictures"))
     options = parser.parse_args()
-    found = [told(case, options.until, options.points) for case in CASES]
-    for each in found:
+    attractors = [attractor_of(case, options.until, options.points) for case in CASES]
+    for each in attractors:
         print(summary(each))
     with plt.rc_context(STYLE):
-        draw_all(found).savefig(options.output / "strange_attractors.png", dpi=200)
+        draw_all(attractors).savefig(options.output / "strange_attractors.png", dpi=200)
 
 
-def summary(found: Attractor) -> str:
+def summary(attractor: Attractor) -> str:
     """What was measured of a case, in lines."""
-    result = found.spectrum
-    lines = [f"{result.system.title}, energy {found.case.energy:g} J, {result.until:g} s"]
+    result = attractor.spectrum
+    lines = [f"{result.system.title}, energy {attractor.case.energy:g} J, {result.until:g} s"]
     lines += [
         f"  λ{number} = {item.value:.3f} ± {item.error:.3f} /s"
         for number, item in enumerate(result.exponents, 1)
@@ -219,7 +219,7 @@ def summary(found: Attractor) -> str:
         f"mean divergence {divergence.value:.3f} /s",
         f"  removed: {', '.join(item.name for item, _ in result.removed)}",
     ]
-    lines += [f"  {text}" for text in remarks(result, found.reversors)]
+    lines += [f"  {text}" for text in remarks(result, attractor.reversors)]
     return "\n".join(lines)
 
 

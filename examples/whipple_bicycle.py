@@ -272,7 +272,7 @@ def upright(speed: Any) -> dict[str, Any]:
     return {**still, "gamma_1": sp.sin(tilt), "gamma_3": -sp.cos(tilt), "Omega_R": spin}
 
 
-def near(speed: Any, digits: int = DIGITS) -> Linearisation:
+def linearisation_near(speed: Any, digits: int = DIGITS) -> Linearisation:
     """The linear equations at a speed, faster and slower running divided out."""
     family = [{"Omega_R": 1}]
     return linear_stability(model(), upright(speed), VALUES, along=family, digits=digits)
@@ -283,18 +283,20 @@ def difference(speed: Any) -> float:
     with mpmath.workdps(DIGITS + 10):
         machine = {name: mpmath.mpmathify(sp.N(x, DIGITS + 10)) for name, x in VALUES.items()}
         others = by_hand(machine, speed)
-        return float(max(min(abs(a - b) for b in others) for a in near(speed).eigenvalues))
+        return float(
+            max(min(abs(a - b) for b in others) for a in linearisation_near(speed).eigenvalues)
+        )
 
 
 def weaving(speed: float) -> float:
     """Growth rate of the weave: the largest real part of an oscillation."""
-    values = near(speed, 14).eigenvalues
+    values = linearisation_near(speed, 14).eigenvalues
     return float(max(value.real for value in values if value.imag > 0))
 
 
 def capsizing(speed: float) -> float:
     """Growth rate of the capsize: the largest real eigenvalue."""
-    values = near(speed, 14).eigenvalues
+    values = linearisation_near(speed, 14).eigenvalues
     return float(max(value.real for value in values if value.imag == 0))
 
 
@@ -324,7 +326,7 @@ start = {
 run = {"until": 5.0, "samples": 501}
 
 
-def pushed(seconds: float = 5.0) -> Trajectory:
+def pushed_motion(seconds: float = 5.0) -> Trajectory:
     """The same from here; nobody steers."""
     flat = {f"{name}_{i}": x for name in ("gamma", "alpha", "omega") for i, x in vector(name)}
     state = [{**start, **flat}.get(str(symbol), 0.0) for symbol in model().lifted().symbols]
@@ -344,14 +346,18 @@ def report(folder: Path) -> None:
     print("Eigenvalues (1/s) of the Whipple bicycle, straight and upright\n")
     print(f"{'m/s':>4}  {'eigenvalues':58}  {'from those by hand':>18}")
     for speed in range(11):
-        shown = [shown_number(value) for value in near(speed).eigenvalues if value.imag >= 0]
+        shown = [
+            shown_number(value)
+            for value in linearisation_near(speed).eigenvalues
+            if value.imag >= 0
+        ]
         print(f"{speed:4d}  {shown[0]:58}  {difference(speed):18.1e}")
         for line in shown[1:]:
             print(f"      {line}")
     weave, capsize = critical_speeds()
     print(f"\nThe weave dies out above {weave:.12f} m/s,")
     print(f"the capsize grows above {capsize:.12f} m/s: between the two the bicycle rights itself.")
-    run = pushed()
+    run = pushed_motion()
     energy = run.recorded["law_energy"]
     lean = np.degrees(run.recorded["lean"])
     print(
@@ -361,7 +367,7 @@ def report(folder: Path) -> None:
         f"{max(abs(energy / energy[0] - 1)):.0e} of its value."
     )
     speeds = np.linspace(0.0, 10.0, 201)
-    values = [near(speed, 8).eigenvalues for speed in speeds]
+    values = [linearisation_near(speed, 8).eigenvalues for speed in speeds]
     with plt.rc_context(STYLE):
         figures = {
             "whipple_eigenvalues.png": eigenvalue_figure(speeds, values, (weave, capsize)),
@@ -386,7 +392,9 @@ def main() -> None:
     options = parser.parse_args()
     if options.json:
         pairs = {
-            str(speed): [[float(x.real), float(x.imag)] for x in near(speed).eigenvalues]
+            str(speed): [
+                [float(x.real), float(x.imag)] for x in linearisation_near(speed).eigenvalues
+            ]
             for speed in range(11)
         }
         print(json.dumps(pairs, indent=2))

@@ -19,7 +19,7 @@ import matplotlib.pyplot as plt
 import mpmath
 import sympy as sp
 from matplotlib.figure import Figure
-from whipple_bicycle import VALUES, critical_speeds, model, near, upright
+from whipple_bicycle import VALUES, critical_speeds, linearisation_near, model, upright
 
 from chaplygin import linear_stability
 from chaplygin.flow import relative_equilibrium
@@ -43,8 +43,8 @@ class Circle:
 def beginning(steer: float) -> dict[str, float]:
     """A guess for a small steering angle (rad): straight running and a share of the capsize."""
     speed = critical_speeds()[1]
-    found = near(speed, DIGITS)
-    capsize = min(zip(found.eigenvalues, found.modes, strict=True), key=lambda pair: abs(pair[0]))[
+    modes = linearisation_near(speed, DIGITS)
+    capsize = min(zip(modes.eigenvalues, modes.modes, strict=True), key=lambda pair: abs(pair[0]))[
         1
     ]
     share = {str(name): float(mpmath.re(x)) for name, x in capsize.items()}
@@ -55,7 +55,7 @@ def beginning(steer: float) -> dict[str, float]:
 def circles(angles: Sequence[float] = ANGLES) -> list[Circle]:
     """Circles for growing steering angles (degrees), each the guess for the next."""
     guess = beginning(math.radians(angles[0]))
-    found = []
+    family = []
     for angle in angles:
         guess["delta"] = math.radians(angle)
         state = relative_equilibrium(model(), guess, VALUES, held=["delta"], digits=DIGITS)
@@ -65,36 +65,36 @@ def circles(angles: Sequence[float] = ANGLES) -> list[Circle]:
         values = linear_stability(model(), state, VALUES, digits=DIGITS).eigenvalues
         lean = -math.degrees(math.asin(guess["gamma_2"]))
         growth = float(max(value.real for value in values))
-        found.append(Circle(angle, lean, speed, speed / turning, growth))
-    return found
+        family.append(Circle(angle, lean, speed, speed / turning, growth))
+    return family
 
 
-def figure(found: Sequence[Circle]) -> Figure:
+def figure(family: Sequence[Circle]) -> Figure:
     """Lean and radius against the speed."""
-    made, (left, right) = plt.subplots(1, 2, figsize=(WIDTH, 2.8), layout="constrained")
-    speeds = [circle.speed for circle in found]
-    left.plot(speeds, [circle.lean for circle in found], ".-", color=SERIES[0], label="lean")
-    left.plot(speeds, [circle.steer for circle in found], ".-", color=SERIES[1], label="steer")
+    drawing, (left, right) = plt.subplots(1, 2, figsize=(WIDTH, 2.8), layout="constrained")
+    speeds = [circle.speed for circle in family]
+    left.plot(speeds, [circle.lean for circle in family], ".-", color=SERIES[0], label="lean")
+    left.plot(speeds, [circle.steer for circle in family], ".-", color=SERIES[1], label="steer")
     left.set(xlabel="speed (m/s)", ylabel="degrees", xlim=(0, None), ylim=(0, None))
     left.legend(loc="upper right")
-    right.semilogy(speeds, [circle.radius for circle in found], ".-", color=SERIES[2])
+    right.semilogy(speeds, [circle.radius for circle in family], ".-", color=SERIES[2])
     right.set(xlabel="speed (m/s)", ylabel="radius (m)", xlim=(0, None))
-    return made
+    return drawing
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("-o", "--output", type=Path, default=Path(), help="folder of the figure")
     folder = parser.parse_args().output
-    found = circles()
+    solutions = circles()
     print("Hands-free circles of the Whipple bicycle\n")
     print("  steer      lean     speed      radius    growth")
-    for c in found:
+    for c in solutions:
         row = f"{c.steer:6.1f}° {c.lean:8.3f}° {c.speed:7.4f} m/s {c.radius:8.3f} m"
         print(f"{row} {c.growth:7.4f} 1/s")
     with plt.rc_context(STYLE):
         folder.mkdir(parents=True, exist_ok=True)
-        figure(found).savefig(folder / "whipple_circles.png", dpi=160)
+        figure(solutions).savefig(folder / "whipple_circles.png", dpi=160)
     print(f"\nwrote {folder / 'whipple_circles.png'}")
 
 

@@ -14,13 +14,13 @@ from chaplygin.report.drawing.style import FAINT, QUIET, SERIES, WIDTH
 
 
 def eigenvalue_figure(
-    speeds: np.ndarray, found: Sequence[Sequence[Any]], marks: tuple[float, float]
+    speeds: np.ndarray, eigenvalues: Sequence[Sequence[Any]], marks: tuple[float, float]
 ) -> Figure:
     """Real and imaginary parts of the eigenvalues against the speed; stable between the marks."""
     figure, axes = plt.subplots(figsize=(WIDTH, 3.6), layout="constrained")
     for i in range(4):
-        real = np.array([float(values[i].real) for values in found])
-        turning = np.array([float(values[i].imag) for values in found])
+        real = np.array([float(values[i].real) for values in eigenvalues])
+        turning = np.array([float(values[i].imag) for values in eigenvalues])
         moving = turning > 0
         axes.plot(speeds[moving], turning[moving], ".", color=FAINT, markersize=3.5)
         axes.plot(speeds[moving], real[moving], ".", color=SERIES[0], markersize=3.5)

@@ -24,9 +24,9 @@ def example():
 
 def test_what_holds(example) -> None:
     always = ["Dot(M, M) (proven)", "Dot(M, omega) (proven)"]
-    assert example.found("", 2) == always
-    assert example.found("k = 1", 2) == ["Dot(M, n) (proven)", *always]
-    assert len(example.found("k = -1", 2)) == 3
+    assert example.proven_integrals("", 2) == always
+    assert example.proven_integrals("k = 1", 2) == ["Dot(M, n) (proven)", *always]
+    assert len(example.proven_integrals("k = -1", 2)) == 3
 
 
 def test_starts_lie_on_the_level(example) -> None:
@@ -44,16 +44,16 @@ def test_regular_where_it_must_be_and_chaotic_elsewhere(example) -> None:
     made = example.exponents(rows[0.25], 1000.0)
     assert made.chaotic
     assert made.symmetric
-    line = example.told(rows[0.25], made)
+    line = example.table_row(rows[0.25], made)
     assert "chaotic; forced to zero: energy, momentum, flow" in line
     last = example.exponents(rows[1], 1000.0)
-    assert "no chaos seen; forced to zero: energy, momentum, area, flow" in example.told(
+    assert "no chaos seen; forced to zero: energy, momentum, area, flow" in example.table_row(
         rows[1], last
     )
 
 
 def test_the_chart(example) -> None:
-    made = example.charted(example.Size(cells=6, until=60.0))
+    made = example.exponent_chart(example.Size(cells=6, until=60.0))
     assert made["lyapunov"].shape == (6, 6)
     assert not made["outcome"].values.any()
 

@@ -31,7 +31,7 @@ def test_story(example, tmp_path, capsys):
 
 
 def test_the_late_path_has_the_size_of_the_early_one(example):
-    solution = example.solved()
+    solution = example.closed_form()
     sizes = []
     for begin in (example.EARLY, example.LATE):
         place = solution([begin + 0.01 * k for k in range(3000)])["place"]

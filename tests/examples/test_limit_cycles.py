@@ -76,7 +76,7 @@ def test_cycles_are_proven(example):
 
 @pytest.mark.slow
 def test_story_and_figure(example, tmp_path, capsys):
-    story = example.told(80, 3)
+    story = example.measure(80, 3)
     example.report(story)
     assert "locked" in capsys.readouterr().out
     example.figure(story).savefig(tmp_path / "limit_cycles.png")

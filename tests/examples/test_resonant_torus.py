@@ -26,7 +26,7 @@ def example():
 
 @pytest.fixture(scope="module")
 def story(example):
-    return example.told(4)
+    return example.measure(4)
 
 
 @pytest.mark.slow

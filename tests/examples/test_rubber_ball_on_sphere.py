@@ -35,14 +35,14 @@ def test_starts_have_their_angles_and_energy(example):
 
 @pytest.mark.slow
 def test_resonant_curves_are_neutral_where_there_is_an_integral(example):
-    orbits = example.closed(1.0, (3,), 4)
+    orbits = example.closed_orbits(1.0, (3,), 4)
     assert orbits
     assert max(abs(example.residue(orbit)) for orbit in orbits) < 1e-10
 
 
 @pytest.mark.parametrize("k", [0.5, -0.5])
 def test_resonances_are_broken_for_one_half(example, k):
-    orbits = example.closed(k, (3,), 12)
+    orbits = example.closed_orbits(k, (3,), 12)
     assert min(abs(example.residue(orbit)) for orbit in orbits) > 0.1
 
 
@@ -60,7 +60,7 @@ def test_which_quadratic_integral_holds(example):
 @pytest.mark.slow
 def test_figure(example, tmp_path):
     found = {"k = 1": 1.0, "k = −1": -1.0, "k = ½": 0.5, "k = −½": -0.5}
-    made = {name: example.measured(k, 8, 200, 2000.0) for name, k in found.items()}
+    made = {name: example.measure(k, 8, 200, 2000.0) for name, k in found.items()}
     example.report(made)
     example.figure(made).savefig(tmp_path / "figure.png")
     assert (tmp_path / "figure.png").stat().st_size > 10_000

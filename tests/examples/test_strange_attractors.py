@@ -26,7 +26,7 @@ def example():
 
 @pytest.fixture(scope="module")
 def found(example):
-    return [example.told(case, 60.0, 400) for case in example.CASES]
+    return [example.attractor_of(case, 60.0, 400) for case in example.CASES]
 
 
 @pytest.mark.slow

@@ -36,7 +36,7 @@ def test_eigenvalues_of_the_benchmark_at_five_metres_a_second(bicycle: ModuleTyp
         -0.775341882195850 - 4.46486771378823j,
         -14.0783896927982,
     ]
-    found = [complex(value) for value in bicycle.near(5).eigenvalues]
+    found = [complex(value) for value in bicycle.linearisation_near(5).eigenvalues]
     assert found == pytest.approx(published, abs=2e-14, rel=1e-13)
 
 
@@ -68,7 +68,7 @@ def test_json(bicycle: ModuleType, capsys: pytest.CaptureFixture[str], monkeypat
 
 @pytest.mark.slow
 def test_a_stable_bicycle_rights_itself_and_keeps_its_energy(bicycle: ModuleType):
-    run = bicycle.pushed(seconds=4.0)
+    run = bicycle.pushed_motion(seconds=4.0)
     energy = run.recorded["law_energy"]
     assert max(abs(energy / energy[0] - 1)) < 1e-13
     assert max(abs(np.degrees(run.recorded["lean"]))) > 6
@@ -76,7 +76,7 @@ def test_a_stable_bicycle_rights_itself_and_keeps_its_energy(bicycle: ModuleType
 
 
 def test_a_push_to_the_right_turns_it_to_the_right(bicycle: ModuleType):
-    run = bicycle.pushed(seconds=1.0)
+    run = bicycle.pushed_motion(seconds=1.0)
     assert run.recorded["lean"][20] > 0
     names = [str(symbol) for symbol in run.system.symbols]
     path = dict(zip(names, run.states.T, strict=True))
