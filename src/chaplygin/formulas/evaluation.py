@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Generic, TypeVar
 
 import sympy as sp
@@ -38,6 +38,11 @@ class Evaluation(ABC, Generic[N]):
         if element is None:
             element = self._elements[formula] = self._element(formula)
         return element
+
+    def define(self, steps: Iterable[tuple[sp.Symbol, sp.Expr]]) -> None:
+        """Give further symbols the values of formulas, in order: long chains need no recursion."""
+        for symbol, formula in steps:
+            self._elements[symbol] = self(formula)
 
     def _element(self, formula: sp.Expr) -> N:
         if formula in self._definitions:

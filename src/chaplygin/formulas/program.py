@@ -128,13 +128,11 @@ class StraightLineProgram(Evaluation[int]):
         steps: Steps = (),
         functions: Sequence[str] = (),
     ) -> None:
-        super().__init__({name: place for place, name in enumerate(names)}, dict(steps))
+        super().__init__({name: place for place, name in enumerate(names)})
         self.operations: list[Operation] = []
         self._arguments = len(names)
         self._functions = functions
-        # in order, so that long chains of steps are not followed by recursion
-        for name, _ in needed(steps, formulas):
-            self(name)
+        self.define(needed(steps, formulas))
         self.results = [self(sp.sympify(formula)) for formula in formulas]
 
     def run(self, arguments: Sequence[Any], arithmetic: BallArithmetic = BALLS) -> list[Any]:
