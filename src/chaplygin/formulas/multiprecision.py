@@ -55,19 +55,19 @@ class Multiprecision(Evaluation[mpmath.mpf]):
             return mpmath.mpf(number._mpf_)
         return mpmath.mpf(int(number.p)) / int(number.q)
 
-    def _sum(self, terms: Sequence[mpmath.mpf]) -> mpmath.mpf:
-        return mpmath.fsum(terms)
+    def _sum(self, formula: sp.Add) -> mpmath.mpf:
+        return mpmath.fsum(self._parts(formula))
 
-    def _product(self, factors: Sequence[mpmath.mpf]) -> mpmath.mpf:
-        return mpmath.fprod(factors)
+    def _product(self, formula: sp.Mul) -> mpmath.mpf:
+        return mpmath.fprod(self._parts(formula))
 
-    def _power(self, formula: sp.Expr) -> mpmath.mpf:
+    def _power(self, formula: sp.Pow) -> mpmath.mpf:
         base, exponent = formula.args
         return self(base) ** (int(exponent) if exponent.is_Integer else self(exponent))
 
     def _function(self, formula: sp.Expr) -> mpmath.mpf:
         function = mpmath_function(formula.func, len(formula.args))
-        return mpmath.mpmathify(function(*(self(part) for part in formula.args)))
+        return mpmath.mpmathify(function(*self._parts(formula)))
 
 
 @lru_cache(maxsize=256)
@@ -123,31 +123,31 @@ def slopes(
 class _Jets(Evaluation[Pair]):
     """Numbers with their partial derivatives."""
 
-    def _element(self, formula: sp.Expr) -> Pair:
-        if formula.is_number:
-            return Multiprecision({})(formula), {}
-        return super()._element(formula)
+    def _rule(self, formula: sp.Expr) -> Callable[[sp.Expr], Pair]:
+        return self._constant if formula.is_number else super()._rule(formula)
 
     def _constant(self, number: sp.Expr) -> Pair:
-        raise NotImplementedError
+        return Multiprecision({})(number), {}
 
-    def _sum(self, terms: Sequence[Pair]) -> Pair:
+    def _sum(self, formula: sp.Add) -> Pair:
+        terms = self._parts(formula)
         return mpmath.fsum(value for value, _ in terms), _combined(
             [mpmath.mpf(1)] * len(terms), terms
         )
 
-    def _product(self, factors: Sequence[Pair]) -> Pair:
+    def _product(self, formula: sp.Mul) -> Pair:
+        factors = self._parts(formula)
         values = [value for value, _ in factors]
         others = [mpmath.fprod((*values[:i], *values[i + 1 :])) for i in range(len(values))]
         return mpmath.fprod(values), _combined(others, factors)
 
-    def _power(self, formula: sp.Expr) -> Pair:
+    def _power(self, formula: sp.Pow) -> Pair:
         return self._function(formula)
 
     def _function(self, formula: sp.Expr) -> Pair:
         """A power or function; a constant exponent is part of the function."""
         exponent = formula.exp if formula.is_Pow and formula.exp.is_number else None
-        parts = [self(part) for part in formula.args]
+        parts = self._parts(formula)
         function = _with_partial_derivatives(formula.func, len(parts), exponent)
         value, *partial = function(*(value for value, _ in parts))
         return value, _combined(partial, parts)

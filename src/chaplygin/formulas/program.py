@@ -181,13 +181,13 @@ class StraightLineProgram(Evaluation[int]):
     def _unknown(self, symbol: sp.Symbol) -> int:
         raise InputError(f"{symbol}: {_ALGEBRAIC}")
 
-    def _sum(self, terms: Sequence[int]) -> int:
-        return self._operation("sum", *terms)
+    def _sum(self, formula: sp.Add) -> int:
+        return self._operation("sum", *self._parts(formula))
 
-    def _product(self, factors: Sequence[int]) -> int:
-        return self._operation("product", *factors)
+    def _product(self, formula: sp.Mul) -> int:
+        return self._operation("product", *self._parts(formula))
 
-    def _power(self, formula: sp.Expr) -> int:
+    def _power(self, formula: sp.Pow) -> int:
         exponent = formula.exp
         if exponent.is_Rational and exponent.q in (1, 2):
             base = self(formula.base)
@@ -204,7 +204,7 @@ class StraightLineProgram(Evaluation[int]):
         if formula is sp.E and "exp" in self._functions:
             return self._operation("exp", self(sp.S.One))
         if formula is sp.pi or name in self._functions:
-            return self._operation(name, *(self(part) for part in formula.args))
+            return self._operation(name, *self._parts(formula))
         if not self._functions:
             raise InputError(f"{formula}: {_ALGEBRAIC}")
         *others, last = ("sums", "products", "roots", *self._functions)

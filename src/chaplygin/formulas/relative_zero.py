@@ -186,13 +186,13 @@ class _Sizes(Evaluation[Sized]):
         value = Fraction(str(number))
         return Sized(value, abs(value))
 
-    def _sum(self, terms: Sequence[Sized]) -> Sized:
-        return _sum(terms)
+    def _sum(self, formula: sp.Add) -> Sized:
+        return _sum(self._parts(formula))
 
-    def _product(self, factors: Sequence[Sized]) -> Sized:
-        return _product(factors)
+    def _product(self, formula: sp.Mul) -> Sized:
+        return _product(self._parts(formula))
 
-    def _power(self, formula: sp.Expr) -> Sized:
+    def _power(self, formula: sp.Pow) -> Sized:
         exponent = formula.exp
         if not (exponent.is_Rational and exponent.q in (1, 2)):
             return self._function(formula)
@@ -202,7 +202,7 @@ class _Sizes(Evaluation[Sized]):
         return power if exponent > 0 else _inverse(power)
 
     def _function(self, formula: sp.Expr) -> Sized:
-        parts = [self(part) for part in formula.args]
+        parts = self._parts(formula)
         function = mpmath_function(formula.func, len(parts))
         value = mpmath.mpmathify(function(*(_mpf(part.value) for part in parts)))
         # its arguments have no unit: what they are summed up from is seen in its value
