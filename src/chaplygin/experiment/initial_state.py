@@ -18,6 +18,7 @@ from ..core.system import System
 from ..core.vectors import Vector, norm_squared, to_components
 from ..errors import InputError
 from ..flow.initial_states import upright
+from ..formulas.multiprecision import Multiprecision
 from ..mechanics.rolling.attitude import attitude
 from ..mechanics.rolling.initial_state import DIGITS, SLACK
 from ..parsing import nearest
@@ -213,14 +214,13 @@ def _complete(lifted: System, known: dict[str, list[Any]]) -> None:
 def _function(system: System, formulas: Sequence[sp.Expr]) -> Callable[[Sequence[Any]], list[Any]]:
     """Scalar formulas of a system as a function of its flat state, for numbers of mpmath."""
     constants = {s: mpmath.mpf(repr(float(v))) for s, v in system.defaults.items()}
-    steps = list(system.needed(formulas))
-    function = sp.lambdify(
-        [*system.symbols, *constants], list(formulas), "mpmath", cse=lambda e: (steps, e)
-    )
+    steps = system.needed(formulas)
 
     def values(state: Sequence[Any]) -> list[Any]:
         try:
-            found = list(function(*state, *constants.values()))
+            numbers = Multiprecision({**dict(zip(system.symbols, state, strict=True)), **constants})
+            numbers.define(steps)
+            found = [numbers(formula) for formula in formulas]
         except ZeroDivisionError:
             raise InputError("start: the equations are singular at this state") from None
         if any(isinstance(value, mpmath.mpc) for value in found):

@@ -11,6 +11,7 @@ import sympy as sp
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
+from ..formulas.evaluation import Evaluation, numerator_and_denominator
 
 __all__ = ["Translator"]
 
@@ -34,7 +35,7 @@ _FUNCTIONS: Mapping[Any, Callable[..., Any]] = {
 _WIDE = getattr(hy, "real128", float)
 
 
-class Translator:
+class Translator(Evaluation[hy.expression]):
     """Turns the formulas of one system into heyoka expressions.
 
     The flat state becomes heyoka variables of the same name, the parameters ``par[i]`` in the
@@ -46,60 +47,44 @@ class Translator:
         self.variables = hy.make_vars(*map(str, system.symbols))
         if len(system.symbols) == 1:
             self.variables = [self.variables]
-        self._known: dict[sp.Expr, Any] = dict(zip(system.symbols, self.variables, strict=True))
-        self._known |= {p.symbol: hy.par[i] for i, p in enumerate(system.parameters)}
-        self._steps = dict(system.steps)
+        variables = dict(zip(system.symbols, self.variables, strict=True))
+        parameters = {p.symbol: hy.par[i] for i, p in enumerate(system.parameters)}
+        super().__init__({**variables, **parameters}, dict(system.steps))
 
-    def __call__(self, formula: sp.Expr) -> Any:
+    def __call__(self, formula: sp.Expr) -> hy.expression:
         """The heyoka expression of a scalar formula."""
         return self._visit(to_components(formula))
 
-    def all(self, formulas: Iterable[sp.Expr]) -> list[Any]:
+    def all(self, formulas: Iterable[sp.Expr]) -> list[hy.expression]:
         """Several at once; vectors are flattened."""
-        flat: list[Any] = []
+        flat: list[hy.expression] = []
         for formula in formulas:
             value = to_components(formula)
-            flat.extend(
-                map(self._visit, value)
-                if isinstance(value, sp.MatrixBase)
-                else [self._visit(value)]
-            )
+            flat.extend(map(self._visit, value if isinstance(value, sp.MatrixBase) else [value]))
         return flat
 
-    def _visit(self, node: sp.Expr) -> Any:
-        if node not in self._known:
-            if node in self._steps:
-                self._known[node] = self._visit(self._steps[node])
-            else:
-                self._known[node] = self._build(node)
-        return self._known[node]
+    def _constant(self, number: sp.Expr) -> hy.expression:
+        if number.is_Rational:
+            return hy.expression(_WIDE(int(number.p)) / _WIDE(int(number.q)))
+        return hy.expression(_WIDE(str(sp.N(number, 40))))
 
-    def _build(self, node: sp.Expr) -> Any:
-        if node.is_Rational:
-            return hy.expression(_WIDE(int(node.p)) / _WIDE(int(node.q)))
-        if node.is_number and not node.args:
-            return hy.expression(_WIDE(str(sp.N(node, 40))))
-        if node.is_Add:
-            return hy.sum([self._visit(arg) for arg in node.args])
-        if node.is_Mul:
-            return self._product(node)
-        if node.is_Pow:
-            base, exponent = node.args
-            return self._power(self._visit(base), exponent)
-        function = _FUNCTIONS.get(node.func)
-        if function is None:
-            raise InputError(f"{node}: the integrator has no function {node.func.__name__}")
-        return function(*(self._visit(arg) for arg in node.args))
+    def _unknown(self, symbol: sp.Symbol) -> hy.expression:
+        return self._function(symbol)
 
-    def _product(self, node: sp.Expr) -> Any:
-        above = [arg for arg in node.args if not _reciprocal(arg)]
-        below = [1 / arg for arg in node.args if _reciprocal(arg)]
-        product = hy.prod([self._visit(arg) for arg in above])
-        return product / hy.prod([self._visit(arg) for arg in below]) if below else product
+    def _sum(self, formula: sp.Add) -> hy.expression:
+        return hy.sum(self._parts(formula))
 
-    def _power(self, base: Any, exponent: sp.Expr) -> Any:
+    def _product(self, formula: sp.Mul) -> hy.expression:
+        above, below = numerator_and_denominator(formula)
+        product = hy.prod([self._visit(factor) for factor in above])
+        return product / hy.prod([self._visit(factor) for factor in below]) if below else product
+
+    def _power(self, formula: sp.Pow) -> hy.expression:
+        return self._raised(self._visit(formula.base), formula.exp)
+
+    def _raised(self, base: hy.expression, exponent: sp.Expr) -> hy.expression:
         if exponent.is_Integer and exponent < 0:
-            return hy.expression(1.0) / self._power(base, -exponent)
+            return hy.expression(1.0) / self._raised(base, -exponent)
         if exponent == sp.Rational(1, 2):
             return hy.sqrt(base)
         if exponent == sp.Rational(-1, 2):
@@ -109,6 +94,10 @@ class Translator:
             return hy.prod([base] * int(exponent)) if exponent <= 4 else base ** float(exponent)
         return base ** self._visit(exponent)
 
-
-def _reciprocal(factor: sp.Expr) -> bool:
-    return bool(factor.is_Pow and factor.exp.is_number and factor.exp.is_negative)
+    def _function(self, formula: sp.Expr) -> hy.expression:
+        if formula.is_number and not formula.args:
+            return self._constant(formula)
+        function = _FUNCTIONS.get(formula.func)
+        if function is None:
+            raise InputError(f"{formula}: the integrator has no function {formula.func.__name__}")
+        return function(*self._parts(formula))

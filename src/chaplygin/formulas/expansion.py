@@ -19,6 +19,7 @@ from sympy.core.function import AppliedUndef
 
 from ..errors import InputError
 from ..parsing.exact_decimals import exact_number
+from .evaluation import Evaluation
 from .taylor import Numbers, Series
 
 __all__ = ["TaylorExpansion", "add_angle", "angles", "combination", "expanded"]
@@ -28,13 +29,8 @@ Steps = Mapping[sp.Symbol, sp.Expr]
 Angles = Mapping[sp.Expr, int]
 
 _CIRCULAR = (sp.sin, sp.cos, sp.tan)
-#: Derivatives of functions whose value at a point is a number of its own.
-_SLOPES = {
-    sp.log: lambda x: 1 / x,
-    sp.atan: lambda x: 1 / (1 + x**2),
-    sp.asin: lambda x: 1 / sp.sqrt(1 - x**2),
-    sp.acos: lambda x: -1 / sp.sqrt(1 - x**2),
-}
+#: Functions whose value at a point is a number of its own.
+_OPAQUE = (sp.log, sp.atan, sp.asin, sp.acos)
 
 
 def expanded(formula: sp.Expr, steps: Steps) -> sp.Expr:
@@ -60,7 +56,7 @@ def angles(formulas: Iterable[sp.Expr], steps: Steps, kinds: Sequence[Any] = _CI
     return found
 
 
-class TaylorExpansion:
+class TaylorExpansion(Evaluation[Series]):
     """Taylor series of formulas about one point.
 
     Parameters
@@ -93,11 +89,11 @@ class TaylorExpansion:
         order: int,
         seed: int = 0,
     ) -> None:
+        super().__init__({}, steps)
         self.numbers, self.order, self.steps = numbers, order, dict(steps)
         self.values, self.circles, self.units = dict(values), dict(circles), dict(units)
         self.variables = tuple(variables)
         self.ring = numbers.ring([f"x{i}" for i, _ in enumerate(self.variables)])
-        self._known: dict[sp.Expr, Series] = {}
         self._formal: dict[sp.Expr, Any] = {}
         self._seed = seed
 
@@ -117,31 +113,37 @@ class TaylorExpansion:
         InputError
             If a function occurs that is not known here.
         """
-        found = self._known.get(formula)
-        if found is None:
-            found = self._known[formula] = self._computed(formula)
-        return found
+        return self(formula)
 
-    def _computed(self, formula: sp.Expr) -> Series:
-        if formula.is_Rational:
-            return self.constant(self.numbers.number(formula))
-        if formula.is_Float:
-            return self.constant(self.numbers.number(exact_number(formula)))
-        if formula.is_Symbol:
-            return self._symbol(formula)
-        if formula.is_Add or formula.is_Mul:
-            first, *rest = (self.series(arg) for arg in formula.args)
-            for other in rest:
-                first = first + other if formula.is_Add else first * other
-            return first
-        if formula.is_Pow and formula.exp.is_Rational:
-            return self.series(formula.base).power(int(formula.exp.p), int(formula.exp.q))
+    def _constant(self, number: sp.Expr) -> Series:
+        return self.constant(self.numbers.number(exact_number(number)))
+
+    def _sum(self, formula: sp.Add) -> Series:
+        first, *others = self._parts(formula)
+        for term in others:
+            first = first + term
+        return first
+
+    def _product(self, formula: sp.Mul) -> Series:
+        first, *others = self._parts(formula)
+        for factor in others:
+            first = first * factor
+        return first
+
+    def _power(self, formula: sp.Pow) -> Series:
+        base, exponent = formula.args
+        if not exponent.is_Rational:
+            return self._function(formula)
+        return self(base).power(int(exponent.p), int(exponent.q))
+
+    def _function(self, formula: sp.Expr) -> Series:
         if isinstance(formula, _CIRCULAR):
             return self._circular(formula)
         if isinstance(formula, sp.exp):
             return self._exponential(formula)
-        if formula.func in _SLOPES:
-            return self._opaque(formula)
+        if isinstance(formula, _OPAQUE):
+            argument = self(formula.args[0])
+            return argument.primitive(self._formal_value(formula), self(formula.fdiff()))
         if formula.is_number:
             # π, e, π^e: numbers of their own
             return self.constant(self._formal_value(formula))
@@ -152,9 +154,7 @@ class TaylorExpansion:
             "products, powers with rational exponents, sin, cos, tan, exp, log, asin, acos, atan"
         )
 
-    def _symbol(self, symbol: sp.Symbol) -> Series:
-        if symbol in self.steps:
-            return self.series(self.steps[symbol])
+    def _unknown(self, symbol: sp.Symbol) -> Series:
         if symbol not in self.values:
             raise InputError(f"no value is given for {symbol}")
         found = self.constant(self.values[symbol])
@@ -168,7 +168,7 @@ class TaylorExpansion:
         for core, factor in combination(formula.args[0], self.steps).items():
             unit = self.circles[core]
             total = add_angle(total, unit, int(factor * self.units[core]), (zero, one))
-        s, c = self.series(formula.args[0]).circle(*total)
+        s, c = self(formula.args[0]).circle(*total)
         return s if isinstance(formula, sp.sin) else c if isinstance(formula, sp.cos) else s / c
 
     def _exponential(self, formula: sp.Expr) -> Series:
@@ -181,18 +181,13 @@ class TaylorExpansion:
             if whole is None:
                 raise InputError(f"{formula}: exponents may have denominators 1 to 6 only")
             value = value * self._formal_value(sp.exp(core / 60)) ** whole
-        return self.series(formula.args[0]).exponential(value)
+        return self(formula.args[0]).exponential(value)
 
     def _formal_value(self, formula: sp.Expr) -> Any:
         """A number of its own for a transcendental value."""
         if formula not in self._formal:
             self._formal[formula] = self.numbers.drawn(random.Random(f"{self._seed} {formula}"))
         return self._formal[formula]
-
-    def _opaque(self, formula: sp.Expr) -> Series:
-        argument = formula.args[0]
-        value = self._formal_value(formula)
-        return self.series(argument).primitive(value, self.series(_SLOPES[formula.func](argument)))
 
     def _unspecified(self, formula: sp.Expr) -> Series:
         """A function of some variables that nobody specified, or a derivative of it."""

@@ -16,6 +16,7 @@ import sympy as sp
 from ..core.system import System
 from ..core.vectors import to_components
 from ..errors import InputError
+from .evaluation import Evaluation, numerator_and_denominator
 
 __all__ = ["Graph", "Term", "of_system"]
 
@@ -273,7 +274,7 @@ def ordered(terms: Iterable[Term], wanted: Callable[[Term], bool] = lambda _: Tr
     return found
 
 
-class Reader:
+class Reader(Evaluation[Term]):
     """Formulas of one System as terms.
 
     State variables are numbered in flat order, parameters in the order of
@@ -281,75 +282,51 @@ class Reader:
     """
 
     def __init__(self, system: System, graph: Graph) -> None:
+        states = {s: graph.state(i) for i, s in enumerate(system.symbols)}
+        parameters = {p.symbol: graph.parameter(i) for i, p in enumerate(system.parameters)}
+        super().__init__({**states, **parameters}, dict(system.steps))
         self.graph = graph
-        self._known: dict[sp.Expr, Term] = {}
-        for i, symbol in enumerate(system.symbols):
-            self._known[symbol] = graph.state(i)
-        for i, parameter in enumerate(system.parameters):
-            self._known[parameter.symbol] = graph.parameter(i)
-        self._steps = dict(system.steps)
 
-    def __call__(self, formula: Any) -> Term:
+    def __call__(self, formula: sp.Expr | float) -> Term:
         """The term of a scalar formula."""
         return self._visit(to_components(sp.sympify(formula)))
 
-    def _visit(self, node: sp.Expr) -> Term:
-        found = self._known.get(node)
-        if found is None:
-            step = self._steps.get(node)
-            found = self._known[node] = self._build(node) if step is None else self._visit(step)
-        return found
+    def _rule(self, formula: sp.Expr) -> Callable[[sp.Expr], Term]:
+        return self._constant if formula.is_number else super()._rule(formula)
 
-    def _build(self, node: sp.Expr) -> Term:
-        graph = self.graph
-        if node.is_Rational:
-            return graph.number(Fraction(int(node.p), int(node.q)))
-        if node.is_Float:
-            return graph.number(Fraction(*map(int, sp.Rational(node).as_numer_denom())))
-        if node.is_number and not node.free_symbols:
-            number = sp.N(node, 50)
-            if not (number.is_real and number.is_finite):
-                raise InputError(f"{node}: a number in a formula must be real and finite")
-            return graph.number(Fraction(str(number)))
-        if node.is_Symbol:
-            raise InputError(f"{node}: neither a state variable, a definition nor a parameter")
-        if node.is_Add:
-            return self._sum(node)
-        if node.is_Mul:
-            return self._product(node)
-        if node.is_Pow:
-            return self._power(node)
-        if node.func is sp.atan2:
-            return graph.call("atan2", *map(self._visit, node.args))
-        name = FUNCTIONS.get(node.func)
-        if name is None:
-            raise InputError(f"{node}: the machine code has no function {node.func.__name__}")
-        return graph.call(name, self._visit(node.args[0]))
+    def _constant(self, number: sp.Expr) -> Term:
+        if number.is_Rational or number.is_Float:
+            return self.graph.number(Fraction(*map(int, sp.Rational(number).as_numer_denom())))
+        decimal = sp.N(number, 50)
+        if not (decimal.is_real and decimal.is_finite):
+            raise InputError(f"{number}: a number in a formula must be real and finite")
+        return self.graph.number(Fraction(str(decimal)))
 
-    def _sum(self, node: sp.Expr) -> Term:
-        terms = [self._visit(a) for a in node.args]
+    def _unknown(self, symbol: sp.Symbol) -> Term:
+        raise InputError(f"{symbol}: neither a state variable, a definition nor a parameter")
+
+    def _sum(self, formula: sp.Add) -> Term:
         # what is subtracted last, so that no sign has to be turned
-        terms.sort(key=lambda t: t.kind == "neg")
-        total = terms[0]
-        for term in terms[1:]:
-            total = total + term
-        return total
+        first, *others = sorted(self._parts(formula), key=lambda term: term.kind == "neg")
+        for term in others:
+            first = first + term
+        return first
 
-    def _product(self, node: sp.Expr) -> Term:
-        above = [a for a in node.args if not _reciprocal(a)]
-        below = [self._visit(1 / a) for a in node.args if _reciprocal(a)]
-        total = self.graph.number(1)
+    def _product(self, formula: sp.Mul) -> Term:
+        above, below = numerator_and_denominator(formula)
+        divisors = [self._visit(factor) for factor in below]
+        product = self.graph.number(1)
         for factor in above:
-            total = total * self._visit(factor)
-        if below:
-            under = below[0]
-            for factor in below[1:]:
-                under = under * factor
-            total = total / under
-        return total
+            product = product * self._visit(factor)
+        if divisors:
+            divisor = divisors[0]
+            for factor in divisors[1:]:
+                divisor = divisor * factor
+            product = product / divisor
+        return product
 
-    def _power(self, node: sp.Expr) -> Term:
-        graph, (base, exponent) = self.graph, node.args
+    def _power(self, formula: sp.Pow) -> Term:
+        graph, (base, exponent) = self.graph, formula.args
         if base is sp.E:
             return graph.call("exp", self._visit(exponent))
         if exponent.is_Integer:
@@ -359,9 +336,11 @@ class Reader:
         log = graph.call("log", self._visit(base))
         return graph.call("exp", self._visit(exponent) * log)
 
-
-def _reciprocal(factor: sp.Expr) -> bool:
-    return bool(factor.is_Pow and factor.exp.is_number and factor.exp.is_negative)
+    def _function(self, formula: sp.Expr) -> Term:
+        name = "atan2" if formula.func is sp.atan2 else FUNCTIONS.get(formula.func)
+        if name is None:
+            raise InputError(f"{formula}: the machine code has no function {formula.func.__name__}")
+        return self.graph.call(name, *self._parts(formula))
 
 
 def of_system(system: System) -> tuple[Reader, list[Term]]:

@@ -16,6 +16,7 @@ from sympy.core.function import AppliedUndef
 from ..core.laws import Rate
 from ..parsing.exact_decimals import exact_number
 from .errors import OutOfReachError, UnknownSymbolError
+from .evaluation import Evaluation
 
 __all__ = ["Evaluator", "GeneratorSwap", "Inversion", "Jet"]
 
@@ -80,7 +81,7 @@ class Inversion:
 _SIX = ((0, 1, 2), (1, 3, 4), (2, 4, 5))
 
 
-class Evaluator:
+class Evaluator(Evaluation[Jet]):
     """Evaluates formulas of one system in one field.
 
     Parameters
@@ -111,6 +112,7 @@ class Evaluator:
         inverted: Sequence[Inversion] = (),
         moving: bool = False,
     ) -> None:
+        super().__init__({})
         self.field = field
         self.steps = dict(steps)
         self.exchanged = tuple(exchanged)
@@ -122,7 +124,6 @@ class Evaluator:
         self._by_name = {e.name: e for e in exchanged}
         self._by_parameter = {e.parameter: e for e in exchanged}
         self.seed = seed
-        self._seen: dict[Any, Jet] = {}
 
     def with_steps(self, steps: Mapping[sp.Symbol, sp.Expr]) -> Evaluator:
         """The same evaluation with further definitions."""
@@ -146,49 +147,41 @@ class Evaluator:
 
     def __call__(self, formula: Any) -> Jet:
         """The jet of a formula."""
-        formula = sp.sympify(formula)
-        found = self._seen.get(formula)
-        if found is None:
-            found = self._evaluate(formula)
-            self._seen[formula] = found
-        return found
+        return self._visit(sp.sympify(formula))
 
-    def _constant(self, number: Any) -> Jet:
-        return Jet(self.field.rational(number), {})
+    def _constant(self, number: sp.Expr) -> Jet:
+        return Jet(self.field.rational(exact_number(number)), {})
 
-    def _evaluate(self, formula: Any) -> Jet:
-        if formula.is_Symbol:
-            if formula in self._inverse:
-                return self._of_inverse(*self._inverse[formula])
-            if formula in self._inverted:
-                return self._of_inverted(*self._inverted[formula])
-            if formula in self._by_name:
-                rest = self(self._by_name[formula].rest)
-                return Jet(self.field.generator(str(formula)), rest.slopes)
-            if formula in self._by_parameter:
-                change = self._by_parameter[formula]
-                difference = self.value(change.name) - self.value(change.rest)
-                return Jet(difference * self.field.rational(1 / change.factor), {})
-            if formula in self.steps:
-                return self(self.steps[formula])
-            seeded = self.seed(formula)
-            if seeded is not None:
-                return seeded
-            raise UnknownSymbolError(str(formula))
-        if formula.is_Rational:
-            return self._constant(formula)
-        if formula.is_Float:
-            return self._constant(exact_number(formula))
+    def _unknown(self, symbol: sp.Symbol) -> Jet:
+        if symbol in self._inverse:
+            return self._of_inverse(*self._inverse[symbol])
+        if symbol in self._inverted:
+            return self._of_inverted(*self._inverted[symbol])
+        if symbol in self._by_name:
+            remainder = self(self._by_name[symbol].rest)
+            return Jet(self.field.generator(str(symbol)), remainder.slopes)
+        if symbol in self._by_parameter:
+            change = self._by_parameter[symbol]
+            difference = self.value(change.name) - self.value(change.rest)
+            return Jet(difference * self.field.rational(1 / change.factor), {})
+        if symbol in self.steps:
+            return self(self.steps[symbol])
+        seeded = self.seed(symbol)
+        if seeded is not None:
+            return seeded
+        raise UnknownSymbolError(str(symbol))
+
+    def _sum(self, formula: sp.Add) -> Jet:
+        return self._fold(formula.args, Jet.__add__)
+
+    def _product(self, formula: sp.Mul) -> Jet:
+        return self._fold(formula.args, Jet.__mul__)
+
+    def _function(self, formula: sp.Expr) -> Jet:
         if formula is sp.pi:
             return Jet(self.field.pi(), {})
         if formula is sp.E:
             return Jet(self.field.exponential(self.field.one), {})
-        if formula.is_Add:
-            return self._fold(formula.args, Jet.__add__)
-        if formula.is_Mul:
-            return self._fold(formula.args, Jet.__mul__)
-        if formula.is_Pow:
-            return self._power(formula.base, formula.exp)
         if isinstance(formula, sp.exp):
             return self._exponential(formula)
         if isinstance(formula, Rate):
@@ -198,7 +191,7 @@ class Evaluator:
             return Jet(inner.slopes.get(ALONG, self.field.zero), {})
         if isinstance(formula, AppliedUndef | sp.Derivative | sp.Subs):
             return self._unspecified(formula)
-        return self._function(formula)
+        return self._elementary(formula)
 
     def _of_inverse(self, inversion: Inversion, number: int) -> Jet:
         """An entry of A: a generator, with the slopes −A J̇ A."""
@@ -232,12 +225,13 @@ class Evaluator:
         return Jet(minors[number] / determinant, slopes)
 
     def _fold(self, parts: Any, combine: Callable[[Jet, Jet], Jet]) -> Jet:
-        result = self(parts[0])
+        result = self._visit(parts[0])
         for part in parts[1:]:
-            result = combine(result, self(part))
+            result = combine(result, self._visit(part))
         return result
 
-    def _power(self, base: Any, exponent: Any) -> Jet:
+    def _power(self, formula: sp.Pow) -> Jet:
+        base, exponent = formula.args
         inner = self(base)
         field = self.field
         if exponent.is_Integer:
@@ -303,7 +297,7 @@ class Evaluator:
                     return True
         return False
 
-    def _function(self, formula: Any) -> Jet:
+    def _elementary(self, formula: sp.Expr) -> Jet:
         field = self.field
         if isinstance(formula, sp.sin | sp.cos):
             return self._circular(formula)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
 from numbers import Integral, Real
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import mpmath
 import sympy as sp
@@ -13,11 +13,12 @@ import sympy as sp
 from ..core.system import System
 from ..errors import InputError
 from ..parsing import parse
+from .evaluation import Evaluation
 
-__all__ = ["number", "slopes"]
+__all__ = ["Multiprecision", "mpmath_function", "number", "slopes"]
 
 
-def number(value: Any, where: str) -> Any:
+def number(value: object, where: str) -> mpmath.mpf:
     """A number of the user's with all its digits; a float means the decimal that it shows.
 
     Parameters
@@ -32,31 +33,52 @@ def number(value: Any, where: str) -> Any:
         If it is no finite real number.
     """
     if isinstance(value, mpmath.mpf):
-        found = +value
+        digits = +value
     elif isinstance(value, str):
-        found = _evaluated(parse(value, {}, where))
+        digits = Multiprecision({})(parse(value, {}, where))
     elif isinstance(value, sp.Expr) and value.is_number and value.is_real:
-        found = _evaluated(value)
+        digits = Multiprecision({})(value)
     elif isinstance(value, Real):
-        exact = int(value) if isinstance(value, Integral) else repr(float(value))
-        found = mpmath.mpf(exact)
+        digits = mpmath.mpf(int(value) if isinstance(value, Integral) else repr(float(value)))
     else:
         raise InputError(f"{where} = {value}: it must be a real number")
-    if not mpmath.isfinite(found):
+    if not mpmath.isfinite(digits):
         raise InputError(f"{where} = {value}: it must be a finite number")
-    return found
+    return digits
 
 
-def _evaluated(formula: sp.Expr) -> Any:
-    """A constant formula at the working precision."""
-    if formula.is_Rational:
-        return mpmath.mpf(int(formula.p)) / int(formula.q)
-    if formula.is_Float:
-        return mpmath.mpf(formula._mpf_)
-    return mpmath.mpmathify(sp.lambdify((), formula, "mpmath")())
+class Multiprecision(Evaluation[mpmath.mpf]):
+    """Formulas as numbers of mpmath at the working precision; complex ones where roots are."""
+
+    def _constant(self, number: sp.Expr) -> mpmath.mpf:
+        if number.is_Float:
+            return mpmath.mpf(number._mpf_)
+        return mpmath.mpf(int(number.p)) / int(number.q)
+
+    def _sum(self, formula: sp.Add) -> mpmath.mpf:
+        return mpmath.fsum(self._parts(formula))
+
+    def _product(self, formula: sp.Mul) -> mpmath.mpf:
+        return mpmath.fprod(self._parts(formula))
+
+    def _power(self, formula: sp.Pow) -> mpmath.mpf:
+        base, exponent = formula.args
+        return self(base) ** (int(exponent) if exponent.is_Integer else self(exponent))
+
+    def _function(self, formula: sp.Expr) -> mpmath.mpf:
+        function = mpmath_function(formula.func, len(formula.args))
+        return mpmath.mpmathify(function(*self._parts(formula)))
 
 
-Pair: TypeAlias = tuple[Any, dict[int, Any]]
+@lru_cache(maxsize=256)
+def mpmath_function(of: Callable[..., sp.Expr], count: int) -> Callable[..., mpmath.mpf]:
+    """A function of SymPy in `count` arguments as one of mpmath; a constant in none."""
+    names = sp.symbols(f"x:{count}")
+    function: Callable[..., mpmath.mpf] = sp.lambdify(names, of(*names), "mpmath")
+    return function
+
+
+Pair: TypeAlias = tuple[mpmath.mpf, dict[int, mpmath.mpf]]
 """A number and those of its partial derivatives that are not zero, by the index of the variable."""
 
 
@@ -64,8 +86,8 @@ def slopes(
     system: System,
     formulas: Sequence[sp.Expr],
     variables: Sequence[sp.Symbol],
-    values: Mapping[sp.Symbol, Any],
-) -> tuple[Any, Any]:
+    values: Mapping[sp.Symbol, mpmath.mpf],
+) -> tuple[mpmath.matrix, mpmath.matrix]:
     """Formulas of a system at a point, and their partial derivatives.
 
     Derivatives are carried along with the values, by the rules of differentiation for every single
@@ -86,68 +108,73 @@ def slopes(
     tuple of mpmath.matrix
         Values (formulas, 1) and derivatives (formulas, variables).
     """
-    known: dict[sp.Expr, Pair] = {s: (value, {}) for s, value in values.items()}
-    for i, s in enumerate(variables):
-        known[s] = (values[s], {i: mpmath.mpf(1)})
-    for symbol, formula in system.needed(formulas):
-        known[symbol] = _visit(formula, known)
+    seeds: dict[sp.Symbol, Pair] = {s: (value, {}) for s, value in values.items()}
+    seeds |= {s: (values[s], {i: mpmath.mpf(1)}) for i, s in enumerate(variables)}
+    jets = _Jets(seeds)
+    jets.define(system.needed(formulas))
     column, rows = mpmath.matrix(len(formulas), 1), mpmath.matrix(len(formulas), len(variables))
     for i, formula in enumerate(formulas):
-        column[i], row = _visit(formula, known)
+        column[i], row = jets(formula)
         for j, slope in row.items():
             rows[i, j] = slope
     return column, rows
 
 
-def _visit(node: sp.Expr, known: dict[sp.Expr, Pair]) -> Pair:
-    if node not in known:
-        known[node] = _evaluated_pair(node, known)
-    return known[node]
+class _Jets(Evaluation[Pair]):
+    """Numbers with their partial derivatives."""
 
+    def _rule(self, formula: sp.Expr) -> Callable[[sp.Expr], Pair]:
+        return self._constant if formula.is_number else super()._rule(formula)
 
-def _evaluated_pair(node: sp.Expr, known: dict[sp.Expr, Pair]) -> Pair:
-    if node.is_number:
-        return _evaluated(node), {}
-    parts = [_visit(arg, known) for arg in node.args]
-    if node.is_Add:
-        return mpmath.fsum(value for value, _ in parts), _combined(
-            [mpmath.mpf(1)] * len(parts), parts
+    def _constant(self, number: sp.Expr) -> Pair:
+        return Multiprecision({})(number), {}
+
+    def _sum(self, formula: sp.Add) -> Pair:
+        terms = self._parts(formula)
+        return mpmath.fsum(value for value, _ in terms), _combined(
+            [mpmath.mpf(1)] * len(terms), terms
         )
-    if node.is_Mul:
-        return mpmath.fprod(value for value, _ in parts), _combined(_cofactors(parts), parts)
-    value, *partial = _function(node.func, node.args)(*(value for value, _ in parts))
-    return value, _combined(partial, parts)
+
+    def _product(self, formula: sp.Mul) -> Pair:
+        factors = self._parts(formula)
+        values = [value for value, _ in factors]
+        others = [mpmath.fprod((*values[:i], *values[i + 1 :])) for i in range(len(values))]
+        return mpmath.fprod(values), _combined(others, factors)
+
+    def _power(self, formula: sp.Pow) -> Pair:
+        return self._function(formula)
+
+    def _function(self, formula: sp.Expr) -> Pair:
+        """A power or function; a constant exponent is part of the function."""
+        exponent = formula.exp if formula.is_Pow and formula.exp.is_number else None
+        parts = self._parts(formula)
+        function = _with_partial_derivatives(formula.func, len(parts), exponent)
+        value, *partial = function(*(value for value, _ in parts))
+        return value, _combined(partial, parts)
 
 
-def _cofactors(parts: Sequence[Pair]) -> list[Any]:
-    """For each factor of a product the product of the others."""
-    values = [value for value, _ in parts]
-    return [mpmath.fprod((*values[:i], *values[i + 1 :])) for i in range(len(values))]
-
-
-def _combined(weights: Sequence[Any], parts: Sequence[Pair]) -> dict[int, Any]:
+def _combined(weights: Sequence[mpmath.mpf], parts: Sequence[Pair]) -> dict[int, mpmath.mpf]:
     """Σ weight · derivative."""
-    total: dict[int, Any] = {}
+    total: dict[int, mpmath.mpf] = {}
     for weight, (_, row) in zip(weights, parts, strict=True):
         for j, slope in row.items():
             total[j] = total.get(j, 0) + weight * slope
     return total
 
 
-def _function(kind: Any, arguments: Sequence[sp.Expr]) -> Callable[..., Sequence[Any]]:
-    """A power or function with its derivatives; a constant exponent is part of the function."""
-    exponent = arguments[1] if kind is sp.Pow and arguments[1].is_number else None
-    return _compiled(kind, len(arguments), exponent)
-
-
 @lru_cache(maxsize=256)
-def _compiled(kind: Any, count: int, exponent: sp.Expr | None) -> Callable[..., Sequence[Any]]:
+def _with_partial_derivatives(
+    of: Callable[..., sp.Expr], count: int, exponent: sp.Expr | None
+) -> Callable[..., Sequence[mpmath.mpf]]:
+    """A function of SymPy with its partial derivatives, as one of mpmath."""
     names = sp.symbols(f"x:{count}", real=True)
     if exponent is not None:
         formula = names[0] ** exponent
         partial = [sp.diff(formula, names[0]), sp.S.Zero]
     else:
-        formula = kind(*names)
+        formula = of(*names)
         partial = [sp.diff(formula, name) for name in names]
-    made: Callable[..., Sequence[Any]] = sp.lambdify(names, [formula, *partial], "mpmath")
-    return made
+    function: Callable[..., Sequence[mpmath.mpf]] = sp.lambdify(
+        names, [formula, *partial], "mpmath"
+    )
+    return function

@@ -14,7 +14,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
 from typing import Any
 
 import mpmath
@@ -22,6 +21,8 @@ import sympy as sp
 from flint import arb, fmpq
 
 from ..core.vectors import Vector
+from .evaluation import Evaluation
+from .multiprecision import mpmath_function
 
 __all__ = ["GIVEN", "RESOLUTION", "ROUNDED", "Sized", "measured", "sized", "vanishes"]
 
@@ -128,10 +129,9 @@ def sized(
         If a symbol has none.
     """
     with mpmath.workdps(_DIGITS):
-        values: dict[Any, Sized] = dict(known)
-        for symbol, formula in steps:
-            values[symbol] = _evaluated(formula, values)
-        return [_evaluated(sp.sympify(formula), values) for formula in formulas]
+        sizes = _Sizes(known)
+        sizes.define(steps)
+        return [sizes(sp.sympify(formula)) for formula in formulas]
 
 
 # --- arithmetic ----------------------------------------------------------------------------
@@ -179,49 +179,31 @@ def _root(number: Sized) -> Sized:
     return Sized(root, size / abs(root) if root else mpmath.sqrt(size))
 
 
-def _power(base: Sized, exponent: Any) -> Sized | None:
-    """A whole or half power; None for another one."""
-    if not (exponent.is_Rational and exponent.q in (1, 2)):
-        return None
-    factor = base if exponent.q == 1 else _root(base)
-    if exponent == 0:
-        return Sized(Fraction(1), Fraction(1))
-    made = _product([factor] * abs(int(exponent.p)))
-    return made if exponent > 0 else _inverse(made)
+class _Sizes(Evaluation[Sized]):
+    """Numbers with the sizes of their terms."""
 
-
-def _evaluated(formula: Any, known: dict[Any, Sized]) -> Sized:
-    """A formula, by its parts; what has been found is kept in `known`."""
-    if formula not in known:
-        known[formula] = _built(formula, known)
-    return known[formula]
-
-
-def _built(formula: Any, known: dict[Any, Sized]) -> Sized:
-    if formula.is_Rational:
-        value = Fraction(int(formula.p), int(formula.q))
+    def _constant(self, number: sp.Expr) -> Sized:
+        value = Fraction(str(number))
         return Sized(value, abs(value))
-    if formula.is_Float:
-        value = Fraction(str(formula))
-        return Sized(value, abs(value))
-    if formula.is_Symbol:
-        raise KeyError(formula)
-    parts = [_evaluated(part, known) for part in formula.args]
-    if formula.is_Add:
-        return _sum(parts)
-    if formula.is_Mul:
-        return _product(parts)
-    found = _power(parts[0], formula.exp) if formula.is_Pow else None
-    if found is not None:
-        return found
-    value = mpmath.mpmathify(_function(formula.func, len(parts))(*(_mpf(p.value) for p in parts)))
-    # its arguments have no unit: what they are summed up from is seen in its value
-    size = sum((_mpf(part.size) for part in parts), abs(value))
-    return Sized(value, size)
 
+    def _sum(self, formula: sp.Add) -> Sized:
+        return _sum(self._parts(formula))
 
-@lru_cache(maxsize=64)
-def _function(of: Any, count: int) -> Any:
-    """A function of SymPy as one of mpmath."""
-    names = sp.symbols(f"x:{count}")
-    return sp.lambdify(names, of(*names), "mpmath")
+    def _product(self, formula: sp.Mul) -> Sized:
+        return _product(self._parts(formula))
+
+    def _power(self, formula: sp.Pow) -> Sized:
+        exponent = formula.exp
+        if not (exponent.is_Rational and exponent.q in (1, 2)):
+            return self._function(formula)
+        base = self(formula.base)
+        factor = base if exponent.q == 1 else _root(base)
+        power = _product([factor] * abs(int(exponent.p)))
+        return power if exponent > 0 else _inverse(power)
+
+    def _function(self, formula: sp.Expr) -> Sized:
+        parts = self._parts(formula)
+        function = mpmath_function(formula.func, len(parts))
+        value = mpmath.mpmathify(function(*(_mpf(part.value) for part in parts)))
+        # its arguments have no unit: what they are summed up from is seen in its value
+        return Sized(value, sum((_mpf(part.size) for part in parts), abs(value)))

@@ -20,6 +20,7 @@ import sympy as sp
 
 from ..core.vectors import Dot, to_components
 from ..errors import InputError
+from ..formulas.evaluation import Evaluation
 from ..parsing.exact_decimals import exact_number
 
 __all__ = [
@@ -134,7 +135,7 @@ def _factors(formula: sp.Expr) -> dict[sp.Expr, sp.Expr]:
     return found
 
 
-class Evaluator:
+class Evaluator(Evaluation[Jet]):
     """Formulas in given symbols, evaluated once each.
 
     Parameters
@@ -158,8 +159,7 @@ class Evaluator:
         directions: int,
         definitions: Mapping[sp.Symbol, sp.Expr],
     ) -> None:
-        self._jets: dict[sp.Basic, Jet] = dict(known)
-        self._definitions = definitions
+        super().__init__(known, definitions)
         self._points = points
         self._directions = directions
         self.good: Truths = np.ones(points, dtype=bool)
@@ -179,43 +179,47 @@ class Evaluator:
         InputError
             If it is not algebraic in its symbols.
         """
-        found = self._jets.get(formula)
-        if found is None:
-            found = self._jets[formula] = self._fresh(formula)
-        return found
+        return self._visit(formula)
 
-    def _fresh(self, formula: sp.Basic) -> Jet:
+    def _constant(self, number: sp.Expr) -> Jet:
+        exact = exact_number(number)
+        return self.constant(int(exact.p) * pow(int(exact.q), -1, prime()))
+
+    def _unknown(self, symbol: sp.Symbol) -> Jet:
+        return self._function(symbol)
+
+    def _sum(self, formula: sp.Add) -> Jet:
+        first, *others = self._parts(formula)
+        for term in others:
+            first = first + term
+        return first
+
+    def _product(self, formula: sp.Mul) -> Jet:
+        first, *others = self._parts(formula)
+        for factor in others:
+            first = first * factor
+        return first
+
+    def _power(self, formula: sp.Pow) -> Jet:
+        base, exponent = formula.args
+        if exponent.is_Integer:
+            return self._raised(self(base), int(exponent))
+        if not exponent.is_Rational:
+            return self._symbolic_power(base, exponent)
+        if exponent.q.bit_count() != 1:
+            return self._function(formula)
+        root = self(base)
+        for _ in range(exponent.q.bit_length() - 1):
+            root = self._root(root)
+        return self._raised(root, int(exponent.p))
+
+    def _function(self, formula: sp.Expr) -> Jet:
         match formula:
-            case sp.Symbol() if formula in self._definitions:
-                return self(self._definitions[formula])
             case Dot():
                 return self(to_components(formula))
             case sp.NumberSymbol():
                 # transcendental: any number will do that has roots
                 return self.constant(pow(int(1000 * sp.N(formula)), 2 * _WILD, prime()))
-            case sp.Rational():
-                return self.constant(int(formula.p) * pow(int(formula.q), -1, prime()))
-            case sp.Float():
-                return self(exact_number(formula))
-            case sp.Add():
-                total = self(formula.args[0])
-                for term in formula.args[1:]:
-                    total = total + self(term)
-                return total
-            case sp.Mul():
-                product = self(formula.args[0])
-                for factor in formula.args[1:]:
-                    product = product * self(factor)
-                return product
-            case sp.Pow() if formula.exp.is_Integer:
-                return self._raised(self(formula.base), int(formula.exp))
-            case sp.Pow() if formula.exp.is_Rational and formula.exp.q.bit_count() == 1:
-                root = self(formula.base)
-                for _ in range(formula.exp.q.bit_length() - 1):
-                    root = self._root(root)
-                return self._raised(root, int(formula.exp.p))
-            case sp.Pow() if not formula.exp.is_Rational:
-                return self._symbolic_power(formula.base, formula.exp)
             case sp.exp():
                 inner = self(formula.args[0])
                 value = power(inner.value, _WILD)

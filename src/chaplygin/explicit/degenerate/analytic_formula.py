@@ -6,17 +6,13 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import sympy as sp
-from flint import acb
 
-from ...formulas.balls import Steps, ball
+from ...formulas.program import ANALYTIC, Steps, StraightLineProgram
 from .quaternion import cross
 
 __all__ = ["analytic", "root", "triad"]
 
-
-def root(x: Any) -> Any:
-    """A square root; NaN where a complex ball meets the negative real axis."""
-    return x.sqrt(analytic=True) if isinstance(x, acb) else x.sqrt()
+root = ANALYTIC.root
 
 
 def analytic(
@@ -33,76 +29,8 @@ def analytic(
     steps : pairs of Symbol and formula
         Intermediate quantities, in order.
     """
-    tape = _Tape(names)
-    for name, formula in steps:
-        tape.places[name] = tape.place(formula)
-    results = [tape.place(sp.sympify(formula)) for formula in formulas]
-
-    def function(*arguments: Any) -> list[Any]:
-        values = tape.run(arguments)
-        return [values[place] for place in results]
-
-    return function
-
-
-class _Tape:
-    """Operations in order, each on the results of earlier ones."""
-
-    def __init__(self, names: Sequence[sp.Symbol]) -> None:
-        self.places: dict[Any, int] = {name: place for place, name in enumerate(names)}
-        self._length = len(names)
-        self._operations: list[tuple[Callable[..., Any], tuple[int, ...]]] = []
-
-    def place(self, node: Any) -> int:
-        """Where the value of a formula will be."""
-        if node not in self.places:
-            self.places[node] = self._add(*self._operation(node))
-        return self.places[node]
-
-    def _add(self, operation: Callable[..., Any], operands: tuple[int, ...]) -> int:
-        self._operations.append((operation, operands))
-        return self._length + len(self._operations) - 1
-
-    def _operation(self, node: Any) -> tuple[Callable[..., Any], tuple[int, ...]]:
-        if node.is_Number:
-            constant = ball(node)
-            return (lambda: constant), ()
-        if node.is_Add:
-            return _sum, tuple(self.place(part) for part in node.args)
-        if node.is_Mul:
-            return _product, tuple(self.place(part) for part in node.args)
-        base, power = self.place(node.base), int(2 * node.exp)
-        if power % 2:
-            base = self._add(root, (base,))
-        else:
-            power //= 2
-        # a ball around zero has no power in python-flint, but it has a product
-        if abs(power) > 1:
-            base = self._add(_product, (base,) * abs(power))
-        return (_inverse if power < 0 else _product), (base,)
-
-    def run(self, arguments: Sequence[Any]) -> list[Any]:
-        """All values."""
-        values = list(arguments)
-        for operation, operands in self._operations:
-            values.append(operation(*[values[k] for k in operands]))
-        return values
-
-
-def _sum(first: Any, *others: Any) -> Any:
-    for other in others:
-        first = first + other
-    return first
-
-
-def _product(first: Any, *others: Any) -> Any:
-    for other in others:
-        first = first * other
-    return first
-
-
-def _inverse(value: Any) -> Any:
-    return 1 / value
+    program = StraightLineProgram(names, formulas, steps)
+    return lambda *arguments: program.run(arguments, ANALYTIC)
 
 
 def triad(first: Sequence[Any], second: Sequence[Any], sizes: tuple[Any, Any]) -> list[list[Any]]:

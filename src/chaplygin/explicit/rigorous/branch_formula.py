@@ -14,7 +14,8 @@ from typing import Any
 import sympy as sp
 from flint import arb
 
-from ...formulas.balls import Steps, Values, ball
+from ...formulas.balls import Values
+from ...formulas.program import BallArithmetic, Steps, StraightLineProgram
 from ..genus_two.separation import nu, nuprime
 from .affine import Affine
 
@@ -25,10 +26,30 @@ class LeavesBranchError(Exception):
     """On this ball the formula may meet a branch point, a branch cut or a pole."""
 
 
-def _root(x: Any) -> Any:
-    if isinstance(x, arb) and not x > 0:
-        raise LeavesBranchError
-    return x.sqrt()
+class _Continuation(BallArithmetic):
+    """Arithmetic that refuses where a radicand or a denominator may leave its branch.
+
+    Parameters
+    ----------
+    signs : dict of int to int, optional
+        The signs of denominators by their places in the program; those that are missing are taken
+        from the first numbers.
+    """
+
+    def __init__(self, signs: dict[int, int] | None = None) -> None:
+        self.signs: dict[int, int] = {} if signs is None else signs
+
+    def root(self, x: Any) -> Any:
+        """The square root, of what is positive or has no part on the negative real axis."""
+        if isinstance(x, arb) and not x > 0:
+            raise LeavesBranchError
+        return x.sqrt()
+
+    def inverse(self, x: Any, place: int) -> Any:
+        """The reciprocal, of what keeps its sign."""
+        if place not in self.signs:
+            self.signs[place] = 1 if x > 0 else -1
+        return _inverse(x, self.signs[place])
 
 
 def _inverse(x: Any, sign: int) -> Any:
@@ -47,7 +68,7 @@ def direction(N: Sequence[Any], rate: Sequence[Any]) -> tuple[list[Any], list[An
     LeavesBranchError
         If N·N may meet the negative real axis or zero.
     """
-    shorter = _inverse(_root(N[0] * N[0] + N[1] * N[1] + N[2] * N[2]), 1)
+    shorter = _inverse(_Continuation().root(N[0] * N[0] + N[1] * N[1] + N[2] * N[2]), 1)
     nu = [x * shorter for x in N]
     along = nu[0] * rate[0] + nu[1] * rate[1] + nu[2] * rate[2]
     return nu, [(r - x * along) * shorter for x, r in zip(nu, rate, strict=True)]
@@ -72,38 +93,10 @@ class Branch:
     """
 
     def __init__(self, formulas: Iterable[sp.Expr], constants: Values, steps: Steps = ()) -> None:
-        inputs = (*nu.symbols, *nuprime.symbols)
-        self._places: dict[Any, int] = {symbol: i for i, symbol in enumerate(inputs)}
-        self._constants = constants
-        self._tape: list[tuple[str, Any]] = []
-        for name, formula in steps:
-            self._places[name] = self._place(formula)
-        self._results = [self._place(sp.sympify(formula)) for formula in formulas]
+        names = (*nu.symbols, *nuprime.symbols, *constants)
+        self._program = StraightLineProgram(names, [sp.sympify(f) for f in formulas], steps)
+        self._constants = tuple(constants.values())
         self._signs: dict[int, int] = {}
-
-    def _add(self, operation: str, operands: Any) -> int:
-        self._tape.append((operation, operands))
-        return 6 + len(self._tape) - 1
-
-    def _place(self, node: Any) -> int:
-        if node not in self._places:
-            self._places[node] = self._built(node)
-        return self._places[node]
-
-    def _built(self, node: Any) -> int:
-        if node.is_Rational:
-            return self._add("constant", ball(node))
-        if node in self._constants:
-            return self._add("constant", self._constants[node])
-        if node.is_Add or node.is_Mul:
-            operation = "sum" if node.is_Add else "product"
-            return self._add(operation, tuple(self._place(part) for part in node.args))
-        if node.is_Pow and node.exp.is_Rational and node.exp.q in (1, 2):
-            place = self._place(node.base)
-            place = place if node.exp.q == 1 else self._add("root", place)
-            place = self._add("power", (place, abs(int(node.exp.p))))
-            return place if node.exp > 0 else self._add("inverse", place)
-        raise ValueError(f"{node}: neither a sum, a product nor a root, and without a value")
 
     def at(self, vector: Sequence[Any], rate: Sequence[Any]) -> list[Any]:
         """Values at real ν and ν′ (arb).
@@ -141,46 +134,16 @@ class Branch:
         list of int
             1 or −1 for every formula, as its form shows; 0 where it shows neither.
         """
-        signs = [*flips, *flips]
-        for operation, operand in self._tape:
-            if operation == "constant":
-                signs.append(1)
-            elif operation == "sum":
-                kinds = {signs[place] for place in operand}
-                signs.append(kinds.pop() if len(kinds) == 1 else 0)
-            elif operation == "product":
-                signs.append(prod(signs[place] for place in operand))
-            elif operation == "power":
-                signs.append(signs[operand[0]] ** operand[1])
-            elif operation == "root":
-                signs.append(1 if signs[operand] == 1 else 0)
+        signs = [*flips, *flips, *(1 for _ in self._constants)]
+        for kind, operands, _ in self._program.operations:
+            kinds = [signs[place] for place in operands]
+            if kind == "sum":
+                signs.append(kinds[0] if len(set(kinds)) == 1 else 0)
+            elif kind == "root":
+                signs.append(1 if kinds == [1] else 0)
             else:
-                signs.append(signs[operand])
-        return [signs[place] for place in self._results]
+                signs.append(prod(kinds))
+        return [signs[place] for place in self._program.results]
 
     def _run(self, vector: Sequence[Any], rate: Sequence[Any], signs: dict[int, int]) -> list[Any]:
-        values = [*vector, *rate]
-        for place, (operation, operand) in enumerate(self._tape):
-            if operation == "constant":
-                value = operand
-            elif operation == "sum":
-                value = values[operand[0]]
-                for term in operand[1:]:
-                    value = value + values[term]
-            elif operation == "product":
-                value = values[operand[0]]
-                for factor in operand[1:]:
-                    value = value * values[factor]
-            elif operation == "power":
-                # a ball around zero has no power in python-flint, but it has a product
-                value = values[operand[0]]
-                for _ in range(operand[1] - 1):
-                    value = value * values[operand[0]]
-            elif operation == "root":
-                value = _root(values[operand])
-            else:
-                if place not in signs:
-                    signs[place] = 1 if values[operand] > 0 else -1
-                value = _inverse(values[operand], signs[place])
-            values.append(value)
-        return [values[place] for place in self._results]
+        return self._program.run([*vector, *rate, *self._constants], _Continuation(signs))

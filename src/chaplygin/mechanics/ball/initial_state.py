@@ -15,6 +15,7 @@ import sympy as sp
 from ...core.system import Guard, System
 from ...core.vectors import Vector
 from ...errors import InputError
+from ...formulas.multiprecision import Multiprecision
 from ..rolling.initial_state import DIGITS, SLACK, evaluate
 from .ball import RollingBall
 
@@ -102,14 +103,14 @@ class _Surface:
     def __init__(self, ball: RollingBall) -> None:
         values = {p.symbol: _number(p.default, str(p.symbol)) for p in ball.surface.parameters}
         f, symbols = ball.carrying, x.symbols
-        formulas = [f, *(f.diff(s) for s in symbols), *sp.hessian(f, symbols)]
-        self._function = sp.lambdify([*symbols, *values], formulas, "mpmath")
-        self._values = list(values.values())
+        self._formulas = [f, *(f.diff(s) for s in symbols), *sp.hessian(f, symbols)]
+        self._values = values
 
     def at(self, point: Sequence[Any], name: str) -> _Spot:
         """What the surface does at a point; InputError where it has no normal."""
         try:
-            found = self._function(*point, *self._values)
+            numbers = Multiprecision({**self._values, **dict(zip(x.symbols, point, strict=True))})
+            found = [numbers(formula) for formula in self._formulas]
         except (ValueError, ZeroDivisionError):
             found = [mpmath.nan]
         if not all(isinstance(v, mpmath.mpf | int) and mpmath.isfinite(v) for v in found):

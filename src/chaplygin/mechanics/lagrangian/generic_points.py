@@ -16,6 +16,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from ...errors import InputError
+from ...formulas.multiprecision import Multiprecision
 from .mechanism import TIME, Frame, Mechanism
 
 __all__ = [
@@ -86,7 +87,7 @@ class GenericPoint:
 @with_working_precision
 def value_at_generic_point(formula: sp.Expr, values: Mapping[sp.Symbol, Any]) -> Any:
     """A formula at numbers, unspecified functions being replaced by generic ones."""
-    number = _number_of(_specified(formula), values, {})
+    number = Multiprecision(values)(_specified(formula))
     if isinstance(number, mpmath.mpc):
         if abs(number.imag) > ZERO:
             raise ValueError(f"{formula} is not real here")
@@ -94,30 +95,6 @@ def value_at_generic_point(formula: sp.Expr, values: Mapping[sp.Symbol, Any]) ->
     if not mpmath.isfinite(number):
         raise ZeroDivisionError
     return number
-
-
-def _number_of(node: sp.Expr, values: Mapping[sp.Symbol, Any], seen: dict[sp.Expr, Any]) -> Any:
-    """A formula at numbers, each of its parts once."""
-    if node in seen:
-        return seen[node]
-    if node.is_Symbol:
-        return values[node]
-    if node.is_Rational:
-        return mpmath.mpf(int(node.p)) / int(node.q)
-    parts = [_number_of(part, values, seen) for part in node.args]
-    match node:
-        case sp.Add():
-            found = mpmath.fsum(parts)
-        case sp.Mul():
-            found = mpmath.fprod(parts)
-        case sp.Pow():
-            found = parts[0] ** (int(node.exp) if node.exp.is_Integer else parts[1])
-        case _:
-            symbols = [sp.Dummy() for _ in parts]
-            plain = node.func(*symbols) if parts else node
-            found = sp.lambdify(symbols, plain, "mpmath")(*parts)
-    seen[node] = mpmath.mpmathify(found)
-    return seen[node]
 
 
 def _specified(formula: sp.Expr) -> sp.Expr:

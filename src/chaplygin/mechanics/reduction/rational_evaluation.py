@@ -16,6 +16,7 @@ from flint import Ordering, fmpq, fmpq_mpoly_ctx
 
 from ...core.vectors import real_symbol
 from ...errors import InputError
+from ...formulas.program import BallArithmetic, StraightLineProgram
 
 __all__ = [
     "Evaluable",
@@ -119,22 +120,26 @@ class Formulas:
     """
 
     def __init__(self, formulas: Iterable[sp.Expr], owner: str = "") -> None:
-        made = [on_circles(sp.sympify(f), owner) for f in formulas]
-        below = {r for f in made for r in f.atoms(sp.Rational) if r.q != 1}
-        # quotients of integers would become floating-point numbers
-        self._parts = {r: sp.Dummy(f"part_{r.p}_{r.q}") for r in below}
-        made = [f.xreplace(self._parts) for f in made]
-        self.symbols = tuple(
-            sorted({s for f in made for s in f.free_symbols} - {*self._parts.values()}, key=str)
-        )
-        arguments = [*self.symbols, *self._parts.values()]
-        self._function = sp.lambdify(arguments, made, modules=[], cse=True)
+        shared, parts = sp.cse([on_circles(sp.sympify(f), owner) for f in formulas], list=False)
+        symbols = {s for f in (*dict(shared).values(), *parts) for s in f.free_symbols}
+        self.symbols = tuple(sorted(symbols - dict(shared).keys(), key=str))
+        self._program = StraightLineProgram(self.symbols, parts, tuple(shared))
 
     def at(self, point: Point, like: Value) -> list[Value]:
         """The values; `like` is the number one of the field."""
-        parts = [like * r.p / r.q for r in self._parts]
-        values = self._function(*(point[s] for s in self.symbols), *parts)
-        return [like * v for v in values]
+        values = self._program.run([point[s] for s in self.symbols], _FieldArithmetic(like))
+        return [like * value for value in values]
+
+
+class _FieldArithmetic(BallArithmetic):
+    """Arithmetic of the field that a number one belongs to."""
+
+    def __init__(self, one: Value) -> None:
+        self.one = one
+
+    def constant(self, number: fmpq) -> Value:
+        """A rational number."""
+        return self.one * int(number.p) / int(number.q)
 
 
 def bare(symbols: Iterable[sp.Symbol]) -> list[sp.Symbol]:

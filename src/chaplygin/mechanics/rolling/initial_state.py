@@ -18,6 +18,7 @@ from ...core.admissible import parameters_by_symbol
 from ...core.system import System
 from ...core.vectors import Vector, to_components
 from ...errors import InputError
+from ...formulas.multiprecision import Multiprecision
 from .attitude import attitude
 from .gauss_map import contact_points_of_normals
 
@@ -89,19 +90,18 @@ def initial_state(
         known |= dict(zip(_OMEGA, spin, strict=True)) | dict(zip(_GAMMA, up, strict=True))
         if r in system.state:
             known |= dict(zip(r.symbols, _contact_point(system, up, known), strict=True))
-        _check_domain(system, known)
         turn = _attitude(up, _direction(normal, "normal"), _number(heading))
-        known |= dict(zip(attitude.symbols, turn, strict=True))
-        known |= dict(zip(zeta.symbols, _third_row(turn), strict=True))
-        known |= _evaluate(system, system.start, known)
-        known |= dict(zip(place.symbols, _place(system, known), strict=True))
         lifted = system.lifted() if system.motion else system
-        missing = [str(s) for s in lifted.symbols if s not in known]
-        if missing:
-            raise InputError(
-                f"{system.name}: omega and gamma do not determine {', '.join(missing)}"
-            )
-        return tuple(known[s] for s in lifted.symbols)
+        try:
+            _check_domain(system, known)
+            known |= dict(zip(attitude.symbols, turn, strict=True))
+            known |= dict(zip(zeta.symbols, _third_row(turn), strict=True))
+            known |= _evaluate(system, system.start, known)
+            known |= dict(zip(place.symbols, _place(system, known), strict=True))
+            return tuple(known[s] for s in lifted.symbols)
+        except KeyError:
+            missing = ", ".join(str(s) for s in lifted.symbols if s not in known)
+            raise InputError(f"{system.name}: omega and gamma do not determine {missing}") from None
 
 
 _OMEGA, _GAMMA = omega.symbols, gamma.symbols
@@ -216,11 +216,9 @@ def evaluate(
     system: System, formulas: Sequence[sp.Expr], known: Mapping[sp.Symbol, Any]
 ) -> list[Any]:
     """Values of scalar formulas of a system, in the working precision of mpmath."""
-    if not formulas:
-        return []
-    steps = list(system.needed(formulas, given=known))
-    function = sp.lambdify(list(known), list(formulas), "mpmath", cse=lambda e: (steps, e))
-    return list(function(*known.values()))
+    numbers = Multiprecision(known)
+    numbers.define(system.needed(formulas, given=known))
+    return [numbers(formula) for formula in formulas]
 
 
 def _contact_point(system: System, up: list[Any], known: Mapping[sp.Symbol, Any]) -> list[Any]:
@@ -236,14 +234,12 @@ def _contact_point(system: System, up: list[Any], known: Mapping[sp.Symbol, Any]
         {s: s + v for s, v in zip(coordinates, centre, strict=True)}, simultaneous=True
     )
     guess = contact_points_of_normals(shifted, coordinates, np.array([[float(x) for x in up]]))[0]
-    local = sp.lambdify(
-        coordinates,
-        [shifted, *(shifted.diff(s) for s in coordinates), *sp.hessian(shifted, coordinates)],
-        "mpmath",
-    )
+    slopes = [shifted.diff(s) for s in coordinates]
+    formulas = [shifted, *slopes, *sp.hessian(shifted, coordinates)]
     x = mpmath.matrix([mpmath.mpf(float(v)) for v in guess])
     for _ in range(8):
-        f, *rest = local(*x)
+        numbers = Multiprecision(dict(zip(coordinates, x, strict=True)))
+        f, *rest = map(numbers, formulas)
         slope, hessian = rest[:3], rest[3:]
         length = mpmath.sqrt(sum(v * v for v in slope))
         matrix = mpmath.matrix(

@@ -1,0 +1,100 @@
+"""The evaluation of formulas in an algebra: numbers, terms, power series or anything like them."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable, Mapping
+from typing import Generic, TypeVar
+
+import sympy as sp
+
+N = TypeVar("N")
+
+
+class Evaluation(ABC, Generic[N]):
+    """Scalar formulas as elements of an algebra, every part of them computed once.
+
+    An algebra is a subclass: it says what constants, sums, products, powers and functions are.
+
+    Parameters
+    ----------
+    values : mapping of Symbol to element
+        Of the symbols that formulas may contain.
+    definitions : mapping of Symbol to formula, optional
+        Further symbols, each evaluated when a formula first needs it.
+    """
+
+    def __init__(
+        self,
+        values: Mapping[sp.Symbol, N],
+        definitions: Mapping[sp.Symbol, sp.Expr] | None = None,
+    ) -> None:
+        self._elements: dict[sp.Expr, N] = dict(values)
+        self._definitions = dict(definitions or {})
+
+    def __call__(self, formula: sp.Expr) -> N:
+        """The element that a scalar formula stands for."""
+        return self._visit(formula)
+
+    def define(self, steps: Iterable[tuple[sp.Symbol, sp.Expr]]) -> None:
+        """Give further symbols the values of formulas, in order: long chains need no recursion."""
+        for symbol, formula in steps:
+            self._elements[symbol] = self._visit(formula)
+
+    def _visit(self, formula: sp.Expr) -> N:
+        element = self._elements.get(formula)
+        if element is None:
+            step = self._definitions.get(formula)
+            element = self._rule(formula)(formula) if step is None else self._visit(step)
+            self._elements[formula] = element
+        return element
+
+    def _rule(self, formula: sp.Expr) -> Callable[[sp.Expr], N]:
+        """The operation that a formula asks for; returned, not called, to save a level of depth."""
+        if formula.is_Rational or formula.is_Float:
+            return self._constant
+        if formula.is_Symbol:
+            return self._unknown
+        if formula.is_Add:
+            return self._sum
+        if formula.is_Mul:
+            return self._product
+        return self._power if formula.is_Pow else self._function
+
+    def _parts(self, formula: sp.Expr) -> list[N]:
+        """The elements of what a formula consists of."""
+        return list(map(self._visit, formula.args))
+
+    @abstractmethod
+    def _constant(self, number: sp.Expr) -> N:
+        """A rational or decimal number."""
+
+    def _unknown(self, symbol: sp.Symbol) -> N:
+        """Complain of a symbol that has neither a value nor a definition."""
+        raise KeyError(symbol)
+
+    @abstractmethod
+    def _sum(self, formula: sp.Add) -> N:
+        """The element of a sum."""
+
+    @abstractmethod
+    def _product(self, formula: sp.Mul) -> N:
+        """The element of a product."""
+
+    @abstractmethod
+    def _power(self, formula: sp.Pow) -> N:
+        """The element of a power."""
+
+    @abstractmethod
+    def _function(self, formula: sp.Expr) -> N:
+        """The element of any other formula, such as sin x or π."""
+
+
+def numerator_and_denominator(product: sp.Mul) -> tuple[list[sp.Expr], list[sp.Expr]]:
+    """The factors of a product, and those by which it is divided."""
+    divided = [
+        bool(factor.is_Pow and factor.exp.is_number and factor.exp.is_negative)
+        for factor in product.args
+    ]
+    factors = list(zip(product.args, divided, strict=True))
+    return [f for f, below in factors if not below], [1 / f for f, below in factors if below]
