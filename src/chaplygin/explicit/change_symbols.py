@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
 from ..core.system import System
-from ..core.vectors import constant, real_symbol, to_components
+from ..core.vectors import Vector, constant, real_symbol, to_components
 from .genus_two.separation import SeparatedSystem
 
 __all__ = ["in_symbols_of", "translation"]
 
 
 def in_symbols_of(
-    separable: SeparatedSystem, system: System, parameters: Mapping[sp.Symbol, Any]
+    separable: SeparatedSystem, system: System, parameters: Mapping[sp.Symbol, sp.Expr]
 ) -> SeparatedSystem:
     """The separation of a system whose field is that of ``separable.system``.
 
@@ -40,12 +40,12 @@ def in_symbols_of(
     }
     names = dict(zip(separable.system.symbols, system.symbols, strict=True))
 
-    def text(formula: Any) -> Any:
+    def text(formula: sp.Expr) -> sp.Expr:
         value = to_components(sp.sympify(formula))
         made = value.xreplace(known)
         return constant(list(made)) if isinstance(value, sp.MatrixBase) else made
 
-    def each(formulas: Any) -> Any:
+    def each(formulas: Iterable[sp.Expr]) -> Any:
         return tuple(text(formula) for formula in formulas)
 
     return replace(
@@ -75,7 +75,7 @@ def in_symbols_of(
 
 
 def translation(
-    home: System, system: System, parameters: Mapping[sp.Symbol, Any]
+    home: System, system: System, parameters: Mapping[sp.Symbol, sp.Expr]
 ) -> dict[sp.Symbol, sp.Expr]:
     """State, parameters and definitions of one system in the symbols of another."""
     known: dict[sp.Symbol, sp.Expr] = dict(zip(home.symbols, system.symbols, strict=True))
@@ -92,7 +92,7 @@ def _constants(separable: SeparatedSystem, system: System) -> dict[sp.Symbol, sp
     return {symbol: real_symbol(f"{symbol}_const") for symbol in clashes}
 
 
-def _parts(name: Any, formula: Any) -> list[tuple[sp.Symbol, Any]]:
+def _parts(name: sp.Symbol | Vector, formula: sp.Expr) -> list[tuple[sp.Symbol, sp.Expr]]:
     """A pair of a state name and its formula, by components."""
     if isinstance(name, sp.Symbol):
         return [(name, formula)]

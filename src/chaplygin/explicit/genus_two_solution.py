@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 import sympy as sp
-from flint import ctx
+from flint import arb, ctx
 
 from ..arguments import Numbers, Written, arguments_checked
+from ..core.arrays import FloatArray
 from ..core.system import System
 from ..errors import InputError
 from ..formulas.balls import components, evaluated, number
@@ -43,8 +43,8 @@ class GenusTwo(Solution):
     """
 
     system: System
-    parameters: Mapping[sp.Symbol, Any]
-    start: tuple[Any, ...]
+    parameters: Mapping[sp.Symbol, Written]
+    start: tuple[Written, ...]
     prepared: SeparatedMotion
 
     @property
@@ -63,11 +63,11 @@ class GenusTwo(Solution):
         return lift(self.prepared, self.clock, self.start[len(self.separable.system.symbols) :])
 
     @cached_property
-    def _state(self) -> Callable[..., Any]:
+    def _state(self) -> Callable[..., FloatArray]:
         return on_arrays(self.prepared, self.separable.system.symbols)
 
     @arguments_checked
-    def states(self, times: Numbers) -> Any:
+    def states(self, times: Numbers) -> FloatArray:
         """Lifted states (n, size) at `times` (n,), in double precision."""
         moment = self.clock.at(np.asarray(times, dtype=float))
         reduced = self._state(*self.prepared.torus.values(moment.v))
@@ -102,7 +102,7 @@ class GenusTwo(Solution):
         )
 
     @arguments_checked
-    def rigorous(self, time: Written, digits: int = 30) -> tuple[Any, ...]:
+    def rigorous(self, time: Written, digits: int = 30) -> tuple[arb, ...]:
         """The lifted state at one time as balls."""
         from .rigorous import rigorous_state
 
@@ -175,7 +175,7 @@ def _form(solution: GenusTwo) -> ClosedForm:
     )
 
 
-def _told(motion: SeparatedMotion, value: Any) -> tuple[str, str]:
+def _told(motion: SeparatedMotion, value: arb) -> tuple[str, str]:
     """Meaning and unit of a constant: those of the integral whose value it is, if there is one."""
     system = motion.separable.system
     known = {**motion.values, **dict(zip(system.symbols, motion.state, strict=True))}
@@ -188,7 +188,7 @@ def _told(motion: SeparatedMotion, value: Any) -> tuple[str, str]:
 
 
 def solved(
-    separable: SeparatedSystem, values: Mapping[sp.Symbol, Any], start: Sequence[Any]
+    separable: SeparatedSystem, values: Mapping[sp.Symbol, Written], start: Sequence[Written]
 ) -> GenusTwo:
     """Solve one motion of a separable system.
 

@@ -8,7 +8,7 @@ the same curve, the same unit vector ν and another clock.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from typing import Any, TypeAlias
 
@@ -65,7 +65,7 @@ def _others(system: System, unit: Vector) -> set[sp.Symbol]:
     return set(system.symbols) - set(unit.symbols)
 
 
-def _unstretched(system: System, unit: Vector, name: Vector, image: Any) -> Formulas:
+def _unstretched(system: System, unit: Vector, name: Vector, image: sp.MatrixExpr) -> Formulas:
     """The unit vector γ with γ_i s_i λ = y_i, for factors s_i free of the state."""
     scales = [part / s for part, s in zip(image, unit.symbols, strict=True)]
     factors = [sp.cancel(scale / scales[0]) for scale in scales]
@@ -79,7 +79,7 @@ def _unstretched(system: System, unit: Vector, name: Vector, image: Any) -> Form
 
 
 def _linear(
-    system: System, unit: Vector, images: list[tuple[Vector, Any]], place: Formulas
+    system: System, unit: Vector, images: list[tuple[Vector, sp.MatrixExpr]], place: Formulas
 ) -> Formulas:
     """The other vector, from the image that is linear in it."""
     (other,) = (v for v in system.state if v != unit)
@@ -115,7 +115,10 @@ def inverse_identity(system: System, law: Isomorphism) -> Identity:
 
 
 def pull_back(
-    system: System, law: Isomorphism, separable: SeparatedSystem, fixed: tuple[Any, ...] = ()
+    system: System,
+    law: Isomorphism,
+    separable: SeparatedSystem,
+    fixed: tuple[sp.MatrixExpr, ...] = (),
 ) -> SeparatedSystem:
     """A system that separates because the target of an isomorphism does.
 
@@ -145,7 +148,7 @@ def pull_back(
     names = _fresh((*given, *(s for s, _ in separable.constants)), system)
     image = dict(flat_pairs(law.map))
 
-    def text(formula: Any) -> Any:
+    def text(formula: sp.Expr) -> sp.Expr:
         return _put(written_out(target, formula), names | image)
 
     state = {s: _put(f, names) for s, f in flat_pairs(separable.state)}
@@ -213,7 +216,7 @@ def push_forward(system: System, law: Isomorphism, separable: SeparatedSystem) -
     )
     back = {s: _put(f, names) for s, f in inverse(system, law).items()}
 
-    def text(formula: Any) -> Any:
+    def text(formula: sp.Expr) -> sp.Expr:
         return _put(written_out(system, formula), names | back)
 
     state = {s: _put(written_out(system, f), names) for s, f in flat_pairs(separable.state)}
@@ -236,10 +239,12 @@ def push_forward(system: System, law: Isomorphism, separable: SeparatedSystem) -
     )
 
 
-def _renamed(separable: SeparatedSystem, text: Any, names: Formulas) -> SeparatedSystem:
+def _renamed(
+    separable: SeparatedSystem, text: Callable[[sp.Expr], sp.Expr], names: Formulas
+) -> SeparatedSystem:
     """The curve in other names, ν and ν′ told in another state."""
 
-    def each(formulas: Iterable[Any]) -> Any:
+    def each(formulas: Iterable[sp.Expr]) -> Any:
         return tuple(_put(sp.sympify(formula), names) for formula in formulas)
 
     return replace(
@@ -267,11 +272,11 @@ def _tilde(symbol: sp.Symbol) -> sp.Symbol:
     return real_symbol(f"{stem}tilde{bar}{index}")
 
 
-def _put(formula: Any, values: Mapping[sp.Symbol, Any]) -> Any:
+def _put(formula: sp.Expr, values: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
     return formula.xreplace(dict(values))
 
 
-def written_out(system: System, formula: Any) -> Any:
+def written_out(system: System, formula: sp.Expr) -> sp.Expr:
     """A formula of a system with its definitions put in."""
     value = to_components(sp.sympify(formula))
     for name, meaning in reversed(system.needed([value])):

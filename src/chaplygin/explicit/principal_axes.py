@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 import sympy as sp
 from flint import acb_mat, arb, arb_mat, ctx
 
 from ..arguments import Numbers, Written, arguments_checked
+from ..core.arrays import FloatArray
 from ..core.system import System
 from ..core.vectors import Diagonal, Symmetric, Vector
 from ..errors import InputError
@@ -43,9 +43,9 @@ class PrincipalAxesSolution(Solution):
     """
 
     system: System
-    parameters: Mapping[sp.Symbol, Any]
+    parameters: Mapping[sp.Symbol, Written]
     inner: Solution
-    matrix: Any
+    matrix: arb_mat
 
     @property
     def form(self) -> ClosedForm:
@@ -63,20 +63,20 @@ class PrincipalAxesSolution(Solution):
         return self.inner.left_open
 
     @arguments_checked
-    def states(self, times: Numbers) -> Any:
+    def states(self, times: Numbers) -> FloatArray:
         """Lifted states at `times` (n,), as an array (n, size), in double precision."""
-        turn = np.array([[number(x) for x in row] for row in self.matrix.tolist()])
+        turn: FloatArray = np.array([[number(x) for x in row] for row in self.matrix.tolist()])
         return self.inner.states(times) @ turn.T
 
     @arguments_checked
-    def rigorous(self, time: Written, digits: int = 30) -> tuple[Any, ...]:
+    def rigorous(self, time: Written, digits: int = 30) -> tuple[arb, ...]:
         """The lifted state at one time as balls that contain the exact one."""
         with ctx.workdps(digits + 30):
             column = arb_mat([[x] for x in self.inner.rigorous(time, digits)])
             return tuple(row[0] for row in (self.matrix * column).tolist())
 
 
-def in_principal_axes(problem: Problem) -> tuple[Problem, Any] | None:
+def in_principal_axes(problem: Problem) -> tuple[Problem, arb_mat] | None:
     """A ball in other axes: those of its inertia, its axis of symmetry last if it is a rubber ball.
 
     Returns
@@ -131,13 +131,13 @@ def _order(problem: Problem, rolling: Rolling) -> tuple[int, int, int] | None:
     return (1, 2, 0) if second == third else (2, 0, 1)
 
 
-def to_original_axes(problem: Problem, inner: Solution, matrix: Any) -> PrincipalAxesSolution:
+def to_original_axes(problem: Problem, inner: Solution, matrix: arb_mat) -> PrincipalAxesSolution:
     """A solution in principal axes as one in the axes of the problem."""
     lifted = problem.system.lifted() if problem.system.motion else problem.system
     return PrincipalAxesSolution(lifted, problem.parameters, inner, matrix)
 
 
-def _turned(rolling: Rolling, moments: Sequence[float], axes: Any) -> Rolling:
+def _turned(rolling: Rolling, moments: Sequence[float], axes: FloatArray) -> Rolling:
     """The same ball, described in its principal axes."""
     body, shape = rolling.body, rolling.body.shape
     first, second, third = moments
@@ -150,13 +150,13 @@ def _turned(rolling: Rolling, moments: Sequence[float], axes: Any) -> Rolling:
     return replace(rolling, body=turned)
 
 
-def _seen(vector: Sequence[float], axes: Any) -> tuple[float, float, float]:
+def _seen(vector: Sequence[float], axes: FloatArray) -> tuple[float, float, float]:
     """A vector by its components along the columns of `axes`."""
     x, y, z = (float(part) for part in axes.T @ np.array(vector))
     return x, y, z
 
 
-def _axes(entries: Sequence[Any]) -> tuple[list[Any], Any]:
+def _axes(entries: Sequence[arb]) -> tuple[list[arb], arb_mat]:
     """Principal moments, increasing, and the matrix whose columns are the axes, right-handed."""
     a, b, c, d, e, f = entries
     tensor = acb_mat([[a, b, c], [b, d, e], [c, e, f]])
@@ -179,7 +179,7 @@ def _axes(entries: Sequence[Any]) -> tuple[list[Any], Any]:
     return [values[i].real for i in order], axes
 
 
-def _blocks(lifted: System, axes: Any) -> Any:
+def _blocks(lifted: System, axes: arb_mat) -> arb_mat:
     """What takes a lifted state in principal axes to one in the body's own axes.
 
     With u = S u′ for vectors in body axes the attitude is q = q′ s̄, s the quaternion of S.
@@ -198,7 +198,7 @@ def _blocks(lifted: System, axes: Any) -> Any:
     return arb_mat(matrix)
 
 
-def _quaternion(turn: Any) -> tuple[Any, Any, Any, Any]:
+def _quaternion(turn: arb_mat) -> tuple[arb, arb, arb, arb]:
     """The unit quaternion (w, x, y, z) of a rotation matrix, divided by its largest component."""
     r = turn
     columns = (
@@ -213,7 +213,7 @@ def _quaternion(turn: Any) -> tuple[Any, Any, Any, Any]:
     return w, x, y, z
 
 
-def _times_conjugate(s: tuple[Any, Any, Any, Any]) -> Any:
+def _times_conjugate(s: tuple[arb, arb, arb, arb]) -> arb_mat:
     """The matrix of p ↦ p s̄ for quaternions (w, x, y, z)."""
     w, x, y, z = s
     return arb_mat([[w, x, y, z], [-x, w, -z, y], [-y, z, w, -x], [-z, -y, x, w]])

@@ -14,11 +14,12 @@ from fractions import Fraction
 from functools import lru_cache
 from importlib import import_module
 from itertools import permutations
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import sympy as sp
 from flint import arb, ctx, fmpq
 
+from ..arguments import Written
 from ..catalogue import entry
 from ..catalogue.entry import bruns_factor
 from ..core.isomorphism import Isomorphism
@@ -40,7 +41,7 @@ __all__ = ["RECOGNISERS", "Match", "find_match", "solution_of"]
 #: A motion in closed form, or None where it is not of this kind.
 Recogniser: TypeAlias = Callable[[Problem], Solution | None]
 #: Parameters of one system as formulas in those of another.
-Formulas: TypeAlias = Mapping[sp.Symbol, Any]
+Formulas: TypeAlias = Mapping[sp.Symbol, sp.Expr]
 
 #: Systems by the name of their separation whose bodies may have two equal moments.
 TURNING = ("veselova", "rubber-chaplygin-ball")
@@ -229,7 +230,7 @@ def _matches(problem: Problem, target: System) -> Iterator[Formulas]:
             yield dict(zip(wanted, chosen, strict=True))
 
 
-def _field(rolling: Rolling | None) -> dict[sp.Symbol, Any]:
+def _field(rolling: Rolling | None) -> dict[sp.Symbol, sp.Expr]:
     """The strength of a Bruns field that is given as a potential."""
     if rolling is None or not rolling.body.principal:
         return {}
@@ -284,7 +285,7 @@ def _separated(problem: Problem) -> Solution | None:
         raise degenerate(problem) from None
 
 
-def _axial(problem: Problem, found: Match, values: Mapping[sp.Symbol, Any]) -> Solution | None:
+def _axial(problem: Problem, found: Match, values: Mapping[sp.Symbol, Written]) -> Solution | None:
     """Bodies with two equal moments, and those that turn uniformly."""
     from .degenerate.exact_start import PRECISION
     from .degenerate.recognise_axisymmetric import chaplygin_of_revolution, veselova_of_revolution

@@ -6,6 +6,9 @@ from collections.abc import Iterator, Mapping
 from itertools import product
 from typing import Any
 
+import sympy as sp
+
+from ..arguments import Written
 from ..catalogue import CATALOGUE
 from ..core.system import System
 from ..core.vectors import Diagonal, Symmetric
@@ -20,7 +23,7 @@ __all__ = ["rolling_of"]
 MODELS: tuple[ContactModel, ContactModel] = ("marble", "rubber")
 
 
-def rolling_of(system: System, values: Mapping[Any, Any]) -> Rolling | None:
+def rolling_of(system: System, values: Mapping[sp.Symbol, Written]) -> Rolling | None:
     """The rolling body of which a system holds the equations, with its numbers.
 
     Bodies of the catalogue and balls with any inertia tensor are tried; the equations that they

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+
+import sympy as sp
 
 from ...catalogue.ball_on_sphere import rubber_ball_ratio
 from ...catalogue.ball_on_sphere.ball_on_sphere import ratio
@@ -56,8 +57,8 @@ class Condition:
         The same in state and parameters of the problem.
     """
 
-    written: Any
-    formula: Any
+    written: sp.Expr
+    formula: sp.Expr
 
 
 def refusal(problem: Problem, level: Sequence[Condition] = ()) -> NoClosedFormError:

@@ -13,6 +13,7 @@ from typing import Any
 import sympy as sp
 from flint import fmpq
 
+from ...arguments import Written
 from ...core.admissible import conditions, satisfies
 from ...core.system import System
 from ...core.vectors import to_components
@@ -51,8 +52,8 @@ class Problem:
     """
 
     system: System
-    parameters: Mapping[sp.Symbol, Any]
-    start: tuple[Any, ...]
+    parameters: Mapping[sp.Symbol, Written]
+    start: tuple[Written, ...]
     rolling: Rolling | None = None
 
     def checked(self) -> Problem:
@@ -94,11 +95,11 @@ class Problem:
         """The parameters by name, decimals taken at their word."""
         return {str(symbol): exact(value) for symbol, value in self.parameters.items()}
 
-    def values(self, formulas: Sequence[Any]) -> list[Any]:
+    def values(self, formulas: Sequence[sp.Expr]) -> list[Any]:
         """Scalar formulas of the system at the start, as fractions or to 60 digits."""
         return [found.value for found in self.measured(formulas)]
 
-    def measured(self, formulas: Sequence[Any]) -> list[Sized]:
+    def measured(self, formulas: Sequence[sp.Expr]) -> list[Sized]:
         """The same with the sizes of their terms."""
         lifted = self.system.lifted() if self.system.motion else self.system
         known = {s: exact(value) for s, value in self.parameters.items()}
@@ -110,7 +111,7 @@ class Problem:
             lifted.needed(wanted),
         )
 
-    def vanish(self, formulas: Sequence[Any], part: fmpq = RESOLUTION) -> bool:
+    def vanish(self, formulas: Sequence[sp.Expr], part: fmpq = RESOLUTION) -> bool:
         """Whether scalar formulas vanish at the start, or leave but a part of their terms."""
         return all(value.vanishes(part) for value in self.measured(formulas))
 
@@ -172,7 +173,7 @@ def _evaluator(system: System, point: Sequence[fmpq], numbers: Numbers) -> Evalu
     return Evaluator(Rationals({}), seeds.get, dict(system.steps))
 
 
-def _rates(system: System, point: Sequence[fmpq], numbers: Numbers) -> list[Any]:
+def _rates(system: System, point: Sequence[fmpq], numbers: Numbers) -> list[fmpq]:
     evaluate = _evaluator(system, point, numbers)
     return [evaluate.value(rate) for rate in system.rates]
 

@@ -5,11 +5,13 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import sympy as sp
+from flint import arb
 
+from ...arguments import Numbers, Written
+from ...core.arrays import FloatArray
 from ...core.overview import Overview, WithOverview
 from ...core.system import System
 from ...errors import InputError
@@ -35,7 +37,7 @@ class NamedConstant:
     """
 
     symbol: str
-    value: Any
+    value: arb
     meaning: str
     unit: str = ""
 
@@ -67,7 +69,7 @@ class ClosedForm:
 
     title: str
     motion: str
-    equations: tuple[tuple[Any, Any], ...]
+    equations: tuple[tuple[sp.Expr, sp.Expr], ...]
     figures: tuple[NamedConstant, ...]
     ovals: tuple[tuple[float, float], ...] = ()
     source: str = ""
@@ -87,15 +89,16 @@ class States:
     """
 
     system: System
-    times: Any
-    values: Any
+    times: FloatArray
+    values: FloatArray
 
-    def __getitem__(self, name: str) -> Any:
+    def __getitem__(self, name: str) -> FloatArray:
         """A state variable by name, (n, components) or (n,)."""
-        return by_name(self.system, self.values, name)
+        values: FloatArray = by_name(self.system, self.values, name)
+        return values
 
 
-def checked(times: Any, pace: float) -> Any:
+def checked(times: FloatArray, pace: float) -> FloatArray:
     """Times (n,) at which states in double precision have a meaning.
 
     Parameters
@@ -138,7 +141,7 @@ class Solution(WithOverview):
     """
 
     system: System
-    parameters: Mapping[sp.Symbol, Any]
+    parameters: Mapping[sp.Symbol, Written]
 
     @property
     @abstractmethod
@@ -146,7 +149,7 @@ class Solution(WithOverview):
         """What the closed form looks like."""
 
     @abstractmethod
-    def states(self, times: Any) -> Any:
+    def states(self, times: Numbers) -> FloatArray:
         """Lifted states at `times` (n,), as an array (n, size), in double precision."""
 
     @property
@@ -160,7 +163,7 @@ class Solution(WithOverview):
         return ""
 
     @abstractmethod
-    def rigorous(self, time: Any, digits: int = 30) -> tuple[Any, ...]:
+    def rigorous(self, time: Written, digits: int = 30) -> tuple[arb, ...]:
         """The lifted state at one time as balls (``flint.arb``) that contain the exact one.
 
         Parameters
@@ -190,7 +193,7 @@ class Solution(WithOverview):
             ),
         )
 
-    def __call__(self, times: Any) -> States:
+    def __call__(self, times: Numbers) -> States:
         """States at `times`, by name.
 
         Raises

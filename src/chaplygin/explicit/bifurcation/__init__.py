@@ -11,11 +11,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
 
 import sympy as sp
 from flint import fmpq, fmpq_mpoly
 
+from ...arguments import Written
 from ...core.vectors import to_components
 from ...errors import InputError
 from ...formulas.relative_zero import ROUNDED, Sized, measured, sized
@@ -67,7 +67,7 @@ class Diagram:
         """The two integrals."""
         return self.plane.axes
 
-    def region(self, x: Any, y: Any) -> Region | None:
+    def region(self, x: Written, y: Written) -> Region | None:
         """The region of a point; None on a boundary.
 
         Parameters
@@ -85,7 +85,7 @@ class Diagram:
         return next((region for region in self.regions if cell in region.cells), None)
 
 
-def locate(diagram: Diagram, state: Mapping[Any, Any]) -> tuple[float, float]:
+def locate(diagram: Diagram, state: Mapping[sp.Symbol | str, Written]) -> tuple[float, float]:
     """The point of a diagram that a motion belongs to.
 
     Parameters
@@ -121,7 +121,8 @@ def locate(diagram: Diagram, state: Mapping[Any, Any]) -> tuple[float, float]:
 
 
 def bifurcation_diagram(
-    subject: str | SeparatedSystem | IntegralPlane, parameters: Mapping[Any, Any] | None = None
+    subject: str | SeparatedSystem | IntegralPlane,
+    parameters: Mapping[sp.Symbol | str, Written] | None = None,
 ) -> Diagram:
     """The bifurcation diagram of a separated system, exactly.
 
@@ -191,7 +192,9 @@ def _poles(
     return (first, second, third), (axes[0], axes[1], axes[2])
 
 
-def _number(plane: IntegralPlane, formula: Any, values: Mapping[sp.Symbol, Fraction]) -> Any:
+def _number(
+    plane: IntegralPlane, formula: sp.Expr, values: Mapping[sp.Symbol, Fraction]
+) -> sp.Expr:
     """A formula with the definitions and parameters filled in."""
     known = {s: sp.Rational(x.numerator, x.denominator) for s, x in values.items()}
     for symbol, value in plane.system.steps:
@@ -200,7 +203,9 @@ def _number(plane: IntegralPlane, formula: Any, values: Mapping[sp.Symbol, Fract
     return sp.sympify(formula).xreplace(known)
 
 
-def _curve(plane: IntegralPlane, formula: Any, values: Mapping[sp.Symbol, Fraction]) -> fmpq_mpoly:
+def _curve(
+    plane: IntegralPlane, formula: sp.Expr, values: Mapping[sp.Symbol, Fraction]
+) -> fmpq_mpoly:
     """A polynomial in the two integrals and z with rational coefficients."""
     filled = sp.cancel(sp.expand(_number(plane, formula, values)))
     names = (*(axis.symbol for axis in plane.axes), Z)

@@ -16,7 +16,7 @@ from fractions import Fraction
 from itertools import combinations, pairwise
 from typing import Any, TypeAlias
 
-from flint import Ordering, arb, ctx, fmpq, fmpq_mpoly_ctx, fmpq_poly
+from flint import Ordering, arb, ctx, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 __all__ = [
     "RING",
@@ -39,7 +39,7 @@ __all__ = [
 RING = fmpq_mpoly_ctx.get(("x", "y", "z"), Ordering.lex)
 X, Y, _Z = RING.gens()
 
-Polynomial: TypeAlias = Any
+Polynomial: TypeAlias = fmpq_mpoly
 Cell: TypeAlias = tuple[int, int]
 
 #: Binary digits with which roots are isolated at first; doubled until they are apart.
@@ -70,7 +70,7 @@ class Arrangement:
 
     curves: tuple[Polynomial, ...]
     critical: tuple[fmpq_poly, ...]
-    abscissae: tuple[Any, ...]
+    abscissae: tuple[arb, ...]
     samples: tuple[fmpq, ...]
     orders: tuple[tuple[int, ...], ...]
     joints: frozenset[tuple[Cell, Cell]]
@@ -89,7 +89,7 @@ class Arrangement:
             for rank in range(len(order)):
                 yield column, rank
 
-    def ordinates(self, column: int, x: fmpq) -> list[Any]:
+    def ordinates(self, column: int, x: fmpq) -> list[arb]:
         """The heights y (balls) of the arcs over an x of that column."""
         return [y for y, _ in stack(self.curves, x)]
 
@@ -185,16 +185,23 @@ def _in_x(polynomial: Polynomial) -> fmpq_poly:
     return found
 
 
-def straight(curve: Polynomial, *, x: fmpq | None = None, y: fmpq | None = None) -> fmpq_poly:
-    """A curve on the vertical through x or on the horizontal through y, in what is left."""
-    found = fmpq_poly()
+def on_vertical(curve: fmpq_mpoly, x: fmpq) -> fmpq_poly:
+    """A curve over one x, as a polynomial in y."""
+    restriction = fmpq_poly()
     for (i, j, _), value in curve.to_dict().items():
-        power, factor = (j, x**i) if x is not None else (i, y**j)
-        found[power] = found[power] + value * factor
-    return found
+        restriction[j] = restriction[j] + value * x**i
+    return restriction
 
 
-def isolated(polynomial: fmpq_poly) -> list[Any]:
+def on_horizontal(curve: fmpq_mpoly, y: fmpq) -> fmpq_poly:
+    """A curve at one height y, as a polynomial in x."""
+    restriction = fmpq_poly()
+    for (i, j, _), value in curve.to_dict().items():
+        restriction[i] = restriction[i] + value * y**j
+    return restriction
+
+
+def isolated(polynomial: fmpq_poly) -> list[arb]:
     """The real roots of a polynomial, as balls apart from each other, in no order."""
     if polynomial.degree() < 1:
         return []
@@ -202,7 +209,7 @@ def isolated(polynomial: fmpq_poly) -> list[Any]:
     return [root.real for root, _ in roots if isinstance(root, arb) or root.imag == 0]
 
 
-def separated(polynomials: Sequence[fmpq_poly]) -> list[tuple[Any, int]]:
+def separated(polynomials: Sequence[fmpq_poly]) -> list[tuple[arb, int]]:
     """The real roots of coprime polynomials, increasing, each with its polynomial's number."""
     precision = FIRST_PRECISION
     while precision <= MOST_PRECISION:
@@ -215,7 +222,7 @@ def separated(polynomials: Sequence[fmpq_poly]) -> list[tuple[Any, int]]:
     raise ArithmeticError("polynomials without a common root were expected")
 
 
-def stack(curves: Sequence[Polynomial], x: fmpq) -> list[tuple[Any, int]]:
+def stack(curves: Sequence[Polynomial], x: fmpq) -> list[tuple[arb, int]]:
     """The heights of the curves over an x that is not critical, each with its curve's number."""
     return separated([straight(curve, x=x) for curve in curves])
 
@@ -261,7 +268,7 @@ def irreducible(polynomials: Iterable[fmpq_poly]) -> list[fmpq_poly]:
     return list(factors.values())
 
 
-def _gaps(roots: Sequence[Any]) -> list[fmpq]:
+def _gaps(roots: Sequence[arb]) -> list[fmpq]:
     """A short rational number below, between and above increasing real numbers."""
     if not roots:
         return [fmpq(0)]
@@ -280,18 +287,18 @@ def between(low: Fraction, high: Fraction) -> Fraction:
     return middle.limit_denominator(limit)
 
 
-def middle(ball: Any) -> Fraction:
+def middle(ball: arb) -> Fraction:
     """The middle of a ball, exactly."""
     mantissa, exponent = ball.mid().man_exp()
     return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
-def lowest(ball: Any) -> Fraction:
+def lowest(ball: arb) -> Fraction:
     """The lower end of a ball, exactly."""
     return middle(ball) - middle(ball.rad())
 
 
-def highest(ball: Any) -> Fraction:
+def highest(ball: arb) -> Fraction:
     """The upper end of a ball, exactly."""
     return middle(ball) + middle(ball.rad())
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any
+from typing import TypeVar
 
 from flint import acb, arb, arb_poly, ctx, fmpq, fmpq_mpoly
 
@@ -68,16 +68,19 @@ class Arc:
     x: fmpq
     rank: int
 
-    def restricted(self, polynomial: Polynomial) -> Any:
+    def restricted(self, polynomial: Polynomial) -> arb_poly:
         """A polynomial in x, y, z as one in z with balls for coefficients."""
         y, _ = stack(self.curves, self.x)[self.rank]
-        found: dict[int, Any] = {}
+        found: dict[int, arb] = {}
         for (i, j, power), value in polynomial.to_dict().items():
             found[power] = found.get(power, arb(0)) + arb(value * self.x**i) * y**j
         return arb_poly([found.get(power, arb(0)) for power in range(max(found) + 1)])
 
 
-def decided(question: Callable[[], Any]) -> Any:
+T = TypeVar("T")
+
+
+def decided(question: Callable[[], T]) -> T:
     """The answer to a question about balls, asked again with more digits until it has one."""
     precision = FIRST_PRECISION
     while True:
@@ -144,7 +147,7 @@ def circles_at_a_double_root(
     return tuple(decided(answer))
 
 
-def _positive(ball: Any) -> bool:
+def _positive(ball: arb) -> bool:
     """Whether a number is positive; it is known not to vanish."""
     if ball > 0:
         return True
@@ -153,7 +156,7 @@ def _positive(ball: Any) -> bool:
     raise UndecidedError
 
 
-def _divided(polynomial: Any, root: Any) -> Any:
+def _divided(polynomial: arb_poly, root: arb) -> arb_poly:
     """A polynomial by z − root, which divides it, by Horner's scheme."""
     quotient, carried = [], arb(0)
     for coefficient in reversed(polynomial.coeffs()):
@@ -162,7 +165,7 @@ def _divided(polynomial: Any, root: Any) -> Any:
     return arb_poly(quotient[-2::-1])
 
 
-def _double(polynomial: Any) -> Any:
+def _double(polynomial: arb_poly) -> arb | None:
     """The real double root of a polynomial that has just one double root or pair of them.
 
     Returns
@@ -178,10 +181,11 @@ def _double(polynomial: Any) -> Any:
     if len(candidates) != 1:
         raise UndecidedError
     # a complex root would bring its conjugate
-    return candidates[0].real
+    double: arb = candidates[0].real
+    return double
 
 
-def _real_roots(polynomial: Any) -> list[Any]:
+def _real_roots(polynomial: arb_poly) -> list[arb]:
     """The real roots of a polynomial with simple roots."""
     roots = [acb(root) for root in polynomial.complex_roots()] if polynomial.degree() > 0 else []
     found = []
@@ -197,12 +201,12 @@ def _real_roots(polynomial: Any) -> list[Any]:
 
 
 def _allowed(
-    sign: Any, rest: Any, poles: Sequence[fmpq], between: tuple[int, int], skipped: int
+    sign: arb_poly, rest: arb_poly, poles: Sequence[fmpq], between: tuple[int, int], skipped: int
 ) -> tuple[Oval, ...]:
     """The ovals between two poles in which `sign` is positive; its roots are those of `rest`."""
     first, last = between
     low, high = poles[first], poles[last]
-    roots: list[tuple[Any, int]] = [
+    roots: list[tuple[arb, int]] = [
         (arb(pole), n) for n, pole in enumerate(poles, 1) if low <= pole <= high and n != skipped
     ]
     for root in _real_roots(rest):

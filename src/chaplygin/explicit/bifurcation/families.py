@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any
 
 import sympy as sp
 
+from ...arguments import Written
 from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_bracket import D, I
 from ...core.system import System
@@ -83,7 +83,7 @@ class Axis:
     """
 
     symbol: sp.Symbol
-    value: Any
+    value: sp.Expr
     meaning: str = ""
     unit: str = ""
 
@@ -124,10 +124,10 @@ class IntegralPlane:
     name: str
     title: str
     system: System
-    level: tuple[Any, ...] = ()
+    level: tuple[sp.Expr, ...] = ()
     axes: tuple[Axis, Axis]
-    poles: tuple[Any, Any, Any]
-    rest: Any
+    poles: tuple[sp.Expr, sp.Expr, sp.Expr]
+    rest: sp.Expr
     bounds: tuple[Bound, ...] = ()
     held: tuple[tuple[sp.Symbol, float], ...] = ()
     resting: str = UNSAID
@@ -164,7 +164,7 @@ def plane_of(separable: SeparatedSystem) -> IntegralPlane:
     )
 
 
-def _axis(symbol: sp.Symbol, value: Any, system: System) -> Axis:
+def _axis(symbol: sp.Symbol, value: sp.Expr, system: System) -> Axis:
     """An axis with the meaning that the system gives to this integral."""
     steps = dict(system.steps)
     for law in system.integrals:
@@ -174,7 +174,7 @@ def _axis(symbol: sp.Symbol, value: Any, system: System) -> Axis:
     return Axis(symbol, value)
 
 
-def _symbols(formula: Any) -> set[sp.Symbol]:
+def _symbols(formula: sp.Expr) -> set[sp.Symbol]:
     return set(to_components(sp.sympify(formula)).free_symbols)
 
 
@@ -252,7 +252,9 @@ def plane_named(name: str) -> IntegralPlane:
     raise InputError(f"no bifurcation diagram {name!r}; there are {known}")
 
 
-def numbers(plane: IntegralPlane, given: Mapping[Any, Any]) -> dict[sp.Symbol, Fraction]:
+def numbers(
+    plane: IntegralPlane, given: Mapping[sp.Symbol | str, Written]
+) -> dict[sp.Symbol, Fraction]:
     """All parameters and held constants, the given ones replacing the defaults; exact.
 
     Raises

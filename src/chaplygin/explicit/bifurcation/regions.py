@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
-from typing import Any
 
 import sympy as sp
 from flint import fmpq, fmpq_mpoly, fmpq_poly
@@ -67,7 +66,7 @@ class Boundary:
         Of the arrangement: pieces of the curve.
     """
 
-    curve: Any
+    curve: sp.Expr
     words: str
     circles: int
     stable: bool
@@ -218,7 +217,7 @@ class Kinds:
             for (curve, kind), arcs in sorted(found.items())
         )
 
-    def _shown(self, number: int) -> Any:
+    def _shown(self, number: int) -> sp.Expr:
         """A curve of the arrangement in the symbols of the axes."""
         x, y = (axis.symbol for axis in self.plane.axes)
         terms = self.cut.curves[number].to_dict().items()

@@ -16,12 +16,11 @@ tori if c < 0 (an oval has shrunk; stable) and with motions that leave it and co
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise, product
-from typing import Any
 
-from flint import fmpq, fmpq_poly
+from flint import arb, fmpq, fmpq_poly
 
 from .arrangement import between, highest, lowest, rational, separated
 
@@ -121,7 +120,7 @@ def families(poles: Sequence[fmpq], rest: fmpq_poly) -> tuple[Family, ...]:
     return tuple(family(a, b) for a, b in product(first, second))
 
 
-def ovals(roots: Sequence[tuple[Any, int]], allowed: Any) -> tuple[Oval, ...]:
+def ovals(roots: Sequence[tuple[arb, int]], allowed: Callable[[fmpq], bool]) -> tuple[Oval, ...]:
     """Intervals between neighbouring roots in which a condition holds.
 
     Parameters

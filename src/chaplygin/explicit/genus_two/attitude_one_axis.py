@@ -188,8 +188,8 @@ class Reference:
         w = ė + ω×e, body axes.
     """
 
-    vector: Any
-    velocity: Any
+    vector: sp.MatrixExpr
+    velocity: sp.MatrixExpr
 
 
 def references(of: SeparatedSystem) -> tuple[Reference, ...]:

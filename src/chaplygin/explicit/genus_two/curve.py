@@ -33,11 +33,11 @@ class Curve:
         Five or six, increasing.
     """
 
-    leading: Any
-    roots: tuple[Any, ...]
+    leading: arb
+    roots: tuple[arb, ...]
 
     @classmethod
-    def of(cls, leading: Any, roots: Sequence[Any]) -> Curve:
+    def of(cls, leading: arb, roots: Sequence[arb]) -> Curve:
         """The curve with these roots in any order.
 
         Raises
@@ -51,7 +51,7 @@ class Curve:
                 raise DegenerateError
         return cls(leading, ordered)
 
-    def __call__(self, z: Any) -> Any:
+    def __call__(self, z: arb) -> arb:
         """R(z)."""
         value = self.leading
         for root in self.roots:
@@ -93,16 +93,16 @@ class Curve:
         """Numbers of the left ends of the bounded ovals."""
         return tuple(range(self.first_oval, len(self.roots) - 1, 2))
 
-    def oval_of(self, z: Any) -> int:
+    def oval_of(self, z: arb) -> int:
         """The bounded oval nearest to z, as the number of its left end."""
         middle = z.mid()
 
-        def distance(left: int) -> Any:
+        def distance(left: int) -> arb:
             low, high = self.roots[left].mid(), self.roots[left + 1].mid()
             return max(low - middle, middle - high, arb(0))
 
         return min(self.ovals, key=distance)
 
-    def ends(self, left: int) -> tuple[Any, Any]:
+    def ends(self, left: int) -> tuple[arb, arb]:
         """The two roots that bound an interval."""
         return self.roots[left], self.roots[left + 1]

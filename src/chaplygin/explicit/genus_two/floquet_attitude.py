@@ -20,12 +20,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from scipy.linalg import solve_triangular
 from scipy.spatial.transform import Rotation
 
+from ...core.arrays import ComplexArray, FloatArray
 from ..base.no_closed_form import NoClosedFormError
 from .quadrature import Series, series
 
@@ -65,10 +65,10 @@ class FloquetReduction:
 
     rate: float
     parts: tuple[Series, ...]
-    start: Any
+    start: FloatArray
     residual: float
 
-    def attitude(self, v: Any, tau: Any) -> Any:
+    def attitude(self, v: FloatArray, tau: FloatArray) -> FloatArray:
         """Quaternions (n, 4), body to space, continuous from the start.
 
         Parameters
@@ -82,17 +82,23 @@ class FloquetReduction:
         turn = np.stack([np.cos(half), np.sin(half), zero, zero], axis=-1)
         return _product(_product(self.start, turn), self._triad(v))
 
-    def fixed(self, v: Any) -> Any:
+    def fixed(self, v: FloatArray) -> FloatArray:
         """The unit vector that stays in space, body axes, (3, n), at phases v (n, 2)."""
-        return Rotation.from_quat(np.roll(self._triad(v), -1, axis=-1)).as_matrix()[:, 0].T
+        triads: FloatArray = Rotation.from_quat(np.roll(self._triad(v), -1, axis=-1)).as_matrix()
+        return triads[:, 0].T
 
-    def _triad(self, v: Any) -> Any:
-        found = np.stack([part(v) for part in self.parts], axis=-1)
-        return found / np.linalg.norm(found, axis=-1, keepdims=True)
+    def _triad(self, v: FloatArray) -> FloatArray:
+        """The quaternion of F at phases v (n, 2), (n, 4)."""
+        quaternions = np.stack([part(v) for part in self.parts], axis=-1)
+        lengths: FloatArray = np.linalg.norm(quaternions, axis=-1, keepdims=True)
+        return quaternions / lengths
 
 
 def reduction(
-    turning: Callable[[Any], Any], V: Sequence[float], v_0: Any, attitude: Sequence[float]
+    turning: Callable[[FloatArray], FloatArray],
+    V: Sequence[float],
+    v_0: FloatArray,
+    attitude: Sequence[float],
 ) -> FloquetReduction:
     """Reduce the equation of the attitude.
 
@@ -144,9 +150,9 @@ def reduction(
 class _Waves:
     """A function on the torus, the phase that makes the turn first."""
 
-    first: Any
-    second: Any
-    coefficients: Any
+    first: FloatArray
+    second: FloatArray
+    coefficients: ComplexArray
 
     @classmethod
     def of(cls, part: Series, first: int) -> _Waves:
@@ -155,14 +161,16 @@ class _Waves:
             return cls(part.first, part.second, part.coefficients)
         return cls(part.second, part.first, part.coefficients.T)
 
-    def along(self, tau: Any, speeds: tuple[float, float], theta: Any) -> Any:
+    def along(self, tau: FloatArray, speeds: tuple[float, float], theta: FloatArray) -> FloatArray:
         """Values (n, places) at the phases (V₁τ, θ + V₂τ)."""
-        here = np.exp(1j * np.pi * speeds[0] * np.outer(tau, self.first)) @ self.coefficients
+        here: ComplexArray = (
+            np.exp(1j * np.pi * speeds[0] * np.outer(tau, self.first)) @ self.coefficients
+        )
         here = here * np.exp(1j * np.pi * speeds[1] * np.outer(tau, self.second))
         return (here @ np.exp(1j * np.pi * np.outer(self.second, theta))).real
 
 
-def _turn(waves: Sequence[_Waves], speeds: tuple[float, float], places: int) -> Any:
+def _turn(waves: Sequence[_Waves], speeds: tuple[float, float], places: int) -> FloatArray:
     """A(θ) after parts of a turn of the first phase: (planes + 1, places, 3, 3)."""
     steps = max(_STEPS[0], 2 * places)
     planes = _steps(waves, speeds, places, steps)
@@ -176,7 +184,9 @@ def _turn(waves: Sequence[_Waves], speeds: tuple[float, float], places: int) -> 
         planes = finer
 
 
-def _steps(waves: Sequence[_Waves], speeds: tuple[float, float], places: int, steps: int) -> Any:
+def _steps(
+    waves: Sequence[_Waves], speeds: tuple[float, float], places: int, steps: int
+) -> FloatArray:
     """The same with a given number of steps of Magnus' method of sixth order."""
     theta = 2.0 * np.arange(places) / places
     h = 2.0 / abs(speeds[0]) / steps
@@ -200,14 +210,14 @@ def _steps(waves: Sequence[_Waves], speeds: tuple[float, float], places: int, st
     return np.array(kept)
 
 
-def _cross(u: Any, v: Any) -> Any:
+def _cross(u: FloatArray, v: FloatArray) -> FloatArray:
     return np.cross(u, v, axis=0)
 
 
 # --- what stays in space -------------------------------------------------------------------
 
 
-def _still(A: Any, alpha: float) -> tuple[Any, float]:
+def _still(A: FloatArray, alpha: float) -> tuple[FloatArray, float]:
     """K (places, 3) with A(θ)ᵀK(θ) = K(θ + α), and what is left of that equation."""
     places = len(A)
     k = np.arange(-(places // 4), places // 4 + 1)
@@ -224,7 +234,7 @@ def _still(A: Any, alpha: float) -> tuple[Any, float]:
     return real / np.linalg.norm(real, axis=1, keepdims=True), residual
 
 
-def _null(matrix: Any) -> tuple[Any, float]:
+def _null(matrix: ComplexArray) -> tuple[ComplexArray, float]:
     """The unit vector that a tall matrix shortens most, and to what: by inverse iteration."""
     upper = np.linalg.qr(matrix, mode="r")
     diagonal = np.einsum("ii->i", upper)
@@ -236,7 +246,9 @@ def _null(matrix: Any) -> tuple[Any, float]:
     return found, float(np.linalg.norm(upper @ found))
 
 
-def _uniform(planes: Any, K: Any, speeds: tuple[float, float]) -> tuple[float, Any]:
+def _uniform(
+    planes: FloatArray, K: FloatArray, speeds: tuple[float, float]
+) -> tuple[float, FloatArray]:
     """λ, and F on a grid (planes, places, 3, 3) of both phases."""
     places = len(K)
     alpha = speeds[1] / abs(speeds[0])
@@ -265,7 +277,7 @@ def _uniform(planes: Any, K: Any, speeds: tuple[float, float]) -> tuple[float, A
     return mean / time, np.array(grid)
 
 
-def _frame(K: Any) -> Any:
+def _frame(K: FloatArray) -> FloatArray:
     """Triads (places, 3, 3), as rows, whose first vectors are K."""
     directions = _spread(200)
     closest = np.max(np.abs(K @ directions.T), axis=0)
@@ -275,7 +287,7 @@ def _frame(K: Any) -> Any:
     return np.stack([K, two, np.cross(K, two)], axis=1)
 
 
-def _spread(count: int) -> Any:
+def _spread(count: int) -> FloatArray:
     """Directions spread over the sphere (count, 3), on a spiral."""
     height = (np.arange(count) + 0.5) / count * 2 - 1
     turn = np.arange(count) * np.pi * (3 - np.sqrt(5))
@@ -283,7 +295,7 @@ def _spread(count: int) -> Any:
     return np.stack([radius * np.cos(turn), radius * np.sin(turn), height], axis=1)
 
 
-def _about_first(angle: Any) -> Any:
+def _about_first(angle: FloatArray) -> FloatArray:
     """Rotations about the first axis by the given angles (n,)."""
     one, zero = np.ones_like(angle), np.zeros_like(angle)
     c, s = np.cos(angle), np.sin(angle)
@@ -291,7 +303,7 @@ def _about_first(angle: Any) -> Any:
     return np.moveaxis(np.array(rows), -1, 0)
 
 
-def _shifted(values: Any, part: float) -> Any:
+def _shifted(values: FloatArray, part: float) -> FloatArray:
     """A function of θ, given on its grid (places, …), at the places θ + part of a period."""
     spectrum = np.fft.fft(values, axis=0)
     k = np.fft.fftfreq(len(values), 1 / len(values))
@@ -302,7 +314,7 @@ def _shifted(values: Any, part: float) -> Any:
 # --- Fourier series ------------------------------------------------------------------------
 
 
-def _resolved(grid: Any) -> bool:
+def _resolved(grid: FloatArray) -> bool:
     """Whether the highest quarter of the waves is rounding, in both phases."""
     spectrum = np.abs(np.fft.fft2(grid, axes=(0, 1))) / (grid.shape[0] * grid.shape[1])
     for axis in (0, 1):
@@ -313,7 +325,7 @@ def _resolved(grid: Any) -> bool:
     return True
 
 
-def _quaternions(grid: Any) -> tuple[Series, ...]:
+def _quaternions(grid: FloatArray) -> tuple[Series, ...]:
     """Series of the quaternions of triads on a grid (n_1, n_2, 3, 3)."""
     sizes = grid.shape[:2]
     table = Rotation.from_matrix(grid.reshape(-1, 3, 3)).as_quat().reshape(*sizes, 4)
@@ -339,12 +351,12 @@ def _quaternions(grid: Any) -> tuple[Series, ...]:
     )
 
 
-def _signs(line: Any) -> Any:
+def _signs(line: FloatArray) -> FloatArray:
     steps = np.where(np.sum(line[1:] * line[:-1], axis=1) < 0, -1.0, 1.0)
     return np.concatenate([[1.0], np.cumprod(steps)])
 
 
-def _product(p: Any, q: Any) -> Any:
+def _product(p: FloatArray, q: FloatArray) -> FloatArray:
     """Products of quaternions (w, x, y, z), (…, 4)."""
     a, b, c, d = np.moveaxis(p, -1, 0)
     w, x, y, z = np.moveaxis(q, -1, 0)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from flint import arb
+
+from ...core.arrays import FloatArray
 
 __all__ = ["halves", "turned"]
 
@@ -13,13 +13,13 @@ __all__ = ["halves", "turned"]
 _SPLITTER = 134217729.0
 
 
-def halves(value: Any) -> tuple[float, float]:
+def halves(value: arb) -> tuple[float, float]:
     """A ball's middle as the sum of two doubles, about 32 digits."""
     high = float(value.mid())
     return high, float((value - arb(high)).mid())
 
 
-def turned(rate: tuple[float, float], times: Any, modulus: float) -> Any:
+def turned(rate: tuple[float, float], times: FloatArray, modulus: float) -> FloatArray:
     """rate · times modulo `modulus`, in absolute value at most `modulus`.
 
     Parameters
@@ -42,13 +42,13 @@ def turned(rate: tuple[float, float], times: Any, modulus: float) -> Any:
     return np.fmod(product, modulus) + np.fmod(error + low * times, modulus)
 
 
-def _low_part(one: float, other: Any, product: Any) -> Any:
+def _low_part(one: float, other: FloatArray, product: FloatArray) -> FloatArray:
     """What rounding took from a product."""
     a, b = _split(np.asarray(one)), _split(np.asarray(other))
     return ((a[0] * b[0] - product) + a[0] * b[1] + a[1] * b[0]) + a[1] * b[1]
 
 
-def _split(value: Any) -> tuple[Any, Any]:
+def _split(value: FloatArray) -> tuple[FloatArray, FloatArray]:
     scaled = _SPLITTER * value
     high = scaled - (scaled - value)
     return high, value - high

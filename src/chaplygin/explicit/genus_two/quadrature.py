@@ -12,10 +12,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+from flint import arb
 
+from ...core.arrays import ComplexArray, FloatArray
 from ...formulas.balls import number
 from ..base.no_closed_form import NoClosedFormError
 
@@ -45,28 +46,29 @@ class Series:
         Points of the grid from which it was computed.
     """
 
-    first: Any
-    second: Any
-    coefficients: Any
+    first: FloatArray
+    second: FloatArray
+    coefficients: ComplexArray
     grid: tuple[int, int]
 
-    def waves(self, v: Any) -> tuple[Any, Any]:
+    def waves(self, v: FloatArray) -> tuple[ComplexArray, ComplexArray]:
         """exp(iπk₁v₁) and exp(iπk₂v₂) at phases v (n, 2)."""
         return (
             np.exp(1j * np.pi * np.outer(v[:, 0], self.first)),
             np.exp(1j * np.pi * np.outer(v[:, 1], self.second)),
         )
 
-    def __call__(self, v: Any) -> Any:
+    def __call__(self, v: FloatArray) -> FloatArray:
         """Values at phases v (n, 2)."""
         return _combined(self.waves(v), self.coefficients)
 
 
-def _combined(waves: tuple[Any, Any], coefficients: Any) -> Any:
-    return np.einsum("nk,nk->n", waves[0] @ coefficients, waves[1]).real
+def _combined(waves: tuple[ComplexArray, ComplexArray], coefficients: ComplexArray) -> FloatArray:
+    values: ComplexArray = np.einsum("nk,nk->n", waves[0] @ coefficients, waves[1])
+    return values.real
 
 
-def series(function: Callable[[Any], Any]) -> tuple[Series, ...]:
+def series(function: Callable[[FloatArray], FloatArray]) -> tuple[Series, ...]:
     """Fourier series of smooth functions on the torus, to the rounding of the largest.
 
     Parameters
@@ -98,7 +100,7 @@ def series(function: Callable[[Any], Any]) -> tuple[Series, ...]:
             )
 
 
-def _resolved(spectrum: Any, axis: int, scale: float) -> bool:
+def _resolved(spectrum: ComplexArray, axis: int, scale: float) -> bool:
     """Whether the highest quarter of the wave numbers along one axis is rounding."""
     size = spectrum.shape[0] if axis == 0 else 2 * (spectrum.shape[1] - 1)
     waves = np.abs(np.fft.fftfreq(size, 1 / size)) if axis == 0 else np.arange(size // 2 + 1)
@@ -106,16 +108,17 @@ def _resolved(spectrum: Any, axis: int, scale: float) -> bool:
     return bool(np.max(high) <= 8 * _LEVEL * scale)
 
 
-def _trimmed(spectrum: Any, sizes: Sequence[int], scale: float) -> Series:
+def _trimmed(spectrum: ComplexArray, sizes: Sequence[int], scale: float) -> Series:
     doubled = spectrum.copy()
     # the other half of the wave numbers is the complex conjugate
     doubled[:, 1:] *= 2
     high = np.abs(doubled) > _LEVEL / 8 * scale
     rows, columns = np.flatnonzero(high.any(axis=1)), np.flatnonzero(high.any(axis=0))
     first = np.fft.fftfreq(sizes[0], 1 / sizes[0]).round().astype(int)
+    second = np.arange(spectrum.shape[1])
     return Series(
         first[rows],
-        np.arange(spectrum.shape[1])[columns],
+        second[columns],
         (doubled * high)[np.ix_(rows, columns)],
         (sizes[0], sizes[1]),
     )
@@ -142,9 +145,9 @@ class Quadrature:
     rate: Series
     whole: Series
     origin: float
-    slow: Any
+    slow: ComplexArray
 
-    def quasi(self, v: Any, tau: Any) -> tuple[Any, Any]:
+    def quasi(self, v: FloatArray, tau: FloatArray) -> tuple[FloatArray, FloatArray]:
         """The integral without its drift, and its derivative in τ.
 
         Parameters
@@ -164,7 +167,7 @@ class Quadrature:
 
 
 def quadrature(
-    function: Series, V: Sequence[Any], v_0: Any, mean: float | None = None
+    function: Series, V: Sequence[arb], v_0: FloatArray, mean: float | None = None
 ) -> Quadrature:
     """Integrate a function on the torus along the flow.
 

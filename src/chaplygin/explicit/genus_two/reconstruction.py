@@ -6,11 +6,11 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 import sympy as sp
 
+from ...core.arrays import FloatArray
 from ...core.system import flat_pairs
 from ...core.vectors import vectors
 from ...errors import InputError
@@ -33,13 +33,13 @@ _COARSE = 24
 
 def on_arrays(
     motion: SeparatedMotion, formulas: Sequence[sp.Expr], further: Sequence[sp.Symbol] = ()
-) -> Callable[..., Any]:
+) -> Callable[..., FloatArray]:
     """Formulas of the system as a function of ν, ν′, each (3, n), and of `further` arrays (n,)."""
     arguments, steps = chain(motion.separable, formulas)
     made = array_function((*arguments, *further), tuple(formulas), steps)
     fixed = [number(motion.values[s]) for s in arguments[6:]]
 
-    def function(direction: Any, turning: Any, *others: Any) -> Any:
+    def function(direction: FloatArray, turning: FloatArray, *others: FloatArray) -> FloatArray:
         found = made(*direction, *turning, *fixed, *others)
         return np.stack([np.broadcast_to(x, direction[0].shape) for x in found])
 
@@ -60,29 +60,29 @@ class Lift(ABC):
 
     prepared: SeparatedMotion
     clock: TimeMap
-    start: Any
+    start: FloatArray
 
     @abstractmethod
-    def at(self, moment: TorusPoint) -> Any:
+    def at(self, moment: TorusPoint) -> FloatArray:
         """Attitude and places, (4 + places, n)."""
 
     @cached_property
-    def _origin(self) -> Any:
+    def _origin(self) -> FloatArray:
         return self.clock.v_0[None, :]
 
-    def _torus(self, v: Any) -> tuple[Any, Any]:
+    def _torus(self, v: FloatArray) -> tuple[FloatArray, FloatArray]:
         return self.prepared.torus.values(v)
 
     @cached_property
-    def _clock_rate(self) -> Callable[..., Any]:
+    def _clock_rate(self) -> Callable[..., FloatArray]:
         return on_arrays(self.prepared, components(self.prepared.separable.clock))
 
     @cached_property
-    def _places(self) -> Callable[..., Any]:
+    def _places(self) -> Callable[..., FloatArray]:
         """Rates, per unit of t, of what the motion has besides the attitude."""
         return on_arrays(self.prepared, place_rates(self.prepared.separable), attitude.symbols)
 
-    def _quadrature(self, function: Callable[[Any], Any]) -> tuple[Quadrature, ...]:
+    def _quadrature(self, function: Callable[[FloatArray], FloatArray]) -> tuple[Quadrature, ...]:
         torus = self.prepared.torus
         return tuple(quadrature(f, torus.V, self.clock.v_0) for f in series(function))
 
@@ -100,7 +100,7 @@ class _Oriented(Lift):
 
     @property
     @abstractmethod
-    def _vectors(self) -> Callable[..., Any]:
+    def _vectors(self) -> Callable[..., FloatArray]:
         """Both vectors, body axes, as a function of ν and ν′: (6, n)."""
 
     @cached_property
@@ -108,7 +108,7 @@ class _Oriented(Lift):
         six = self._vectors(*self._torus(self._origin))
         return Triad.through(six[:3, 0], six[3:, 0], self.start[:4])
 
-    def _attitude(self, direction: Any, turning: Any) -> Any:
+    def _attitude(self, direction: FloatArray, turning: FloatArray) -> FloatArray:
         six = self._vectors(direction, turning)
         return self._triad.attitude(six[:3], six[3:])
 
@@ -129,7 +129,7 @@ class Held(_Oriented):
     """The attitude from two vectors that are fixed in space."""
 
     @cached_property
-    def _vectors(self) -> Callable[..., Any]:
+    def _vectors(self) -> Callable[..., FloatArray]:
         fixed = self.prepared.separable.fixed
         return on_arrays(self.prepared, [c for vector in fixed[:2] for c in components(vector)])
 
@@ -138,13 +138,13 @@ class Held(_Oriented):
         if len(self.start) == 4:
             return ()
 
-        def rates(v: Any) -> Any:
+        def rates(v: FloatArray) -> FloatArray:
             there = self._torus(v)
             return self._clock_rate(*there) * self._places(*there, *self._attitude(*there).T)
 
         return self._quadrature(rates)
 
-    def at(self, moment: TorusPoint) -> Any:
+    def at(self, moment: TorusPoint) -> FloatArray:
         """Attitude and places, (4 + places, n)."""
         there = self._torus(moment.v)
         turns = self._sign * self._cover.signed(moment.v, self._attitude(*there))
@@ -164,7 +164,7 @@ class Spun(_Oriented):
     """
 
     @cached_property
-    def _pair(self) -> tuple[Callable[..., Any], sp.Expr]:
+    def _pair(self) -> tuple[Callable[..., FloatArray], sp.Expr]:
         """The fixed vector and a reference that stays away from it; the rate of ψ."""
         of = self.prepared.separable
         line = 2.0 * np.arange(_COARSE) / _COARSE
@@ -178,7 +178,7 @@ class Spun(_Oriented):
         return both, spinning(of, best)
 
     @property
-    def _vectors(self) -> Callable[..., Any]:
+    def _vectors(self) -> Callable[..., FloatArray]:
         return self._pair[0]
 
     @cached_property
@@ -186,7 +186,7 @@ class Spun(_Oriented):
         """∫ (dψ/dτ) dτ."""
         rate = on_arrays(self.prepared, [self._pair[1]])
 
-        def rates(v: Any) -> Any:
+        def rates(v: FloatArray) -> FloatArray:
             there = self._torus(v)
             return self._clock_rate(*there) * rate(*there)
 
@@ -200,7 +200,7 @@ class Spun(_Oriented):
         axis = self._triad.axes[0]
         angle = self._angle
 
-        def parts(v: Any) -> Any:
+        def parts(v: FloatArray) -> FloatArray:
             there = self._torus(v)
             turns = self._attitude(*there).T
             clock = self._clock_rate(*there)
@@ -228,7 +228,7 @@ class Spun(_Oriented):
             for i in range(count)
         )
 
-    def at(self, moment: TorusPoint) -> Any:
+    def at(self, moment: TorusPoint) -> FloatArray:
         """Attitude and places, (4 + places, n)."""
         there = self._torus(moment.v)
         psi = self._angle.mean * moment.tau + self._angle.quasi(moment.v, moment.tau)[0]
@@ -252,19 +252,19 @@ class Reduced(Lift):
     def _reduction(self) -> FloquetReduction:
         omega = on_arrays(self.prepared, vectors("omega")[0].symbols)
 
-        def turning(v: Any) -> Any:
+        def turning(v: FloatArray) -> FloatArray:
             there = self._torus(v)
             return self._clock_rate(*there) * omega(*there)
 
         V = [number(x) for x in self.prepared.torus.V]
         return reduction(turning, V, self.clock.v_0, self.start[:4])
 
-    def at(self, moment: TorusPoint) -> Any:
+    def at(self, moment: TorusPoint) -> FloatArray:
         """The attitude, (4, n)."""
         return self._reduction.attitude(moment.v, moment.tau).T
 
 
-def _turned(axis: Any, psi: Any, turns: Any) -> Any:
+def _turned(axis: FloatArray, psi: FloatArray, turns: FloatArray) -> FloatArray:
     """Quaternions (4, n) after a further turn by ψ (n,) about an axis in space."""
     w, vector = np.cos(psi / 2), np.sin(psi / 2) * np.asarray(axis)[:, None]
     return np.concatenate(

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
+from flint import arb
 
+from ...arguments import Written
 from ...formulas.balls import Steps, Values, ball, components, evaluated, needed
 from ..base.exact_start import on_phase_space
 from .curve import Curve
@@ -33,14 +34,14 @@ class SeparatedMotion:
     """
 
     separable: SeparatedSystem
-    state: tuple[Any, ...]
+    state: tuple[arb, ...]
     values: Values
     curve: Curve
     torus: InvariantTorus
 
 
 def separate(
-    separable: SeparatedSystem, parameters: Mapping[sp.Symbol, Any], start: Sequence[Any]
+    separable: SeparatedSystem, parameters: Mapping[sp.Symbol, Written], start: Sequence[Written]
 ) -> SeparatedMotion:
     """Find constants, curve and torus through a start, at the working precision.
 
@@ -61,7 +62,7 @@ def separate(
         If roots of the curve coincide.
     """
     system = separable.system
-    values: dict[sp.Symbol, Any] = {name: ball(x) for name, x in parameters.items()}
+    values: dict[sp.Symbol, arb] = {name: ball(x) for name, x in parameters.items()}
     state = on_phase_space(system, separable.level, start, values)
     known = {**values, **dict(zip(system.symbols, state, strict=True))}
     for name, formula in system.steps:
@@ -69,7 +70,7 @@ def separate(
     for name, formula in separable.constants:
         known[name] = values[name] = evaluated(components(formula), known)[0]
 
-    def at(*formulas: Any) -> tuple[Any, ...]:
+    def at(*formulas: sp.Expr) -> tuple[arb, ...]:
         return evaluated([part for formula in formulas for part in components(formula)], known)
 
     curve = Curve.of(at(separable.leading)[0], at(*separable.roots))
@@ -85,7 +86,9 @@ def separate(
     return SeparatedMotion(separable, state, values, curve, motion)
 
 
-def chain(separable: SeparatedSystem, formulas: Sequence[sp.Expr]) -> tuple[tuple[Any, ...], Steps]:
+def chain(
+    separable: SeparatedSystem, formulas: Sequence[sp.Expr]
+) -> tuple[tuple[sp.Symbol, ...], Steps]:
     """Arguments and steps by which formulas of the system follow from ν and ν′.
 
     Parameters

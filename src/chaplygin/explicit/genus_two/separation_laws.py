@@ -19,14 +19,14 @@ from typing import Any, TypeAlias
 import sympy as sp
 
 from ...core.laws import Identity, Law, Rate, Reduction
-from ...core.vectors import cross, norm_squared, real_symbol, to_components, vectors
+from ...core.vectors import Vector, cross, norm_squared, real_symbol, to_components, vectors
 from .poles import gaps
 from .separation import SeparatedSystem, nu, nuprime
 
 __all__ = ["separation_laws", "with_laws"]
 
 #: c₁z + c₀ as (c₁, c₀).
-Linear: TypeAlias = tuple[Any, Any]
+Linear: TypeAlias = tuple[sp.Expr, sp.Expr]
 
 #: κ, S, P and their derivatives in τ.
 kappa, total, product = (real_symbol(f"separation_{s}") for s in ("kappa", "S", "P"))
@@ -112,15 +112,15 @@ def with_laws(separable: SeparatedSystem) -> SeparatedSystem:
     return replace(separable, laws=separation_laws(separable))
 
 
-def _entries(value: Any) -> tuple[Any, ...]:
+def _entries(value: sp.Expr) -> tuple[sp.Expr, ...]:
     return tuple(value) if isinstance(value, sp.MatrixBase) else (value,)
 
 
-def _rate(vector: Any) -> Any:
+def _rate(vector: Vector) -> sp.MatrixExpr:
     return sp.ImmutableDenseMatrix([Rate(s) for s in vector.symbols])
 
 
-def _symmetric(separable: SeparatedSystem) -> Mapping[sp.Symbol, Any]:
+def _symmetric(separable: SeparatedSystem) -> Mapping[sp.Symbol, sp.Expr]:
     """κ, S, P and their derivatives, from ν and ν′ by interpolation at the poles."""
     poles = separable.poles
     others = [[e for e in poles if e != pole] for pole in poles]
@@ -132,7 +132,7 @@ def _symmetric(separable: SeparatedSystem) -> Mapping[sp.Symbol, Any]:
     here = [c * x**2 for c, x in zip(scales, nu.symbols, strict=True)]
     there = [2 * c * x * y for c, x, y in zip(scales, nu.symbols, nuprime.symbols, strict=True)]
 
-    def against(shares: list[Any], values: list[Any]) -> Any:
+    def against(shares: list[sp.Expr], values: list[sp.Expr]) -> sp.Expr:
         return sp.Add(*(share * value for share, value in zip(shares, values, strict=True)))
 
     return {
@@ -145,7 +145,7 @@ def _symmetric(separable: SeparatedSystem) -> Mapping[sp.Symbol, Any]:
     }
 
 
-def _separated(separable: SeparatedSystem) -> tuple[Any, Any]:
+def _separated(separable: SeparatedSystem) -> tuple[sp.Expr, sp.Expr]:
     """Both coefficients of (S′z − P′)² − (b − a(S − z))² y²(z), modulo z² − Sz + P."""
     a, b = separable.speeds
     moving = (totalprime, -productprime)

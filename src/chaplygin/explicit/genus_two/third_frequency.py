@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+from flint import arb
 
+from ...core.arrays import ComplexArray, FloatArray
 from ...formulas.balls import number
 from .quadrature import Series
 
@@ -31,14 +32,14 @@ class Turning:
     omega : float
     """
 
-    first: Any
-    second: Any
-    coefficients: Any
-    speeds: Any
-    start: Any
+    first: FloatArray
+    second: FloatArray
+    coefficients: ComplexArray
+    speeds: FloatArray
+    start: ComplexArray
     omega: float
 
-    def at(self, v: Any, tau: Any) -> Any:
+    def at(self, v: FloatArray, tau: FloatArray) -> FloatArray:
         """Values at phases v (n, 2), modulo 2, and τ (n,)."""
         # a term with a small divisor is left as it is: τ sin(x)/x
         slow = np.abs(self.speeds) < 1e-3 * np.max(np.abs(self.speeds), initial=0.0)
@@ -48,7 +49,7 @@ class Turning:
             for axis, k in enumerate((self.first, self.second))
         ]
         there = np.exp(1j * self.omega * tau) * np.einsum("nk,nk->n", waves[0] @ divided, waves[1])
-        value = there.real - np.sum(divided * self.start).real
+        value: FloatArray = there.real - np.sum(divided * self.start).real
         for place in zip(*np.nonzero(slow & (np.abs(self.coefficients) > 0)), strict=True):
             x = self.speeds[place] * tau
             term = self.coefficients[place] * self.start[place] * np.exp(0.5j * x)
@@ -57,7 +58,7 @@ class Turning:
 
 
 def turning(
-    real: Series, imaginary: Series, V: Sequence[Any], v_0: Any, omega: float, phase: float
+    real: Series, imaginary: Series, V: Sequence[arb], v_0: FloatArray, omega: float, phase: float
 ) -> Turning:
     """Integrate Re ((real + i·imaginary) exp(i(ωτ + phase))) along the flow.
 

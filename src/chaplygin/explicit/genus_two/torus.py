@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 from flint import arb, fmpq
 
+from ...core.arrays import FloatArray
 from ...formulas.balls import number
 from ...formulas.relative_zero import vanishes
 from .curve import Curve
@@ -25,7 +25,7 @@ __all__ = ["Divisor", "InvariantTorus", "divisor_of", "torus"]
 #: What a motion may miss of its start, relative to ν and ν′: near separatrices digits are lost.
 _PASSED = fmpq(1, 2**30)
 
-Triple = tuple[Any, Any, Any]
+Triple = tuple[arb, arb, arb]
 
 
 @dataclass(frozen=True)
@@ -37,11 +37,11 @@ class Divisor:
 
 
 def divisor_of(
-    nu: Sequence[Any],
-    nuprime: Sequence[Any],
-    poles: Sequence[Any],
-    weights: Sequence[Any],
-    speeds: Sequence[Any],
+    nu: Sequence[arb],
+    nuprime: Sequence[arb],
+    poles: Sequence[arb],
+    weights: Sequence[arb],
+    speeds: Sequence[arb],
 ) -> Divisor:
     """The two points of the curve at which ν and ν′ stand.
 
@@ -56,13 +56,13 @@ def divisor_of(
     z = ((total - gap) / 2, (total + gap) / 2)
     a, b = speeds
 
-    def height(own: Any, other: Any) -> Any:
+    def height(own: arb, other: arb) -> arb:
         return -(change[0] * own * own + change[1] * own + change[2]) / (kappa * (b - a * other))
 
     return Divisor(z, (height(z[0], z[1]), height(z[1], z[0])))
 
 
-def _through(places: Sequence[Any], heights: Sequence[Any]) -> Triple:
+def _through(places: Sequence[arb], heights: Sequence[arb]) -> Triple:
     """Coefficients of x², x, 1 of the quadratic with given values at three places."""
     result = [arb(0), arb(0), arb(0)]
     for i, height in enumerate(heights):
@@ -100,7 +100,7 @@ class InvariantTorus:
     v_0: Pair
     along: Pair
 
-    def ball(self, v: Sequence[Any]) -> tuple[Triple, Triple]:
+    def ball(self, v: Sequence[arb]) -> tuple[Triple, Triple]:
         """ν and ν′ at the phases v, as balls."""
         pairs = [theta.ball(v, self.along) for theta in self.thetas]
         N = [c * pair[0] for c, pair in zip(self.factors, pairs, strict=True)]
@@ -118,13 +118,13 @@ class InvariantTorus:
         return self.lattice.around_ovals(self.V)
 
     @cached_property
-    def _numbers(self) -> tuple[Any, Any]:
+    def _numbers(self) -> tuple[FloatArray, FloatArray]:
         return (
             np.array([number(c) for c in self.factors]),
             np.array([number(x) for x in self.along]),
         )
 
-    def values(self, v: Any) -> tuple[Any, Any]:
+    def values(self, v: FloatArray) -> tuple[FloatArray, FloatArray]:
         """ν and ν′ at phases v (n, 2), as arrays (3, n)."""
         factors, along = self._numbers
         pairs = [theta.values(v, along) for theta in self.thetas]
@@ -138,12 +138,12 @@ class InvariantTorus:
 
 def torus(
     curve: Curve,
-    poles: Sequence[Any],
-    weights: Sequence[Any],
-    speeds: Sequence[Any],
-    nu: Sequence[Any],
-    nuprime: Sequence[Any],
-    along: Sequence[Any] | None = None,
+    poles: Sequence[arb],
+    weights: Sequence[arb],
+    speeds: Sequence[arb],
+    nu: Sequence[arb],
+    nuprime: Sequence[arb],
+    along: Sequence[arb] | None = None,
 ) -> InvariantTorus:
     """The motion through ν, ν′ at τ = 0.
 
@@ -212,18 +212,18 @@ def torus(
     return made
 
 
-def _place(curve: Curve, pole: Any) -> int:
+def _place(curve: Curve, pole: arb) -> int:
     """The number of the root that a pole is."""
     (place,) = [i for i, root in enumerate(curve.roots) if root.overlaps(pole)]
     return place
 
 
-def _at(curve: Curve, left: int, s: Any) -> Any:
+def _at(curve: Curve, left: int, s: arb) -> arb:
     low, high = curve.ends(left)
     return (low + high) / 2 - (high - low) / 2 * s.cos()
 
 
-def _angle(curve: Curve, left: int, z: Any, y: Any) -> Any:
+def _angle(curve: Curve, left: int, z: arb, y: arb) -> arb:
     """The place s of a point on its oval, from −½π to ³⁄₂π, accurate at the turning points too."""
     low, high = curve.ends(left)
     half = (high - low) / 2
@@ -237,7 +237,7 @@ def _angle(curve: Curve, left: int, z: Any, y: Any) -> Any:
     return arb.pi() - arb.atan2(sine, -cosine) if cosine < 0 else arb.atan2(sine, cosine)
 
 
-def _phases(periods: Lattice, angles: Sequence[Any]) -> Pair:
+def _phases(periods: Lattice, angles: Sequence[arb]) -> Pair:
     """The real part of the Abelian image of two points, from the first root."""
     total: Pair = (arb(0), arb(0))
     for left, s in zip(periods.ovals, angles, strict=True):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
 
 from flint import arb, arb_mat, ctx
 
@@ -19,7 +18,7 @@ BITS = 128
 _MOST = 70_000
 
 
-def mean(torus: InvariantTorus, function: Callable[..., Any], rough: Series) -> Any | None:
+def mean(torus: InvariantTorus, function: Callable[..., arb], rough: Series) -> arb | None:
     """The mean of a function of ν and ν′ on the torus, to about 30 digits.
 
     Parameters
@@ -65,7 +64,7 @@ def mean(torus: InvariantTorus, function: Callable[..., Any], rough: Series) -> 
         return found + arb(0, abs(found) * arb("1e-28"))
 
 
-def _table(theta: Theta, places: Sequence[Any], along: Sequence[Any]) -> tuple[Any, Any]:
+def _table(theta: Theta, places: Sequence[Sequence[arb]], along: Sequence[arb]) -> tuple[arb_mat, arb_mat]:
     """θ and its derivative on a grid, by products of matrices."""
     b = theta.characteristic[1]
     terms = theta.terms(BITS)

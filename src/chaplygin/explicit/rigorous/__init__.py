@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from math import ceil, log10
-from typing import Any
 
 from flint import arb, ctx
 
+from ...arguments import Written
 from ...errors import InputError
 from ...formulas.balls import ball, components, number
 from ..genus_two.separated_motion import SeparatedMotion, chain, separate
@@ -91,8 +91,8 @@ class RigorousMotion:
             return found, quadratures(torus, found.functions, self.digits, self.reach)
 
     def _lifted(
-        self, tau: Any, there: tuple[list[Any], list[Any]], rough: Sequence[float]
-    ) -> list[Any]:
+        self, tau: arb, there: tuple[list[arb], list[arb]], rough: Sequence[float]
+    ) -> list[arb]:
         """Attitude and places; balls of infinite radius where nothing is known."""
         start = self.solution.start[-len(rough) :]
         places = [arb(0, arb("inf")) for _ in start[4:]]
@@ -110,12 +110,12 @@ class RigorousMotion:
             turn = turn.turned(self._angle.at(tau))
         return turn.quaternion(there, rough) + places
 
-    def reduced(self, tau: Any) -> tuple[list[Any], tuple[list[Any], list[Any]]]:
+    def reduced(self, tau: arb) -> tuple[list[arb], tuple[list[arb], list[arb]]]:
         """The reduced state, and ν and ν′, at one τ."""
         there = direction(*numerators_at(self.prepared.torus, tau))
         return self._state.at(*there), there
 
-    def state(self, time: Any) -> tuple[Any, ...]:
+    def state(self, time: Written) -> tuple[arb, ...]:
         """The lifted state at one time, as balls (arb).
 
         The sign of the quaternion, which the attitude leaves open, is that of the evaluation in
@@ -142,7 +142,7 @@ class RigorousMotion:
             return (*reduced, *self._lifted(tau, there, rough))
 
 
-def rigorous_motion(solution: TorusMotion, digits: int, until: Any) -> RigorousMotion:
+def rigorous_motion(solution: TorusMotion, digits: int, until: Written) -> RigorousMotion:
     """Prepare a motion for evaluation with error bounds.
 
     Parameters
@@ -162,7 +162,7 @@ def rigorous_motion(solution: TorusMotion, digits: int, until: Any) -> RigorousM
     own = solution.prepared
     turns = 10 + 1.1 * _turns(solution, until)
     reach = turns / speed_of(own.torus)
-    start: Sequence[Any] = solution.start[: len(own.separable.system.symbols)]
+    start: Sequence[Written] = solution.start[: len(own.separable.system.symbols)]
     with ctx.workprec(bits_for(digits, turns) + _LOST):
         exact = separate(own.separable, solution.parameters, start)
         rate = components(own.separable.clock)
@@ -171,7 +171,7 @@ def rigorous_motion(solution: TorusMotion, digits: int, until: Any) -> RigorousM
     return RigorousMotion(solution, exact, clock, digits, reach)
 
 
-def _turns(solution: TorusMotion, time: Any) -> float:
+def _turns(solution: TorusMotion, time: Written) -> float:
     """Turns of the phases up to a time."""
     latest = number(ball(time))
     pace = solution.pace
@@ -182,7 +182,7 @@ def _turns(solution: TorusMotion, time: Any) -> float:
     return abs(latest) * pace
 
 
-def rigorous_state(solution: TorusMotion, time: Any, digits: int) -> tuple[Any, ...]:
+def rigorous_state(solution: TorusMotion, time: Written, digits: int) -> tuple[arb, ...]:
     """The lifted state of a motion at one time as balls that contain the exact one.
 
     Parameters

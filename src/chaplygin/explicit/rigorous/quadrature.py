@@ -18,7 +18,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import ceil, log, pi, sqrt
-from typing import Any
 
 from flint import acb, acb_mat, arb, ctx, fmpq
 
@@ -74,8 +73,8 @@ class RigorousQuadrature:
     place: int
     periods: tuple[int, int]
     shift: tuple[int, int]
-    coefficients: Any
-    doubt: Any
+    coefficients: acb_mat
+    doubt: arb
     bits: int
 
     @property
@@ -83,28 +82,29 @@ class RigorousQuadrature:
         return (self.coefficients.nrows() - 1) // 2, (self.coefficients.ncols() - 1) // 2
 
     @property
-    def mean(self) -> Any:
+    def mean(self) -> arb:
         """The mean of f on the torus (arb)."""
         with ctx.workprec(self.bits):
             return self._level + arb(0, self.doubt)
 
     @property
-    def _level(self) -> Any:
+    def _level(self) -> arb:
         one, two = self._reach
         return arb(0) if any(self.shift) else self.coefficients[one, two].real
 
-    def rate(self, tau: Any) -> Any:
+    def rate(self, tau: arb) -> arb:
         """f at one τ (arb), from its formula."""
         with ctx.workprec(self.bits):
-            return self.branch.at(*direction(*numerators_at(self.torus, tau)))[self.place]
+            values: list[arb] = self.branch.at(*direction(*numerators_at(self.torus, tau)))
+            return values[self.place]
 
-    def _numbers(self, axis: int) -> list[Any]:
+    def _numbers(self, axis: int) -> list[fmpq]:
         """The wave numbers in one phase."""
         reach, shift = self._reach[axis], self.shift[axis]
         return [fmpq(2 * k + shift, 2 * self.periods[axis]) for k in range(-reach, reach + 1)]
 
     @cached_property
-    def _divided(self) -> tuple[Any, list[tuple[Any, Any]]]:
+    def _divided(self) -> tuple[acb_mat, list[tuple[acb, arb]]]:
         """g_κ/(2πi κ·V) as a matrix, and the slow terms (g_κ exp(2πi κ·v₀), π κ·V)."""
         V, v_0 = self.torus.V, self.torus.v_0
         limit = _SLOW * speed_of(self.torus)
@@ -124,7 +124,7 @@ class RigorousQuadrature:
             rows.append(row)
         return acb_mat(rows), slow
 
-    def _waved(self, tau: Any) -> Any:
+    def _waved(self, tau: arb) -> arb:
         """Σ g_κ/(2πi κ·V) exp(2πi κ·v) at v = v₀ + Vτ."""
         v = [start + speed * tau for start, speed in zip(self.torus.v_0, self.torus.V, strict=True)]
         left, right = (
@@ -135,10 +135,10 @@ class RigorousQuadrature:
         return (acb_mat([left]) * table * acb_mat([[x] for x in right]))[0, 0].real
 
     @cached_property
-    def _origin(self) -> Any:
+    def _origin(self) -> arb:
         return self._waved(arb(0))
 
-    def at(self, tau: Any) -> Any:
+    def at(self, tau: arb | float) -> arb:
         """The integral from 0 to τ, as a ball that contains it.
 
         Parameters
@@ -154,10 +154,10 @@ class RigorousQuadrature:
             return total + arb(0, (self.doubt * abs(tau)).upper())
 
     @cached_property
-    def _least(self) -> Any:
+    def _least(self) -> float:
         return least(self.torus, self.branch, self.periods)
 
-    def inverse(self, value: Any) -> Any:
+    def inverse(self, value: arb | float) -> arb:
         """The τ at which the integral of a positive f has a given value, as a ball.
 
         The middle is found by Newton's method; the radius is |at(middle) − value|/min f, which
@@ -187,7 +187,7 @@ class RigorousQuadrature:
             return tau + arb(0, (abs(miss) / small).upper())
 
 
-def _sums(half: float, period: int, reach: int) -> tuple[Any, Any]:
+def _sums(half: float, period: int, reach: int) -> tuple[arb, arb]:
     """Bounds of Σ exp(−2πr|κ|) over the wave numbers beyond k = ±reach, and over all."""
     q = (-2 * arb.pi() * arb(half) / period).exp()
     return 2 * q**reach * q.sqrt() / (1 - q), 2 / (1 - q)
@@ -267,7 +267,7 @@ def quadratures(
         )
 
 
-def _transformed(values: Sequence[Any], lines: tuple[Line, Line], shift: Sequence[int]) -> Any:
+def _transformed(values: Sequence[arb], lines: tuple[Line, Line], shift: Sequence[int]) -> acb_mat:
     """Fourier coefficients of values on a grid, lowest wave numbers first."""
     n, m = lines[0].count, lines[1].count
     turns = [

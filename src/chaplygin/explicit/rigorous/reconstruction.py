@@ -38,9 +38,9 @@ class Pair:
         At which the second turns about the first, in t; None where it is fixed too.
     """
 
-    first: Any
-    second: Any
-    rate: Any
+    first: sp.MatrixExpr
+    second: sp.MatrixExpr
+    rate: sp.Expr | None
 
     @classmethod
     def of(cls, prepared: SeparatedMotion) -> Pair | None:
@@ -77,11 +77,15 @@ class Turn:
     """
 
     body: Branch
-    axes: Any
+    axes: arb_mat
 
     @classmethod
     def through(
-        cls, prepared: SeparatedMotion, pair: Pair, there: Sequence[Any], quaternion: Sequence[Any]
+        cls,
+        prepared: SeparatedMotion,
+        pair: Pair,
+        there: Sequence[Sequence[arb]],
+        quaternion: Sequence[arb],
     ) -> Turn:
         """From ν and ν′ and the attitude (w, x, y, z, body to space) at the start."""
         formulas = list(_triad(pair.first, pair.second))
@@ -91,16 +95,16 @@ class Turn:
         length = sum((x * x for x in quaternion), arb(0)).sqrt()
         return cls(body, rows * _matrix([x / length for x in quaternion]).transpose())
 
-    def turned(self, angle: Any) -> Turn:
+    def turned(self, angle: arb) -> Turn:
         """The triad turned in space by an angle (arb) about its first vector."""
         rows = turned(self.axes.table(), angle.cos(), angle.sin())
         return Turn(self.body, arb_mat([list(row) for row in rows]))
 
-    def matrix(self, there: Sequence[Any]) -> Any:
+    def matrix(self, there: Sequence[Sequence[arb]]) -> arb_mat:
         """The matrix from body to space components (arb_mat), at ν and ν′."""
         return self.axes.transpose() * arb_mat(3, 3, self.body.at(*there))
 
-    def quaternion(self, there: Sequence[Any], rough: Sequence[float]) -> list[Any]:
+    def quaternion(self, there: Sequence[Sequence[arb]], rough: Sequence[float]) -> list[arb]:
         """The quaternion (w, x, y, z) at ν and ν′, next to a rough one."""
         squares = _products(self.matrix(there).table())
         # the largest component is safe to divide by
@@ -109,7 +113,7 @@ class Turn:
         return [squares[place][i] / largest if i != place else largest for i in range(4)]
 
 
-def _triad(first: Any, second: Any) -> Any:
+def _triad(first: sp.MatrixExpr, second: sp.MatrixExpr) -> sp.MatrixExpr:
     """Orthonormal: along the first vector, the part of the second across it, and across both."""
     along, other = (sp.Matrix(components(vector)) for vector in (first, second))
     normal = along.cross(other)
@@ -117,7 +121,7 @@ def _triad(first: Any, second: Any) -> Any:
     return sp.Matrix([one.T, three.cross(one).T, three.T])
 
 
-def _matrix(q: Sequence[Any]) -> Any:
+def _matrix(q: Sequence[arb]) -> arb_mat:
     """Body to space, of a unit quaternion."""
     w, x, y, z = q
     return arb_mat(
@@ -170,7 +174,7 @@ def path_rates(prepared: SeparatedMotion, pair: Pair) -> PathRates | None:
         return None
     products = _products((_AXES.T * _TRIAD).tolist())
     clock = components(prepared.separable.clock)[0]
-    functions: list[Any] = []
+    functions: list[sp.Expr] = []
     shares = []
     for rate in rates:
         total = sp.S.Zero

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, Protocol
+from typing import Protocol
 
 import sympy as sp
 
+from ...arguments import Numbers, Written
+from ...core.arrays import FloatArray
 from ..genus_two.separated_motion import SeparatedMotion
 
 __all__ = ["TorusMotion"]
@@ -20,11 +22,11 @@ class TorusMotion(Protocol):
         """Constants, curve and torus."""
 
     @property
-    def parameters(self) -> Mapping[sp.Symbol, Any]:
+    def parameters(self) -> Mapping[sp.Symbol, Written]:
         """Values of the parameters."""
 
     @property
-    def start(self) -> tuple[Any, ...]:
+    def start(self) -> tuple[Written, ...]:
         """The lifted state at t = 0, as given."""
 
     @property
@@ -35,5 +37,5 @@ class TorusMotion(Protocol):
     def left_open(self) -> str:
         """What of the state has no bounds, and why; or nothing."""
 
-    def states(self, times: Any) -> Any:
+    def states(self, times: Numbers) -> FloatArray:
         """Lifted states (n, size) at `times` (n,), in double precision."""

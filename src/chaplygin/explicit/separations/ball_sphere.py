@@ -30,8 +30,8 @@ of the separated system itself.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
 
@@ -49,7 +49,7 @@ M, omega, gamma = vectors("M omega gamma")
 h, f = real_symbol("h"), real_symbol("f")
 
 
-def _tensor(entries: Any) -> sp.ImmutableDenseMatrix:
+def _tensor(entries: Iterable[sp.Expr]) -> sp.ImmutableDenseMatrix:
     return constant(sp.diag(*entries))
 
 
@@ -87,7 +87,7 @@ def _around(
         """(det I_Q)^(1/2)."""
         return sp.sqrt(J.det() * (1 - d * dot(n, inverse * n)))
 
-    def drawn(vector: Any) -> Any:
+    def drawn(vector: sp.MatrixExpr) -> sp.MatrixExpr:
         """I_Q u at n = ν."""
         return J * vector - d * dot(nu, vector) * nu
 

@@ -16,7 +16,7 @@ moves as the Veselova system, with J for I and U = ½K(γ, Jγ) − ½KD.
 
 from __future__ import annotations
 
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import sympy as sp
 
@@ -52,7 +52,7 @@ h, F = real_symbol("h"), real_symbol("F")
 ROLLING = (I.symbols[0] + D, I.symbols[1] + D, I.symbols[2] + D)
 
 
-def diagonal(entries: Tensor) -> Any:
+def diagonal(entries: Tensor) -> sp.MatrixExpr:
     """The matrix with these entries on its diagonal."""
     return constant(sp.diag(*entries))
 

@@ -126,7 +126,7 @@ def _separation(separable: SeparatedSystem) -> tuple[Law, ...]:
     )
 
 
-def _lagrange(rate: Any) -> tuple[sp.Expr, ...]:
+def _lagrange(rate: sp.MatrixExpr) -> tuple[sp.Expr, ...]:
     """The coefficients of both sides' difference in Lagrange's identity."""
     crossed = cross(rate, gamma)
     bent = z * dot(crossed, I**-1 * crossed) - norm_squared(crossed)
@@ -134,7 +134,7 @@ def _lagrange(rate: Any) -> tuple[sp.Expr, ...]:
     return tuple(sp.Poly(products - DET_I * POLES * bent, z).all_coeffs())
 
 
-def _pair(first: Any, second: Any) -> sp.Expr:
+def _pair(first: sp.MatrixExpr, second: sp.MatrixExpr) -> sp.Expr:
     """⟨b, c⟩."""
     form = dot(first, I * second)
     return (
@@ -142,7 +142,7 @@ def _pair(first: Any, second: Any) -> sp.Expr:
     )
 
 
-def _bend(rate: Any) -> dict[Any, Any]:
+def _bend(rate: sp.Expr) -> dict[sp.Expr, sp.Expr]:
     """(g, I⁻¹g) and g² for γ with this rate."""
     return {g: cross(rate, gamma), turned: dot(g, I**-1 * g), square: norm_squared(g)}
 

@@ -18,7 +18,6 @@ Its quadratic factor has one root between z₁ and z₂, as L > 0 there; so both
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
 
@@ -96,7 +95,7 @@ def _field(separable: SeparatedSystem) -> Identity:
     )
 
 
-def _coordinates(separable: SeparatedSystem) -> dict[Any, Any]:
+def _coordinates(separable: SeparatedSystem) -> dict[sp.Symbol, sp.Expr]:
     """z₁ + z₂ and z₁z₂, by interpolation at the poles."""
     poles = separable.poles
     shares = [

@@ -15,7 +15,6 @@ among the laws here are the isomorphism and that it carries the curve onto the c
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
 
@@ -46,7 +45,7 @@ SPIN = -dot(I * TURN, nu) / dot(nu, I * nu)
 
 def chaplygin_ball() -> SeparatedSystem:
     """The Chaplygin ball at zero area constant, with any three different principal moments."""
-    spinning: Any = TURN + SPIN * nu
+    spinning: sp.MatrixExpr = TURN + SPIN * nu
     made = SeparatedSystem(
         name="chaplygin-ball",
         title="Chaplygin ball at zero area constant",

@@ -37,13 +37,12 @@ and γ′, which stay apart when M and γ nearly coincide.
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
 
 from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_bracket import DET_J, A, D, I
-from ...core.vectors import constant, cross, dot, norm_squared, real_symbol, vectors
+from ...core.vectors import Vector, constant, cross, dot, norm_squared, real_symbol, vectors
 from ..genus_two.poles import gaps
 from ..genus_two.separation import SeparatedSystem, nu, nuprime
 from ..genus_two.separation_laws import separation_laws
@@ -63,7 +62,7 @@ I_ZERO = constant(sp.diag(*(moment + delta for moment in I.symbols)))
 NORMAL = (gamma + BETA * M) / n
 
 
-def det_iq(normal: Any) -> Any:
+def det_iq(normal: sp.MatrixExpr) -> sp.Expr:
     """det I′_Q for a unit vector γ′."""
     return DET_J * (1 - D_ZERO * dot(normal, A * normal))
 
@@ -77,7 +76,9 @@ SPIN = -dot(I_ZERO * TURN, nu) / dot(nu, I_ZERO * nu)
 MOMENTUM = I_ZERO * (TURN + SPIN * nu) + D_ZERO * TURN
 
 
-def returned(momentum: Any, normal: Any) -> tuple[tuple[Any, Any], ...]:
+def returned(
+    momentum: sp.MatrixExpr, normal: sp.MatrixExpr
+) -> tuple[tuple[Vector, sp.MatrixExpr], ...]:
     """M and γ, with their formulas in M′ and γ′."""
     return (
         (M, (momentum + 2 * h * D * BETA * n * normal) / e),
@@ -85,7 +86,7 @@ def returned(momentum: Any, normal: Any) -> tuple[tuple[Any, Any], ...]:
     )
 
 
-def even_clock() -> Any:
+def even_clock() -> sp.Expr:
     """The part of the clock that is even in ν′: a formula in ν, ν′, parameters and constants.
 
     Its mean over the torus is that of the clock.

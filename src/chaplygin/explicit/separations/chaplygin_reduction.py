@@ -20,7 +20,6 @@ Here nothing but N is a root, and what is claimed there comes in parts that can 
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
 
@@ -232,7 +231,7 @@ def _still() -> tuple[Law, ...]:
     )
 
 
-def _at_zero(formula: Any) -> Any:
+def _at_zero(formula: sp.Expr) -> sp.Expr:
     """A formula of the ball at zero area constant, for the ball with I′, D′, h′ and f′."""
     primed = dict(zip(I.symbols, Iprime.symbols, strict=True))
     primed |= {m: Dprime / R**2, h: hprime, f: fprime}

@@ -11,8 +11,6 @@ F = 0 is rest: then Iω is parallel to γ, and 2h = (Iω, ω) = 0 with it.
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy as sp
 
 from ...catalogue import from_catalogue
@@ -33,7 +31,7 @@ def veselova() -> SeparatedSystem:
 
 
 def separated(
-    name: str, title: str, tensor: Diagonal, moments: tuple[Any, ...], source: str
+    name: str, title: str, tensor: Diagonal, moments: tuple[sp.Expr, ...], source: str
 ) -> SeparatedSystem:
     """A system of the catalogue that moves as the Veselova system.
 
