@@ -40,36 +40,36 @@ def in_symbols_of(
     }
     names = dict(zip(separable.system.symbols, system.symbols, strict=True))
 
-    def text(formula: sp.Expr) -> sp.Expr:
+    def image(formula: sp.Expr) -> sp.Expr:
         value = to_components(sp.sympify(formula))
         made = value.xreplace(known)
         return constant(list(made)) if isinstance(value, sp.MatrixBase) else made
 
-    def each(formulas: Iterable[sp.Expr]) -> Any:
-        return tuple(text(formula) for formula in formulas)
+    def images(formulas: Iterable[sp.Expr]) -> Any:
+        return tuple(image(formula) for formula in formulas)
 
     return replace(
         separable,
         system=system,
-        level=each(separable.level),
+        level=images(separable.level),
         constants=tuple(
-            (known.get(symbol, symbol), text(formula)) for symbol, formula in separable.constants
+            (known.get(symbol, symbol), image(formula)) for symbol, formula in separable.constants
         ),
-        direction=text(separable.direction),
-        turning=text(separable.turning),
-        poles=each(separable.poles),
-        weights=each(separable.weights),
-        leading=text(separable.leading),
-        roots=each(separable.roots),
-        speeds=each(separable.speeds),
-        along=None if separable.along is None else each(separable.along),
-        clock=text(separable.clock),
+        direction=image(separable.direction),
+        turning=image(separable.turning),
+        poles=images(separable.poles),
+        weights=images(separable.weights),
+        leading=image(separable.leading),
+        roots=images(separable.roots),
+        speeds=images(separable.speeds),
+        along=None if separable.along is None else images(separable.along),
+        clock=image(separable.clock),
         state=tuple(
-            (names[symbol], text(part))
+            (names[symbol], image(part))
             for name, formula in separable.state
             for symbol, part in _parts(name, formula)
         ),
-        fixed=each(separable.fixed),
+        fixed=images(separable.fixed),
         laws=(),
     )
 
@@ -87,8 +87,8 @@ def translation(
 
 def _constants(separable: SeparatedSystem, system: System) -> dict[sp.Symbol, sp.Symbol]:
     """New names for constants whose letters mean something else in a system."""
-    taken = {*system.symbols, *system.defaults, *(symbol for symbol, _ in system.steps)}
-    clashes = [symbol for symbol, _ in separable.constants if symbol in taken]
+    names = {*system.symbols, *system.defaults, *(symbol for symbol, _ in system.steps)}
+    clashes = [symbol for symbol, _ in separable.constants if symbol in names]
     return {symbol: real_symbol(f"{symbol}_const") for symbol in clashes}
 
 

@@ -128,7 +128,9 @@ def _form(solution: GenusTwo) -> ClosedForm:
     clock = solution.clock
     figures = [
         *(
-            NamedConstant(str(name), motion.values[name], *_told(motion, motion.values[name]))
+            NamedConstant(
+                str(name), motion.values[name], *_meaning_and_unit(motion, motion.values[name])
+            )
             for name, _ in separable.constants
         ),
         *(
@@ -175,7 +177,7 @@ def _form(solution: GenusTwo) -> ClosedForm:
     )
 
 
-def _told(motion: SeparatedMotion, value: arb) -> tuple[str, str]:
+def _meaning_and_unit(motion: SeparatedMotion, value: arb) -> tuple[str, str]:
     """Meaning and unit of a constant: those of the integral whose value it is, if there is one."""
     system = motion.separable.system
     known = {**motion.values, **dict(zip(system.symbols, motion.state, strict=True))}

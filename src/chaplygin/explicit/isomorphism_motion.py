@@ -71,13 +71,13 @@ class IsomorphismMap:
         return on
 
     @cached_property
-    def there(self) -> Callable[[FloatArray], FloatArray]:
+    def image(self) -> Callable[[FloatArray], FloatArray]:
         """States of the system (n, size) ↦ states of the target."""
         formulas = [written_out(self.system, f) for _, f in flat_pairs(self.law.map)]
         return self._arrays(self.system.symbols, formulas)
 
     @cached_property
-    def back(self) -> Callable[[FloatArray], FloatArray]:
+    def preimage(self) -> Callable[[FloatArray], FloatArray]:
         """States of the target (n, size) that are images ↦ states of the system."""
         formulas = inverse(self.system, self.law)
         names = [s for s, _ in flat_pairs(self.law.map)]
@@ -90,24 +90,24 @@ class IsomorphismMap:
         on = self._arrays(self.system.symbols, [formula])
         return lambda states: on(states)[:, 0]
 
-    def values_there(self, state: Numbers) -> dict[sp.Symbol, float]:
+    def target_parameters(self, state: Numbers) -> dict[sp.Symbol, float]:
         """The target's parameters on the motion through a state (size,) of the system."""
         names = [p for p, _ in self.law.constants]
         formulas = [written_out(self.system, f) for _, f in self.law.constants]
-        found = self._arrays(self.system.symbols, formulas)(np.asarray(state)[None, :])[0]
-        given = dict(zip(names, map(float, found), strict=True))
-        shared = {p.symbol for p in self.law.target.parameters} - set(given)
-        return {s: number(self.values[s]) for s in shared if s in self.values} | given
+        values = self._arrays(self.system.symbols, formulas)(np.asarray(state)[None, :])[0]
+        constants = dict(zip(names, map(float, values), strict=True))
+        shared = {p.symbol for p in self.law.target.parameters} - set(constants)
+        return {s: number(self.values[s]) for s in shared if s in self.values} | constants
 
-    def motion_there(self, motion: Motion, times: Numbers) -> FloatArray:
+    def target_motion(self, motion: Motion, times: Numbers) -> FloatArray:
         """The target's motion at its times τ (n,), from a motion of the system; both begin at 0."""
         moments = _moments(lambda t: self.rate(motion(t)), times)
-        return self.there(motion(moments))
+        return self.image(motion(moments))
 
-    def motion_back(self, motion: Motion, times: Numbers) -> FloatArray:
+    def system_motion(self, motion: Motion, times: Numbers) -> FloatArray:
         """The system's motion at times t (n,), from one of the target; both begin at 0."""
-        moments = _moments(lambda tau: 1 / self.rate(self.back(motion(tau))), times)
-        return self.back(motion(moments))
+        moments = _moments(lambda tau: 1 / self.rate(self.preimage(motion(tau))), times)
+        return self.preimage(motion(moments))
 
 
 def _moments(rate: Rate, wanted: Numbers) -> FloatArray:
@@ -115,19 +115,19 @@ def _moments(rate: Rate, wanted: Numbers) -> FloatArray:
     goals = np.atleast_1d(np.asarray(wanted, dtype=float))
     if np.any(goals < 0):
         raise InputError("times: a motion is carried forward from time 0; none may be negative")
-    found = np.zeros_like(goals)
+    moments = np.zeros_like(goals)
     # at first a part of the way, at the rate of the start
     left, done, width = 0.0, 0.0, _AHEAD * float(np.max(goals) / rate(np.zeros(1))[0])
     open_ = goals > 0
     while open_.any():
         slope, width = _panel(rate, left, width)
-        whole = chebyshev.chebint(slope, lbnd=-1, scl=width / 2)
+        whole = np.asarray(chebyshev.chebint(slope, lbnd=-1, scl=width / 2), dtype=float)
         total = float(chebyshev.chebval(1.0, whole))
         here = open_ & (goals <= done + total)
-        found[here] = left + width / 2 * (1 + _roots(slope, whole, goals[here] - done, width))
+        moments[here] = left + width / 2 * (1 + _roots(slope, whole, goals[here] - done, width))
         open_ &= ~here
         left, done, width = left + width, done + total, 1.5 * width
-    return found
+    return moments
 
 
 def _panel(rate: Rate, left: float, width: float) -> tuple[FloatArray, float]:
@@ -135,7 +135,7 @@ def _panel(rate: Rate, left: float, width: float) -> tuple[FloatArray, float]:
     nodes = chebyshev.chebpts1(_NODES)
     for _ in range(_HALVINGS):
         values = rate(left + width / 2 * (1 + nodes))
-        slope = chebyshev.chebfit(nodes, values, _NODES - 1)
+        slope = np.asarray(chebyshev.chebfit(nodes, values, _NODES - 1), dtype=float)
         if np.max(np.abs(slope[-3:])) <= _TAIL * np.max(np.abs(slope)):
             return slope, width
         width /= 2

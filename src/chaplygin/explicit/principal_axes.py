@@ -109,8 +109,8 @@ def in_principal_axes(problem: Problem) -> tuple[Problem, arb_mat] | None:
         column = arb_mat([[ball(exact(x))] for x in problem.start])
         start = tuple(row[0] for row in (matrix.transpose() * column).tolist())
         turn = [[number(x) for x in row] for row in axes.tolist()]
-        made = _turned(rolling, [number(x) for x in moments], np.array(turn))
-        system = made.system(problem.system.name, problem.system.title)
+        principal = _ball_in_axes(rolling, [number(x) for x in moments], np.array(turn))
+        system = principal.system(problem.system.name, problem.system.title)
         if problem.system.motion is None:
             system = replace(system, motion=None)
         parameters = {
@@ -118,7 +118,7 @@ def in_principal_axes(problem: Problem) -> tuple[Problem, arb_mat] | None:
             **{s: x for s, x in problem.parameters.items() if s in system.defaults},
             **dict(zip(Diagonal("I").symbols, moments, strict=True)),
         }
-        return Problem(system, parameters, start, made), matrix
+        return Problem(system, parameters, start, principal), matrix
 
 
 def _order(problem: Problem, rolling: Rolling) -> tuple[int, int, int] | None:
@@ -137,20 +137,20 @@ def to_original_axes(problem: Problem, inner: Solution, matrix: arb_mat) -> Prin
     return PrincipalAxesSolution(lifted, problem.parameters, inner, matrix)
 
 
-def _turned(rolling: Rolling, moments: Sequence[float], axes: FloatArray) -> Rolling:
+def _ball_in_axes(rolling: Rolling, moments: Sequence[float], axes: FloatArray) -> Rolling:
     """The same ball, described in its principal axes."""
     body, shape = rolling.body, rolling.body.shape
     first, second, third = moments
     turned = replace(
         body,
         inertia=(first, second, third),
-        shape=replace(shape, centre=_seen(shape.centre, axes)),
-        gyrostat=_seen(body.gyrostat, axes),
+        shape=replace(shape, centre=_along_columns(shape.centre, axes)),
+        gyrostat=_along_columns(body.gyrostat, axes),
     )
     return replace(rolling, body=turned)
 
 
-def _seen(vector: Sequence[float], axes: FloatArray) -> tuple[float, float, float]:
+def _along_columns(vector: Sequence[float], axes: FloatArray) -> tuple[float, float, float]:
     """A vector by its components along the columns of `axes`."""
     x, y, z = (float(part) for part in axes.T @ np.array(vector))
     return x, y, z

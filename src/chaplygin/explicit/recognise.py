@@ -61,7 +61,7 @@ def solution_of(problem: Problem) -> Solution:
     NoClosedFormError
         If none is known; the message says what is.
     """
-    problem = problem.checked()
+    problem = problem.well_posed()
     if problem.rolling is None:
         problem = replace(problem, rolling=rolling_of(problem.system, problem.parameters))
     for recogniser in RECOGNISERS:
@@ -129,10 +129,10 @@ SEPARABLE = (
 
 
 @lru_cache(maxsize=len(SEPARABLE))
-def _told(place: SeparationEntry) -> SeparatedSystem:
+def _separated_system(place: SeparationEntry) -> SeparatedSystem:
     module = import_module(f".separations.{place.module}", __package__)
-    made: SeparatedSystem = getattr(module, place.function)()
-    return made
+    separable: SeparatedSystem = getattr(module, place.function)()
+    return separable
 
 
 @dataclass(frozen=True)
@@ -169,29 +169,29 @@ def find_match(problem: Problem) -> Match | None:
     missed: Match | None = None
     places = [place for place in SEPARABLE if place.may_be(problem)]
     for place in sorted(places, key=lambda place: not place.fits(problem)):
-        known = _told(place)
+        known = _separated_system(place)
         if len(known.system.symbols) != len(problem.system.symbols):
             continue
         for formulas in _matches(problem, known.system):
             if _agree(problem.system, numbers, known.system, formulas):
-                found = _like(problem, known, formulas, RESOLUTION)
-                if not found.level:
-                    return found
-                near = _like(problem, known, formulas, ROUNDED)
+                match = _match(problem, known, formulas, RESOLUTION)
+                if not match.level:
+                    return match
+                near = _match(problem, known, formulas, ROUNDED)
                 rounded = rounded or (None if near.level else near)
                 missed = missed or near
                 break
     return rounded or missed
 
 
-def _like(problem: Problem, known: SeparatedSystem, formulas: Formulas, part: fmpq) -> Match:
+def _match(problem: Problem, known: SeparatedSystem, formulas: Formulas, part: fmpq) -> Match:
     """The likeness of a system, whose level may be missed by a part of the terms."""
     own = in_symbols_of(known, problem.system, formulas)
     names = translation(known.system, problem.system, formulas)
     numbers = {s: sp.Rational(str(exact(x))) for s, x in problem.parameters.items()}
     state = set(problem.system.symbols)
     # what the known system has as a relation may be a condition on the start in the problem's
-    kept = {
+    own_relations = {
         sp.expand(sign * to_components(relation))
         for relation in problem.system.relations
         for sign in (1, -1)
@@ -199,7 +199,7 @@ def _like(problem: Problem, known: SeparatedSystem, formulas: Formulas, part: fm
     relations = [(r, to_components(r).xreplace(names)) for r in known.system.relations]
     conditions = [
         *zip(known.level, own.level, strict=True),
-        *(pair for pair in relations if sp.expand(pair[1]) not in kept),
+        *(pair for pair in relations if sp.expand(pair[1]) not in own_relations),
     ]
     missed, moving = [], []
     for text, formula in conditions:
@@ -217,9 +217,9 @@ def _matches(problem: Problem, target: System) -> Iterator[Formulas]:
     """Ways to read the parameters of a known system in those of a problem."""
     own = {str(symbol): symbol for symbol in problem.parameters}
     wanted = [parameter.symbol for parameter in target.parameters]
-    given = {s: own[str(s)] for s in wanted if str(s) in own} | _field(problem.rolling)
-    if len(given) >= len(wanted) and all(s in given for s in wanted):
-        yield {s: given[s] for s in wanted}
+    readings = {s: own[str(s)] for s in wanted if str(s) in own} | _field(problem.rolling)
+    if len(readings) >= len(wanted) and all(s in readings for s in wanted):
+        yield {s: readings[s] for s in wanted}
     for law in problem.system.laws:
         if isinstance(law, Isomorphism) and law.time == 1:
             text = _written_out(problem.system, law)
@@ -260,37 +260,39 @@ def _agree(
     return same_field(system, values, target, there)
 
 
-def _separated(problem: Problem) -> Solution | None:
+def _separable(problem: Problem) -> Solution | None:
     from .degenerate import solved_degenerate
     from .degenerate.uniform_motion import resting
     from .genus_two.curve import DegenerateError
     from .genus_two_solution import solved
 
-    found = find_match(problem)
-    if found is None:
+    match = find_match(problem)
+    if match is None:
         return None
     values = {s: x if isinstance(x, arb) else exact(x) for s, x in problem.parameters.items()}
-    axial = _axial(problem, found, values)
-    if axial is not None or found.level:
+    axial = _axisymmetric(problem, match, values)
+    if axial is not None or match.level:
         return axial
     # a start has fifty digits: roots that coincide differ by as little, and are told first
     solution: Solution | None = resting(problem.system, values, problem.start)
     if solution is None:
-        solution = solved_degenerate(found.own, values, problem.start)
+        solution = solved_degenerate(match.own, values, problem.start)
     if solution is not None:
         return solution
     try:
-        return solved(found.own, values, problem.start)
+        return solved(match.own, values, problem.start)
     except DegenerateError:
         raise degenerate(problem) from None
 
 
-def _axial(problem: Problem, found: Match, values: Mapping[sp.Symbol, Written]) -> Solution | None:
+def _axisymmetric(
+    problem: Problem, match: Match, values: Mapping[sp.Symbol, Written]
+) -> Solution | None:
     """Bodies with two equal moments, and those that turn uniformly."""
     from .degenerate.exact_start import PRECISION
     from .degenerate.recognise_axisymmetric import chaplygin_of_revolution, veselova_of_revolution
 
-    own, name = found.own, found.known.name
+    own, name = match.own, match.known.name
     if problem.system.motion is None or name not in (*TURNING, *ROLLING):
         return None
     with ctx.workprec(PRECISION):
@@ -304,8 +306,12 @@ def _axial(problem: Problem, found: Match, values: Mapping[sp.Symbol, Written]) 
 
 
 def _principal(problem: Problem) -> Solution | None:
-    found = in_principal_axes(problem)
-    return None if found is None else to_original_axes(problem, solution_of(found[0]), found[1])
+    principal = in_principal_axes(problem)
+    return (
+        None
+        if principal is None
+        else to_original_axes(problem, solution_of(principal[0]), principal[1])
+    )
 
 
 def _revolution(problem: Problem) -> Solution | None:
@@ -325,4 +331,4 @@ def _top(problem: Problem) -> Solution | None:
     return solve_top(problem.system, problem.start, problem.parameters)
 
 
-RECOGNISERS: tuple[Recogniser, ...] = (_top, _revolution, _principal, _separated)
+RECOGNISERS: tuple[Recogniser, ...] = (_top, _revolution, _principal, _separable)

@@ -38,12 +38,15 @@ def rolling_of(system: System, values: Mapping[sp.Symbol, Written]) -> Rolling |
     numbers = {str(symbol): float(value) for symbol, value in values.items()}
     for rolling in _candidates(numbers):
         try:
-            made = rolling.system()
+            system_of_body = rolling.system()
         except InputError:
             # a body and a surface that do not fit
             continue
-        own = {str(symbol): float(value) for symbol, value in made.defaults.items()}
-        formulas = (made.field, made.definitions) == (system.field, system.definitions)
+        own = {str(symbol): float(value) for symbol, value in system_of_body.defaults.items()}
+        formulas = (system_of_body.field, system_of_body.definitions) == (
+            system.field,
+            system.definitions,
+        )
         if formulas and own == numbers:
             return rolling
     return None

@@ -18,13 +18,13 @@ from chaplygin.explicit.separations.chaplygin_ball_area_constant import (
     even_clock,
     gamma,
 )
-from chaplygin.explicit.separations.chaplygin_reduction import chart, frozen
+from chaplygin.explicit.separations.chaplygin_reduction import chart, chart_at_level
 from chaplygin.proof.prover import prove
 from explicit.along import at, follows, located, slips, states
 
 SEPARABLE = chaplygin_area()
 SLIPS = dict(slips(replace(SEPARABLE, fixed=(M, gamma))))
-CHART, FROZEN = chart(), frozen()
+CHART, FROZEN = chart(), chart_at_level()
 PARAMETERS = {"m": "1.3", "I_1": "2.1", "I_2": "1", "I_3": "1.5", "R": "0.7"}
 #: M and γ with an area constant of either sign, small, and near the largest one.
 STARTS = {

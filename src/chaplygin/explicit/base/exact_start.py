@@ -79,9 +79,9 @@ def _check(
     conditions, _ = _moving(system, tuple(level))
     numbers = {s: exact(x) for s, x in values.items()}
     known = {**{s: Sized(x, abs(x)) for s, x in numbers.items()}, **state}
-    found = sized(conditions, known)
-    worst = max((value.share for value in found), default=0.0)
-    if not all(value.vanishes(GIVEN) for value in found):
+    misses = sized(conditions, known)
+    worst = max((value.share for value in misses), default=0.0)
+    if not all(value.vanishes(GIVEN) for value in misses):
         raise InputError(
             f"start: it misses the constraints by {worst:.3g} of the size of their terms; rounding "
             f"may make up {float(Fraction(int(GIVEN.p), int(GIVEN.q))):g}"

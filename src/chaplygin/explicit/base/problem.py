@@ -56,7 +56,7 @@ class Problem:
     start: tuple[Written, ...]
     rolling: Rolling | None = None
 
-    def checked(self) -> Problem:
+    def well_posed(self) -> Problem:
         """The same problem if it is one; of a reduced start, without the motion in space.
 
         Raises
@@ -97,7 +97,7 @@ class Problem:
 
     def values(self, formulas: Sequence[sp.Expr]) -> list[Any]:
         """Scalar formulas of the system at the start, as fractions or to 60 digits."""
-        return [found.value for found in self.measured(formulas)]
+        return [value.value for value in self.measured(formulas)]
 
     def measured(self, formulas: Sequence[sp.Expr]) -> list[Sized]:
         """The same with the sizes of their terms."""
@@ -137,16 +137,16 @@ def same_field(
     """
     if len(first.symbols) != len(second.symbols):
         return False
-    found = False
+    compared = False
     try:
         for point in _points(second, second_numbers):
-            found = True
+            compared = True
             if _rates(first, point, first_numbers) != _rates(second, point, second_numbers):
                 return False
     except (NotExactError, OutOfReachError, UnknownSymbolError, ZeroDivisionError):
         # a field with roots or functions, or singular elsewhere, is none of those that are known
         return False
-    return found
+    return compared
 
 
 def rational(system: System, numbers: Numbers) -> bool:
@@ -183,7 +183,7 @@ def _points(system: System, numbers: Numbers) -> Iterator[list[fmpq]]:
     if len(system.symbols) != 2 * SIZE:
         return
     relations = [to_components(relation) for relation in system.relations]
-    found = 0
+    count = 0
     generator = random.Random(system.name)
     for _ in range(20 * POINTS):
         for point in _candidates(generator):
@@ -192,11 +192,11 @@ def _points(system: System, numbers: Numbers) -> Iterator[list[fmpq]]:
                 on_it = all(values.value(relation) == 0 for relation in relations)
                 if on_it and _rates(system, point, numbers):
                     yield point
-                    found += 1
+                    count += 1
                     break
             except ZeroDivisionError:
                 continue
-        if found == POINTS:
+        if count == POINTS:
             return
 
 

@@ -111,10 +111,10 @@ def locate(diagram: Diagram, state: Mapping[sp.Symbol | str, Written]) -> tuple[
     conditions = [*system.relations, *plane.level]
     formulas = [to_components(f) for f in (*conditions, *(axis.value for axis in plane.axes))]
     *level, x, y = sized(formulas, known, system.needed(formulas))
-    for condition, found in zip(conditions, level, strict=True):
-        if not found.vanishes(ROUNDED):
+    for condition, value in zip(conditions, level, strict=True):
+        if not value.vanishes(ROUNDED):
             raise InputError(
-                f"{plane.name}: {text(condition)} is {float(found.value):.5g} in this state and "
+                f"{plane.name}: {text(condition)} is {float(value.value):.5g} in this state and "
                 "must vanish"
             )
     return float(x.value), float(y.value)

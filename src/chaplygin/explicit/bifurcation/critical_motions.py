@@ -13,7 +13,7 @@ from typing import TypeVar
 
 from flint import acb, arb, arb_poly, ctx, fmpq, fmpq_mpoly
 
-from .arrangement import FIRST_PRECISION, Polynomial, middle, stack
+from .arrangement import FIRST_PRECISION, middle, stack
 from .tori import SHEETS, Oval, group, ovals
 
 __all__ = ["Circles", "circles_at_a_double_root", "circles_at_a_pole"]
@@ -64,23 +64,23 @@ class Arc:
         Number of arcs below this one over x.
     """
 
-    curves: tuple[Polynomial, ...]
+    curves: tuple[fmpq_mpoly, ...]
     x: fmpq
     rank: int
 
-    def restricted(self, polynomial: Polynomial) -> arb_poly:
+    def restriction(self, polynomial: fmpq_mpoly) -> arb_poly:
         """A polynomial in x, y, z as one in z with balls for coefficients."""
         y, _ = stack(self.curves, self.x)[self.rank]
-        found: dict[int, arb] = {}
+        coefficients: dict[int, arb] = {}
         for (i, j, power), value in polynomial.to_dict().items():
-            found[power] = found.get(power, arb(0)) + arb(value * self.x**i) * y**j
-        return arb_poly([found.get(power, arb(0)) for power in range(max(found) + 1)])
+            coefficients[power] = coefficients.get(power, arb(0)) + arb(value * self.x**i) * y**j
+        return arb_poly([coefficients.get(power, arb(0)) for power in range(max(coefficients) + 1)])
 
 
 T = TypeVar("T")
 
 
-def decided(question: Callable[[], T]) -> T:
+def with_enough_digits(question: Callable[[], T]) -> T:
     """The answer to a question about balls, asked again with more digits until it has one."""
     precision = FIRST_PRECISION
     while True:
@@ -102,20 +102,20 @@ def circles_at_a_pole(
     first, last = {1: (1, 2), 2: (0, 2), 3: (0, 1)}[number]
 
     def answer() -> tuple[Circles, ...]:
-        left = _divided(arc.restricted(rest), arb(pole))
+        left = _quotient(arc.restriction(rest), arb(pole))
         curvature = left
         for other in others:
             curvature = curvature * arb_poly([-arb(other), 1])
         # at the second pole the whole interval between the others, which it does not interrupt
-        found = _allowed(curvature, left, poles, (first, last), skipped=number)
+        intervals = _allowed_ovals(curvature, left, poles, (first, last), skipped=number)
         stable = not _positive(curvature(arb(pole)))
         coordinate = {1: 1, 2: 0, 3: 2}[number]
         return tuple(
             Circles(number, coordinate, oval, SHEETS // 2 // len(group([oval.flips])), stable)
-            for oval in found
+            for oval in intervals
         )
 
-    return tuple(decided(answer))
+    return tuple(with_enough_digits(answer))
 
 
 def circles_at_a_double_root(
@@ -124,7 +124,7 @@ def circles_at_a_double_root(
     """The motions on which a coordinate rests at a double root apart from the poles."""
 
     def answer() -> tuple[Circles, ...]:
-        whole = arc.restricted(rest)
+        whole = arc.restriction(rest)
         place = _double(whole)
         if place is None:
             return ()
@@ -132,19 +132,19 @@ def circles_at_a_double_root(
         if inside[0] == inside[2]:
             return ()
         coordinate = 2 if inside[1] else 1
-        left = _divided(_divided(whole, place), place)
+        left = _quotient(_quotient(whole, place), place)
         curvature = left
         for pole in poles:
             curvature = curvature * arb_poly([-arb(pole), 1])
         between = (0, 1) if coordinate == 2 else (1, 2)
-        found = _allowed(curvature, left, poles, between, skipped=0)
+        intervals = _allowed_ovals(curvature, left, poles, between, skipped=0)
         stable = not _positive(curvature(place))
         return tuple(
             Circles(0, coordinate, oval, SHEETS // len(group([oval.flips])), stable)
-            for oval in found
+            for oval in intervals
         )
 
-    return tuple(decided(answer))
+    return tuple(with_enough_digits(answer))
 
 
 def _positive(ball: arb) -> bool:
@@ -156,7 +156,7 @@ def _positive(ball: arb) -> bool:
     raise UndecidedError
 
 
-def _divided(polynomial: arb_poly, root: arb) -> arb_poly:
+def _quotient(polynomial: arb_poly, root: arb) -> arb_poly:
     """A polynomial by z − root, which divides it, by Horner's scheme."""
     quotient, carried = [], arb(0)
     for coefficient in reversed(polynomial.coeffs()):
@@ -188,7 +188,7 @@ def _double(polynomial: arb_poly) -> arb | None:
 def _real_roots(polynomial: arb_poly) -> list[arb]:
     """The real roots of a polynomial with simple roots."""
     roots = [acb(root) for root in polynomial.complex_roots()] if polynomial.degree() > 0 else []
-    found = []
+    real = []
     for number, root in enumerate(roots):
         if not root.imag.contains(0):
             continue
@@ -196,11 +196,11 @@ def _real_roots(polynomial: arb_poly) -> list[arb]:
         mirrored = root.conjugate()
         if any(mirrored.overlaps(other) for other in roots[:number] + roots[number + 1 :]):
             raise UndecidedError
-        found.append(root.real)
-    return found
+        real.append(root.real)
+    return real
 
 
-def _allowed(
+def _allowed_ovals(
     sign: arb_poly, rest: arb_poly, poles: Sequence[fmpq], between: tuple[int, int], skipped: int
 ) -> tuple[Oval, ...]:
     """The ovals between two poles in which `sign` is positive; its roots are those of `rest`."""

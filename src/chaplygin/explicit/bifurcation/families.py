@@ -143,8 +143,8 @@ def plane_of(separable: SeparatedSystem) -> IntegralPlane:
     """
     known = {symbol for symbol, _ in separable.constants} | set(separable.system.defaults)
     # some constants only abbreviate what is made of others
-    made = [(s, value) for s, value in separable.constants if _symbols(value) <= known]
-    own = [pair for pair in separable.constants if pair not in made]
+    abbreviations = [(s, value) for s, value in separable.constants if _symbols(value) <= known]
+    own = [pair for pair in separable.constants if pair not in abbreviations]
     if len(own) != 2:
         raise InputError(
             f"{separable.name}: a diagram needs two constants of the motion, and this separation "
@@ -159,7 +159,7 @@ def plane_of(separable: SeparatedSystem) -> IntegralPlane:
         level=separable.level,
         axes=(_axis(x, first, separable.system), _axis(y, second, separable.system)),
         poles=separable.poles,
-        rest=(separable.leading * movable).subs(made[::-1]),
+        rest=(separable.leading * movable).subs(abbreviations[::-1]),
         resting=RESTING.get(separable.name, UNSAID),
     )
 
@@ -205,9 +205,9 @@ def chaplygin_ball_with_area() -> IntegralPlane:
 
 def bruns_problem() -> IntegralPlane:
     """The Clebsch case with α = 0 and β = 1, on its plane of the two integrals."""
-    found = plane_of(clebsch_case())
+    plane = plane_of(clebsch_case())
     system = from_catalogue("clebsch", alpha=0.0, beta=1.0)
-    return replace(found, name="bruns", title="Bruns problem at zero area constant", system=system)
+    return replace(plane, name="bruns", title="Bruns problem at zero area constant", system=system)
 
 
 SEPARATED: Mapping[str, Callable[[], SeparatedSystem]] = {
@@ -270,12 +270,14 @@ def numbers(
             raise InputError(f"{plane.name}: no parameter {name}; it has {', '.join(known)}")
         values[known[str(name)][0]] = value
     try:
-        found = {symbol: exact(value) for symbol, value in values.items()}
+        exact_values = {symbol: exact(value) for symbol, value in values.items()}
     except (ValueError, ZeroDivisionError) as problem:
         raise InputError(
             f"{plane.name}: the parameters must be numbers, decimal or rational"
         ) from problem
     for symbol, _ in plane.held:
-        if found[symbol] <= 0:
-            raise InputError(f"{plane.name}: {symbol} = {found[symbol]}: it must be positive")
-    return found
+        if exact_values[symbol] <= 0:
+            raise InputError(
+                f"{plane.name}: {symbol} = {exact_values[symbol]}: it must be positive"
+            )
+    return exact_values

@@ -22,7 +22,7 @@ from itertools import pairwise, product
 
 from flint import arb, fmpq, fmpq_poly
 
-from .arrangement import between, highest, lowest, rational, separated
+from .arrangement import highest, lowest, ordered_roots, rational, short_rational
 
 __all__ = ["Family", "Oval", "families", "group", "ovals"]
 
@@ -84,20 +84,20 @@ def _bit(pole: int) -> int:
 
 def group(flips: Iterable[int]) -> set[int]:
     """All that compositions of flips do to the signs of ν."""
-    found = {0}
+    elements = {0}
     for flip in flips:
-        found |= {flip ^ other for other in found}
-    return found
+        elements |= {flip ^ other for other in elements}
+    return elements
 
 
 def family(first: Oval, second: Oval) -> Family:
     """The tori over a pair of ovals."""
     reached = group((first.flips, second.flips))
-    kept = tuple(i for i in (1, 2, 3) if not any(flips & _bit(i) for flips in reached))
+    nonvanishing = tuple(i for i in (1, 2, 3) if not any(flips & _bit(i) for flips in reached))
     # At the lower ends y₁ = y₂ = 0: reversing the motion changes there the sign of ν_i′ alone,
     # i a pole at which a coordinate turns, and by a sheet is meant the sign of that ν_i′.
     reversal = _bit(first.low) ^ _bit(second.low)
-    return Family(first, second, SHEETS // len(reached), kept, reversal in reached)
+    return Family(first, second, SHEETS // len(reached), nonvanishing, reversal in reached)
 
 
 def families(poles: Sequence[fmpq], rest: fmpq_poly) -> tuple[Family, ...]:
@@ -112,7 +112,7 @@ def families(poles: Sequence[fmpq], rest: fmpq_poly) -> tuple[Family, ...]:
     """
     lines = [fmpq_poly([-pole, 1]) for pole in poles]
     whole = lines[0] * lines[1] * lines[2] * rest
-    roots = separated([rest, *lines])
+    roots = ordered_roots([rest, *lines])
     low, middle, high = (next(n for n, r in enumerate(roots) if r[1] == i) for i in (1, 2, 3))
     first, second = (
         ovals(roots[a : b + 1], lambda z: whole(z) > 0) for a, b in ((low, middle), (middle, high))
@@ -133,5 +133,5 @@ def ovals(roots: Sequence[tuple[arb, int]], allowed: Callable[[fmpq], bool]) -> 
     return tuple(
         Oval(low, high)
         for (below, low), (above, high) in pairwise(roots)
-        if allowed(rational(between(highest(below), lowest(above))))
+        if allowed(rational(short_rational(highest(below), lowest(above))))
     )

@@ -26,7 +26,9 @@ class Triad:
     axes: FloatArray
 
     @classmethod
-    def through(cls, first: FloatArray, second: FloatArray, quaternion: Sequence[float]) -> Triad:
+    def through(
+        cls, first: FloatArray, second: FloatArray, quaternion: Sequence[float] | FloatArray
+    ) -> Triad:
         """The triad of two vectors (body axes) when the attitude is known.
 
         Parameters

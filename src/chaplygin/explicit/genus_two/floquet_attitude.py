@@ -25,7 +25,7 @@ import numpy as np
 from scipy.linalg import solve_triangular
 from scipy.spatial.transform import Rotation
 
-from ...core.arrays import ComplexArray, FloatArray
+from ...core.arrays import ComplexArray, FloatArray, IntArray
 from ..base.no_closed_form import NoClosedFormError
 from .quadrature import Series, series
 
@@ -98,7 +98,7 @@ def reduction(
     turning: Callable[[FloatArray], FloatArray],
     V: Sequence[float],
     v_0: FloatArray,
-    attitude: Sequence[float],
+    attitude: FloatArray,
 ) -> FloquetReduction:
     """Reduce the equation of the attitude.
 
@@ -123,12 +123,12 @@ def reduction(
     waves = [_Waves.of(part, first) for part in series(turning)]
     places = _PLACES[0]
     while True:
-        planes = _turn(waves, speeds, places)
+        planes = _turn_attitudes(waves, speeds, places)
         alpha = speeds[1] / abs(speeds[0])
-        K, residual = _still(planes[-1], alpha)
+        K, residual = _fixed_vector(planes[-1], alpha)
         if residual < _NULL:
-            rate, grid = _uniform(planes, K, speeds)
-            if _resolved(grid):
+            rate, grid = _uniform_rotation(planes, K, speeds)
+            if _is_resolved(grid):
                 break
         places *= 2
         if places > _PLACES[-1]:
@@ -137,8 +137,8 @@ def reduction(
                 f"{_PLACES[-1]} places around the torus"
             )
     parts = _quaternions(grid if first == 0 else grid.swapaxes(0, 1))
-    made = FloquetReduction(rate, parts, np.array([1.0, 0.0, 0.0, 0.0]), residual)
-    here = made.attitude(np.asarray(v_0, dtype=float)[None, :], np.zeros(1))[0]
+    motion = FloquetReduction(rate, parts, np.array([1.0, 0.0, 0.0, 0.0]), residual)
+    here = motion.attitude(np.asarray(v_0, dtype=float)[None, :], np.zeros(1))[0]
     start = _product(np.asarray(attitude, dtype=float), here * np.array([1, -1, -1, -1]))
     return FloquetReduction(rate, parts, start, residual)
 
@@ -150,8 +150,8 @@ def reduction(
 class _Waves:
     """A function on the torus, the phase that makes the turn first."""
 
-    first: FloatArray
-    second: FloatArray
+    first: FloatArray | IntArray
+    second: FloatArray | IntArray
     coefficients: ComplexArray
 
     @classmethod
@@ -167,24 +167,27 @@ class _Waves:
             np.exp(1j * np.pi * speeds[0] * np.outer(tau, self.first)) @ self.coefficients
         )
         here = here * np.exp(1j * np.pi * speeds[1] * np.outer(tau, self.second))
-        return (here @ np.exp(1j * np.pi * np.outer(self.second, theta))).real
+        values: ComplexArray = here @ np.exp(1j * np.pi * np.outer(self.second, theta))
+        return values.real
 
 
-def _turn(waves: Sequence[_Waves], speeds: tuple[float, float], places: int) -> FloatArray:
+def _turn_attitudes(
+    waves: Sequence[_Waves], speeds: tuple[float, float], places: int
+) -> FloatArray:
     """A(θ) after parts of a turn of the first phase: (planes + 1, places, 3, 3)."""
     steps = max(_STEPS[0], 2 * places)
-    planes = _steps(waves, speeds, places, steps)
+    planes = _magnus_attitudes(waves, speeds, places, steps)
     while True:
         steps *= 2
         if steps > _STEPS[1]:
             raise NoClosedFormError("the attitude turns too fast to be followed around the torus")
-        finer = _steps(waves, speeds, places, steps)
+        finer = _magnus_attitudes(waves, speeds, places, steps)
         if np.max(np.abs(finer[-1] - planes[-1])) < _SETTLED:
             return finer
         planes = finer
 
 
-def _steps(
+def _magnus_attitudes(
     waves: Sequence[_Waves], speeds: tuple[float, float], places: int, steps: int
 ) -> FloatArray:
     """The same with a given number of steps of Magnus' method of sixth order."""
@@ -202,12 +205,12 @@ def _steps(
     angle = one + three / 12 - _cross(-20 * one - three + inner, outer) / 240
     parts = Rotation.from_rotvec(angle.reshape(3, -1).T).as_matrix()
     A = np.tile(np.eye(3), (places, 1, 1))
-    kept = [A]
+    products = [A]
     for step, part in enumerate(parts.reshape(steps, places, 3, 3), 1):
         A = A @ part
         if step % _STRIDE == 0:
-            kept.append(A)
-    return np.array(kept)
+            products.append(A)
+    return np.array(products)
 
 
 def _cross(u: FloatArray, v: FloatArray) -> FloatArray:
@@ -217,7 +220,7 @@ def _cross(u: FloatArray, v: FloatArray) -> FloatArray:
 # --- what stays in space -------------------------------------------------------------------
 
 
-def _still(A: FloatArray, alpha: float) -> tuple[FloatArray, float]:
+def _fixed_vector(A: FloatArray, alpha: float) -> tuple[FloatArray, float]:
     """K (places, 3) with A(θ)ᵀK(θ) = K(θ + α), and what is left of that equation."""
     places = len(A)
     k = np.arange(-(places // 4), places // 4 + 1)
@@ -227,33 +230,33 @@ def _still(A: FloatArray, alpha: float) -> tuple[FloatArray, float]:
     moved = waves * np.exp(2j * np.pi * k * alpha)
     for i in range(3):
         matrix[:, i, :, i] -= moved
-    coefficients, residual = _null(matrix.reshape(3 * places, -1))
+    coefficients, residual = _null_vector(matrix.reshape(3 * places, -1))
     K = np.einsum("nk,kj->nj", waves, coefficients.reshape(len(k), 3))
     largest = K.ravel()[np.argmax(np.abs(K))]
     real = (K * (np.conj(largest) / abs(largest))).real
     return real / np.linalg.norm(real, axis=1, keepdims=True), residual
 
 
-def _null(matrix: ComplexArray) -> tuple[ComplexArray, float]:
+def _null_vector(matrix: ComplexArray) -> tuple[ComplexArray, float]:
     """The unit vector that a tall matrix shortens most, and to what: by inverse iteration."""
     upper = np.linalg.qr(matrix, mode="r")
     diagonal = np.einsum("ii->i", upper)
     diagonal[diagonal == 0] = np.finfo(float).eps
-    found = np.ones(len(upper), dtype=complex)
+    vector = np.ones(len(upper), dtype=complex)
     for _ in range(4):
-        found = solve_triangular(upper, solve_triangular(upper, found, trans="C"))
-        found /= np.linalg.norm(found)
-    return found, float(np.linalg.norm(upper @ found))
+        vector = solve_triangular(upper, solve_triangular(upper, vector, trans="C"))
+        vector /= np.linalg.norm(vector)
+    return vector, float(np.linalg.norm(upper @ vector))
 
 
-def _uniform(
+def _uniform_rotation(
     planes: FloatArray, K: FloatArray, speeds: tuple[float, float]
 ) -> tuple[float, FloatArray]:
     """λ, and F on a grid (planes, places, 3, 3) of both phases."""
     places = len(K)
     alpha = speeds[1] / abs(speeds[0])
     frame = _frame(K)
-    back = frame @ planes[-1] @ _shifted(frame, alpha).swapaxes(1, 2)
+    back = frame @ planes[-1] @ _translation(frame, alpha).swapaxes(1, 2)
     angle = np.unwrap(np.arctan2(back[:, 2, 1], back[:, 1, 1]))
     spectrum = np.fft.fft(angle) / places
     k = np.fft.fftfreq(places, 1 / places)
@@ -270,7 +273,7 @@ def _uniform(
     for plane in range(count):
         part = plane / count
         still = _about_first(np.full(places, -mean * part)) @ steady @ planes[plane]
-        grid.append(_shifted(still, -part * alpha))
+        grid.append(_translation(still, -part * alpha))
     if speeds[0] < 0:
         # the planes lie at 0, −2/count, −4/count, …
         grid = [grid[0], *grid[:0:-1]]
@@ -279,7 +282,7 @@ def _uniform(
 
 def _frame(K: FloatArray) -> FloatArray:
     """Triads (places, 3, 3), as rows, whose first vectors are K."""
-    directions = _spread(200)
+    directions = _spiral_directions(200)
     closest = np.max(np.abs(K @ directions.T), axis=0)
     reference = directions[np.argmin(closest)]
     two = reference - (K @ reference)[:, None] * K
@@ -287,7 +290,7 @@ def _frame(K: FloatArray) -> FloatArray:
     return np.stack([K, two, np.cross(K, two)], axis=1)
 
 
-def _spread(count: int) -> FloatArray:
+def _spiral_directions(count: int) -> FloatArray:
     """Directions spread over the sphere (count, 3), on a spiral."""
     height = (np.arange(count) + 0.5) / count * 2 - 1
     turn = np.arange(count) * np.pi * (3 - np.sqrt(5))
@@ -303,7 +306,7 @@ def _about_first(angle: FloatArray) -> FloatArray:
     return np.moveaxis(np.array(rows), -1, 0)
 
 
-def _shifted(values: FloatArray, part: float) -> FloatArray:
+def _translation(values: FloatArray, part: float) -> FloatArray:
     """A function of θ, given on its grid (places, …), at the places θ + part of a period."""
     spectrum = np.fft.fft(values, axis=0)
     k = np.fft.fftfreq(len(values), 1 / len(values))
@@ -314,7 +317,7 @@ def _shifted(values: FloatArray, part: float) -> FloatArray:
 # --- Fourier series ------------------------------------------------------------------------
 
 
-def _resolved(grid: FloatArray) -> bool:
+def _is_resolved(grid: FloatArray) -> bool:
     """Whether the highest quarter of the waves is rounding, in both phases."""
     spectrum = np.abs(np.fft.fft2(grid, axes=(0, 1))) / (grid.shape[0] * grid.shape[1])
     for axis in (0, 1):

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import product
-from typing import Any
 
 from flint import acb, arb, arb_mat
 
@@ -37,16 +36,16 @@ def abelian(curve: Curve, left: int, end: arb | None = None) -> Pair:
     middle, half = (low + high) / 2, (high - low) / 2
     stop = arb.pi() if end is None else end
 
-    def integrated(power: int) -> arb:
-        def integrand(s: acb, analytic: bool) -> acb:
+    def integral(power: int) -> arb:
+        def form(s: acb, analytic: bool) -> acb:
             z = middle - half * s.cos()
-            root: acb = curve.rest(left, s).sqrt(analytic=analytic)
-            return z**power / root
+            integrand: acb = z**power / curve.rest(left, s).sqrt(analytic=analytic)
+            return integrand
 
         # the relative accuracy aimed at is that of the working precision
-        return acb.integral(integrand, acb(0), acb(stop)).real
+        return acb.integral(form, acb(0), acb(stop)).real
 
-    return integrated(0), integrated(1)
+    return integral(0), integral(1)
 
 
 @dataclass(frozen=True)
@@ -82,7 +81,7 @@ class Lattice:
 
     def normalised(self, pair: Pair) -> Pair:
         """P⁻¹ applied to a pair of integrals."""
-        return _applied(self.inverse, pair)
+        return _matrix_product(self.inverse, pair)
 
     def around_ovals(self, v: Pair) -> Pair:
         """Phases, or their rates, counted around the ovals of z₁ and z₂."""
@@ -125,18 +124,18 @@ def lattice(curve: Curve, ovals: tuple[int, int]) -> Lattice:
     over the whole line vanishes.  So of the six intervals between branch points four are
     integrated and two follow.
     """
-    steps = [_scaled(abelian(curve, left), _sign(left)) for left in range(4)]
-    steps.append(_scaled(_sum(steps[0], steps[2]), -1))
-    steps.append(_scaled(_sum(steps[1], steps[3]), -1))
-    first, second = (_scaled(steps[oval], 2 * _sign(oval)) for oval in ovals)
+    steps = [_multiple(abelian(curve, left), _sign(left)) for left in range(4)]
+    steps.append(_multiple(_sum(steps[0], steps[2]), -1))
+    steps.append(_multiple(_sum(steps[1], steps[3]), -1))
+    first, second = (_multiple(steps[oval], 2 * _sign(oval)) for oval in ovals)
     P = arb_mat([[first[m], second[m]] for m in (0, 1)])
     normal = P.inv()
     (third,) = {curve.first_oval, curve.first_oval + 2, curve.first_oval + 4} - set(ovals)
     rows = []
     for index, oval in enumerate(ovals):
         between = (oval + 1) % 6 if (oval + 2) % 6 == third else (oval - 1) % 6
-        row = _applied(normal, _scaled(steps[between], 2))
-        rows.append(row if row[index] > 0 else _scaled(row, -1))
+        row = _matrix_product(normal, _multiple(steps[between], 2))
+        rows.append(row if row[index] > 0 else _multiple(row, -1))
     shared = rows[0][1].intersection(rows[1][0])
     basis, Y = _reduced_form(arb_mat([[rows[0][0], shared], [shared, rows[1][1]]]))
     normal = arb_mat([list(row) for row in basis]) * normal
@@ -174,10 +173,10 @@ def _halves(curve: Curve, steps: list[Pair], normal: arb_mat, Y: arb_mat) -> tup
     inverse_Y = Y.inv()
     for left, step in enumerate(steps[:5]):
         if left % 2 == curve.first_oval:
-            real = _sum(real, _applied(normal, step))
+            real = _sum(real, _matrix_product(normal, step))
         else:
-            imaginary = _sum(imaginary, _applied(normal, step))
-        images.append((_integers(real), _integers(_applied(inverse_Y, imaginary))))
+            imaginary = _sum(imaginary, _matrix_product(normal, step))
+        images.append((_integers(real), _integers(_matrix_product(inverse_Y, imaginary))))
     return tuple(images)
 
 
@@ -189,7 +188,7 @@ def _integers(pair: Pair) -> tuple[int, int]:
     return int(one), int(two)
 
 
-def _applied(matrix: arb_mat, pair: Pair) -> Pair:
+def _matrix_product(matrix: arb_mat, pair: Pair) -> Pair:
     result = matrix * arb_mat([[pair[0]], [pair[1]]])
     return result[0, 0], result[1, 0]
 
@@ -198,5 +197,5 @@ def _sum(one: Pair, other: Pair) -> Pair:
     return one[0] + other[0], one[1] + other[1]
 
 
-def _scaled(pair: Pair, factor: int) -> Pair:
+def _multiple(pair: Pair, factor: int) -> Pair:
     return factor * pair[0], factor * pair[1]

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 from flint import arb
 
-from ...core.arrays import ComplexArray, FloatArray
+from ...core.arrays import ComplexArray, FloatArray, IntArray
 from ...formulas.balls import number
 from ..base.no_closed_form import NoClosedFormError
 
@@ -46,8 +46,8 @@ class Series:
         Points of the grid from which it was computed.
     """
 
-    first: FloatArray
-    second: FloatArray
+    first: FloatArray | IntArray
+    second: FloatArray | IntArray
     coefficients: ComplexArray
     grid: tuple[int, int]
 
@@ -60,10 +60,10 @@ class Series:
 
     def __call__(self, v: FloatArray) -> FloatArray:
         """Values at phases v (n, 2)."""
-        return _combined(self.waves(v), self.coefficients)
+        return _wave_sum(self.waves(v), self.coefficients)
 
 
-def _combined(waves: tuple[ComplexArray, ComplexArray], coefficients: ComplexArray) -> FloatArray:
+def _wave_sum(waves: tuple[ComplexArray, ComplexArray], coefficients: ComplexArray) -> FloatArray:
     values: ComplexArray = np.einsum("nk,nk->n", waves[0] @ coefficients, waves[1])
     return values.real
 
@@ -89,9 +89,9 @@ def series(function: Callable[[FloatArray], FloatArray]) -> tuple[Series, ...]:
         spectra = [np.fft.rfft2(block.reshape(sizes)) / block.size for block in values]
         # one of them may be rounding altogether: the largest sets the scale
         scale = max(float(np.max(np.abs(spectrum))) for spectrum in spectra)
-        rough = [not all(_resolved(f, axis, scale) for f in spectra) for axis in (0, 1)]
+        rough = [not all(_is_resolved(f, axis, scale) for f in spectra) for axis in (0, 1)]
         if not any(rough):
-            return tuple(_trimmed(spectrum, sizes, scale) for spectrum in spectra)
+            return tuple(_significant_series(spectrum, sizes, scale) for spectrum in spectra)
         sizes = [2 * size if more else size for size, more in zip(sizes, rough, strict=True)]
         if sizes[0] * sizes[1] > _POINTS:
             raise NoClosedFormError(
@@ -100,7 +100,7 @@ def series(function: Callable[[FloatArray], FloatArray]) -> tuple[Series, ...]:
             )
 
 
-def _resolved(spectrum: ComplexArray, axis: int, scale: float) -> bool:
+def _is_resolved(spectrum: ComplexArray, axis: int, scale: float) -> bool:
     """Whether the highest quarter of the wave numbers along one axis is rounding."""
     size = spectrum.shape[0] if axis == 0 else 2 * (spectrum.shape[1] - 1)
     waves = np.abs(np.fft.fftfreq(size, 1 / size)) if axis == 0 else np.arange(size // 2 + 1)
@@ -108,7 +108,7 @@ def _resolved(spectrum: ComplexArray, axis: int, scale: float) -> bool:
     return bool(np.max(high) <= 8 * _LEVEL * scale)
 
 
-def _trimmed(spectrum: ComplexArray, sizes: Sequence[int], scale: float) -> Series:
+def _significant_series(spectrum: ComplexArray, sizes: Sequence[int], scale: float) -> Series:
     doubled = spectrum.copy()
     # the other half of the wave numbers is the complex conjugate
     doubled[:, 1:] *= 2
@@ -157,8 +157,8 @@ class Quadrature:
         tau : array (n,)
         """
         waves = self.rate.waves(v)
-        rate = _combined(waves, self.rate.coefficients)
-        value = _combined(waves, self.whole.coefficients) - self.origin
+        rate = _wave_sum(waves, self.rate.coefficients)
+        value = _wave_sum(waves, self.whole.coefficients) - self.origin
         for coefficient, speed in self.slow:
             x = speed.real * tau
             value = value + tau * (coefficient * np.exp(0.5j * x)).real * np.sinc(x / (2 * np.pi))

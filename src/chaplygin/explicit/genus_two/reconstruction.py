@@ -25,7 +25,7 @@ from .separation import SeparatedSystem
 from .third_frequency import Turning, turning
 from .time_map import TimeMap, TorusPoint
 
-__all__ = ["Held", "Lift", "Reduced", "Spun", "lift", "on_arrays"]
+__all__ = ["Lift", "NoFixedVector", "OneFixedVector", "TwoFixedVectors", "lift", "on_arrays"]
 
 #: Points per phase at which the directions of two vectors are compared.
 _COARSE = 24
@@ -36,12 +36,12 @@ def on_arrays(
 ) -> Callable[..., FloatArray]:
     """Formulas of the system as a function of ν, ν′, each (3, n), and of `further` arrays (n,)."""
     arguments, steps = chain(motion.separable, formulas)
-    made = array_function((*arguments, *further), tuple(formulas), steps)
+    evaluate = array_function((*arguments, *further), tuple(formulas), steps)
     fixed = [number(motion.values[s]) for s in arguments[6:]]
 
     def function(direction: FloatArray, turning: FloatArray, *others: FloatArray) -> FloatArray:
-        found = made(*direction, *turning, *fixed, *others)
-        return np.stack([np.broadcast_to(x, direction[0].shape) for x in found])
+        values = evaluate(*direction, *turning, *fixed, *others)
+        return np.stack([np.broadcast_to(x, direction[0].shape) for x in values])
 
     return function
 
@@ -95,7 +95,7 @@ def place_rates(of: SeparatedSystem) -> list[sp.Expr]:
 
 
 @dataclass(frozen=True)
-class _Oriented(Lift):
+class _AttitudeFromVectors(Lift):
     """The attitude on the torus from two vectors of the body."""
 
     @property
@@ -125,7 +125,7 @@ class _Oriented(Lift):
 
 
 @dataclass(frozen=True)
-class Held(_Oriented):
+class TwoFixedVectors(_AttitudeFromVectors):
     """The attitude from two vectors that are fixed in space."""
 
     @cached_property
@@ -156,7 +156,7 @@ class Held(_Oriented):
 
 
 @dataclass(frozen=True)
-class Spun(_Oriented):
+class OneFixedVector(_AttitudeFromVectors):
     """The attitude from one vector that is fixed in space and the angle of turning about it.
 
     The attitude is a turn by ψ about the fixed vector, after an attitude on the torus; ψ grows
@@ -172,8 +172,8 @@ class Spun(_Oriented):
         there = self._torus(v)
         fixed = on_arrays(self.prepared, components(of.fixed[0]))(*there)
         choice = references(of)
-        tried = [on_arrays(self.prepared, components(e.vector))(*there) for e in choice]
-        best = choice[farthest(fixed, tried)]
+        directions = [on_arrays(self.prepared, components(e.vector))(*there) for e in choice]
+        best = choice[farthest(fixed, directions)]
         both = on_arrays(self.prepared, [*components(of.fixed[0]), *components(best.vector)])
         return both, spinning(of, best)
 
@@ -205,7 +205,8 @@ class Spun(_Oriented):
             turns = self._attitude(*there).T
             clock = self._clock_rate(*there)
             zero, quarter, half = (
-                clock * self._places(*there, *_turned(axis, np.full(turns.shape[1], psi), turns))
+                clock
+                * self._places(*there, *_after_turn(axis, np.full(turns.shape[1], psi), turns))
                 for psi in (0.0, np.pi / 2, np.pi)
             )
             still = (zero + half) / 2
@@ -214,7 +215,7 @@ class Spun(_Oriented):
             return np.concatenate([still, moving.real, moving.imag])
 
         count = len(self.start) - 4
-        found = series(parts)
+        fourier = series(parts)
         V, v_0 = self.prepared.torus.V, self.clock.v_0
         if len(angle.slow):
             raise InputError(
@@ -222,8 +223,10 @@ class Spun(_Oriented):
             )
         return tuple(
             (
-                quadrature(found[i], V, v_0),
-                turning(found[count + i], found[2 * count + i], V, v_0, angle.mean, -angle.origin),
+                quadrature(fourier[i], V, v_0),
+                turning(
+                    fourier[count + i], fourier[2 * count + i], V, v_0, angle.mean, -angle.origin
+                ),
             )
             for i in range(count)
         )
@@ -240,12 +243,12 @@ class Spun(_Oriented):
             + moving.at(moment.v, moment.tau)
             for start, (still, moving) in zip(self.start[4:], self._flows, strict=True)
         ]
-        whole = _turned(self._triad.axes[0], psi, turns.T)
+        whole = _after_turn(self._triad.axes[0], psi, turns.T)
         return np.concatenate([whole, np.array(places).reshape(-1, len(moment.tau))])
 
 
 @dataclass(frozen=True)
-class Reduced(Lift):
+class NoFixedVector(Lift):
     """The attitude where no fixed vector is known: reduced to a uniform rotation, in numbers."""
 
     @cached_property
@@ -264,7 +267,7 @@ class Reduced(Lift):
         return self._reduction.attitude(moment.v, moment.tau).T
 
 
-def _turned(axis: FloatArray, psi: FloatArray, turns: FloatArray) -> FloatArray:
+def _after_turn(axis: FloatArray, psi: FloatArray, turns: FloatArray) -> FloatArray:
     """Quaternions (4, n) after a further turn by ψ (n,) about an axis in space."""
     w, vector = np.cos(psi / 2), np.sin(psi / 2) * np.asarray(axis)[:, None]
     return np.concatenate(
@@ -286,11 +289,11 @@ def lift(motion: SeparatedMotion, clock: TimeMap, start: Sequence[float]) -> Lif
     of = motion.separable
     if of.system.motion is None:
         return None
-    given = np.array([float(x) for x in start])
-    if not of.fixed and len(given) > 4:
+    numbers = np.array([float(x) for x in start])
+    if not of.fixed and len(numbers) > 4:
         raise InputError(
             f"{of.title}: no direction is known that stays in space, so that the path has no "
             "closed form; solve the reduced system alone"
         )
-    kinds: dict[int, type[Lift]] = {0: Reduced, 1: Spun}
-    return kinds.get(len(of.fixed), Held)(motion, clock, given)
+    kinds: dict[int, type[Lift]] = {0: NoFixedVector, 1: OneFixedVector}
+    return kinds.get(len(of.fixed), TwoFixedVectors)(motion, clock, numbers)

@@ -70,18 +70,18 @@ def separate(
     for name, formula in separable.constants:
         known[name] = values[name] = evaluated(components(formula), known)[0]
 
-    def at(*formulas: sp.Expr) -> tuple[arb, ...]:
+    def start_values(*formulas: sp.Expr) -> tuple[arb, ...]:
         return evaluated([part for formula in formulas for part in components(formula)], known)
 
-    curve = Curve.of(at(separable.leading)[0], at(*separable.roots))
+    curve = Curve.of(start_values(separable.leading)[0], start_values(*separable.roots))
     motion = torus(
         curve,
-        at(*separable.poles),
-        at(*separable.weights),
-        at(*separable.speeds),
-        at(separable.direction),
-        at(separable.turning),
-        None if separable.along is None else at(*separable.along),
+        start_values(*separable.poles),
+        start_values(*separable.weights),
+        start_values(*separable.speeds),
+        start_values(separable.direction),
+        start_values(separable.turning),
+        None if separable.along is None else start_values(*separable.along),
     )
     return SeparatedMotion(separable, state, values, curve, motion)
 
@@ -122,8 +122,8 @@ def chain(
 
 def flat_state(separable: SeparatedSystem) -> Steps:
     """The state as scalar formulas in ν and ν′."""
-    found = []
+    formulas = []
     for name, formula in separable.state:
         names = (name,) if isinstance(name, sp.Symbol) else name.symbols
-        found += list(zip(names, components(formula), strict=True))
-    return tuple(found)
+        formulas += list(zip(names, components(formula), strict=True))
+    return tuple(formulas)

@@ -62,7 +62,7 @@ def separation_laws(separable: SeparatedSystem) -> tuple[Law, ...]:
         after - clock * Rate(before)
         for before, after in zip(nu.symbols, nuprime.symbols, strict=True)
     ]
-    given = [
+    residuals = [
         difference
         for name, formula in separable.state
         for difference in _entries(to_components(name - formula))
@@ -77,7 +77,7 @@ def separation_laws(separable: SeparatedSystem) -> tuple[Law, ...]:
         )
         for number, vector in enumerate(separable.fixed, 1)
     ]
-    kept = [
+    conservation = [
         Reduction(
             "constants",
             constants,
@@ -87,7 +87,7 @@ def separation_laws(separable: SeparatedSystem) -> tuple[Law, ...]:
         )
     ]
     return (
-        *(kept if moving else ()),
+        *(conservation if moving else ()),
         Identity(
             "direction",
             (to_components(norm_squared(nu)) - 1, *turned),
@@ -97,12 +97,12 @@ def separation_laws(separable: SeparatedSystem) -> tuple[Law, ...]:
         ),
         Identity(
             "separation",
-            _separated(separable),
+            _separated_equations(separable),
             "separated equations on a curve of genus two",
             {**known, **_symmetric(separable)},
             **common,
         ),
-        Identity("reconstruction", tuple(given), "the state from ν and ν′", known, **common),
+        Identity("reconstruction", tuple(residuals), "the state from ν and ν′", known, **common),
         *fixed,
     )
 
@@ -145,7 +145,7 @@ def _symmetric(separable: SeparatedSystem) -> Mapping[sp.Symbol, sp.Expr]:
     }
 
 
-def _separated(separable: SeparatedSystem) -> tuple[sp.Expr, sp.Expr]:
+def _separated_equations(separable: SeparatedSystem) -> tuple[sp.Expr, sp.Expr]:
     """Both coefficients of (S′z − P′)² − (b − a(S − z))² y²(z), modulo z² − Sz + P."""
     a, b = separable.speeds
     moving = (totalprime, -productprime)

@@ -54,7 +54,7 @@ class Theta:
         reach = (bits + 10) * 0.6931471805599453 / pi
         size = ceil(sqrt(reach / number(self._least.lower()))) + 1
         a = self.characteristic[0]
-        found = []
+        terms = []
         for m in product(range(-size, size + 1), repeat=2):
             p = (2 * m[0] + a[0], 2 * m[1] + a[1])
             if p < (0, 0):
@@ -62,8 +62,8 @@ class Theta:
             power = self._form(p)
             if number(power) < reach:
                 weight = (-arb.pi() * power).exp()
-                found.append((p, weight if p == (0, 0) else 2 * weight))
-        return tuple(found)
+                terms.append((p, weight if p == (0, 0) else 2 * weight))
+        return tuple(terms)
 
     def _form(self, p: tuple[int, int]) -> arb:
         Y = self.Y
@@ -108,7 +108,7 @@ class Theta:
         terms = self.terms(60)
         return np.array([p for p, _ in terms], dtype=float), np.array([number(w) for _, w in terms])
 
-    def values(self, v: FloatArray, V: Sequence[float]) -> tuple[FloatArray, FloatArray]:
+    def values(self, v: FloatArray, V: FloatArray) -> tuple[FloatArray, FloatArray]:
         """θ and its derivative along V at v (n, 2), as arrays (n,)."""
         p, weights = self._arrays
         rates = pi * (p @ np.asarray(V, dtype=float))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from flint import arb
 
-from ...core.arrays import ComplexArray, FloatArray
+from ...core.arrays import ComplexArray, FloatArray, IntArray
 from ...formulas.balls import number
 from .quadrature import Series
 
@@ -32,8 +32,8 @@ class Turning:
     omega : float
     """
 
-    first: FloatArray
-    second: FloatArray
+    first: FloatArray | IntArray
+    second: FloatArray | IntArray
     coefficients: ComplexArray
     speeds: FloatArray
     start: ComplexArray

@@ -173,9 +173,12 @@ def torus(
     turning = V if along is None else periods.normalised((along[0], along[1]))
     v_0 = _phases(
         periods,
-        [_angle(curve, left, z, y) for left, z, y in zip(ovals, start.z, start.y, strict=True)],
+        [
+            _oval_angle(curve, left, z, y)
+            for left, z, y in zip(ovals, start.z, start.y, strict=True)
+        ],
     )
-    places = [_place(curve, pole) for pole in poles]
+    places = [_root_number(curve, pole) for pole in poles]
     halves = periods.halves
     # on the real motion v has the constant imaginary part iYη: it moves the characteristics
     shift = [halves[ovals[0]][1][i] + halves[ovals[1]][1][i] for i in (0, 1)]
@@ -186,7 +189,7 @@ def torus(
     # in the middle of both ovals, ν_i² is known up to a common factor
     quarter = arb.pi() / 2
     middle = _phases(periods, [quarter, quarter])
-    z = [_at(curve, left, quarter) for left in ovals]
+    z = [_abscissa(curve, left, quarter) for left in ovals]
     factors = []
     for theta, pole, weight, own, rate in zip(thetas, poles, weights, nu, nuprime, strict=True):
         square = weight * (pole - z[0]) * (pole - z[1])
@@ -196,7 +199,7 @@ def torus(
         # a component that vanishes shows its sign in its rate
         agrees = value * own > 0 if abs(own) > arb(2) ** -40 else slope * rate > 0
         factors.append(factor if agrees else -factor)
-    made = InvariantTorus(
+    motion = InvariantTorus(
         periods,
         (thetas[0], thetas[1], thetas[2]),
         (factors[0], factors[1], factors[2]),
@@ -204,26 +207,27 @@ def torus(
         v_0,
         turning,
     )
-    for found, given in zip(made.ball(v_0), (nu, nuprime), strict=True):
-        size = sum((abs(x) for x in given), arb(0))
-        for x, y in zip(found, given, strict=True):
+    for computed, expected in zip(motion.ball(v_0), (nu, nuprime), strict=True):
+        size = sum((abs(x) for x in expected), arb(0))
+        for x, y in zip(computed, expected, strict=True):
             if not vanishes(x - y, size, _PASSED):
                 raise ArithmeticError("the closed form does not pass through its start")
-    return made
+    return motion
 
 
-def _place(curve: Curve, pole: arb) -> int:
+def _root_number(curve: Curve, pole: arb) -> int:
     """The number of the root that a pole is."""
     (place,) = [i for i, root in enumerate(curve.roots) if root.overlaps(pole)]
     return place
 
 
-def _at(curve: Curve, left: int, s: arb) -> arb:
+def _abscissa(curve: Curve, left: int, s: arb) -> arb:
     low, high = curve.ends(left)
-    return (low + high) / 2 - (high - low) / 2 * s.cos()
+    abscissa: arb = (low + high) / 2 - (high - low) / 2 * s.cos()
+    return abscissa
 
 
-def _angle(curve: Curve, left: int, z: arb, y: arb) -> arb:
+def _oval_angle(curve: Curve, left: int, z: arb, y: arb) -> arb:
     """The place s of a point on its oval, from −½π to ³⁄₂π, accurate at the turning points too."""
     low, high = curve.ends(left)
     half = (high - low) / 2

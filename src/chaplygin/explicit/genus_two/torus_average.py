@@ -60,11 +60,13 @@ def mean(torus: InvariantTorus, function: Callable[..., arb], rough: Series) -> 
                     *(x * scale for x in N),
                     *((r - pull * x) * scale for r, x in zip(rate, N, strict=True)),
                 )
-        found = total / (sizes[0] * sizes[1])
-        return found + arb(0, abs(found) * arb("1e-28"))
+        average = total / (sizes[0] * sizes[1])
+        return average + arb(0, abs(average) * arb("1e-28"))
 
 
-def _table(theta: Theta, places: Sequence[Sequence[arb]], along: Sequence[arb]) -> tuple[arb_mat, arb_mat]:
+def _table(
+    theta: Theta, places: Sequence[Sequence[arb]], along: Sequence[arb]
+) -> tuple[arb_mat, arb_mat]:
     """θ and its derivative on a grid, by products of matrices."""
     b = theta.characteristic[1]
     terms = theta.terms(BITS)

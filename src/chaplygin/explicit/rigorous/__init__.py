@@ -10,6 +10,7 @@ from math import ceil, log10
 from flint import arb, ctx
 
 from ...arguments import Written
+from ...core.arrays import FloatArray
 from ...errors import InputError
 from ...formulas.balls import ball, components, number
 from ..genus_two.separated_motion import SeparatedMotion, chain, separate
@@ -84,14 +85,14 @@ class RigorousMotion:
         if self._pair is None or self._pair.rate is not None:
             return None
         with ctx.workprec(self.clock.bits):
-            found = path_rates(self.prepared, self._pair)
-            if found is None:
+            rates = path_rates(self.prepared, self._pair)
+            if rates is None:
                 return None
             torus = self.prepared.torus
-            return found, quadratures(torus, found.functions, self.digits, self.reach)
+            return rates, quadratures(torus, rates.functions, self.digits, self.reach)
 
-    def _lifted(
-        self, tau: arb, there: tuple[list[arb], list[arb]], rough: Sequence[float]
+    def _motion_in_space(
+        self, tau: arb, there: tuple[list[arb], list[arb]], rough: FloatArray
     ) -> list[arb]:
         """Attitude and places; balls of infinite radius where nothing is known."""
         start = self.solution.start[-len(rough) :]
@@ -107,10 +108,10 @@ class RigorousMotion:
             ]
             places = [ball(x) + y for x, y in zip(start[4:], moved, strict=True)]
         if self._angle is not None:
-            turn = turn.turned(self._angle.at(tau))
+            turn = turn.after_rotation(self._angle.at(tau))
         return turn.quaternion(there, rough) + places
 
-    def reduced(self, tau: arb) -> tuple[list[arb], tuple[list[arb], list[arb]]]:
+    def reduced_state(self, tau: arb) -> tuple[list[arb], tuple[list[arb], list[arb]]]:
         """The reduced state, and ν and ν′, at one τ."""
         there = direction(*numerators_at(self.prepared.torus, tau))
         return self._state.at(*there), there
@@ -135,11 +136,11 @@ class RigorousMotion:
         with ctx.workprec(self.clock.bits):
             moment = ball(time)
             tau = self.clock.inverse(moment)
-            reduced, there = self.reduced(tau)
+            reduced_state, there = self.reduced_state(tau)
             if self.prepared.separable.system.motion is None:
-                return tuple(reduced)
-            rough = self.solution.states([number(moment)])[0, len(reduced) :]
-            return (*reduced, *self._lifted(tau, there, rough))
+                return tuple(reduced_state)
+            rough = self.solution.states([number(moment)])[0, len(reduced_state) :]
+            return (*reduced_state, *self._motion_in_space(tau, there, rough))
 
 
 def rigorous_motion(solution: TorusMotion, digits: int, until: Written) -> RigorousMotion:
@@ -198,10 +199,10 @@ def rigorous_state(solution: TorusMotion, time: Written, digits: int) -> tuple[a
         See :func:`rigorous_motion`.
     """
     steps = ceil(log10(max(_turns(solution, time), 1.0)) / _DECADES)
-    return _ready(_Itself(solution), digits, _DECADES * max(1, steps)).state(time)
+    return _prepared_motion(_ByIdentity(solution), digits, _DECADES * max(1, steps)).state(time)
 
 
-class _Itself:
+class _ByIdentity:
     """A solution, equal to itself alone."""
 
     def __init__(self, solution: TorusMotion) -> None:
@@ -211,11 +212,11 @@ class _Itself:
         return id(self.solution)
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Itself) and other.solution is self.solution
+        return isinstance(other, _ByIdentity) and other.solution is self.solution
 
 
 @lru_cache(maxsize=4)
-def _ready(itself: _Itself, digits: int, decades: int) -> RigorousMotion:
+def _prepared_motion(itself: _ByIdentity, digits: int, decades: int) -> RigorousMotion:
     """A motion prepared for turns up to a power of ten, kept for the next time asked."""
     until = 10**decades / itself.solution.pace
     return rigorous_motion(itself.solution, digits, until)

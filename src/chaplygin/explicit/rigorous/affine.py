@@ -50,7 +50,8 @@ class Affine:
     def sway(self) -> FloatArray:
         """A bound of |x₁δ₁ + x₂δ₂|."""
         moduli: FloatArray = np.abs(self.slopes)
-        return (moduli[0] * self.half[0] + moduli[1] * self.half[1]) * (1 + ROUNDING)
+        sway: FloatArray = moduli[0] * self.half[0] + moduli[1] * self.half[1]
+        return sway * (1 + ROUNDING)
 
     @cached_property
     def spread(self) -> FloatArray:

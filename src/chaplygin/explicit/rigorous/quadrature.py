@@ -104,7 +104,7 @@ class RigorousQuadrature:
         return [fmpq(2 * k + shift, 2 * self.periods[axis]) for k in range(-reach, reach + 1)]
 
     @cached_property
-    def _divided(self) -> tuple[acb_mat, list[tuple[acb, arb]]]:
+    def _integrated_terms(self) -> tuple[acb_mat, list[tuple[acb, arb]]]:
         """g_κ/(2πi κ·V) as a matrix, and the slow terms (g_κ exp(2πi κ·v₀), π κ·V)."""
         V, v_0 = self.torus.V, self.torus.v_0
         limit = _SLOW * speed_of(self.torus)
@@ -124,19 +124,19 @@ class RigorousQuadrature:
             rows.append(row)
         return acb_mat(rows), slow
 
-    def _waved(self, tau: arb) -> arb:
+    def _wave_sum(self, tau: arb) -> arb:
         """Σ g_κ/(2πi κ·V) exp(2πi κ·v) at v = v₀ + Vτ."""
         v = [start + speed * tau for start, speed in zip(self.torus.v_0, self.torus.V, strict=True)]
         left, right = (
             [acb(2 * kappa * x).exp_pi_i() for kappa in self._numbers(axis)]
             for axis, x in enumerate(v)
         )
-        table, _ = self._divided
+        table, _ = self._integrated_terms
         return (acb_mat([left]) * table * acb_mat([[x] for x in right]))[0, 0].real
 
     @cached_property
     def _origin(self) -> arb:
-        return self._waved(arb(0))
+        return self._wave_sum(arb(0))
 
     def at(self, tau: arb | float) -> arb:
         """The integral from 0 to τ, as a ball that contains it.
@@ -147,8 +147,8 @@ class RigorousQuadrature:
         """
         with ctx.workprec(self.bits):
             tau = arb(tau)
-            total = self._level * tau + self._waved(tau) - self._origin
-            for g, speed in self._divided[1]:
+            total = self._level * tau + self._wave_sum(tau) - self._origin
+            for g, speed in self._integrated_terms[1]:
                 x = speed * tau
                 total += (g * tau * acb(0, x).exp() * x.sinc()).real
             return total + arb(0, (self.doubt * abs(tau)).upper())
@@ -259,7 +259,7 @@ def quadratures(
                 place,
                 periods,
                 shift,
-                _transformed([value[place] for value in values], lines, shift),
+                _fourier_coefficients([value[place] for value in values], lines, shift),
                 (2 * arb(bound) * outside).upper(),
                 bits,
             )
@@ -267,7 +267,9 @@ def quadratures(
         )
 
 
-def _transformed(values: Sequence[arb], lines: tuple[Line, Line], shift: Sequence[int]) -> acb_mat:
+def _fourier_coefficients(
+    values: Sequence[arb], lines: tuple[Line, Line], shift: Sequence[int]
+) -> acb_mat:
     """Fourier coefficients of values on a grid, lowest wave numbers first."""
     n, m = lines[0].count, lines[1].count
     turns = [

@@ -10,10 +10,11 @@ import numpy as np
 import sympy as sp
 from flint import arb, arb_mat
 
+from ...core.arrays import FloatArray
 from ...core.vectors import real_symbol
 from ...formulas.balls import components
 from ...mechanics.rolling.attitude import attitude
-from ..genus_two.attitude_one_axis import farthest, references, spinning, turned
+from ..genus_two.attitude_one_axis import farthest, references, rotated_triad, spinning
 from ..genus_two.reconstruction import on_arrays, place_rates
 from ..genus_two.separated_motion import SeparatedMotion, chain
 from .branch_formula import Branch
@@ -95,16 +96,16 @@ class Turn:
         length = sum((x * x for x in quaternion), arb(0)).sqrt()
         return cls(body, rows * _matrix([x / length for x in quaternion]).transpose())
 
-    def turned(self, angle: arb) -> Turn:
+    def after_rotation(self, angle: arb) -> Turn:
         """The triad turned in space by an angle (arb) about its first vector."""
-        rows = turned(self.axes.table(), angle.cos(), angle.sin())
+        rows = rotated_triad(self.axes.table(), angle.cos(), angle.sin())
         return Turn(self.body, arb_mat([list(row) for row in rows]))
 
     def matrix(self, there: Sequence[Sequence[arb]]) -> arb_mat:
         """The matrix from body to space components (arb_mat), at ν and ν′."""
         return self.axes.transpose() * arb_mat(3, 3, self.body.at(*there))
 
-    def quaternion(self, there: Sequence[Sequence[arb]], rough: Sequence[float]) -> list[arb]:
+    def quaternion(self, there: Sequence[Sequence[arb]], rough: FloatArray) -> list[arb]:
         """The quaternion (w, x, y, z) at ν and ν′, next to a rough one."""
         squares = _products(self.matrix(there).table())
         # the largest component is safe to divide by

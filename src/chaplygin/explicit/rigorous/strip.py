@@ -109,7 +109,7 @@ def strip_bound(torus: InvariantTorus, branch: Branch, periods: Sequence[int]) -
         If there is none of reasonable width: the motion is next to a separatrix.
     """
 
-    def proven(half: tuple[float, float]) -> bool:
+    def is_proven(half: tuple[float, float]) -> bool:
         return _holds(torus, branch, half, periods, boxes)
 
     with ctx.workprec(BITS):
@@ -120,11 +120,11 @@ def strip_bound(torus: InvariantTorus, branch: Branch, periods: Sequence[int]) -
         low, high = _NARROWEST, _WIDEST
         while high / low > 1.1:
             middle = (low * high) ** 0.5
-            low, high = (middle, high) if proven((middle, middle)) else (low, middle)
+            low, high = (middle, high) if is_proven((middle, middle)) else (low, middle)
         half = (low, low)
         for stretch in (1.6, 1.6, 1.25, 1.25):
             for wider in ((half[0] * stretch, half[1]), (half[0], half[1] * stretch)):
-                half = wider if max(wider) < _WIDEST and proven(wider) else half
+                half = wider if max(wider) < _WIDEST and is_proven(wider) else half
         real = _values(torus, branch, (0.0, 0.0), periods, boxes)
         sizes = (float(np.abs(value.middle).max()) for value in real)
         bounds = _bounds(torus, branch, half, periods, boxes)

@@ -165,8 +165,8 @@ class Numerators:
             rests = [float(r) for r in self._rests(i, half)]
             faults = (bound, bound * (abs(W_1) + abs(W_2)))
             plain, turned = (
-                np.full(x.shape, rest * (1 + ROUNDING) + fault)
-                for rest, fault in zip(rests, faults, strict=True)
+                np.full(x.shape, remainder * (1 + ROUNDING) + fault)
+                for remainder, fault in zip(rests, faults, strict=True)
             )
             N.append(Affine(x, np.array([x_1, x_2]), plain, half))
             slopes = np.array([W_1 * x_11 + W_2 * x_12, W_1 * x_12 + W_2 * x_22])

@@ -68,7 +68,7 @@ def _roots(
     return e_2 * top, (half - e_3 / e_2, *ends)
 
 
-def _around(
+def _separation(
     name: str,
     system: System,
     normal: Vector,
@@ -94,7 +94,7 @@ def _around(
     crossed = drawn(A * nu)
     turning = cross(crossed, nuprime) / (dot(nu, crossed) * clock(nu))
     leading, roots = _roots(T / 2, d, lever)
-    made = SeparatedSystem(
+    separable = SeparatedSystem(
         name=name,
         title="Hollow ball around a sphere of half its radius, at zero linear integral",
         system=system,
@@ -116,7 +116,7 @@ def _around(
         source="§8.3, (8.1)–(8.4)",
     )
     return replace(
-        made, laws=tuple(law for law in separation_laws(made) if law.name != "separation")
+        separable, laws=tuple(law for law in separation_laws(separable) if law.name != "separation")
     )
 
 
@@ -126,7 +126,7 @@ def of_tensor() -> SeparatedSystem:
     A = ball_on_sphere_equations.A.symbols
     # tr A = ½T + d
     inertia = tuple(sp.Add(*A) - d - a for a in A)
-    return _around(
+    return _separation(
         "ball-around-sphere-zero-area",
         ball_on_sphere_equations.vanishing_area(),
         ball_on_sphere_equations.n,
@@ -144,10 +144,10 @@ def hollow_ball(system: System | None = None) -> SeparatedSystem:
     system : System, optional
         A ball around a sphere with the names of the catalogue's, which is the default.
     """
-    made = from_catalogue("ball-around-sphere") if system is None else system
+    ball = from_catalogue("ball-around-sphere") if system is None else system
     m, R, a = (real_symbol(s) for s in ("m", "R", "a"))
     inertia = tuple(real_symbol(f"I_{i}") for i in (1, 2, 3))
     d = m * R**2
     lever = _tensor((sp.Add(*inertia) + d) / 2 - moment for moment in inertia)
     level = (R - 2 * a, dot(lever * M, gamma))
-    return _around("ball-around-sphere", made, gamma, inertia, d, level)
+    return _separation("ball-around-sphere", ball, gamma, inertia, d, level)

@@ -79,8 +79,8 @@ def chaplygin_ball_in_bruns_field() -> SeparatedSystem:
         fixed=(gamma,),
         source="Remark 20",
     )
-    kept = tuple(law for law in separation_laws(separable) if law.name != "separation")
-    return replace(separable, laws=(*kept, *_separation(separable)))
+    laws = tuple(law for law in separation_laws(separable) if law.name != "separation")
+    return replace(separable, laws=(*laws, *_separation(separable)))
 
 
 def _coefficients() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
@@ -149,5 +149,5 @@ def _bend(rate: sp.Expr) -> dict[sp.Expr, sp.Expr]:
 
 def _modulo(polynomial: sp.Expr) -> tuple[sp.Expr, ...]:
     """The coefficients of a polynomial in z modulo z² − Sz + P."""
-    rest = sp.Poly(polynomial, z).rem(sp.Poly(z**2 - total * z + product, z))
-    return tuple(rest.all_coeffs())
+    remainder = sp.Poly(polynomial, z).rem(sp.Poly(z**2 - total * z + product, z))
+    return tuple(remainder.all_coeffs())

@@ -72,8 +72,8 @@ def hollow_ball_in_bruns_field() -> SeparatedSystem:
         fixed=(),
         source="§8.3, §12",
     )
-    kept = tuple(law for law in separation_laws(separable) if law.name != "separation")
-    return replace(separable, laws=(*kept, _field(separable)))
+    laws = tuple(law for law in separation_laws(separable) if law.name != "separation")
+    return replace(separable, laws=(*laws, _field(separable)))
 
 
 def _field(separable: SeparatedSystem) -> Identity:
@@ -81,10 +81,10 @@ def _field(separable: SeparatedSystem) -> Identity:
     level = E_2 * (HALF - z) - E_3
     ratio = level - D * (HALF - z) ** 2
     added = form * z * level + inverse * ratio - WEIGHT * level + DET_J * (HALF - z) ** 2
-    rest = sp.Poly(added, z).rem(sp.Poly(z**2 - total * z + product, z))
+    remainder = sp.Poly(added, z).rem(sp.Poly(z**2 - total * z + product, z))
     return Identity(
         "field",
-        tuple(rest.all_coeffs()),
+        tuple(remainder.all_coeffs()),
         "what the field adds, in the coordinates",
         {
             **_coordinates(separable),

@@ -46,7 +46,7 @@ SPIN = -dot(I * TURN, nu) / dot(nu, I * nu)
 def chaplygin_ball() -> SeparatedSystem:
     """The Chaplygin ball at zero area constant, with any three different principal moments."""
     spinning: sp.MatrixExpr = TURN + SPIN * nu
-    made = SeparatedSystem(
+    separable = SeparatedSystem(
         name="chaplygin-ball",
         title="Chaplygin ball at zero area constant",
         system=from_catalogue("chaplygin-ball"),
@@ -64,8 +64,8 @@ def chaplygin_ball() -> SeparatedSystem:
         fixed=(M, gamma),
         source="§7, (7.1)–(7.4)",
     )
-    own = tuple(law for law in separation_laws(made) if law.name != "separation")
-    return replace(made, laws=(*own, *_separation(made.system)))
+    own = tuple(law for law in separation_laws(separable) if law.name != "separation")
+    return replace(separable, laws=(*own, *_separation(separable.system)))
 
 
 def _separation(system: System) -> tuple[Law, ...]:

@@ -47,7 +47,7 @@ from ..genus_two.poles import gaps
 from ..genus_two.separation import SeparatedSystem, nu, nuprime
 from ..genus_two.separation_laws import separation_laws
 
-__all__ = ["chaplygin_area", "even_clock", "returned"]
+__all__ = ["chaplygin_area", "even_clock", "original_vectors"]
 
 M, gamma, omega = vectors("M gamma omega")
 h, f, g, sigma, delta, e, n = (real_symbol(s) for s in ("h", "f", "g", "sigma", "delta", "e", "n"))
@@ -76,7 +76,7 @@ SPIN = -dot(I_ZERO * TURN, nu) / dot(nu, I_ZERO * nu)
 MOMENTUM = I_ZERO * (TURN + SPIN * nu) + D_ZERO * TURN
 
 
-def returned(
+def original_vectors(
     momentum: sp.MatrixExpr, normal: sp.MatrixExpr
 ) -> tuple[tuple[Vector, sp.MatrixExpr], ...]:
     """M and γ, with their formulas in M′ and γ′."""
@@ -98,7 +98,7 @@ def chaplygin_area() -> SeparatedSystem:
     """The Chaplygin ball with any three different principal moments, M not parallel to γ."""
     moments = I.symbols
     scale = sp.sqrt(det_iq(NORMAL)) * e / (1 - BETA * D * dot(omega, gamma))
-    made = SeparatedSystem(
+    separable = SeparatedSystem(
         name="chaplygin-ball-area",
         title="Chaplygin ball",
         system=from_catalogue("chaplygin-ball"),
@@ -122,9 +122,11 @@ def chaplygin_area() -> SeparatedSystem:
         roots=(*moments, -delta, -D, sigma / (2 * h)),
         speeds=(sp.S.Zero, sp.S.One),
         clock=EVEN * (1 + BETA / n * D_ZERO * SPIN),
-        state=returned(MOMENTUM, nu),
+        state=original_vectors(MOMENTUM, nu),
         fixed=(M, nu),
         source="§7, Chaplygin (1903)",
     )
     own = ("constants", "fixed_1")
-    return replace(made, laws=tuple(law for law in separation_laws(made) if law.name in own))
+    return replace(
+        separable, laws=tuple(law for law in separation_laws(separable) if law.name in own)
+    )

@@ -50,8 +50,8 @@ def clebsch_case() -> SeparatedSystem:
         source="Proposition 6",
     )
     on_curve = separation_laws(replace(separable, speeds=neumann.speeds))
-    kept = tuple(law for law in on_curve if law.name != "direction")
-    return replace(separable, laws=(_flow(separable), *kept))
+    laws = tuple(law for law in on_curve if law.name != "direction")
+    return replace(separable, laws=(_flow(separable), *laws))
 
 
 def _flow(separable: SeparatedSystem) -> Identity:

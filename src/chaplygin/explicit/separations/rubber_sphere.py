@@ -50,7 +50,7 @@ def _tensor(moments: Sequence[sp.Expr], power: sp.Rational) -> sp.ImmutableDense
     return constant(sp.diag(*(moment**power for moment in moments)))
 
 
-def _around(
+def _separation_hollow(
     name: str,
     system: System,
     normal: Vector,
@@ -102,7 +102,7 @@ def _around(
 def of_ratio() -> SeparatedSystem:
     """The family of balls in k and J, at k = −1."""
     family = from_catalogue("rubber-ball-of-ratio", k=-1.0)
-    return _around(
+    return _separation_hollow(
         "rubber-ball-of-ratio", family, n, rubber_ball_ratio.J.symbols, rubber_ball_ratio.k + 1
     )
 
@@ -115,7 +115,7 @@ def on_e3() -> SeparatedSystem:
     J, A = (_tensor(moments, sp.Integer(power)) for power in (1, -1))
     stiffness = dot(gamma, J * gamma)
     known = of_ratio()
-    made = replace(
+    separable = replace(
         known,
         name="rubber-ball-on-e3",
         title="Hollow rubber ball around a sphere of half its radius, on e(3)",
@@ -130,21 +130,21 @@ def on_e3() -> SeparatedSystem:
         state=((M, -det * cross(nu, nuprime)), (gamma, nu)),
         source="§9.3, (9.14)",
     )
-    return with_laws(made)
+    return with_laws(separable)
 
 
 def on_plane() -> SeparatedSystem:
     """The family of balls in k and J, at k = 1."""
     family = from_catalogue("rubber-ball-of-ratio", k=1.0)
     moments = dict(zip(veselova.I.symbols, rubber_ball_ratio.J.symbols, strict=True))
-    made = replace(
+    separable = replace(
         in_symbols_of(without_field(), family, moments),
         name="rubber-ball-on-plane",
         title="Rubber ball on a plane",
         level=(rubber_ball_ratio.k - 1,),
         source="§9.2, Remark 16",
     )
-    return with_laws(made)
+    return with_laws(separable)
 
 
 def hollow_ball(system: System | None = None) -> SeparatedSystem:
@@ -155,7 +155,9 @@ def hollow_ball(system: System | None = None) -> SeparatedSystem:
     system : System, optional
         A rubber ball around a sphere with the names of the catalogue's, which is the default.
     """
-    made = from_catalogue("rubber-ball-around-sphere") if system is None else system
+    ball = from_catalogue("rubber-ball-around-sphere") if system is None else system
     m, R, a = (real_symbol(s) for s in ("m", "R", "a"))
     first, second, third = (real_symbol(f"I_{i}") + m * R**2 for i in (1, 2, 3))
-    return _around("rubber-ball-around-sphere", made, gamma, (first, second, third), R - 2 * a)
+    return _separation_hollow(
+        "rubber-ball-around-sphere", ball, gamma, (first, second, third), R - 2 * a
+    )

@@ -20,17 +20,17 @@ from ..genus_two.poles import gaps
 from ..genus_two.separation import SeparatedSystem, nu, nuprime
 from ..genus_two.separation_laws import with_laws
 
-__all__ = ["separated", "veselova"]
+__all__ = ["veselova", "veselova_separation"]
 
 
 def veselova() -> SeparatedSystem:
     """The Veselova system with any three different principal moments."""
-    return separated(
+    return veselova_separation(
         "veselova", "Veselova system without a field", I, I.symbols, "Remark 16, (6.4)"
     )
 
 
-def separated(
+def veselova_separation(
     name: str, title: str, tensor: Diagonal, moments: tuple[sp.Expr, ...], source: str
 ) -> SeparatedSystem:
     """A system of the catalogue that moves as the Veselova system.
