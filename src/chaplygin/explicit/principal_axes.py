@@ -19,6 +19,7 @@ from ..mechanics.rolling.equations import Rolling
 from ..mechanics.rolling.shapes import Ball
 from .base.problem import Problem, exact
 from .base.solution import ClosedForm, Solution
+from .rigorous.reconstruction import quaternion_products
 
 __all__ = ["PrincipalAxesSolution", "in_principal_axes", "to_original_axes"]
 
@@ -200,13 +201,7 @@ def _blocks(lifted: System, axes: arb_mat) -> arb_mat:
 
 def _quaternion(turn: arb_mat) -> tuple[arb, arb, arb, arb]:
     """The unit quaternion (w, x, y, z) of a rotation matrix, divided by its largest component."""
-    r = turn
-    columns = (
-        (1 + r[0, 0] + r[1, 1] + r[2, 2], r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]),
-        (r[2, 1] - r[1, 2], 1 + r[0, 0] - r[1, 1] - r[2, 2], r[1, 0] + r[0, 1], r[0, 2] + r[2, 0]),
-        (r[0, 2] - r[2, 0], r[1, 0] + r[0, 1], 1 - r[0, 0] + r[1, 1] - r[2, 2], r[2, 1] + r[1, 2]),
-        (r[1, 0] - r[0, 1], r[0, 2] + r[2, 0], r[2, 1] + r[1, 2], 1 - r[0, 0] - r[1, 1] + r[2, 2]),
-    )
+    columns = quaternion_products(turn.tolist())
     largest = max(range(QUATERNION), key=lambda i: number(columns[i][i]))
     length = sum((x * x for x in columns[largest]), arb(0)).sqrt()
     w, x, y, z = (x / length for x in columns[largest])

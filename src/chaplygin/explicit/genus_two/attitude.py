@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from ...core.arrays import FloatArray
 
-__all__ = ["Cover", "Triad", "cover"]
+__all__ = ["Cover", "Triad", "continuous_signs", "cover"]
 
 
 @dataclass(frozen=True)
@@ -96,15 +96,14 @@ def cover(attitude: Callable[[FloatArray], FloatArray], grid: Sequence[int]) -> 
     lines = [2.0 * np.arange(size) / (size - 1) for size in sizes]
     v = np.array(np.meshgrid(*lines, indexing="ij")).reshape(2, -1).T
     table = attitude(v).reshape(*sizes, 4)
-    table[:, 0] *= _signs(table[:, 0])[:, None]
-    for place in range(len(table)):
-        table[place] *= _signs(table[place])[:, None]
+    table[:, 0] *= continuous_signs(table[:, 0])[:, None]
+    table *= np.array([continuous_signs(row) for row in table])[:, :, None]
     turns = (_sign(table[-1, 0], table[0, 0]), _sign(table[0, -1], table[0, 0]))
     return Cover(table[:-1, :-1], turns)
 
 
-def _signs(line: FloatArray) -> FloatArray:
-    """Signs that make neighbours along a line agree."""
+def continuous_signs(line: FloatArray) -> FloatArray:
+    """Signs that make neighbouring quaternions along a line agree."""
     steps = np.where(np.sum(line[1:] * line[:-1], axis=1) < 0, -1.0, 1.0)
     return np.concatenate([[1.0], np.cumprod(steps)])
 

@@ -27,6 +27,7 @@ from scipy.spatial.transform import Rotation
 
 from ...core.arrays import ComplexArray, FloatArray, IntArray
 from ..base.no_closed_form import NoClosedFormError
+from .attitude import continuous_signs
 from .quadrature import Series, series
 
 __all__ = ["FloquetReduction", "reduction"]
@@ -333,8 +334,8 @@ def _quaternions(grid: FloatArray) -> tuple[Series, ...]:
     sizes = grid.shape[:2]
     table = Rotation.from_matrix(grid.reshape(-1, 3, 3)).as_quat().reshape(*sizes, 4)
     table = np.roll(table, 1, axis=-1)
-    table[:, 0] *= _signs(table[:, 0])[:, None]
-    table *= np.array([_signs(row) for row in table])[:, :, None]
+    table[:, 0] *= continuous_signs(table[:, 0])[:, None]
+    table *= np.array([continuous_signs(row) for row in table])[:, :, None]
     # a quaternion may return with the other sign: then its waves are half-integers
     halves = [
         0.5 if float(last @ table[0, 0]) < 0 else 0.0 for last in (table[-1, 0], table[0, -1])
@@ -352,11 +353,6 @@ def _quaternions(grid: FloatArray) -> tuple[Series, ...]:
         Series(waves[0][rows], waves[1][columns], chosen[:, :, i], (sizes[0], sizes[1]))
         for i in range(4)
     )
-
-
-def _signs(line: FloatArray) -> FloatArray:
-    steps = np.where(np.sum(line[1:] * line[:-1], axis=1) < 0, -1.0, 1.0)
-    return np.concatenate([[1.0], np.cumprod(steps)])
 
 
 def _product(p: FloatArray, q: FloatArray) -> FloatArray:

@@ -1,16 +1,39 @@
-"""Phases that grow linearly with time, without loss at long times."""
+"""Phases on the torus: grids, rates of waves, and growth without loss at long times."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 from flint import arb
 
-from ...core.arrays import FloatArray
+from ...core.arrays import ComplexArray, FloatArray, IntArray
+from ...formulas.balls import number
 
-__all__ = ["halves", "turned"]
+__all__ = ["halves", "phase_grid", "turned", "wave_rates"]
 
 #: Splits a double into two halves of 26 bits (Dekker).
 _SPLITTER = 134217729.0
+
+
+def phase_grid(sizes: Sequence[int]) -> FloatArray:
+    """The phases 2j/n of a grid with n points per period 2, (n_1 n_2, 2), row by row."""
+    lines = [2.0 * np.arange(size) / size for size in sizes]
+    return np.array(np.meshgrid(*lines, indexing="ij")).reshape(2, -1).T
+
+
+def wave_rates(
+    first: FloatArray | IntArray,
+    second: FloatArray | IntArray,
+    V: Sequence[arb],
+    v_0: FloatArray,
+) -> tuple[FloatArray, ComplexArray]:
+    """π(k, V), the rate of every wave (k₁, k₂) along the flow, and exp(iπ(k, v₀))."""
+    k_1, k_2 = np.meshgrid(first, second, indexing="ij")
+    rates = np.pi * np.array(
+        [number(int(k) * V[0] + int(m) * V[1]) for k, m in zip(k_1.flat, k_2.flat, strict=True)]
+    ).reshape(k_1.shape)
+    return rates, np.exp(1j * np.pi * (k_1 * v_0[0] + k_2 * v_0[1]))
 
 
 def halves(value: arb) -> tuple[float, float]:

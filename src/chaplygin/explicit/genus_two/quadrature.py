@@ -19,6 +19,7 @@ from flint import arb
 from ...core.arrays import ComplexArray, FloatArray, IntArray
 from ...formulas.balls import number
 from ..base.no_closed_form import NoClosedFormError
+from .phases import phase_grid, wave_rates
 
 __all__ = ["Quadrature", "Series", "quadrature", "series"]
 
@@ -83,9 +84,7 @@ def series(function: Callable[[FloatArray], FloatArray]) -> tuple[Series, ...]:
     """
     sizes = [_GRID, _GRID]
     while True:
-        grids = [2.0 * np.arange(size) / size for size in sizes]
-        v = np.array(np.meshgrid(*grids, indexing="ij")).reshape(2, -1).T
-        values = function(v)
+        values = function(phase_grid(sizes))
         spectra = [np.fft.rfft2(block.reshape(sizes)) / block.size for block in values]
         # one of them may be rounding altogether: the largest sets the scale
         scale = max(float(np.max(np.abs(spectrum))) for spectrum in spectra)
@@ -181,12 +180,9 @@ def quadrature(
     mean : float, optional
         The mean of the function, if it is known better than from the series.
     """
-    k_1, k_2 = np.meshgrid(function.first, function.second, indexing="ij")
-    speeds = np.pi * np.array(
-        [number(int(k) * V[0] + int(m) * V[1]) for k, m in zip(k_1.flat, k_2.flat, strict=True)]
-    ).reshape(k_1.shape)
+    speeds, phases = wave_rates(function.first, function.second, V, v_0)
     coefficients = function.coefficients.copy()
-    still = (k_1 == 0) & (k_2 == 0)
+    still = (function.first[:, None] == 0) & (function.second == 0)
     own = float(coefficients[still].real.sum())
     coefficients[still] = 0
     # a bound of the error that dividing by a small number makes
@@ -196,7 +192,6 @@ def quadrature(
     # of a function that is rounding altogether nothing is left
     scale = np.max(np.abs(function.coefficients), initial=0.0)
     apart = ~still & (np.abs(coefficients) > 0) & (divided > _SLOW * scale)
-    phases = np.exp(1j * np.pi * (k_1 * v_0[0] + k_2 * v_0[1]))
     slow = np.array([(coefficients * phases)[apart], speeds[apart].astype(complex)]).T
     coefficients[apart] = 0
     rate = Series(function.first, function.second, coefficients, function.grid)

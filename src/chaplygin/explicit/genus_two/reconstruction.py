@@ -19,13 +19,22 @@ from ...mechanics.rolling.attitude import attitude
 from .attitude import Cover, Triad, cover
 from .attitude_one_axis import farthest, references, spinning
 from .floquet_attitude import FloquetReduction, reduction
+from .phases import phase_grid
 from .quadrature import Quadrature, quadrature, series
 from .separated_motion import SeparatedMotion, chain
 from .separation import SeparatedSystem
 from .third_frequency import Turning, turning
 from .time_map import TimeMap, TorusPoint
 
-__all__ = ["Lift", "NoFixedVector", "OneFixedVector", "TwoFixedVectors", "lift", "on_arrays"]
+__all__ = [
+    "Lift",
+    "NoFixedVector",
+    "OneFixedVector",
+    "TwoFixedVectors",
+    "lift",
+    "on_arrays",
+    "spinning_pair",
+]
 
 #: Points per phase at which the directions of two vectors are compared.
 _COARSE = 24
@@ -85,6 +94,17 @@ class Lift(ABC):
     def _quadrature(self, function: Callable[[FloatArray], FloatArray]) -> tuple[Quadrature, ...]:
         torus = self.prepared.torus
         return tuple(quadrature(f, torus.V, self.clock.v_0) for f in series(function))
+
+
+def spinning_pair(motion: SeparatedMotion) -> tuple[sp.MatrixExpr, sp.MatrixExpr, sp.Expr]:
+    """The one fixed vector, a reference that stays away from it, and its rate of turning in t."""
+    of = motion.separable
+    at_grid = motion.torus.values(phase_grid([_COARSE, _COARSE]))
+    fixed = on_arrays(motion, components(of.fixed[0]))(*at_grid)
+    choice = references(of)
+    directions = [on_arrays(motion, components(e.vector))(*at_grid) for e in choice]
+    best = choice[farthest(fixed, directions)]
+    return of.fixed[0], best.vector, spinning(of, best)
 
 
 def place_rates(of: SeparatedSystem) -> list[sp.Expr]:
@@ -166,16 +186,8 @@ class OneFixedVector(_AttitudeFromVectors):
     @cached_property
     def _pair(self) -> tuple[Callable[..., FloatArray], sp.Expr]:
         """The fixed vector and a reference that stays away from it; the rate of ψ."""
-        of = self.prepared.separable
-        line = 2.0 * np.arange(_COARSE) / _COARSE
-        v = np.array(np.meshgrid(line, line, indexing="ij")).reshape(2, -1).T
-        there = self._torus(v)
-        fixed = on_arrays(self.prepared, components(of.fixed[0]))(*there)
-        choice = references(of)
-        directions = [on_arrays(self.prepared, components(e.vector))(*there) for e in choice]
-        best = choice[farthest(fixed, directions)]
-        both = on_arrays(self.prepared, [*components(of.fixed[0]), *components(best.vector)])
-        return both, spinning(of, best)
+        fixed, reference, rate = spinning_pair(self.prepared)
+        return on_arrays(self.prepared, [*components(fixed), *components(reference)]), rate
 
     @property
     def _vectors(self) -> Callable[..., FloatArray]:

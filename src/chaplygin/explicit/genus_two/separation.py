@@ -16,6 +16,7 @@ dν/dτ.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -24,7 +25,7 @@ from ...core.laws import Law
 from ...core.system import System
 from ...core.vectors import Vector, vectors
 
-__all__ = ["SeparatedSystem", "nu", "nuprime"]
+__all__ = ["SeparatedSystem", "gaps", "nu", "nuprime"]
 
 #: The unit vector and its derivative in the time τ, body axes.
 nu, nuprime = vectors("nu nuprime")
@@ -90,3 +91,9 @@ class SeparatedSystem:
     along: tuple[sp.Expr, sp.Expr] | None = None
     laws: tuple[Law, ...] = ()
     source: str = ""
+
+
+def gaps(poles: Sequence[sp.Expr]) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+    """Πᵢ = ∏_{j≠i}(eᵢ − eⱼ) of three numbers eᵢ."""
+    e, f, g = poles
+    return (e - f) * (e - g), (f - e) * (f - g), (g - e) * (g - f)

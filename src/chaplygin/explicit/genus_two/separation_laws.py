@@ -20,8 +20,7 @@ import sympy as sp
 
 from ...core.laws import Identity, Law, Rate, Reduction
 from ...core.vectors import Vector, cross, norm_squared, real_symbol, to_components, vectors
-from .poles import gaps
-from .separation import SeparatedSystem, nu, nuprime
+from .separation import SeparatedSystem, gaps, nu, nuprime
 
 __all__ = ["separation_laws", "with_laws"]
 

@@ -9,7 +9,7 @@ import numpy as np
 from flint import arb
 
 from ...core.arrays import ComplexArray, FloatArray, IntArray
-from ...formulas.balls import number
+from .phases import wave_rates
 from .quadrature import Series
 
 __all__ = ["Turning", "turning"]
@@ -86,9 +86,5 @@ def turning(
         whole[np.ix_(rows, columns)] += half
         rows, columns = np.searchsorted(first, -part.first), np.searchsorted(second, -part.second)
         whole[np.ix_(rows, columns)] += conjugate
-    k_1, k_2 = np.meshgrid(first, second, indexing="ij")
-    speeds = np.pi * np.array(
-        [number(int(k) * V[0] + int(m) * V[1]) for k, m in zip(k_1.flat, k_2.flat, strict=True)]
-    ).reshape(k_1.shape)
-    start = np.exp(1j * np.pi * (k_1 * v_0[0] + k_2 * v_0[1]))
+    speeds, start = wave_rates(first, second, V, v_0)
     return Turning(first, second, whole * np.exp(1j * phase), speeds + omega, start, omega)

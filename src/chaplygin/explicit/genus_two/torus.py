@@ -100,11 +100,15 @@ class InvariantTorus:
     v_0: Pair
     along: Pair
 
+    def numerators(self, v: Sequence[arb]) -> tuple[list[arb], list[arb]]:
+        """N and N′ at the phases v, as balls."""
+        pairs = [theta.ball(v, self.along) for theta in self.thetas]
+        N = [c * value for c, (value, _) in zip(self.factors, pairs, strict=True)]
+        return N, [c * rate for c, (_, rate) in zip(self.factors, pairs, strict=True)]
+
     def ball(self, v: Sequence[arb]) -> tuple[Triple, Triple]:
         """ν and ν′ at the phases v, as balls."""
-        pairs = [theta.ball(v, self.along) for theta in self.thetas]
-        N = [c * pair[0] for c, pair in zip(self.factors, pairs, strict=True)]
-        rate = [c * pair[1] for c, pair in zip(self.factors, pairs, strict=True)]
+        N, rate = self.numerators(v)
         square = sum((x * x for x in N), arb(0))
         length = square.sqrt()
         pull = sum((x * r for x, r in zip(N, rate, strict=True)), arb(0)) / square

@@ -226,7 +226,6 @@ def _by_point(values: list[list[arb]], rates: list[list[arb]]) -> list[tuple[lis
 
 def numerators_at(torus: InvariantTorus, tau: arb) -> tuple[list[arb], list[arb]]:
     """N and N′ at one τ (arb)."""
-    v = [start + speed * tau for start, speed in zip(torus.v_0, torus.V, strict=True)]
-    pairs = [theta.ball(v, torus.along) for theta in torus.thetas]
-    N = [c * value for c, (value, _) in zip(torus.factors, pairs, strict=True)]
-    return N, [c * rate for c, (_, rate) in zip(torus.factors, pairs, strict=True)]
+    return torus.numerators(
+        [start + speed * tau for start, speed in zip(torus.v_0, torus.V, strict=True)]
+    )

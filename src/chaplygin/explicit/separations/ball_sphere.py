@@ -39,8 +39,7 @@ from ...catalogue import from_catalogue
 from ...catalogue.ball_on_sphere import ball_on_sphere_equations
 from ...core.system import System
 from ...core.vectors import Vector, constant, cross, dot, norm_squared, real_symbol, vectors
-from ..genus_two.poles import gaps
-from ..genus_two.separation import SeparatedSystem, nu, nuprime
+from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import separation_laws
 
 __all__ = ["hollow_ball", "of_tensor"]

@@ -26,8 +26,7 @@ from ...catalogue.chaplygin_ball.chaplygin_bracket import D
 from ...catalogue.fixed_point import veselova
 from ...core.system import System
 from ...core.vectors import constant, cross, dot, real_symbol, vectors
-from ..genus_two.poles import gaps
-from ..genus_two.separation import SeparatedSystem, nu, nuprime
+from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import with_laws
 from .neumann import quadratic
 

@@ -25,8 +25,7 @@ from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_ball import K
 from ...core.laws import Identity
 from ...core.vectors import Diagonal, dot, real_symbol, to_components, vectors
-from ..genus_two.poles import gaps
-from ..genus_two.separation import SeparatedSystem
+from ..genus_two.separation import SeparatedSystem, gaps
 from ..genus_two.separation_laws import separation_laws
 from .ball_sphere import hollow_ball
 from .bruns import integral

@@ -25,8 +25,7 @@ from ...core.isomorphism import Isomorphism
 from ...core.laws import Identity, Law
 from ...core.system import System
 from ...core.vectors import cross, dot, norm_squared, real_symbol, vectors
-from ..genus_two.poles import gaps
-from ..genus_two.separation import SeparatedSystem, nu, nuprime
+from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import separation_laws
 from .fedorov import E, fedorov, q_1, r
 

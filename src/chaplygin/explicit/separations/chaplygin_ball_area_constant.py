@@ -43,8 +43,7 @@ import sympy as sp
 from ...catalogue import from_catalogue
 from ...catalogue.chaplygin_ball.chaplygin_bracket import DET_J, A, D, I
 from ...core.vectors import Vector, constant, cross, dot, norm_squared, real_symbol, vectors
-from ..genus_two.poles import gaps
-from ..genus_two.separation import SeparatedSystem, nu, nuprime
+from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import separation_laws
 
 __all__ = ["chaplygin_area", "even_clock", "original_vectors"]

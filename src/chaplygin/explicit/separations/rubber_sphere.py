@@ -33,8 +33,7 @@ from ...catalogue.fixed_point import veselova
 from ...core.system import System
 from ...core.vectors import Vector, constant, cross, dot, norm_squared, real_symbol, vectors
 from ..change_symbols import in_symbols_of
-from ..genus_two.poles import gaps
-from ..genus_two.separation import SeparatedSystem, nu, nuprime
+from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import with_laws
 from .veselova import veselova as without_field
 

@@ -16,8 +16,7 @@ import sympy as sp
 from ...catalogue import from_catalogue
 from ...catalogue.fixed_point.veselova import A, F, I, gamma, h, omega
 from ...core.vectors import Diagonal, cross, dot, norm_squared
-from ..genus_two.poles import gaps
-from ..genus_two.separation import SeparatedSystem, nu, nuprime
+from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import with_laws
 
 __all__ = ["veselova", "veselova_separation"]
