@@ -14,8 +14,8 @@ from .claim.separation import check_separation
 from .identities.accuracy import with_precision
 from .identities.basis import Basis, read_basis
 from .identities.case_tree import Node, check_tree
-from .identities.generators import FIELDS, read_ground
 from .identities.proof import Condition, check_left, check_proof, read_region, same
+from .identities.read_generators import FIELDS, read_ground
 from .identities.signs import covers
 from .identities.substitution import CONSISTENCY, LAW, expressed, substituted
 from .witness import check_sample, check_witness

@@ -21,8 +21,8 @@ from ..claim.residuals import residuals
 from .accuracy import InaccurateError, agree, with_precision
 from .basis import Basis, read_basis
 from .case_tree import Node, check_tree
-from .generators import FIELDS, read_ground
 from .positivity import common_ratio
+from .read_generators import FIELDS, read_ground
 
 __all__ = ["Condition", "check_left", "check_proof", "read_region", "same"]
 

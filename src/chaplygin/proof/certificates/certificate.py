@@ -32,7 +32,8 @@ from ..random_test import trials
 from ..symbolic_proof import MOST_RUNS, flipped_decisions
 from ..verdict import Verdict
 from ..witness_points import witness_point
-from .identities import Excluded, Made, proof_text
+from .identities import Excluded, proof_text
+from .proof_setting import ProofSetting
 
 __all__ = ["certified"]
 
@@ -145,12 +146,12 @@ def _proofs(
     point = {str(s): float(numbers(name(str(s))).mid()) for s in ground.generators}
     asked = [(words, parse_condition(words, "a condition")[0][0]) for words in verdict.formulas]
 
-    def excluded(made: Made, poly: Any) -> str | None:
+    def excluded(made: ProofSetting, poly: Any) -> str | None:
         """The condition of the verdict that excludes the zeros of a polynomial."""
         return next((words for words, formula in asked if made.states(formula, poly)), None)
 
-    def written(kind: type[UnreducedField], signs: Mapping[str, int]) -> Made:
-        return Made(kind, read, law, ground, point, budget, signs)
+    def written(kind: type[UnreducedField], signs: Mapping[str, int]) -> ProofSetting:
+        return ProofSetting(kind, read, law, ground, point, budget, signs)
 
     first = written(UnreducedField, {})
     if not first.field.decisions:
@@ -163,8 +164,8 @@ def _proofs(
 
 
 def _by_signs(
-    first: Made,
-    written: Callable[[type[UnreducedField], Mapping[str, int]], Made],
+    first: ProofSetting,
+    written: Callable[[type[UnreducedField], Mapping[str, int]], ProofSetting],
     excluded: Excluded,
 ) -> list[Text]:
     """A proof for every choice of signs for which the law is defined and holds."""

@@ -1,0 +1,121 @@
+"""The equations of a proof: conditions, roots, circles, and values with equal arguments."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from flint import fmpq_mpoly
+
+from ...formulas.errors import OutOfReachError
+from ..fields.function_field import FINENESS
+from ..fields.quotient_ring import Element
+from ..fields.unreduced_fields import Meaning
+from ..level.triangular_set import numerator
+from .chains import Chains
+from .proof_setting import ProofSetting
+from .sign_reasons import Reasons
+
+__all__ = ["equations", "meaning_text"]
+
+
+def equations(setting: ProofSetting) -> list[tuple[fmpq_mpoly, dict[str, Any]]]:
+    """The polynomials that vanish, each with the text that says why."""
+    found = []
+    for formula, value in setting.conditions:
+        poly = numerator(setting.field, value)
+        below = [(setting.field.factors[n], -p) for n, p in value.powers.items() if p < 0]
+        text = {"poly": setting.terms(poly), "from": formula, "denominator": setting.powers(below)}
+        found.append((poly, text))
+    for main, poly, _ in setting.field.relations:
+        kind = setting.field.record[main].kind
+        source = f"root {main}"
+        if kind in ("sin", "cos"):
+            both = [
+                n
+                for n in setting.field.record
+                if setting.field.generators[n] in _gens(setting, poly)
+            ]
+            source = f"circle {' '.join(both)}"
+        found.append((poly, {"poly": setting.terms(poly), "from": source}))
+    return _with_equal_values(setting, found)
+
+
+def _with_equal_values(
+    setting: ProofSetting, known: list[tuple[fmpq_mpoly, dict[str, Any]]]
+) -> list[tuple[fmpq_mpoly, dict[str, Any]]]:
+    """Equations, and those of values that are equal because their arguments are on the level."""
+    field = setting.field
+    found = list(known)
+    record = list(field.record.items())
+    for number, (name, meaning) in enumerate(record):
+        value = field.generators[name]
+        others = [(o, m) for o, m in record[:number] if m.kind == meaning.kind]
+        tried: list[tuple[str, fmpq_mpoly, list[fmpq_mpoly]]] = []
+        if meaning.kind in ("root", "power"):
+            tried.append((f"one {name}", value - 1, [meaning.of[0].poly - 1]))
+        for other, theirs in others:
+            if meaning.kind != "formal root" and meaning.agrees(theirs):
+                pairs = zip(meaning.of, theirs.of, strict=True)
+                differences = [numerator(field, a - b) for a, b in pairs]
+                tried.append((f"same {name} {other}", value - field.generators[other], differences))
+        for source, poly, differences in tried:
+            chains = Chains(field.ring, Reasons(field.ring, []), frozenset(), field.budget)
+            by = [chains.quotients(d, [p for p, _ in found]) for d in differences]
+            if any(by) and None not in by:
+                text = {
+                    "poly": setting.terms(poly),
+                    "from": source,
+                    "quotients": [
+                        [setting.terms(part[i]) if i in part else [] for i in range(len(found))]
+                        for part in by
+                        if part is not None
+                    ],
+                }
+                found.append((poly, text))
+                break
+    return found
+
+
+def _gens(setting: ProofSetting, poly: fmpq_mpoly) -> list[fmpq_mpoly]:
+    return [g for g, d in zip(setting.field.ring.gens(), poly.degrees(), strict=True) if d]
+
+
+def meaning_text(setting: ProofSetting, meaning: Meaning) -> dict[str, Any]:
+    """What an auxiliary symbol stands for, in the format of a certificate."""
+    of = [_fraction(setting, element) for element in meaning.of]
+    if meaning.kind in ("root", "formal root"):
+        text = {
+            "kind": meaning.kind,
+            "of": setting.terms(meaning.of[0].poly),
+            "degree": meaning.number,
+        }
+        if meaning.kind == "formal root":
+            text["whole"] = setting.powers(meaning.whole)
+        return text
+    if meaning.kind == "power":
+        if meaning.of[0].powers:
+            raise OutOfReachError("no certificate: a symbolic power of a fraction")
+        return {
+            "kind": "power",
+            "of": setting.terms(meaning.of[0].poly),
+            "exponent": str(meaning.exponent),
+            "fineness": FINENESS,
+        }
+    if meaning.kind in ("sin", "cos"):
+        return {"kind": meaning.kind, "of": of[0]}
+    if meaning.kind == "pi":
+        return {"kind": "pi"}
+    text = {"kind": meaning.kind, "name": meaning.name, "of": of}
+    if meaning.kind == "function":
+        text["orders"] = list(meaning.orders)
+    return text
+
+
+def _fraction(setting: ProofSetting, element: Element) -> dict[str, Any]:
+    poly, below = element.poly, []
+    for number, power in element.powers.items():
+        if power > 0:
+            poly = poly * setting.field.factors[number] ** power
+        else:
+            below.append((setting.field.factors[number], -power))
+    return {"numerator": setting.terms(poly), "denominator": setting.powers(below)}

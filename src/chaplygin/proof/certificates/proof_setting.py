@@ -1,0 +1,119 @@
+"""What a proof of a certificate is written in: a field, with conditions, residuals and divisors."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from flint import fmpq_mpoly
+
+from ...check.claim.claim import Claim as CheckedClaim
+from ...check.claim.formulas import Formula
+from ...core.laws import Law, Reduction, Separation
+from ...formulas.errors import NeedMoreGeneratorsError
+from ..claim_text import powers_text, terms_text
+from ..domain import divisors, sympy_formula
+from ..fields.budget import Budget
+from ..fields.quotient_ring import Element
+from ..fields.unreduced_fields import UnreducedField
+from ..level.level_set import LevelSet
+from ..level.triangular_set import numerator
+from ..random_test import everything
+from .sign_reasons import monic
+
+__all__ = ["ProofSetting"]
+
+
+class ProofSetting:
+    """A field in which a proof is written, with what is known in it.
+
+    Parameters
+    ----------
+    kind : type of Unreduced
+    claim : chaplygin.check.claim.claim.Claim
+        As the check reads it.
+    law : Law
+    ground : Ground
+        The whole level.
+    sample : mapping of str to float
+        A point of the level, by the names of the generators.
+    budget : Budget
+    signs : mapping of str to int
+        Signs of factors under roots that are to be taken.
+    """
+
+    def __init__(
+        self,
+        kind: type[UnreducedField],
+        claim: CheckedClaim,
+        law: Law,
+        ground: LevelSet,
+        sample: Mapping[str, float],
+        budget: Budget,
+        signs: Mapping[str, int],
+    ) -> None:
+        spare = 8
+        while True:
+            self.field = kind([str(s) for s in ground.generators], spare, sample, budget, signs)
+            try:
+                self._fill(claim, law, ground)
+            except NeedMoreGeneratorsError:
+                spare *= 2
+                continue
+            break
+        self.ground, self.sample = ground, sample
+
+    def _fill(self, claim: CheckedClaim, law: Law, ground: LevelSet) -> None:
+        field = self.field
+        evaluate = ground.evaluator(field)
+        field.signs = ground.signs_with(field, [])
+        self.conditions = []
+        for condition in ground.conditions:
+            value = field.zero if condition in ground.zeros else evaluate.value(condition)
+            if value.poly:
+                self.conditions.append((str(condition), value))
+        polys = [numerator(field, value) for _, value in self.conditions]
+        field.signs = ground.signs_with(field, polys)
+        self.residuals: list[tuple[str, Element]] = list(everything(_formulas(law), ground, field))
+        self.divisors = list(divisors(claim, law, ground, field))
+
+    @property
+    def ring(self) -> tuple[str, ...]:
+        """The generators: auxiliary symbols that are used, and all others."""
+        plain = self.field.names[self.field.spare :]
+        return (*reversed(list(self.field.record)), *plain)
+
+    @property
+    def places(self) -> list[int | None]:
+        """Where the generators of the field stand in the ring."""
+        index = {name: i for i, name in enumerate(self.ring)}
+        return [index.get(name) for name in self.field.names]
+
+    def terms(self, poly: fmpq_mpoly) -> list[Any]:
+        """A polynomial as text."""
+        return terms_text(poly, self.places)
+
+    def powers(self, powers: Sequence[tuple[fmpq_mpoly, int]]) -> list[Any]:
+        """A product of powers as text."""
+        return powers_text(powers, self.places)
+
+    def states(self, formula: Formula, poly: fmpq_mpoly) -> bool:
+        """Whether a formula of the check vanishes or is positive where a polynomial is."""
+        value = self.ground.evaluator(self.field).value(sympy_formula(formula, self.ground.named))
+        own = numerator(self.field, value)
+        return bool(own) and monic(own)[0] == monic(poly)[0]
+
+    def product(self, element: Element) -> tuple[Any, list[tuple[fmpq_mpoly, int]]]:
+        """Content, and factors with their powers, of an element."""
+        content, parts = self.field.factorised(element.poly)
+        total = dict(element.powers)
+        for number, power in parts:
+            total[number] = total.get(number, 0) + power
+        return content, [(self.field.factors[n], p) for n, p in total.items() if p]
+
+
+def _formulas(law: Law) -> Law:
+    """What of a law is a matter of formulas: the check sees by itself whether others separate."""
+    if not isinstance(law, Separation):
+        return law
+    return Reduction(law.name, law.quantities, law.equations, on=law.on)
