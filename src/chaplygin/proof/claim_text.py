@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import TypeAlias
 
 import sympy as sp
+from flint import fmpq_mpoly
 
 from ..core.isomorphism import Isomorphism
 from ..core.laws import (
@@ -19,12 +20,14 @@ from ..core.laws import (
     Symmetry,
 )
 from ..core.system import System
-from ..core.vectors import to_components
+from ..core.vectors import Vector, to_components
 from .level.named_formulas import scalars
 
 __all__ = ["admissible", "claim_text", "guards", "powers_text", "terms_text"]
 
-Text = dict[str, Any]
+#: A mapping of a certificate, and a polynomial as a list of its terms.
+Text: TypeAlias = dict[str, object]
+Terms: TypeAlias = list[list[object]]
 
 
 def claim_text(system: System, law: Law) -> Text:
@@ -53,9 +56,9 @@ def guards(system: System) -> tuple[sp.Expr, ...]:
     return (*declared, *assumed)
 
 
-def admissible(system: System) -> tuple[Any, ...]:
+def admissible(system: System) -> tuple[sp.Basic, ...]:
     """What is asked of parameters: relations, none of which is a conjunction."""
-    found: list[Any] = []
+    found: list[sp.Basic] = []
     for parameter in system.parameters:
         for condition in parameter.admissible:
             found += sp.And.make_args(sp.sympify(condition))
@@ -114,7 +117,7 @@ def _content(system: System, law: Law) -> Text:
     return {"quantities": _pairs(law.quantities), "value": [str(f) for f in scalars(law.value)]}
 
 
-def _there(system: System, law: Isomorphism, condition: Any) -> Any:
+def _there(system: System, law: Isomorphism, condition: sp.Expr) -> sp.Expr:
     """A condition on the image, without definitions of the source that the target has not."""
     target = law.target
     theirs = {*target.symbols, *target.defaults, *(s for s, _ in target.steps)}
@@ -134,11 +137,11 @@ def _bracket(law: PoissonStructure) -> Text:
     }
 
 
-def _formulas(formulas: Iterable[Any]) -> list[str]:
+def _formulas(formulas: Iterable[sp.Expr]) -> list[str]:
     return [str(to_components(formula)) for formula in formulas]
 
 
-def _pairs(pairs: Iterable[tuple[Any, Any]]) -> list[list[str]]:
+def _pairs(pairs: Iterable[tuple[sp.Symbol | Vector, sp.Expr]]) -> list[list[str]]:
     found = []
     for name, formula in pairs:
         names = (name,) if isinstance(name, sp.Symbol) else name.symbols
@@ -149,7 +152,7 @@ def _pairs(pairs: Iterable[tuple[Any, Any]]) -> list[list[str]]:
 # --- polynomials ---------------------------------------------------------------------------------
 
 
-def terms_text(poly: Any, places: Sequence[int | None]) -> list[Any]:
+def terms_text(poly: fmpq_mpoly, places: Sequence[int | None]) -> Terms:
     """A polynomial as a list of terms; `places` says where its generators stand in the ring."""
     return [
         [str(number), [x for i, n in enumerate(exponents) if n for x in (places[i], int(n))]]
@@ -157,6 +160,6 @@ def terms_text(poly: Any, places: Sequence[int | None]) -> list[Any]:
     ]
 
 
-def powers_text(powers: Iterable[tuple[Any, int]], places: Sequence[int | None]) -> list[Any]:
+def powers_text(powers: Iterable[tuple[fmpq_mpoly, int]], places: Sequence[int | None]) -> Terms:
     """A product of powers of polynomials."""
     return [[terms_text(poly, places), power] for poly, power in powers]

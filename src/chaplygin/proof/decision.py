@@ -13,7 +13,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+
+import sympy as sp
 
 from ..check import CheckError
 from ..check.claim.claim import Claim as CheckedClaim, read_claim
@@ -75,7 +76,7 @@ class _Part:
         The same as the check of certificates found it.
     """
 
-    chosen: tuple[Any, ...]
+    chosen: tuple[sp.Expr, ...]
     proof: Proof = NOTHING
     trial: Trial | None = None
     point: dict[str, str] | None = None

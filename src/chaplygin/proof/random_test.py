@@ -6,17 +6,19 @@ import random
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
+
+from flint import arb, fmpq
 
 from ..core.isomorphism import Isomorphism
 from ..core.laws import Law
 from ..formulas.errors import NotExactError, OutOfReachError
 from ..formulas.number_fields import Balls, Rationals
+from .fields.field import Field, FieldElement
 from .level.level_set import Draw, LevelSet
 from .level.positivity import unmet
 from .level.sample_points import broad, far, near
 from .rank import rank_defect
-from .residuals import condition_rates, residuals
+from .residuals import Residuals, condition_rates, residuals
 
 __all__ = ["Trial", "backwards", "everything", "trials"]
 
@@ -42,12 +44,12 @@ class Trial:
     """
 
     field: Rationals | Balls
-    values: Mapping[str, Any]
-    witness: tuple[str, Any] | None = None
-    lack: tuple[str, Any] | None = None
+    values: Mapping[str, fmpq | arb]
+    witness: tuple[str, FieldElement | str] | None = None
+    lack: tuple[str, str] | None = None
 
 
-def everything(law: Law, ground: LevelSet, field: Any) -> Iterator[tuple[str, Any]]:
+def everything(law: Law, ground: LevelSet, field: Field) -> Residuals:
     """All residuals: of the level being invariant, and of the law."""
     yield from condition_rates(ground, field)
     yield from residuals(law, ground, field)
@@ -82,7 +84,7 @@ def backwards(law: Law, ground: LevelSet) -> Trial | None:
     if not isinstance(law, Isomorphism):
         return None
 
-    def at(field: Any, values: Mapping[str, Any]) -> Trial:
+    def at(field: Rationals | Balls, values: Mapping[str, fmpq | arb]) -> Trial:
         (witness, *_) = unmet(law, ground, field) or (None,)
         return Trial(field, values, witness)
 
@@ -90,7 +92,7 @@ def backwards(law: Law, ground: LevelSet) -> Trial | None:
 
 
 def _first(
-    compute: Callable[[Any, Mapping[str, Any]], Trial],
+    compute: Callable[[Rationals | Balls, Mapping[str, fmpq | arb]], Trial],
     ground: LevelSet,
     generator: random.Random,
     draw: Draw,
@@ -112,7 +114,9 @@ def _first(
     return None
 
 
-def _at(law: Law, ground: LevelSet, field: Any, values: Mapping[str, Any]) -> Trial:
+def _at(
+    law: Law, ground: LevelSet, field: Rationals | Balls, values: Mapping[str, fmpq | arb]
+) -> Trial:
     if unmet(law, ground, field):
         # the law makes no sense here
         raise ZeroDivisionError

@@ -9,10 +9,9 @@ as zero, a rank is the one at a generic point, and what falls short of it falls 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from functools import singledispatch
 from itertools import combinations
-from typing import Any
 
 import sympy as sp
 
@@ -28,23 +27,22 @@ from ..core.laws import (
 from ..core.vectors import to_components
 from ..formulas.errors import OutOfReachError
 from ..formulas.jets import Evaluator, Jet
+from .fields.field import Field, FieldElement
 from .level.alternatives import alternatives
 from .level.closedness import closing, up_to_time
 from .level.level_set import LevelSet
 from .level.named_formulas import components
 from .level.separability import of_separation
 from .level.time_derivatives import without_rates
-from .residuals import pfaffian, target_state
+from .residuals import Residuals, Row, pfaffian, target_state
 
 __all__ = ["DIMENSION", "pfaffians", "rank", "rank_defect"]
-
-Row = Sequence[Any]
 
 DIMENSION = "the dimension of the level"
 """Lacking at a point where all conditions are independent: no hint, but certain."""
 
 
-def rank(field: Any, matrix: Sequence[Row]) -> int:
+def rank(field: Field, matrix: Sequence[Row]) -> int:
     """Rank of a matrix over a field; with balls, the rank that is certain."""
     rows = [list(row) for row in matrix]
     found = 0
@@ -62,7 +60,7 @@ def rank(field: Any, matrix: Sequence[Row]) -> int:
 
 
 @singledispatch
-def rank_defect(law: Law, ground: LevelSet, field: Any) -> tuple[str, Any] | None:
+def rank_defect(law: Law, ground: LevelSet, field: Field) -> tuple[str, str] | None:
     """What a law lacks in rank, or None.
 
     Parameters
@@ -89,7 +87,7 @@ def rank_defect(law: Law, ground: LevelSet, field: Any) -> tuple[str, Any] | Non
 # --- brackets ------------------------------------------------------------------------------
 
 
-def pfaffians(law: Law, ground: LevelSet, field: Any) -> Iterator[tuple[str, Any]]:
+def pfaffians(law: Law, ground: LevelSet, field: Field) -> Residuals:
     """The Pfaffians of the size of the rank claimed, of a bracket or of the form that uses one.
 
     The rank is attained where one of them is not zero; it is attained nowhere if all of them vanish
@@ -103,7 +101,7 @@ def pfaffians(law: Law, ground: LevelSet, field: Any) -> Iterator[tuple[str, Any
         yield f"Pfaffian of {rows}", pfaffian(field, values, rows)
 
 
-def _entries(law: PoissonStructure, ground: LevelSet, field: Any) -> list[list[Any]]:
+def _entries(law: PoissonStructure, ground: LevelSet, field: Field) -> list[list[FieldElement]]:
     plain = ground.evaluator(field)
     size = len(ground.system.symbols)
     return [
@@ -113,7 +111,7 @@ def _entries(law: PoissonStructure, ground: LevelSet, field: Any) -> list[list[A
 
 
 @rank_defect.register
-def _(law: PoissonStructure, ground: LevelSet, field: Any) -> tuple[str, Any] | None:
+def _(law: PoissonStructure, ground: LevelSet, field: Field) -> tuple[str, str] | None:
     if not law.rank:
         return None
     found = rank(field, _entries(law, ground, field))
@@ -121,7 +119,7 @@ def _(law: PoissonStructure, ground: LevelSet, field: Any) -> tuple[str, Any] | 
 
 
 @rank_defect.register
-def _(law: ConformallyHamiltonian, ground: LevelSet, field: Any) -> tuple[str, Any] | None:
+def _(law: ConformallyHamiltonian, ground: LevelSet, field: Field) -> tuple[str, str] | None:
     multiplier = ground.evaluator(field).value(to_components(law.multiplier))
     if field.vanishes(multiplier):
         if not field.exact:
@@ -134,7 +132,7 @@ def _(law: ConformallyHamiltonian, ground: LevelSet, field: Any) -> tuple[str, A
 
 
 @rank_defect.register
-def _(law: Isomorphism, ground: LevelSet, field: Any) -> tuple[str, Any] | None:
+def _(law: Isomorphism, ground: LevelSet, field: Field) -> tuple[str, str] | None:
     """The map must be a local diffeomorphism from the level onto the target's phase space.
 
     The level is where the conditions hold and the constants have fixed values; the phase space is
@@ -158,8 +156,8 @@ def _(law: Isomorphism, ground: LevelSet, field: Any) -> tuple[str, Any] | None:
 
 
 def _too_large(
-    law: Isomorphism, ground: LevelSet, field: Any, size: int, bounds: list[Row]
-) -> tuple[str, Any] | None:
+    law: Isomorphism, ground: LevelSet, field: Field, size: int, bounds: list[Row]
+) -> tuple[str, str] | None:
     """Whether the target has directions that no motion of the source takes."""
     target = law.target
     number = {s: i for i, s in enumerate(target.symbols)}
@@ -197,7 +195,7 @@ def _too_large(
     return DIMENSION if regular else "the dimension found", f"{here} instead of {beyond}"
 
 
-def _around(law: Isomorphism, field: Any, there: Evaluator) -> tuple[sp.Expr, ...]:
+def _around(law: Isomorphism, field: Field, there: Evaluator) -> tuple[sp.Expr, ...]:
     """The equations of the component of the target's phase space on which the image lies.
 
     Raises
@@ -217,7 +215,7 @@ def _around(law: Isomorphism, field: Any, there: Evaluator) -> tuple[sp.Expr, ..
 
 
 @rank_defect.register
-def _(law: Reduction, ground: LevelSet, field: Any) -> tuple[str, Any] | None:
+def _(law: Reduction, ground: LevelSet, field: Field) -> tuple[str, str] | None:
     """The equations must determine all rates, or the ratios of two independent ones at least."""
     stated, known, unknowns = closing(law, ground, field)
     wanted = unknowns
@@ -231,14 +229,14 @@ def _(law: Reduction, ground: LevelSet, field: Any) -> tuple[str, Any] | None:
 
 
 @rank_defect.register
-def _(law: Separation, ground: LevelSet, field: Any) -> tuple[str, Any] | None:
+def _(law: Separation, ground: LevelSet, field: Field) -> tuple[str, str] | None:
     """The quantities that separate must be independent on a level of the constants."""
     bounds, quantities = of_separation(law, ground, field)
     found = rank(field, [*bounds, *quantities]) - rank(field, bounds)
     return _lacking("the number of independent quantities", found, len(quantities), field)
 
 
-def _lacking(what: str, found: int, wanted: int, field: Any) -> tuple[str, Any] | None:
+def _lacking(what: str, found: int, wanted: int, field: Field) -> tuple[str, str] | None:
     if found >= wanted:
         return None
     if not field.exact:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from functools import singledispatch
-from typing import Any
 
 from ..core.laws import Integral, Law, Reduction, Symmetry
 from ..core.vectors import to_components
+from .fields.field import Field
 from .level.closedness import up_to_time
 from .level.level_set import LevelSet
 from .level.named_formulas import components
@@ -17,7 +17,7 @@ __all__ = ["remark"]
 
 
 @singledispatch
-def remark(law: Law, ground: LevelSet, field: Any) -> str:
+def remark(law: Law, ground: LevelSet, field: Field) -> str:
     """A few words on a law that holds, or nothing.
 
     Parameters
@@ -32,7 +32,7 @@ def remark(law: Law, ground: LevelSet, field: Any) -> str:
 
 
 @remark.register
-def _(law: Integral, ground: LevelSet, field: Any) -> str:
+def _(law: Integral, ground: LevelSet, field: Field) -> str:
     """Whether the function is constant: no motion is told from another by it."""
     partial = ground.partial(field)
     size = len(ground.system.symbols)
@@ -44,7 +44,7 @@ def _(law: Integral, ground: LevelSet, field: Any) -> str:
 
 
 @remark.register
-def _(law: Symmetry, ground: LevelSet, field: Any) -> str:
+def _(law: Symmetry, ground: LevelSet, field: Field) -> str:
     """Whether the field is zero."""
     evaluate = ground.evaluator(field)
     values = [evaluate.value(formula) for formula in components(law.field, ground).values()]
@@ -52,6 +52,6 @@ def _(law: Symmetry, ground: LevelSet, field: Any) -> str:
 
 
 @remark.register
-def _(law: Reduction, ground: LevelSet, field: Any) -> str:
+def _(law: Reduction, ground: LevelSet, field: Field) -> str:
     """Whether the equations leave the time open."""
     return "up to the time" if up_to_time(law, ground) else ""

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from functools import singledispatch
 from itertools import combinations
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import sympy as sp
 
@@ -29,6 +29,7 @@ from ..core.vectors import to_components
 from ..errors import InputError
 from ..formulas.jets import Evaluator, Jet
 from ..printing.formula import text
+from .fields.field import Field, FieldElement
 from .level.level_set import LevelSet
 from .level.named_formulas import components, quantities_in_order, scalars
 from .level.separability import separated
@@ -36,16 +37,17 @@ from .level.time_derivatives import without_rates, without_second_rates
 
 __all__ = ["condition_rates", "pfaffian", "residuals", "target_state"]
 
-Residuals: TypeAlias = Iterator[tuple[str, Any]]
+Row: TypeAlias = Sequence[FieldElement]
+Residuals: TypeAlias = Iterator[tuple[str, FieldElement]]
 
 
 @singledispatch
-def residuals(law: Law, ground: LevelSet, field: Any) -> Residuals:
+def residuals(law: Law, ground: LevelSet, field: Field) -> Residuals:
     """What must vanish for `law` to hold on `ground`, evaluated in `field`."""
     raise InputError(f"a law of kind {type(law).__name__} cannot be proved")
 
 
-def condition_rates(ground: LevelSet, field: Any) -> Residuals:
+def condition_rates(ground: LevelSet, field: Field) -> Residuals:
     """Rates of the conditions: they vanish when the phase space and the level are invariant."""
     along = ground.along(field)
     for condition in ground.moving:
@@ -56,12 +58,12 @@ def condition_rates(ground: LevelSet, field: Any) -> Residuals:
 
 
 @residuals.register
-def _(law: Integral, ground: LevelSet, field: Any) -> Residuals:
+def _(law: Integral, ground: LevelSet, field: Field) -> Residuals:
     yield "v(F)", ground.along(field).slope(without_rates(to_components(law.value), ground))
 
 
 @residuals.register
-def _(law: Identity, ground: LevelSet, field: Any) -> Residuals:
+def _(law: Identity, ground: LevelSet, field: Field) -> Residuals:
     quantities = quantities_in_order(law, ground)
     formulas = [without_second_rates(f, ground, quantities) for f in scalars(law.value)]
     if not formulas:
@@ -73,7 +75,7 @@ def _(law: Identity, ground: LevelSet, field: Any) -> Residuals:
 
 
 @residuals.register
-def _(law: Reduction, ground: LevelSet, field: Any) -> Residuals:
+def _(law: Reduction, ground: LevelSet, field: Field) -> Residuals:
     quantities = quantities_in_order(law, ground)
     evaluate = ground.along(field).with_steps(quantities)
     for i, equation in enumerate(law.equations, 1):
@@ -82,7 +84,7 @@ def _(law: Reduction, ground: LevelSet, field: Any) -> Residuals:
 
 
 @residuals.register
-def _(law: Separation, ground: LevelSet, field: Any) -> Residuals:
+def _(law: Separation, ground: LevelSet, field: Field) -> Residuals:
     yield from residuals.dispatch(Reduction)(law, ground, field)
     evaluate = ground.evaluator(field).with_steps(quantities_in_order(law, ground))
     for what, formula in separated(law, ground):
@@ -93,7 +95,7 @@ def _(law: Separation, ground: LevelSet, field: Any) -> Residuals:
 
 
 @residuals.register
-def _(law: Measure, ground: LevelSet, field: Any) -> Residuals:
+def _(law: Measure, ground: LevelSet, field: Field) -> Residuals:
     partial = ground.partial(field)
     rates = [partial(rate) for rate in ground.system.rates]
     total = field.zero
@@ -115,11 +117,12 @@ def _(law: Measure, ground: LevelSet, field: Any) -> Residuals:
     yield "div(ρv)/ρ", total - _transverse(ground, field, partial, rates)
 
 
-def _slope(field: Any, jet: Jet, direction: int) -> Any:
-    return jet.slopes.get(direction, field.zero)
+def _slope(field: Field, jet: Jet, direction: int) -> FieldElement:
+    slope: FieldElement = jet.slopes.get(direction, field.zero)
+    return slope
 
 
-def _along(field: Any, jet: Jet, rates: Sequence[Jet]) -> Any:
+def _along(field: Field, jet: Jet, rates: Sequence[Jet]) -> FieldElement:
     """Derivative of a function along a vector field, from its partial derivatives."""
     total = field.zero
     for i, slope in jet.slopes.items():
@@ -127,7 +130,9 @@ def _along(field: Any, jet: Jet, rates: Sequence[Jet]) -> Any:
     return total
 
 
-def _transverse(ground: LevelSet, field: Any, partial: Evaluator, rates: Sequence[Jet]) -> Any:
+def _transverse(
+    ground: LevelSet, field: Field, partial: Evaluator, rates: Sequence[Jet]
+) -> FieldElement:
     """The part of the divergence that points out of the phase space.
 
     With v(F_i) = Σ C_ij F_j for the conditions F it is the trace of C.
@@ -152,14 +157,14 @@ def _transverse(ground: LevelSet, field: Any, partial: Evaluator, rates: Sequenc
     return total
 
 
-def _product(field: Any, first: Sequence[Any], second: Sequence[Any]) -> Any:
+def _product(field: Field, first: Row, second: Row) -> FieldElement:
     total = field.zero
     for a, b in zip(first, second, strict=True):
         total = total + a * b
     return total
 
 
-def _solution(field: Any, matrix: Sequence[Sequence[Any]], right: Sequence[Any]) -> list[Any]:
+def _solution(field: Field, matrix: Sequence[Row], right: Row) -> list[FieldElement]:
     """Solution of a small linear system with a Gram matrix, by Gauss and Jordan.
 
     The pivots of a Gram matrix, taken in order, are the squared distances of each vector from the
@@ -183,7 +188,7 @@ def _solution(field: Any, matrix: Sequence[Sequence[Any]], right: Sequence[Any])
 
 
 @residuals.register
-def _(law: Symmetry, ground: LevelSet, field: Any) -> Residuals:
+def _(law: Symmetry, ground: LevelSet, field: Field) -> Residuals:
     partial = ground.partial(field)
     given = components(law.field, ground)
     symbols = ground.system.symbols
@@ -204,7 +209,7 @@ def _(law: Symmetry, ground: LevelSet, field: Any) -> Residuals:
 
 
 @residuals.register
-def _(law: PoissonStructure, ground: LevelSet, field: Any) -> Residuals:
+def _(law: PoissonStructure, ground: LevelSet, field: Field) -> Residuals:
     partial = ground.partial(field)
     size = len(ground.system.symbols)
     if law.matrix.shape != (size, size):
@@ -239,7 +244,7 @@ def _(law: PoissonStructure, ground: LevelSet, field: Any) -> Residuals:
             yield f"Pfaffian of {rows}", pfaffian(field, values, rows)
 
 
-def _casimir(field: Any, name: str, function: Jet, values: Sequence[Sequence[Any]]) -> Residuals:
+def _casimir(field: Field, name: str, function: Jet, values: Sequence[Row]) -> Residuals:
     for i, row in enumerate(values, 1):
         total = field.zero
         for j, slope in function.slopes.items():
@@ -247,7 +252,7 @@ def _casimir(field: Any, name: str, function: Jet, values: Sequence[Sequence[Any
         yield f"{name}, component {i}", total
 
 
-def pfaffian(field: Any, matrix: Sequence[Sequence[Any]], rows: tuple[int, ...]) -> Any:
+def pfaffian(field: Field, matrix: Sequence[Row], rows: tuple[int, ...]) -> FieldElement:
     """Pfaffian of a principal submatrix; all of one size vanish when the rank is below it."""
     if not rows:
         return field.one
@@ -261,7 +266,7 @@ def pfaffian(field: Any, matrix: Sequence[Sequence[Any]], rows: tuple[int, ...])
 
 
 @residuals.register
-def _(law: ConformallyHamiltonian, ground: LevelSet, field: Any) -> Residuals:
+def _(law: ConformallyHamiltonian, ground: LevelSet, field: Field) -> Residuals:
     yield from residuals(law.structure, ground, field)
     partial = ground.partial(field)
     size = len(ground.system.symbols)
@@ -280,7 +285,7 @@ def _(law: ConformallyHamiltonian, ground: LevelSet, field: Any) -> Residuals:
 
 
 @residuals.register
-def _(law: Isomorphism, ground: LevelSet, field: Any) -> Residuals:
+def _(law: Isomorphism, ground: LevelSet, field: Field) -> Residuals:
     along = ground.along(field)
     target = law.target
     images = components(law.map, ground)

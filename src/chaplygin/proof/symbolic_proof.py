@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field as dataclass_field
-from typing import Any
+from typing import cast
 
 from ..core.laws import Law
 from ..formulas.errors import (
@@ -22,6 +22,7 @@ from ..formulas.errors import (
 from .fields.budget import Budget
 from .fields.formal_roots import FormalRoots
 from .fields.function_field import FunctionField
+from .fields.quotient_ring import Element
 from .level.level_set import LevelSet
 from .random_test import everything
 from .rank import rank_defect
@@ -51,7 +52,7 @@ class Proof:
     residuals: int
     conditions: tuple[str, ...] = ()
     failure: str = ""
-    lack: tuple[str, Any] | None = None
+    lack: tuple[str, str] | None = None
 
 
 @dataclass
@@ -167,10 +168,10 @@ def _run(
 def _reduced(law: Law, ground: LevelSet, made: FunctionField) -> tuple[int, str]:
     count = 0
     for what, residual in everything(law, ground, made):
-        if not made.vanishes(residual):
+        if not made.vanishes(cast(Element, residual)):
             return count, (
                 f"{what} vanishes at the points tried, but does not reduce to zero: a "
-                f"polynomial of {len(residual.poly):,} terms remains"
+                f"polynomial of {len(cast(Element, residual).poly):,} terms remains"
             )
         count += 1
     return count, ""

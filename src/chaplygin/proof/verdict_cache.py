@@ -50,7 +50,7 @@ def fingerprint(system: System, law: Law) -> str:
     return digest(_written(system), _written(law), core())
 
 
-def _written(value: Any) -> str:
+def _written(value: object) -> str:
     """Everything that a value is made of and a proof may depend on, as text."""
     if isinstance(value, sp.Basic | sp.MatrixBase):
         return str(sp.srepr(value))

@@ -5,10 +5,9 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
-from flint import fmpq
+from flint import arb, fmpq
 
 from ..check import CheckError
 from ..check.claim.claim import Claim as CheckedClaim
@@ -22,8 +21,8 @@ __all__ = ["Witness", "witness", "witness_point"]
 
 
 def witness_point(
-    claim: Claim, ground: LevelSet, values: Mapping[str, Any]
-) -> dict[str, Any] | None:
+    claim: Claim, ground: LevelSet, values: Mapping[str, fmpq | arb]
+) -> dict[str, object] | None:
     """State and parameters of the system that a claim is made of, or None if one has no formula.
 
     Parameters
@@ -37,7 +36,7 @@ def witness_point(
     """
     rational = Rationals({n: v for n, v in values.items() if isinstance(v, fmpq)})
     evaluate = ground.evaluator(rational)
-    found: dict[sp.Symbol, Any] = {}
+    found: dict[sp.Symbol, object] = {}
     for symbol in ground.symbols:
         if isinstance(values.get(str(symbol)), fmpq):
             found[symbol] = str(values[str(symbol)])
@@ -58,7 +57,7 @@ def witness_point(
     return _original(claim, found)
 
 
-def _original(claim: Claim, found: Mapping[sp.Symbol, Any]) -> dict[str, Any] | None:
+def _original(claim: Claim, found: Mapping[sp.Symbol, object]) -> dict[str, object] | None:
     """The point in the variables of the system, with angles and expressed variables."""
     made = dict(found)
     for angle, sine, cosine, unit in claim.circles:
@@ -87,13 +86,13 @@ class Witness:
         That residual.
     """
 
-    place: dict[str, Any]
+    place: dict[str, object]
     index: int
     value: str
 
 
 def witness(
-    read: CheckedClaim, claim: Claim, ground: LevelSet, values: Mapping[str, Any]
+    read: CheckedClaim, claim: Claim, ground: LevelSet, values: Mapping[str, fmpq | arb]
 ) -> Witness | None:
     """A point at which a law fails by the check of certificates, or None where it does not."""
     made = witness_point(claim, ground, values)

@@ -14,15 +14,12 @@ from dataclasses import dataclass, field
 from flint import fmpq, fmpq_mpoly
 
 from ...formulas.errors import OutOfReachError
+from ..claim_text import Terms, Text
 from .chains import Chains, Combination, Division, Step
 from .groebner import Basis
 from .sign_reasons import Term, monic
 
-__all__ = ["Cases", "Terms", "Written"]
-
-Written = dict[str, object]
-#: A polynomial as a list of its terms.
-Terms = list[list[object]]
+__all__ = ["Cases"]
 
 MOST_NODES = 120
 MOST_FOR_A_BASIS = 80
@@ -50,7 +47,7 @@ class Cases:
     left: Callable[[fmpq_mpoly], str | None]
     _nodes: int = field(default=0, init=False)
 
-    def tree(self, equations: Sequence[fmpq_mpoly], nonzero: Sequence[fmpq_mpoly] = ()) -> Written:
+    def tree(self, equations: Sequence[fmpq_mpoly], nonzero: Sequence[fmpq_mpoly] = ()) -> Text:
         """The tree at a node.
 
         Raises
@@ -161,7 +158,7 @@ class Cases:
     def _written(self, powers: Iterable[tuple[fmpq_mpoly, int]]) -> list[list[object]]:
         return [[self.write(poly), power] for poly, power in powers]
 
-    def _empty(self, combination: Combination, equations: Sequence[fmpq_mpoly]) -> Written:
+    def _empty(self, combination: Combination, equations: Sequence[fmpq_mpoly]) -> Text:
         content, powers = self._powers([combination.poly])
         return {
             "case": "empty",
@@ -170,7 +167,7 @@ class Cases:
             "quotients": self._quotients(combination.by, equations),
         }
 
-    def _zero(self, divisions: Sequence[Division], equations: Sequence[fmpq_mpoly]) -> Written:
+    def _zero(self, divisions: Sequence[Division], equations: Sequence[fmpq_mpoly]) -> Text:
         identities = []
         for number, division in enumerate(divisions):
             content, powers = self._powers(division.multipliers)
@@ -189,7 +186,7 @@ class Cases:
         combination: Combination,
         equations: Sequence[fmpq_mpoly],
         nonzero: Sequence[fmpq_mpoly],
-    ) -> Written | None:
+    ) -> Text | None:
         if not combination.poly or combination.poly.is_constant():
             return None
         content, parts = combination.poly.factor()
@@ -214,7 +211,7 @@ class Cases:
         combination: Combination,
         equations: Sequence[fmpq_mpoly],
         nonzero: Sequence[fmpq_mpoly],
-    ) -> Written | None:
+    ) -> Text | None:
         if not combination.poly:
             return None
         for sign in (1, -1):
@@ -244,7 +241,7 @@ class Cases:
 
     def _vanishing(
         self, poly: fmpq_mpoly, equations: Sequence[fmpq_mpoly], nonzero: Sequence[fmpq_mpoly]
-    ) -> Written:
+    ) -> Text:
         return {
             "case": "vanishing",
             "polynomial": self.write(poly),

@@ -11,7 +11,8 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from typing import Any
+
+from flint import fmpq_mpoly
 
 from ...check import FORMAT, BadInputError, CheckError, check
 from ...check.claim.claim import Claim as CheckedClaim, read_claim
@@ -21,7 +22,7 @@ from ...core.laws import Law
 from ...core.system import System
 from ...formulas.errors import NoRealValueError, OutOfReachError
 from ...formulas.number_fields import ball_precision
-from ..claim_text import claim_text
+from ..claim_text import Text, claim_text
 from ..fields.budget import EFFORT, Budget
 from ..fields.unreduced_fields import UnreducedField, UnreducedFormal
 from ..level.alternatives import alternatives
@@ -36,8 +37,6 @@ from .identities import Excluded, proof_text
 from .proof_setting import ProofSetting
 
 __all__ = ["certified"]
-
-Text = dict[str, Any]
 
 
 def certified(system: System, law: Law, effort: int = EFFORT) -> Verdict:
@@ -76,7 +75,7 @@ def certified(system: System, law: Law, effort: int = EFFORT) -> Verdict:
 
 def _certificate(system: System, law: Law, verdict: Verdict, effort: int) -> Text:
     claim = claim_text(system, law)
-    content = {"format": FORMAT, "verdict": verdict.decision, "claim": claim}
+    content: Text = {"format": FORMAT, "verdict": verdict.decision, "claim": claim}
     if verdict.decision == "refuted":
         return content | {"witness": _witness(verdict)}
     if verdict.decision == "proven where":
@@ -137,7 +136,7 @@ def _proofs(
     system: System,
     law: Law,
     read: CheckedClaim,
-    sample: Mapping[str, Any],
+    sample: Mapping[str, object],
     verdict: Verdict,
     budget: Budget,
 ) -> list[Text]:
@@ -146,7 +145,7 @@ def _proofs(
     point = {str(s): float(numbers(name(str(s))).mid()) for s in ground.generators}
     asked = [(words, parse_condition(words, "a condition")[0][0]) for words in verdict.formulas]
 
-    def excluded(made: ProofSetting, poly: Any) -> str | None:
+    def excluded(made: ProofSetting, poly: fmpq_mpoly) -> str | None:
         """The condition of the verdict that excludes the zeros of a polynomial."""
         return next((words for words, formula in asked if made.states(formula, poly)), None)
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from typing import Any
 
 from flint import fmpq_mpoly
 
+from ..claim_text import Text
 from ..fields.quotient_ring import Element
 from .case_tree import Cases
 from .chains import Chains
@@ -16,8 +16,6 @@ from .proof_setting import ProofSetting
 from .proof_signs import positive_texts, sign_reasons
 
 __all__ = ["Excluded", "proof_text"]
-
-Text = dict[str, Any]
 
 #: The condition of a verdict that excludes the zeros of a polynomial; None if none does.
 Excluded = Callable[[ProofSetting, fmpq_mpoly], str | None]

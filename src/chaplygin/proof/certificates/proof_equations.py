@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from flint import fmpq_mpoly
 
 from ...formulas.errors import OutOfReachError
+from ..claim_text import Text
 from ..fields.function_field import FINENESS
 from ..fields.quotient_ring import Element
 from ..fields.unreduced_fields import Meaning
@@ -18,14 +17,15 @@ from .sign_reasons import Reasons
 __all__ = ["equations", "meaning_text"]
 
 
-def equations(setting: ProofSetting) -> list[tuple[fmpq_mpoly, dict[str, Any]]]:
+def equations(setting: ProofSetting) -> list[tuple[fmpq_mpoly, Text]]:
     """The polynomials that vanish, each with the text that says why."""
-    found = []
+    sources: list[tuple[fmpq_mpoly, Text]] = []
     for formula, value in setting.conditions:
         poly = numerator(setting.field, value)
-        below = [(setting.field.factors[n], -p) for n, p in value.powers.items() if p < 0]
-        text = {"poly": setting.terms(poly), "from": formula, "denominator": setting.powers(below)}
-        found.append((poly, text))
+        below = setting.powers(
+            [(setting.field.factors[n], -p) for n, p in value.powers.items() if p < 0]
+        )
+        sources.append((poly, {"poly": setting.terms(poly), "from": formula, "denominator": below}))
     for main, poly, _ in setting.field.relations:
         kind = setting.field.record[main].kind
         source = f"root {main}"
@@ -36,51 +36,52 @@ def equations(setting: ProofSetting) -> list[tuple[fmpq_mpoly, dict[str, Any]]]:
                 if setting.field.generators[n] in _gens(setting, poly)
             ]
             source = f"circle {' '.join(both)}"
-        found.append((poly, {"poly": setting.terms(poly), "from": source}))
-    return _with_equal_values(setting, found)
+        sources.append((poly, {"poly": setting.terms(poly), "from": source}))
+    return _with_equal_values(setting, sources)
 
 
 def _with_equal_values(
-    setting: ProofSetting, known: list[tuple[fmpq_mpoly, dict[str, Any]]]
-) -> list[tuple[fmpq_mpoly, dict[str, Any]]]:
+    setting: ProofSetting, known: list[tuple[fmpq_mpoly, Text]]
+) -> list[tuple[fmpq_mpoly, Text]]:
     """Equations, and those of values that are equal because their arguments are on the level."""
     field = setting.field
-    found = list(known)
+    sources = list(known)
     record = list(field.record.items())
     for number, (name, meaning) in enumerate(record):
         value = field.generators[name]
         others = [(o, m) for o, m in record[:number] if m.kind == meaning.kind]
-        tried: list[tuple[str, fmpq_mpoly, list[fmpq_mpoly]]] = []
+        candidates: list[tuple[str, fmpq_mpoly, list[fmpq_mpoly]]] = []
         if meaning.kind in ("root", "power"):
-            tried.append((f"one {name}", value - 1, [meaning.of[0].poly - 1]))
+            candidates.append((f"one {name}", value - 1, [meaning.of[0].poly - 1]))
         for other, theirs in others:
             if meaning.kind != "formal root" and meaning.agrees(theirs):
                 pairs = zip(meaning.of, theirs.of, strict=True)
                 differences = [numerator(field, a - b) for a, b in pairs]
-                tried.append((f"same {name} {other}", value - field.generators[other], differences))
-        for source, poly, differences in tried:
+                equal = value - field.generators[other]
+                candidates.append((f"same {name} {other}", equal, differences))
+        for source, poly, differences in candidates:
             chains = Chains(field.ring, Reasons(field.ring, []), frozenset(), field.budget)
-            by = [chains.quotients(d, [p for p, _ in found]) for d in differences]
+            by = [chains.quotients(d, [p for p, _ in sources]) for d in differences]
             if any(by) and None not in by:
-                text = {
+                text: Text = {
                     "poly": setting.terms(poly),
                     "from": source,
                     "quotients": [
-                        [setting.terms(part[i]) if i in part else [] for i in range(len(found))]
+                        [setting.terms(part[i]) if i in part else [] for i in range(len(sources))]
                         for part in by
                         if part is not None
                     ],
                 }
-                found.append((poly, text))
+                sources.append((poly, text))
                 break
-    return found
+    return sources
 
 
 def _gens(setting: ProofSetting, poly: fmpq_mpoly) -> list[fmpq_mpoly]:
     return [g for g, d in zip(setting.field.ring.gens(), poly.degrees(), strict=True) if d]
 
 
-def meaning_text(setting: ProofSetting, meaning: Meaning) -> dict[str, Any]:
+def meaning_text(setting: ProofSetting, meaning: Meaning) -> Text:
     """What an auxiliary symbol stands for, in the format of a certificate."""
     of = [_fraction(setting, element) for element in meaning.of]
     if meaning.kind in ("root", "formal root"):
@@ -111,7 +112,7 @@ def meaning_text(setting: ProofSetting, meaning: Meaning) -> dict[str, Any]:
     return text
 
 
-def _fraction(setting: ProofSetting, element: Element) -> dict[str, Any]:
+def _fraction(setting: ProofSetting, element: Element) -> Text:
     poly, below = element.poly, []
     for number, power in element.powers.items():
         if power > 0:

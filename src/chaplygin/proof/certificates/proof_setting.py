@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import cast
 
-from flint import fmpq_mpoly
+from flint import fmpq, fmpq_mpoly
 
 from ...check.claim.claim import Claim as CheckedClaim
 from ...check.claim.formulas import Formula
 from ...core.laws import Law, Reduction, Separation
 from ...formulas.errors import NeedMoreGeneratorsError
-from ..claim_text import powers_text, terms_text
+from ..claim_text import Terms, powers_text, terms_text
 from ..domain import divisors, sympy_formula
 from ..fields.budget import Budget
 from ..fields.quotient_ring import Element
@@ -74,7 +74,10 @@ class ProofSetting:
                 self.conditions.append((str(condition), value))
         polys = [numerator(field, value) for _, value in self.conditions]
         field.signs = ground.signs_with(field, polys)
-        self.residuals: list[tuple[str, Element]] = list(everything(_formulas(law), ground, field))
+        self.residuals = [
+            (what, cast(Element, value))
+            for what, value in everything(_formulas(law), ground, field)
+        ]
         self.divisors = list(divisors(claim, law, ground, field))
 
     @property
@@ -89,11 +92,11 @@ class ProofSetting:
         index = {name: i for i, name in enumerate(self.ring)}
         return [index.get(name) for name in self.field.names]
 
-    def terms(self, poly: fmpq_mpoly) -> list[Any]:
+    def terms(self, poly: fmpq_mpoly) -> Terms:
         """A polynomial as text."""
         return terms_text(poly, self.places)
 
-    def powers(self, powers: Sequence[tuple[fmpq_mpoly, int]]) -> list[Any]:
+    def powers(self, powers: Sequence[tuple[fmpq_mpoly, int]]) -> list[list[object]]:
         """A product of powers as text."""
         return powers_text(powers, self.places)
 
@@ -103,7 +106,7 @@ class ProofSetting:
         own = numerator(self.field, value)
         return bool(own) and monic(own)[0] == monic(poly)[0]
 
-    def product(self, element: Element) -> tuple[Any, list[tuple[fmpq_mpoly, int]]]:
+    def product(self, element: Element) -> tuple[fmpq, list[tuple[fmpq_mpoly, int]]]:
         """Content, and factors with their powers, of an element."""
         content, parts = self.field.factorised(element.poly)
         total = dict(element.powers)

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
-from flint import fmpq_mpoly
+from flint import fmpq, fmpq_mpoly
 
 from ...formulas.errors import NeedMoreGeneratorsError, OutOfReachError
-from ..claim_text import admissible, guards
+from ..claim_text import Terms, Text, admissible, guards
 from ..fields.function_field import FunctionField
 from ..level.level_set import LevelSet
 from ..level.triangular_set import numerator
@@ -26,7 +25,7 @@ class FactoredDivisor:
 
     formula: str
     where: str
-    content: Any
+    content: fmpq
     factors: list[tuple[fmpq_mpoly, int]]
     positive: bool
 
@@ -76,7 +75,7 @@ def _reasons(setting: ProofSetting, equations: Sequence[fmpq_mpoly]) -> Reasons:
     return reasons
 
 
-def _polynomial(ground: LevelSet, field: FunctionField, formula: Any) -> fmpq_mpoly | None:
+def _polynomial(ground: LevelSet, field: FunctionField, formula: sp.Expr) -> fmpq_mpoly | None:
     """The polynomial that a formula is, if it is one and no number."""
     try:
         value = ground.evaluator(field).value(formula)
@@ -125,7 +124,7 @@ def _root_signs(setting: ProofSetting, reasons: Reasons) -> None:
             reasons.sign(meaning.of[0].poly)
 
 
-def positive_texts(setting: ProofSetting, reasons: Reasons, size: int) -> list[dict[str, Any]]:
+def positive_texts(setting: ProofSetting, reasons: Reasons, size: int) -> list[Text]:
     """What is positive, as a certificate of so many equations says it: facts, then sums."""
     facts = [
         {"poly": setting.terms(poly), "strict": strict, "from": source}
@@ -134,8 +133,8 @@ def positive_texts(setting: ProofSetting, reasons: Reasons, size: int) -> list[d
     return [*facts, *(_sum_text(setting, found, size) for found in reasons.sums)]
 
 
-def _sum_text(setting: ProofSetting, found: Sum, size: int) -> dict[str, Any]:
-    quotients: list[Any] = [[] for _ in range(size)]
+def _sum_text(setting: ProofSetting, found: Sum, size: int) -> Text:
+    quotients: list[Terms] = [[] for _ in range(size)]
     for number, ratio in found.multiples:
         quotients[number] = setting.terms(setting.field.ring.constant(ratio))
     return {

@@ -25,10 +25,13 @@ class FormalRoots(FunctionField):
 
     def __init__(self, *given: Any) -> None:
         super().__init__(*given)
-        self._formal: list[tuple[Element, tuple[Any, int], Element]] = []
+        self._formal: list[tuple[Element, tuple[sp.Expr, int], Element]] = []
 
     def power(
-        self, element: Element, exponents: Iterable[tuple[Any, Any]], value: Element | None
+        self,
+        element: Element,
+        exponents: Iterable[tuple[sp.Expr, sp.Rational]],
+        value: Element | None,
     ) -> Element:
         """As of :class:`Fractions`, without splitting what is raised."""
         exponents = tuple(exponents)
@@ -43,7 +46,7 @@ class FormalRoots(FunctionField):
             result = result * known ** int(exponent.p)
         return result
 
-    def _known(self, element: Element, theta: Any, degree: int) -> Element:
+    def _known(self, element: Element, theta: sp.Expr, degree: int) -> Element:
         """The root of a degree, or the power θ/FINENESS where θ is no number."""
         if theta == 1 and degree == 1:
             return element
@@ -54,7 +57,7 @@ class FormalRoots(FunctionField):
         self._formal.append((element, (theta, degree), made))
         return made
 
-    def _power_made(self, element: Element, theta: Any) -> Element:
+    def _power_made(self, element: Element, theta: sp.Expr) -> Element:
         key = ("formal power", len(self._formal))
         words = f"({element.poly})^({theta}/{FINENESS})"
         return Element(self, self._new(key, words, lambda: 1.0, positive=True), {})

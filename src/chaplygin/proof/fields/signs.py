@@ -9,13 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import IntEnum
-from typing import Any
 
-from flint import fmpq
+from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 __all__ = ["Sign", "Signs", "completed_squares"]
 
-Poly = Any
 
 MANY = 400
 """Polynomials of more terms are not compared with facts."""
@@ -55,17 +53,17 @@ class Signs:
         Polynomials that vanish.
     """
 
-    ring: Any
+    ring: fmpq_mpoly_ctx
     known: Mapping[str, Sign]
-    facts: Sequence[tuple[Poly, Sign]] = ()
-    nonzero: Sequence[Poly] = ()
-    conditions: Sequence[Poly] = ()
+    facts: Sequence[tuple[fmpq_mpoly, Sign]] = ()
+    nonzero: Sequence[fmpq_mpoly] = ()
+    conditions: Sequence[fmpq_mpoly] = ()
 
     def with_positive(self, name: str) -> Signs:
         """The same, with one more positive generator."""
         return replace(self, known={**self.known, name: Sign.POSITIVE})
 
-    def of(self, poly: Poly) -> Sign:
+    def of(self, poly: fmpq_mpoly) -> Sign:
         """The sign of a polynomial wherever the facts and the conditions hold."""
         found = self._of_one(poly)
         if abs(found) < Sign.POSITIVE and poly and len(poly) <= MANY:
@@ -77,23 +75,23 @@ class Signs:
                 found = product or found
         return found
 
-    def never_zero(self, poly: Poly) -> bool:
+    def never_zero(self, poly: fmpq_mpoly) -> bool:
         """Whether a polynomial is certainly not zero."""
         if abs(self.of(poly)) == Sign.POSITIVE:
             return True
         return self._said_nonzero(poly)
 
-    def _said_nonzero(self, poly: Poly) -> bool:
+    def _said_nonzero(self, poly: fmpq_mpoly) -> bool:
         return any(_ratio(poly, fact) is not None for fact in self.nonzero)
 
-    def _of_power(self, poly: Poly, power: int) -> Sign:
+    def _of_power(self, poly: fmpq_mpoly, power: int) -> Sign:
         sign = self._of_one(poly)
         if power % 2:
             return sign
         strict = abs(sign) == Sign.POSITIVE or self._said_nonzero(poly)
         return Sign.POSITIVE if strict else Sign.NOT_NEGATIVE
 
-    def squares(self, poly: Poly) -> list[Poly] | None:
+    def squares(self, poly: fmpq_mpoly) -> list[fmpq_mpoly] | None:
         """Polynomials that all vanish where `poly` does, if it is a sum of terms of one sign.
 
         ``[1]`` where it cannot vanish; None where it is no such sum.
@@ -105,13 +103,13 @@ class Signs:
 
     # --- one polynomial --------------------------------------------------------------------
 
-    def _of_one(self, poly: Poly) -> Sign:
+    def _of_one(self, poly: fmpq_mpoly) -> Sign:
         found = self._by_terms(poly)
         if found is Sign.UNKNOWN and len(poly) <= MANY:
             found = self._by_facts(poly) or self._by_conditions(poly) or self._by_squares(poly)
         return found
 
-    def _by_terms(self, poly: Poly) -> Sign:
+    def _by_terms(self, poly: fmpq_mpoly) -> Sign:
         signs = []
         for exponents, number in poly.to_dict().items():
             sign, base = self._term(exponents, number)
@@ -120,7 +118,7 @@ class Signs:
             signs.append(sign if base.is_constant() else Sign(sign // abs(sign)))
         return _sum(signs)
 
-    def _term(self, exponents: Sequence[int], number: fmpq) -> tuple[Sign, Poly]:
+    def _term(self, exponents: Sequence[int], number: fmpq) -> tuple[Sign, fmpq_mpoly]:
         """The sign of a term where it does not vanish, and a monomial that vanishes with it."""
         sign, base = _number(number), self.ring.constant(1)
         for index, exponent in enumerate(exponents):
@@ -136,7 +134,7 @@ class Signs:
                 sign = Sign(2 if sign > 0 else -2)
         return sign, base
 
-    def _by_facts(self, poly: Poly) -> Sign:
+    def _by_facts(self, poly: fmpq_mpoly) -> Sign:
         """A fact times a term of known sign, and further terms of the same sign."""
         for fact, sign in self.facts:
             long = len(fact) * len(poly) > MANY
@@ -155,7 +153,7 @@ class Signs:
                         return found
         return Sign.UNKNOWN
 
-    def _by_conditions(self, poly: Poly) -> Sign:
+    def _by_conditions(self, poly: fmpq_mpoly) -> Sign:
         """The same after a multiple of a condition has taken the constant away."""
         constant = _constant(poly)
         for condition in self.conditions:
@@ -166,7 +164,7 @@ class Signs:
                     return found
         return Sign.UNKNOWN
 
-    def _by_squares(self, poly: Poly) -> Sign:
+    def _by_squares(self, poly: fmpq_mpoly) -> Sign:
         for sign in (Sign.POSITIVE, Sign.NEGATIVE):
             bases = self._linear_squares(poly if sign > 0 else -poly, definite=True)
             if bases is not None:
@@ -174,7 +172,7 @@ class Signs:
                 return sign if strict else Sign(sign // 2)
         return Sign.UNKNOWN
 
-    def _linear_squares(self, poly: Poly, definite: bool = False) -> list[Poly] | None:
+    def _linear_squares(self, poly: fmpq_mpoly, definite: bool = False) -> list[fmpq_mpoly] | None:
         """Linear forms whose squares, with positive weights, add up to a quadratic polynomial."""
         if not poly or poly.total_degree() != 2:
             return None
@@ -201,12 +199,12 @@ def _sum(signs: Iterable[Sign]) -> Sign:
     return Sign.UNKNOWN
 
 
-def _constant(poly: Poly) -> fmpq:
+def _constant(poly: fmpq_mpoly) -> fmpq:
     zero = (0,) * poly.context().nvars()
     return poly[zero] if zero in poly else fmpq(0)
 
 
-def _ratio(poly: Poly, other: Poly) -> fmpq | None:
+def _ratio(poly: fmpq_mpoly, other: fmpq_mpoly) -> fmpq | None:
     """The number by which one polynomial is a multiple of another."""
     if not other or not poly or len(poly) != len(other):
         return None
@@ -214,13 +212,15 @@ def _ratio(poly: Poly, other: Poly) -> fmpq | None:
     return ratio if poly == ratio * other else None
 
 
-def completed_squares(poly: Poly, ring: Any) -> list[tuple[fmpq, Poly]] | None:
+def completed_squares(
+    poly: fmpq_mpoly, ring: fmpq_mpoly_ctx
+) -> list[tuple[fmpq, fmpq_mpoly]] | None:
     """Weights and linear forms whose weighted squares add up to a quadratic polynomial.
 
     Squares are completed one variable after the other; None unless all weights are positive.
     The last form is 1 where a positive number remains.
     """
-    found: list[tuple[fmpq, Poly]] = []
+    found: list[tuple[fmpq, fmpq_mpoly]] = []
     rest = poly
     for index in range(ring.nvars()):
         if not rest or not int(rest.degrees()[index]):

@@ -8,15 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
+
+import sympy as sp
+from flint import fmpq_mpoly
 
 from .formal_roots import FormalRoots
-from .function_field import FunctionField
+from .function_field import FunctionField, Key
 from .quotient_ring import Element
 
 __all__ = ["Meaning", "UnreducedField", "UnreducedFormal"]
 
-Poly = Any
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -47,8 +50,8 @@ class Meaning:
     name: str = ""
     number: int = 0
     orders: tuple[int, ...] = ()
-    exponent: Any = None
-    whole: tuple[tuple[Poly, int], ...] = ()
+    exponent: sp.Expr | None = None
+    whole: tuple[tuple[fmpq_mpoly, int], ...] = ()
 
     def agrees(self, other: Meaning) -> bool:
         """Whether it is the same function, whatever its arguments."""
@@ -66,7 +69,7 @@ class UnreducedField(FunctionField):
         self.record: dict[str, Meaning] = {}
         self._pending: list[Meaning] = []
 
-    def _noted(self, meaning: Meaning, task: Callable[[], Any]) -> Any:
+    def _noted(self, meaning: Meaning, task: Callable[[], T]) -> T:
         self._pending.append(meaning)
         try:
             return task()
@@ -74,15 +77,15 @@ class UnreducedField(FunctionField):
             self._pending.pop()
 
     def _new(
-        self, key: Any, meaning: str, value: Callable[[], float], positive: bool = False
-    ) -> Poly:
+        self, key: Key, meaning: str, value: Callable[[], float], positive: bool = False
+    ) -> fmpq_mpoly:
         fresh = key not in self._auxiliary
         made = super()._new(key, meaning, value, positive)
         if fresh:
             self.record[str(made)] = self._meant(key)
         return made
 
-    def _meant(self, key: Any) -> Meaning:
+    def _meant(self, key: Key) -> Meaning:
         kind = key[0]
         pending = self._pending[-1] if self._pending else Meaning("")
         if kind == "pi":
@@ -97,42 +100,35 @@ class UnreducedField(FunctionField):
 
     def circle(self, angle: Element) -> tuple[Element, Element]:
         """Sine and cosine."""
-        made: tuple[Element, Element] = self._noted(
-            Meaning("", (angle,)), lambda: super(UnreducedField, self).circle(angle)
-        )
-        return made
+        return self._noted(Meaning("", (angle,)), lambda: super(UnreducedField, self).circle(angle))
 
     def known(self, name: str, arguments: Sequence[Element]) -> Element:
         """A value of a function of which only derivatives are known."""
-        made: Element = self._noted(
+        return self._noted(
             Meaning("known", tuple(arguments), name),
             lambda: super(UnreducedField, self).known(name, arguments),
         )
-        return made
 
     def unspecified(
         self, function: str, orders: Sequence[int], arguments: Sequence[Element]
     ) -> Element:
         """A value of an unspecified function."""
         meaning = Meaning("function", tuple(arguments), function, orders=tuple(orders))
-        made: Element = self._noted(
+        return self._noted(
             meaning, lambda: super(UnreducedField, self).unspecified(function, orders, arguments)
         )
-        return made
 
-    def _root(self, base: Poly, degree: int) -> Element:
-        made: Element = self._noted(
+    def _root(self, base: fmpq_mpoly, degree: int) -> Element:
+        return self._noted(
             Meaning("", (Element(self, base, {}),)),
             lambda: super(UnreducedField, self)._root(base, degree),
         )
-        return made
 
-    def _one_power(self, base: Poly, theta: Any, exponent: Any) -> Element:
-        made: Element = self._noted(
+    def _one_power(self, base: fmpq_mpoly, theta: sp.Expr, exponent: sp.Rational) -> Element:
+        return self._noted(
             Meaning("", (Element(self, base, {}),)),
             lambda: super(UnreducedField, self)._one_power(base, theta, exponent),
         )
-        return made
 
 
 class UnreducedFormal(UnreducedField, FormalRoots):
@@ -148,12 +144,11 @@ class UnreducedFormal(UnreducedField, FormalRoots):
             inner = inner * self.factors[number] ** (power % degree)
         whole = tuple((self.factors[n], p // degree) for n, p in powers.items() if p // degree)
         meaning = Meaning("formal root", (Element(self, inner, {}),), number=degree, whole=whole)
-        made: Element = self._noted(
+        return self._noted(
             meaning, lambda: super(UnreducedFormal, self)._root_made(element, degree)
         )
-        return made
 
-    def _meant(self, key: Any) -> Meaning:
+    def _meant(self, key: Key) -> Meaning:
         if key[0] == "formal root":
             return next(m for m in reversed(self._pending) if m.kind == "formal root")
         if key[0] == "formal power":
@@ -161,9 +156,8 @@ class UnreducedFormal(UnreducedField, FormalRoots):
             return power
         return super()._meant(key)
 
-    def _power_made(self, element: Element, theta: Any) -> Element:
+    def _power_made(self, element: Element, theta: sp.Expr) -> Element:
         meaning = Meaning("power", (element,), exponent=theta)
-        made: Element = self._noted(
+        return self._noted(
             meaning, lambda: super(UnreducedFormal, self)._power_made(element, theta)
         )
-        return made

@@ -10,13 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
 
 from ...core.laws import Rate, Reduction
 from ...core.vectors import to_components
 from ...errors import InputError
+from ..fields.field import Field, FieldElement
 from .level_set import LevelSet
 from .named_formulas import quantities_in_order
 from .time_derivatives import without_second_rates
@@ -61,8 +61,8 @@ def up_to_time(law: Reduction, ground: LevelSet) -> bool:
 
 
 def closing(
-    law: Reduction, ground: LevelSet, field: Any
-) -> tuple[list[list[Any]], list[list[Any]], int]:
+    law: Reduction, ground: LevelSet, field: Field
+) -> tuple[list[list[FieldElement]], list[list[FieldElement]], int]:
     """What determines the rates: rows of the equations, rows of what holds anyway, and unknowns.
 
     Raises
@@ -74,9 +74,10 @@ def closing(
     quantities = quantities_in_order(law, ground)
     evaluate = ground.along(field).with_steps(quantities)
 
-    def value(formula: sp.Expr) -> Any:
+    def value(formula: sp.Expr) -> FieldElement:
         restored = sp.sympify(formula).xreplace(rates.meaning)
-        return evaluate.value(without_second_rates(restored, ground, quantities))
+        number: FieldElement = evaluate.value(without_second_rates(restored, ground, quantities))
+        return number
 
     stated = [[value(slope) for slope in row] for row in _stated(rates)]
     known = [[value(slope) for slope in row] for row in _known(rates, quantities, ground)]

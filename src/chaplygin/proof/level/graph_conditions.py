@@ -103,7 +103,7 @@ def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None
 
 
 def _excluded(
-    system: System, conditions: Iterable[Any], factors: Iterable[sp.Expr]
+    system: System, conditions: Iterable[sp.Expr], factors: Iterable[sp.Expr]
 ) -> tuple[sp.Expr, ...]:
     """Factors whose zeros could hold a component of the level.
 
@@ -122,7 +122,7 @@ def _excluded(
     return ()
 
 
-def _thin(system: System, conditions: tuple[Any, ...], factor: sp.Expr, spare: int) -> bool:
+def _thin(system: System, conditions: tuple[sp.Expr, ...], factor: sp.Expr, spare: int) -> bool:
     symbols = (*system.symbols, *(p.symbol for p in system.parameters))
     draft = FunctionField([str(s) for s in symbols], spare)
     seeds = {s: Jet(draft.generator(str(s)), {}) for s in symbols}

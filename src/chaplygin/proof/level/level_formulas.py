@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import sympy as sp
+from flint import arb, fmpq
 from sympy.core.function import AppliedUndef
 
 from ...core.system import System
@@ -15,6 +15,7 @@ from ...core.vectors import Symmetric, to_components
 from ...errors import InputError
 from ...formulas.jets import Evaluator, GeneratorSwap, Inversion, Jet
 from ...formulas.number_fields import Balls, Rationals
+from ..fields.field import Field
 
 __all__ = ["EmptyLevelSetError", "LevelFormulas", "conditions_text"]
 
@@ -50,10 +51,10 @@ class LevelFormulas:
     """
 
     system: System
-    on: tuple[Any, ...] = ()
-    equations: tuple[Any, ...] | None = None
-    parent: tuple[Any, ...] | None = None
-    chosen: tuple[Any, ...] = ()
+    on: tuple[sp.Expr, ...] = ()
+    equations: tuple[sp.Expr, ...] | None = None
+    parent: tuple[sp.Expr, ...] | None = None
+    chosen: tuple[sp.Expr, ...] = ()
     inner: bool = False
 
     @cached_property
@@ -179,7 +180,7 @@ class LevelFormulas:
             formula = formula.xreplace(self.steps)
         return formula
 
-    def _known(self, condition: Any) -> None:
+    def _known(self, condition: sp.Expr) -> None:
         unknown = condition.free_symbols - set(self.symbols) - set(self._definitions)
         if unknown:
             raise InputError(
@@ -196,23 +197,23 @@ class LevelFormulas:
 
     # --- evaluation --------------------------------------------------------------------------
 
-    def numbers(self, values: Mapping[str, Any], exact: bool) -> Rationals | Balls:
+    def numbers(self, values: Mapping[str, fmpq | arb], exact: bool) -> Rationals | Balls:
         """The field of numbers at a point."""
         return Rationals(values) if exact else Balls(values)
 
-    def evaluator(self, field: Any) -> Evaluator:
+    def evaluator(self, field: Field) -> Evaluator:
         """Values alone."""
         seed = self._seeds(field, set(self.generators) - set(self.steps))
         return Evaluator(field, seed, self.steps, self.exchanged, self.zeros, self.inverted)
 
     @staticmethod
-    def _seeds(field: Any, own: Collection[sp.Symbol]) -> Callable[[sp.Symbol], Jet | None]:
+    def _seeds(field: Field, own: Collection[sp.Symbol]) -> Callable[[sp.Symbol], Jet | None]:
         def seed(symbol: sp.Symbol) -> Jet | None:
             return Jet(field.generator(str(symbol)), {}) if symbol in own else None
 
         return seed
 
-    def along(self, field: Any) -> Evaluator:
+    def along(self, field: Field) -> Evaluator:
         """Values with their time derivatives along the field of the system."""
         plain = self.evaluator(field)
         rates = dict(zip(self.system.symbols, self.system.rates, strict=True))
@@ -225,7 +226,7 @@ class LevelFormulas:
 
         return Evaluator(field, seed, self.steps, self.exchanged, self.zeros, self.inverted, True)
 
-    def partial(self, field: Any) -> Evaluator:
+    def partial(self, field: Field) -> Evaluator:
         """Values with their partial derivatives by the state variables, numbered."""
         plain = self.evaluator(field)
         number = {s: i for i, s in enumerate(self.system.symbols)}
@@ -248,7 +249,7 @@ def _linear_in(formula: sp.Expr) -> tuple[sp.Symbol, sp.Expr] | None:
     return None
 
 
-def conditions_text(on: tuple[Any, ...]) -> str:
+def conditions_text(on: tuple[sp.Expr, ...]) -> str:
     """The conditions of a level as equations, for a reader."""
     from ...printing.formula import text
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, TypeVar
+from typing import TypeVar
 
 import sympy as sp
+from flint import fmpq_mpoly
 
 from ...core.vectors import to_components
 from ...errors import InputError
@@ -20,6 +21,7 @@ from ...formulas.errors import (
 from ...formulas.jets import Evaluator
 from ..fields.budget import Budget
 from ..fields.function_field import FunctionField
+from ..fields.quotient_ring import Element
 from ..fields.signs import Sign, Signs
 from .level_formulas import LevelFormulas
 from .triangular_set import TriangularSet, numerator, triangle
@@ -66,7 +68,7 @@ class LevelFractions(LevelFormulas):
             )
         return tuple(r for r in found if r != sp.true)
 
-    def sign(self, formula: Any) -> Sign:
+    def sign(self, formula: sp.Expr) -> Sign:
         """The sign of a formula on the domain, as far as it is known."""
         if any(r.func is sp.Gt and r.lhs - r.rhs == formula for r in self.requirements):
             return Sign.POSITIVE
@@ -75,7 +77,7 @@ class LevelFractions(LevelFormulas):
         written = replace(plain, equations=None)._sign(formula)
         return self._sign(formula) if written is Sign.UNKNOWN else written
 
-    def _sign(self, formula: Any) -> Sign:
+    def _sign(self, formula: sp.Expr) -> Sign:
         spare = 8
         while True:
             field = self.fractions(FunctionField, spare, None, Budget())
@@ -105,16 +107,16 @@ class LevelFractions(LevelFormulas):
         """What is known of signs, in the ring of a field of fractions."""
         return self.signs_with(field, [poly for _, poly, _ in field.relations])
 
-    def signs_with(self, field: FunctionField, conditions: Sequence[Any]) -> Signs:
+    def signs_with(self, field: FunctionField, conditions: Sequence[fmpq_mpoly]) -> Signs:
         """The same, where some polynomials vanish."""
         return self._signs_in(field, self.evaluator(field), conditions)
 
     def _signs_in(
-        self, field: FunctionField, evaluate: Evaluator, conditions: Sequence[Any]
+        self, field: FunctionField, evaluate: Evaluator, conditions: Sequence[fmpq_mpoly]
     ) -> Signs:
         known: dict[str, Sign] = {}
-        facts: list[tuple[Any, Sign]] = []
-        nonzero: list[Any] = []
+        facts: list[tuple[fmpq_mpoly, Sign]] = []
+        nonzero: list[fmpq_mpoly] = []
         # signs of single symbols first, on which those of other quantities may rest
         for relation in sorted(self.requirements, key=lambda r: len(r.free_symbols)):
             decided = len(field.decisions)
@@ -178,7 +180,7 @@ class LevelFractions(LevelFormulas):
         return field
 
 
-def polynomial_of(draft: FunctionField, element: Any, condition: Any) -> Any:
+def polynomial_of(draft: FunctionField, element: Element, condition: sp.Expr) -> fmpq_mpoly:
     """The polynomial whose vanishing a condition states."""
     poly = numerator(draft, element)
     if poly and any(poly.degrees()[: draft.spare]):
@@ -188,7 +190,9 @@ def polynomial_of(draft: FunctionField, element: Any, condition: Any) -> Any:
     return poly
 
 
-def _as_polynomial(field: FunctionField, evaluate: Evaluator, relation: Any) -> Any:
+def _as_polynomial(
+    field: FunctionField, evaluate: Evaluator, relation: sp.Basic
+) -> fmpq_mpoly | None:
     """A polynomial with the sign of the greater side less the smaller one; None if there is none.
 
     What a relation is divided by is multiplied with where its power is odd.
@@ -200,7 +204,7 @@ def _as_polynomial(field: FunctionField, evaluate: Evaluator, relation: Any) -> 
     else:
         return None
     try:
-        element = evaluate.value(formula)
+        element: Element = evaluate.value(formula)
     except (OutOfReachError, NeedMoreGeneratorsError, UnknownSymbolError, ZeroDivisionError):
         return None
     poly = element.poly

@@ -6,13 +6,14 @@ import random
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import sympy as sp
-from flint import fmpq
+from flint import arb, fmpq, fmpq_mpoly
 
 from ...formulas.errors import NotExactError, OutOfReachError
 from ...formulas.jets import Evaluator, Jet
+from ...formulas.number_fields import Balls, Rationals
 from ..fields.budget import Budget
 from ..fields.function_field import FunctionField
 from .components import Component, Decomposition
@@ -26,7 +27,7 @@ DECOMPOSITION = 5_000_000
 """Term operations for the components of a level."""
 
 #: A random number from a default, a generator, and whether its sign is settled.
-Draw: TypeAlias = Callable[[float | None, random.Random, bool], Any]
+Draw: TypeAlias = Callable[[float | None, random.Random, bool], fmpq]
 
 
 @dataclass(frozen=True)
@@ -69,7 +70,7 @@ class LevelSet(LevelFractions):
     def _component(self, part: Component) -> LevelSet:
         by_name = {str(s): s for s in self.symbols}
 
-        def written(polys: Sequence[Any]) -> tuple[sp.Expr, ...]:
+        def written(polys: Sequence[fmpq_mpoly]) -> tuple[sp.Expr, ...]:
             return tuple(_as_formula(poly, by_name) for poly in polys)
 
         equations = (*written(part.equations), *self.zeros)
@@ -80,7 +81,9 @@ class LevelSet(LevelFractions):
 
     # --- points ----------------------------------------------------------------------------
 
-    def point(self, generator: random.Random, draw: Draw = near) -> tuple[dict[str, Any], bool]:
+    def point(
+        self, generator: random.Random, draw: Draw = near
+    ) -> tuple[dict[str, fmpq | arb], bool]:
         """A random point that satisfies the conditions, and whether it is exactly rational.
 
         Of a level with several components, it is a point of the first.
@@ -96,26 +99,28 @@ class LevelSet(LevelFractions):
         OutOfReachError
             If none was found.
         """
-        ground = self._first
+        component: LevelSet = self._first_component
         for _ in range(60):
             try:
-                return ground._try_point(generator, draw)
+                return component._try_point(generator, draw)
             except ZeroDivisionError:
                 continue
         raise OutOfReachError(f"no real point was found on the level {conditions_text(self.on)}")
 
     @cached_property
-    def _first(self) -> LevelSet:
+    def _first_component(self) -> LevelSet:
         """The first component; the ground itself where it cannot be decomposed."""
         try:
             return self.components[0]
         except OutOfReachError:
             return self
 
-    def _try_point(self, generator: random.Random, draw: Draw) -> tuple[dict[str, Any], bool]:
+    def _try_point(
+        self, generator: random.Random, draw: Draw
+    ) -> tuple[dict[str, fmpq | arb], bool]:
         names, chain = self._triangle.order, self._triangle.relations
         mains = {main for main, _ in chain}
-        values: dict[str, Any] = {}
+        values: dict[str, fmpq | arb] = {}
         for main, terms in chain:
             values |= on_sphere(main, terms, (mains - {main}) | {*values}, generator) or {}
         defaults = {str(p.symbol): p.default for p in self.system.parameters}
@@ -136,8 +141,8 @@ class LevelSet(LevelFractions):
         return self._with_exchanged(values, generator, draw, exact)
 
     def _with_exchanged(
-        self, values: dict[str, Any], generator: random.Random, draw: Draw, exact: bool
-    ) -> tuple[dict[str, Any], bool]:
+        self, values: dict[str, fmpq | arb], generator: random.Random, draw: Draw, exact: bool
+    ) -> tuple[dict[str, fmpq | arb], bool]:
         """The point with its exchanged definitions, whose parameters stay near their defaults."""
         defaults = {str(p.symbol): p.default for p in self.system.parameters}
         known = {str(s): s for s in (*self.generators, *(e.parameter for e in self.exchanged))}
@@ -162,7 +167,7 @@ class LevelSet(LevelFractions):
             return {**drawn, **values, **found}, rational
         raise ZeroDivisionError
 
-    def inside(self, values: Mapping[str, Any], exact: bool) -> bool:
+    def inside(self, values: Mapping[str, fmpq | arb], exact: bool) -> bool:
         """Whether a point lies in the domain of the system: guards and admissible parameters."""
         for rational in (True, False) if exact else (False,):
             field = self.numbers(values, rational)
@@ -178,18 +183,18 @@ class LevelSet(LevelFractions):
                 return False
         return False
 
-    def point_shown(self, field: Any) -> dict[str, str]:
+    def point_shown(self, field: Rationals | Balls) -> dict[str, str]:
         """State and parameters at a point, for a reader."""
         evaluate = self.evaluator(field)
         return {str(s): number_text(evaluate.value(s)) for s in self.symbols}
 
-    def roots(self, values: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
+    def roots(self, values: Mapping[str, fmpq | arb]) -> dict[str, dict[str, object]]:
         """The main variables at a point that are not rational: roots of polynomials.
 
         Each is given by the polynomial, in the rational numbers put in, and by an interval that
         holds one root.
         """
-        found: dict[str, dict[str, Any]] = {}
+        found: dict[str, dict[str, object]] = {}
         for main, terms in self._triangle.relations:
             value = values[main]
             if isinstance(value, fmpq):
@@ -198,8 +203,9 @@ class LevelSet(LevelFractions):
             for named, coefficient in terms.items():
                 number, left = coefficient, []
                 for name, power in named:
-                    if power and isinstance(values[name], fmpq):
-                        number = number * values[name] ** power
+                    own = values[name] if power else None
+                    if isinstance(own, fmpq):
+                        number = number * own**power
                     elif power:
                         left.append((name, power))
                 made[tuple(left)] = made.get(tuple(left), fmpq(0)) + number
@@ -217,7 +223,7 @@ class LevelSet(LevelFractions):
         return found
 
 
-def _as_formula(poly: Any, by_name: Mapping[str, sp.Symbol]) -> sp.Expr:
+def _as_formula(poly: fmpq_mpoly, by_name: Mapping[str, sp.Symbol]) -> sp.Expr:
     """A polynomial as a formula."""
     names = poly.context().names()
     return sp.Add(
@@ -229,11 +235,11 @@ def _as_formula(poly: Any, by_name: Mapping[str, sp.Symbol]) -> sp.Expr:
     )
 
 
-def _certain(relation: Any, difference: Any) -> bool:
+def _certain(relation: sp.Basic, difference: fmpq | arb) -> bool:
     """Whether a relation certainly holds, the difference of its sides being a number or a ball."""
     exact = isinstance(difference, fmpq)
     if isinstance(relation, sp.Ne):
-        return bool(difference != 0) if exact else 0 not in difference
+        return bool(difference != 0) if isinstance(difference, fmpq) else 0 not in difference
     if isinstance(relation, sp.Eq):
         return exact and bool(difference == 0)
     if isinstance(relation, sp.Gt | sp.Ge):

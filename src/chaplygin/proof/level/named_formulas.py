@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import sympy as sp
 
 from ...core.laws import Identity, Reduction
-from ...core.vectors import to_components
+from ...core.vectors import Vector, to_components
 from ...errors import InputError
 from .level_set import LevelSet
 from .time_derivatives import without_rates
@@ -16,7 +15,7 @@ from .time_derivatives import without_rates
 __all__ = ["components", "quantities_in_order", "scalars"]
 
 
-def scalars(value: Any) -> list[sp.Expr]:
+def scalars(value: object) -> list[sp.Expr]:
     """The scalar formulas of a scalar, vector, matrix or tuple of these."""
     if isinstance(value, (tuple, list)):
         return [scalar for part in value for scalar in scalars(part)]
@@ -24,7 +23,9 @@ def scalars(value: Any) -> list[sp.Expr]:
     return list(made) if isinstance(made, sp.MatrixBase) else [made]
 
 
-def components(pairs: Sequence[tuple[Any, Any]], ground: LevelSet) -> dict[sp.Symbol, sp.Expr]:
+def components(
+    pairs: Sequence[tuple[sp.Symbol | Vector, sp.Expr]], ground: LevelSet
+) -> dict[sp.Symbol, sp.Expr]:
     """Pairs (name, formula) as scalar symbols with scalar formulas, rates written out."""
     found: dict[sp.Symbol, sp.Expr] = {}
     for name, formula in pairs:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
 
 import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
@@ -35,7 +34,7 @@ class Claim:
 
     system: System
     law: Law
-    excluded: tuple[Any, ...] = ()
+    excluded: tuple[sp.Expr, ...] = ()
     circles: tuple[tuple[sp.Symbol, sp.Symbol, sp.Symbol, sp.Expr], ...] = ()
     expressed: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
 

@@ -8,7 +8,6 @@ denominators.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 import sympy as sp
 
@@ -16,6 +15,7 @@ from ...core.isomorphism import Isomorphism
 from ...core.laws import Law, Measure
 from ...core.vectors import to_components
 from ...printing.formula import text
+from ..fields.field import Field, FieldElement
 from .level_set import LevelSet
 from .time_derivatives import without_rates
 
@@ -72,7 +72,7 @@ def orienting(law: Law, ground: LevelSet) -> tuple[Named, ...]:
     return tuple((what, formula) for what, formula in found if not formula.is_number)
 
 
-def unmet(law: Law, ground: LevelSet, field: Any) -> tuple[tuple[str, Any], ...]:
+def unmet(law: Law, ground: LevelSet, field: Field) -> tuple[tuple[str, FieldElement], ...]:
     """What is not positive at a point though a law needs it, with the value there.
 
     Parameters
@@ -100,7 +100,7 @@ def unmet(law: Law, ground: LevelSet, field: Any) -> tuple[tuple[str, Any], ...]
     return tuple(found)
 
 
-def _bases(law: Measure, ground: LevelSet) -> Iterator[tuple[Any, sp.Expr, sp.Expr]]:
+def _bases(law: Measure, ground: LevelSet) -> Iterator[tuple[sp.Expr, sp.Expr, sp.Expr]]:
     """Base as given, base without rates, and exponent on the level; none of exponent zero."""
     for base, exponent in law.density:
         power = ground.expanded(sp.sympify(exponent))
@@ -108,7 +108,7 @@ def _bases(law: Measure, ground: LevelSet) -> Iterator[tuple[Any, sp.Expr, sp.Ex
             yield base, _plain(base, ground), power
 
 
-def _plain(formula: Any, ground: LevelSet) -> sp.Expr:
+def _plain(formula: sp.Expr, ground: LevelSet) -> sp.Expr:
     return without_rates(to_components(sp.sympify(formula)), ground)
 
 

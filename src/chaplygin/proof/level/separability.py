@@ -10,13 +10,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import combinations
-from typing import Any
 
 import sympy as sp
 
 from ...core.laws import Rate, Separation
 from ...core.vectors import to_components
 from ...errors import InputError
+from ..fields.field import Field, FieldElement
 from .level_set import LevelSet
 from .named_formulas import quantities_in_order
 
@@ -56,14 +56,14 @@ def separated(law: Separation, ground: LevelSet) -> Iterator[tuple[str, sp.Expr]
 
 
 def of_separation(
-    law: Separation, ground: LevelSet, field: Any
-) -> tuple[list[list[Any]], list[list[Any]]]:
+    law: Separation, ground: LevelSet, field: Field
+) -> tuple[list[list[FieldElement]], list[list[FieldElement]]]:
     """Gradients of the conditions and the constants, and of the quantities that separate."""
     parts = _parts(law, ground)
     partial = ground.partial(field).with_steps(quantities_in_order(law, ground))
     size = len(ground.system.symbols)
 
-    def row(formula: sp.Expr) -> list[Any]:
+    def row(formula: sp.Expr) -> list[FieldElement]:
         slopes = partial(formula).slopes
         return [slopes.get(i, field.zero) for i in range(size)]
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+
+from flint import fmpq, fmpq_mpoly
 
 from ...formulas.errors import EmptyLevelError, OutOfReachError
 from ..fields.function_field import FunctionField
@@ -12,10 +13,8 @@ from ..fields.quotient_ring import Element
 
 __all__ = ["Terms", "TriangularSet", "chain", "numerator", "triangle"]
 
-Poly = Any
-
 #: A polynomial as a mapping of named exponents to coefficients, in whatever order of variables.
-Terms = Mapping[tuple[tuple[str, int], ...], Any]
+Terms = Mapping[tuple[tuple[str, int], ...], fmpq]
 
 
 @dataclass(frozen=True)
@@ -35,7 +34,7 @@ class TriangularSet:
 
 
 def triangle(
-    draft: FunctionField, names: Sequence[str], conditions: Sequence[Poly], moving: set[str]
+    draft: FunctionField, names: Sequence[str], conditions: Sequence[fmpq_mpoly], moving: set[str]
 ) -> TriangularSet:
     """A triangular set that has the same zeros as the conditions, wherever it is regular.
 
@@ -63,8 +62,8 @@ def triangle(
 
 
 def chain(
-    draft: FunctionField, names: Sequence[str], conditions: Sequence[Poly], moving: set[str]
-) -> list[tuple[str, Poly]]:
+    draft: FunctionField, names: Sequence[str], conditions: Sequence[fmpq_mpoly], moving: set[str]
+) -> list[tuple[str, fmpq_mpoly]]:
     """Main variables and polynomials of a triangular set, from the lowest to the highest.
 
     Parameters, errors: as for :func:`triangle`.
@@ -78,7 +77,7 @@ def chain(
     return _sorted(draft, found)
 
 
-def _named(draft: FunctionField, poly: Poly) -> Terms:
+def _named(draft: FunctionField, poly: fmpq_mpoly) -> Terms:
     return {
         tuple(zip(draft.names, map(int, exponents), strict=True)): number
         for exponents, number in poly.to_dict().items()
@@ -88,13 +87,13 @@ def _named(draft: FunctionField, poly: Poly) -> Terms:
 def _chain(
     draft: FunctionField,
     names: Sequence[str],
-    conditions: Sequence[Poly],
+    conditions: Sequence[fmpq_mpoly],
     moving: set[str],
-    merit: Callable[[FunctionField, Poly, str, set[str]], tuple[int, int, int]],
-) -> list[tuple[str, Poly]] | None:
+    merit: Callable[[FunctionField, fmpq_mpoly, str, set[str]], tuple[int, int, int]],
+) -> list[tuple[str, fmpq_mpoly]] | None:
     """Conditions with a main variable each, best first; None where the choice leads nowhere."""
     waiting = list(conditions)
-    chain: list[tuple[str, Poly]] = []
+    chain: list[tuple[str, fmpq_mpoly]] = []
     while True:
         for main, relation in reversed(chain):
             waiting = [draft.pseudo_remainder(g, relation, main) for g in waiting]
@@ -115,7 +114,7 @@ def _chain(
         chain.append((main, waiting.pop(index)))
 
 
-def numerator(draft: FunctionField, element: Element) -> Poly:
+def numerator(draft: FunctionField, element: Element) -> fmpq_mpoly:
     """The polynomial that vanishes where an element does."""
     poly = element.poly
     for number, power in element.powers.items():
@@ -124,11 +123,13 @@ def numerator(draft: FunctionField, element: Element) -> Poly:
     return poly
 
 
-def _variables(draft: FunctionField, poly: Poly) -> set[str]:
+def _variables(draft: FunctionField, poly: fmpq_mpoly) -> set[str]:
     return {n for n, d in zip(draft.names, poly.degrees(), strict=True) if d}
 
 
-def _merit(draft: FunctionField, poly: Poly, name: str, moving: set[str]) -> tuple[int, int, int]:
+def _merit(
+    draft: FunctionField, poly: fmpq_mpoly, name: str, moving: set[str]
+) -> tuple[int, int, int]:
     """How well a variable serves as the main one of a relation; smaller is better."""
     position = draft.names.index(name)
     degree = int(poly.degrees()[position])
@@ -142,14 +143,16 @@ def _merit(draft: FunctionField, poly: Poly, name: str, moving: set[str]) -> tup
 
 
 def _merit_by_degree(
-    draft: FunctionField, poly: Poly, name: str, moving: set[str]
+    draft: FunctionField, poly: fmpq_mpoly, name: str, moving: set[str]
 ) -> tuple[int, int, int]:
     """The same, with linear relations first."""
     degree = int(poly.degrees()[draft.names.index(name)])
     return (degree, *_merit(draft, poly, name, moving)[:2])
 
 
-def _possible(draft: FunctionField, poly: Poly, name: str, chain: list[tuple[str, Poly]]) -> bool:
+def _possible(
+    draft: FunctionField, poly: fmpq_mpoly, name: str, chain: list[tuple[str, fmpq_mpoly]]
+) -> bool:
     """Whether the variable can be the main one: in the relation, free, and without a circle."""
     if name in {main for main, _ in chain} or name not in _variables(draft, poly):
         return False
@@ -160,7 +163,9 @@ def _possible(draft: FunctionField, poly: Poly, name: str, chain: list[tuple[str
     return True
 
 
-def _sorted(draft: FunctionField, chain: list[tuple[str, Poly]]) -> list[tuple[str, Poly]]:
+def _sorted(
+    draft: FunctionField, chain: list[tuple[str, fmpq_mpoly]]
+) -> list[tuple[str, fmpq_mpoly]]:
     """The relations from the lowest main variable to the highest."""
     mains = {main for main, _ in chain}
     needs = {main: (_variables(draft, poly) & mains) - {main} for main, poly in chain}

@@ -17,7 +17,7 @@ from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from ...core.laws import ConformallyHamiltonian, Law, PoissonStructure, Symmetry
 from ...core.system import Parameter, System
-from ...core.vectors import real_symbol, to_components
+from ...core.vectors import Vector, real_symbol, to_components
 from ...formulas.errors import OutOfReachError
 from ...formulas.jets import MOST_MULTIPLES
 
@@ -71,7 +71,7 @@ class Circles:
             return self.law(value)
         return value
 
-    def _pushed(self, field: Mapping[sp.Symbol, sp.Expr]) -> tuple[tuple[Any, Any], ...]:
+    def _pushed(self, field: Mapping[sp.Symbol, sp.Expr]) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
         """A vector field in the new variables."""
         found: dict[sp.Symbol, sp.Expr] = {}
         for symbol, value in field.items():
@@ -81,7 +81,7 @@ class Circles:
                 found[symbol] = rate
         return tuple(found.items())
 
-    def _bracket(self, matrix: Any) -> sp.ImmutableDenseMatrix:
+    def _bracket(self, matrix: sp.MatrixBase) -> sp.ImmutableDenseMatrix:
         """A bracket in the new variables: {s, x} = c {φ, x}, {c, x} = −s {φ, x}."""
         old = self._old
         rows = [[(old.index(s), factor) for s, factor in self._old_of(n)] for n in self.new]
@@ -123,7 +123,9 @@ class Circles:
         return [(symbol, sp.S.One)]
 
 
-def circles(system: System, on: Iterable[Any] = (), also: Iterable[Any] = ()) -> Circles | None:
+def circles(
+    system: System, on: Iterable[sp.Expr] = (), also: Iterable[sp.Expr] = ()
+) -> Circles | None:
     """The system with points of circles for the angles of its conditions, or None if it has none.
 
     Parameters
@@ -189,7 +191,7 @@ def _angles(system: System, nodes: Iterable[sp.Expr]) -> list[sp.Symbol]:
     return sorted(found, key=str)
 
 
-def formulas_of(value: Any) -> list[Any]:
+def formulas_of(value: object) -> list[sp.Expr]:
     """All formulas in a law."""
     if isinstance(value, sp.Basic):
         return [value]
@@ -197,7 +199,7 @@ def formulas_of(value: Any) -> list[Any]:
         return [f for part in value for f in formulas_of(part)]
     if isinstance(value, Law):
         skip = {"target", "as_printed", "onto"}
-        pushed: list[Any] = []
+        pushed: list[sp.Expr] = []
         if isinstance(value, Symmetry):
             # an angle that is moved does not stand there by itself
             skip |= {"field"}
@@ -213,7 +215,7 @@ def _written(formula: sp.Expr, steps: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
     return formula
 
 
-def _flat(pairs: Iterable[tuple[Any, Any]]) -> list[tuple[sp.Symbol, sp.Expr]]:
+def _flat(pairs: Iterable[tuple[sp.Symbol | Vector, sp.Expr]]) -> list[tuple[sp.Symbol, sp.Expr]]:
     found: list[tuple[sp.Symbol, sp.Expr]] = []
     for name, formula in pairs:
         value = to_components(sp.sympify(formula))
