@@ -10,7 +10,7 @@ import json
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import NoReturn
 
 from .certificate import check
 from .claim.errors import BadInputError, CheckError
@@ -43,7 +43,7 @@ def main(arguments: Sequence[str]) -> int:
     return worst
 
 
-def _checked(certificate: Any, label: str) -> int:
+def _checked(certificate: object, label: str) -> int:
     """Check one certificate, say how it went, and give the exit status for it."""
     try:
         check(certificate)
@@ -57,7 +57,7 @@ def _checked(certificate: Any, label: str) -> int:
     return 0
 
 
-def _read(file: str) -> Any:
+def _read(file: str) -> object:
     try:
         return json.loads(
             Path(file).read_text(encoding="utf-8"),
@@ -70,7 +70,7 @@ def _read(file: str) -> Any:
         raise BadInputError(f"this is no JSON: {error}") from None
 
 
-def _distinct(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+def _distinct(pairs: list[tuple[str, object]]) -> dict[str, object]:
     """A mapping in which no name stands twice."""
     made = dict(pairs)
     if len(made) < len(pairs):
@@ -78,7 +78,7 @@ def _distinct(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     return made
 
 
-def _refused(word: str) -> Any:
+def _refused(word: str) -> NoReturn:
     raise ValueError(f"{word} is no number")
 
 

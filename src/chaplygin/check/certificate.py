@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from typing import Any
+from functools import partial
 
 from .claim.claim import Claim, read_claim
 from .claim.errors import BadInputError, CheckError, UndefinedError
@@ -25,7 +25,7 @@ __all__ = ["FORMAT", "check"]
 FORMAT = "chaplygin certificate 2"
 
 
-def check(certificate: Mapping[str, Any]) -> None:
+def check(certificate: object) -> None:
     """Check a certificate.
 
     Raises
@@ -45,7 +45,7 @@ def check(certificate: Mapping[str, Any]) -> None:
         raise CheckError("a formula or a tree is nested too deep") from None
 
 
-def _check(data: Mapping[str, Any]) -> None:
+def _check(data: Mapping[str, object]) -> None:
     what = "the certificate"
     claim = read_claim(field(data, "claim", what), "the claim")
     verdict = field(data, "verdict", what)
@@ -70,7 +70,7 @@ def _check(data: Mapping[str, Any]) -> None:
     _Proofs(data, claim, conditions).check()
 
 
-def _condition(data: Any, claim: Claim) -> Condition:
+def _condition(data: object, claim: Claim) -> Condition:
     """A condition such as ``x > 0``, ``not x = 0`` or ``x != 0``."""
     words = text(data, "a condition")
     negated = words.startswith("not ")
@@ -91,7 +91,7 @@ class _Proofs:
     """The proofs of a certificate, each checked, and whether they cover the claim."""
 
     def __init__(
-        self, data: Mapping[str, Any], claim: Claim, conditions: Sequence[Condition]
+        self, data: Mapping[str, object], claim: Claim, conditions: Sequence[Condition]
     ) -> None:
         self.data, self.claim, self.conditions = data, claim, conditions
         self.stated = field(data, "claim", "the certificate")
@@ -116,7 +116,7 @@ class _Proofs:
             return
         self._check_cover(mapping(self.data["cover"], "the cover"))
 
-    def _claim(self, proof: Mapping[str, Any], what: str) -> tuple[Claim, set[str]]:
+    def _claim(self, proof: Mapping[str, object], what: str) -> tuple[Claim, set[str]]:
         """The claim that a proof is one of, and what it says of the claim of the user."""
         if not proof.get("substitution"):
             if "claim" in proof and proof["claim"] != self.stated:
@@ -153,14 +153,14 @@ class _Proofs:
         claim = proof.get("claim", self.stated) if proof.get("substitution") else self.stated
         return json.dumps([claim, proof.get("substitution", []), proof.get("zeros", [])])
 
-    def _check_cover(self, data: Mapping[str, Any]) -> None:
+    def _check_cover(self, data: Mapping[str, object]) -> None:
         only(data, "the cover", *FIELDS, "tree")
         if data.get("signs"):
             raise CheckError("the cover assumes signs")
         ground = read_ground(data, self.claim, "the cover")
         basis = with_precision(lambda: read_basis(data, ground, (), "the cover", False))
 
-        def leaf(node: Node, data: Mapping[str, Any], where: str) -> None:
+        def leaf(node: Node, data: Mapping[str, object], where: str) -> None:
             if data["case"] != "proof":
                 check_left(node, data, where, basis, self.conditions)
                 return
@@ -178,10 +178,11 @@ class _Proofs:
         check_tree(node, field(data, "tree", "the cover"), "the tree of the cover")
 
     def _check_region(self, number: int, basis: Basis, node: Node, where: str) -> None:
-        for words in self.proofs[number].get("region", []):
-            formula = parse(words, f"the region of proof {number}")
-            if not any(
-                with_precision(lambda e=e, f=formula: same(basis, e, f) is not None)
-                for e in node.equations
+        what = f"the region of proof {number}"
+        for words in listed(self.proofs[number].get("region", []), what):
+            formula = parse(words, what)
+            if all(
+                with_precision(partial(same, basis, equation, formula)) is None
+                for equation in node.equations
             ):
                 raise CheckError(f"proof {number} treats a smaller part than {where}")

@@ -12,7 +12,6 @@ import json
 import re
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from typing import Any
 
 from flint import arb, ctx, fmpq
 
@@ -39,7 +38,7 @@ BISECTIONS = 300
 _DECIMAL = re.compile(r"-?\d{1,2000}(\.\d{1,2000})?([eE][+-]?\d{1,4})?")
 
 
-def check_witness(claim: Claim, data: Any) -> None:
+def check_witness(claim: Claim, data: object) -> None:
     """Check a refutation: at a point of the level a residual is certainly not zero."""
     what = "the witness"
     data = mapping(data, what)
@@ -56,7 +55,7 @@ def check_witness(claim: Claim, data: Any) -> None:
             raise CheckError(f"the residual at the witness is not {stated}")
 
 
-def located(claim: Claim, data: Any) -> Place:
+def located(claim: Claim, data: object) -> Place:
     """A point of the level in the domain of the law; CheckError where it is none."""
     with ctx.workprec(PRECISION):
         point = _Point(claim, data)
@@ -64,7 +63,7 @@ def located(claim: Claim, data: Any) -> Place:
         return point.place
 
 
-def failing(claim: Claim, data: Any) -> tuple[int, str]:
+def failing(claim: Claim, data: object) -> tuple[int, str]:
     """The first residual that is certainly not zero at a point of the level: number and value.
 
     Raises
@@ -81,7 +80,7 @@ def failing(claim: Claim, data: Any) -> tuple[int, str]:
     raise CheckError("every residual may be zero at the point")
 
 
-def check_sample(claim: Claim, data: Any, conditions: Sequence[Condition]) -> None:
+def check_sample(claim: Claim, data: object, conditions: Sequence[Condition]) -> None:
     """Check that the law is defined at a point of its level, with the rank that it says."""
     with ctx.workprec(PRECISION):
         point = _Point(claim, data)
@@ -95,7 +94,7 @@ def check_sample(claim: Claim, data: Any, conditions: Sequence[Condition]) -> No
             raise CheckError("at the sample the rank is not as the law says")
 
 
-def _stated(data: Any) -> Any:
+def _stated(data: object) -> arb:
     """A number as a text: a fraction, a decimal, or a ball such as ``[1.5 +/- 1e-20]``."""
     words = text(data, "the residual at the witness")
     try:
@@ -108,7 +107,7 @@ def _stated(data: Any) -> Any:
         raise CheckError(f"the residual at the witness, {words!r}, is no number") from None
 
 
-def _decimal(data: Any, what: str) -> Fraction:
+def _decimal(data: object, what: str) -> Fraction:
     words = text(data, what)
     if _DECIMAL.fullmatch(words) is None:
         raise CheckError(f"{what} is no decimal number")
@@ -118,12 +117,12 @@ def _decimal(data: Any, what: str) -> Fraction:
 class _Point:
     """Values of state and parameters, exact where they can be."""
 
-    def __init__(self, claim: Claim, data: Any) -> None:
+    def __init__(self, claim: Claim, data: object) -> None:
         self.claim = claim
         self.system = claim.system
         # another point, other values: they may be small where a root asks for it
         self.functions = Functions(json.dumps(data, sort_keys=True))
-        self.balls: dict[str, Any] = {}
+        self.balls: dict[str, arb] = {}
         self.rationals: dict[str, Fraction] = {}
         self.chain: list[tuple[str, Poly]] = []
         self.ring = Ring(self.system.symbols)
@@ -153,7 +152,7 @@ class _Point:
                 self.functions.settle(word, orders, [place(p) for p in zero.parts], arb(0))
                 zeros.remove(zero)
 
-    def _read(self, word: str, data: Any) -> None:
+    def _read(self, word: str, data: object) -> None:
         what = f"the value of {word}"
         if not isinstance(data, Mapping):
             self.rationals[word] = rational(data, what)
@@ -170,7 +169,7 @@ class _Point:
         else:
             raise CheckError(f"{what} is neither a number, a root nor a formula")
 
-    def _read_root(self, word: str, data: Mapping[str, Any], what: str) -> None:
+    def _read_root(self, word: str, data: Mapping[str, object], what: str) -> None:
         only(data, what, "poly", "near", "radius")
         stated = mapping(field(data, "poly", what), what)
         only(stated, what, "ring", "terms")
@@ -247,7 +246,7 @@ class _Point:
             above = self._remainder(above, self._with_rationals(poly), word)
         return bool(above.is_zero())
 
-    def _value(self, poly: Poly) -> Any:
+    def _value(self, poly: Poly) -> arb:
         return self.ring.value(poly, [self.balls[n] for n in self.ring.names])
 
     def _with_rationals(self, poly: Poly) -> Poly:
@@ -289,14 +288,14 @@ def _root(
     poly: Poly,
     ring: Ring,
     word: str,
-    balls: Mapping[str, Any],
+    balls: Mapping[str, arb],
     middle: Fraction,
     radius: Fraction,
     what: str,
-) -> Any:
+) -> arb:
     """A ball around a root in an interval at whose ends a polynomial has different signs."""
 
-    def value(at: Any, of: Poly = poly) -> Any:
+    def value(at: arb, of: Poly = poly) -> arb:
         return ring.value(of, [at if n == word else balls[n] for n in ring.names])
 
     def sign(at: Fraction) -> int:
@@ -321,7 +320,7 @@ def _root(
     return ball(low).union(ball(high))
 
 
-def _narrowed(here: Any, value: Callable[[Any], Any], slope: Callable[[Any], Any]) -> Any:
+def _narrowed(here: arb, value: Callable[[arb], arb], slope: Callable[[arb], arb]) -> arb:
     """A ball with one root made narrower by Newton's method: the root stays in it."""
     while True:
         middle = here.mid()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -141,22 +141,22 @@ class Claim:
         return tuple(c for c in self.conditions if self.system.reach([c]) & state)
 
 
-def _formulas(data: Any, what: str) -> tuple[Formula, ...]:
+def _formulas(data: object, what: str) -> tuple[Formula, ...]:
     return tuple(parse(t, f"{what} {i}") for i, t in enumerate(listed(data, what), 1))
 
 
-def _name(data: Any, what: str) -> str:
+def _name(data: object, what: str) -> str:
     word = text(data, what)
     if _NAME.fullmatch(word) is None or word in _TAKEN:
         raise CheckError(f"{what} is {word!r}, which is no name")
     return word
 
 
-def _names(data: Any, what: str) -> tuple[str, ...]:
+def _names(data: object, what: str) -> tuple[str, ...]:
     return tuple(_name(word, what) for word in listed(data, what))
 
 
-def _pairs(data: Any, what: str) -> tuple[tuple[str, Formula], ...]:
+def _pairs(data: object, what: str) -> tuple[tuple[str, Formula], ...]:
     found = []
     for pair in listed(data, what):
         word, formula = items(pair, 2, what)
@@ -179,7 +179,7 @@ def _require(formulas: Iterable[Formula], known: set[str], what: str) -> None:
         raise CheckError(f"{what} uses {strange[0]}, which is unknown")
 
 
-def read_system(data: Any, what: str) -> ClaimedSystem:
+def read_system(data: object, what: str) -> ClaimedSystem:
     """Read a system; what is wrong with it raises CheckError."""
     data = mapping(data, what)
     fields = ("name", "state", "rates", "definitions", "parameters", "relations", "guards")
@@ -225,7 +225,7 @@ _KINDS: dict[str, tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]] = {
 _OPTIONAL = {("Identity", "quantities"), ("Isomorphism", "onto")}
 
 
-def read_claim(data: Any, what: str) -> Claim:
+def read_claim(data: object, what: str) -> Claim:
     """Read a claim; what is wrong with it raises CheckError."""
     data = mapping(data, what)
     only(data, what, "system", "law")
@@ -242,7 +242,7 @@ def read_claim(data: Any, what: str) -> Claim:
     return Claim(system, law)
 
 
-def _law(data: Mapping[str, Any], system: ClaimedSystem, what: str) -> Law:
+def _law(data: Mapping[str, object], system: ClaimedSystem, what: str) -> Law:
     kind = field(data, "kind", what)
     if not isinstance(kind, str) or kind not in _KINDS:
         raise CheckError(f"{what} is of the kind {kind!r}, which is unknown")
@@ -255,32 +255,32 @@ def _law(data: Mapping[str, Any], system: ClaimedSystem, what: str) -> Law:
     }.get(kind, ())
     only(data, what, "kind", "name", "on", *single, *several, *pairs, *extra)
     text(field(data, "name", what), f"the name of {what}")
-    given = {**{word: [] for other, word in _OPTIONAL if other == kind}, **data}
-    made: dict[str, Any] = {
-        "kind": kind,
-        "on": _formulas(field(data, "on", what), f"the level of {what}"),
-        "single": {n: parse(field(data, n, what), f"{n} of {what}") for n in single},
-        "several": {n: _formulas(field(given, n, what), f"{n} of {what}") for n in several},
-        "pairs": {n: _pairs(field(given, n, what), f"{n} of {what}") for n in pairs},
-    }
+    filled = {**{word: [] for other, word in _OPTIONAL if other == kind}, **data}
+    on = _formulas(field(data, "on", what), f"the level of {what}")
+    formulas = {n: parse(field(data, n, what), f"{n} of {what}") for n in single}
+    lists = {n: _formulas(field(filled, n, what), f"{n} of {what}") for n in several}
+    named = {n: _pairs(field(filled, n, what), f"{n} of {what}") for n in pairs}
+    law = Law(kind, on, formulas, lists, named)
     if kind == "Measure":
-        made["pairs"]["density"] = _density(field(data, "density", what), system, what)
+        density = _density(field(data, "density", what), system, what)
+        law = replace(law, pairs={**named, "density": density})
     if kind == "PoissonStructure":
-        made |= _bracket(data, system, what)
+        law = _with_bracket(law, data, system, what)
     if kind == "ConformallyHamiltonian":
         structure = mapping(field(data, "structure", what), what)
         only(structure, f"the structure of {what}", "matrix", "casimirs", "rank", "name")
-        casimirs = field(structure, "casimirs", what)
-        made["several"]["casimirs"] = _formulas(casimirs, f"casimirs of {what}")
-        made |= _bracket(structure, system, what)
+        casimirs = _formulas(field(structure, "casimirs", what), f"casimirs of {what}")
+        law = replace(law, several={**lists, "casimirs": casimirs})
+        law = _with_bracket(law, structure, system, what)
     if kind == "Symmetry":
-        _require_names(made["pairs"]["field"], set(system.state), f"the field of {what}")
+        _require_names(named["field"], set(system.state), f"the field of {what}")
     if kind == "Isomorphism":
-        made["target"] = target = read_system(data.get("target"), f"the target of {what}")
-        _check_isomorphism(made["pairs"], system, target, what)
+        target = read_system(data.get("target"), f"the target of {what}")
+        _check_isomorphism(named, system, target, what)
         there = {*target.symbols, *target.definitions, *system.parameters}
-        _require(made["several"]["onto"], there, f"the image of {what}")
-    return Law(**made)
+        _require(lists["onto"], there, f"the image of {what}")
+        law = replace(law, target=target)
+    return law
 
 
 def _require_names(pairs: Iterable[tuple[str, Formula]], known: set[str], what: str) -> None:
@@ -289,7 +289,7 @@ def _require_names(pairs: Iterable[tuple[str, Formula]], known: set[str], what: 
             raise CheckError(f"{what} names {word}, which is unknown there")
 
 
-def _density(data: Any, system: ClaimedSystem, what: str) -> tuple[tuple[Formula, Formula], ...]:
+def _density(data: object, system: ClaimedSystem, what: str) -> tuple[tuple[Formula, Formula], ...]:
     found = []
     for pair in listed(data, what):
         base, exponent = items(pair, 2, f"the density of {what}")
@@ -300,23 +300,26 @@ def _density(data: Any, system: ClaimedSystem, what: str) -> tuple[tuple[Formula
     return tuple(found)
 
 
-def _bracket(data: Mapping[str, Any], system: ClaimedSystem, what: str) -> dict[str, Any]:
+def _with_bracket(law: Law, data: Mapping[str, object], system: ClaimedSystem, what: str) -> Law:
+    """A law with the matrix of its bracket, and the rank that is claimed of it."""
     size = len(system.state)
     rows = items(field(data, "matrix", what), size, f"the matrix of {what}")
     matrix = tuple(
         tuple(parse(t, f"the matrix of {what}") for t in items(row, size, f"a row of {what}"))
         for row in rows
     )
-    rank = field(data, "rank", what)
-    if rank is not None:
-        rank = integer(rank, f"the rank of {what}", 0, size)
-        if rank % 2:
-            raise CheckError(f"the rank of {what} is odd")
-    return {"matrix": matrix, "rank": rank}
+    stated = field(data, "rank", what)
+    rank = None if stated is None else integer(stated, f"the rank of {what}", 0, size)
+    if rank is not None and rank % 2:
+        raise CheckError(f"the rank of {what} is odd")
+    return replace(law, matrix=matrix, rank=rank)
 
 
 def _check_isomorphism(
-    pairs: Mapping[str, Any], system: ClaimedSystem, target: ClaimedSystem, what: str
+    pairs: Mapping[str, tuple[tuple[str, Formula], ...]],
+    system: ClaimedSystem,
+    target: ClaimedSystem,
+    what: str,
 ) -> None:
     _require_names(pairs["map"], set(target.state), f"the map of {what}")
     _require_names(pairs["constants"], set(target.parameters), f"the constants of {what}")

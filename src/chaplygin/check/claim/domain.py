@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+
+from flint import arb
 
 from .claim import Claim
 from .errors import UndefinedError
@@ -48,7 +49,7 @@ class Domain:
     logarithms: tuple[tuple[str, Formula], ...]
     gram: bool
 
-    def values(self, place: Place) -> tuple[list[Any], list[Any], list[Any]]:
+    def values(self, place: Place) -> tuple[list[arb], list[arb], list[arb]]:
         """Values of what does not vanish, what stands under roots and in logarithms.
 
         Raises

@@ -65,7 +65,7 @@ class Formula:
         return f"{self.kind}({self.word}, {', '.join(map(repr, self.parts))})"
 
 
-_ALL: weakref.WeakValueDictionary[Any, Formula] = weakref.WeakValueDictionary()
+_ALL: weakref.WeakValueDictionary[object, Formula] = weakref.WeakValueDictionary()
 
 
 def _made(kind: str, word: Any, parts: Iterable[Formula] = ()) -> Formula:
@@ -140,7 +140,7 @@ def replaced(formula: Formula, table: Mapping[str, Formula]) -> Formula:
     return _made(formula.kind, formula.word, [replaced(part, table) for part in formula.parts])
 
 
-def parse(text: Any, what: str) -> Formula:
+def parse(text: object, what: str) -> Formula:
     """Read a formula.
 
     Raises
@@ -151,7 +151,7 @@ def parse(text: Any, what: str) -> Formula:
     return _Reader(text, what).whole()
 
 
-def parse_condition(text: Any, what: str) -> list[tuple[Formula, str]]:
+def parse_condition(text: object, what: str) -> list[tuple[Formula, str]]:
     """Read a condition on parameters: formulas with ``>``, ``>=``, ``=`` or ``!=`` (to zero)."""
     return _Reader(text, what).condition()
 
@@ -159,7 +159,7 @@ def parse_condition(text: Any, what: str) -> list[tuple[Formula, str]]:
 class _Reader:
     """A recursive descent through the tokens of one text."""
 
-    def __init__(self, text: Any, what: str) -> None:
+    def __init__(self, text: object, what: str) -> None:
         if not isinstance(text, str) or len(text) > LENGTH:
             raise CheckError(f"{what} is no text of a formula")
         self.text, self.what = text, what

@@ -32,7 +32,7 @@ class Jet:
         self.level, self.value, self.slopes = level, value, slopes
 
 
-def ball(value: Fraction | int) -> Any:
+def ball(value: Fraction | int) -> arb:
     """A rational number as a ball."""
     value = Fraction(value)
     return arb(fmpq(value.numerator, value.denominator))
@@ -50,13 +50,6 @@ def value_of(a: Number, level: int) -> Number:
 def slopes_of(a: Number, level: int) -> Mapping[int, Number]:
     """The derivatives of a level."""
     return a.slopes if isinstance(a, Jet) and a.level == level else {}
-
-
-def value_at_bottom(a: Number) -> Any:
-    """The ball in which a number lies."""
-    while isinstance(a, Jet):
-        a = a.value
-    return a
 
 
 def add(a: Number, b: Number) -> Number:

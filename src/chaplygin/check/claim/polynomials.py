@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
-from flint import Ordering, arb, fmpq, fmpq_mpoly_ctx
+from flint import Ordering, arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from .errors import CheckError
 from .jets import inverse
@@ -18,7 +18,7 @@ from .json_data import field, integer, items, listed, mapping, only, rational
 
 __all__ = ["Poly", "Powers", "Ring", "monic"]
 
-Poly: TypeAlias = Any
+Poly: TypeAlias = fmpq_mpoly
 #: A product of powers of polynomials.
 Powers: TypeAlias = list[tuple[Poly, int]]
 
@@ -49,9 +49,9 @@ class Ring:
         value = Fraction(value)
         return self.context.constant(fmpq(value.numerator, value.denominator))
 
-    def read(self, data: Any, what: str) -> Poly:
+    def read(self, data: object, what: str) -> Poly:
         """A polynomial from its list of terms."""
-        made: dict[tuple[int, ...], Any] = {}
+        made: dict[tuple[int, ...], fmpq] = {}
         size = len(self.names)
         for term in listed(data, what):
             coefficient, powers = items(term, 2, f"a term of {what}")
@@ -71,7 +71,7 @@ class Ring:
             made[key] = fmpq(number.numerator, number.denominator)
         return self.context.from_dict(made)
 
-    def powers(self, data: Any, what: str, negative: bool = False) -> Powers:
+    def powers(self, data: object, what: str, negative: bool = False) -> Powers:
         """A list of polynomials with powers; none of the polynomials is zero."""
         found = []
         for pair in listed(data, what):
@@ -86,7 +86,7 @@ class Ring:
             found.append((made, number))
         return found
 
-    def fraction(self, data: Any, what: str) -> tuple[Poly, Powers]:
+    def fraction(self, data: object, what: str) -> tuple[Poly, Powers]:
         """A fraction: numerator and factors of the denominator."""
         data = mapping(data, what)
         only(data, what, "numerator", "denominator", "what")
@@ -103,9 +103,9 @@ class Ring:
             result = result * poly**power
         return result
 
-    def value(self, poly: Poly, values: Sequence[Any]) -> Any:
+    def value(self, poly: Poly, values: Sequence[arb]) -> arb:
         """The value of a polynomial at balls, one for each generator."""
-        known: dict[tuple[int, int], Any] = {}
+        known: dict[tuple[int, int], arb] = {}
         total = arb(0)
         for exponents, coefficient in poly.to_dict().items():
             term = arb(coefficient)
@@ -118,7 +118,7 @@ class Ring:
             total = total + term
         return total
 
-    def value_of_powers(self, powers: Powers, values: Sequence[Any]) -> Any:
+    def value_of_powers(self, powers: Powers, values: Sequence[arb]) -> arb:
         """The value of a product of powers."""
         result = arb(1)
         for poly, power in powers:

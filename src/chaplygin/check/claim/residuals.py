@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
-from typing import Any
 
 from flint import arb
 
@@ -115,7 +114,7 @@ def _transverse(claim: Claim, partial: Place) -> Number:
     return _sum([solution[i][i] for i in range(size)])
 
 
-def _is_certain(number: Any) -> bool:
+def _is_certain(number: arb) -> bool:
     """Whether a number is certainly not zero."""
     return not number.contains(0)
 
@@ -128,14 +127,14 @@ def _dot(a: Mapping[int, Number], b: Mapping[int, Number]) -> Number:
     return _sum([multiply(slope, b[i]) for i, slope in a.items() if i in b])
 
 
-def gram_determinants(claim: Claim, place: Place) -> list[Any]:
+def gram_determinants(claim: Claim, place: Place) -> list[arb]:
     """The leading minors of the Gram matrix of the conditions.
 
     Where the last is not zero, the conditions are independent, and so all of them are positive.
     """
     normals = _normals(claim, place.partial(claim.system.state))
     rows = [[_dot(a, b) for b in normals] for a in normals]
-    found: list[Any] = []
+    found: list[arb] = []
     for i in range(len(rows)):
         if not _is_certain(rows[i][i]):
             raise UndefinedError("the conditions are dependent")
@@ -146,7 +145,7 @@ def gram_determinants(claim: Claim, place: Place) -> list[Any]:
     return found
 
 
-def _solved(matrix: Sequence[Sequence[Any]], right: Sequence[Sequence[Any]]) -> list[list[Any]]:
+def _solved(matrix: Sequence[Sequence[arb]], right: Sequence[Sequence[arb]]) -> list[list[arb]]:
     rows = [[*a, *b] for a, b in zip(matrix, right, strict=True)]
     size = len(rows)
     for i in range(size):
@@ -312,7 +311,7 @@ def rank_at_least(claim: Claim, place: Place) -> bool:
     return _rank(rows) >= wanted
 
 
-def _rank(rows: list[list[Any]]) -> int:
+def _rank(rows: list[list[arb]]) -> int:
     """A rank that is certain."""
     rows = [list(row) for row in rows]
     found = 0

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import random
 from collections.abc import Sequence
-from typing import Any
 
 from flint import arb
 
@@ -27,9 +26,11 @@ class Functions:
 
     def __init__(self, seed: str) -> None:
         self._generator = random.Random(seed)
-        self._known: dict[tuple[str, tuple[int, ...]], list[tuple[tuple[Any, ...], Any]]] = {}
+        self._known: dict[tuple[str, tuple[int, ...]], list[tuple[tuple[Number, ...], Number]]] = {}
 
-    def settle(self, word: str, orders: Sequence[int], places: Sequence[Any], value: Any) -> None:
+    def settle(
+        self, word: str, orders: Sequence[int], places: Sequence[Number], value: Number
+    ) -> None:
         """Give a value that is not chosen freely."""
         self._known.setdefault((word, tuple(orders)), []).append((tuple(places), value))
 
@@ -50,7 +51,7 @@ class Functions:
                 slopes[k] = add(slopes[k], part) if k in slopes else part
         return Jet(level, self.value(word, orders, lower), slopes)
 
-    def _chosen(self, word: str, orders: tuple[int, ...], places: tuple[Any, ...]) -> Any:
+    def _chosen(self, word: str, orders: tuple[int, ...], places: tuple[Number, ...]) -> Number:
         table = self._known.setdefault((word, orders), [])
         for known, value in table:
             if all(a.overlaps(b) for a, b in zip(known, places, strict=True)):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from ..claim.errors import CheckError
 from ..claim.formulas import Formula
@@ -53,7 +52,7 @@ class Basis:
 
 
 def read_basis(
-    data: Mapping[str, Any],
+    data: Mapping[str, object],
     ground: Ground,
     region: Sequence[Formula],
     what: str,

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 from flint import fmpq
 
@@ -21,7 +21,7 @@ __all__ = ["Node", "Signs", "check_tree"]
 DEPTH = 200
 
 #: What is said of a case that is left, or of a part that a proof treats: at which node, and what.
-Leaf: TypeAlias = Callable[["Node", Mapping[str, Any], str], None]
+Leaf: TypeAlias = Callable[["Node", Mapping[str, object], str], None]
 
 
 class Signs:
@@ -109,7 +109,7 @@ def _shown(poly: Poly) -> str:
     return words if len(words) < 60 else words[:57] + "..."
 
 
-def check_tree(node: Node, data: Any, where: str = "the tree", depth: int = 0) -> None:
+def check_tree(node: Node, data: object, where: str = "the tree", depth: int = 0) -> None:
     """Check a tree of cases; CheckError where it fails."""
     if depth > DEPTH:
         raise CheckError(f"the tree is deeper than {DEPTH}")
@@ -132,14 +132,14 @@ def check_tree(node: Node, data: Any, where: str = "the tree", depth: int = 0) -
         raise CheckError(f"{where} has a case {case!r}, which is unknown")
 
 
-def _constant(data: Any, what: str) -> Any:
+def _constant(data: object, what: str) -> fmpq:
     number = rational(data, what)
     if not number:
         raise CheckError(f"{what} is zero")
     return fmpq(number.numerator, number.denominator)
 
 
-def _multiplier(node: Node, data: Any, where: str) -> Poly:
+def _multiplier(node: Node, data: object, where: str) -> Poly:
     powers = node.ring.powers(data, f"the factors in {where}")
     for poly, _ in powers:
         if not node.is_nonzero(poly):
@@ -147,7 +147,7 @@ def _multiplier(node: Node, data: Any, where: str) -> Poly:
     return node.ring.multiplied(powers)
 
 
-def _combined(node: Node, data: Any, where: str) -> Poly:
+def _combined(node: Node, data: object, where: str) -> Poly:
     """The sum of quotients times equations."""
     quotients = items(data, len(node.equations), f"the quotients in {where}")
     total = node.ring.constant(0)
@@ -156,7 +156,7 @@ def _combined(node: Node, data: Any, where: str) -> Poly:
     return total
 
 
-def _contained(node: Node, poly: Poly, data: Mapping[str, Any], where: str) -> None:
+def _contained(node: Node, poly: Poly, data: Mapping[str, object], where: str) -> None:
     """constant · ∏ factors · poly = Σ quotient · equation."""
     constant = _constant(field(data, "constant", where), f"the constant in {where}")
     multiplier = _multiplier(node, field(data, "factors", where), where)
@@ -165,7 +165,7 @@ def _contained(node: Node, poly: Poly, data: Mapping[str, Any], where: str) -> N
         raise CheckError(f"{where}: an identity of polynomials does not hold")
 
 
-def _zero(node: Node, data: Mapping[str, Any], where: str) -> None:
+def _zero(node: Node, data: Mapping[str, object], where: str) -> None:
     only(data, where, "case", "identities")
     if node.numerators is None:
         raise CheckError(f"{where} has a case 'zero', which has no place there")
@@ -184,7 +184,7 @@ def _zero(node: Node, data: Mapping[str, Any], where: str) -> None:
         raise CheckError(f"{where} does not show that residual {min(missing)} vanishes")
 
 
-def _membership(node: Node, data: Mapping[str, Any], where: str) -> Poly:
+def _membership(node: Node, data: Mapping[str, object], where: str) -> Poly:
     """A polynomial that vanishes: ∏ by · P = Σ quotient · equation."""
     poly = node.ring.read(field(data, "polynomial", where), f"the polynomial of {where}")
     by = _multiplier(node, field(data, "by", where), where)
@@ -193,7 +193,7 @@ def _membership(node: Node, data: Mapping[str, Any], where: str) -> Poly:
     return poly
 
 
-def _split(node: Node, data: Mapping[str, Any], where: str, depth: int) -> None:
+def _split(node: Node, data: Mapping[str, object], where: str, depth: int) -> None:
     names = ("polynomial", "factors", "constant", "by", "quotients", "children")
     only(data, where, "case", *names)
     poly = _membership(node, data, where)
@@ -207,7 +207,7 @@ def _split(node: Node, data: Mapping[str, Any], where: str, depth: int) -> None:
         check_tree(node.with_equations(factor), child, f"{where}.{number}", depth + 1)
 
 
-def _vanishing(node: Node, data: Mapping[str, Any], where: str, depth: int) -> None:
+def _vanishing(node: Node, data: Mapping[str, object], where: str, depth: int) -> None:
     only(data, where, "case", "polynomial", "nonzero", "zero")
     poly = node.ring.read(field(data, "polynomial", where), f"the polynomial of {where}")
     if poly.is_zero():
@@ -218,7 +218,7 @@ def _vanishing(node: Node, data: Mapping[str, Any], where: str, depth: int) -> N
     check_tree(zero, field(data, "zero", where), f"{where}.zero", depth + 1)
 
 
-def _squares(node: Node, data: Mapping[str, Any], where: str, depth: int) -> None:
+def _squares(node: Node, data: Mapping[str, object], where: str, depth: int) -> None:
     only(data, where, "case", "polynomial", "by", "quotients", "terms", "child")
     poly = _membership(node, data, where)
     total = node.ring.constant(0)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import random
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from flint import arb, arb_mat
 
@@ -56,7 +55,7 @@ class PointPair:
     new: Place
 
 
-def read_change(claim: Claim, data: Any, what: str) -> Change:
+def read_change(claim: Claim, data: object, what: str) -> Change:
     """The change of variables that a proof says it makes."""
     circles: list[Circle] = []
     graph: dict[str, Formula] = {}
@@ -145,7 +144,7 @@ def _defined(claim: Claim, stated: Claim, pair: PointPair) -> None:
         new(formula)
 
 
-def slopes_determinant(claim: Claim, change: Change, pair: PointPair) -> Any:
+def slopes_determinant(claim: Claim, change: Change, pair: PointPair) -> arb:
     """The determinant of the conditions that express variables, derived by these."""
     words = list(change.graph)
     values = {w: pair.old(name(w)) for w in claim.system.symbols}

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from flint import arb, fmpq
 
 from ..claim.domain import GRAM
 from ..claim.errors import CheckError, UndefinedError
 from ..claim.formulas import Formula, parse
+from ..claim.jets import Number
 from ..claim.json_data import choice, field, listed, mapping, only, rational, text
 from ..claim.polynomials import Powers, monic
 from ..claim.residuals import target_place
@@ -28,14 +28,14 @@ class Entry:
     powers: Powers
 
 
-def _at(ground: Ground, sample: Sample, where: str, formula: Formula) -> Any:
+def _at(ground: Ground, sample: Sample, where: str, formula: Formula) -> Number:
     if where == "target":
         return target_place(ground.claim, sample.place)(formula)
     return sample.place.with_definitions(ground.claim.law.quantities)(formula)
 
 
 def read_divisors(
-    data: Mapping[str, Any], ground: Ground, samples: list[Sample], what: str
+    data: Mapping[str, object], ground: Ground, samples: list[Sample], what: str
 ) -> tuple[list[Entry], list[int | None]]:
     """Divisors as products, and the number of the entry of each radicand."""
     ring = ground.ring

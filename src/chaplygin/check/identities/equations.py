@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 from ..claim.errors import CheckError, UndefinedError
 from ..claim.formulas import Formula, parse
@@ -17,7 +16,7 @@ __all__ = ["read_equations"]
 
 
 def read_equations(
-    data: Mapping[str, Any],
+    data: Mapping[str, object],
     ground: Ground,
     samples: list[Sample],
     region: Sequence[Formula],
@@ -90,7 +89,7 @@ def _check_root(poly: Poly, word: str, ground: Ground, label: str) -> None:
 def _check_equal_values(
     poly: Poly,
     words: Sequence[str],
-    quotients: Any,
+    quotients: object,
     equations: Sequence[Poly],
     ground: Ground,
     label: str,
@@ -123,7 +122,7 @@ def _check_equal_values(
             raise CheckError(f"{label}: the arguments are not equal on the level")
 
 
-def _function(auxiliary: Auxiliary) -> tuple[Any, ...]:
+def _function(auxiliary: Auxiliary) -> tuple[object, ...]:
     """Of what an auxiliary symbol is a value, whatever the arguments."""
     return (
         auxiliary.kind,

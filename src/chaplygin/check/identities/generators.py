@@ -11,7 +11,6 @@ import random
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
 
 from flint import arb, fmpq
 
@@ -72,11 +71,11 @@ class Exchange:
 class Sample:
     """A random point."""
 
-    values: list[Any]
+    values: list[arb]
     place: Place
-    nonzero: list[Any]
-    positive: list[Any]
-    logarithms: list[Any]
+    nonzero: list[arb]
+    positive: list[arb]
+    logarithms: list[arb]
 
 
 @dataclass(frozen=True)
@@ -126,7 +125,7 @@ class Ground:
         functions = Functions(f"{attempt}")
         given = {word: self._drawn(word, generator, attempt) for word in self.plain}
         solver = _Solver(self, given, functions)
-        values: list[Any] = [arb(0)] * len(self.ring.names)
+        values: list[arb] = [arb(0)] * len(self.ring.names)
         for word, value in given.items():
             values[self.ring.index[word]] = value
         for zero in self.zeros:
@@ -146,7 +145,7 @@ class Ground:
                 raise CheckError(f"the generator {word} does not agree with its definition")
         return Sample(values, place, *self.domain.values(place))
 
-    def _drawn(self, word: str, generator: random.Random, attempt: int) -> Any:
+    def _drawn(self, word: str, generator: random.Random, attempt: int) -> arb:
         mode = attempt % 3
         fine = generator.randint(-(2**22), 2**22)
         if mode == 2 and word in self.near:
@@ -158,8 +157,8 @@ class Ground:
         return arb(fine) / 2 ** (21 if mode == 0 else 19)
 
     def _auxiliary(
-        self, auxiliary: Auxiliary, values: list[Any], solver: Place, functions: Functions
-    ) -> Any:
+        self, auxiliary: Auxiliary, values: list[arb], solver: Place, functions: Functions
+    ) -> Number:
         ring = self.ring
         inner = [
             ring.value(above, values) * inverse(ring.value_of_powers(below, values))
@@ -194,7 +193,7 @@ class Ground:
 class _Solver(Place):
     """A point given by the generators: what state and parameters are there."""
 
-    def __init__(self, ground: Ground, given: Mapping[str, Any], functions: Functions) -> None:
+    def __init__(self, ground: Ground, given: Mapping[str, arb], functions: Functions) -> None:
         super().__init__(given, ground.claim.system.definitions, {}, functions, ground.settled)
         self._ground = ground
         self._parameters = ground.exchanged
@@ -231,7 +230,7 @@ class _Solver(Place):
         raise CheckError(f"the generators do not say what {word} is")
 
 
-def _inverse_entry(six: Sequence[Any], number: int) -> Any:
+def _inverse_entry(six: Sequence[Number], number: int) -> Number:
     """An entry of the inverse of a symmetric matrix 11, 12, 13, 22, 23, 33."""
     a, b, c, d, e, f = six
     minors = (

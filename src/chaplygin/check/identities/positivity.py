@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
-from flint import fmpq
+from flint import arb, fmpq
 
 from ..claim.claim import Claim
 from ..claim.errors import CheckError, UndefinedError
@@ -21,7 +20,7 @@ __all__ = ["PositiveSum", "check_radicand_positive", "common_ratio", "learn_posi
 
 
 def learn_positive(
-    item: Any, ground: Ground, samples: list[Sample], signs: Signs, what: str
+    item: object, ground: Ground, samples: list[Sample], signs: Signs, what: str
 ) -> None:
     """Something positive that a guard or a condition on parameters says."""
     label = f"what is positive in {what}"
@@ -61,7 +60,7 @@ def _positive_formulas(source: str, claim: Claim, label: str) -> list[tuple[Form
     return [pair for pair in found if pair in known]
 
 
-def common_ratio(first: Sequence[Any], second: Sequence[Any]) -> Any:
+def common_ratio(first: Sequence[arb], second: Sequence[arb]) -> arb | None:
     """The number by which two lists of numbers differ, or None if there is none."""
     if any(b.contains(0) for b in second):
         return None
@@ -70,10 +69,10 @@ def common_ratio(first: Sequence[Any], second: Sequence[Any]) -> Any:
 
 
 def check_radicand_positive(
-    item: Mapping[str, Any], ground: Ground, signs: Signs, what: str
+    item: Mapping[str, object], ground: Ground, signs: Signs, what: str
 ) -> None:
     """What a proof says to be positive because it stands under a root."""
-    source = item["from"]
+    source = text(item["from"], what)
     if not source.startswith("radicand "):
         return
     poly = ground.ring.read(item["poly"], what)
@@ -112,7 +111,7 @@ class PositiveSum:
     are positive, or do not vanish where their power is even.
     """
 
-    def __init__(self, data: Mapping[str, Any], ground: Ground, what: str) -> None:
+    def __init__(self, data: Mapping[str, object], ground: Ground, what: str) -> None:
         label = f"what is positive in {what}"
         ring = self.ring = ground.ring
         self.label = label

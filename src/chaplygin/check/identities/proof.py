@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from functools import partial
 
 from ..claim.claim import Claim
 from ..claim.errors import CheckError, UndefinedError
@@ -37,7 +37,7 @@ class Condition:
 
 
 def check_proof(
-    data: Mapping[str, Any], claim: Claim, what: str, conditions: Sequence[Condition]
+    data: Mapping[str, object], claim: Claim, what: str, conditions: Sequence[Condition]
 ) -> Basis:
     """Check a proof of a claim, where conditions hold; CheckError where it fails."""
     only(data, what, "claim", "substitution", "region", *FIELDS, "residuals", "tree")
@@ -45,10 +45,11 @@ def check_proof(
     basis: Basis = with_precision(lambda: _checked_residuals(data, claim, region, what))
     ring = basis.ground.ring
     numerators = [
-        ring.fraction(item, f"a residual of {what}")[0] for item in field(data, "residuals", what)
+        ring.fraction(item, f"a residual of {what}")[0]
+        for item in listed(field(data, "residuals", what), what)
     ]
 
-    def leaf(node: Node, data: Mapping[str, Any], where: str) -> None:
+    def leaf(node: Node, data: Mapping[str, object], where: str) -> None:
         check_left(node, data, where, basis, conditions)
 
     node = Node(ring, basis.equations, basis.nonzero, basis.signs, numerators, leaf)
@@ -56,7 +57,7 @@ def check_proof(
     return basis
 
 
-def read_region(data: Mapping[str, Any], claim: Claim, what: str) -> tuple[Formula, ...]:
+def read_region(data: Mapping[str, object], claim: Claim, what: str) -> tuple[Formula, ...]:
     """The equations of the part of the level that a proof treats."""
     region = listed(data.get("region", []), f"the region of {what}")
     found = tuple(parse(formula, f"the region of {what}") for formula in region)
@@ -68,7 +69,7 @@ def read_region(data: Mapping[str, Any], claim: Claim, what: str) -> tuple[Formu
 
 
 def _checked_residuals(
-    data: Mapping[str, Any], claim: Claim, region: Sequence[Formula], what: str
+    data: Mapping[str, object], claim: Claim, region: Sequence[Formula], what: str
 ) -> Basis:
     ground = read_ground(data, claim, what)
     basis = read_basis(data, ground, region, what)
@@ -98,7 +99,7 @@ def _checked_residuals(
 
 def check_left(
     node: Node,
-    data: Mapping[str, Any],
+    data: Mapping[str, object],
     where: str,
     basis: Basis,
     conditions: Sequence[Condition],
@@ -110,8 +111,8 @@ def check_left(
     said = text(field(data, "condition", where), f"the condition of {where}")
     for condition in conditions:
         if condition.text == said and any(
-            with_precision(lambda e=e, c=condition: same(basis, e, c.formula) is not None)
-            for e in node.equations
+            with_precision(partial(same, basis, equation, condition.formula)) is not None
+            for equation in node.equations
         ):
             return
     raise CheckError(f"{where} is left unproven, which no condition of the verdict excludes")

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from fractions import Fraction
-from typing import Any
 
 from ..claim.claim import Claim
 from ..claim.domain import domain
@@ -35,7 +35,7 @@ FIELDS = (
 ONE = {"exp", "log", "asin", "acos", "atan"}
 
 
-def read_ground(data: Mapping[str, Any], claim: Claim, what: str) -> Ground:
+def read_ground(data: Mapping[str, object], claim: Claim, what: str) -> Ground:
     """Read ring, auxiliary symbols and generators of a proof."""
     names = [text(n, f"the ring of {what}") for n in listed(field(data, "ring", what), what)]
     if len(set(names)) < len(names):
@@ -65,73 +65,72 @@ def read_ground(data: Mapping[str, Any], claim: Claim, what: str) -> Ground:
     return ground
 
 
-def _auxiliaries(data: Any, ring: Ring, what: str) -> tuple[Auxiliary, ...]:
-    found: list[Auxiliary] = []
-    waiting = []
+def _auxiliaries(data: object, ring: Ring, what: str) -> tuple[Auxiliary, ...]:
+    auxiliaries: list[Auxiliary] = []
+    meanings: dict[str, object] = {}
     for pair in listed(data, f"the auxiliary symbols of {what}"):
-        word = text(items(pair, 2, f"an auxiliary symbol of {what}")[0], "an auxiliary symbol")
-        if word not in ring.names or word in waiting:
+        name, meaning = items(pair, 2, f"an auxiliary symbol of {what}")
+        word = text(name, "an auxiliary symbol")
+        if word not in ring.names or word in meanings:
             raise CheckError(f"the auxiliary symbol {word!r} of {what} is not in its ring, once")
-        waiting.append(word)
-    later = set(waiting)
-    for word, meaning in data:
-        made = _auxiliary(word, mapping(meaning, word), ring)
-        for above, below in made.of:
+        meanings[word] = meaning
+    later = set(meanings)
+    for word, meaning in meanings.items():
+        auxiliary = _auxiliary(word, mapping(meaning, word), ring)
+        for above, below in auxiliary.of:
             for poly in (above, *(factor for factor, _ in below)):
                 if later & _generators(poly, ring):
                     raise CheckError(f"{word} is explained by what comes later")
-        if any(later & _generators(poly, ring) for poly, _ in made.whole):
+        if any(later & _generators(poly, ring) for poly, _ in auxiliary.whole):
             raise CheckError(f"{word} is explained by what comes later")
         later.discard(word)
-        found.append(made)
-    return tuple(found)
+        auxiliaries.append(auxiliary)
+    return tuple(auxiliaries)
 
 
 def _generators(poly: Poly, ring: Ring) -> set[str]:
     return {n for n, d in zip(ring.names, poly.degrees(), strict=False) if d > 0}
 
 
-def _auxiliary(word: str, data: Mapping[str, Any], ring: Ring) -> Auxiliary:
+def _auxiliary(word: str, data: Mapping[str, object], ring: Ring) -> Auxiliary:
     what = f"the meaning of {word}"
     kinds = ("root", "formal root", "power", "sin", "cos", "pi", "function", "known")
     kind = choice(field(data, "kind", what), what, *kinds)
-    made: dict[str, Any] = {"name": word, "kind": kind, "word": kind, "number": 0, "orders": ()}
-    made |= {"exponent": None, "whole": [], "of": ()}
+    symbol = Auxiliary(word, kind, kind, 0, (), None, (), [])
     if kind == "pi":
         only(data, what, "kind")
-        return Auxiliary(**made)
+        return symbol
     of = field(data, "of", what)
-    if kind == "formal root":
-        only(data, what, "kind", "of", "degree", "whole")
-        made["number"] = integer(field(data, "degree", what), what, 2, 1000)
-        made["of"] = ((ring.read(of, what), []),)
-        made["whole"] = ring.powers(field(data, "whole", what), what, negative=True)
-    elif kind == "root":
-        only(data, what, "kind", "of", "degree")
-        made["number"] = integer(field(data, "degree", what), what, 2, 1000)
-        made["of"] = ((ring.read(of, what), []),)
-    elif kind == "power":
+    if kind in ("root", "formal root"):
+        only(data, what, "kind", "of", "degree", *(["whole"] if kind == "formal root" else []))
+        degree = integer(field(data, "degree", what), what, 2, 1000)
+        symbol = replace(symbol, number=degree, of=((ring.read(of, what), []),))
+        if kind == "root":
+            return symbol
+        whole = ring.powers(field(data, "whole", what), what, negative=True)
+        return replace(symbol, whole=whole)
+    if kind == "power":
         only(data, what, "kind", "of", "exponent", "fineness")
-        made["number"] = integer(field(data, "fineness", what), what, 1, 1000)
-        made["exponent"] = parse(field(data, "exponent", what), what)
-        made["of"] = ((ring.read(of, what), []),)
-    elif kind in ("sin", "cos"):
+        fineness = integer(field(data, "fineness", what), what, 1, 1000)
+        exponent = parse(field(data, "exponent", what), what)
+        base = ring.read(of, what)
+        return replace(symbol, number=fineness, exponent=exponent, of=((base, []),))
+    if kind in ("sin", "cos"):
         only(data, what, "kind", "of")
-        made["of"] = (ring.fraction(of, what),)
-    else:
-        only(data, what, "kind", "of", "name", *(["orders"] if kind == "function" else []))
-        made["of"] = tuple(ring.fraction(part, what) for part in listed(of, what))
-        made["word"] = text(field(data, "name", what), what)
-        size = len(made["of"])
-        if kind == "function":
-            orders = items(field(data, "orders", what), size, what)
-            made["orders"] = tuple(integer(n, what, 0, 1000) for n in orders)
-        elif made["word"] not in {*ONE, "atan2"} or size != 1 + (made["word"] == "atan2"):
-            raise CheckError(f"{what} is no known function of so many arguments")
-    return Auxiliary(**made)
+        return replace(symbol, of=(ring.fraction(of, what),))
+    only(data, what, "kind", "of", "name", *(["orders"] if kind == "function" else []))
+    arguments = tuple(ring.fraction(part, what) for part in listed(of, what))
+    name = text(field(data, "name", what), what)
+    symbol = replace(symbol, word=name, of=arguments)
+    if kind == "function":
+        orders = items(field(data, "orders", what), len(arguments), what)
+        return replace(symbol, orders=tuple(integer(n, what, 0, 1000) for n in orders))
+    if name not in {*ONE, "atan2"} or len(arguments) != 1 + (name == "atan2"):
+        raise CheckError(f"{what} is no known function of so many arguments")
+    return symbol
 
 
-def _settled(data: Any, claim: Claim, what: str) -> dict[str, Formula]:
+def _settled(data: object, claim: Claim, what: str) -> dict[str, Formula]:
     found: dict[str, Formula] = {}
     for pair in listed(data, f"what is settled in {what}"):
         word, formula = (text(t, what) for t in items(pair, 2, f"what is settled in {what}"))
@@ -187,7 +186,7 @@ def _solved(poly: Poly, word: str, ring: Ring) -> Poly | None:
     return ring.generator(word) - poly / factor
 
 
-def _exchanged(data: Any, claim: Claim, what: str) -> dict[str, Exchange]:
+def _exchanged(data: object, claim: Claim, what: str) -> dict[str, Exchange]:
     found: dict[str, Exchange] = {}
     for four in listed(data, f"what is exchanged in {what}"):
         word, factor, parameter, rest = items(four, 4, f"what is exchanged in {what}")
@@ -203,19 +202,22 @@ def _exchanged(data: Any, claim: Claim, what: str) -> dict[str, Exchange]:
 
 
 def _inverted(
-    data: Any, claim: Claim, what: str
+    data: object, claim: Claim, what: str
 ) -> tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]:
-    found = []
+    inverted = []
     for pair in listed(data, f"what is inverted in {what}"):
-        names, of = items(pair, 2, f"what is inverted in {what}")
-        for word in [*items(names, 6, what), *items(of, 6, what)]:
-            if text(word, what) not in claim.system.definitions:
+        names, of = (
+            tuple(text(word, what) for word in items(six, 6, what))
+            for six in items(pair, 2, f"what is inverted in {what}")
+        )
+        for word in (*names, *of):
+            if word not in claim.system.definitions:
                 raise CheckError(f"{what} inverts {word!r}, which is no definition")
-        found.append((tuple(names), tuple(of)))
-    return tuple(found)
+        inverted.append((names, of))
+    return tuple(inverted)
 
 
-def _zeros(data: Any, claim: Claim, what: str) -> tuple[Formula, ...]:
+def _zeros(data: object, claim: Claim, what: str) -> tuple[Formula, ...]:
     found = []
     for formula in listed(data, f"the zeros of {what}"):
         made = parse(formula, f"a zero of {what}")
@@ -225,7 +227,7 @@ def _zeros(data: Any, claim: Claim, what: str) -> tuple[Formula, ...]:
     return tuple(found)
 
 
-def _signs(data: Any, ring: Ring, what: str) -> tuple[tuple[Poly, int], ...]:
+def _signs(data: object, ring: Ring, what: str) -> tuple[tuple[Poly, int], ...]:
     found = []
     for pair in listed(data, f"the signs of {what}"):
         poly, sign = items(pair, 2, f"a sign of {what}")
@@ -236,7 +238,7 @@ def _signs(data: Any, ring: Ring, what: str) -> tuple[tuple[Poly, int], ...]:
     return tuple(found)
 
 
-def _near(data: Any, ring: Ring, what: str) -> dict[str, Fraction]:
+def _near(data: object, ring: Ring, what: str) -> dict[str, Fraction]:
     found = {}
     for word, value in mapping(data, f"the point near which {what} is tried").items():
         try:

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from itertools import product
-from typing import Any
+from typing import TypeAlias
+
+from flint import fmpq
 
 from ..claim.errors import CheckError
 from ..claim.polynomials import Poly
@@ -14,6 +17,9 @@ from .generators import Ground
 from .proof import Condition, same
 
 __all__ = ["covers"]
+
+#: A polynomial by its terms, whatever the ring.
+Key: TypeAlias = tuple[object, ...]
 
 #: Polynomials whose signs may be assumed together.
 MANY = 14
@@ -40,24 +46,24 @@ def covers(proofs: Sequence[Basis], conditions: Sequence[Condition]) -> bool:
     return True
 
 
-def _sign(content: int, factors: Sequence[Any], signs: Mapping[Any, int]) -> int:
+def _sign(content: int, factors: Sequence[Key], signs: Mapping[Key, int]) -> int:
     for key in factors:
         content *= signs[key]
     return content
 
 
-def _assumed(basis: Basis) -> Iterator[tuple[Any, int]]:
+def _assumed(basis: Basis) -> Iterator[tuple[Key, int]]:
     for poly, sign in basis.ground.signs:
         key, lead = _key(basis.ground, poly)
         yield key, sign * lead
 
 
 def _known(
-    proofs: Sequence[Basis], conditions: Sequence[Condition], keys: set[Any]
-) -> tuple[list[tuple[Any, int]], list[tuple[int, list[Any]]]]:
+    proofs: Sequence[Basis], conditions: Sequence[Condition], keys: set[Key]
+) -> tuple[list[tuple[Key, int]], list[tuple[int, list[Key]]]]:
     """Signs that are certain or asked for, and products of signs that are positive."""
-    known: list[tuple[Any, int]] = []
-    products: list[tuple[int, list[Any]]] = []
+    known: list[tuple[Key, int]] = []
+    products: list[tuple[int, list[Key]]] = []
     for basis in proofs:
         ground = basis.ground
         for poly, _ in ground.signs:
@@ -67,9 +73,7 @@ def _known(
                 known.append((key, certain * lead))
             for condition in conditions:
                 if condition.positive:
-                    sign = with_precision(
-                        lambda b=basis, p=poly, c=condition: same(b, p, c.formula)
-                    )
+                    sign = with_precision(partial(same, basis, poly, condition.formula))
                     if sign is not None:
                         known.append((key, sign * lead))
         for entry in basis.radicands:
@@ -89,9 +93,9 @@ def _known(
     return known, products
 
 
-def _key(ground: Ground, poly: Poly) -> tuple[Any, int]:
+def _key(ground: Ground, poly: Poly) -> tuple[Key, int]:
     """A key that does not depend on the ring, and the sign by which the polynomial is divided."""
-    names: dict[str, tuple[Any, ...]] = {name: (name,) for name in ground.plain}
+    names: dict[str, Key] = {name: (name,) for name in ground.plain}
     for auxiliary in ground.auxiliary:
         names[auxiliary.name] = (
             auxiliary.kind,
@@ -112,7 +116,7 @@ def _key(ground: Ground, poly: Poly) -> tuple[Any, int]:
     return tuple((powers, str(number / lead)) for powers, number in terms), 1 if lead > 0 else -1
 
 
-def _terms(ground: Ground, poly: Poly, names: Mapping[str, Any]) -> tuple[Any, ...]:
+def _terms(ground: Ground, poly: Poly, names: Mapping[str, Key]) -> tuple[tuple[object, fmpq], ...]:
     """Terms in an order that does not depend on the ring."""
     found = []
     for exponents, number in poly.to_dict().items():

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from flint import arb
 
@@ -93,12 +92,12 @@ def _same_tensors(claim: Claim, stated: Claim, change: Change, pairs: Sequence[P
     return True
 
 
-def _components(law: Law, state: Sequence[str], place: Place) -> list[Any]:
+def _components(law: Law, state: Sequence[str], place: Place) -> list[arb]:
     given = dict(law.pairs["field"])
     return [place(given[word]) if word in given else arb(0) for word in state]
 
 
-def _rows(claim: Claim, stated: Claim, change: Change, pair: PointPair) -> dict[str, list[Any]]:
+def _rows(claim: Claim, stated: Claim, change: Change, pair: PointPair) -> dict[str, list[arb]]:
     """Differentials of the new variables by the old ones."""
     partial = pair.old.partial(claim.system.state)
     images = {w: f for c in change.circles for w, f in c.functions}
@@ -109,7 +108,7 @@ def _rows(claim: Claim, stated: Claim, change: Change, pair: PointPair) -> dict[
     return found
 
 
-def _sum(first: Sequence[Any], second: Sequence[Any]) -> Any:
+def _sum(first: Sequence[arb], second: Sequence[arb]) -> arb:
     return sum((a * b for a, b in zip(first, second, strict=True)), arb(0))
 
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
 
 from flint import arb
 
@@ -18,6 +17,7 @@ from ..claim.domain import Domain, domain
 from ..claim.errors import CheckError
 from ..claim.evaluate import Place
 from ..claim.formulas import Formula, call, parse, total
+from ..claim.json_data import listed, text
 from .accuracy import agree, with_precision
 from .change_of_variables import Change, PointPair, point_pairs, read_change, slopes_determinant
 from .proof import Condition
@@ -29,15 +29,22 @@ __all__ = ["CONSISTENCY", "LAW", "expressed", "substituted"]
 LAW, CONSISTENCY = "law", "consistency"
 
 
-def expressed(data: Any) -> tuple[tuple[str, str], ...]:
+def expressed(data: object) -> tuple[tuple[str, str], ...]:
     """The variables that are expressed by others, with the texts of their formulas."""
-    return tuple(sorted((part[1], part[2]) for part in data if part[0] == "graph"))
+    parts = [listed(part, "a substitution") for part in listed(data or [], "a substitution")]
+    return tuple(
+        sorted(
+            (text(part[1], "a variable"), text(part[2], "a formula"))
+            for part in parts
+            if part[0] == "graph"
+        )
+    )
 
 
 def substituted(
     claim: Claim,
     stated: Claim,
-    data: Any,
+    data: object,
     region: Sequence[Formula],
     conditions: Sequence[Condition],
     what: str,
@@ -165,37 +172,37 @@ def _check_domain(
             raise CheckError(f"the claim of {what} takes a root that the system does not")
 
 
-def _of_domain(made: Domain, place: Place) -> tuple[list[Any], list[Any]]:
+def _of_domain(made: Domain, place: Place) -> tuple[list[arb], list[arb]]:
     nonzero, positive, logarithms = made.values(place)
     return nonzero, [*positive, *logarithms]
 
 
-def _columns(rows: Sequence[Sequence[list[Any]]]) -> list[list[Any]]:
+def _columns(rows: Sequence[Sequence[list[arb]]]) -> list[list[list[arb]]]:
     """Lists of values at all points, from lists at each."""
     return [
         [list(column) for column in zip(*lists, strict=True)] for lists in zip(*rows, strict=True)
     ]
 
 
-def _vanish_alike(values: Sequence[Any], others: Sequence[Any]) -> bool:
+def _vanish_alike(values: Sequence[arb], others: Sequence[arb]) -> bool:
     """Whether two functions, or one and the square of the other, differ by a number."""
     forms = [(values, others), ([v * v for v in values], others)]
     forms.append((values, [o * o for o in others]))
     return any(_proportional(a, b) for a, b in forms)
 
 
-def _proportional(values: Sequence[Any], others: Sequence[Any]) -> bool:
+def _proportional(values: Sequence[arb], others: Sequence[arb]) -> bool:
     if any(v.contains(0) for v in (*values, *others)):
         return False
     ratios = [v / o for v, o in zip(values, others, strict=True)]
     return agree(ratios[:1] * len(ratios), ratios)
 
 
-def _positive_alike(values: Sequence[Any], others: Sequence[Any]) -> bool:
+def _positive_alike(values: Sequence[arb], others: Sequence[arb]) -> bool:
     return _proportional(values, others) and bool(values[0] / others[0] > 0)
 
 
-def _factors(claim: Claim, change: Change, pair: PointPair) -> list[Any]:
+def _factors(claim: Claim, change: Change, pair: PointPair) -> list[arb]:
     """Determinant of the derivatives of the conditions by the variables they express."""
     return [slopes_determinant(claim, change, pair)] if change.graph else []
 
