@@ -74,10 +74,10 @@ def _condition(data: object, claim: Claim) -> Condition:
     """A condition such as ``x > 0``, ``not x = 0`` or ``x != 0``."""
     words = text(data, "a condition")
     negated = words.startswith("not ")
-    made = words
+    relation = words
     if negated:
-        made = words.removeprefix("not ").replace("=", "==") if "==" not in words else words[4:]
-    parts = parse_condition(made, "a condition")
+        relation = words.removeprefix("not ").replace("=", "==") if "==" not in words else words[4:]
+    parts = parse_condition(relation, "a condition")
     allowed = {(True, "="), (False, ">"), (False, "!=")}
     if len(parts) != 1 or (negated, parts[0][1]) not in allowed:
         raise CheckError(f"the condition {words!r} is neither x > 0 nor x != 0")

@@ -51,7 +51,7 @@ def check_witness(claim: Claim, data: object) -> None:
         if values[index].contains(0):
             raise CheckError("the residual at the witness is not certainly different from zero")
         stated = field(data, "residual", what)
-        if not _stated(stated).overlaps(values[index]):
+        if not _stated_number(stated).overlaps(values[index]):
             raise CheckError(f"the residual at the witness is not {stated}")
 
 
@@ -94,7 +94,7 @@ def check_sample(claim: Claim, data: object, conditions: Sequence[Condition]) ->
             raise CheckError("at the sample the rank is not as the law says")
 
 
-def _stated(data: object) -> arb:
+def _stated_number(data: object) -> arb:
     """A number as a text: a fraction, a decimal, or a ball such as ``[1.5 +/- 1e-20]``."""
     words = text(data, "the residual at the witness")
     try:
@@ -186,13 +186,13 @@ class _Point:
             raise CheckError(f"{what} has a radius that is not positive")
         self.balls[word] = _root(poly, small, word, self.balls, middle, radius, what)
         table = {n: self.ring.index[n] for n in names}
-        made = {}
+        terms = {}
         for exponents, coefficient in poly.to_dict().items():
             spread = [0] * len(self.ring.names)
             for name, exponent in zip(names, exponents, strict=True):
                 spread[table[name]] = int(exponent)
-            made[tuple(spread)] = coefficient
-        self.chain.append((word, self.ring.context.from_dict(made)))
+            terms[tuple(spread)] = coefficient
+        self.chain.append((word, self.ring.context.from_dict(terms)))
 
     # --- what must hold ------------------------------------------------------------------------
 
@@ -253,8 +253,8 @@ class _Point:
         table = {
             word: fmpq(value.numerator, value.denominator) for word, value in self.rationals.items()
         }
-        made: Poly = poly.subs({w: v for w, v in table.items() if w in self.ring.index})
-        return made
+        value: Poly = poly.subs({w: v for w, v in table.items() if w in self.ring.index})
+        return value
 
     def _remainder(self, poly: Poly, divisor: Poly, word: str) -> Poly:
         """Remainder of a division in one variable, times powers of the divisor's first factor."""
@@ -275,13 +275,13 @@ def _degree(poly: Poly, position: int) -> int:
 
 
 def _coefficient(ring: Ring, poly: Poly, position: int, degree: int) -> Poly:
-    found = {}
+    terms = {}
     for exponents, coefficient in poly.to_dict().items():
         if exponents[position] == degree:
-            rest = list(map(int, exponents))
-            rest[position] = 0
-            found[tuple(rest)] = coefficient
-    return ring.context.from_dict(found)
+            lower = list(map(int, exponents))
+            lower[position] = 0
+            terms[tuple(lower)] = coefficient
+    return ring.context.from_dict(terms)
 
 
 def _root(
@@ -299,8 +299,8 @@ def _root(
         return ring.value(of, [at if n == word else balls[n] for n in ring.names])
 
     def sign(at: Fraction) -> int:
-        found = value(ball(at))
-        return 1 if found > 0 else -1 if found < 0 else 0
+        here = value(ball(at))
+        return 1 if here > 0 else -1 if here < 0 else 0
 
     low, high = middle - radius, middle + radius
     left, right = sign(low), sign(high)
@@ -310,17 +310,17 @@ def _root(
     while high - low > radius / 2**BISECTIONS:
         here = ball(low).union(ball(high))
         if value(here, slope) != 0:
-            return _narrowed(here, value, lambda at: value(at, slope))
+            return _newton_narrowed(here, value, lambda at: value(at, slope))
         # a root may lie at one of the points that part the interval
         points = [low + (high - low) * Fraction(share, 8) for share in (4, 3, 5)]
-        inside = next(((at, found) for at in points if (found := sign(at))), None)
+        inside = next(((at, side) for at in points if (side := sign(at))), None)
         if inside is None:
             break
         low, high = (inside[0], high) if inside[1] == left else (low, inside[0])
     return ball(low).union(ball(high))
 
 
-def _narrowed(here: arb, value: Callable[[arb], arb], slope: Callable[[arb], arb]) -> arb:
+def _newton_narrowed(here: arb, value: Callable[[arb], arb], slope: Callable[[arb], arb]) -> arb:
     """A ball with one root made narrower by Newton's method: the root stays in it."""
     while True:
         middle = here.mid()

@@ -21,7 +21,9 @@ from ..core.laws import (
 )
 from ..core.system import System
 from ..core.vectors import Vector, to_components
+from .level.level_formulas import assumed_relations
 from .level.named_formulas import scalars
+from .level.trigonometric import expanded
 
 __all__ = ["admissible", "claim_text", "guards", "powers_text", "terms_text"]
 
@@ -58,23 +60,14 @@ def guards(system: System) -> tuple[sp.Expr, ...]:
 
 def admissible(system: System) -> tuple[sp.Basic, ...]:
     """What is asked of parameters: relations, none of which is a conjunction."""
-    found: list[sp.Basic] = []
+    relations: list[sp.Basic] = []
     for parameter in system.parameters:
         for condition in parameter.admissible:
-            found += sp.And.make_args(sp.sympify(condition))
-        symbol = parameter.symbol
-        for known, relation in (
-            (symbol.is_positive, symbol > 0),
-            (symbol.is_negative, symbol < 0),
-            (symbol.is_nonnegative, symbol >= 0),
-            (symbol.is_nonpositive, symbol <= 0),
-            (symbol.is_nonzero, sp.Ne(symbol, 0)),
-        ):
-            # the strongest that is known says it all
-            if known and relation not in (sp.true, sp.false):
-                found.append(relation)
-                break
-    return tuple(r for r in dict.fromkeys(found) if r not in (sp.true, True))
+            relations += sp.And.make_args(sp.sympify(condition))
+        assumed = [r for r in assumed_relations(parameter.symbol) if r not in (sp.true, sp.false)]
+        # the strongest says it all
+        relations += assumed[:1]
+    return tuple(r for r in dict.fromkeys(relations) if r not in (sp.true, True))
 
 
 # --- laws ----------------------------------------------------------------------------------------
@@ -122,10 +115,7 @@ def _there(system: System, law: Isomorphism, condition: sp.Expr) -> sp.Expr:
     target = law.target
     theirs = {*target.symbols, *target.defaults, *(s for s, _ in target.steps)}
     steps = {s: value for s, value in system.steps if s not in theirs}
-    formula = to_components(condition)
-    while formula.free_symbols & steps.keys():
-        formula = formula.xreplace(steps)
-    return formula
+    return expanded(to_components(condition), steps)
 
 
 def _bracket(law: PoissonStructure) -> Text:
@@ -142,11 +132,11 @@ def _formulas(formulas: Iterable[sp.Expr]) -> list[str]:
 
 
 def _pairs(pairs: Iterable[tuple[sp.Symbol | Vector, sp.Expr]]) -> list[list[str]]:
-    found = []
+    texts = []
     for name, formula in pairs:
         names = (name,) if isinstance(name, sp.Symbol) else name.symbols
-        found += [[str(n), str(f)] for n, f in zip(names, scalars(formula), strict=True)]
-    return found
+        texts += [[str(n), str(f)] for n, f in zip(names, scalars(formula), strict=True)]
+    return texts
 
 
 # --- polynomials ---------------------------------------------------------------------------------

@@ -114,7 +114,7 @@ def verdict_of(system: System, law: Law, budget: Budget) -> Verdict:
     empty: list[EmptyLevelSetError] = []
     for alternative in alternatives(system, law):
         # what fails on a part fails on the whole
-        checked = _Checked(alternative.system, alternative.law)
+        checked = _Checker(alternative.system, alternative.law)
         try:
             parts += _of_alternative(alternative, budget, checked)
         except EmptyLevelSetError as nothing:
@@ -122,7 +122,7 @@ def verdict_of(system: System, law: Law, budget: Budget) -> Verdict:
     if empty and not parts:
         raise empty[0]
     if failed := [part for part in parts if part.trial is not None]:
-        return _refuted(law, failed[0], parts)
+        return _refutation(law, failed[0], parts)
     open_parts = [part for part in parts if part.proof.failure]
     proven = [part for part in parts if part.proof.residuals and not part.proof.failure]
     nowhere = all(part.proof.failure == NOWHERE for part in open_parts)
@@ -149,7 +149,7 @@ def verdict_of(system: System, law: Law, budget: Budget) -> Verdict:
 
 
 @dataclass(frozen=True)
-class _Checked:
+class _Checker:
     """A law as the check of certificates reads it, which has to agree with every refutation."""
 
     system: System
@@ -162,12 +162,12 @@ class _Checked:
     def refutation(self, claim: Claim, ground: LevelSet, trial: Trial) -> _Part | None:
         """That the law fails at a point; None where the check does not find so."""
         try:
-            found = witness(self.read, claim, ground, trial.values)
-            if found is None and not self._beyond(claim, ground, trial):
+            confirmed = witness(self.read, claim, ground, trial.values)
+            if confirmed is None and not self._beyond(claim, ground, trial):
                 return None
         except (CheckError, UndefinedError):
             return None
-        return _Part((), trial=trial, point=ground.point_shown(trial.field), witness=found)
+        return _Part((), trial=trial, point=ground.point_shown(trial.field), witness=confirmed)
 
     def _beyond(self, claim: Claim, ground: LevelSet, trial: Trial) -> bool:
         """Whether the check has the point, but not the residual, which it does not know.
@@ -178,13 +178,13 @@ class _Checked:
         what = trial.witness[0] if trial.witness else ""
         if not (isinstance(self.law, Separation) or what.startswith(("invariance", "dτ/dt"))):
             return False
-        made = witness_point(claim, ground, trial.values)
-        if made is not None:
-            located(self.read, made)
-        return made is not None
+        point = witness_point(claim, ground, trial.values)
+        if point is not None:
+            located(self.read, point)
+        return point is not None
 
 
-def _of_alternative(alternative: Alternative, budget: Budget, checked: _Checked) -> Iterator[_Part]:
+def _of_alternative(alternative: Alternative, budget: Budget, checked: _Checker) -> Iterator[_Part]:
     """The law on the components of one alternative of its level."""
     try:
         claims = polynomial_problems(alternative.system, alternative.law)
@@ -202,7 +202,7 @@ def _of_alternative(alternative: Alternative, budget: Budget, checked: _Checked)
             yield _Part((*alternative.chosen, excluded), Proof(0, failure="not decided"))
 
 
-def _on(ground: LevelSet, claim: Claim, budget: Budget, checked: _Checked) -> _Part:
+def _on(ground: LevelSet, claim: Claim, budget: Budget, checked: _Checker) -> _Part:
     """The law on one component."""
     # motions may leave a part on which an initial vanishes for the rest of the component
     points = replace(ground, inner=True) if ground.parent else ground
@@ -231,16 +231,16 @@ def _on(ground: LevelSet, claim: Claim, budget: Budget, checked: _Checked) -> _P
                 return refuted
         if isinstance(law, Measure) and positives(law, ground):
             return _Part((), Proof(0, failure=NOWHERE))
-    found = proof(law, ground, sample, budget, attained)
-    if found.lack is not None and first is not None:
-        failed = replace(first, witness=found.lack)
+    outcome = proof(law, ground, sample, budget, attained)
+    if outcome.lack is not None and first is not None:
+        failed = replace(first, witness=outcome.lack)
         return _Part((), trial=failed, point=points.point_shown(first.field))
-    if found.failure or found.conditions:
+    if outcome.failure or outcome.conditions:
         for trial in trials(law, points, FURTHER):
             refuted = trial.witness and checked.refutation(claim, points, trial)
             if refuted:
                 return refuted
-    return _Part((), found, needs=_needs(law, ground), remark=_remark(law, ground, first))
+    return _Part((), outcome, needs=_needs(law, ground), remark=_remark(law, ground, first))
 
 
 def _needs(law: Law, ground: LevelSet) -> tuple[tuple[str, str], ...]:
@@ -287,7 +287,7 @@ def _of_density(law: Measure, ground: LevelSet) -> str:
     )
 
 
-def _refuted(law: Law, failed: _Part, parts: list[_Part]) -> Verdict:
+def _refutation(law: Law, failed: _Part, parts: list[_Part]) -> Verdict:
     assert failed.trial is not None and failed.trial.witness is not None
     what, residual = failed.trial.witness
     place = f"a point where {failed.where}" if failed.chosen else "a point"
@@ -300,12 +300,12 @@ def _refuted(law: Law, failed: _Part, parts: list[_Part]) -> Verdict:
         and not part.proof.conditions
     ]
     besides = f"; it holds where {', and where '.join(dict.fromkeys(holds))}" if holds else ""
-    found = {"point": failed.point, "what": what, "residual": str(residual)}
+    where = {"point": failed.point, "what": what, "residual": str(residual)}
     return Verdict(
         law.name,
         "refuted",
         shown=f"{what} fails at {place}{besides}",
-        witness=found | (vars(failed.witness) if failed.witness is not None else {}),
+        witness=where | (vars(failed.witness) if failed.witness is not None else {}),
     )
 
 

@@ -69,14 +69,14 @@ def trials(
         How the free numbers of each point are drawn.
     """
     generator = random.Random(SEED)
-    compute = partial(_at, law, ground)
+    compute = partial(_trial_at, law, ground)
     for draw in draws:
-        found = _first(compute, ground, generator, draw) or _first(
+        trial = _first(compute, ground, generator, draw) or _first(
             compute, ground, generator, broad
         )
-        if found is None:
+        if trial is None:
             return
-        yield found
+        yield trial
 
 
 def backwards(law: Law, ground: LevelSet) -> Trial | None:
@@ -114,7 +114,7 @@ def _first(
     return None
 
 
-def _at(
+def _trial_at(
     law: Law, ground: LevelSet, field: Rationals | Balls, values: Mapping[str, fmpq | arb]
 ) -> Trial:
     if unmet(law, ground, field):

@@ -45,18 +45,18 @@ DIMENSION = "the dimension of the level"
 def rank(field: Field, matrix: Sequence[Row]) -> int:
     """Rank of a matrix over a field; with balls, the rank that is certain."""
     rows = [list(row) for row in matrix]
-    found = 0
+    count = 0
     for column in range(len(rows[0]) if rows else 0):
-        candidates = [i for i in range(found, len(rows)) if not field.vanishes(rows[i][column])]
+        candidates = [i for i in range(count, len(rows)) if not field.vanishes(rows[i][column])]
         if not candidates:
             continue
-        rows[found], rows[candidates[0]] = rows[candidates[0]], rows[found]
-        head = rows[found]
-        for i in range(found + 1, len(rows)):
+        rows[count], rows[candidates[0]] = rows[candidates[0]], rows[count]
+        head = rows[count]
+        for i in range(count + 1, len(rows)):
             factor = rows[i][column] / head[column]
             rows[i] = [x - factor * y for x, y in zip(rows[i], head, strict=True)]
-        found += 1
-    return found
+        count += 1
+    return count
 
 
 @singledispatch
@@ -142,8 +142,8 @@ def _(law: Isomorphism, ground: LevelSet, field: Field) -> tuple[str, str] | Non
     size = len(ground.system.symbols)
 
     def rows(formulas: Sequence[sp.Expr]) -> list[Row]:
-        made = [partial(formula).slopes for formula in formulas]
-        return [[slopes.get(i, field.zero) for i in range(size)] for slopes in made if slopes]
+        slopes_of = [partial(formula).slopes for formula in formulas]
+        return [[slopes.get(i, field.zero) for i in range(size)] for slopes in slopes_of if slopes]
 
     constants = rows(list(components(law.constants, ground).values()))
     bounds = [*rows(ground.moving), *constants]
@@ -161,12 +161,12 @@ def _too_large(
     """Whether the target has directions that no motion of the source takes."""
     target = law.target
     number = {s: i for i, s in enumerate(target.symbols)}
-    given = {s: jet.value for s, jet in target_state(law, ground, ground.evaluator(field)).items()}
+    values = {s: jet.value for s, jet in target_state(law, ground, ground.evaluator(field)).items()}
 
     def seed(symbol: sp.Symbol) -> Jet | None:
-        if symbol not in given:
+        if symbol not in values:
             return None
-        return Jet(given[symbol], {number[symbol]: field.one} if symbol in number else {})
+        return Jet(values[symbol], {number[symbol]: field.one} if symbol in number else {})
 
     there = Evaluator(field, seed, dict(target.steps))
 
@@ -180,7 +180,7 @@ def _too_large(
     cut = rank(field, relations)
     if here != len(number) - cut:
         # the conditions may be products, whose differentials vanish where two factors do
-        relations = normals(_around(law, field, there))
+        relations = normals(_component_equations(law, field, there))
         cut = rank(field, relations)
     beyond = len(number) - cut
     if here == beyond:
@@ -195,7 +195,7 @@ def _too_large(
     return DIMENSION if regular else "the dimension found", f"{here} instead of {beyond}"
 
 
-def _around(law: Isomorphism, field: Field, there: Evaluator) -> tuple[sp.Expr, ...]:
+def _component_equations(law: Isomorphism, field: Field, there: Evaluator) -> tuple[sp.Expr, ...]:
     """The equations of the component of the target's phase space on which the image lies.
 
     Raises
@@ -236,9 +236,11 @@ def _(law: Separation, ground: LevelSet, field: Field) -> tuple[str, str] | None
     return _lacking("the number of independent quantities", found, len(quantities), field)
 
 
-def _lacking(what: str, found: int, wanted: int, field: Field) -> tuple[str, str] | None:
-    if found >= wanted:
+def _lacking(what: str, attained: int, wanted: int, field: Field) -> tuple[str, str] | None:
+    if attained >= wanted:
         return None
     if not field.exact:
-        raise OutOfReachError(f"{what} is at least {found}, but {wanted} is not certain with balls")
-    return what, f"{found} instead of {wanted}"
+        raise OutOfReachError(
+            f"{what} is at least {attained}, but {wanted} is not certain with balls"
+        )
+    return what, f"{attained} instead of {wanted}"

@@ -113,7 +113,7 @@ def _(law: Measure, ground: LevelSet, field: Field) -> Residuals:
             )
         if field.vanishes(inner.value):
             raise ZeroDivisionError
-        total = total + power.value * _along(field, inner, rates) / inner.value
+        total = total + power.value * _lie_derivative(field, inner, rates) / inner.value
     yield "div(ρv)/ρ", total - _transverse(ground, field, partial, rates)
 
 
@@ -122,7 +122,7 @@ def _slope(field: Field, jet: Jet, direction: int) -> FieldElement:
     return slope
 
 
-def _along(field: Field, jet: Jet, rates: Sequence[Jet]) -> FieldElement:
+def _lie_derivative(field: Field, jet: Jet, rates: Sequence[Jet]) -> FieldElement:
     """Derivative of a function along a vector field, from its partial derivatives."""
     total = field.zero
     for i, slope in jet.slopes.items():
@@ -200,9 +200,12 @@ def _(law: Symmetry, ground: LevelSet, field: Field) -> Residuals:
         )
     push = [partial(given.get(s, sp.S.Zero)) for s in symbols]
     for condition in ground.moving:
-        yield f"u({condition})", _along(field, partial(condition), push)
+        yield f"u({condition})", _lie_derivative(field, partial(condition), push)
     for symbol, rate, shift in zip(symbols, rates, push, strict=True):
-        yield f"[u, v] in {symbol}", _along(field, rate, push) - _along(field, shift, rates)
+        yield (
+            f"[u, v] in {symbol}",
+            _lie_derivative(field, rate, push) - _lie_derivative(field, shift, rates),
+        )
 
 
 # --- Poisson structures --------------------------------------------------------------------
@@ -256,10 +259,10 @@ def pfaffian(field: Field, matrix: Sequence[Row], rows: tuple[int, ...]) -> Fiel
     """Pfaffian of a principal submatrix; all of one size vanish when the rank is below it."""
     if not rows:
         return field.one
-    first, *rest = rows
+    first, *others = rows
     total = field.zero
-    for position, other in enumerate(rest):
-        remaining = tuple(r for r in rest if r != other)
+    for position, other in enumerate(others):
+        remaining = tuple(r for r in others if r != other)
         part = matrix[first][other] * pfaffian(field, matrix, remaining)
         total = total + part if position % 2 == 0 else total - part
     return total
@@ -340,5 +343,5 @@ def target_state(law: Isomorphism, ground: LevelSet, evaluate: Evaluator) -> dic
             f"{', '.join(sorted(map(str, turning)))}, which depends on the state of "
             f"{ground.system.name}; it may use what {target.name} has, and constants"
         )
-    given = {**{s: s for s in beside}, **constants, **images}
-    return {s: evaluate(formula) for s, formula in given.items()}
+    formulas = {**{s: s for s in beside}, **constants, **images}
+    return {s: evaluate(formula) for s, formula in formulas.items()}

@@ -109,15 +109,13 @@ def proof(
         if origin in failed:
             continue
         runs += 1
-        made = (
-            _run(FunctionField, law, ground, sample, budget, signs) if runs <= MOST_RUNS else None
-        )
-        if made is None or made.failure:
+        run = _run(FunctionField, law, ground, sample, budget, signs) if runs <= MOST_RUNS else None
+        if run is None or run.failure:
             failed.add(origin)
             continue
-        if not made.void:
-            proven.append(made)
-        waiting += [(more, count, origin) for more, count, _ in flipped_decisions(made.field, size)]
+        if not run.void:
+            proven.append(run)
+        waiting += [(more, count, origin) for more, count, _ in flipped_decisions(run.field, size)]
     if not proven:
         return Proof(0)
     conditions = tuple(first.words[key] for key in first.words if key in failed)
@@ -147,10 +145,10 @@ def _run(
 ) -> _Run:
     spare = 8
     while True:
-        made = ground.fractions(kind, spare, sample, budget, signs)
-        run = _Run(made)
+        field = ground.fractions(kind, spare, sample, budget, signs)
+        run = _Run(field)
         try:
-            run.residuals, run.failure = _reduced(law, ground, made)
+            run.residuals, run.failure = _zero_residuals(law, ground, field)
         except NeedMoreGeneratorsError:
             spare *= 2
             continue
@@ -160,15 +158,15 @@ def _run(
             raise
         except OutOfReachError as reason:
             run.failure = str(reason)
-        for key, (poly, sign) in made.decisions.items():
-            run.words[key] = f"{made.shown(poly if sign > 0 else -poly)} > 0"
+        for key, (poly, sign) in field.decisions.items():
+            run.words[key] = f"{field.shown(poly if sign > 0 else -poly)} > 0"
         return run
 
 
-def _reduced(law: Law, ground: LevelSet, made: FunctionField) -> tuple[int, str]:
+def _zero_residuals(law: Law, ground: LevelSet, field: FunctionField) -> tuple[int, str]:
     count = 0
-    for what, residual in everything(law, ground, made):
-        if not made.vanishes(cast(Element, residual)):
+    for what, residual in everything(law, ground, field):
+        if not field.vanishes(cast(Element, residual)):
             return count, (
                 f"{what} vanishes at the points tried, but does not reduce to zero: a "
                 f"polynomial of {len(cast(Element, residual).poly):,} terms remains"

@@ -36,39 +36,39 @@ def witness_point(
     """
     rational = Rationals({n: v for n, v in values.items() if isinstance(v, fmpq)})
     evaluate = ground.evaluator(rational)
-    found: dict[sp.Symbol, object] = {}
+    coordinates: dict[sp.Symbol, object] = {}
     for symbol in ground.symbols:
         if isinstance(values.get(str(symbol)), fmpq):
-            found[symbol] = str(values[str(symbol)])
+            coordinates[symbol] = str(values[str(symbol)])
             continue
         # what hangs on numbers that are not rational has no value here
         with contextlib.suppress(KeyError, NotExactError, ZeroDivisionError):
-            found[symbol] = str(evaluate.value(symbol))
+            coordinates[symbol] = str(evaluate.value(symbol))
     by_name = {str(s): s for s in ground.symbols}
     roots = ground.roots(values)
     for name, root in roots.items():
-        if name in by_name and by_name[name] not in found:
-            found[by_name[name]] = {"root": root}
+        if name in by_name and by_name[name] not in coordinates:
+            coordinates[by_name[name]] = {"root": root}
     for symbol in ground.symbols:
-        if symbol not in found and symbol in ground.settled:
-            found[symbol] = {"formula": str(ground.settled[symbol])}
-    if set(ground.symbols) - set(found):
+        if symbol not in coordinates and symbol in ground.settled:
+            coordinates[symbol] = {"formula": str(ground.settled[symbol])}
+    if set(ground.symbols) - set(coordinates):
         return None
-    return _original(claim, found)
+    return _original(claim, coordinates)
 
 
-def _original(claim: Claim, found: Mapping[sp.Symbol, object]) -> dict[str, object] | None:
+def _original(claim: Claim, coordinates: Mapping[sp.Symbol, object]) -> dict[str, object] | None:
     """The point in the variables of the system, with angles and expressed variables."""
-    made = dict(found)
+    point = dict(coordinates)
     for angle, sine, cosine, unit in claim.circles:
-        s, c = made.pop(sine), made.pop(cosine)
+        s, c = point.pop(sine), point.pop(cosine)
         if not (isinstance(s, str) and isinstance(c, str)):
             return None
-        made[angle] = {"formula": f"atan2({s}, {c})/({unit})"}
+        point[angle] = {"formula": f"atan2({s}, {c})/({unit})"}
     for symbol, formula in claim.expressed:
-        made[symbol] = {"formula": str(formula)}
+        point[symbol] = {"formula": str(formula)}
     # roots of one polynomial may be needed by another: rational numbers first
-    ordered = sorted(made.items(), key=lambda pair: not isinstance(pair[1], str))
+    ordered = sorted(point.items(), key=lambda pair: not isinstance(pair[1], str))
     return {str(symbol): value for symbol, value in ordered}
 
 
@@ -95,10 +95,10 @@ def witness(
     read: CheckedClaim, claim: Claim, ground: LevelSet, values: Mapping[str, fmpq | arb]
 ) -> Witness | None:
     """A point at which a law fails by the check of certificates, or None where it does not."""
-    made = witness_point(claim, ground, values)
-    if made is None:
+    point = witness_point(claim, ground, values)
+    if point is None:
         return None
     try:
-        return Witness(made, *failing(read, made))
+        return Witness(point, *failing(read, point))
     except CheckError:
         return None

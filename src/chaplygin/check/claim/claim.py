@@ -59,14 +59,14 @@ class ClaimedSystem:
     ) -> set[str]:
         """All names on which formulas depend, through definitions."""
         definitions = {**self.definitions, **(more or {})}
-        found: set[str] = set()
+        reached: set[str] = set()
         waiting = names_in(formulas)
         while waiting:
             word = waiting.pop()
-            found.add(word)
+            reached.add(word)
             if word in definitions:
-                waiting |= names_in([definitions[word]]) - found
-        return found
+                waiting |= names_in([definitions[word]]) - reached
+        return reached
 
     def place(
         self,
@@ -108,13 +108,13 @@ class Law:
 
     def formulas(self) -> list[Formula]:
         """All formulas about the system itself."""
-        found = [*self.on, *self.single.values()]
-        found += [f for name, group in self.several.items() if name != "onto" for f in group]
+        formulas = [*self.on, *self.single.values()]
+        formulas += [f for name, group in self.several.items() if name != "onto" for f in group]
         for name, group in self.pairs.items():
-            found += [value for _, value in group]
+            formulas += [value for _, value in group]
             if name == "density":
-                found += [base for base, _ in group]
-        return [*found, *(entry for row in self.matrix for entry in row)]
+                formulas += [base for base, _ in group]
+        return [*formulas, *(entry for row in self.matrix for entry in row)]
 
     @property
     def quantities(self) -> dict[str, Formula]:
@@ -157,12 +157,12 @@ def _names(data: object, what: str) -> tuple[str, ...]:
 
 
 def _pairs(data: object, what: str) -> tuple[tuple[str, Formula], ...]:
-    found = []
+    pairs = []
     for pair in listed(data, what):
         word, formula = items(pair, 2, what)
-        found.append((_name(word, what), parse(formula, f"{what} {word}")))
-    _distinct([word for word, _ in found], what)
-    return tuple(found)
+        pairs.append((_name(word, what), parse(formula, f"{what} {word}")))
+    _distinct([word for word, _ in pairs], what)
+    return tuple(pairs)
 
 
 def _distinct(words: Iterable[str], what: str) -> None:
@@ -290,14 +290,14 @@ def _require_names(pairs: Iterable[tuple[str, Formula]], known: set[str], what: 
 
 
 def _density(data: object, system: ClaimedSystem, what: str) -> tuple[tuple[Formula, Formula], ...]:
-    found = []
+    factors = []
     for pair in listed(data, what):
         base, exponent = items(pair, 2, f"the density of {what}")
-        made = parse(base, f"the density of {what}"), parse(exponent, f"the density of {what}")
-        if system.reach([made[1]]) & set(system.state):
+        factor = parse(base, f"the density of {what}"), parse(exponent, f"the density of {what}")
+        if system.reach([factor[1]]) & set(system.state):
             raise CheckError(f"the density of {what} has an exponent that depends on the state")
-        found.append(made)
-    return tuple(found)
+        factors.append(factor)
+    return tuple(factors)
 
 
 def _with_bracket(law: Law, data: Mapping[str, object], system: ClaimedSystem, what: str) -> Law:

@@ -82,24 +82,30 @@ def domain(claim: Claim, settled: Mapping[str, Formula]) -> Domain:
         Parameters with a value on the level, which may make an exponent a whole number.
     """
     system, law = claim.system, claim.law
-    found = _Found()
+    collector = _Collector()
     known = {**system.definitions, **law.quantities}
     base = [*system.rates, *claim.conditions, *law.formulas()]
     needed = system.reach(base, law.quantities)
     formulas = [*base, *(f for word, f in known.items() if word in needed)]
-    found.collect("own", formulas, {**known, **settled})
+    collector.collect("own", formulas, {**known, **settled})
     if law.kind == "Measure":
         for density, _ in law.pairs["density"]:
-            found.divided("own", density)
+            collector.divided("own", density)
     if law.target is not None:
         target = law.target
         base = [*target.rates, *target.relations, *law.several["onto"]]
         needed = target.reach(base)
         formulas = [*base, *(f for word, f in target.definitions.items() if word in needed)]
         constants = constant_values(claim, {**known, **settled})
-        found.collect("target", formulas, {**target.definitions, **constants})
+        collector.collect("target", formulas, {**target.definitions, **constants})
     gram = law.kind == "Measure" and bool(claim.moving)
-    return Domain(claim, tuple(found.nonzero), tuple(found.positive), tuple(found.logarithms), gram)
+    return Domain(
+        claim,
+        tuple(collector.nonzero),
+        tuple(collector.positive),
+        tuple(collector.logarithms),
+        gram,
+    )
 
 
 def constant_values(claim: Claim, known: Mapping[str, Formula]) -> dict[str, Formula]:
@@ -107,16 +113,16 @@ def constant_values(claim: Claim, known: Mapping[str, Formula]) -> dict[str, For
     law, target = claim.law, claim.law.target
     assert target is not None
     formulas = dict(law.pairs["constants"])
-    made = {}
+    values = {}
     for word in target.parameters:
         formula = formulas.get(word, known.get(word))
         value = None if formula is None else exact_value(formula, known)
         if value is not None:
-            made[word] = number(value)
-    return made
+            values[word] = number(value)
+    return values
 
 
-class _Found:
+class _Collector:
     """Formulas collected, each once."""
 
     def __init__(self) -> None:
@@ -136,14 +142,14 @@ class _Found:
                 elif value < 0:
                     self.divided(where, base)
             elif node.kind == "call":
-                self._called(where, node.word, node.parts)
+                self._add_call(where, node.word, node.parts)
 
     def divided(self, where: str, base: Formula) -> None:
         """What does not vanish when `base` does not."""
         for part in _factors(base):
             self.nonzero[where, part] = None
 
-    def _called(self, where: str, word: str, parts: tuple[Formula, ...]) -> None:
+    def _add_call(self, where: str, word: str, parts: tuple[Formula, ...]) -> None:
         first = parts[0]
         if word == "sqrt":
             self.positive[where, first, HALF] = None
@@ -152,8 +158,8 @@ class _Found:
         elif word == "log":
             self.logarithms[where, first] = None
         elif word in ("asin", "acos"):
-            rest = total((number(1), product((number(-1), power(first, number(2))))))
-            self.positive[where, rest, HALF] = None
+            square = total((number(1), product((number(-1), power(first, number(2))))))
+            self.positive[where, square, HALF] = None
         elif word == "atan2":
             self.nonzero[where, total(power(part, number(2)) for part in parts)] = None
         elif word in _DIVISORS:

@@ -103,11 +103,11 @@ class Place:
 
     def __call__(self, formula: Formula) -> Number:
         """The value of a formula."""
-        found = self._seen.get(formula)
-        if found is None:
+        value = self._seen.get(formula)
+        if value is None:
             self._prepare(formula)
-            found = self._seen[formula] = self._evaluated(formula)
-        return found
+            value = self._seen[formula] = self._evaluated(formula)
+        return value
 
     def _prepare(self, formula: Formula) -> None:
         """Evaluate chains of definitions from below, so that they are not nested."""

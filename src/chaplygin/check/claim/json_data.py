@@ -46,10 +46,10 @@ def listed(data: object, what: str) -> Sequence[object]:
 
 def items(data: object, size: int, what: str) -> Sequence[object]:
     """A list of so many things."""
-    found = listed(data, what)
-    if len(found) != size:
-        raise CheckError(f"{what} has {len(found)} parts instead of {size}")
-    return found
+    parts = listed(data, what)
+    if len(parts) != size:
+        raise CheckError(f"{what} has {len(parts)} parts instead of {size}")
+    return parts
 
 
 def text(data: object, what: str) -> str:

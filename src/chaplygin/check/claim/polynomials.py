@@ -51,7 +51,7 @@ class Ring:
 
     def read(self, data: object, what: str) -> Poly:
         """A polynomial from its list of terms."""
-        made: dict[tuple[int, ...], fmpq] = {}
+        terms: dict[tuple[int, ...], fmpq] = {}
         size = len(self.names)
         for term in listed(data, what):
             coefficient, powers = items(term, 2, f"a term of {what}")
@@ -66,25 +66,25 @@ class Ring:
                     raise CheckError(f"a term of {what} has a generator twice")
                 exponents[i] = integer(powers[at + 1], f"an exponent in {what}", 1, HIGHEST)
             key = tuple(exponents)
-            if key in made:
+            if key in terms:
                 raise CheckError(f"{what} has a term twice")
-            made[key] = fmpq(number.numerator, number.denominator)
-        return self.context.from_dict(made)
+            terms[key] = fmpq(number.numerator, number.denominator)
+        return self.context.from_dict(terms)
 
     def powers(self, data: object, what: str, negative: bool = False) -> Powers:
         """A list of polynomials with powers; none of the polynomials is zero."""
-        found = []
+        powers = []
         for pair in listed(data, what):
             poly, power = items(pair, 2, what)
-            made = self.read(poly, what)
-            if made.is_zero():
+            factor = self.read(poly, what)
+            if factor.is_zero():
                 raise CheckError(f"a factor of {what} is zero")
             lowest = -HIGHEST if negative else 1
             number = integer(power, f"a power of {what}", lowest, HIGHEST)
             if not number:
                 raise CheckError(f"a power of {what} is zero")
-            found.append((made, number))
-        return found
+            powers.append((factor, number))
+        return powers
 
     def fraction(self, data: object, what: str) -> tuple[Poly, Powers]:
         """A fraction: numerator and factors of the denominator."""

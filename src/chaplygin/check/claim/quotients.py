@@ -43,19 +43,19 @@ def quotient(
 
     def made(node: Formula) -> Quotient:
         if node not in seen:
-            seen[node] = _checked(evaluated(node))
+            seen[node] = _within_limit(evaluated(node))
         return seen[node]
 
     def evaluated(node: Formula) -> Quotient:
         if node.kind == "number":
             return ring.constant(node.word), one
         if node.kind == "name":
-            found = known(node.word)
-            if found is None and node.word in definitions:
-                found = made(definitions[node.word])
-            if found is None:
+            value = known(node.word)
+            if value is None and node.word in definitions:
+                value = made(definitions[node.word])
+            if value is None:
                 raise UndefinedError(f"{node.word} has no value here")
-            return found
+            return value
         if node.kind == "sum":
             above, below = made(node.parts[0])
             for part in node.parts[1:]:
@@ -89,7 +89,7 @@ def quotient(
     return made(formula)
 
 
-def _checked(found: Quotient) -> Quotient:
-    if len(found[0]) + len(found[1]) > TERMS:
+def _within_limit(fraction: Quotient) -> Quotient:
+    if len(fraction[0]) + len(fraction[1]) > TERMS:
         raise UndefinedError("the formula is too large")
-    return found
+    return fraction

@@ -40,12 +40,12 @@ MINUS = arb(-1)
 
 def residuals(claim: Claim, place: Place) -> list[Number]:
     """Everything that must vanish, in order."""
-    found = []
+    values = []
     for value in each_residual(claim, place):
-        found.append(value)
-        if len(found) > MANY:
+        values.append(value)
+        if len(values) > MANY:
             raise CheckError(f"the law has more than {MANY} residuals")
-    return found
+    return values
 
 
 def each_residual(claim: Claim, place: Place) -> Iterator[Number]:
@@ -110,7 +110,7 @@ def _transverse(claim: Claim, partial: Place) -> Number:
     right = [[_dot(drift, normal) for normal in normals] for drift in drifts]
     size = len(normals)
     # Gram is symmetric: its columns times C^T are `right` transposed
-    solution = _solved(gram, [[right[j][i] for j in range(size)] for i in range(size)])
+    solution = _solution(gram, [[right[j][i] for j in range(size)] for i in range(size)])
     return _sum([solution[i][i] for i in range(size)])
 
 
@@ -134,18 +134,18 @@ def gram_determinants(claim: Claim, place: Place) -> list[arb]:
     """
     normals = _normals(claim, place.partial(claim.system.state))
     rows = [[_dot(a, b) for b in normals] for a in normals]
-    found: list[arb] = []
+    determinants: list[arb] = []
     for i in range(len(rows)):
         if not _is_certain(rows[i][i]):
             raise UndefinedError("the conditions are dependent")
-        found.append(multiply(found[-1], rows[i][i]) if found else rows[i][i])
+        determinants.append(multiply(determinants[-1], rows[i][i]) if determinants else rows[i][i])
         for j in range(i + 1, len(rows)):
             factor = rows[j][i] / rows[i][i]
             rows[j] = [x - factor * y for x, y in zip(rows[j], rows[i], strict=True)]
-    return found
+    return determinants
 
 
-def _solved(matrix: Sequence[Sequence[arb]], right: Sequence[Sequence[arb]]) -> list[list[arb]]:
+def _solution(matrix: Sequence[Sequence[arb]], right: Sequence[Sequence[arb]]) -> list[list[arb]]:
     rows = [[*a, *b] for a, b in zip(matrix, right, strict=True)]
     size = len(rows)
     for i in range(size):
@@ -167,9 +167,9 @@ def _solved(matrix: Sequence[Sequence[arb]], right: Sequence[Sequence[arb]]) -> 
 def _symmetry(claim: Claim, place: Place) -> Iterator[Number]:
     system = claim.system
     partial = place.partial(system.state)
-    given = dict(claim.law.pairs["field"])
+    components = dict(claim.law.pairs["field"])
     rates = [place(rate) for rate in system.rates]
-    push = [place(given[word]) if word in given else arb(0) for word in system.state]
+    push = [place(components[word]) if word in components else arb(0) for word in system.state]
 
     def along(slopes: Mapping[int, Number], field: Sequence[Number]) -> Number:
         return _sum([multiply(slope, field[i]) for i, slope in slopes.items()])
@@ -177,7 +177,7 @@ def _symmetry(claim: Claim, place: Place) -> Iterator[Number]:
     for condition in claim.moving:
         yield along(partial.slopes(condition), push)
     for word, rate in zip(system.state, system.rates, strict=True):
-        shift = partial.slopes(given[word]) if word in given else {}
+        shift = partial.slopes(components[word]) if word in components else {}
         yield _minus(along(partial.slopes(rate), push), along(shift, rates))
 
 
@@ -213,10 +213,10 @@ def _brackets(values: Sequence[Sequence[Number]], slopes: Mapping[int, Number]) 
 def _pfaffian(matrix: Sequence[Sequence[Number]], chosen: tuple[int, ...]) -> Number:
     if not chosen:
         return arb(1)
-    first, *rest = chosen
+    first, *others = chosen
     total: Number = arb(0)
-    for position, other in enumerate(rest):
-        remaining = tuple(n for n in rest if n != other)
+    for position, other in enumerate(others):
+        remaining = tuple(n for n in others if n != other)
         part = multiply(matrix[first][other], _pfaffian(matrix, remaining))
         total = add(total, part) if position % 2 == 0 else _minus(total, part)
     return total
@@ -314,17 +314,17 @@ def rank_at_least(claim: Claim, place: Place) -> bool:
 def _rank(rows: list[list[arb]]) -> int:
     """A rank that is certain."""
     rows = [list(row) for row in rows]
-    found = 0
+    rank = 0
     for column in range(len(rows[0]) if rows else 0):
-        if found == len(rows):
+        if rank == len(rows):
             break
-        best = max(range(found, len(rows)), key=lambda i: rows[i][column].abs_lower())
+        best = max(range(rank, len(rows)), key=lambda i: rows[i][column].abs_lower())
         if not _is_certain(rows[best][column]):
             continue
-        rows[found], rows[best] = rows[best], rows[found]
-        head = rows[found]
-        for i in range(found + 1, len(rows)):
+        rows[rank], rows[best] = rows[best], rows[rank]
+        head = rows[rank]
+        for i in range(rank + 1, len(rows)):
             factor = rows[i][column] / head[column]
             rows[i] = [x - factor * y for x, y in zip(rows[i], head, strict=True)]
-        found += 1
-    return found
+        rank += 1
+    return rank

@@ -38,7 +38,7 @@ class Functions:
         """A value, with derivatives as the places have them."""
         level = max((p.level for p in places if isinstance(p, Jet)), default=0)
         if level == 0:
-            return self._chosen(word, orders, tuple(places))
+            return self._free_value(word, orders, tuple(places))
         moving = {i: p for i, p in enumerate(places) if isinstance(p, Jet) and p.level == level}
         lower = [moving[i].value if i in moving else p for i, p in enumerate(places)]
         slopes: dict[int, Number] = {}
@@ -51,12 +51,12 @@ class Functions:
                 slopes[k] = add(slopes[k], part) if k in slopes else part
         return Jet(level, self.value(word, orders, lower), slopes)
 
-    def _chosen(self, word: str, orders: tuple[int, ...], places: tuple[Number, ...]) -> Number:
+    def _free_value(self, word: str, orders: tuple[int, ...], places: tuple[Number, ...]) -> Number:
         table = self._known.setdefault((word, orders), [])
         for known, value in table:
             if all(a.overlaps(b) for a, b in zip(known, places, strict=True)):
                 return value
         size = 2 ** self._generator.randint(16, 28)
-        made = arb(self._generator.randint(-(2**24), 2**24)) / size
-        table.append((places, made))
-        return made
+        value_chosen = arb(self._generator.randint(-(2**24), 2**24)) / size
+        table.append((places, value_chosen))
+        return value_chosen

@@ -32,16 +32,16 @@ class Signs:
 
     def copy(self) -> Signs:
         """The same knowledge, to be enlarged by itself."""
-        made = Signs()
-        made._known = dict(self._known)
-        return made
+        signs = Signs()
+        signs._known = dict(self._known)
+        return signs
 
     def learn(self, poly: Poly, sign: int, strict: bool = True) -> None:
         """sign · poly is positive, or at least not negative."""
         key, lead = monic(poly)
         known = self._known.get(key)
         if known is not None and known[0] != sign * lead and known[1] and strict:
-            raise CheckError(f"what is positive contradicts itself at {_shown(poly)}")
+            raise CheckError(f"what is positive contradicts itself at {_short_text(poly)}")
         if known is None or strict:
             self._known[key] = (sign * lead, strict)
 
@@ -104,7 +104,7 @@ class Node:
         return self.signs.weak(poly) if self.is_nonzero(poly) else 0
 
 
-def _shown(poly: Poly) -> str:
+def _short_text(poly: Poly) -> str:
     words = str(poly)
     return words if len(words) < 60 else words[:57] + "..."
 
@@ -119,7 +119,7 @@ def check_tree(node: Node, data: object, where: str = "the tree", depth: int = 0
         _zero(node, data, where)
     elif case == "empty":
         only(data, where, "case", "factors", "constant", "quotients")
-        _contained(node, node.ring.constant(1), data, where)
+        _check_membership(node, node.ring.constant(1), data, where)
     elif case == "split":
         _split(node, data, where, depth)
     elif case == "vanishing":
@@ -143,11 +143,11 @@ def _multiplier(node: Node, data: object, where: str) -> Poly:
     powers = node.ring.powers(data, f"the factors in {where}")
     for poly, _ in powers:
         if not node.is_nonzero(poly):
-            raise CheckError(f"{where} multiplies by {_shown(poly)}, which may vanish")
+            raise CheckError(f"{where} multiplies by {_short_text(poly)}, which may vanish")
     return node.ring.multiplied(powers)
 
 
-def _combined(node: Node, data: object, where: str) -> Poly:
+def _combination(node: Node, data: object, where: str) -> Poly:
     """The sum of quotients times equations."""
     quotients = items(data, len(node.equations), f"the quotients in {where}")
     total = node.ring.constant(0)
@@ -156,11 +156,11 @@ def _combined(node: Node, data: object, where: str) -> Poly:
     return total
 
 
-def _contained(node: Node, poly: Poly, data: Mapping[str, object], where: str) -> None:
+def _check_membership(node: Node, poly: Poly, data: Mapping[str, object], where: str) -> None:
     """constant · ∏ factors · poly = Σ quotient · equation."""
     constant = _constant(field(data, "constant", where), f"the constant in {where}")
     multiplier = _multiplier(node, field(data, "factors", where), where)
-    combined = _combined(node, field(data, "quotients", where), where)
+    combined = _combination(node, field(data, "quotients", where), where)
     if constant * multiplier * poly != combined:
         raise CheckError(f"{where}: an identity of polynomials does not hold")
 
@@ -169,17 +169,17 @@ def _zero(node: Node, data: Mapping[str, object], where: str) -> None:
     only(data, where, "case", "identities")
     if node.numerators is None:
         raise CheckError(f"{where} has a case 'zero', which has no place there")
-    found = set()
+    numbers = set()
     for item in listed(field(data, "identities", where), where):
         identity = mapping(item, where)
         only(identity, where, "residual", "factors", "constant", "quotients")
         last = len(node.numerators) - 1
         number = integer(field(identity, "residual", where), f"a residual in {where}", 0, last)
-        if number in found:
+        if number in numbers:
             raise CheckError(f"{where} has residual {number} twice")
-        found.add(number)
-        _contained(node, node.numerators[number], identity, f"{where}, residual {number}")
-    missing = set(range(len(node.numerators))) - found
+        numbers.add(number)
+        _check_membership(node, node.numerators[number], identity, f"{where}, residual {number}")
+    missing = set(range(len(node.numerators))) - numbers
     if missing:
         raise CheckError(f"{where} does not show that residual {min(missing)} vanishes")
 
@@ -188,7 +188,7 @@ def _membership(node: Node, data: Mapping[str, object], where: str) -> Poly:
     """A polynomial that vanishes: ∏ by · P = Σ quotient · equation."""
     poly = node.ring.read(field(data, "polynomial", where), f"the polynomial of {where}")
     by = _multiplier(node, field(data, "by", where), where)
-    if by * poly != _combined(node, field(data, "quotients", where), where):
+    if by * poly != _combination(node, field(data, "quotients", where), where):
         raise CheckError(f"{where}: the polynomial is not shown to vanish")
     return poly
 
@@ -228,15 +228,17 @@ def _squares(node: Node, data: Mapping[str, object], where: str, depth: int) -> 
         powers = node.ring.powers(weight, f"a weight of {where}")
         number = _constant(constant, f"a constant of {where}")
         (inner,) = items(base, 1, f"a base of {where}")
-        made = node.ring.read(inner, f"a base of {where}")
+        inner_base = node.ring.read(inner, f"a base of {where}")
         if number < 0:
             raise CheckError(f"{where} has a negative square")
         for part, power in powers:
             certain = node.is_nonzero(part) if power % 2 == 0 else node.strict_sign(part) > 0
             if not certain:
-                raise CheckError(f"{where} has a weight {_shown(part)} that may not be positive")
-        total = total + number * node.ring.multiplied(powers) * made**2
-        bases.append(made)
+                raise CheckError(
+                    f"{where} has a weight {_short_text(part)} that may not be positive"
+                )
+        total = total + number * node.ring.multiplied(powers) * inner_base**2
+        bases.append(inner_base)
     if total != poly:
         raise CheckError(f"{where}: the squares do not make the polynomial")
     check_tree(node.with_equations(*bases), field(data, "child", where), where + ".1", depth + 1)

@@ -66,16 +66,16 @@ def read_change(claim: Claim, data: object, what: str) -> Change:
         kind = listed(part, f"a substitution of {what}")[:1]
         if list(kind) == ["circle"]:
             _, angle, sine, cosine, unit = (text(t, what) for t in items(part, 5, what))
-            made = parse(unit, f"the unit of an angle of {what}")
+            frequency = parse(unit, f"the unit of an angle of {what}")
             if angle not in system.symbols or angle in gone or {sine, cosine} & used:
                 raise CheckError(f"{what} has a circle for {angle!r} that makes no sense")
             if sine == cosine:
                 raise CheckError(f"{what} has a circle for {angle!r} that makes no sense")
-            if not system.reach([made]) <= {*system.parameters, *system.definitions}:
+            if not system.reach([frequency]) <= {*system.parameters, *system.definitions}:
                 raise CheckError(f"{what} has a unit of {angle} that is no constant")
             used |= {sine, cosine}
             gone.add(angle)
-            circles.append(Circle(angle, sine, cosine, made))
+            circles.append(Circle(angle, sine, cosine, frequency))
         elif list(kind) == ["graph"]:
             _, symbol, formula = (text(t, what) for t in items(part, 3, what))
             if symbol not in system.state or symbol in gone:
@@ -94,15 +94,15 @@ def read_change(claim: Claim, data: object, what: str) -> Change:
 
 def point_pairs(claim: Claim, stated: Claim, change: Change, what: str) -> list[PointPair]:
     """Random points at which both claims are defined."""
-    found: list[PointPair] = []
+    pairs: list[PointPair] = []
     generator = random.Random(what)
     for attempt in range(ATTEMPTS):
         try:
-            found.append(_pair(claim, stated, change, generator, attempt))
+            pairs.append(_pair(claim, stated, change, generator, attempt))
         except UndefinedError:
             continue
-        if len(found) == POINTS:
-            return found
+        if len(pairs) == POINTS:
+            return pairs
     raise CheckError(f"{what}: no random points were found at which its variables are defined")
 
 

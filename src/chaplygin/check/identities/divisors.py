@@ -28,7 +28,7 @@ class Entry:
     powers: Powers
 
 
-def _at(ground: Ground, sample: Sample, where: str, formula: Formula) -> Number:
+def _value_at(ground: Ground, sample: Sample, where: str, formula: Formula) -> Number:
     if where == "target":
         return target_place(ground.claim, sample.place)(formula)
     return sample.place.with_definitions(ground.claim.law.quantities)(formula)
@@ -67,7 +67,7 @@ def read_divisors(
         if shown != GRAM:
             formula = parse(shown, label)
             try:
-                stated = [_at(ground, sample, where, formula) for sample in samples]
+                stated = [_value_at(ground, sample, where, formula) for sample in samples]
             except UndefinedError:
                 raise CheckError(f"{label} is not defined") from None
             if not agree(values, stated):
@@ -84,18 +84,18 @@ def read_divisors(
 
 def nonzero_factors(ground: Ground, entries: Sequence[Entry]) -> frozenset[str]:
     """Keys of factors that do not vanish, where those in denominators are known not to."""
-    found = {monic(ground.ring.generator(a.name))[0] for a in ground.auxiliary if a.positive}
+    keys = {monic(ground.ring.generator(a.name))[0] for a in ground.auxiliary if a.positive}
     for names, _ in ground.inverted:
         # the inverse of a matrix is one that has an inverse
         a, b, c, d, e, f = (ground.ring.generator(word) for word in names)
-        found.add(monic(a * (d * f - e * e) + b * (c * e - b * f) + c * (b * e - c * d))[0])
+        keys.add(monic(a * (d * f - e * e) + b * (c * e - b * f) + c * (b * e - c * d))[0])
     changed = True
     while changed:
         changed = False
         for entry in entries:
             below = {monic(p)[0] for p, n in entry.powers if n < 0 and not p.is_constant()}
             above = {monic(p)[0] for p, n in entry.powers if n > 0 and not p.is_constant()}
-            if below <= found and not above <= found:
-                found |= above
+            if below <= keys and not above <= keys:
+                keys |= above
                 changed = True
-    return frozenset(found)
+    return frozenset(keys)

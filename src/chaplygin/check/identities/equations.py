@@ -25,7 +25,7 @@ def read_equations(
     what: str,
 ) -> tuple[Poly, ...]:
     """The polynomials that vanish on the level, each with what it comes from checked."""
-    found: list[Poly] = []
+    polys: list[Poly] = []
     ring = ground.ring
     for number, data_of_one in enumerate(listed(field(data, "equations", what), what)):
         label = f"equation {number} of {what}"
@@ -38,7 +38,7 @@ def read_equations(
             _check_root(poly, words[1], ground, label)
         elif words[0] in ("one", "same") and len(words) == 3 - (words[0] == "one"):
             _check_equal_values(
-                poly, words[1:], field(item, "quotients", label), found, ground, label
+                poly, words[1:], field(item, "quotients", label), polys, ground, label
             )
         elif words[0] == "circle" and len(words) == 3:
             _check_circle(poly, words[1:], ground, label)
@@ -49,8 +49,8 @@ def read_equations(
                 if key is not None and key not in nonzero and not signs.of(factor):
                     raise CheckError(f"{label} multiplies by something that may vanish")
             _check_condition(poly, powers, parse(source, label), ground, samples, region, label)
-        found.append(poly)
-    return tuple(found)
+        polys.append(poly)
+    return tuple(polys)
 
 
 def _check_condition(
@@ -109,10 +109,10 @@ def _check_equal_values(
     else:
         others, value = (one,), value - 1
         alike = first.kind in ("root", "power")
-    given = items(quotients, len(first.of), label)
+    texts = items(quotients, len(first.of), label)
     if not alike or not first.of or poly != value or len(others) != len(first.of):
         raise CheckError(f"{label} does not say that values are equal")
-    for mine, theirs, listed_of_one in zip(first.of, others, given, strict=True):
+    for mine, theirs, listed_of_one in zip(first.of, others, texts, strict=True):
         parts = items(listed_of_one, len(equations), label)
         total = ring.constant(0)
         for part, equation in zip(parts, equations, strict=True):

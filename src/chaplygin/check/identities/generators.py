@@ -107,15 +107,15 @@ class Ground:
         CheckError
             If too few were found.
         """
-        found: list[Sample] = []
+        samples: list[Sample] = []
         generator = random.Random(str(self.ring.names))
         for attempt in range(ATTEMPTS):
             try:
-                found.append(self._sample(generator, attempt))
+                samples.append(self._sample(generator, attempt))
             except UndefinedError:
                 continue
-            if len(found) == count:
-                return found
+            if len(samples) == count:
+                return samples
         raise CheckError(
             "no random points were found at which the law is defined and roots and signs are as "
             "the proof says"
@@ -123,10 +123,10 @@ class Ground:
 
     def _sample(self, generator: random.Random, attempt: int) -> Sample:
         functions = Functions(f"{attempt}")
-        given = {word: self._drawn(word, generator, attempt) for word in self.plain}
-        solver = _Solver(self, given, functions)
+        drawn = {word: self._drawn(word, generator, attempt) for word in self.plain}
+        solver = _Solver(self, drawn, functions)
         values: list[arb] = [arb(0)] * len(self.ring.names)
-        for word, value in given.items():
+        for word, value in drawn.items():
             values[self.ring.index[word]] = value
         for zero in self.zeros:
             word, orders = zero.word
@@ -141,7 +141,7 @@ class Ground:
         place = self.claim.system.place(known, functions, self.settled)
         for word in self.plain:
             defined = word in self.claim.system.definitions
-            if defined and not place(name(word)).overlaps(given[word]):
+            if defined and not place(name(word)).overlaps(drawn[word]):
                 raise CheckError(f"the generator {word} does not agree with its definition")
         return Sample(values, place, *self.domain.values(place))
 
@@ -193,8 +193,8 @@ class Ground:
 class _Solver(Place):
     """A point given by the generators: what state and parameters are there."""
 
-    def __init__(self, ground: Ground, given: Mapping[str, arb], functions: Functions) -> None:
-        super().__init__(given, ground.claim.system.definitions, {}, functions, ground.settled)
+    def __init__(self, ground: Ground, generators: Mapping[str, arb], functions: Functions) -> None:
+        super().__init__(generators, ground.claim.system.definitions, {}, functions, ground.settled)
         self._ground = ground
         self._parameters = ground.exchanged
         self._open: set[str] = set()
@@ -209,11 +209,11 @@ class _Solver(Place):
         if word in self._open:
             raise CheckError(f"the generators do not say what {word} is")
         self._open.add(word)
-        made = self._found(word)
+        value = self._value_of(word)
         self._open.discard(word)
-        return made
+        return value
 
-    def _found(self, word: str) -> Number:
+    def _value_of(self, word: str) -> Number:
         if word in self._places:
             names, number = self._places[word]
             return _inverse_entry([self._named(n) for n in names], number)

@@ -52,12 +52,12 @@ def _positive_formulas(source: str, claim: Claim, label: str) -> list[tuple[Form
     """What a guard or a condition on parameters says, given by its text."""
     system = claim.system
     if any(sign in source for sign in "<>=&"):
-        found = parse_condition(source, label)
+        stated = parse_condition(source, label)
         known = [pair for pair in system.admissible if pair[1] in (">", ">=")]
     else:
-        found = [(parse(source, label), ">")]
+        stated = [(parse(source, label), ">")]
         known = [(guard, ">") for guard in system.guards]
-    return [pair for pair in found if pair in known]
+    return [pair for pair in stated if pair in known]
 
 
 def common_ratio(first: Sequence[arb], second: Sequence[arb]) -> arb | None:
@@ -125,8 +125,8 @@ class PositiveSum:
             if number <= 0:
                 raise CheckError(f"{label}: a term with a constant that is not positive")
             (inner,) = items(base, 1, label)
-            made = ring.read(inner, label)
-            self.terms.append((ring.powers(weight, label), number, made))
+            base_poly = ring.read(inner, label)
+            self.terms.append((ring.powers(weight, label), number, base_poly))
         self.quotients = [
             ring.read(q, label) for q in listed(field(data, "quotients", label), label)
         ]

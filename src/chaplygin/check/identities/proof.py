@@ -60,12 +60,12 @@ def check_proof(
 def read_region(data: Mapping[str, object], claim: Claim, what: str) -> tuple[Formula, ...]:
     """The equations of the part of the level that a proof treats."""
     region = listed(data.get("region", []), f"the region of {what}")
-    found = tuple(parse(formula, f"the region of {what}") for formula in region)
+    formulas = tuple(parse(formula, f"the region of {what}") for formula in region)
     known = {*claim.system.symbols, *claim.system.definitions}
-    for formula in found:
+    for formula in formulas:
         if not claim.system.reach([formula]) <= known:
             raise CheckError(f"the region of {what} uses an unknown symbol")
-    return found
+    return formulas
 
 
 def _checked_residuals(

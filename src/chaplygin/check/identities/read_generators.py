@@ -41,8 +41,8 @@ def read_ground(data: Mapping[str, object], claim: Claim, what: str) -> Ground:
     if len(set(names)) < len(names):
         raise CheckError(f"the ring of {what} has a generator twice")
     ring = Ring(names)
-    settled = _settled(data.get("settled", []), claim, what)
-    exchanged = _exchanged(data.get("exchanged", []), claim, what)
+    settled = _read_settled(data.get("settled", []), claim, what)
+    exchanged = _read_exchanged(data.get("exchanged", []), claim, what)
     if set(exchanged) & set(settled):
         raise CheckError(f"{what} settles and exchanges the same parameter")
     ground = Ground(
@@ -52,10 +52,10 @@ def read_ground(data: Mapping[str, object], claim: Claim, what: str) -> Ground:
         auxiliary=_auxiliaries(data.get("auxiliary", []), ring, what),
         settled=settled,
         exchanged=exchanged,
-        inverted=_inverted(data.get("inverted", []), claim, what),
-        zeros=_zeros(data.get("zeros", []), claim, what),
-        signs=_signs(data.get("signs", []), ring, what),
-        near=_near(data.get("near", {}), ring, what),
+        inverted=_read_inverted(data.get("inverted", []), claim, what),
+        zeros=_read_zeros(data.get("zeros", []), claim, what),
+        signs=_read_signs(data.get("signs", []), ring, what),
+        near=_read_near(data.get("near", {}), ring, what),
     )
     system = claim.system
     gone = {*settled, *exchanged}
@@ -130,15 +130,15 @@ def _auxiliary(word: str, data: Mapping[str, object], ring: Ring) -> Auxiliary:
     return symbol
 
 
-def _settled(data: object, claim: Claim, what: str) -> dict[str, Formula]:
-    found: dict[str, Formula] = {}
+def _read_settled(data: object, claim: Claim, what: str) -> dict[str, Formula]:
+    settled: dict[str, Formula] = {}
     for pair in listed(data, f"what is settled in {what}"):
         word, formula = (text(t, what) for t in items(pair, 2, f"what is settled in {what}"))
-        if word not in claim.system.parameters or word in found:
+        if word not in claim.system.parameters or word in settled:
             raise CheckError(f"{what} settles {word!r}, which is no parameter, or twice")
-        found[word] = parse(formula, f"what {word} is settled to in {what}")
-    _check_settled(claim, found, what)
-    return found
+        settled[word] = parse(formula, f"what {word} is settled to in {what}")
+    _check_settled(claim, settled, what)
+    return settled
 
 
 def _check_settled(claim: Claim, settled: Mapping[str, Formula], what: str) -> None:
@@ -160,7 +160,7 @@ def _check_settled(claim: Claim, settled: Mapping[str, Formula], what: str) -> N
         except UndefinedError:
             continue
         for word in sorted(set(settled) - set(solution)):
-            value = _solved(poly, word, ring)
+            value = _linear_solution(poly, word, ring)
             if value is not None:
                 table = [value if n == word else ring.generator(n) for n in ring.names]
                 solution = {n: p.compose(*table) for n, p in solution.items()}
@@ -177,7 +177,7 @@ def _check_settled(claim: Claim, settled: Mapping[str, Formula], what: str) -> N
             raise CheckError(f"{what} settles {word} otherwise than the conditions")
 
 
-def _solved(poly: Poly, word: str, ring: Ring) -> Poly | None:
+def _linear_solution(poly: Poly, word: str, ring: Ring) -> Poly | None:
     """The value of a symbol in which a polynomial is linear, with a number as factor."""
     slope = poly.derivative(ring.index[word])
     if slope.is_zero() or not slope.is_constant():
@@ -186,22 +186,22 @@ def _solved(poly: Poly, word: str, ring: Ring) -> Poly | None:
     return ring.generator(word) - poly / factor
 
 
-def _exchanged(data: object, claim: Claim, what: str) -> dict[str, Exchange]:
-    found: dict[str, Exchange] = {}
+def _read_exchanged(data: object, claim: Claim, what: str) -> dict[str, Exchange]:
+    exchanges: dict[str, Exchange] = {}
     for four in listed(data, f"what is exchanged in {what}"):
-        word, factor, parameter, rest = items(four, 4, f"what is exchanged in {what}")
+        word, factor, parameter, constant = items(four, 4, f"what is exchanged in {what}")
         word, parameter = (text(t, f"what is exchanged in {what}") for t in (word, parameter))
         number = rational(factor, f"a factor of what is exchanged in {what}")
         if word not in claim.system.definitions or parameter not in claim.system.parameters:
             raise CheckError(f"{what} exchanges {word!r} and {parameter!r} without a meaning")
-        if parameter in found or not number or word in [e.name for e in found.values()]:
+        if parameter in exchanges or not number or word in [e.name for e in exchanges.values()]:
             raise CheckError(f"{what} exchanges {parameter} for {word} twice or by zero")
-        made = Exchange(word, number, parse(rest, f"the rest of {word} in {what}"))
-        found[parameter] = made
-    return found
+        exchange = Exchange(word, number, parse(constant, f"the rest of {word} in {what}"))
+        exchanges[parameter] = exchange
+    return exchanges
 
 
-def _inverted(
+def _read_inverted(
     data: object, claim: Claim, what: str
 ) -> tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]:
     inverted = []
@@ -217,34 +217,34 @@ def _inverted(
     return tuple(inverted)
 
 
-def _zeros(data: object, claim: Claim, what: str) -> tuple[Formula, ...]:
-    found = []
+def _read_zeros(data: object, claim: Claim, what: str) -> tuple[Formula, ...]:
+    zeros = []
     for formula in listed(data, f"the zeros of {what}"):
-        made = parse(formula, f"a zero of {what}")
-        if made.kind != "function" or made not in claim.conditions:
+        zero = parse(formula, f"a zero of {what}")
+        if zero.kind != "function" or zero not in claim.conditions:
             raise CheckError(f"{what} takes {formula} for zero, which no condition says")
-        found.append(made)
-    return tuple(found)
+        zeros.append(zero)
+    return tuple(zeros)
 
 
-def _signs(data: object, ring: Ring, what: str) -> tuple[tuple[Poly, int], ...]:
-    found = []
+def _read_signs(data: object, ring: Ring, what: str) -> tuple[tuple[Poly, int], ...]:
+    signs = []
     for pair in listed(data, f"the signs of {what}"):
         poly, sign = items(pair, 2, f"a sign of {what}")
-        made = ring.read(poly, f"a sign of {what}")
-        if made.is_constant():
+        factor = ring.read(poly, f"a sign of {what}")
+        if factor.is_constant():
             raise CheckError(f"a sign of {what} is that of a number")
-        found.append((made, choice(sign, f"a sign of {what}", 1, -1)))
-    return tuple(found)
+        signs.append((factor, choice(sign, f"a sign of {what}", 1, -1)))
+    return tuple(signs)
 
 
-def _near(data: object, ring: Ring, what: str) -> dict[str, Fraction]:
-    found = {}
+def _read_near(data: object, ring: Ring, what: str) -> dict[str, Fraction]:
+    point = {}
     for word, value in mapping(data, f"the point near which {what} is tried").items():
         try:
-            found[word] = Fraction(text(value, word))
+            point[word] = Fraction(text(value, word))
         except (ValueError, ZeroDivisionError):
             raise CheckError(f"{what} is tried near {word} = {value!r}, no number") from None
-        if word not in ring.index or abs(found[word]) > 10**30:
+        if word not in ring.index or abs(point[word]) > 10**30:
             raise CheckError(f"{what} is tried near a value of {word!r} without a meaning")
-    return found
+    return point

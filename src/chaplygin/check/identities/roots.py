@@ -89,15 +89,15 @@ def _factors(poly: Poly) -> Powers:
 
 def _odd(powers: Powers, content: int = 1) -> tuple[int, frozenset[str]]:
     """The sign of a product and its factors with odd powers, which decide its sign."""
-    found: set[str] = set()
+    odd: set[str] = set()
     for poly, power in powers:
         if power % 2 == 0:
             continue
         key, lead = monic(poly)
         content *= lead
         if not poly.is_constant():
-            found ^= {key}
-    return content, frozenset(found)
+            odd ^= {key}
+    return content, frozenset(odd)
 
 
 def check_radicands(
@@ -108,12 +108,12 @@ def check_radicands(
     what: str,
 ) -> None:
     """Every root of the law is a product of roots of factors with known signs."""
-    taken = [a for a in ground.auxiliary if a.kind == "formal root"]
+    formal = [a for a in ground.auxiliary if a.kind == "formal root"]
     for (_, _, exponent), number in zip(ground.domain.positive, matched, strict=False):
         if number is None:
             raise CheckError(f"{what} does not say of what factors a root of the law is taken")
         if exponent is not None and any(
-            exponent.denominator == a.number and _is_radicand(a, [entries[number]]) for a in taken
+            exponent.denominator == a.number and _is_radicand(a, [entries[number]]) for a in formal
         ):
             continue
         for poly, power in entries[number].powers:

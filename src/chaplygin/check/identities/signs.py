@@ -30,11 +30,11 @@ def covers(proofs: Sequence[Basis], conditions: Sequence[Condition]) -> bool:
 
     Their claims must be the same, and the points those where `conditions` hold.
     """
-    assumed = [dict(_assumed(basis)) for basis in proofs]
+    assumed = [dict(_assumed_signs(basis)) for basis in proofs]
     keys = sorted({key for signs in assumed for key in signs}, key=repr)
     if len(keys) > MANY:
         raise CheckError(f"the proofs assume the signs of more than {MANY} polynomials")
-    known, products = _known(proofs, conditions, set(keys))
+    known, products = _certain_signs(proofs, conditions, set(keys))
     for pattern in product((1, -1), repeat=len(keys)):
         signs = dict(zip(keys, pattern, strict=True))
         if any(signs[key] != sign for key, sign in known):
@@ -52,13 +52,13 @@ def _sign(content: int, factors: Sequence[Key], signs: Mapping[Key, int]) -> int
     return content
 
 
-def _assumed(basis: Basis) -> Iterator[tuple[Key, int]]:
+def _assumed_signs(basis: Basis) -> Iterator[tuple[Key, int]]:
     for poly, sign in basis.ground.signs:
         key, lead = _key(basis.ground, poly)
         yield key, sign * lead
 
 
-def _known(
+def _certain_signs(
     proofs: Sequence[Basis], conditions: Sequence[Condition], keys: set[Key]
 ) -> tuple[list[tuple[Key, int]], list[tuple[int, list[Key]]]]:
     """Signs that are certain or asked for, and products of signs that are positive."""
@@ -118,8 +118,8 @@ def _key(ground: Ground, poly: Poly) -> tuple[Key, int]:
 
 def _terms(ground: Ground, poly: Poly, names: Mapping[str, Key]) -> tuple[tuple[object, fmpq], ...]:
     """Terms in an order that does not depend on the ring."""
-    found = []
+    terms = []
     for exponents, number in poly.to_dict().items():
         powers = [(names[ground.ring.names[i]], int(n)) for i, n in enumerate(exponents) if n]
-        found.append((tuple(sorted(powers, key=repr)), number))
-    return tuple(sorted(found, key=lambda term: repr(term[0])))
+        terms.append((tuple(sorted(powers, key=repr)), number))
+    return tuple(sorted(terms, key=lambda term: repr(term[0])))

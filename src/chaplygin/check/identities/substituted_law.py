@@ -93,19 +93,19 @@ def _same_tensors(claim: Claim, stated: Claim, change: Change, pairs: Sequence[P
 
 
 def _components(law: Law, state: Sequence[str], place: Place) -> list[arb]:
-    given = dict(law.pairs["field"])
-    return [place(given[word]) if word in given else arb(0) for word in state]
+    components = dict(law.pairs["field"])
+    return [place(components[word]) if word in components else arb(0) for word in state]
 
 
 def _rows(claim: Claim, stated: Claim, change: Change, pair: PointPair) -> dict[str, list[arb]]:
     """Differentials of the new variables by the old ones."""
     partial = pair.old.partial(claim.system.state)
     images = {w: f for c in change.circles for w, f in c.functions}
-    found = {}
+    rows = {}
     for word in stated.system.state:
         slopes = partial.slopes(images.get(word, name(word)))
-        found[word] = [slopes.get(i, arb(0)) for i in range(len(claim.system.state))]
-    return found
+        rows[word] = [slopes.get(i, arb(0)) for i in range(len(claim.system.state))]
+    return rows
 
 
 def _sum(first: Sequence[arb], second: Sequence[arb]) -> arb:

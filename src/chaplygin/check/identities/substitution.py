@@ -59,13 +59,13 @@ def substituted(
         If it says neither.
     """
     change = read_change(claim, data, what)
-    found: set[str] = with_precision(
-        lambda: _matched(claim, stated, change, region, conditions, what)
+    says: set[str] = with_precision(
+        lambda: _what_is_said(claim, stated, change, region, conditions, what)
     )
-    return found
+    return says
 
 
-def _matched(
+def _what_is_said(
     claim: Claim,
     stated: Claim,
     change: Change,
@@ -107,14 +107,14 @@ def _matched(
     for formula in region:
         if not equal(formula, formula):
             raise CheckError(f"the region of {what} is not the substituted one")
-    found = set()
+    says = set()
     if change.graph and says_consistency(claim, stated, change, pairs):
-        found.add(CONSISTENCY)
+        says.add(CONSISTENCY)
     if says_law(claim, stated, change, pairs):
-        found.add(LAW)
-    if not found:
+        says.add(LAW)
+    if not says:
         raise CheckError(f"the law in the claim of {what} is not the substituted one")
-    return found
+    return says
 
 
 def _check_conditions(
@@ -172,8 +172,8 @@ def _check_domain(
             raise CheckError(f"the claim of {what} takes a root that the system does not")
 
 
-def _of_domain(made: Domain, place: Place) -> tuple[list[arb], list[arb]]:
-    nonzero, positive, logarithms = made.values(place)
+def _of_domain(own: Domain, place: Place) -> tuple[list[arb], list[arb]]:
+    nonzero, positive, logarithms = own.values(place)
     return nonzero, [*positive, *logarithms]
 
 
@@ -210,11 +210,11 @@ def _factors(claim: Claim, change: Change, pair: PointPair) -> list[arb]:
 def _check_circles(conditions: Sequence[Formula], change: Change, what: str) -> None:
     """The conditions that are none of the system must be those of the circles."""
     circles = [parse(f"{c.sine}**2 + {c.cosine}**2 - 1", "a circle") for c in change.circles]
-    stated, wanted = (sorted(map(_ordered, group), key=id) for group in (conditions, circles))
+    stated, wanted = (sorted(map(_sorted_sum, group), key=id) for group in (conditions, circles))
     if stated != wanted:
         raise CheckError(f"the conditions of the claim of {what} are not the substituted ones")
 
 
-def _ordered(formula: Formula) -> Formula:
+def _sorted_sum(formula: Formula) -> Formula:
     """A sum with its terms in an order of its own."""
     return total(sorted(formula.parts, key=id)) if formula.kind == "sum" else formula

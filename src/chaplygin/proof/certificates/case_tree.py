@@ -70,18 +70,18 @@ class Cases:
         doubtful = list(self._doubtful(divisions, nonzero))
         if exact and not doubtful:
             return self._zero(divisions, equations)
-        if (found := self._vanishing_divisor(chain, nonzero)) is not None:
-            return self._empty(found, equations)
+        if (multiple := self._vanishing_divisor(chain, nonzero)) is not None:
+            return self._empty(multiple, equations)
         if (direct := self._direct(divisions, equations)) is not None:
             return self._zero(direct, equations)
         polys = [Combination(e, {i: self.chains.ring.constant(1)}) for i, e in enumerate(equations)]
         polys += [step.combination for step in chain]
         for combination in polys:
-            if (made := self._split(combination, equations, nonzero)) is not None:
-                return made
+            if (node := self._split(combination, equations, nonzero)) is not None:
+                return node
         for combination in polys:
-            if (made := self._squares(combination, equations, nonzero)) is not None:
-                return made
+            if (node := self._squares(combination, equations, nonzero)) is not None:
+                return node
         if doubtful:
             return self._vanishing(doubtful[0], equations, nonzero)
         raise OutOfReachError("no certificate: a residual leaves a remainder")
@@ -93,16 +93,16 @@ class Cases:
         if sum(map(len, equations)) > MOST_FOR_A_BASIS:
             return None
         basis = Basis(self.chains.ring, equations, self.chains.budget)
-        found = []
+        exact_divisions = []
         for division, poly in zip(divisions, self.numerators, strict=True):
             if not division.multipliers and not division.rest:
-                found.append(division)
+                exact_divisions.append(division)
                 continue
             quotients = basis.quotients(poly)
             if quotients is None:
                 return None
-            found.append(Division((), quotients, self.chains.ring.constant(0)))
-        return found
+            exact_divisions.append(Division((), quotients, self.chains.ring.constant(0)))
+        return exact_divisions
 
     # --- what does not vanish --------------------------------------------------------------------
 
@@ -135,7 +135,7 @@ class Cases:
 
     # --- cases -----------------------------------------------------------------------------------
 
-    def _quotients(
+    def _quotient_texts(
         self, by: Mapping[int, fmpq_mpoly], equations: Sequence[fmpq_mpoly]
     ) -> list[Terms]:
         return [self.write(by[i]) if i in by else [] for i in range(len(equations))]
@@ -143,7 +143,7 @@ class Cases:
     def _powers(self, polys: Iterable[fmpq_mpoly]) -> tuple[fmpq, list[tuple[fmpq_mpoly, int]]]:
         """Content and irreducible factors of a product."""
         content = fmpq(1)
-        found: dict[str, tuple[fmpq_mpoly, int]] = {}
+        powers: dict[str, tuple[fmpq_mpoly, int]] = {}
         for poly in polys:
             if poly.is_constant():
                 content *= poly.leading_coefficient()
@@ -151,20 +151,20 @@ class Cases:
             number, parts = poly.factor()
             content *= number
             for part, power in parts:
-                _, known = found.get(str(part), (part, 0))
-                found[str(part)] = part, known + int(power)
-        return content, list(found.values())
+                _, known = powers.get(str(part), (part, 0))
+                powers[str(part)] = part, known + int(power)
+        return content, list(powers.values())
 
-    def _written(self, powers: Iterable[tuple[fmpq_mpoly, int]]) -> list[list[object]]:
+    def _powers_text(self, powers: Iterable[tuple[fmpq_mpoly, int]]) -> list[list[object]]:
         return [[self.write(poly), power] for poly, power in powers]
 
     def _empty(self, combination: Combination, equations: Sequence[fmpq_mpoly]) -> Text:
         content, powers = self._powers([combination.poly])
         return {
             "case": "empty",
-            "factors": self._written(powers),
+            "factors": self._powers_text(powers),
             "constant": str(content),
-            "quotients": self._quotients(combination.by, equations),
+            "quotients": self._quotient_texts(combination.by, equations),
         }
 
     def _zero(self, divisions: Sequence[Division], equations: Sequence[fmpq_mpoly]) -> Text:
@@ -174,9 +174,9 @@ class Cases:
             identities.append(
                 {
                     "residual": number,
-                    "factors": self._written(powers),
+                    "factors": self._powers_text(powers),
                     "constant": str(content),
-                    "quotients": self._quotients(division.by, equations),
+                    "quotients": self._quotient_texts(division.by, equations),
                 }
             )
         return {"case": "zero", "identities": identities}
@@ -199,10 +199,10 @@ class Cases:
         return {
             "case": "split",
             "polynomial": self.write(combination.poly),
-            "factors": self._written((part, int(power)) for part, power in parts),
+            "factors": self._powers_text((part, int(power)) for part, power in parts),
             "constant": str(content),
             "by": [],
-            "quotients": self._quotients(combination.by, equations),
+            "quotients": self._quotient_texts(combination.by, equations),
             "children": [self.tree((*equations, part), nonzero) for part in open_parts],
         }
 
@@ -223,11 +223,11 @@ class Cases:
                 "case": "squares",
                 "polynomial": self.write(sign * combination.poly),
                 "by": [],
-                "quotients": self._quotients(
+                "quotients": self._quotient_texts(
                     {i: sign * m for i, m in combination.by.items()}, equations
                 ),
                 "terms": [
-                    [self._written(term.weights), str(term.constant), [self.write(term.base)]]
+                    [self._powers_text(term.weights), str(term.constant), [self.write(term.base)]]
                     for term in terms
                 ],
                 "child": self.tree((*equations, *bases), nonzero),

@@ -103,21 +103,21 @@ class Chains:
                 (self._merit(g.poly, v, nonzero), i, v)
                 for i, g in enumerate(waiting)
                 for v in variables(g.poly)
-                if _ordered([*((s.main, s.combination.poly) for s in chain), (v, g.poly)])
+                if _order_of_mains([*((s.main, s.combination.poly) for s in chain), (v, g.poly)])
                 is not None
                 and all(s.main != v for s in chain)
             ]
             if not choices:
-                return self._sorted(chain), None
+                return self._in_order(chain), None
             _, index, main = min(choices)
-            chain = self._sorted([*chain, self._step(waiting.pop(index), main)])
+            chain = self._in_order([*chain, self._step(waiting.pop(index), main)])
 
     def _step(self, combination: Combination, main: int) -> Step:
         degree = int(combination.poly.degrees()[main])
-        return Step(main, combination, degree, self._coefficient(combination.poly, main, degree))
+        return Step(main, combination, degree, self._coefficient_of(combination.poly, main, degree))
 
-    def _sorted(self, chain: list[Step]) -> list[Step]:
-        order = _ordered([(step.main, step.combination.poly) for step in chain])
+    def _in_order(self, chain: list[Step]) -> list[Step]:
+        order = _order_of_mains([(step.main, step.combination.poly) for step in chain])
         assert order is not None
         by_main = {step.main: step for step in chain}
         return [by_main[main] for main in order]
@@ -126,7 +126,7 @@ class Chains:
         self, poly: fmpq_mpoly, main: int, nonzero: Sequence[fmpq_mpoly]
     ) -> tuple[int, int, int]:
         degree = int(poly.degrees()[main])
-        lead = self._coefficient(poly, main, degree)
+        lead = self._coefficient_of(poly, main, degree)
         if lead.is_constant():
             kind = 0 if degree == 1 else degree - 1
         else:
@@ -135,7 +135,7 @@ class Chains:
             kind += 100 * (not self.is_nonzero(lead, nonzero))
         return kind, len(lead), -main
 
-    def _coefficient(self, poly: fmpq_mpoly, position: int, degree: int) -> fmpq_mpoly:
+    def _coefficient_of(self, poly: fmpq_mpoly, position: int, degree: int) -> fmpq_mpoly:
         found = {}
         for exponents, number in poly.to_dict().items():
             if exponents[position] == degree:
@@ -160,9 +160,9 @@ class Chains:
         for number, step in enumerate(chain):
             variable = self.ring.gen(step.main)
             while poly and (height := int(poly.degrees()[step.main])) >= step.degree:
-                top = self._coefficient(poly, step.main, height)
-                factor, rest = divmod(top, step.lead)
-                if rest:
+                top = self._coefficient_of(poly, step.main, height)
+                factor, remainder = divmod(top, step.lead)
+                if remainder:
                     shared = top.gcd(step.lead)
                     multiplier = divmod(step.lead, shared)[0]
                     factor = divmod(top, shared)[0]
@@ -199,7 +199,7 @@ def variables(poly: fmpq_mpoly) -> list[int]:
     return [i for i, degree in enumerate(poly.degrees()) if degree]
 
 
-def _ordered(chain: Sequence[tuple[int, fmpq_mpoly]]) -> list[int] | None:
+def _order_of_mains(chain: Sequence[tuple[int, fmpq_mpoly]]) -> list[int] | None:
     """Main variables from the highest to the lowest; None if they need each other in a circle."""
     mains = {main for main, _ in chain}
     needs = {main: (set(variables(poly)) & mains) - {main} for main, poly in chain}

@@ -55,21 +55,21 @@ class Basis:
         while waiting and len(self._elements) < size:
             waiting.sort(key=self._degree, reverse=True)
             first, second = waiting.pop()
-            if self._apart(first, second) or self._bridged(first, second, waiting):
+            if self._apart(first, second) or self._is_superfluous(first, second, waiting):
                 continue
-            rest, by = self._reduced(*self._difference(first, second))
-            if rest and len(rest) <= MOST_TERMS:
-                self._add(rest, by)
+            remainder, by = self._reduction(*self._difference(first, second))
+            if remainder and len(remainder) <= MOST_TERMS:
+                self._add(remainder, by)
                 last = len(self._elements) - 1
                 waiting += [(i, last) for i in range(last)]
 
     def quotients(self, poly: fmpq_mpoly) -> Multiples | None:
         """A polynomial as Σ quotient · equation; None where the basis does not show one."""
-        rest, by = self._reduced(self._inside(poly), {})
-        while rest and self._waiting and len(self._elements) < MOST_ELEMENTS:
+        remainder, by = self._reduction(self._inside(poly), {})
+        while remainder and self._waiting and len(self._elements) < MOST_ELEMENTS:
             self._grow(len(self._elements) + 10)
-            rest, by = self._reduced(rest, by)
-        if rest:
+            remainder, by = self._reduction(remainder, by)
+        if remainder:
             return None
         return {i: -self._given.from_dict(part.to_dict()) for i, part in by.items() if part}
 
@@ -92,7 +92,7 @@ class Basis:
         a, b = self._elements[first].lead, self._elements[second].lead
         return not any(x and y for x, y in zip(a, b, strict=True))
 
-    def _bridged(self, first: int, second: int, waiting: Sequence[tuple[int, int]]) -> bool:
+    def _is_superfluous(self, first: int, second: int, waiting: Sequence[tuple[int, int]]) -> bool:
         """Whether a third element, whose pairs with both are done, makes a pair superfluous."""
         common, left = self._common(first, second), set(waiting)
         return any(
@@ -122,17 +122,17 @@ class Basis:
             product = factor * part
             by[i] = by[i] + product if i in by else product
 
-    def _reduced(self, poly: fmpq_mpoly, by: Multiples) -> tuple[fmpq_mpoly, Multiples]:
+    def _reduction(self, poly: fmpq_mpoly, by: Multiples) -> tuple[fmpq_mpoly, Multiples]:
         """The remainder of Σ by · equation, in the same form."""
         by = dict(by)
         while poly:
             before = poly
             for element in self._elements:
-                quotient, rest = divmod(poly, element.poly)
+                quotient, remainder = divmod(poly, element.poly)
                 if quotient:
                     self._budget.foresee(quotient, element.poly)
                     self._gather(by, element.by, -quotient)
-                    poly = rest
+                    poly = remainder
                 if not poly:
                     break
             if poly == before:

@@ -84,7 +84,7 @@ def proof_text(setting: ProofSetting, excluded: Excluded, decided: bool) -> Text
 
 def _whole(setting: ProofSetting) -> list[tuple[str, Element]]:
     """The residuals, with no factor in the numerator that is not multiplied out."""
-    found = []
+    residuals = []
     for what, value in setting.residuals:
         poly, below = value.poly, {}
         for number, power in value.powers.items():
@@ -92,8 +92,8 @@ def _whole(setting: ProofSetting) -> list[tuple[str, Element]]:
                 poly = poly * setting.field.factors[number] ** power
             else:
                 below[number] = power
-        found.append((what, Element(setting.field, poly, below)))
-    return found
+        residuals.append((what, Element(setting.field, poly, below)))
+    return residuals
 
 
 def _residual(setting: ProofSetting, what: str, value: Element) -> Text:

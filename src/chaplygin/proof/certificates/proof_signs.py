@@ -130,20 +130,20 @@ def positive_texts(setting: ProofSetting, reasons: Reasons, size: int) -> list[T
         {"poly": setting.terms(poly), "strict": strict, "from": source}
         for poly, source, strict in reasons.facts
     ]
-    return [*facts, *(_sum_text(setting, found, size) for found in reasons.sums)]
+    return [*facts, *(_sum_text(setting, term, size) for term in reasons.sums)]
 
 
-def _sum_text(setting: ProofSetting, found: Sum, size: int) -> Text:
+def _sum_text(setting: ProofSetting, own: Sum, size: int) -> Text:
     quotients: list[Terms] = [[] for _ in range(size)]
-    for number, ratio in found.multiples:
+    for number, ratio in own.multiples:
         quotients[number] = setting.terms(setting.field.ring.constant(ratio))
     return {
-        "poly": setting.terms(found.poly),
+        "poly": setting.terms(own.poly),
         "strict": True,
         "from": "sum",
         "terms": [
             [setting.powers(term.weights), str(term.constant), [setting.terms(term.base)]]
-            for term in found.terms
+            for term in own.terms
         ],
         "quotients": quotients,
     }

@@ -97,10 +97,10 @@ class FunctionField(QuotientRing):
     ) -> fmpq_mpoly:
         """The auxiliary generator that stands for `key`, made when first asked for."""
         if key not in self._auxiliary:
-            taken = len(self._auxiliary)
-            if taken == self.spare:
+            count = len(self._auxiliary)
+            if count == self.spare:
                 raise NeedMoreGeneratorsError(self.spare)
-            name = self._auxiliaries[taken]
+            name = self._auxiliaries[count]
             self._auxiliary[key] = self.generators[name]
             self.meanings[name] = meaning
             if positive:
@@ -178,7 +178,7 @@ class FunctionField(QuotientRing):
             if not sign and power % 2 and odd is None:
                 # its sign will follow from those of the others
                 odd = poly
-            sign = sign or (1 if odd is poly else self._decided(poly))
+            sign = sign or (1 if odd is poly else self._decision(poly))
             if power % 2:
                 overall *= sign
             signed.append((poly if sign > 0 else -poly, power))
@@ -197,10 +197,10 @@ class FunctionField(QuotientRing):
             return self._implied[key]
         if key in self.decisions:
             return self.decisions[key][1]
-        found = self.signs.of(poly)
-        return 0 if found is Sign.UNKNOWN else (1 if found > 0 else -1)
+        sign = self.signs.of(poly)
+        return 0 if sign is Sign.UNKNOWN else (1 if sign > 0 else -1)
 
-    def _decided(self, poly: fmpq_mpoly) -> int:
+    def _decision(self, poly: fmpq_mpoly) -> int:
         """The sign that is taken for a factor, here and wherever it stands under a root."""
         key = str(poly)
         sign = self._choices.get(key) or (-1 if self.at_sample(poly) < 0 else 1)
@@ -257,13 +257,13 @@ class FunctionField(QuotientRing):
                 f"the exponent {exponent}·{theta} is not a multiple of 1/{FINENESS}"
             )
         value = self.at_sample(base)
-        made = self._new(
+        symbol = self._new(
             ("power", str(base), theta),
             f"({base})^({theta}/{FINENESS})",
             lambda: abs(value) ** 0.37,
             positive=True,
         )
-        return self.integer_power(Element(self, made, {}), int(fine.p))
+        return self.integer_power(Element(self, symbol, {}), int(fine.p))
 
     def _root(self, base: fmpq_mpoly, degree: int) -> Element:
         if base.is_one():
@@ -274,15 +274,15 @@ class FunctionField(QuotientRing):
                 return self.integer_power(higher, known // degree)
         value = self.at_sample(base)
         key = ("root", str(base), degree)
-        made = self._new(
+        symbol = self._new(
             key, f"({base})^(1/{degree})", lambda: abs(value) ** (1 / degree), positive=True
         )
-        self.impose(str(made), made**degree - base)
-        self._roots[str(made)] = (base, degree)
+        self.impose(str(symbol), symbol**degree - base)
+        self._roots[str(symbol)] = (base, degree)
         if not base.is_constant():
             lead = base.leading_coefficient()
-            self._root_of[self.named(made)] = (lead, ((self.named(base / lead), 1),), degree)
-        return Element(self, made, {})
+            self._root_of[self.named(symbol)] = (lead, ((self.named(base / lead), 1),), degree)
+        return Element(self, symbol, {})
 
     def exponential(self, element: Element) -> Element:
         """The exponential; those of whole multiples of one argument are powers of each other."""
@@ -292,9 +292,9 @@ class FunctionField(QuotientRing):
             for ratio in MULTIPLES:
                 if self.vanishes(element - self.rational(ratio) * argument):
                     return self.root(known, int(ratio.q)) ** int(ratio.p)
-        made = self.known("exp", [element])
-        self._exponentials.append((element, made))
-        return made
+        value = self.known("exp", [element])
+        self._exponentials.append((element, value))
+        return value
 
     def circle(self, angle: Element) -> tuple[Element, Element]:
         """Sine and cosine."""
@@ -310,20 +310,20 @@ class FunctionField(QuotientRing):
 
     def pi(self) -> Element:
         """The number π, as a symbol: it is transcendental."""
-        made = self._new(("pi",), "pi", lambda: math.pi, positive=True)
-        return Element(self, made, {})
+        symbol = self._new(("pi",), "pi", lambda: math.pi, positive=True)
+        return Element(self, symbol, {})
 
     def known(self, name: str, arguments: Sequence[Element]) -> Element:
         """A value of a function such as the logarithm, of which only derivatives are known."""
         keys = tuple(map(self._key, arguments))
         value = getattr(math, name)
-        made = self._new(
+        symbol = self._new(
             ("known", name, *keys),
             f"{name}({', '.join(keys)})",
             lambda: float(value(*map(self.value_at_sample, arguments))),
             positive=name == "exp",
         )
-        return Element(self, made, {})
+        return Element(self, symbol, {})
 
     def unspecified(
         self, function: str, orders: Sequence[int], arguments: Sequence[Element]
@@ -331,12 +331,12 @@ class FunctionField(QuotientRing):
         """A value of an unspecified function, or of one of its partial derivatives."""
         keys = tuple(map(self._key, arguments))
         label = derivative_name(function, orders)
-        made = self._new(
+        symbol = self._new(
             ("unspecified", function, tuple(orders), *keys),
             f"{label}({', '.join(keys)})",
             lambda: 0.7,
         )
-        return Element(self, made, {})
+        return Element(self, symbol, {})
 
     def same(self, first: Sequence[Element], second: Sequence[Element]) -> bool:
         """Whether a function has one value at two places."""
@@ -350,8 +350,8 @@ class FunctionField(QuotientRing):
                 poly = self.product(poly, self.factors[number])
                 powers[number] -= 1
             while powers[number] < 0:
-                quotient, rest = divmod(poly, self.factors[number])
-                if rest:
+                quotient, remainder = divmod(poly, self.factors[number])
+                if remainder:
                     break
                 poly, powers[number] = quotient, powers[number] + 1
         below = "".join(f"/({self.factors[n]})^{-p}" for n, p in sorted(powers.items()) if p)

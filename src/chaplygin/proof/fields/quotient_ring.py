@@ -106,9 +106,9 @@ class QuotientRing:
     def product(self, first: fmpq_mpoly, second: fmpq_mpoly) -> fmpq_mpoly:
         """Product of polynomials, reduced and within the budget."""
         self.budget.foresee(first, second)
-        made = self.reduce(first * second)
-        self.budget.spend(made)
-        return made
+        product = self.reduce(first * second)
+        self.budget.spend(product)
+        return product
 
     def add(self, first: Element, second: Element) -> Element:
         """Sum over the common denominator."""
@@ -125,9 +125,9 @@ class QuotientRing:
                 common[number] = low
         poly = self._over(first, common) + self._over(second, common)
         self.budget.spend(poly)
-        return self._lightened(poly, common) if poly else self.zero
+        return self._cancelled_generators(poly, common) if poly else self.zero
 
-    def _lightened(self, poly: fmpq_mpoly, powers: dict[int, int]) -> Element:
+    def _cancelled_generators(self, poly: fmpq_mpoly, powers: dict[int, int]) -> Element:
         """An element in which generators are cancelled against the denominator."""
         single = [n for n, p in powers.items() if p < 0 and len(self.factors[n]) == 1]
         if single:
@@ -168,8 +168,8 @@ class QuotientRing:
         powers = {number: -power for number, power in element.powers.items()}
         for number, power in parts:
             powers[number] = powers.get(number, 0) - power
-        kept = {number: power for number, power in powers.items() if power}
-        return self.tidied(Element(self, self.ring.constant(1 / content), kept))
+        nonzero = {number: power for number, power in powers.items() if power}
+        return self.tidied(Element(self, self.ring.constant(1 / content), nonzero))
 
     def factorised(self, poly: fmpq_mpoly) -> tuple[fmpq, list[tuple[int, int]]]:
         """Content and named factors with their powers."""
@@ -245,10 +245,10 @@ class QuotientRing:
 
     def coefficient(self, poly: fmpq_mpoly, position: int, degree: int) -> fmpq_mpoly:
         """Coefficient of a power of one generator."""
-        found = {}
+        terms = {}
         for exponents, number in poly.to_dict().items():
             if exponents[position] == degree:
-                rest = list(exponents)
-                rest[position] = 0
-                found[tuple(rest)] = number
-        return self.ring.from_dict(found)
+                lower = list(exponents)
+                lower[position] = 0
+                terms[tuple(lower)] = number
+        return self.ring.from_dict(terms)

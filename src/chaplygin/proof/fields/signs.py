@@ -65,15 +65,15 @@ class Signs:
 
     def of(self, poly: fmpq_mpoly) -> Sign:
         """The sign of a polynomial wherever the facts and the conditions hold."""
-        found = self._of_one(poly)
-        if abs(found) < Sign.POSITIVE and poly and len(poly) <= MANY:
+        sign = self._of_one(poly)
+        if abs(sign) < Sign.POSITIVE and poly and len(poly) <= MANY:
             content, parts = poly.factor()
             if len(parts) > 1 or any(power > 1 for _, power in parts):
                 product = _number(content)
                 for part, power in parts:
                     product = product.times(self._of_power(part, int(power)))
-                found = product or found
-        return found
+                sign = product or sign
+        return sign
 
     def never_zero(self, poly: fmpq_mpoly) -> bool:
         """Whether a polynomial is certainly not zero."""
@@ -104,10 +104,10 @@ class Signs:
     # --- one polynomial --------------------------------------------------------------------
 
     def _of_one(self, poly: fmpq_mpoly) -> Sign:
-        found = self._by_terms(poly)
-        if found is Sign.UNKNOWN and len(poly) <= MANY:
-            found = self._by_facts(poly) or self._by_conditions(poly) or self._by_squares(poly)
-        return found
+        sign = self._by_terms(poly)
+        if sign is Sign.UNKNOWN and len(poly) <= MANY:
+            sign = self._by_facts(poly) or self._by_conditions(poly) or self._by_squares(poly)
+        return sign
 
     def _by_terms(self, poly: fmpq_mpoly) -> Sign:
         signs = []
@@ -147,10 +147,10 @@ class Signs:
                     part = sign.times(self._by_terms(share))
                     if not part:
                         continue
-                    rest = poly - share * fact
-                    found = _sum([part, self._by_terms(rest)]) if rest else part
-                    if found:
-                        return found
+                    remainder = poly - share * fact
+                    whole = _sum([part, self._by_terms(remainder)]) if remainder else part
+                    if whole:
+                        return whole
         return Sign.UNKNOWN
 
     def _by_conditions(self, poly: fmpq_mpoly) -> Sign:
@@ -159,9 +159,9 @@ class Signs:
         for condition in self.conditions:
             own = _constant(condition)
             if constant != 0 and own != 0:
-                found = self._by_terms(poly - (constant / own) * condition)
-                if found:
-                    return found
+                sign = self._by_terms(poly - (constant / own) * condition)
+                if sign:
+                    return sign
         return Sign.UNKNOWN
 
     def _by_squares(self, poly: fmpq_mpoly) -> Sign:
@@ -176,10 +176,10 @@ class Signs:
         """Linear forms whose squares, with positive weights, add up to a quadratic polynomial."""
         if not poly or poly.total_degree() != 2:
             return None
-        for given in (poly,) if definite else (poly, -poly):
-            found = completed_squares(given, self.ring)
-            if found is not None:
-                return [base for _, base in found]
+        for signed in (poly,) if definite else (poly, -poly):
+            forms = completed_squares(signed, self.ring)
+            if forms is not None:
+                return [base for _, base in forms]
         return None
 
 
@@ -220,13 +220,13 @@ def completed_squares(
     Squares are completed one variable after the other; None unless all weights are positive.
     The last form is 1 where a positive number remains.
     """
-    found: list[tuple[fmpq, fmpq_mpoly]] = []
-    rest = poly
+    forms: list[tuple[fmpq, fmpq_mpoly]] = []
+    remainder = poly
     for index in range(ring.nvars()):
-        if not rest or not int(rest.degrees()[index]):
+        if not remainder or not int(remainder.degrees()[index]):
             continue
         parts: dict[int, dict[tuple[int, ...], fmpq]] = {1: {}, 2: {}}
-        for exponents, number in rest.to_dict().items():
+        for exponents, number in remainder.to_dict().items():
             power = int(exponents[index])
             if power:
                 lower = tuple(0 if i == index else int(e) for i, e in enumerate(exponents))
@@ -236,10 +236,10 @@ def completed_squares(
             return None
         weight = square.leading_coefficient()
         base = ring.gen(index) + ring.from_dict(parts[1]) / (2 * weight)
-        found.append((weight, base))
-        rest = rest - weight * base * base
-    if rest:
-        if not rest.leading_coefficient() > 0:
+        forms.append((weight, base))
+        remainder = remainder - weight * base * base
+    if remainder:
+        if not remainder.leading_coefficient() > 0:
             return None
-        found.append((rest.leading_coefficient(), ring.constant(1)))
-    return found
+        forms.append((remainder.leading_coefficient(), ring.constant(1)))
+    return forms

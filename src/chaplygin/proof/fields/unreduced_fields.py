@@ -69,7 +69,7 @@ class UnreducedField(FunctionField):
         self.record: dict[str, Meaning] = {}
         self._pending: list[Meaning] = []
 
-    def _noted(self, meaning: Meaning, task: Callable[[], T]) -> T:
+    def _with_meaning(self, meaning: Meaning, task: Callable[[], T]) -> T:
         self._pending.append(meaning)
         try:
             return task()
@@ -80,12 +80,12 @@ class UnreducedField(FunctionField):
         self, key: Key, meaning: str, value: Callable[[], float], positive: bool = False
     ) -> fmpq_mpoly:
         fresh = key not in self._auxiliary
-        made = super()._new(key, meaning, value, positive)
+        symbol = super()._new(key, meaning, value, positive)
         if fresh:
-            self.record[str(made)] = self._meant(key)
-        return made
+            self.record[str(symbol)] = self._meaning_of(key)
+        return symbol
 
-    def _meant(self, key: Key) -> Meaning:
+    def _meaning_of(self, key: Key) -> Meaning:
         kind = key[0]
         pending = self._pending[-1] if self._pending else Meaning("")
         if kind == "pi":
@@ -100,11 +100,13 @@ class UnreducedField(FunctionField):
 
     def circle(self, angle: Element) -> tuple[Element, Element]:
         """Sine and cosine."""
-        return self._noted(Meaning("", (angle,)), lambda: super(UnreducedField, self).circle(angle))
+        return self._with_meaning(
+            Meaning("", (angle,)), lambda: super(UnreducedField, self).circle(angle)
+        )
 
     def known(self, name: str, arguments: Sequence[Element]) -> Element:
         """A value of a function of which only derivatives are known."""
-        return self._noted(
+        return self._with_meaning(
             Meaning("known", tuple(arguments), name),
             lambda: super(UnreducedField, self).known(name, arguments),
         )
@@ -114,18 +116,18 @@ class UnreducedField(FunctionField):
     ) -> Element:
         """A value of an unspecified function."""
         meaning = Meaning("function", tuple(arguments), function, orders=tuple(orders))
-        return self._noted(
+        return self._with_meaning(
             meaning, lambda: super(UnreducedField, self).unspecified(function, orders, arguments)
         )
 
     def _root(self, base: fmpq_mpoly, degree: int) -> Element:
-        return self._noted(
+        return self._with_meaning(
             Meaning("", (Element(self, base, {}),)),
             lambda: super(UnreducedField, self)._root(base, degree),
         )
 
     def _one_power(self, base: fmpq_mpoly, theta: sp.Expr, exponent: sp.Rational) -> Element:
-        return self._noted(
+        return self._with_meaning(
             Meaning("", (Element(self, base, {}),)),
             lambda: super(UnreducedField, self)._one_power(base, theta, exponent),
         )
@@ -134,7 +136,7 @@ class UnreducedField(FunctionField):
 class UnreducedFormal(UnreducedField, FormalRoots):
     """The same with roots that are not split."""
 
-    def _root_made(self, element: Element, degree: int) -> Element:
+    def _new_root(self, element: Element, degree: int) -> Element:
         content, parts = self.factorised(self.reduce(element.poly))
         powers = dict(element.powers)
         for number, power in parts:
@@ -144,20 +146,20 @@ class UnreducedFormal(UnreducedField, FormalRoots):
             inner = inner * self.factors[number] ** (power % degree)
         whole = tuple((self.factors[n], p // degree) for n, p in powers.items() if p // degree)
         meaning = Meaning("formal root", (Element(self, inner, {}),), number=degree, whole=whole)
-        return self._noted(
-            meaning, lambda: super(UnreducedFormal, self)._root_made(element, degree)
+        return self._with_meaning(
+            meaning, lambda: super(UnreducedFormal, self)._new_root(element, degree)
         )
 
-    def _meant(self, key: Key) -> Meaning:
+    def _meaning_of(self, key: Key) -> Meaning:
         if key[0] == "formal root":
             return next(m for m in reversed(self._pending) if m.kind == "formal root")
         if key[0] == "formal power":
             (power,) = (m for m in self._pending[-1:] if m.kind == "power")
             return power
-        return super()._meant(key)
+        return super()._meaning_of(key)
 
-    def _power_made(self, element: Element, theta: sp.Expr) -> Element:
+    def _new_power(self, element: Element, theta: sp.Expr) -> Element:
         meaning = Meaning("power", (element,), exponent=theta)
-        return self._noted(
-            meaning, lambda: super(UnreducedFormal, self)._power_made(element, theta)
+        return self._with_meaning(
+            meaning, lambda: super(UnreducedFormal, self)._new_power(element, theta)
         )

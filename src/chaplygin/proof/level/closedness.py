@@ -20,6 +20,7 @@ from ..fields.field import Field, FieldElement
 from .level_set import LevelSet
 from .named_formulas import quantities_in_order
 from .time_derivatives import without_second_rates
+from .trigonometric import expanded
 
 __all__ = ["closing", "up_to_time"]
 
@@ -79,8 +80,8 @@ def closing(
         number: FieldElement = evaluate.value(without_second_rates(restored, ground, quantities))
         return number
 
-    stated = [[value(slope) for slope in row] for row in _stated(rates)]
-    known = [[value(slope) for slope in row] for row in _known(rates, quantities, ground)]
+    stated = [[value(slope) for slope in row] for row in _equation_rows(rates)]
+    known = [[value(slope) for slope in row] for row in _identity_rows(rates, quantities, ground)]
     return stated, known, len(rates.unknowns)
 
 
@@ -139,15 +140,15 @@ def _below(rates: Iterable[sp.Expr]) -> Iterator[sp.Expr]:
         yield inner
 
 
-def _stated(rates: _Rates) -> Iterator[list[sp.Expr]]:
+def _equation_rows(rates: _Rates) -> Iterator[list[sp.Expr]]:
     for equation in rates.equations:
         if equation.free_symbols & set(rates.unknowns):
             yield [sp.diff(equation, u) for u in rates.unknowns]
         else:
-            yield _differentiated(equation, rates)
+            yield _derivatives(equation, rates)
 
 
-def _known(
+def _identity_rows(
     rates: _Rates, quantities: dict[sp.Symbol, sp.Expr], ground: LevelSet
 ) -> Iterator[list[sp.Expr]]:
     """From the formulas of the quantities and from the conditions."""
@@ -155,27 +156,18 @@ def _known(
     own |= {s for e in rates.equations for s in e.free_symbols} - set(rates.meaning)
     for symbol, formula in quantities.items():
         if symbol in own:
-            written = ground.expanded(_without(formula, quantities, own))
+            others = {s: f for s, f in quantities.items() if s not in own}
+            written = ground.expanded(expanded(formula, others))
             if _within(written, own, quantities, ground):
-                yield _differentiated(symbol - written, rates)
+                yield _derivatives(symbol - written, rates)
     for condition in ground.moving:
         if _within(condition, own, quantities, ground):
-            yield _differentiated(condition, rates)
+            yield _derivatives(condition, rates)
 
 
-def _differentiated(formula: sp.Expr, rates: _Rates) -> list[sp.Expr]:
+def _derivatives(formula: sp.Expr, rates: _Rates) -> list[sp.Expr]:
     back = {unknown: variable for variable, unknown in rates.first.items()}
     return [sp.diff(formula, back[u]) if u in back else sp.S.Zero for u in rates.unknowns]
-
-
-def _without(
-    formula: sp.Expr, quantities: dict[sp.Symbol, sp.Expr], kept: set[sp.Symbol]
-) -> sp.Expr:
-    """A formula in which the quantities that the equations do not hold are written out."""
-    gone = {s: f for s, f in quantities.items() if s not in kept}
-    while formula.free_symbols & gone.keys():
-        formula = formula.xreplace(gone)
-    return formula
 
 
 def _within(

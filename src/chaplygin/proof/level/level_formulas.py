@@ -16,8 +16,9 @@ from ...errors import InputError
 from ...formulas.jets import Evaluator, GeneratorSwap, Inversion, Jet
 from ...formulas.number_fields import Balls, Rationals
 from ..fields.field import Field
+from .trigonometric import expanded
 
-__all__ = ["EmptyLevelSetError", "LevelFormulas", "conditions_text"]
+__all__ = ["EmptyLevelSetError", "LevelFormulas", "assumed_relations", "conditions_text"]
 
 
 class EmptyLevelSetError(InputError):
@@ -75,22 +76,22 @@ class LevelFormulas:
     def _settlement(self) -> tuple[dict[sp.Symbol, sp.Expr], tuple[sp.Expr, ...]]:
         """What is settled, and the conditions that remain."""
         parameters = {p.symbol for p in self.system.parameters}
-        found: dict[sp.Symbol, sp.Expr] = {}
+        settled: dict[sp.Symbol, sp.Expr] = {}
         remaining = []
         for condition in self.conditions:
-            self._known(condition)
+            self._check_symbols(condition)
             formula = condition
-            while formula.free_symbols & {*self._definitions, *found}:
-                formula = formula.xreplace(self._definitions).xreplace(found)
+            while formula.free_symbols & {*self._definitions, *settled}:
+                formula = formula.xreplace(self._definitions).xreplace(settled)
             choice = None
             if formula.free_symbols and formula.free_symbols <= parameters:
                 choice = _linear_in(sp.fraction(sp.together(formula))[0])
             if choice is None:
                 remaining.append(condition)
             else:
-                found = {p: v.xreplace(dict([choice])) for p, v in found.items()}
-                found |= dict([choice])
-        return found, tuple(remaining)
+                settled = {p: v.xreplace(dict([choice])) for p, v in settled.items()}
+                settled |= dict([choice])
+        return settled, tuple(remaining)
 
     @cached_property
     def exchanged(self) -> tuple[GeneratorSwap, ...]:
@@ -98,44 +99,44 @@ class LevelFormulas:
         parameters = {p.symbol for p in self.system.parameters} - set(self.settled)
         for condition in self._settlement[1]:
             parameters -= self._reach(condition, set())
-        found: dict[sp.Symbol, GeneratorSwap] = {}
+        swaps: dict[sp.Symbol, GeneratorSwap] = {}
         for name, raw in self.system.steps:
             formula = raw.xreplace(self.settled)
-            gone = {e.parameter for e in found.values()}
+            gone = {e.parameter for e in swaps.values()}
             for parameter in sorted(formula.free_symbols & parameters - gone, key=str):
                 factor = sp.diff(formula, parameter)
-                rest = formula.xreplace({parameter: sp.S.Zero})
+                remainder = formula.xreplace({parameter: sp.S.Zero})
                 if (
                     factor.is_Rational
                     and factor != 0
-                    and not (gone | {parameter}) & self._reach(rest, set(found))
+                    and not (gone | {parameter}) & self._reach(remainder, set(swaps))
                 ):
-                    found[name] = GeneratorSwap(name, parameter, factor, rest)
+                    swaps[name] = GeneratorSwap(name, parameter, factor, remainder)
                     break
-        return tuple(found.values())
+        return tuple(swaps.values())
 
     def _reach(self, formula: sp.Expr, stop: set[sp.Symbol]) -> set[sp.Symbol]:
         """Symbols on which a formula depends, through all definitions but those in `stop`."""
-        found: set[sp.Symbol] = set()
+        reached: set[sp.Symbol] = set()
         waiting = set(formula.free_symbols)
         while waiting:
             symbol = waiting.pop()
-            found.add(symbol)
+            reached.add(symbol)
             if symbol in self.steps and symbol not in stop:
-                waiting |= self.steps[symbol].free_symbols - found
-        return found
+                waiting |= self.steps[symbol].free_symbols - reached
+        return reached
 
     @cached_property
     def inverted(self) -> tuple[Inversion, ...]:
         """Inverses of full symmetric tensors whose entries are exchanged."""
         names = {e.name for e in self.exchanged}
-        found = []
+        inversions = []
         for name, formula in self.system.definitions:
             if isinstance(name, Symmetric):
                 inverse = [t for t in formula.atoms(Symmetric) if formula == t**-1]
                 if inverse and set(inverse[0].symbols) <= names:
-                    found.append(Inversion(tuple(name.symbols), tuple(inverse[0].symbols)))
-        return tuple(found)
+                    inversions.append(Inversion(tuple(name.symbols), tuple(inverse[0].symbols)))
+        return tuple(inversions)
 
     @cached_property
     def generators(self) -> tuple[sp.Symbol, ...]:
@@ -176,11 +177,9 @@ class LevelFormulas:
 
     def expanded(self, formula: sp.Expr) -> sp.Expr:
         """A formula in which the definitions are written out."""
-        while formula.free_symbols & set(self.steps):
-            formula = formula.xreplace(self.steps)
-        return formula
+        return expanded(formula, self.steps)
 
-    def _known(self, condition: sp.Expr) -> None:
+    def _check_symbols(self, condition: sp.Expr) -> None:
         unknown = condition.free_symbols - set(self.symbols) - set(self._definitions)
         if unknown:
             raise InputError(
@@ -247,6 +246,21 @@ def _linear_in(formula: sp.Expr) -> tuple[sp.Symbol, sp.Expr] | None:
         if factor.is_Rational and factor != 0:
             return symbol, -formula.xreplace({symbol: sp.S.Zero}) / factor
     return None
+
+
+def assumed_relations(symbol: sp.Symbol) -> list[sp.Basic]:
+    """The signs that a symbol is assumed to have, the strongest first."""
+    return [
+        relation
+        for known, relation in (
+            (symbol.is_positive, symbol > 0),
+            (symbol.is_negative, symbol < 0),
+            (symbol.is_nonnegative, symbol >= 0),
+            (symbol.is_nonpositive, symbol <= 0),
+            (symbol.is_nonzero, sp.Ne(symbol, 0)),
+        )
+        if known
+    ]
 
 
 def conditions_text(on: tuple[sp.Expr, ...]) -> str:

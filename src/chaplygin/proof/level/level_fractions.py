@@ -23,7 +23,7 @@ from ..fields.budget import Budget
 from ..fields.function_field import FunctionField
 from ..fields.quotient_ring import Element
 from ..fields.signs import Sign, Signs
-from .level_formulas import LevelFormulas
+from .level_formulas import LevelFormulas, assumed_relations
 from .triangular_set import TriangularSet, numerator, triangle
 
 __all__ = ["LevelFractions", "polynomial_of"]
@@ -40,25 +40,15 @@ class LevelFractions(LevelFormulas):
     @cached_property
     def requirements(self) -> tuple[sp.Expr, ...]:
         """What is known to be positive, negative, zero or not on the domain, as relations."""
-        found = [
+        relations = [
             to_components(guard.value) > 0 for guard in self.system.guards if not guard.lift_off
         ]
         for parameter in self.system.parameters:
             for condition in parameter.admissible:
-                found += sp.And.make_args(sp.sympify(condition))
+                relations += sp.And.make_args(sp.sympify(condition))
         for symbol in self.symbols:
-            found += [
-                relation
-                for known, relation in (
-                    (symbol.is_positive, symbol > 0),
-                    (symbol.is_negative, symbol < 0),
-                    (symbol.is_nonnegative, symbol >= 0),
-                    (symbol.is_nonpositive, symbol <= 0),
-                    (symbol.is_nonzero, sp.Ne(symbol, 0)),
-                )
-                if known
-            ]
-        if sp.false in found:
+            relations += assumed_relations(symbol)
+        if sp.false in relations:
             guards = (
                 g.name for g in self.system.guards if (to_components(g.value) > 0) == sp.false
             )
@@ -66,7 +56,7 @@ class LevelFractions(LevelFormulas):
             raise InputError(
                 f"{self.system.name}: {what or 'what is asked of the parameters holds'} nowhere"
             )
-        return tuple(r for r in found if r != sp.true)
+        return tuple(r for r in relations if r != sp.true)
 
     def sign(self, formula: sp.Expr) -> Sign:
         """The sign of a formula on the domain, as far as it is known."""
@@ -88,20 +78,20 @@ class LevelFractions(LevelFormulas):
                 continue
             except (OutOfReachError, ZeroDivisionError):
                 return Sign.UNKNOWN
-            found = field.signs.of(element.poly)
+            sign = field.signs.of(element.poly)
             for factor, power in element.powers.items():
                 if power % 2:
-                    found = found.times(field.signs.of(field.factors[factor]))
-            return found
+                    sign = sign.times(field.signs.of(field.factors[factor]))
+            return sign
 
     @cached_property
-    def _signed(self) -> frozenset[str]:
+    def _names_of_known_sign(self) -> frozenset[str]:
         """State variables and parameters whose sign is settled."""
-        found = set()
+        names = set()
         for relation in self.requirements:
             if isinstance(relation, sp.Gt | sp.Ge | sp.Lt | sp.Le) and 0 in relation.args:
-                found |= {str(a) for a in relation.args if a.is_Symbol}
-        return frozenset(found)
+                names |= {str(a) for a in relation.args if a.is_Symbol}
+        return frozenset(names)
 
     def signs(self, field: FunctionField) -> Signs:
         """What is known of signs, in the ring of a field of fractions."""
@@ -171,11 +161,11 @@ class LevelFractions(LevelFormulas):
         """The field of fractions modulo the conditions, of the class given."""
         field = kind(self._triangle.order, spare, sample, budget, choices)
         for main, terms in self._triangle.relations:
-            made = {}
+            polynomial = {}
             for named, number in terms.items():
                 powers = dict(named)
-                made[tuple(powers.get(n, 0) for n in field.names)] = number
-            field.impose(main, field.ring.from_dict(made))
+                polynomial[tuple(powers.get(n, 0) for n in field.names)] = number
+            field.impose(main, field.ring.from_dict(polynomial))
         field.signs = self.signs(field)
         return field
 

@@ -51,7 +51,7 @@ class LevelSet(LevelFractions):
         draft = FunctionField([str(s) for s in self.symbols], budget=budget)
         evaluate = Evaluator(draft, self._seeds(draft, self.symbols), self._definitions)
         for condition in self.conditions:
-            self._known(condition)
+            self._check_symbols(condition)
         conditions = [
             polynomial_of(draft, evaluate.value(condition), condition)
             for condition in self.conditions
@@ -60,12 +60,12 @@ class LevelSet(LevelFractions):
         names = [str(s) for s in self.symbols]
         moving = {str(s) for s in self.system.symbols}
         signs = self._signs_in(draft, evaluate, conditions)
-        found = Decomposition(draft, names, moving, signs).components(conditions)
-        if not found:
+        components = Decomposition(draft, names, moving, signs).components(conditions)
+        if not components:
             raise self._empty()
-        if len(found) == 1 and found[0].equations == tuple(conditions):
+        if len(components) == 1 and components[0].equations == tuple(conditions):
             return (self,)
-        return tuple(self._component(part) for part in found)
+        return tuple(self._component(part) for part in components)
 
     def _component(self, part: Component) -> LevelSet:
         by_name = {str(s): s for s in self.symbols}
@@ -130,7 +130,9 @@ class LevelSet(LevelFractions):
             if name in mains or name in values:
                 continue
             if name not in exchanged:
-                values[name] = draw(defaults.get(name), generator, name in self._signed)
+                values[name] = draw(
+                    defaults.get(name), generator, name in self._names_of_known_sign
+                )
             elif name in involved:
                 values[name] = fmpq(generator.randint(20, 40), 20)
         exact = True
@@ -146,25 +148,27 @@ class LevelSet(LevelFractions):
         """The point with its exchanged definitions, whose parameters stay near their defaults."""
         defaults = {str(p.symbol): p.default for p in self.system.parameters}
         known = {str(s): s for s in (*self.generators, *(e.parameter for e in self.exchanged))}
-        given = {known[name]: value for name, value in values.items()}
+        known_values = {known[name]: value for name, value in values.items()}
         for change in self.exchanged:
-            if change.name not in given:
+            if change.name not in known_values:
                 name = str(change.parameter)
-                given[change.parameter] = draw(defaults[name], generator, name in self._signed)
+                known_values[change.parameter] = draw(
+                    defaults[name], generator, name in self._names_of_known_sign
+                )
         own = [s for s in self.generators if s in self._definitions]
-        names = [s for s in own if s not in given]
+        names = [s for s in own if s not in known_values]
         for rational in (True, False) if exact else (False,):
-            numbers = {str(s): v for s, v in given.items()}
+            numbers = {str(s): v for s, v in known_values.items()}
             field = self.numbers(numbers, rational)
-            jets = {s: Jet(field.generator(str(s)), {}) for s in given}
+            jets = {s: Jet(field.generator(str(s)), {}) for s in known_values}
             evaluate = Evaluator(field, jets.get, self.steps)
             try:
-                found = {str(n): evaluate.value(n) for n in names}
+                exchanged = {str(n): evaluate.value(n) for n in names}
             except NotExactError:
                 continue
             # parameters that were drawn, beside what takes their place
             drawn = {n: v for n, v in numbers.items() if n not in values}
-            return {**drawn, **values, **found}, rational
+            return {**drawn, **values, **exchanged}, rational
         raise ZeroDivisionError
 
     def inside(self, values: Mapping[str, fmpq | arb], exact: bool) -> bool:
@@ -194,12 +198,12 @@ class LevelSet(LevelFractions):
         Each is given by the polynomial, in the rational numbers put in, and by an interval that
         holds one root.
         """
-        found: dict[str, dict[str, object]] = {}
+        roots: dict[str, dict[str, object]] = {}
         for main, terms in self._triangle.relations:
             value = values[main]
             if isinstance(value, fmpq):
                 continue
-            made: dict[tuple[tuple[str, int], ...], fmpq] = {}
+            polynomial: dict[tuple[tuple[str, int], ...], fmpq] = {}
             for named, coefficient in terms.items():
                 number, left = coefficient, []
                 for name, power in named:
@@ -208,19 +212,19 @@ class LevelSet(LevelFractions):
                         number = number * own**power
                     elif power:
                         left.append((name, power))
-                made[tuple(left)] = made.get(tuple(left), fmpq(0)) + number
-            names = list(dict.fromkeys(name for left in made for name, _ in left))
+                polynomial[tuple(left)] = polynomial.get(tuple(left), fmpq(0)) + number
+            names = list(dict.fromkeys(name for left in polynomial for name, _ in left))
             written = [
                 [str(number), [x for name, power in left for x in (names.index(name), power)]]
-                for left, number in made.items()
+                for left, number in polynomial.items()
                 if number
             ]
-            found[main] = {
+            roots[main] = {
                 "poly": {"ring": names, "terms": written},
                 "near": value.mid().str(60, radius=False),
                 "radius": "1e-50",
             }
-        return found
+        return roots
 
 
 def _as_formula(poly: fmpq_mpoly, by_name: Mapping[str, sp.Symbol]) -> sp.Expr:

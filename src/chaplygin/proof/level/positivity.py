@@ -42,17 +42,17 @@ def positives(law: Law, ground: LevelSet) -> tuple[Named, ...]:
         that is a number is negative or zero.
         Where all of them are positive the law makes sense, provided that its formulas are real.
     """
-    found: list[Named] = []
+    bases: list[Named] = []
     match law:
         case Isomorphism():
-            found = [("dτ/dt", _plain(law.time, ground))]
+            bases = [("dτ/dt", _plain(law.time, ground))]
         case Measure():
-            found = [
+            bases = [
                 (f"the base {text(base)} of the density", formula)
                 for base, formula, power in _bases(law, ground)
                 if not power.is_Integer
             ]
-    settled = ((what, _unsettled(formula, ground)) for what, formula in found)
+    settled = ((what, _factors_of_open_sign(formula, ground)) for what, formula in bases)
     return tuple((what, formula) for what, formula in settled if formula != 1)
 
 
@@ -64,12 +64,12 @@ def orienting(law: Law, ground: LevelSet) -> tuple[Named, ...]:
     """
     if not isinstance(law, Measure):
         return ()
-    found = (
-        (f"the base {text(base)} of the density", _unsettled(formula, ground))
+    bases = (
+        (f"the base {text(base)} of the density", _factors_of_open_sign(formula, ground))
         for base, formula, power in _bases(law, ground)
         if power.is_Integer and power % 2
     )
-    return tuple((what, formula) for what, formula in found if not formula.is_number)
+    return tuple((what, formula) for what, formula in bases if not formula.is_number)
 
 
 def unmet(law: Law, ground: LevelSet, field: Field) -> tuple[tuple[str, FieldElement], ...]:
@@ -89,15 +89,15 @@ def unmet(law: Law, ground: LevelSet, field: Field) -> tuple[tuple[str, FieldEle
         If a formula has no value at the point, or if a ball leaves the sign open.
     """
     evaluate = ground.evaluator(field)
-    found = []
+    failures = []
     for what, formula in positives(law, ground):
         value = evaluate.value(formula)
         if value > 0:
             continue
         if not field.exact and not value <= 0:
             raise ZeroDivisionError
-        found.append((what, value))
-    return tuple(found)
+        failures.append((what, value))
+    return tuple(failures)
 
 
 def _bases(law: Measure, ground: LevelSet) -> Iterator[tuple[sp.Expr, sp.Expr, sp.Expr]]:
@@ -112,7 +112,7 @@ def _plain(formula: sp.Expr, ground: LevelSet) -> sp.Expr:
     return without_rates(to_components(sp.sympify(formula)), ground)
 
 
-def _unsettled(formula: sp.Expr, ground: LevelSet) -> sp.Expr:
+def _factors_of_open_sign(formula: sp.Expr, ground: LevelSet) -> sp.Expr:
     """The factors whose signs count: a formula that is positive where the given one is."""
     steps = ground.steps
     left = []
@@ -127,6 +127,6 @@ def _unsettled(formula: sp.Expr, ground: LevelSet) -> sp.Expr:
             or (exponent < 0 and exponent.p % 2 == 0)
         ):
             continue
-        elif base not in steps or _unsettled(steps[base], ground) != 1:
+        elif base not in steps or _factors_of_open_sign(steps[base], ground) != 1:
             left.append(base if exponent == -1 else factor)
     return sp.Mul(*left)

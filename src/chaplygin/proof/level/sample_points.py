@@ -51,7 +51,7 @@ def broad(default: float | None, generator: random.Random, signed: bool = False)
 
 
 def on_sphere(
-    main: str, terms: Terms, taken: set[str], generator: random.Random
+    main: str, terms: Terms, fixed: set[str], generator: random.Random
 ) -> dict[str, fmpq] | None:
     """A rational point of x² + y² + … = c, if the relation is one and c is a square."""
     members, constant, scale = [], fmpq(0), None
@@ -64,7 +64,7 @@ def on_sphere(
             scale = number
         else:
             return None
-    if scale is None or len(members) < 2 or taken & set(members):
+    if scale is None or len(members) < 2 or fixed & set(members):
         return None
     try:
         radius = exact_root(-constant / scale, 2)
@@ -95,7 +95,7 @@ def real_root(
     top = max(coefficients)
     c = [coefficients.get(i, fmpq(0)) for i in range(top + 1)]
     if top == 1:
-        return _divided(-c[0], c[1])
+        return _quotient(-c[0], c[1])
     if top == 2:
         square = c[1] * c[1] - 4 * c[0] * c[2]
         if not square > 0:
@@ -107,7 +107,7 @@ def real_root(
             root: fmpq | arb = exact_root(square, 2)
         except NotExactError:
             root = arb(square).sqrt()
-        return _divided(sign * root - c[1], 2 * c[2])
+        return _quotient(sign * root - c[1], 2 * c[2])
     rational = [x for x in c if isinstance(x, fmpq)]
     if len(rational) == len(c):
         roots: Any = fmpq_poly(rational).complex_roots()
@@ -122,7 +122,7 @@ def number_text(value: fmpq | arb) -> str:
     return str(value) if isinstance(value, fmpq) else str(value.str(20))
 
 
-def _divided(above: fmpq | arb, below: fmpq | arb) -> fmpq | arb:
+def _quotient(above: fmpq | arb, below: fmpq | arb) -> fmpq | arb:
     if below == 0 or (not isinstance(below, fmpq) and 0 in below):
         raise ZeroDivisionError
     return above / below

@@ -44,7 +44,7 @@ def separated(law: Separation, ground: LevelSet) -> Iterator[tuple[str, sp.Expr]
     for (first, own), (second, other) in combinations(parts.squares.items(), 2):
         ratio = own / other
         label = f"the ratio of the rates of {first} and {second}"
-        left = _mixed(ratio, first, second, still)
+        left = _mixed_part(ratio, first, second, still)
         if left is None:
             yield f"{label} is a product", sp.S.Zero
             continue
@@ -109,17 +109,17 @@ def _square(equation: sp.Expr, rate: sp.Expr) -> sp.Expr | None:
     symbol = sp.Dummy(real=True)
     above = sp.fraction(sp.together(equation.xreplace({rate: symbol})))[0]
     slope = sp.diff(above, symbol)
-    rest = above.xreplace({symbol: sp.S.Zero})
+    remainder = above.xreplace({symbol: sp.S.Zero})
     if symbol not in slope.free_symbols:
-        return (rest / slope) ** 2
+        return (remainder / slope) ** 2
     curvature = sp.diff(slope, symbol)
     linear = slope.xreplace({symbol: sp.S.Zero})
     if symbol in curvature.free_symbols or sp.expand(linear) != 0:
         return None
-    return -2 * rest / curvature
+    return -2 * remainder / curvature
 
 
-def _mixed(
+def _mixed_part(
     ratio: sp.Expr, first: sp.Symbol, second: sp.Symbol, still: set[sp.Symbol]
 ) -> sp.Expr | None:
     """What is left of a ratio without its factors that hold one of two quantities alone."""

@@ -58,7 +58,7 @@ def triangle(
     ordered = chain(draft, names, conditions, moving)
     mains = [main for main, _ in ordered]
     order = (*reversed(mains), *(n for n in names if n not in mains))
-    return TriangularSet(order, tuple((main, _named(draft, poly)) for main, poly in ordered))
+    return TriangularSet(order, tuple((main, _terms(draft, poly)) for main, poly in ordered))
 
 
 def chain(
@@ -68,16 +68,16 @@ def chain(
 
     Parameters, errors: as for :func:`triangle`.
     """
-    found = _chain(draft, names, conditions, moving, _merit)
-    if found is None:
+    relations = _chain(draft, names, conditions, moving, _merit)
+    if relations is None:
         # orthonormal frames: the linear conditions must come first
-        found = _chain(draft, names, conditions, moving, _merit_by_degree)
-    if found is None:
+        relations = _chain(draft, names, conditions, moving, _merit_by_degree)
+    if relations is None:
         raise OutOfReachError("the conditions of the level cannot be made triangular")
-    return _sorted(draft, found)
+    return _in_order(draft, relations)
 
 
-def _named(draft: FunctionField, poly: fmpq_mpoly) -> Terms:
+def _terms(draft: FunctionField, poly: fmpq_mpoly) -> Terms:
     return {
         tuple(zip(draft.names, map(int, exponents), strict=True)): number
         for exponents, number in poly.to_dict().items()
@@ -157,13 +157,13 @@ def _possible(
     if name in {main for main, _ in chain} or name not in _variables(draft, poly):
         return False
     try:
-        _sorted(draft, [*chain, (name, poly)])
+        _in_order(draft, [*chain, (name, poly)])
     except OutOfReachError:
         return False
     return True
 
 
-def _sorted(
+def _in_order(
     draft: FunctionField, chain: list[tuple[str, fmpq_mpoly]]
 ) -> list[tuple[str, fmpq_mpoly]]:
     """The relations from the lowest main variable to the highest."""
