@@ -62,7 +62,7 @@ def log_density_on_surface(
             moved = -(mean * tangent - shape) / gauss
             return np.array([*moved, here[:3] @ tangent])
 
-        found = [
+        roots = [
             float(
                 solve_ivp(
                     rates, (0.0, angle), [*first, 0.0], method="DOP853", rtol=rtol, atol=rtol
@@ -70,7 +70,7 @@ def log_density_on_surface(
             )
             for rtol in TOLERANCES
         ]
-        return found[1], abs(found[1] - found[0])
+        return roots[1], abs(roots[1] - roots[0])
 
     return sigma
 

@@ -16,6 +16,7 @@ provided that spinning about the normal, which moves no γ, does not change the 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -90,7 +91,7 @@ class OneForm:
         powers : Powers
             Bases with exponents, in the definitions of `system`.
         """
-        made = replace(
+        system = replace(
             self.system,
             name="turned-normal",
             field=((self.system.field[0][0], cross(gamma, turn)), (turn, zero)),
@@ -99,7 +100,7 @@ class OneForm:
         along = sp.Add(
             *(t * Rate(g) for t, g in zip(self.form.symbols, gamma.symbols, strict=True))
         )
-        return made, Identity("integrated", along - slope, "the density has the 1-form")
+        return system, Identity("integrated", along - slope, "the density has the 1-form")
 
     @property
     def conditions(self) -> tuple[Law, ...]:
@@ -177,7 +178,7 @@ def _scale(rolling: Rolling) -> sp.Expr:
     return scale
 
 
-def _twist(here: Geometry, inverse: Any) -> sp.Expr:
+def _twist(here: Geometry, inverse: Callable[[sp.MatrixExpr], sp.MatrixExpr]) -> sp.Expr:
     """τ = Σ (A e_i, V(γ×e_i)), the trace of AVγ×."""
     return sp.Add(
         *(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -75,7 +74,7 @@ def _candidates(vocabulary: VectorInvariants) -> Iterator[sp.Expr]:
         yield from _denominators(formula)
 
 
-def _denominators(formula: Any) -> Iterator[sp.Expr]:
+def _denominators(formula: sp.Basic) -> Iterator[sp.Expr]:
     for node in sp.preorder_traversal(formula):
         if isinstance(node, (Inverse, MatPow)):
             tensor = node.args[0]

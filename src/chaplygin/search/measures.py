@@ -77,13 +77,13 @@ def measures(question: Question, progress: Progress = silent) -> Iterator[Search
         bases = [question.bases[i] for i in chosen]
         found_size = len(chosen)
         if any(e is None for e in exponents):
-            yield _unwritten(bases)
+            yield _without_formula(bases)
         else:
             yield _finding(question, tuple(zip(bases, exponents, strict=True)))
     progress(1.0, "")
 
 
-def _unwritten(bases: Sequence[sp.Expr]) -> SearchResult:
+def _without_formula(bases: Sequence[sp.Expr]) -> SearchResult:
     shown = " and ".join(map(str, bases))
     return SearchResult(
         "measure",
@@ -97,10 +97,10 @@ def _finding(question: Question, density: tuple[tuple[sp.Expr, sp.Expr], ...]) -
     stage = question.stage
     law = Measure("density", density, on=stage.on)
     verdict = prove(stage.system, law, effort=question.effort)
-    return SearchResult("measure", law, verdict, known=_recognised(stage, law))
+    return SearchResult("measure", law, verdict, known=_catalogue_name(stage, law))
 
 
-def _recognised(stage: SearchSpace, law: Measure) -> str:
+def _catalogue_name(stage: SearchSpace, law: Measure) -> str:
     """The measure of the catalogue whose density has the same logarithmic rate."""
     sample = stage.sample(_POINTS, _SEED + _SETS, common=False)
     target = _divergence(stage, sample)

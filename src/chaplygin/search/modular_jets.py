@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -122,7 +122,7 @@ def _factors(formula: sp.Expr) -> dict[sp.Expr, sp.Expr]:
     """Factors with their exponents, of numbers the primes; signs are left out."""
     if sp.count_ops(formula) <= _SIMPLE:
         formula = sp.factor(formula)
-    found: dict[sp.Expr, sp.Expr] = {}
+    powers: dict[sp.Expr, sp.Expr] = {}
     for base, exponent in formula.as_powers_dict().items():
         if base.is_Rational and base != 0:
             primes = sp.factorint(abs(base))
@@ -130,8 +130,8 @@ def _factors(formula: sp.Expr) -> dict[sp.Expr, sp.Expr]:
         else:
             parts = {base: exponent}
         for part, power_ in parts.items():
-            found[part] = found.get(part, sp.S.Zero) + power_
-    return found
+            powers[part] = powers.get(part, sp.S.Zero) + power_
+    return powers
 
 
 class Evaluator:
@@ -171,7 +171,7 @@ class Evaluator:
             np.zeros((self._directions, self._points), dtype=np.int64),
         )
 
-    def __call__(self, formula: Any) -> Jet:
+    def __call__(self, formula: sp.Expr) -> Jet:
         """The jet of a scalar formula.
 
         Raises
@@ -179,10 +179,10 @@ class Evaluator:
         InputError
             If it is not algebraic in its symbols.
         """
-        found = self._jets.get(formula)
-        if found is None:
-            found = self._jets[formula] = self._fresh(formula)
-        return found
+        jet = self._jets.get(formula)
+        if jet is None:
+            jet = self._jets[formula] = self._fresh(formula)
+        return jet
 
     def _fresh(self, formula: sp.Basic) -> Jet:
         match formula:

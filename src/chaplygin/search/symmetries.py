@@ -75,28 +75,31 @@ class _Search:
     def findings(self, progress: Progress) -> Iterator[SearchResult]:
         """All symmetries of the ansatz, the simplest first."""
         monomials: Table = table(self.question.ansatz, self.sample)
-        kept = independent_columns(monomials.value.T)
-        exponents = [monomials.exponents[i] for i in kept]
+        independent = independent_columns(monomials.value.T)
+        exponents = [monomials.exponents[i] for i in independent]
         value, condition = _fields(
-            self.stage.relations, self.sample, monomials.value[kept], monomials.rate[kept]
+            self.stage.relations,
+            self.sample,
+            monomials.value[independent],
+            monomials.rate[independent],
         )
         kernel = nullspace(condition.reshape(len(condition), -1).T)
-        found = product(kernel, value.reshape(len(value), -1))
+        values = product(kernel, value.reshape(len(value), -1))
         vectors = sorted(
-            zip(kernel, found, strict=True), key=lambda pair: np.count_nonzero(pair[0])
+            zip(kernel, values, strict=True), key=lambda pair: np.count_nonzero(pair[0])
         )
         for number, (vector, field) in enumerate(vectors):
             progress(0.5 + 0.5 * number / len(vectors), "fields")
             if not self._fresh(field):
                 continue
-            yield self._lifted(vector, exponents)
+            yield self._over_parameters(vector, exponents)
             self._span(field.reshape(len(self.symbols), -1))
 
     def _fresh(self, field: Integers) -> bool:
         stacked = np.array([*self.spanned, field]).T
         return independent_columns(stacked)[-1] == len(self.spanned)
 
-    def _lifted(self, vector: Integers, exponents: Sequence[Exponents]) -> SearchResult:
+    def _over_parameters(self, vector: Integers, exponents: Sequence[Exponents]) -> SearchResult:
         """The field as a formula: on the monomials that occur, with unknown coefficients."""
         variables = (*self.question.ansatz.momenta, *self.question.ansatz.coordinates)
         parts = []
@@ -109,9 +112,9 @@ class _Search:
             parts.append(Part(((str(self.symbols[component]), formula),), weight, sum(powers)))
         scalars = component_scalars(self.stage, self.weights)
         for size in range(self.question.parameter_degree + 1):
-            found = self._simplest(parts, scalars, size)
-            if found is not None:
-                return self._finding(found, parts, scalars)
+            solution = self._simplest(parts, scalars, size)
+            if solution is not None:
+                return self._finding(solution, parts, scalars)
         return SearchResult(
             "symmetry",
             None,
@@ -139,13 +142,15 @@ class _Search:
             chosen = [place * len(parts) + i for i, place in enumerate(places)]
             return Draw(values[chosen], conditions[chosen], sample.table(scalars.formulas))
 
-        found = reconstructed_laws(parts, scalars, size, draw)
-        return found[0] if found else None
+        solutions = reconstructed_laws(parts, scalars, size, draw)
+        return solutions[0] if solutions else None
 
-    def _finding(self, found: RationalLaw, parts: Sequence[Part], scalars: Scalars) -> SearchResult:
+    def _finding(
+        self, solution: RationalLaw, parts: Sequence[Part], scalars: Scalars
+    ) -> SearchResult:
         components = {s: sp.S.Zero for s in self.symbols}
         names = {str(s): s for s in self.symbols}
-        for number, chosen, index in found.terms:
+        for number, chosen, index in solution.terms:
             ((name, formula),) = parts[index].formula
             factor = sp.Mul(*(scalars.formulas[i] for i in chosen))
             components[names[name]] += (
