@@ -34,10 +34,7 @@ def in_symbols_of(
         With all formulas in state and parameters of `system`, definitions written out; its laws
         are left out, since they are claimed of the other system.
     """
-    known = {
-        **translation(separable.system, system, parameters),
-        **_constants(separable, system),
-    }
+    known = {**translation(separable.system, system, parameters), **_constants(separable, system)}
     names = dict(zip(separable.system.symbols, system.symbols, strict=True))
 
     def image(formula: sp.Expr) -> sp.Expr:

@@ -142,10 +142,7 @@ def one_form(rolling: Rolling) -> OneForm:
     else:
         trace = sp.Add(*(A.entries[i, i] for i in range(3))) + share * norm_squared(lever)
         tau, wander = real_symbol("tau_A"), Vector("V_r")
-        definitions += (
-            (wander, here.spread(here.contract(r))),
-            (tau, _twist(here, inverse)),
-        )
+        definitions += ((wander, here.spread(here.contract(r))), (tau, _twist(here, inverse)))
         turned = cross(gamma, inverse(cross(gamma, wander))) + tau * cross(gamma, r)
         form = -m * (here.spread(inverse(r) - trace * r) - here.stretch(turned))
         value = dot(cross(gamma, wander), inverse(gamma)) + dot(gamma, r) * tau

@@ -6,7 +6,6 @@ from collections.abc import Iterable, Sequence
 from typing import TypeAlias
 
 import sympy as sp
-from flint import fmpq_mpoly
 
 from ..core.isomorphism import Isomorphism
 from ..core.laws import (
@@ -21,6 +20,7 @@ from ..core.laws import (
 )
 from ..core.system import System
 from ..core.vectors import Vector, to_components
+from .fields.quotient_ring import Poly
 from .level.level_formulas import assumed_relations
 from .level.named_formulas import scalars
 from .level.trigonometric import expanded
@@ -142,7 +142,7 @@ def _pairs(pairs: Iterable[tuple[sp.Symbol | Vector, sp.Expr]]) -> list[list[str
 # --- polynomials ---------------------------------------------------------------------------------
 
 
-def terms_text(poly: fmpq_mpoly, places: Sequence[int | None]) -> Terms:
+def terms_text(poly: Poly, places: Sequence[int | None]) -> Terms:
     """A polynomial as a list of terms; `places` says where its generators stand in the ring."""
     return [
         [str(number), [x for i, n in enumerate(exponents) if n for x in (places[i], int(n))]]
@@ -150,6 +150,6 @@ def terms_text(poly: fmpq_mpoly, places: Sequence[int | None]) -> Terms:
     ]
 
 
-def powers_text(powers: Iterable[tuple[fmpq_mpoly, int]], places: Sequence[int | None]) -> Terms:
+def powers_text(powers: Iterable[tuple[Poly, int]], places: Sequence[int | None]) -> Terms:
     """A product of powers of polynomials."""
     return [[terms_text(poly, places), power] for poly, power in powers]

@@ -67,11 +67,7 @@ class _Run:
 
 
 def proof(
-    law: Law,
-    ground: LevelSet,
-    sample: Mapping[str, float] | None,
-    budget: Budget,
-    attained: bool,
+    law: Law, ground: LevelSet, sample: Mapping[str, float] | None, budget: Budget, attained: bool
 ) -> Proof:
     """The residuals of a law on a component of its level, over fractions.
 

@@ -127,10 +127,7 @@ def rates_of_products(
 ) -> tuple[Integers, Integers]:
     """Values and rates of all products of two families, each with leading axes of its own."""
     (value, rate), (other, change) = left, right
-    return (
-        value * other % prime(),
-        (value * change % prime() + rate * other) % prime(),
-    )
+    return (value * other % prime(), (value * change % prime() + rate * other) % prime())
 
 
 def _monomials(

@@ -197,9 +197,7 @@ class SearchSpace:
         return dict((*self.substitutions, *self.system.steps))
 
     def _with_relations(
-        self,
-        values: Mapping[sp.Symbol, Integers],
-        order: Sequence[tuple[sp.Expr, sp.Symbol]],
+        self, values: Mapping[sp.Symbol, Integers], order: Sequence[tuple[sp.Expr, sp.Symbol]]
     ) -> dict[sp.Symbol, Integers]:
         """The points at which all relations could be solved, with the solutions put in."""
         points = dict(values)
@@ -255,9 +253,7 @@ class SearchSpace:
         return solution, good & exists & (square != 0), suits
 
     def _order(
-        self,
-        relations: tuple[sp.Expr, ...],
-        done: tuple[tuple[sp.Expr, sp.Symbol], ...],
+        self, relations: tuple[sp.Expr, ...], done: tuple[tuple[sp.Expr, sp.Symbol], ...]
     ) -> tuple[tuple[sp.Expr, sp.Symbol], ...] | None:
         if not relations:
             return done

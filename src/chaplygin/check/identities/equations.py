@@ -124,13 +124,7 @@ def _check_equal_values(
 
 def _function(auxiliary: Auxiliary) -> tuple[object, ...]:
     """Of what an auxiliary symbol is a value, whatever the arguments."""
-    return (
-        auxiliary.kind,
-        auxiliary.word,
-        auxiliary.number,
-        auxiliary.orders,
-        auxiliary.exponent,
-    )
+    return (auxiliary.kind, auxiliary.word, auxiliary.number, auxiliary.orders, auxiliary.exponent)
 
 
 def _check_circle(poly: Poly, words: Sequence[str], ground: Ground, label: str) -> None:

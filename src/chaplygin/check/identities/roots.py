@@ -41,11 +41,7 @@ def check_roots(
 
 
 def check_functions(
-    ground: Ground,
-    samples: list[Sample],
-    nonzero: frozenset[str],
-    signs: Signs,
-    what: str,
+    ground: Ground, samples: list[Sample], nonzero: frozenset[str], signs: Signs, what: str
 ) -> None:
     """Auxiliary function values are defined wherever the law is."""
     for auxiliary in ground.auxiliary:
@@ -101,11 +97,7 @@ def _odd(powers: Powers, content: int = 1) -> tuple[int, frozenset[str]]:
 
 
 def check_radicands(
-    ground: Ground,
-    signs: Signs,
-    entries: Sequence[Entry],
-    matched: Sequence[int | None],
-    what: str,
+    ground: Ground, signs: Signs, entries: Sequence[Entry], matched: Sequence[int | None], what: str
 ) -> None:
     """Every root of the law is a product of roots of factors with known signs."""
     formal = [a for a in ground.auxiliary if a.kind == "formal root"]

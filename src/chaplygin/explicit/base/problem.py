@@ -117,10 +117,7 @@ class Problem:
 
 
 def same_field(
-    first: System,
-    first_numbers: Numbers,
-    second: System,
-    second_numbers: Numbers,
+    first: System, first_numbers: Numbers, second: System, second_numbers: Numbers
 ) -> bool:
     """Whether two systems with these parameters have one field, their states taken in order.
 

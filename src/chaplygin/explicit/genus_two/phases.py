@@ -23,10 +23,7 @@ def phase_grid(sizes: Sequence[int]) -> FloatArray:
 
 
 def wave_rates(
-    first: FloatArray | IntArray,
-    second: FloatArray | IntArray,
-    V: Sequence[arb],
-    v_0: FloatArray,
+    first: FloatArray | IntArray, second: FloatArray | IntArray, V: Sequence[arb], v_0: FloatArray
 ) -> tuple[FloatArray, ComplexArray]:
     """π(k, V), the rate of every wave (k₁, k₂) along the flow, and exp(iπ(k, v₀))."""
     k_1, k_2 = np.meshgrid(first, second, indexing="ij")

@@ -116,10 +116,7 @@ def _significant_series(spectrum: ComplexArray, sizes: Sequence[int], scale: flo
     first = np.fft.fftfreq(sizes[0], 1 / sizes[0]).round().astype(int)
     second = np.arange(spectrum.shape[1])
     return Series(
-        first[rows],
-        second[columns],
-        (doubled * high)[np.ix_(rows, columns)],
-        (sizes[0], sizes[1]),
+        first[rows], second[columns], (doubled * high)[np.ix_(rows, columns)], (sizes[0], sizes[1])
     )
 
 

@@ -11,10 +11,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from flint import fmpq, fmpq_mpoly
+from flint import fmpq
 
 from ...formulas.errors import OutOfReachError
 from ..claim_text import Terms, Text
+from ..fields.quotient_ring import Poly
 from .chains import Chains, Combination, Division, Step
 from .groebner import Basis
 from .sign_reasons import Term, monic
@@ -42,12 +43,12 @@ class Cases:
     """
 
     chains: Chains
-    numerators: Sequence[fmpq_mpoly]
-    write: Callable[[fmpq_mpoly], Terms]
-    left: Callable[[fmpq_mpoly], str | None]
+    numerators: Sequence[Poly]
+    write: Callable[[Poly], Terms]
+    left: Callable[[Poly], str | None]
     _nodes: int = field(default=0, init=False)
 
-    def tree(self, equations: Sequence[fmpq_mpoly], nonzero: Sequence[fmpq_mpoly] = ()) -> Text:
+    def tree(self, equations: Sequence[Poly], nonzero: Sequence[Poly] = ()) -> Text:
         """The tree at a node.
 
         Raises
@@ -87,7 +88,7 @@ class Cases:
         raise OutOfReachError("no certificate: a residual leaves a remainder")
 
     def _direct(
-        self, divisions: Sequence[Division], equations: Sequence[fmpq_mpoly]
+        self, divisions: Sequence[Division], equations: Sequence[Poly]
     ) -> list[Division] | None:
         """The numerators as sums of multiples of equations, without a factor."""
         if sum(map(len, equations)) > MOST_FOR_A_BASIS:
@@ -106,9 +107,7 @@ class Cases:
 
     # --- what does not vanish --------------------------------------------------------------------
 
-    def _doubtful(
-        self, divisions: Iterable[Division], nonzero: Sequence[fmpq_mpoly]
-    ) -> Iterator[fmpq_mpoly]:
+    def _doubtful(self, divisions: Iterable[Division], nonzero: Sequence[Poly]) -> Iterator[Poly]:
         """Factors of multipliers that may vanish, each once."""
         seen = set()
         for division in divisions:
@@ -119,7 +118,7 @@ class Cases:
                         yield part
 
     def _vanishing_divisor(
-        self, chain: Sequence[Step], nonzero: Sequence[fmpq_mpoly]
+        self, chain: Sequence[Step], nonzero: Sequence[Poly]
     ) -> Combination | None:
         """A multiple of the equations that is a product of what does not vanish."""
         for poly in (*nonzero, *self.chains.reasons.divisors):
@@ -135,15 +134,13 @@ class Cases:
 
     # --- cases -----------------------------------------------------------------------------------
 
-    def _quotient_texts(
-        self, by: Mapping[int, fmpq_mpoly], equations: Sequence[fmpq_mpoly]
-    ) -> list[Terms]:
+    def _quotient_texts(self, by: Mapping[int, Poly], equations: Sequence[Poly]) -> list[Terms]:
         return [self.write(by[i]) if i in by else [] for i in range(len(equations))]
 
-    def _powers(self, polys: Iterable[fmpq_mpoly]) -> tuple[fmpq, list[tuple[fmpq_mpoly, int]]]:
+    def _powers(self, polys: Iterable[Poly]) -> tuple[fmpq, list[tuple[Poly, int]]]:
         """Content and irreducible factors of a product."""
         content = fmpq(1)
-        powers: dict[str, tuple[fmpq_mpoly, int]] = {}
+        powers: dict[str, tuple[Poly, int]] = {}
         for poly in polys:
             if poly.is_constant():
                 content *= poly.leading_coefficient()
@@ -155,10 +152,10 @@ class Cases:
                 powers[str(part)] = part, known + int(power)
         return content, list(powers.values())
 
-    def _powers_text(self, powers: Iterable[tuple[fmpq_mpoly, int]]) -> list[list[object]]:
+    def _powers_text(self, powers: Iterable[tuple[Poly, int]]) -> list[list[object]]:
         return [[self.write(poly), power] for poly, power in powers]
 
-    def _empty(self, combination: Combination, equations: Sequence[fmpq_mpoly]) -> Text:
+    def _empty(self, combination: Combination, equations: Sequence[Poly]) -> Text:
         content, powers = self._powers([combination.poly])
         return {
             "case": "empty",
@@ -167,7 +164,7 @@ class Cases:
             "quotients": self._quotient_texts(combination.by, equations),
         }
 
-    def _zero(self, divisions: Sequence[Division], equations: Sequence[fmpq_mpoly]) -> Text:
+    def _zero(self, divisions: Sequence[Division], equations: Sequence[Poly]) -> Text:
         identities = []
         for number, division in enumerate(divisions):
             content, powers = self._powers(division.multipliers)
@@ -182,10 +179,7 @@ class Cases:
         return {"case": "zero", "identities": identities}
 
     def _split(
-        self,
-        combination: Combination,
-        equations: Sequence[fmpq_mpoly],
-        nonzero: Sequence[fmpq_mpoly],
+        self, combination: Combination, equations: Sequence[Poly], nonzero: Sequence[Poly]
     ) -> Text | None:
         if not combination.poly or combination.poly.is_constant():
             return None
@@ -207,10 +201,7 @@ class Cases:
         }
 
     def _squares(
-        self,
-        combination: Combination,
-        equations: Sequence[fmpq_mpoly],
-        nonzero: Sequence[fmpq_mpoly],
+        self, combination: Combination, equations: Sequence[Poly], nonzero: Sequence[Poly]
     ) -> Text | None:
         if not combination.poly:
             return None
@@ -234,14 +225,12 @@ class Cases:
             }
         return None
 
-    def _new(self, terms: Sequence[Term], equations: Sequence[fmpq_mpoly]) -> bool:
+    def _new(self, terms: Sequence[Term], equations: Sequence[Poly]) -> bool:
         """Whether the bases of squares say something that the equations do not."""
         known = {monic(e)[0] for e in equations if e and not e.is_constant()}
         return any(t.base.is_constant() or monic(t.base)[0] not in known for t in terms)
 
-    def _vanishing(
-        self, poly: fmpq_mpoly, equations: Sequence[fmpq_mpoly], nonzero: Sequence[fmpq_mpoly]
-    ) -> Text:
+    def _vanishing(self, poly: Poly, equations: Sequence[Poly], nonzero: Sequence[Poly]) -> Text:
         return {
             "case": "vanishing",
             "polynomial": self.write(poly),

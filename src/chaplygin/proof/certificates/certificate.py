@@ -12,8 +12,6 @@ import contextlib
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from flint import fmpq_mpoly
-
 from ...check import FORMAT, BadInputError, CheckError, check
 from ...check.claim.claim import Claim as CheckedClaim, read_claim
 from ...check.claim.formulas import name, parse_condition
@@ -24,6 +22,7 @@ from ...formulas.errors import NoRealValueError, OutOfReachError
 from ...formulas.number_fields import ball_precision
 from ..claim_text import Text, claim_text
 from ..fields.budget import EFFORT, Budget
+from ..fields.quotient_ring import Poly
 from ..fields.unreduced_fields import UnreducedField, UnreducedFormal
 from ..level.alternatives import alternatives
 from ..level.level_set import LevelSet
@@ -147,7 +146,7 @@ def _proofs(
         (words, parse_condition(words, "a condition")[0][0]) for words in verdict.formulas
     ]
 
-    def excluded(setting: ProofSetting, poly: fmpq_mpoly) -> str | None:
+    def excluded(setting: ProofSetting, poly: Poly) -> str | None:
         """The condition of the verdict that excludes the zeros of a polynomial."""
         return next((words for words, formula in conditions if setting.states(formula, poly)), None)
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from flint import fmpq_mpoly, fmpq_mpoly_ctx
+from flint import fmpq_mpoly_ctx
 
 from ...formulas.errors import OutOfReachError
 from ..fields.budget import Budget
+from ..fields.quotient_ring import Poly
 from .groebner import Multiples
 from .sign_reasons import Reasons, monic
 
@@ -21,10 +22,10 @@ MOST_TERMS = 400_000
 class Combination:
     """A polynomial Σ multiple · equation."""
 
-    poly: fmpq_mpoly
-    by: Mapping[int, fmpq_mpoly]
+    poly: Poly
+    by: Mapping[int, Poly]
 
-    def times(self, factor: fmpq_mpoly) -> Combination:
+    def times(self, factor: Poly) -> Combination:
         """The polynomial times another."""
         return Combination(self.poly * factor, {i: m * factor for i, m in self.by.items()})
 
@@ -40,9 +41,9 @@ class Combination:
 class Division:
     """multipliers · poly = Σ multiple · equation + rest."""
 
-    multipliers: tuple[fmpq_mpoly, ...]
-    by: Mapping[int, fmpq_mpoly]
-    rest: fmpq_mpoly
+    multipliers: tuple[Poly, ...]
+    by: Mapping[int, Poly]
+    rest: Poly
 
 
 @dataclass(frozen=True)
@@ -52,7 +53,7 @@ class Step:
     main: int
     combination: Combination
     degree: int
-    lead: fmpq_mpoly
+    lead: Poly
 
 
 @dataclass
@@ -74,9 +75,7 @@ class Chains:
     moving: frozenset[int]
     budget: Budget
 
-    def quotients(
-        self, poly: fmpq_mpoly, equations: Sequence[fmpq_mpoly]
-    ) -> Mapping[int, fmpq_mpoly] | None:
+    def quotients(self, poly: Poly, equations: Sequence[Poly]) -> Mapping[int, Poly] | None:
         """Quotients of a polynomial by equations, or None where it is not found to be a sum."""
         if not poly:
             return {}
@@ -87,7 +86,7 @@ class Chains:
         return None if division.multipliers or division.rest else division.by
 
     def chain(
-        self, equations: Sequence[fmpq_mpoly], nonzero: Sequence[fmpq_mpoly]
+        self, equations: Sequence[Poly], nonzero: Sequence[Poly]
     ) -> tuple[list[Step], Combination | None]:
         """Steps from the highest main variable to the lowest; or what cannot be zero, but is."""
         one = self.ring.constant(1)
@@ -122,9 +121,7 @@ class Chains:
         by_main = {step.main: step for step in chain}
         return [by_main[main] for main in order]
 
-    def _merit(
-        self, poly: fmpq_mpoly, main: int, nonzero: Sequence[fmpq_mpoly]
-    ) -> tuple[int, int, int]:
+    def _merit(self, poly: Poly, main: int, nonzero: Sequence[Poly]) -> tuple[int, int, int]:
         degree = int(poly.degrees()[main])
         lead = self._coefficient_of(poly, main, degree)
         if lead.is_constant():
@@ -135,7 +132,7 @@ class Chains:
             kind += 100 * (not self.is_nonzero(lead, nonzero))
         return kind, len(lead), -main
 
-    def _coefficient_of(self, poly: fmpq_mpoly, position: int, degree: int) -> fmpq_mpoly:
+    def _coefficient_of(self, poly: Poly, position: int, degree: int) -> Poly:
         found = {}
         for exponents, number in poly.to_dict().items():
             if exponents[position] == degree:
@@ -153,10 +150,10 @@ class Chains:
             Combination(combination.poly * total - division.rest, division.by)
         )
 
-    def division(self, poly: fmpq_mpoly, chain: Sequence[Step]) -> Division:
+    def division(self, poly: Poly, chain: Sequence[Step]) -> Division:
         """Division by a chain, whose quotients are those by the equations."""
-        multipliers: list[fmpq_mpoly] = []
-        quotients: list[fmpq_mpoly] = [self.ring.constant(0)] * len(chain)
+        multipliers: list[Poly] = []
+        quotients: list[Poly] = [self.ring.constant(0)] * len(chain)
         for number, step in enumerate(chain):
             variable = self.ring.gen(step.main)
             while poly and (height := int(poly.degrees()[step.main])) >= step.degree:
@@ -185,7 +182,7 @@ class Chains:
                     by[i] = by[i] + part if i in by else part
         return Division(tuple(multipliers), by, poly)
 
-    def is_nonzero(self, poly: fmpq_mpoly, nonzero: Sequence[fmpq_mpoly]) -> bool:
+    def is_nonzero(self, poly: Poly, nonzero: Sequence[Poly]) -> bool:
         """Whether no factor of a polynomial vanishes at a node."""
         if poly.is_constant():
             return bool(poly)
@@ -195,11 +192,11 @@ class Chains:
         )
 
 
-def variables(poly: fmpq_mpoly) -> list[int]:
+def variables(poly: Poly) -> list[int]:
     return [i for i, degree in enumerate(poly.degrees()) if degree]
 
 
-def _order_of_mains(chain: Sequence[tuple[int, fmpq_mpoly]]) -> list[int] | None:
+def _order_of_mains(chain: Sequence[tuple[int, Poly]]) -> list[int] | None:
     """Main variables from the highest to the lowest; None if they need each other in a circle."""
     mains = {main for main, _ in chain}
     needs = {main: (set(variables(poly)) & mains) - {main} for main, poly in chain}

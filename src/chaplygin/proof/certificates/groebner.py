@@ -6,14 +6,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
-from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import Ordering, fmpq_mpoly_ctx
 
 from ..fields.budget import Budget
+from ..fields.quotient_ring import Poly
 
 __all__ = ["Basis"]
 
 #: Polynomials by the number of the equation with which they are multiplied.
-Multiples = dict[int, fmpq_mpoly]
+Multiples = dict[int, Poly]
 
 MOST_ELEMENTS = 90
 MOST_TERMS = 300
@@ -23,7 +24,7 @@ MOST_TERMS = 300
 class _Element:
     """Σ multiple · equation, with its leading exponents."""
 
-    poly: fmpq_mpoly
+    poly: Poly
     by: Multiples
     lead: tuple[int, ...]
 
@@ -38,9 +39,7 @@ class Basis:
     budget : Budget
     """
 
-    def __init__(
-        self, ring: fmpq_mpoly_ctx, equations: Sequence[fmpq_mpoly], budget: Budget
-    ) -> None:
+    def __init__(self, ring: fmpq_mpoly_ctx, equations: Sequence[Poly], budget: Budget) -> None:
         self._given = ring
         self._ring = fmpq_mpoly_ctx.get(ring.names(), Ordering.degrevlex)
         self._budget = budget
@@ -63,7 +62,7 @@ class Basis:
                 last = len(self._elements) - 1
                 waiting += [(i, last) for i in range(last)]
 
-    def quotients(self, poly: fmpq_mpoly) -> Multiples | None:
+    def quotients(self, poly: Poly) -> Multiples | None:
         """A polynomial as Σ quotient · equation; None where the basis does not show one."""
         remainder, by = self._reduction(self._inside(poly), {})
         while remainder and self._waiting and len(self._elements) < MOST_ELEMENTS:
@@ -73,10 +72,10 @@ class Basis:
             return None
         return {i: -self._given.from_dict(part.to_dict()) for i, part in by.items() if part}
 
-    def _inside(self, poly: fmpq_mpoly) -> fmpq_mpoly:
+    def _inside(self, poly: Poly) -> Poly:
         return self._ring.from_dict(poly.to_dict())
 
-    def _add(self, poly: fmpq_mpoly, by: Multiples) -> None:
+    def _add(self, poly: Poly, by: Multiples) -> None:
         if poly:
             lead = tuple(map(int, poly.monoms()[0]))
             self._elements.append(_Element(poly, by, lead))
@@ -103,10 +102,10 @@ class Basis:
             for k, element in enumerate(self._elements)
         )
 
-    def _difference(self, first: int, second: int) -> tuple[fmpq_mpoly, Multiples]:
+    def _difference(self, first: int, second: int) -> tuple[Poly, Multiples]:
         """What is left when the leading terms of two elements cancel."""
         common = self._common(first, second)
-        total: fmpq_mpoly = self._ring.constant(0)
+        total: Poly = self._ring.constant(0)
         by: Multiples = {}
         for number, sign in ((first, 1), (second, -1)):
             element = self._elements[number]
@@ -116,13 +115,13 @@ class Basis:
             self._gather(by, element.by, factor)
         return total, by
 
-    def _gather(self, by: Multiples, more: Mapping[int, fmpq_mpoly], factor: fmpq_mpoly) -> None:
+    def _gather(self, by: Multiples, more: Mapping[int, Poly], factor: Poly) -> None:
         for i, part in more.items():
             self._budget.foresee(factor, part)
             product = factor * part
             by[i] = by[i] + product if i in by else product
 
-    def _reduction(self, poly: fmpq_mpoly, by: Multiples) -> tuple[fmpq_mpoly, Multiples]:
+    def _reduction(self, poly: Poly, by: Multiples) -> tuple[Poly, Multiples]:
         """The remainder of Σ by · equation, in the same form."""
         by = dict(by)
         while poly:

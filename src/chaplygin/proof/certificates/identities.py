@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 
-from flint import fmpq_mpoly
-
 from ..claim_text import Text
-from ..fields.quotient_ring import Element
+from ..fields.quotient_ring import Element, Poly
 from .case_tree import Cases
 from .chains import Chains
 from .proof_equations import equations, meaning_text
@@ -18,7 +16,7 @@ from .proof_signs import positive_texts, sign_reasons
 __all__ = ["Excluded", "proof_text"]
 
 #: The condition of a verdict that excludes the zeros of a polynomial; None if none does.
-Excluded = Callable[[ProofSetting, fmpq_mpoly], str | None]
+Excluded = Callable[[ProofSetting, Poly], str | None]
 
 
 def proof_text(setting: ProofSetting, excluded: Excluded, decided: bool) -> Text:

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from flint import fmpq_mpoly
-
 from ...formulas.errors import OutOfReachError
 from ..claim_text import Text
 from ..fields.function_field import FINENESS
-from ..fields.quotient_ring import Element
+from ..fields.quotient_ring import Element, Poly
 from ..fields.unreduced_fields import Meaning
 from ..level.triangular_set import numerator
 from .chains import Chains
@@ -17,9 +15,9 @@ from .sign_reasons import Reasons
 __all__ = ["equations", "meaning_text"]
 
 
-def equations(setting: ProofSetting) -> list[tuple[fmpq_mpoly, Text]]:
+def equations(setting: ProofSetting) -> list[tuple[Poly, Text]]:
     """The polynomials that vanish, each with the text that says why."""
-    sources: list[tuple[fmpq_mpoly, Text]] = []
+    sources: list[tuple[Poly, Text]] = []
     for formula, value in setting.conditions:
         poly = numerator(setting.field, value)
         below = setting.powers(
@@ -41,8 +39,8 @@ def equations(setting: ProofSetting) -> list[tuple[fmpq_mpoly, Text]]:
 
 
 def _with_equal_values(
-    setting: ProofSetting, known: list[tuple[fmpq_mpoly, Text]]
-) -> list[tuple[fmpq_mpoly, Text]]:
+    setting: ProofSetting, known: list[tuple[Poly, Text]]
+) -> list[tuple[Poly, Text]]:
     """Equations, and those of values that are equal because their arguments are on the level."""
     field = setting.field
     sources = list(known)
@@ -50,7 +48,7 @@ def _with_equal_values(
     for number, (name, meaning) in enumerate(record):
         value = field.generators[name]
         others = [(o, m) for o, m in record[:number] if m.kind == meaning.kind]
-        candidates: list[tuple[str, fmpq_mpoly, list[fmpq_mpoly]]] = []
+        candidates: list[tuple[str, Poly, list[Poly]]] = []
         if meaning.kind in ("root", "power"):
             candidates.append((f"one {name}", value - 1, [meaning.of[0].poly - 1]))
         for other, theirs in others:
@@ -77,7 +75,7 @@ def _with_equal_values(
     return sources
 
 
-def _gens(setting: ProofSetting, poly: fmpq_mpoly) -> list[fmpq_mpoly]:
+def _gens(setting: ProofSetting, poly: Poly) -> list[Poly]:
     return [g for g, d in zip(setting.field.ring.gens(), poly.degrees(), strict=True) if d]
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import cast
 
-from flint import fmpq, fmpq_mpoly
+from flint import fmpq
 
 from ...check.claim.claim import Claim as CheckedClaim
 from ...check.claim.formulas import Formula
@@ -14,7 +14,7 @@ from ...formulas.errors import NeedMoreGeneratorsError
 from ..claim_text import Terms, powers_text, terms_text
 from ..domain import divisors, sympy_formula
 from ..fields.budget import Budget
-from ..fields.quotient_ring import Element
+from ..fields.quotient_ring import Element, Poly
 from ..fields.unreduced_fields import UnreducedField
 from ..level.level_set import LevelSet
 from ..level.triangular_set import numerator
@@ -92,21 +92,21 @@ class ProofSetting:
         index = {name: i for i, name in enumerate(self.ring)}
         return [index.get(name) for name in self.field.names]
 
-    def terms(self, poly: fmpq_mpoly) -> Terms:
+    def terms(self, poly: Poly) -> Terms:
         """A polynomial as text."""
         return terms_text(poly, self.places)
 
-    def powers(self, powers: Sequence[tuple[fmpq_mpoly, int]]) -> list[list[object]]:
+    def powers(self, powers: Sequence[tuple[Poly, int]]) -> list[list[object]]:
         """A product of powers as text."""
         return powers_text(powers, self.places)
 
-    def states(self, formula: Formula, poly: fmpq_mpoly) -> bool:
+    def states(self, formula: Formula, poly: Poly) -> bool:
         """Whether a formula of the check vanishes or is positive where a polynomial is."""
         value = self.ground.evaluator(self.field).value(sympy_formula(formula, self.ground.named))
         own = numerator(self.field, value)
         return bool(own) and monic(own)[0] == monic(poly)[0]
 
-    def product(self, element: Element) -> tuple[fmpq, list[tuple[fmpq_mpoly, int]]]:
+    def product(self, element: Element) -> tuple[fmpq, list[tuple[Poly, int]]]:
         """Content, and factors with their powers, of an element."""
         content, parts = self.field.factorised(element.poly)
         total = dict(element.powers)

@@ -6,11 +6,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy as sp
-from flint import fmpq, fmpq_mpoly
+from flint import fmpq
 
 from ...formulas.errors import NeedMoreGeneratorsError, OutOfReachError
 from ..claim_text import Terms, Text, admissible, guards
 from ..fields.function_field import FunctionField
+from ..fields.quotient_ring import Poly
 from ..level.level_set import LevelSet
 from ..level.triangular_set import numerator
 from .proof_setting import ProofSetting
@@ -26,14 +27,12 @@ class FactoredDivisor:
     formula: str
     where: str
     content: fmpq
-    factors: list[tuple[fmpq_mpoly, int]]
+    factors: list[tuple[Poly, int]]
     positive: bool
 
 
 def sign_reasons(
-    setting: ProofSetting,
-    equations: Sequence[fmpq_mpoly],
-    assumed: Sequence[tuple[fmpq_mpoly, int]],
+    setting: ProofSetting, equations: Sequence[Poly], assumed: Sequence[tuple[Poly, int]]
 ) -> tuple[Reasons, list[FactoredDivisor]]:
     """Signs known on the domain, from the divisors and those assumed; and the divisors."""
     reasons = _reasons(setting, equations)
@@ -49,7 +48,7 @@ def sign_reasons(
     return reasons, entries
 
 
-def _reasons(setting: ProofSetting, equations: Sequence[fmpq_mpoly]) -> Reasons:
+def _reasons(setting: ProofSetting, equations: Sequence[Poly]) -> Reasons:
     facts = []
     ground, field = setting.ground, setting.field
     for relation in admissible(ground.system):
@@ -75,14 +74,14 @@ def _reasons(setting: ProofSetting, equations: Sequence[fmpq_mpoly]) -> Reasons:
     return reasons
 
 
-def _polynomial(ground: LevelSet, field: FunctionField, formula: sp.Expr) -> fmpq_mpoly | None:
+def _polynomial(ground: LevelSet, field: FunctionField, formula: sp.Expr) -> Poly | None:
     """The polynomial that a formula is, if it is one and no number."""
     try:
         value = ground.evaluator(field).value(formula)
     except (OutOfReachError, NeedMoreGeneratorsError, ZeroDivisionError):
         return None
     below = any(power < 0 for power in value.powers.values())
-    poly: fmpq_mpoly = numerator(field, value)
+    poly: Poly = numerator(field, value)
     if below or not poly or poly.is_constant() or any(poly.degrees()[: field.spare]):
         return None
     return poly

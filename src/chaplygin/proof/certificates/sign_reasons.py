@@ -10,16 +10,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import fmpq, fmpq_mpoly_ctx
 
+from ..fields.quotient_ring import Poly
 from ..fields.signs import MANY, completed_squares
 
 __all__ = ["Reasons", "Sum", "Term", "monic"]
 
-Powers = tuple[tuple[fmpq_mpoly, int], ...]
+Powers = tuple[tuple[Poly, int], ...]
 
 
-def monic(poly: fmpq_mpoly) -> tuple[str, int]:
+def monic(poly: Poly) -> tuple[str, int]:
     """A key that a polynomial shares with its multiples, and the sign of its first coefficient."""
     lead = poly.leading_coefficient()
     return str(poly / lead), 1 if lead > 0 else -1
@@ -31,14 +32,14 @@ class Term:
 
     weights: Powers
     constant: fmpq
-    base: fmpq_mpoly
+    base: Poly
 
 
 @dataclass(frozen=True)
 class Sum:
     """A positive polynomial as a sum of terms, plus factors times equations by their number."""
 
-    poly: fmpq_mpoly
+    poly: Poly
     terms: tuple[Term, ...]
     multiples: tuple[tuple[int, fmpq], ...] = ()
 
@@ -61,10 +62,10 @@ class Reasons:
     """
 
     ring: fmpq_mpoly_ctx
-    facts: list[tuple[fmpq_mpoly, str, bool]]
-    equations: Sequence[fmpq_mpoly] = ()
+    facts: list[tuple[Poly, str, bool]]
+    equations: Sequence[Poly] = ()
     nonzero: set[str] = field(default_factory=set)
-    divisors: list[fmpq_mpoly] = field(default_factory=list)
+    divisors: list[Poly] = field(default_factory=list)
     #: Strict signs by key, once they are known.
     known: dict[str, int] = field(default_factory=dict)
     #: Sums that show them, in the order in which they were found.
@@ -77,19 +78,19 @@ class Reasons:
             if strict:
                 self.learn(poly, 1)
 
-    def learn(self, poly: fmpq_mpoly, sign: int) -> None:
+    def learn(self, poly: Poly, sign: int) -> None:
         """A sign that is known or assumed."""
         key, lead = monic(poly)
         self.known[key] = sign * lead
         self._unknown.clear()
 
-    def is_nonzero(self, poly: fmpq_mpoly) -> bool:
+    def is_nonzero(self, poly: Poly) -> bool:
         """Whether a polynomial does not vanish where the law is defined."""
         if poly.is_constant():
             return bool(poly)
         return monic(poly)[0] in self.nonzero or bool(self.sign(poly))
 
-    def sign(self, poly: fmpq_mpoly) -> int:
+    def sign(self, poly: Poly) -> int:
         """The strict sign of a polynomial; 0 if it is not known."""
         if poly.is_constant():
             return 0 if not poly else 1 if poly.leading_coefficient() > 0 else -1
@@ -110,7 +111,7 @@ class Reasons:
         self.known[key] = monic(sign.poly)[1]
         return self.known[key] * lead
 
-    def _sum_of(self, poly: fmpq_mpoly) -> Sum | None:
+    def _sum_of(self, poly: Poly) -> Sum | None:
         key = monic(poly)[0]
         for fact, _, strict in self.facts:
             if not strict and monic(fact)[0] == key and key in self.nonzero:
@@ -127,12 +128,12 @@ class Reasons:
                 return whole
         return None
 
-    def _by_terms(self, poly: fmpq_mpoly, strict: bool = True) -> tuple[Term, ...] | None:
+    def _by_terms(self, poly: Poly, strict: bool = True) -> tuple[Term, ...] | None:
         terms = []
         certain = not strict
         for exponents, coefficient in poly.to_dict().items():
             number = coefficient
-            weights: list[tuple[fmpq_mpoly, int]] = []
+            weights: list[tuple[Poly, int]] = []
             base = self.ring.constant(1)
             for i, exponent in enumerate(map(int, exponents)):
                 if not exponent:
@@ -154,7 +155,7 @@ class Reasons:
             terms.append(Term(tuple(weights), number, base))
         return tuple(terms) if certain else None
 
-    def _by_factors(self, poly: fmpq_mpoly) -> Sum | None:
+    def _by_factors(self, poly: Poly) -> Sum | None:
         content, parts = poly.factor()
         if len(parts) == 1 and parts[0][1] == 1:
             return None
@@ -169,7 +170,7 @@ class Reasons:
         term = Term(tuple(weights), abs(content), self.ring.constant(1))
         return Sum(poly if content > 0 else -poly, (term,))
 
-    def _by_facts(self, poly: fmpq_mpoly) -> Sum | None:
+    def _by_facts(self, poly: Poly) -> Sum | None:
         for fact, _, strict in self.facts:
             for exponents, number in fact.to_dict().items():
                 own = poly[exponents] if exponents in poly else fmpq(0)
@@ -182,7 +183,7 @@ class Reasons:
                     return Sum(poly, (first, *terms))
         return None
 
-    def _by_equations(self, poly: fmpq_mpoly) -> Sum | None:
+    def _by_equations(self, poly: Poly) -> Sum | None:
         constant = _constant(poly)
         for number, equation in enumerate(self.equations):
             own = _constant(equation)
@@ -193,13 +194,13 @@ class Reasons:
                     return Sum(poly, terms, ((number, ratio),))
         return None
 
-    def _by_squares(self, poly: fmpq_mpoly) -> Sum | None:
+    def _by_squares(self, poly: Poly) -> Sum | None:
         terms = self.squares(poly)
         if terms is None or not any(term.base.is_constant() for term in terms):
             return None
         return Sum(poly, terms)
 
-    def squares(self, poly: fmpq_mpoly) -> tuple[Term, ...] | None:
+    def squares(self, poly: Poly) -> tuple[Term, ...] | None:
         """A polynomial as a sum of terms none of which is negative."""
         terms = self._by_terms(poly, strict=False)
         if terms is not None:
@@ -212,6 +213,6 @@ class Reasons:
         return tuple(Term((), weight, base) for weight, base in forms)
 
 
-def _constant(poly: fmpq_mpoly) -> fmpq:
+def _constant(poly: Poly) -> fmpq:
     zero = (0,) * poly.context().nvars()
     return poly[zero] if zero in poly else fmpq(0)

@@ -13,11 +13,11 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, TypeAlias
 
 import sympy as sp
-from flint import fmpq, fmpq_mpoly
+from flint import fmpq
 
 from ...formulas.errors import NeedMoreGeneratorsError, NoRealValueError, OutOfReachError
 from .budget import Budget
-from .quotient_ring import Element, QuotientRing
+from .quotient_ring import Element, Poly, QuotientRing
 from .signs import Sign, Signs
 
 __all__ = ["FunctionField", "power_of_zero"]
@@ -81,20 +81,20 @@ class FunctionField(QuotientRing):
         #: What is known of signs; set by the level on which the field is used.
         self.signs = Signs(self.ring, {})
         #: Signs of factors under roots that nothing known tells, as they were taken.
-        self.decisions: dict[str, tuple[fmpq_mpoly, int]] = {}
+        self.decisions: dict[str, tuple[Poly, int]] = {}
         self._choices = dict(choices or {})
         self._implied: dict[str, int] = {}
         #: What a root raised to its degree is: content, factors with powers; and the degree.
         self._root_of: dict[int, tuple[fmpq, tuple[tuple[int, int], ...], int]] = {}
-        self._roots: dict[str, tuple[fmpq_mpoly, int]] = {}
-        self._auxiliary: dict[Key, fmpq_mpoly] = {}
+        self._roots: dict[str, tuple[Poly, int]] = {}
+        self._auxiliary: dict[Key, Poly] = {}
         self._circles: set[str] = set()
         self._arguments: list[tuple[Element, str]] = []
         self._exponentials: list[tuple[Element, Element]] = []
 
     def _new(
         self, key: Key, meaning: str, value: Callable[[], float], positive: bool = False
-    ) -> fmpq_mpoly:
+    ) -> Poly:
         """The auxiliary generator that stands for `key`, made when first asked for."""
         if key not in self._auxiliary:
             count = len(self._auxiliary)
@@ -109,7 +109,7 @@ class FunctionField(QuotientRing):
                 self.sample[name] = _number_or(value)
         return self._auxiliary[key]
 
-    def shown(self, poly: fmpq_mpoly) -> str:
+    def shown(self, poly: Poly) -> str:
         """A polynomial for a reader, with what its auxiliary symbols stand for."""
         words = str(poly)
         while used := [n for n in self.meanings if re.search(rf"\b{n}\b", words)]:
@@ -130,7 +130,7 @@ class FunctionField(QuotientRing):
             poly = poly * content**whole
         return Element(self, poly, {n: p for n, p in powers.items() if p})
 
-    def at_sample(self, poly: fmpq_mpoly) -> float:
+    def at_sample(self, poly: Poly) -> float:
         """Value of a polynomial at the sample point, which settles signs."""
         if self.sample is None:
             return 1.0
@@ -153,7 +153,7 @@ class FunctionField(QuotientRing):
 
     def _positive_parts(
         self, element: Element, exponents: Sequence[tuple[sp.Expr, sp.Rational]]
-    ) -> tuple[fmpq, list[tuple[fmpq_mpoly, int]]]:
+    ) -> tuple[fmpq, list[tuple[Poly, int]]]:
         """Content and factors with powers of what is raised to a power, all of them positive.
 
         What is raised is positive itself wherever the power is real and smooth.
@@ -164,7 +164,7 @@ class FunctionField(QuotientRing):
             total[number] = total.get(number, 0) + power
         signed = []
         overall = 1 if content > 0 else -1
-        odd: fmpq_mpoly | None = None
+        odd: Poly | None = None
         for number, power in total.items():
             poly = self.factors[number]
             if not power:
@@ -190,7 +190,7 @@ class FunctionField(QuotientRing):
             self._implied[str(odd)] = overall
         return abs(content), signed
 
-    def _known_sign(self, poly: fmpq_mpoly) -> int:
+    def _known_sign(self, poly: Poly) -> int:
         """The sign of a factor of something positive, if known or taken before; 0 otherwise."""
         key = str(poly)
         if key in self._implied:
@@ -200,7 +200,7 @@ class FunctionField(QuotientRing):
         sign = self.signs.of(poly)
         return 0 if sign is Sign.UNKNOWN else (1 if sign > 0 else -1)
 
-    def _decision(self, poly: fmpq_mpoly) -> int:
+    def _decision(self, poly: Poly) -> int:
         """The sign that is taken for a factor, here and wherever it stands under a root."""
         key = str(poly)
         sign = self._choices.get(key) or (-1 if self.at_sample(poly) < 0 else 1)
@@ -224,7 +224,7 @@ class FunctionField(QuotientRing):
         if self.vanishes(element):
             raise power_of_zero(exponents)
         content, parts = self._positive_parts(element, exponents)
-        bases: list[tuple[fmpq_mpoly, int]] = [*parts]
+        bases: list[tuple[Poly, int]] = [*parts]
         for prime, power in sp.factorrat(sp.Rational(int(content.p), int(content.q))).items():
             if prime != 1:
                 bases.append((self.ring.constant(int(prime)), int(power)))
@@ -242,7 +242,7 @@ class FunctionField(QuotientRing):
         value = poly.leading_coefficient() if poly else fmpq(0)
         return sp.Rational(int(value.p), int(value.q))
 
-    def _one_power(self, base: fmpq_mpoly, theta: sp.Expr, exponent: sp.Rational) -> Element:
+    def _one_power(self, base: Poly, theta: sp.Expr, exponent: sp.Rational) -> Element:
         if str(base) in self._roots:
             inner, degree = self._roots[str(base)]
             return self._one_power(inner, theta, exponent / degree)
@@ -265,7 +265,7 @@ class FunctionField(QuotientRing):
         )
         return self.integer_power(Element(self, symbol, {}), int(fine.p))
 
-    def _root(self, base: fmpq_mpoly, degree: int) -> Element:
+    def _root(self, base: Poly, degree: int) -> Element:
         if base.is_one():
             return self.one
         for known in sorted(k[2] for k in self._auxiliary if k[:2] == ("root", str(base))):

@@ -11,13 +11,16 @@ pseudo-division, whose multipliers are known not to vanish at the witness point.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import TypeAlias
 
 import sympy as sp
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from .budget import Budget
 
-__all__ = ["Element", "QuotientRing"]
+__all__ = ["Element", "Poly", "QuotientRing"]
+
+Poly: TypeAlias = fmpq_mpoly
 
 FACTORED_UP_TO = 1500
 """Polynomials of more terms are divided by as they are."""
@@ -28,7 +31,7 @@ class Element:
 
     __slots__ = ("home", "poly", "powers")
 
-    def __init__(self, home: QuotientRing, poly: fmpq_mpoly, powers: Mapping[int, int]) -> None:
+    def __init__(self, home: QuotientRing, poly: Poly, powers: Mapping[int, int]) -> None:
         self.home, self.poly, self.powers = home, poly, powers
 
     def __add__(self, other: Element) -> Element:
@@ -67,9 +70,9 @@ class QuotientRing:
         self.ring = fmpq_mpoly_ctx.get(self.names, Ordering.lex)
         self.generators = dict(zip(self.names, self.ring.gens(), strict=True))
         self.budget = budget or Budget()
-        self.factors: list[fmpq_mpoly] = []
+        self.factors: list[Poly] = []
         self._factor_numbers: dict[str, int] = {}
-        self._chain: list[tuple[str, fmpq_mpoly, tuple[tuple[int, int], ...]]] = []
+        self._chain: list[tuple[str, Poly, tuple[tuple[int, int], ...]]] = []
         self.one = Element(self, self.ring.constant(1), {})
         self.zero = Element(self, self.ring.constant(0), {})
 
@@ -103,7 +106,7 @@ class QuotientRing:
         """An element in the form preferred; here as it is."""
         return element
 
-    def product(self, first: fmpq_mpoly, second: fmpq_mpoly) -> fmpq_mpoly:
+    def product(self, first: Poly, second: Poly) -> Poly:
         """Product of polynomials, reduced and within the budget."""
         self.budget.foresee(first, second)
         product = self.reduce(first * second)
@@ -127,7 +130,7 @@ class QuotientRing:
         self.budget.spend(poly)
         return self._cancelled_generators(poly, common) if poly else self.zero
 
-    def _cancelled_generators(self, poly: fmpq_mpoly, powers: dict[int, int]) -> Element:
+    def _cancelled_generators(self, poly: Poly, powers: dict[int, int]) -> Element:
         """An element in which generators are cancelled against the denominator."""
         single = [n for n, p in powers.items() if p < 0 and len(self.factors[n]) == 1]
         if single:
@@ -140,7 +143,7 @@ class QuotientRing:
                     powers[number] += times
         return Element(self, poly, {n: p for n, p in powers.items() if p})
 
-    def _over(self, element: Element, common: Mapping[int, int]) -> fmpq_mpoly:
+    def _over(self, element: Element, common: Mapping[int, int]) -> Poly:
         poly = element.poly
         for number in {*element.powers, *common}:
             for _ in range(element.powers.get(number, 0) - common.get(number, 0)):
@@ -171,7 +174,7 @@ class QuotientRing:
         nonzero = {number: power for number, power in powers.items() if power}
         return self.tidied(Element(self, self.ring.constant(1 / content), nonzero))
 
-    def factorised(self, poly: fmpq_mpoly) -> tuple[fmpq, list[tuple[int, int]]]:
+    def factorised(self, poly: Poly) -> tuple[fmpq, list[tuple[int, int]]]:
         """Content and named factors with their powers."""
         if poly.is_constant():
             return poly.leading_coefficient(), []
@@ -185,7 +188,7 @@ class QuotientRing:
             named.append((self.named(part / lead), int(power)))
         return content, named
 
-    def named(self, poly: fmpq_mpoly) -> int:
+    def named(self, poly: Poly) -> int:
         """The number under which a factor is known."""
         key = str(poly)
         if key not in self._factor_numbers:
@@ -195,18 +198,18 @@ class QuotientRing:
 
     # --- relations -------------------------------------------------------------------------
 
-    def impose(self, main: str, poly: fmpq_mpoly) -> None:
+    def impose(self, main: str, poly: Poly) -> None:
         """Add a relation with its main variable, above all relations imposed before."""
         lead = poly.monoms()[0]
         degrees = tuple((i, int(n)) for i, n in enumerate(lead) if n)
         self._chain.insert(0, (main, poly, degrees))
 
     @property
-    def relations(self) -> tuple[tuple[str, fmpq_mpoly, tuple[tuple[int, int], ...]], ...]:
+    def relations(self) -> tuple[tuple[str, Poly, tuple[tuple[int, int], ...]], ...]:
         """Main variable, polynomial and leading exponents of every relation, highest first."""
         return tuple(self._chain)
 
-    def reduce(self, poly: fmpq_mpoly) -> fmpq_mpoly:
+    def reduce(self, poly: Poly) -> Poly:
         """Remainder after division by the relations, by leading terms."""
         if not self._chain or not poly:
             return poly
@@ -231,7 +234,7 @@ class QuotientRing:
             poly = self.reduce(self.pseudo_remainder(poly, relation, main))
         return not poly
 
-    def pseudo_remainder(self, poly: fmpq_mpoly, relation: fmpq_mpoly, main: str) -> fmpq_mpoly:
+    def pseudo_remainder(self, poly: Poly, relation: Poly, main: str) -> Poly:
         """Remainder in the variable `main`, up to powers of the leading coefficient."""
         position = self.names.index(main)
         degree = int(relation.degrees()[position])
@@ -243,7 +246,7 @@ class QuotientRing:
             self.budget.spend(poly)
         return poly
 
-    def coefficient(self, poly: fmpq_mpoly, position: int, degree: int) -> fmpq_mpoly:
+    def coefficient(self, poly: Poly, position: int, degree: int) -> Poly:
         """Coefficient of a power of one generator."""
         terms = {}
         for exponents, number in poly.to_dict().items():

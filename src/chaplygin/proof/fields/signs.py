@@ -10,7 +10,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import IntEnum
 
-from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import fmpq, fmpq_mpoly_ctx
+
+from .quotient_ring import Poly
 
 __all__ = ["Sign", "Signs", "completed_squares"]
 
@@ -55,15 +57,15 @@ class Signs:
 
     ring: fmpq_mpoly_ctx
     known: Mapping[str, Sign]
-    facts: Sequence[tuple[fmpq_mpoly, Sign]] = ()
-    nonzero: Sequence[fmpq_mpoly] = ()
-    conditions: Sequence[fmpq_mpoly] = ()
+    facts: Sequence[tuple[Poly, Sign]] = ()
+    nonzero: Sequence[Poly] = ()
+    conditions: Sequence[Poly] = ()
 
     def with_positive(self, name: str) -> Signs:
         """The same, with one more positive generator."""
         return replace(self, known={**self.known, name: Sign.POSITIVE})
 
-    def of(self, poly: fmpq_mpoly) -> Sign:
+    def of(self, poly: Poly) -> Sign:
         """The sign of a polynomial wherever the facts and the conditions hold."""
         sign = self._of_one(poly)
         if abs(sign) < Sign.POSITIVE and poly and len(poly) <= MANY:
@@ -75,23 +77,23 @@ class Signs:
                 sign = product or sign
         return sign
 
-    def never_zero(self, poly: fmpq_mpoly) -> bool:
+    def never_zero(self, poly: Poly) -> bool:
         """Whether a polynomial is certainly not zero."""
         if abs(self.of(poly)) == Sign.POSITIVE:
             return True
         return self._said_nonzero(poly)
 
-    def _said_nonzero(self, poly: fmpq_mpoly) -> bool:
+    def _said_nonzero(self, poly: Poly) -> bool:
         return any(_ratio(poly, fact) is not None for fact in self.nonzero)
 
-    def _of_power(self, poly: fmpq_mpoly, power: int) -> Sign:
+    def _of_power(self, poly: Poly, power: int) -> Sign:
         sign = self._of_one(poly)
         if power % 2:
             return sign
         strict = abs(sign) == Sign.POSITIVE or self._said_nonzero(poly)
         return Sign.POSITIVE if strict else Sign.NOT_NEGATIVE
 
-    def squares(self, poly: fmpq_mpoly) -> list[fmpq_mpoly] | None:
+    def squares(self, poly: Poly) -> list[Poly] | None:
         """Polynomials that all vanish where `poly` does, if it is a sum of terms of one sign.
 
         ``[1]`` where it cannot vanish; None where it is no such sum.
@@ -103,13 +105,13 @@ class Signs:
 
     # --- one polynomial --------------------------------------------------------------------
 
-    def _of_one(self, poly: fmpq_mpoly) -> Sign:
+    def _of_one(self, poly: Poly) -> Sign:
         sign = self._by_terms(poly)
         if sign is Sign.UNKNOWN and len(poly) <= MANY:
             sign = self._by_facts(poly) or self._by_conditions(poly) or self._by_squares(poly)
         return sign
 
-    def _by_terms(self, poly: fmpq_mpoly) -> Sign:
+    def _by_terms(self, poly: Poly) -> Sign:
         signs = []
         for exponents, number in poly.to_dict().items():
             sign, base = self._term(exponents, number)
@@ -118,7 +120,7 @@ class Signs:
             signs.append(sign if base.is_constant() else Sign(sign // abs(sign)))
         return _sum(signs)
 
-    def _term(self, exponents: Sequence[int], number: fmpq) -> tuple[Sign, fmpq_mpoly]:
+    def _term(self, exponents: Sequence[int], number: fmpq) -> tuple[Sign, Poly]:
         """The sign of a term where it does not vanish, and a monomial that vanishes with it."""
         sign, base = _number(number), self.ring.constant(1)
         for index, exponent in enumerate(exponents):
@@ -134,7 +136,7 @@ class Signs:
                 sign = Sign(2 if sign > 0 else -2)
         return sign, base
 
-    def _by_facts(self, poly: fmpq_mpoly) -> Sign:
+    def _by_facts(self, poly: Poly) -> Sign:
         """A fact times a term of known sign, and further terms of the same sign."""
         for fact, sign in self.facts:
             long = len(fact) * len(poly) > MANY
@@ -153,7 +155,7 @@ class Signs:
                         return whole
         return Sign.UNKNOWN
 
-    def _by_conditions(self, poly: fmpq_mpoly) -> Sign:
+    def _by_conditions(self, poly: Poly) -> Sign:
         """The same after a multiple of a condition has taken the constant away."""
         constant = _constant(poly)
         for condition in self.conditions:
@@ -164,7 +166,7 @@ class Signs:
                     return sign
         return Sign.UNKNOWN
 
-    def _by_squares(self, poly: fmpq_mpoly) -> Sign:
+    def _by_squares(self, poly: Poly) -> Sign:
         for sign in (Sign.POSITIVE, Sign.NEGATIVE):
             bases = self._linear_squares(poly if sign > 0 else -poly, definite=True)
             if bases is not None:
@@ -172,7 +174,7 @@ class Signs:
                 return sign if strict else Sign(sign // 2)
         return Sign.UNKNOWN
 
-    def _linear_squares(self, poly: fmpq_mpoly, definite: bool = False) -> list[fmpq_mpoly] | None:
+    def _linear_squares(self, poly: Poly, definite: bool = False) -> list[Poly] | None:
         """Linear forms whose squares, with positive weights, add up to a quadratic polynomial."""
         if not poly or poly.total_degree() != 2:
             return None
@@ -199,12 +201,12 @@ def _sum(signs: Iterable[Sign]) -> Sign:
     return Sign.UNKNOWN
 
 
-def _constant(poly: fmpq_mpoly) -> fmpq:
+def _constant(poly: Poly) -> fmpq:
     zero = (0,) * poly.context().nvars()
     return poly[zero] if zero in poly else fmpq(0)
 
 
-def _ratio(poly: fmpq_mpoly, other: fmpq_mpoly) -> fmpq | None:
+def _ratio(poly: Poly, other: Poly) -> fmpq | None:
     """The number by which one polynomial is a multiple of another."""
     if not other or not poly or len(poly) != len(other):
         return None
@@ -212,15 +214,13 @@ def _ratio(poly: fmpq_mpoly, other: fmpq_mpoly) -> fmpq | None:
     return ratio if poly == ratio * other else None
 
 
-def completed_squares(
-    poly: fmpq_mpoly, ring: fmpq_mpoly_ctx
-) -> list[tuple[fmpq, fmpq_mpoly]] | None:
+def completed_squares(poly: Poly, ring: fmpq_mpoly_ctx) -> list[tuple[fmpq, Poly]] | None:
     """Weights and linear forms whose weighted squares add up to a quadratic polynomial.
 
     Squares are completed one variable after the other; None unless all weights are positive.
     The last form is 1 where a positive number remains.
     """
-    forms: list[tuple[fmpq, fmpq_mpoly]] = []
+    forms: list[tuple[fmpq, Poly]] = []
     remainder = poly
     for index in range(ring.nvars()):
         if not remainder or not int(remainder.degrees()[index]):

@@ -11,11 +11,10 @@ from dataclasses import dataclass
 from typing import Any, TypeVar
 
 import sympy as sp
-from flint import fmpq_mpoly
 
 from .formal_roots import FormalRoots
 from .function_field import FunctionField, Key
-from .quotient_ring import Element
+from .quotient_ring import Element, Poly
 
 __all__ = ["Meaning", "UnreducedField", "UnreducedFormal"]
 
@@ -51,7 +50,7 @@ class Meaning:
     number: int = 0
     orders: tuple[int, ...] = ()
     exponent: sp.Expr | None = None
-    whole: tuple[tuple[fmpq_mpoly, int], ...] = ()
+    whole: tuple[tuple[Poly, int], ...] = ()
 
     def agrees(self, other: Meaning) -> bool:
         """Whether it is the same function, whatever its arguments."""
@@ -78,7 +77,7 @@ class UnreducedField(FunctionField):
 
     def _new(
         self, key: Key, meaning: str, value: Callable[[], float], positive: bool = False
-    ) -> fmpq_mpoly:
+    ) -> Poly:
         fresh = key not in self._auxiliary
         symbol = super()._new(key, meaning, value, positive)
         if fresh:
@@ -120,13 +119,13 @@ class UnreducedField(FunctionField):
             meaning, lambda: super(UnreducedField, self).unspecified(function, orders, arguments)
         )
 
-    def _root(self, base: fmpq_mpoly, degree: int) -> Element:
+    def _root(self, base: Poly, degree: int) -> Element:
         return self._with_meaning(
             Meaning("", (Element(self, base, {}),)),
             lambda: super(UnreducedField, self)._root(base, degree),
         )
 
-    def _one_power(self, base: fmpq_mpoly, theta: sp.Expr, exponent: sp.Rational) -> Element:
+    def _one_power(self, base: Poly, theta: sp.Expr, exponent: sp.Rational) -> Element:
         return self._with_meaning(
             Meaning("", (Element(self, base, {}),)),
             lambda: super(UnreducedField, self)._one_power(base, theta, exponent),

@@ -171,10 +171,7 @@ def _derivatives(formula: sp.Expr, rates: _Rates) -> list[sp.Expr]:
 
 
 def _within(
-    formula: sp.Expr,
-    own: set[sp.Symbol],
-    quantities: dict[sp.Symbol, sp.Expr],
-    ground: LevelSet,
+    formula: sp.Expr, own: set[sp.Symbol], quantities: dict[sp.Symbol, sp.Expr], ground: LevelSet
 ) -> bool:
     """Whether a formula moves with the variables of the equations alone."""
     moving: set[sp.Symbol] = formula.free_symbols & {*ground.system.symbols, *quantities}

@@ -8,7 +8,6 @@ from functools import cached_property
 from typing import TypeVar
 
 import sympy as sp
-from flint import fmpq_mpoly
 
 from ...core.vectors import to_components
 from ...errors import InputError
@@ -21,7 +20,7 @@ from ...formulas.errors import (
 from ...formulas.jets import Evaluator
 from ..fields.budget import Budget
 from ..fields.function_field import FunctionField
-from ..fields.quotient_ring import Element
+from ..fields.quotient_ring import Element, Poly
 from ..fields.signs import Sign, Signs
 from .level_formulas import LevelFormulas, assumed_relations
 from .triangular_set import TriangularSet, numerator, triangle
@@ -97,16 +96,16 @@ class LevelFractions(LevelFormulas):
         """What is known of signs, in the ring of a field of fractions."""
         return self.signs_with(field, [poly for _, poly, _ in field.relations])
 
-    def signs_with(self, field: FunctionField, conditions: Sequence[fmpq_mpoly]) -> Signs:
+    def signs_with(self, field: FunctionField, conditions: Sequence[Poly]) -> Signs:
         """The same, where some polynomials vanish."""
         return self._signs_in(field, self.evaluator(field), conditions)
 
     def _signs_in(
-        self, field: FunctionField, evaluate: Evaluator, conditions: Sequence[fmpq_mpoly]
+        self, field: FunctionField, evaluate: Evaluator, conditions: Sequence[Poly]
     ) -> Signs:
         known: dict[str, Sign] = {}
-        facts: list[tuple[fmpq_mpoly, Sign]] = []
-        nonzero: list[fmpq_mpoly] = []
+        facts: list[tuple[Poly, Sign]] = []
+        nonzero: list[Poly] = []
         # signs of single symbols first, on which those of other quantities may rest
         for relation in sorted(self.requirements, key=lambda r: len(r.free_symbols)):
             decided = len(field.decisions)
@@ -170,7 +169,7 @@ class LevelFractions(LevelFormulas):
         return field
 
 
-def polynomial_of(draft: FunctionField, element: Element, condition: sp.Expr) -> fmpq_mpoly:
+def polynomial_of(draft: FunctionField, element: Element, condition: sp.Expr) -> Poly:
     """The polynomial whose vanishing a condition states."""
     poly = numerator(draft, element)
     if poly and any(poly.degrees()[: draft.spare]):
@@ -180,9 +179,7 @@ def polynomial_of(draft: FunctionField, element: Element, condition: sp.Expr) ->
     return poly
 
 
-def _as_polynomial(
-    field: FunctionField, evaluate: Evaluator, relation: sp.Basic
-) -> fmpq_mpoly | None:
+def _as_polynomial(field: FunctionField, evaluate: Evaluator, relation: sp.Basic) -> Poly | None:
     """A polynomial with the sign of the greater side less the smaller one; None if there is none.
 
     What a relation is divided by is multiplied with where its power is odd.

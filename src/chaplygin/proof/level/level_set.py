@@ -9,13 +9,14 @@ from functools import cached_property
 from typing import TypeAlias
 
 import sympy as sp
-from flint import arb, fmpq, fmpq_mpoly
+from flint import arb, fmpq
 
 from ...formulas.errors import NotExactError, OutOfReachError
 from ...formulas.jets import Evaluator, Jet
 from ...formulas.number_fields import Balls, Rationals
 from ..fields.budget import Budget
 from ..fields.function_field import FunctionField
+from ..fields.quotient_ring import Poly
 from .components import Component, Decomposition
 from .level_formulas import conditions_text
 from .level_fractions import LevelFractions, polynomial_of
@@ -70,7 +71,7 @@ class LevelSet(LevelFractions):
     def _component(self, part: Component) -> LevelSet:
         by_name = {str(s): s for s in self.symbols}
 
-        def written(polys: Sequence[fmpq_mpoly]) -> tuple[sp.Expr, ...]:
+        def written(polys: Sequence[Poly]) -> tuple[sp.Expr, ...]:
             return tuple(_as_formula(poly, by_name) for poly in polys)
 
         equations = (*written(part.equations), *self.zeros)
@@ -227,7 +228,7 @@ class LevelSet(LevelFractions):
         return roots
 
 
-def _as_formula(poly: fmpq_mpoly, by_name: Mapping[str, sp.Symbol]) -> sp.Expr:
+def _as_formula(poly: Poly, by_name: Mapping[str, sp.Symbol]) -> sp.Expr:
     """A polynomial as a formula."""
     names = poly.context().names()
     return sp.Add(

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
-from flint import fmpq, fmpq_mpoly
+from flint import fmpq
 
 from ...formulas.errors import EmptyLevelError, OutOfReachError
 from ..fields.function_field import FunctionField
-from ..fields.quotient_ring import Element
+from ..fields.quotient_ring import Element, Poly
 
 __all__ = ["Terms", "TriangularSet", "chain", "numerator", "triangle"]
 
@@ -34,7 +34,7 @@ class TriangularSet:
 
 
 def triangle(
-    draft: FunctionField, names: Sequence[str], conditions: Sequence[fmpq_mpoly], moving: set[str]
+    draft: FunctionField, names: Sequence[str], conditions: Sequence[Poly], moving: set[str]
 ) -> TriangularSet:
     """A triangular set that has the same zeros as the conditions, wherever it is regular.
 
@@ -62,8 +62,8 @@ def triangle(
 
 
 def chain(
-    draft: FunctionField, names: Sequence[str], conditions: Sequence[fmpq_mpoly], moving: set[str]
-) -> list[tuple[str, fmpq_mpoly]]:
+    draft: FunctionField, names: Sequence[str], conditions: Sequence[Poly], moving: set[str]
+) -> list[tuple[str, Poly]]:
     """Main variables and polynomials of a triangular set, from the lowest to the highest.
 
     Parameters, errors: as for :func:`triangle`.
@@ -77,7 +77,7 @@ def chain(
     return _in_order(draft, relations)
 
 
-def _terms(draft: FunctionField, poly: fmpq_mpoly) -> Terms:
+def _terms(draft: FunctionField, poly: Poly) -> Terms:
     return {
         tuple(zip(draft.names, map(int, exponents), strict=True)): number
         for exponents, number in poly.to_dict().items()
@@ -87,13 +87,13 @@ def _terms(draft: FunctionField, poly: fmpq_mpoly) -> Terms:
 def _chain(
     draft: FunctionField,
     names: Sequence[str],
-    conditions: Sequence[fmpq_mpoly],
+    conditions: Sequence[Poly],
     moving: set[str],
-    merit: Callable[[FunctionField, fmpq_mpoly, str, set[str]], tuple[int, int, int]],
-) -> list[tuple[str, fmpq_mpoly]] | None:
+    merit: Callable[[FunctionField, Poly, str, set[str]], tuple[int, int, int]],
+) -> list[tuple[str, Poly]] | None:
     """Conditions with a main variable each, best first; None where the choice leads nowhere."""
     waiting = list(conditions)
-    chain: list[tuple[str, fmpq_mpoly]] = []
+    chain: list[tuple[str, Poly]] = []
     while True:
         for main, relation in reversed(chain):
             waiting = [draft.pseudo_remainder(g, relation, main) for g in waiting]
@@ -114,7 +114,7 @@ def _chain(
         chain.append((main, waiting.pop(index)))
 
 
-def numerator(draft: FunctionField, element: Element) -> fmpq_mpoly:
+def numerator(draft: FunctionField, element: Element) -> Poly:
     """The polynomial that vanishes where an element does."""
     poly = element.poly
     for number, power in element.powers.items():
@@ -123,13 +123,11 @@ def numerator(draft: FunctionField, element: Element) -> fmpq_mpoly:
     return poly
 
 
-def _variables(draft: FunctionField, poly: fmpq_mpoly) -> set[str]:
+def _variables(draft: FunctionField, poly: Poly) -> set[str]:
     return {n for n, d in zip(draft.names, poly.degrees(), strict=True) if d}
 
 
-def _merit(
-    draft: FunctionField, poly: fmpq_mpoly, name: str, moving: set[str]
-) -> tuple[int, int, int]:
+def _merit(draft: FunctionField, poly: Poly, name: str, moving: set[str]) -> tuple[int, int, int]:
     """How well a variable serves as the main one of a relation; smaller is better."""
     position = draft.names.index(name)
     degree = int(poly.degrees()[position])
@@ -143,16 +141,14 @@ def _merit(
 
 
 def _merit_by_degree(
-    draft: FunctionField, poly: fmpq_mpoly, name: str, moving: set[str]
+    draft: FunctionField, poly: Poly, name: str, moving: set[str]
 ) -> tuple[int, int, int]:
     """The same, with linear relations first."""
     degree = int(poly.degrees()[draft.names.index(name)])
     return (degree, *_merit(draft, poly, name, moving)[:2])
 
 
-def _possible(
-    draft: FunctionField, poly: fmpq_mpoly, name: str, chain: list[tuple[str, fmpq_mpoly]]
-) -> bool:
+def _possible(draft: FunctionField, poly: Poly, name: str, chain: list[tuple[str, Poly]]) -> bool:
     """Whether the variable can be the main one: in the relation, free, and without a circle."""
     if name in {main for main, _ in chain} or name not in _variables(draft, poly):
         return False
@@ -163,9 +159,7 @@ def _possible(
     return True
 
 
-def _in_order(
-    draft: FunctionField, chain: list[tuple[str, fmpq_mpoly]]
-) -> list[tuple[str, fmpq_mpoly]]:
+def _in_order(draft: FunctionField, chain: list[tuple[str, Poly]]) -> list[tuple[str, Poly]]:
     """The relations from the lowest main variable to the highest."""
     mains = {main for main, _ in chain}
     needs = {main: (_variables(draft, poly) & mains) - {main} for main, poly in chain}
