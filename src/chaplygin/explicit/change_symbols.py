@@ -8,8 +8,8 @@ from typing import Any
 
 import sympy as sp
 
-from ..core.system import System
-from ..core.vectors import Vector, constant, real_symbol, to_components
+from ..core.system import System, flat_pairs
+from ..core.vectors import constant, real_symbol, to_components
 from .genus_two.separation import SeparatedSystem
 
 __all__ = ["in_symbols_of", "translation"]
@@ -61,11 +61,7 @@ def in_symbols_of(
         speeds=images(separable.speeds),
         along=None if separable.along is None else images(separable.along),
         clock=image(separable.clock),
-        state=tuple(
-            (names[symbol], image(part))
-            for name, formula in separable.state
-            for symbol, part in _parts(name, formula)
-        ),
+        state=tuple((names[symbol], image(part)) for symbol, part in flat_pairs(separable.state)),
         fixed=images(separable.fixed),
         laws=(),
     )
@@ -87,10 +83,3 @@ def _constants(separable: SeparatedSystem, system: System) -> dict[sp.Symbol, sp
     names = {*system.symbols, *system.defaults, *(symbol for symbol, _ in system.steps)}
     clashes = [symbol for symbol, _ in separable.constants if symbol in names]
     return {symbol: real_symbol(f"{symbol}_const") for symbol in clashes}
-
-
-def _parts(name: sp.Symbol | Vector, formula: sp.Expr) -> list[tuple[sp.Symbol, sp.Expr]]:
-    """A pair of a state name and its formula, by components."""
-    if isinstance(name, sp.Symbol):
-        return [(name, formula)]
-    return list(zip(name.symbols, to_components(formula), strict=True))

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import singledispatch
-from itertools import combinations
 
 import sympy as sp
 
@@ -34,9 +33,9 @@ from .level.level_set import LevelSet
 from .level.named_formulas import components
 from .level.separability import of_separation
 from .level.time_derivatives import without_rates
-from .residuals import Residuals, Row, pfaffian, target_state
+from .residuals import Row, target_state
 
-__all__ = ["DIMENSION", "pfaffians", "rank", "rank_defect"]
+__all__ = ["DIMENSION", "rank", "rank_defect"]
 
 DIMENSION = "the dimension of the level"
 """Lacking at a point where all conditions are independent: no hint, but certain."""
@@ -85,20 +84,6 @@ def rank_defect(law: Law, ground: LevelSet, field: Field) -> tuple[str, str] | N
 
 
 # --- brackets ------------------------------------------------------------------------------
-
-
-def pfaffians(law: Law, ground: LevelSet, field: Field) -> Residuals:
-    """The Pfaffians of the size of the rank claimed, of a bracket or of the form that uses one.
-
-    The rank is attained where one of them is not zero; it is attained nowhere if all of them vanish
-    on the level.  A law that claims no rank, or rank zero, has none.
-    """
-    structure = law.structure if isinstance(law, ConformallyHamiltonian) else law
-    if not isinstance(structure, PoissonStructure) or not structure.rank:
-        return
-    values = _entries(structure, ground, field)
-    for rows in combinations(range(len(values)), structure.rank):
-        yield f"Pfaffian of {rows}", pfaffian(field, values, rows)
 
 
 def _entries(law: PoissonStructure, ground: LevelSet, field: Field) -> list[list[FieldElement]]:

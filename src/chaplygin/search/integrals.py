@@ -37,11 +37,6 @@ def integrals(question: Question, progress: Progress = silent) -> Iterator[Searc
     An integral that is a polynomial in earlier ones and functions of the parameters is not
     repeated.  Each comes with the verdict of the prover.
 
-    Parameters
-    ----------
-    question : Question
-    progress : callable
-
     Raises
     ------
     InputError

@@ -39,11 +39,6 @@ def measures(question: Question, progress: Progress = silent) -> Iterator[Search
     The simplest are tried first; the search ends with the first number of factors for which
     there is one.
 
-    Parameters
-    ----------
-    question : Question
-    progress : callable
-
     Raises
     ------
     InputError

@@ -32,11 +32,6 @@ def symmetries(question: Question, progress: Progress = silent) -> Iterator[Sear
     v itself, and what follows from known symmetries on multiplication with integrals, is left
     out.
 
-    Parameters
-    ----------
-    question : Question
-    progress : callable
-
     Raises
     ------
     InputError

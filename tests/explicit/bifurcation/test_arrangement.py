@@ -11,12 +11,12 @@ from chaplygin.explicit.bifurcation.arrangement import (
     arrangement,
     highest,
     lowest,
-    middle,
     ordered_roots,
     rational,
     short_rational,
     stack,
 )
+from chaplygin.formulas.balls import exact
 
 x, y, _ = RING.gens()
 
@@ -114,7 +114,7 @@ def test_ends_of_balls(value):
     ball = arb(rational(value))
     assert lowest(ball) <= value <= highest(ball)
     assert highest(ball) - lowest(ball) <= abs(value) / 2**50
-    assert middle(ball) == (lowest(ball) + highest(ball)) / 2
+    assert exact(ball) == (lowest(ball) + highest(ball)) / 2
 
 
 def test_a_gap_beyond_doubles():

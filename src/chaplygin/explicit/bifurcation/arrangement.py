@@ -18,6 +18,8 @@ from typing import Any, TypeAlias
 
 from flint import Ordering, arb, ctx, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
+from ...formulas.balls import exact
+
 __all__ = [
     "RING",
     "Arrangement",
@@ -26,7 +28,6 @@ __all__ = [
     "highest",
     "irreducible",
     "lowest",
-    "middle",
     "on_vertical",
     "ordered_roots",
     "rational",
@@ -214,7 +215,7 @@ def ordered_roots(polynomials: Sequence[fmpq_poly]) -> list[tuple[arb, int]]:
     while precision <= MOST_PRECISION:
         with ctx.workprec(precision):
             roots = [(root, n) for n, p in enumerate(polynomials) for root in real_roots(p)]
-            roots.sort(key=lambda pair: middle(pair[0]))
+            roots.sort(key=lambda pair: exact(pair[0]))
             if all(low < high for (low, _), (high, _) in pairwise(roots)):
                 return roots
         precision *= 2
@@ -286,20 +287,14 @@ def short_rational(low: Fraction, high: Fraction) -> Fraction:
     return middle.limit_denominator(limit)
 
 
-def middle(ball: arb) -> Fraction:
-    """The middle of a ball, exactly."""
-    mantissa, exponent = ball.mid().man_exp()
-    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
-
-
 def lowest(ball: arb) -> Fraction:
     """The lower end of a ball, exactly."""
-    return middle(ball) - middle(ball.rad())
+    return exact(ball) - exact(ball.rad())
 
 
 def highest(ball: arb) -> Fraction:
     """The upper end of a ball, exactly."""
-    return middle(ball) + middle(ball.rad())
+    return exact(ball) + exact(ball.rad())
 
 
 def fraction(number: fmpq) -> Fraction:
@@ -309,5 +304,5 @@ def fraction(number: fmpq) -> Fraction:
 
 def rational(number: Fraction | int) -> fmpq:
     """A rational number for FLINT."""
-    exact = Fraction(number)
-    return fmpq(exact.numerator, exact.denominator)
+    value = Fraction(number)
+    return fmpq(value.numerator, value.denominator)

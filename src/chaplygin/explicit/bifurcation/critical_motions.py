@@ -13,7 +13,8 @@ from typing import TypeVar
 
 from flint import acb, arb, arb_poly, ctx, fmpq, fmpq_mpoly
 
-from .arrangement import FIRST_PRECISION, middle, stack
+from ...formulas.balls import exact
+from .arrangement import FIRST_PRECISION, stack
 from .tori import SHEETS, Oval, group, ovals
 
 __all__ = ["Circles", "circles_at_a_double_root", "circles_at_a_pole"]
@@ -212,7 +213,7 @@ def _allowed_ovals(
     for root in _real_roots(rest):
         if _positive(root - arb(low)) and not _positive(root - arb(high)):
             roots.append((root, 0))
-    roots.sort(key=lambda pair: middle(pair[0]))
+    roots.sort(key=lambda pair: exact(pair[0]))
     if not all(_positive(b - a) for (a, _), (b, _) in pairwise(roots)):
         raise UndecidedError
     return ovals(roots, lambda z: _positive(sign(arb(z))))

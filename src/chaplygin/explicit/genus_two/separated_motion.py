@@ -9,13 +9,14 @@ import sympy as sp
 from flint import arb
 
 from ...arguments import Written
+from ...core.system import flat_pairs
 from ...formulas.balls import Steps, Values, ball, components, evaluated, needed
 from ..base.exact_start import on_phase_space
 from .curve import Curve
 from .separation import SeparatedSystem, nu, nuprime
 from .torus import InvariantTorus, torus
 
-__all__ = ["SeparatedMotion", "chain", "flat_state", "separate"]
+__all__ = ["SeparatedMotion", "chain", "separate"]
 
 
 @dataclass(frozen=True)
@@ -113,17 +114,8 @@ def chain(
             changing.append((name, formula))
         else:
             still.append((name, formula))
-    steps = (*still, *flat_state(separable), *changing)
+    steps = (*still, *flat_pairs(separable.state), *changing)
     parameters = tuple(p.symbol for p in separable.system.parameters)
     constants = tuple(name for name, _ in separable.constants)
     arguments = (*nu.symbols, *nuprime.symbols, *parameters, *constants)
     return arguments, needed(steps, formulas)
-
-
-def flat_state(separable: SeparatedSystem) -> Steps:
-    """The state as scalar formulas in ν and ν′."""
-    formulas = []
-    for name, formula in separable.state:
-        names = (name,) if isinstance(name, sp.Symbol) else name.symbols
-        formulas += list(zip(names, components(formula), strict=True))
-    return tuple(formulas)

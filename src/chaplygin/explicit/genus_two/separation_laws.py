@@ -20,6 +20,7 @@ import sympy as sp
 
 from ...core.laws import Identity, Law, Rate, Reduction
 from ...core.vectors import Vector, cross, norm_squared, real_symbol, to_components, vectors
+from ...formulas.balls import components
 from .separation import SeparatedSystem, gaps, nu, nuprime
 
 __all__ = ["separation_laws", "with_laws"]
@@ -62,9 +63,7 @@ def separation_laws(separable: SeparatedSystem) -> tuple[Law, ...]:
         for before, after in zip(nu.symbols, nuprime.symbols, strict=True)
     ]
     residuals = [
-        difference
-        for name, formula in separable.state
-        for difference in _entries(to_components(name - formula))
+        difference for name, formula in separable.state for difference in components(name - formula)
     ]
     fixed = [
         Identity(
@@ -109,10 +108,6 @@ def separation_laws(separable: SeparatedSystem) -> tuple[Law, ...]:
 def with_laws(separable: SeparatedSystem) -> SeparatedSystem:
     """The same with its laws."""
     return replace(separable, laws=separation_laws(separable))
-
-
-def _entries(value: sp.Expr) -> tuple[sp.Expr, ...]:
-    return tuple(value) if isinstance(value, sp.MatrixBase) else (value,)
 
 
 def _rate(vector: Vector) -> sp.MatrixExpr:

@@ -139,12 +139,7 @@ class RigorousQuadrature:
         return self._wave_sum(arb(0))
 
     def at(self, tau: arb | float) -> arb:
-        """The integral from 0 to τ, as a ball that contains it.
-
-        Parameters
-        ----------
-        tau : number or arb
-        """
+        """The integral from 0 to τ, as a ball that contains it."""
         with ctx.workprec(self.bits):
             tau = arb(tau)
             total = self._level * tau + self._wave_sum(tau) - self._origin
@@ -162,10 +157,6 @@ class RigorousQuadrature:
 
         The middle is found by Newton's method; the radius is |at(middle) − value|/min f, which
         bounds the distance to the root by the mean value theorem.
-
-        Parameters
-        ----------
-        value : number or arb
         """
         with ctx.workprec(self.bits):
             value, small = arb(value), self._least

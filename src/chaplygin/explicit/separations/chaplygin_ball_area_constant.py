@@ -26,7 +26,7 @@ For g = 0 this is :mod:`.chaplygin_ball`.  What is claimed here is proven in par
     dt/dt′ = 1/λ′ = 1 + (β/n) D′(ω′, γ′).
 
 The second term is odd under ν′ → −ν′, which on the torus is v → −v up to a half period; its mean is
-zero, and the mean of dt/dτ is that of :func:`even_clock`.
+zero, and the mean of dt/dτ is that of `EVEN`.
 
 It fails where M is parallel to γ, g² = f: there σ = f, D′ = 0, n = 0, and any unit vector across M
 may be taken for γ′.  The ball then turns as a free body with the tensor I + D and the momentum
@@ -46,7 +46,7 @@ from ...core.vectors import Vector, constant, cross, dot, norm_squared, real_sym
 from ..genus_two.separation import SeparatedSystem, gaps, nu, nuprime
 from ..genus_two.separation_laws import separation_laws
 
-__all__ = ["chaplygin_area", "even_clock", "original_vectors"]
+__all__ = ["EVEN", "chaplygin_area", "original_vectors"]
 
 M, gamma, omega = vectors("M gamma omega")
 h, f, g, sigma, delta, e, n = (real_symbol(s) for s in ("h", "f", "g", "sigma", "delta", "e", "n"))
@@ -66,7 +66,7 @@ def det_iq(normal: sp.MatrixExpr) -> sp.Expr:
     return DET_J * (1 - D_ZERO * dot(normal, A * normal))
 
 
-#: dt′/dτ.
+#: dt′/dτ, the part of the clock that is even in ν′; its mean over the torus is that of the clock.
 EVEN = sp.sqrt(det_iq(nu))
 #: ω′ without its part along γ′, and (ω′, γ′), by which (M′, γ′) vanishes.
 TURN = cross(nuprime, nu) / EVEN
@@ -83,14 +83,6 @@ def original_vectors(
         (M, (momentum + 2 * h * D * BETA * n * normal) / e),
         (gamma, (n * normal - BETA * momentum) / e),
     )
-
-
-def even_clock() -> sp.Expr:
-    """The part of the clock that is even in ν′: a formula in ν, ν′, parameters and constants.
-
-    Its mean over the torus is that of the clock.
-    """
-    return EVEN
 
 
 def chaplygin_area() -> SeparatedSystem:

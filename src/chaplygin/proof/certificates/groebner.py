@@ -30,14 +30,7 @@ class _Element:
 
 
 class Basis:
-    """A Gröbner basis, by Buchberger's algorithm, as far as it is needed and not too large.
-
-    Parameters
-    ----------
-    ring : fmpq_mpoly_ctx
-    equations : sequence of polynomials
-    budget : Budget
-    """
+    """A Gröbner basis, by Buchberger's algorithm, as far as it is needed and not too large."""
 
     def __init__(self, ring: fmpq_mpoly_ctx, equations: Sequence[Poly], budget: Budget) -> None:
         self._given = ring

@@ -30,11 +30,6 @@ def positives(law: Law, ground: LevelSet) -> tuple[Named, ...]:
     Of an isomorphism it is dτ/dt; of a measure every base of its density that stands under a root,
     so that the density is real.
 
-    Parameters
-    ----------
-    law : Law
-    ground : Ground
-
     Returns
     -------
     tuple of (str, sympy.Expr)
@@ -74,12 +69,6 @@ def orienting(law: Law, ground: LevelSet) -> tuple[Named, ...]:
 
 def unmet(law: Law, ground: LevelSet, field: Field) -> tuple[tuple[str, FieldElement], ...]:
     """What is not positive at a point though a law needs it, with the value there.
-
-    Parameters
-    ----------
-    law : Law
-    ground : Ground
-    field : Rationals or Balls
 
     Raises
     ------

@@ -16,8 +16,8 @@ import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from ...core.laws import ConformallyHamiltonian, Law, PoissonStructure, Symmetry
-from ...core.system import Parameter, System
-from ...core.vectors import Vector, real_symbol, to_components
+from ...core.system import Parameter, System, flat_pairs
+from ...core.vectors import real_symbol, to_components
 from ...formulas.errors import OutOfReachError
 from ...formulas.jets import MOST_MULTIPLES
 
@@ -55,7 +55,7 @@ class Circles:
             not in ("name", "source", "misprint", "meaning", "as_printed", "target", "onto")
         }
         if isinstance(law, Symmetry):
-            changed["field"] = self._pushed_forward(dict(_flat(law.field)))
+            changed["field"] = self._pushed_forward(dict(flat_pairs(law.field)))
         if isinstance(law, PoissonStructure):
             changed["matrix"] = self._bracket(to_components(law.matrix))
         if isinstance(law, ConformallyHamiltonian):
@@ -207,7 +207,7 @@ def formulas_of(value: object) -> list[sp.Expr]:
         if isinstance(value, Symmetry):
             # an angle that is moved does not stand there by itself
             skip |= {"field"}
-            pushed = [rate for _, rate in _flat(value.field)]
+            pushed = [rate for _, rate in flat_pairs(value.field)]
         parts = [getattr(value, f.name) for f in fields(value) if f.name not in skip]
         return [*pushed, *(f for part in parts for f in formulas_of(part))]
     return []
@@ -218,17 +218,6 @@ def expanded(formula: sp.Expr, steps: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
     while formula.free_symbols & steps.keys():
         formula = formula.xreplace(dict(steps))
     return formula
-
-
-def _flat(pairs: Iterable[tuple[sp.Symbol | Vector, sp.Expr]]) -> list[tuple[sp.Symbol, sp.Expr]]:
-    pairs_of_scalars: list[tuple[sp.Symbol, sp.Expr]] = []
-    for name, formula in pairs:
-        value = to_components(sp.sympify(formula))
-        if isinstance(name, sp.Symbol):
-            pairs_of_scalars.append((name, value))
-        else:
-            pairs_of_scalars.extend(zip(name.symbols, value, strict=True))
-    return pairs_of_scalars
 
 
 def _rates_on_circle(
