@@ -1,4 +1,4 @@
-"""Points: of a refutation, where a residual is not zero; or of a proof, where the law is defined.
+"""Points of refutations, with a residual that is not zero, and of proofs.
 
 Coordinates are rational numbers, roots of triangular polynomials that change their sign, or values
 of formulas.  That a condition holds at a point is shown exactly where it is a rational function of
@@ -197,7 +197,7 @@ class _Point:
     # --- what must hold ------------------------------------------------------------------------
 
     def check(self) -> None:
-        """That the point lies on the level and in the domain of the system and the law."""
+        """Check that the point lies on the level and in the domain of system and law."""
         for condition in self.claim.conditions:
             if not self._vanishes(condition):
                 raise CheckError("the point does not satisfy a condition of the level")

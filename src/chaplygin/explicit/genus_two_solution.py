@@ -77,13 +77,13 @@ class GenusTwo(Solution):
 
     @property
     def pace(self) -> float:
-        """How fast the phases grow with time, in turns."""
+        """The rate at which the phases grow with time, in turns."""
         V_1, V_2 = (abs(number(x)) for x in self.prepared.torus.V)
         return (V_1 + V_2) / number(self.clock.mean)
 
     @property
     def left_open(self) -> str:
-        """What of the state :meth:`rigorous` cannot bound, and why, in a sentence; or nothing."""
+        """A sentence on the part of the state that :meth:`rigorous` leaves open; or ""."""
         of = self.separable
         lifted = len(self.start) - len(of.system.symbols)
         if of.system.motion is None or len(of.fixed) > 1:
@@ -178,7 +178,7 @@ def _form(solution: GenusTwo) -> ClosedForm:
 
 
 def _meaning_and_unit(motion: SeparatedMotion, value: arb) -> tuple[str, str]:
-    """Meaning and unit of a constant: those of the integral whose value it is, if there is one."""
+    """Meaning and unit of a constant: those of the integral whose value it is."""
     system = motion.separable.system
     known = {**motion.values, **dict(zip(system.symbols, motion.state, strict=True))}
     for name, formula in system.steps:

@@ -1,4 +1,4 @@
-"""Closed forms carried over an isomorphism, in both directions (Theorems 8 and 10, Proposition 6).
+"""Closed forms carried over an isomorphism (Theorems 8 and 10, Proposition 6).
 
 An isomorphism takes the state x of its system to y(x) in a new time dτ = N(x) dt.  Where it acts on
 a unit vector by stretching the axes, and on a further vector linearly at each value of the first,
@@ -99,7 +99,7 @@ def _linear(
 
 
 def inverse_identity(system: System, law: Isomorphism) -> Identity:
-    """That the inverse undoes the map, as a law of `system`."""
+    """The law of `system` that the inverse undoes the map."""
     images = dict(flat_pairs(law.map))
     back = inverse(system, law)
     return Identity(

@@ -1,4 +1,4 @@
-"""Any motion carried over an isomorphism: states by the map, times by the quadrature of its rate.
+"""Motions carried over an isomorphism: states by its map, times by quadrature.
 
 For closed forms on a torus see :mod:`.transport`; here the motion is whatever gives states at
 times: a closed form of another kind, or an integrated trajectory.

@@ -50,17 +50,17 @@ class PrincipalAxesSolution(Solution):
 
     @property
     def form(self) -> ClosedForm:
-        """That of the motion in the other axes."""
+        """The value for the motion in the other axes."""
         return self.inner.form
 
     @property
     def pace(self) -> float:
-        """That of the motion in the other axes."""
+        """The value for the motion in the other axes."""
         return self.inner.pace
 
     @property
     def left_open(self) -> str:
-        """That of the motion in the other axes."""
+        """The value for the motion in the other axes."""
         return self.inner.left_open
 
     @arguments_checked
@@ -78,7 +78,7 @@ class PrincipalAxesSolution(Solution):
 
 
 def in_principal_axes(problem: Problem) -> tuple[Problem, arb_mat] | None:
-    """A ball in other axes: those of its inertia, its axis of symmetry last if it is a rubber ball.
+    """A ball in its principal axes; the axis of symmetry of a rubber ball is last.
 
     Returns
     -------
@@ -139,7 +139,7 @@ def to_original_axes(problem: Problem, inner: Solution, matrix: arb_mat) -> Prin
 
 
 def _ball_in_axes(rolling: Rolling, moments: Sequence[float], axes: FloatArray) -> Rolling:
-    """The same ball, described in its principal axes."""
+    """The ball, described in its principal axes."""
     body, shape = rolling.body, rolling.body.shape
     first, second, third = moments
     turned = replace(
@@ -181,7 +181,7 @@ def _axes(entries: Sequence[arb]) -> tuple[list[arb], arb_mat]:
 
 
 def _blocks(lifted: System, axes: arb_mat) -> arb_mat:
-    """What takes a lifted state in principal axes to one in the body's own axes.
+    """The matrix that takes lifted states in principal axes to the body's own axes.
 
     With u = S u′ for vectors in body axes the attitude is q = q′ s̄, s the quaternion of S.
     """

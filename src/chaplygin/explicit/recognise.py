@@ -77,7 +77,7 @@ def solution_of(problem: Problem) -> Solution:
 
 @dataclass(frozen=True)
 class SeparationEntry:
-    """Where a system that separates on a curve of genus two is told of.
+    """The home of a system that separates on a curve of genus two.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""What rolls on what, found again in the equations that follow from it."""
+"""Rolling bodies found again in the equations that follow from them."""
 
 from __future__ import annotations
 

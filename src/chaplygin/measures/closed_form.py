@@ -1,4 +1,4 @@
-"""The density in closed form: σ = Σ e_i log b_i with rational exponents, found by linear algebra.
+"""Densities in closed form: σ = Σ e_i log b_i with rational exponents.
 
 The derivatives of log b_i for known functions b_i are compared with the 1-form at points of the
 body's own numbers; what is found is a guess, which the prover decides.

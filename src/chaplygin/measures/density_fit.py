@@ -74,7 +74,7 @@ def density_from_powers(
 
 
 def integrated(given: LiftedFields, powers: Powers, level: Level) -> tuple[System, Identity]:
-    """That σ has the derivatives θ along the admissible fields, on the configuration space.
+    """The law that σ has the derivatives θ along the admissible fields.
 
     Parameters
     ----------

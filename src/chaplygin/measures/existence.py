@@ -1,4 +1,4 @@
-"""Does a system keep a smooth measure whose density depends on the configuration alone? Decided.
+"""Existence of a smooth measure whose density depends on the configuration alone.
 
 On the distribution of a system with linear constraints, with admissible fields η_β, momenta p_β
 and structure functions C projected orthogonally in the kinetic energy, div(e^σ v) = 0 reads

@@ -76,7 +76,7 @@ def log_density_on_surface(
 
 
 def _leaving(form: OneForm, direction: np.ndarray) -> np.ndarray:
-    """Where a ray from the geometric centre leaves the body."""
+    """The point at which a ray from the geometric centre leaves the body."""
     system = form.system
     numbers = {p.symbol: p.default for p in system.parameters}
     centre = np.array([numbers.get(c, 0.0) for c in Vector("c").symbols])

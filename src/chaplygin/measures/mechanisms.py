@@ -182,7 +182,7 @@ def _measure(
 
 
 def _signs(restriction: Restriction) -> Signs:
-    """What is known of signs in a density: the kinetic form is positive."""
+    """Signs of factors of a density: the kinetic form is positive."""
     mechanism = restriction.mechanism
     return Signs(
         _positive(restriction),

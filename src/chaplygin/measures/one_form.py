@@ -84,7 +84,7 @@ class OneForm:
     period: Identity
 
     def integrated(self, powers: Powers) -> tuple[System, Identity]:
-        """That dσ = θ for e^σ a product of powers: along every turn u of the normal.
+        """The law dσ = θ for e^σ a product of powers, along every turn u of the normal.
 
         Parameters
         ----------

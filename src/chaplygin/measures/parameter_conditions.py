@@ -1,4 +1,4 @@
-"""Conditions on the parameters under which an invariant measure exists, by exact elimination.
+"""Conditions on the parameters for an invariant measure, by exact elimination.
 
 At a rational point the lifted fields and their commutators are rows of rational functions of the
 parameters.  What is left of a row when its part along the configuration space has been eliminated
@@ -182,7 +182,7 @@ def _point(given: LiftedFields, dice: random.Random, one: Quotient) -> dict[sp.S
 
 
 def _elimination(matrix: list[list[Quotient]], height: int) -> tuple[list[Quotient], bool]:
-    """What is left along z, and whether all pivots were plain numbers."""
+    """The remaining entries along z, and whether all pivots were plain numbers."""
     rows, constant = [list(row) for row in matrix], True
     width = len(rows[0])
     while True:

@@ -1,4 +1,4 @@
-"""Densities written as real positive functions: signs of their factors, and where these vanish."""
+"""Densities as real positive functions: signs and zeros of their factors."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ SAMPLES = 24
 
 @dataclass(frozen=True)
 class Signs:
-    """What is known of the signs of factors.
+    """Known signs of factors.
 
     Attributes
     ----------
@@ -40,7 +40,7 @@ class Signs:
 
 
 def positive(powers: Powers, signs: Signs) -> tuple[Powers, tuple[sp.Basic, ...]]:
-    """The same density up to a constant factor, its bases positive wherever that is possible.
+    """The density up to a constant factor, its bases positive where possible.
 
     Parameters
     ----------

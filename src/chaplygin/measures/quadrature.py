@@ -22,7 +22,7 @@ PIECES = 8
 def numerical_functions(
     system: System, wanted: Sequence[sp.Symbol], formulas: Sequence[sp.Expr] = ()
 ) -> Callable[[np.ndarray], np.ndarray]:
-    """Definitions, and further formulas, as functions of the state, with the default parameters."""
+    """Definitions and further formulas as functions of the state, at the defaults."""
     numbers = {p.symbol: p.default for p in system.parameters}
     names = [s for s, _ in system.steps]
     steps = [*system.steps, *((None, f) for f in formulas)]

@@ -1,4 +1,4 @@
-"""What is known of an invariant measure whose density depends on the configuration alone."""
+"""Answers on invariant measures whose density depends on the configuration alone."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Outcome = Literal["exists", "none", "conditional", "undecided"]
 
 @dataclass(frozen=True, repr=False)
 class Existence:
-    """Whether a system keeps a smooth measure whose density depends on the configuration alone.
+    """Whether a smooth measure with a density in the configuration alone exists.
 
     Attributes
     ----------

@@ -51,7 +51,7 @@ def _system(system: System) -> Text:
 
 
 def guards(system: System) -> tuple[sp.Expr, ...]:
-    """What is positive inside the domain, apart from conditions on parameters."""
+    """The formulas that are positive in the domain, apart from those of parameters."""
     declared = [to_components(guard.value) for guard in system.guards if not guard.lift_off]
     assumed = [s for s in system.symbols if s.is_positive]
     assumed += [-s for s in system.symbols if s.is_negative]
@@ -59,7 +59,7 @@ def guards(system: System) -> tuple[sp.Expr, ...]:
 
 
 def admissible(system: System) -> tuple[sp.Basic, ...]:
-    """What is asked of parameters: relations, none of which is a conjunction."""
+    """The relations that parameters obey, none of which is a conjunction."""
     relations: list[sp.Basic] = []
     for parameter in system.parameters:
         for condition in parameter.admissible:

@@ -56,7 +56,7 @@ NOWHERE = "no point was found at which the density is real"
 
 @dataclass(frozen=True)
 class _Part:
-    """What is known of a law on one part of its level.
+    """The outcome for a law on one part of its level.
 
     Attributes
     ----------
@@ -98,7 +98,7 @@ class _Part:
 
     @property
     def formula(self) -> str:
-        """The same as a formula of Python, if it is one."""
+        """The complement as a formula of Python, if it is one."""
         return f"{self.chosen[0]} != 0" if len(self.chosen) == 1 else ""
 
 
@@ -160,7 +160,7 @@ class _Checker:
         return read_claim(claim_text(self.system, self.law), "the claim")
 
     def refutation(self, claim: Claim, ground: LevelSet, trial: Trial) -> _Part | None:
-        """That the law fails at a point; None where the check does not find so."""
+        """The part on which the law fails at a point; None if the check disagrees."""
         try:
             confirmed = witness(self.read, claim, ground, trial.values)
             if confirmed is None and not self._beyond(claim, ground, trial):
@@ -255,7 +255,7 @@ def _needs(law: Law, ground: LevelSet) -> tuple[tuple[str, str], ...]:
 
 
 def _remark(law: Law, ground: LevelSet, first: Trial | None) -> str:
-    """What is to be said of a law that holds: where a density is real, what is trivial."""
+    """A remark on a law that holds: where a density is real, or that it is trivial."""
     if isinstance(law, Measure):
         return _of_density(law, ground)
     try:

@@ -1,4 +1,4 @@
-"""What a law divides by and what stands under its roots, as elements of a field.
+"""Divisors and radicands of a law, as elements of a field.
 
 The check of certificates finds these formulas by itself; a certificate says of each which product
 of polynomials it is.

@@ -60,7 +60,7 @@ def rank(field: Field, matrix: Sequence[Row]) -> int:
 
 @singledispatch
 def rank_defect(law: Law, ground: LevelSet, field: Field) -> tuple[str, str] | None:
-    """What a law lacks in rank, or None.
+    """The rank that a law lacks, or None.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What to add to the verdict on a law that holds: that it says little, or how it is meant."""
+"""Remarks on laws that hold: that they say little, or how they are meant."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What must vanish for a law to hold, evaluated in any field.
+"""Residuals of laws, which vanish where these hold, in any field.
 
 Every function yields pairs (what, value): the law holds where all values are zero.
 """
@@ -43,7 +43,7 @@ Residuals: TypeAlias = Iterator[tuple[str, FieldElement]]
 
 @singledispatch
 def residuals(law: Law, ground: LevelSet, field: Field) -> Residuals:
-    """What must vanish for `law` to hold on `ground`, evaluated in `field`."""
+    """The residuals of `law` on `ground`, evaluated in `field`."""
     raise InputError(f"a law of kind {type(law).__name__} cannot be proved")
 
 

@@ -35,7 +35,7 @@ MOST_RUNS = 48
 
 @dataclass(frozen=True)
 class Proof:
-    """What the symbolic computation came to on one component.
+    """The outcome of the symbolic computation on one component.
 
     Attributes
     ----------

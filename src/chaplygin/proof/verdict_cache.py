@@ -1,4 +1,4 @@
-"""Verdicts kept on disk between processes, each under a digest of everything it depends on.
+"""A cache of verdicts on disk, each under a digest of all that it depends on.
 
 A verdict depends on the system, the law, the program text and the versions of the exact
 arithmetic; whatever changes one of them makes another digest, so that nothing stale is read.  A
@@ -32,7 +32,7 @@ FOR_THE_READER = frozenset({"as_printed", "meaning", "misprint", "source", "unit
 
 
 def folder() -> Path:
-    """Where verdicts are kept; the variable CHAPLYGIN_CACHE overrides the user's own place."""
+    """The folder of the verdicts; the variable CHAPLYGIN_CACHE overrides it."""
     return private_files.home() / "verdicts"
 
 

@@ -1,4 +1,4 @@
-"""Points as a certificate gives them: rational numbers, roots, and formulas for what is left."""
+"""Points of certificates: rational numbers, roots and formulas."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ __all__ = ["Witness", "witness", "witness_point"]
 def witness_point(
     claim: Claim, ground: LevelSet, values: Mapping[str, fmpq | arb]
 ) -> dict[str, object] | None:
-    """State and parameters of the system that a claim is made of, or None if one has no formula.
+    """State and parameters of a system at a point, or None if one has no formula.
 
     Parameters
     ----------

@@ -44,7 +44,7 @@ def _places(vocabulary: VectorInvariants) -> set[sp.Symbol]:
 def _distinct(
     vocabulary: VectorInvariants, candidates: Iterable[sp.Expr], allowed: set[sp.Symbol]
 ) -> Iterator[sp.Expr]:
-    """Those that vary, depend on what is allowed alone, and are not proportional to another."""
+    """Formulas that vary, use allowed symbols alone, and are not proportional."""
     stage = vocabulary.stage
     sample = stage.sample(_POINTS, 7, common=True)
     others = [i for i, s in enumerate(stage.system.symbols) if s not in allowed]

@@ -31,7 +31,7 @@ _PLAIN = str.maketrans(
 
 
 def spelt(text: str) -> str:
-    """The same text with Greek letters, indices and powers as they are spelt in code."""
+    """The text with Greek letters, indices and powers as they are spelt in code."""
     words = []
     for character in text.translate(_PLAIN):
         name = unicodedata.name(character, "")

@@ -257,7 +257,7 @@ class _Search:
         return [_formula(solution, parts, scalars) / divisor for solution in solutions]
 
     def _new_laws(self, laws: Sequence[sp.Expr], degree: int) -> Iterator[sp.Expr]:
-        """Those that are new, and take note of them."""
+        """The laws that are new; from now on they are known."""
         waiting = [(law, self.sample(law).value) for law in laws]
         while fresh := self._fresh(np.array([value for _, value in waiting]), degree):
             (law, value), *waiting = (waiting[i] for i in fresh)

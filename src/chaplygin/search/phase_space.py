@@ -1,4 +1,4 @@
-"""Where a law is searched for: a system, conditions on its parameters, a level; points on it.
+"""The space of a search: a system, conditions on its parameters, a level; points.
 
 A sample is drawn modulo a large prime: parameters and state at random, then one variable of
 each relation from that relation, which is of degree one or two in it.
@@ -114,7 +114,7 @@ class SearchSpace:
 
     @cached_property
     def order(self) -> tuple[tuple[sp.Expr, sp.Symbol], ...]:
-        """In which order the relations are solved, and each for which variable.
+        """The relations in the order in which they are solved, each with its variable.
 
         Raises
         ------
@@ -337,7 +337,7 @@ def _solutions(bare: SearchSpace) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
 def _linear_root(
     condition: sp.Expr, top: sp.Expr, parameters: Sequence[sp.Symbol]
 ) -> tuple[sp.Symbol, sp.Expr]:
-    """A parameter in which a condition is linear, preferably with coefficient ±1, and its value."""
+    """A parameter in which a condition is linear, and its value."""
     candidates = []
     for symbol in parameters:
         if sp.degree(top, symbol) == 1 if top.has(symbol) else False:

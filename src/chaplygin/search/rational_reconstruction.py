@@ -1,4 +1,4 @@
-"""From solutions modulo a prime to formulas in the parameters.
+"""Formulas in the parameters from solutions modulo a prime.
 
 A law is a sum of parts (functions of state and parameters) whose coefficients are polynomials in
 the parameters.  Written out in monomials of the parameters its coefficients are plain rational
@@ -69,11 +69,11 @@ class Scalars:
 
     @cached_property
     def efforts(self) -> tuple[int, ...]:
-        """How complicated each looks."""
+        """A measure of how complicated each looks."""
         return tuple(1 + int(sp.count_ops(formula)) for formula in self.formulas)
 
     def effort(self, chosen: Sequence[int]) -> int:
-        """How complicated a product of some of them looks."""
+        """A measure of how complicated a product of some of them looks."""
         return sum(1 + self.efforts[i] for i in chosen)
 
 

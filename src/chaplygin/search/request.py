@@ -1,4 +1,4 @@
-"""From words to a question: what a user asks, checked and completed."""
+"""Questions to the search, checked and completed from a user's words."""
 
 from __future__ import annotations
 
@@ -144,6 +144,6 @@ def _without_angles(system: System, symbols: tuple[sp.Expr, ...]) -> tuple[sp.Ex
 
 
 def _angles(system: System) -> set[sp.Symbol]:
-    """What enters the equations through sines and cosines."""
+    """The symbols that enter the equations through sines and cosines."""
     formulas = [*system.rates, *(value for _, value in system.steps)]
     return {s for f in formulas for node in f.atoms(*_CIRCULAR) for s in node.args[0].free_symbols}

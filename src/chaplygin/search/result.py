@@ -1,4 +1,4 @@
-"""What a search found, and the question it answers."""
+"""Results of a search, and the question that it answers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Scalings under which a system keeps its form: its physical dimensions, found by themselves.
+"""Scalings under which a system keeps its form: its physical dimensions.
 
 A weight is a tuple of exponents, one for each independent scaling.  An integral splits into
 parts of pure weight, each an integral; this makes the linear algebra of a search small.

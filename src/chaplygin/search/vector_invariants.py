@@ -1,4 +1,4 @@
-"""The vector formulas of which laws are made: products of (u, v), (u, Jv), (Ju, Jv) and others.
+"""Vector formulas of which laws are made: products of (u, v), (u, Jv) and others.
 
 The equations of a rolling body do not prefer any axes: turning the body's axes turns vectors and
 tensors alike.  Their laws are then scalars made of these vectors and tensors.
@@ -35,7 +35,7 @@ def _parameters(space: SearchSpace, table: dict[sp.Symbol, Weight]) -> list[sp.S
 
 
 def component_scalars(space: SearchSpace, table: dict[sp.Symbol, Weight]) -> Scalars:
-    """The free parameters one by one, principal moments at the contact instead of at the centre."""
+    """The free parameters, with principal moments at the contact."""
     formulas: list[sp.Expr] = _parameters(space, table)
     scalars = [s for s in _numbers(space) if s in table]
     symbols = [*formulas, *scalars]
@@ -61,7 +61,7 @@ class _Atom:
 
 @dataclass(frozen=True)
 class VectorInvariants:
-    """What formulas about a system are made of.
+    """The invariants of which formulas about a system are made.
 
     Parameters
     ----------
@@ -193,7 +193,7 @@ class VectorInvariants:
         return tuple(self._useful(atoms))
 
     def _useful(self, atoms: Iterable[_Atom]) -> Iterator[_Atom]:
-        """Those that are not constant on the phase space."""
+        """The atoms that are not constant on the phase space."""
         sample = self.stage.sample(8, 5, common=True)
         for atom in atoms:
             values = sample(atom.formula).value

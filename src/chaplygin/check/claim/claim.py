@@ -1,4 +1,4 @@
-"""What is claimed: a system and a law, read from a certificate."""
+"""The claim of a certificate: a system and a law."""
 
 from __future__ import annotations
 
@@ -131,7 +131,7 @@ class Claim:
 
     @property
     def conditions(self) -> tuple[Formula, ...]:
-        """What vanishes where the law is claimed."""
+        """The formulas that vanish where the law is claimed."""
         return (*self.system.relations, *self.law.on)
 
     @cached_property

@@ -1,4 +1,4 @@
-"""Where a law is defined: what its formulas divide by, and what stands under their roots.
+"""The domain of a law: the divisors of its formulas, and their radicands.
 
 A law says nothing where a divisor vanishes, or where something under a root, in a power that is no
 whole number or in a logarithm is not positive.
@@ -73,7 +73,7 @@ class Domain:
 
 
 def domain(claim: Claim, settled: Mapping[str, Formula]) -> Domain:
-    """What decides where the law of a claim is defined.
+    """The formulas that decide where the law of a claim is defined.
 
     Parameters
     ----------
@@ -145,7 +145,7 @@ class _Collector:
                 self._add_call(where, node.word, node.parts)
 
     def divided(self, where: str, base: Formula) -> None:
-        """What does not vanish when `base` does not."""
+        """Factors that do not vanish when `base` does not."""
         for part in _factors(base):
             self.nonzero[where, part] = None
 

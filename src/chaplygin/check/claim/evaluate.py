@@ -66,7 +66,7 @@ class Place:
         self._moving: Place | None = None
 
     def with_definitions(self, more: Mapping[str, Formula]) -> Place:
-        """The same point with further definitions."""
+        """The point with further definitions."""
         return Place(
             self.values,
             {**self.definitions, **more},

@@ -128,6 +128,6 @@ class Ring:
 
 
 def monic(poly: Poly) -> tuple[str, int]:
-    """A key that a polynomial shares with its multiples, and the sign of its first coefficient."""
+    """A key that a polynomial shares with its multiples, and its leading sign."""
     lead = poly.leading_coefficient()
     return str(poly / lead), 1 if lead > 0 else -1

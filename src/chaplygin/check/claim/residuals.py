@@ -1,4 +1,4 @@
-"""What must vanish for a law to hold, as numbers at a point.
+"""Residuals of a law, which vanish where it holds, as numbers at a point.
 
 The definitions: an integral F has v(F) = 0; a density ρ has div(ρv) = 0 for the volume that the
 conditions cut out; a symmetry field commutes with v and keeps the conditions; a bracket is skew,
@@ -49,7 +49,7 @@ def residuals(claim: Claim, place: Place) -> list[Number]:
 
 
 def each_residual(claim: Claim, place: Place) -> Iterator[Number]:
-    """The same, computed one after the other."""
+    """The residuals of a claim, computed one after the other."""
     for condition in claim.moving:
         yield place(call("Rate", [condition]))
     yield from _KINDS[claim.law.kind](claim, place)

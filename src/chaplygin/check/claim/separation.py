@@ -24,7 +24,7 @@ __all__ = ["Parts", "check_separation", "parts"]
 
 @dataclass(frozen=True)
 class Parts:
-    """What the equations of a separation speak of.
+    """The quantities and constants of a separation.
 
     Attributes
     ----------

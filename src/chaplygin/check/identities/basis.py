@@ -1,4 +1,4 @@
-"""What a proof works with: equations, divisors and signs, compared with the claim."""
+"""The basis of a proof: equations, divisors and signs, compared with the claim."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ FORMAL = 10
 
 @dataclass(frozen=True)
 class Basis:
-    """What a proof works with, as checked against the claim.
+    """The basis of a proof, checked against the claim.
 
     Attributes
     ----------

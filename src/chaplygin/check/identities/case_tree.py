@@ -31,7 +31,7 @@ class Signs:
         self._known: dict[str, tuple[int, bool]] = {}
 
     def copy(self) -> Signs:
-        """The same knowledge, to be enlarged by itself."""
+        """A copy, to be enlarged by itself."""
         signs = Signs()
         signs._known = dict(self._known)
         return signs

@@ -1,4 +1,4 @@
-"""By what a law divides, as products of polynomials, and what therefore does not vanish."""
+"""Divisors of a law as products of polynomials, none of which vanishes."""
 
 from __future__ import annotations
 

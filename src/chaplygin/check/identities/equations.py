@@ -123,7 +123,7 @@ def _check_equal_values(
 
 
 def _function(auxiliary: Auxiliary) -> tuple[object, ...]:
-    """Of what an auxiliary symbol is a value, whatever the arguments."""
+    """The function of which an auxiliary symbol is a value, without its arguments."""
     return (auxiliary.kind, auxiliary.word, auxiliary.number, auxiliary.orders, auxiliary.exponent)
 
 

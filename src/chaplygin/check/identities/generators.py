@@ -1,4 +1,4 @@
-"""What polynomials of a proof stand for: generators, auxiliary symbols, and points of both.
+"""Generators and auxiliary symbols of a proof, and points of both.
 
 Generators are state variables, parameters and definitions that take the place of a parameter;
 auxiliary symbols are roots, powers and function values of them.  At a random point of the
@@ -32,7 +32,7 @@ ATTEMPTS = 1200
 
 @dataclass(frozen=True)
 class Auxiliary:
-    """What an auxiliary symbol stands for.
+    """The meaning of an auxiliary symbol.
 
     A *formal root* is the root of inner · ∏ whole^(power · degree), divided by ∏ whole^power.  Its
     power is `inner`, which holds whatever signs the factors have; its own sign is not said.
@@ -54,7 +54,7 @@ class Auxiliary:
 
     @property
     def radicand(self) -> tuple[Poly, Powers]:
-        """What stands under the root in the law: of a formal root, with what is taken out."""
+        """The radicand in the law; of a formal root, with the factors taken out."""
         return self.of[0][0], [(poly, power * self.number) for poly, power in self.whole]
 
 

@@ -1,4 +1,4 @@
-"""What a proof may take to be positive: guards, admissible parameters, radicands, sums."""
+"""Positive quantities of a proof: guards, admissible parameters, radicands, sums."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def learn_positive(
 
 
 def _positive_formulas(source: str, claim: Claim, label: str) -> list[tuple[Formula, str]]:
-    """What a guard or a condition on parameters says, given by its text."""
+    """The positive formulas of a guard or a condition on parameters, by its text."""
     system = claim.system
     if any(sign in source for sign in "<>=&"):
         stated = parse_condition(source, label)
@@ -71,7 +71,7 @@ def common_ratio(first: Sequence[arb], second: Sequence[arb]) -> arb | None:
 def check_radicand_positive(
     item: Mapping[str, object], ground: Ground, signs: Signs, what: str
 ) -> None:
-    """What a proof says to be positive because it stands under a root."""
+    """Check a quantity that is said to be positive as a radicand."""
     source = text(item["from"], what)
     if not source.startswith("radicand "):
         return

@@ -142,7 +142,7 @@ def _read_settled(data: object, claim: Claim, what: str) -> dict[str, Formula]:
 
 
 def _check_settled(claim: Claim, settled: Mapping[str, Formula], what: str) -> None:
-    """That conditions on parameters alone give the settled ones, by elimination."""
+    """Check that conditions on parameters alone give the settled ones, by elimination."""
     if not settled:
         return
     system = claim.system

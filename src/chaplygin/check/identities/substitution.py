@@ -49,7 +49,7 @@ def substituted(
     conditions: Sequence[Condition],
     what: str,
 ) -> set[str]:
-    """What a claim in other variables says of `claim`: `LAW`, `CONSISTENCY` or both.
+    """The statements of a claim in other variables: `LAW`, `CONSISTENCY` or both.
 
     It must be defined wherever `claim` is and `conditions` hold.
 
@@ -152,7 +152,7 @@ def _check_domain(
     pairs: Sequence[PointPair],
     what: str,
 ) -> None:
-    """No point is lost: what the new claim divides by vanishes only where the old one has no sense.
+    """Check that the new claim is defined wherever the old one is.
 
     That the conditions cut out a volume does not depend on the variables.
     """

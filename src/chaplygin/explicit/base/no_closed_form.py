@@ -31,7 +31,7 @@ class NoClosedFormError(InputError):
 
 @dataclass(frozen=True)
 class _Obstacle:
-    """What keeps a rolling body from being solved.
+    """A property that keeps a rolling body from being solved.
 
     Attributes
     ----------
@@ -132,7 +132,7 @@ def _obstacle(problem: Problem) -> _Obstacle:
 
 
 def _family(problem: Problem) -> str:
-    """What is solvable of the family of rubber balls in the ratio k."""
+    """The solvable members of the family of rubber balls in the ratio k."""
     return "are k = 1 and k = −1" if problem.system.name == rubber_ball_ratio.NAME else ""
 
 

@@ -1,4 +1,4 @@
-"""A motion asked for, and when two systems are one: their fields compared in exact numbers."""
+"""A motion to be solved, and fields of systems compared in exact numbers."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class Problem:
     rolling: Rolling | None = None
 
     def well_posed(self) -> Problem:
-        """The same problem if it is one; of a reduced start, without the motion in space.
+        """The problem with numbers that make sense; of a reduced start, without lift.
 
         Raises
         ------
@@ -100,7 +100,7 @@ class Problem:
         return [value.value for value in self.measured(formulas)]
 
     def measured(self, formulas: Sequence[sp.Expr]) -> list[Sized]:
-        """The same with the sizes of their terms."""
+        """Values of scalar formulas at the start, with the sizes of their terms."""
         lifted = self.system.lifted() if self.system.motion else self.system
         known = {s: exact(value) for s, value in self.parameters.items()}
         start = measured(lifted.state, lifted.symbols, [exact(x) for x in self.start])

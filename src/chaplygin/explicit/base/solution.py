@@ -1,4 +1,4 @@
-"""What solving leaves behind: a motion known at every time."""
+"""Solutions: motions that are known at every time."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class NamedConstant:
 
 @dataclass(frozen=True)
 class ClosedForm:
-    """What a closed form looks like.
+    """The formulas and constants of a closed form.
 
     Attributes
     ----------
@@ -146,7 +146,7 @@ class Solution(WithOverview):
     @property
     @abstractmethod
     def form(self) -> ClosedForm:
-        """What the closed form looks like."""
+        """The formulas and constants of the closed form."""
 
     @abstractmethod
     def states(self, times: Numbers) -> FloatArray:
@@ -155,11 +155,11 @@ class Solution(WithOverview):
     @property
     @abstractmethod
     def pace(self) -> float:
-        """How fast the phases of the motion grow with time, about; 0 at rest."""
+        """The rate at which the phases of the motion grow, about; 0 at rest."""
 
     @property
     def left_open(self) -> str:
-        """What of the state :meth:`rigorous` cannot bound, and why, in a sentence; or nothing."""
+        """A sentence on the part of the state that :meth:`rigorous` leaves open; or ""."""
         return ""
 
     @abstractmethod

@@ -171,7 +171,7 @@ def _critical(lying: Sequence[fmpq_mpoly], standing: Sequence[fmpq_mpoly]) -> li
 
 
 def _coefficient(curve: fmpq_mpoly, power: int) -> fmpq_mpoly:
-    """What stands before a power of y."""
+    """The coefficient of a power of y."""
     return RING.from_dict(
         {(i, 0, 0): value for (i, j, _), value in curve.to_dict().items() if j == power}
     )
@@ -228,7 +228,7 @@ def stack(curves: Sequence[fmpq_mpoly], x: fmpq) -> list[tuple[arb, int]]:
 
 
 def _rank(curves: Sequence[fmpq_mpoly], x: fmpq, y: fmpq) -> int:
-    """How many arcs lie below a point over an x that is not critical."""
+    """The number of arcs below a point over an x that is not critical."""
     line = fmpq_poly([-y, 1])
     roots = ordered_roots([*(on_vertical(curve, x) for curve in curves), line])
     return [number for _, number in roots].index(len(curves))

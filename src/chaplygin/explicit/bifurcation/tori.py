@@ -1,4 +1,4 @@
-"""How many tori lie over the ovals of a curve of genus two, and what happens where they end.
+"""Tori over the ovals of a curve of genus two, and what happens at their ends.
 
 On a level of the integrals z₁ lies between the first and the second pole of y² = P(z), z₂ between
 the second and the third, each where P ≥ 0: in ovals.  A pair of ovals is a torus of the points
@@ -101,7 +101,7 @@ def family(first: Oval, second: Oval) -> Family:
 
 
 def families(poles: Sequence[fmpq], rest: fmpq_poly) -> tuple[Family, ...]:
-    """The tori of a level on which the curve is y² = ∏(z − e_i) · rest(z); none without motions.
+    """The tori of a level with the curve y² = ∏(z − e_i) · rest(z).
 
     Parameters
     ----------

@@ -117,7 +117,7 @@ def farthest(fixed: FloatArray, candidates: Sequence[FloatArray]) -> int:
 
 @dataclass(frozen=True)
 class Reference:
-    """A vector by which the turn about κ is measured, formulas in ν, ν′ and the state's symbols.
+    """A vector by which the turn about κ is measured, in ν, ν′ and the state.
 
     Attributes
     ----------
@@ -156,7 +156,7 @@ def spinning(of: SeparatedSystem, reference: Reference) -> sp.Expr:
 
 
 def spin_identity(of: SeparatedSystem, reference: Reference) -> Identity:
-    """That the angle about the fixed vector grows at the rate of :func:`spinning`.
+    """The law that the angle about the fixed vector grows at the rate `spinning`.
 
     With κ and a the first two vectors of the triad the rate is (ȧ + ω×a, κ×a), and κ is fixed.
     """

@@ -191,7 +191,7 @@ def _turn_attitudes(
 def _magnus_attitudes(
     waves: Sequence[_Waves], speeds: tuple[float, float], places: int, steps: int
 ) -> FloatArray:
-    """The same with a given number of steps of Magnus' method of sixth order."""
+    """A(θ) along a turn, by so many steps of Magnus' method of sixth order."""
     theta = 2.0 * np.arange(places) / places
     h = 2.0 / abs(speeds[0]) / steps
     tau = h * np.add.outer(np.arange(steps), _GAUSS).ravel()

@@ -63,7 +63,7 @@ def turned(rate: tuple[float, float], times: FloatArray, modulus: float) -> Floa
 
 
 def _low_part(one: float, other: FloatArray, product: FloatArray) -> FloatArray:
-    """What rounding took from a product."""
+    """The part of a product that was lost to rounding."""
     a, b = _split(np.asarray(one)), _split(np.asarray(other))
     return ((a[0] * b[0] - product) + a[0] * b[1] + a[1] * b[0]) + a[1] * b[1]
 

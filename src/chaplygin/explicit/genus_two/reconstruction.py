@@ -1,4 +1,4 @@
-"""From the reduced motion on a torus to the motion in space: attitude, and places by quadrature."""
+"""Motion in space over a motion on a torus: attitude, and places by quadrature."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ _COARSE = 24
 def on_arrays(
     motion: SeparatedMotion, formulas: Sequence[sp.Expr], further: Sequence[sp.Symbol] = ()
 ) -> Callable[..., FloatArray]:
-    """Formulas of the system as a function of ν, ν′, each (3, n), and of `further` arrays (n,)."""
+    """Formulas as a function of ν, ν′, each (3, n), and of `further` arrays (n,)."""
     arguments, steps = chain(motion.separable, formulas)
     evaluate = array_function((*arguments, *further), tuple(formulas), steps)
     fixed = [number(motion.values[s]) for s in arguments[6:]]
@@ -206,7 +206,7 @@ class OneFixedVector(_AttitudeFromVectors):
 
     @cached_property
     def _flows(self) -> tuple[tuple[Quadrature, Turning], ...]:
-        """What of each place does not turn with ψ, and what does."""
+        """The part of each place that does not turn with ψ, and the one that does."""
         if len(self.start) == 4:
             return ()
         axis = self._triad.axes[0]

@@ -1,4 +1,4 @@
-"""A separable system at numbers: constants, curve and torus of one motion, to any precision."""
+"""One motion of a separable system: constants, curve and torus, to any precision."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a separable system claims, as laws that :mod:`chaplygin.proof` can prove.
+"""The claims of a separable system, as laws that :mod:`chaplygin.proof` can prove.
 
 The polynomial q(z) = κ(z − z₁)(z − z₂) is the one that takes the values ν_i²/weights_i at the three
 poles, so that κ, z₁ + z₂ and z₁z₂ are rational in ν.  Written with S = z₁ + z₂, P = z₁z₂ and their
@@ -37,7 +37,7 @@ omega, still = vectors("omega still")
 
 
 def separation_laws(separable: SeparatedSystem) -> tuple[Law, ...]:
-    """The laws `constants`, `direction`, `separation`, `reconstruction` and one per fixed vector.
+    """The laws of a separation: constants, direction, curve, state, fixed vectors.
 
     Parameters
     ----------
@@ -106,7 +106,7 @@ def separation_laws(separable: SeparatedSystem) -> tuple[Law, ...]:
 
 
 def with_laws(separable: SeparatedSystem) -> SeparatedSystem:
-    """The same with its laws."""
+    """The separable system with its laws."""
     return replace(separable, laws=separation_laws(separable))
 
 

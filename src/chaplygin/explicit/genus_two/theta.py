@@ -1,4 +1,4 @@
-"""Riemann's theta function of genus two at real arguments, for an imaginary period matrix iY.
+"""Riemann's theta function of genus two at real arguments, period matrix iY.
 
     θ[a, b](v) = Σ exp(−π (m, Ym)) cos 2π(m, v + b),       m ∈ ℤ² + a,
 

@@ -118,7 +118,7 @@ class InvariantTorus:
 
     @property
     def turns(self) -> Pair:
-        """How often z₁ and z₂ go around their ovals in a unit of τ."""
+        """The rounds of z₁ and z₂ about their ovals in a unit of τ."""
         return self.lattice.around_ovals(self.V)
 
     @cached_property
@@ -232,7 +232,7 @@ def _abscissa(curve: Curve, left: int, s: arb) -> arb:
 
 
 def _oval_angle(curve: Curve, left: int, z: arb, y: arb) -> arb:
-    """The place s of a point on its oval, from −½π to ³⁄₂π, accurate at the turning points too."""
+    """The angle s of a point on its oval, from −½π to ³⁄₂π."""
     low, high = curve.ends(left)
     half = (high - low) / 2
     others = abs(curve.leading)

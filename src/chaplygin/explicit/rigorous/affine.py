@@ -1,4 +1,4 @@
-"""Numbers on many small boxes of the torus: affine functions of the place, with bounds of the rest.
+"""Affine functions on many small boxes of the torus, with bounds of the remainder.
 
     x(c + δ) = x₀ + x₁δ₁ + x₂δ₂ + ε,      |δ_j| ≤ h_j real,  |ε| ≤ rest,
 
@@ -93,7 +93,7 @@ class Affine:
     __rmul__ = __mul__
 
     def clear(self, sign: int = 1) -> BoolArray:
-        """Where x, times a sign, surely avoids (−∞, 0]."""
+        """The boxes on which x, times a sign, surely avoids (−∞, 0]."""
         room = self.spread + ROUNDING * self.size
         return (self.middle.real * sign > room) | (np.abs(self.middle.imag) > room)
 

@@ -37,7 +37,7 @@ _SLOW = 2.0**-20
 
 
 def speed_of(torus: InvariantTorus) -> float:
-    """How fast the phases grow with τ, in turns."""
+    """The rate at which the phases grow with τ, in turns."""
     return abs(number(torus.V[0])) + abs(number(torus.V[1]))
 
 

@@ -80,7 +80,7 @@ class Turn:
         there: Sequence[Sequence[arb]],
         quaternion: Sequence[arb],
     ) -> Turn:
-        """From ν and ν′ and the attitude (w, x, y, z, body to space) at the start."""
+        """The triad of a start with ν, ν′ and the attitude (w, x, y, z, body to space)."""
         formulas = list(_triad(pair.first, pair.second))
         _, steps = chain(prepared.separable, formulas)
         body = Branch(formulas, prepared.values, steps)
@@ -139,7 +139,7 @@ def quaternion_products(R: Sequence[Sequence[Number]]) -> list[list[Number]]:
 
 @dataclass(frozen=True)
 class PathRates:
-    """Rates of coordinates in space, in τ: sums of functions on the torus times components of axes.
+    """Rates of coordinates in space, in τ: functions on the torus times axes.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""How far functions on a torus continue to complex phases, and how large they are there.
+"""Strips of complex phases to which functions on a torus continue, with bounds.
 
 A function f analytic for |Im v_j| ≤ r_j is, by the maximum principle, at most as large there as on
 the four tori Im v = (±r₁, ±r₂), and so its Fourier coefficients on (R/pZ)² obey
@@ -33,7 +33,7 @@ _CLOSE = "start: too close to a separatrix for error bounds"
 
 @dataclass(frozen=True)
 class Strip:
-    """Where formulas are analytic.
+    """A strip of complex phases on which formulas are analytic.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""What bounds need to know of a motion on a torus."""
+"""The properties of a motion on a torus that bounds need."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ class TorusMotion(Protocol):
 
     @property
     def pace(self) -> float:
-        """How fast the phases grow with time, in turns."""
+        """The rate at which the phases grow with time, in turns."""
 
     @property
     def left_open(self) -> str:
-        """What of the state has no bounds, and why; or nothing."""
+        """A sentence on the part of the state that has no bounds; or ""."""
 
     def states(self, times: Numbers) -> FloatArray:
         """Lifted states (n, size) at `times` (n,), in double precision."""

@@ -1,4 +1,4 @@
-"""The hollow ball around a sphere of half its radius, k = −1, without slipping: separated (§8.3).
+"""The hollow ball around a sphere of half its radius, k = −1, separated (§8.3).
 
 I is the tensor about the centre, d = mR², J = I + d, I_Q = J − d n⊗n with the normal n of the
 sphere.  The tensor of the linear integral (AM, n) has A_i = ½T − I_i with T = ΣI + d; for a rigid
@@ -55,7 +55,7 @@ def _tensor(entries: Iterable[sp.Expr]) -> sp.ImmutableDenseMatrix:
 def _roots(
     half: sp.Expr, d: sp.Expr, A: tuple[sp.Expr, ...]
 ) -> tuple[sp.Expr, tuple[sp.Expr, ...]]:
-    """The leading coefficient of p L (2hzL − fQ), and the roots of L (2hzL − fQ); `half` is ½T."""
+    """The leading coefficient and the roots of L (2hzL − fQ); `half` is ½T."""
     first, second, third = A
     e_2, e_3 = first * second + second * third + third * first, first * second * third
     # 2hzL − fQ = top z² + middle z + last

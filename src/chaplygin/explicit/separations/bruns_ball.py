@@ -84,7 +84,7 @@ def chaplygin_ball_in_bruns_field() -> SeparatedSystem:
 
 
 def _coefficients() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-    """Of the quadratic factor of the curve."""
+    """The coefficients of the quadratic factor of the curve."""
     return 2 * h, 2 * h * D - f - K * EXCESS, K * DET_I
 
 

@@ -76,7 +76,7 @@ def hollow_ball_in_bruns_field() -> SeparatedSystem:
 
 
 def _field(separable: SeparatedSystem) -> Identity:
-    """What the field adds, modulo (z − z₁)(z − z₂)."""
+    """The law of the terms that the field adds, modulo (z − z₁)(z − z₂)."""
     level = E_2 * (HALF - z) - E_3
     ratio = level - D * (HALF - z) ** 2
     added = form * z * level + inverse * ratio - WEIGHT * level + DET_J * (HALF - z) ** 2

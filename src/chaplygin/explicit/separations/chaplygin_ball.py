@@ -68,7 +68,7 @@ def chaplygin_ball() -> SeparatedSystem:
 
 
 def _separation(system: System) -> tuple[Law, ...]:
-    """The way into Fedorov's variables, where the separation is a law, and what the curve becomes.
+    """The isomorphism onto Fedorov's variables, and the curve in them.
 
     With y² det J for the curve there: E det J = h det I, and the quadratic in z divided by det I
     is (z + D)(2h(z + D) − f)/det J.

@@ -1,4 +1,4 @@
-"""All motions of the Chaplygin ball from those at zero area constant: Chaplygin's reduction, back.
+"""Motions of the Chaplygin ball from those at zero area constant.
 
 A ball with D′, I′ at (M′, γ′) = 0 and a number b give a ball with D, I, M, γ by
 
@@ -115,7 +115,7 @@ def chart() -> System:
 
 
 def chart_at_level() -> System:
-    """The same with h′ and f′ as numbers, positive like those of every motion."""
+    """The chart with h′ and f′ as positive numbers."""
     system = chart()
     gone = (hprime, fprime)
     return replace(

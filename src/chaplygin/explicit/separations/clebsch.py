@@ -1,4 +1,4 @@
-"""The Clebsch case at zero area constant on the curve of the Neumann system (§6.3, (6.14)).
+"""The Clebsch case at zero area constant on Neumann's curve (§6.3, (6.14)).
 
 Its Hamiltonian α H₁ + β H₂ combines two functions in involution, those of the Neumann system
 (H₁ = h) and of the Bruns problem (H₂ = f).  Both have the separated momenta y/(4A(z)), whose

@@ -107,7 +107,7 @@ def of_ratio() -> SeparatedSystem:
 
 
 def on_e3() -> SeparatedSystem:
-    """The Hamiltonian form (9.14) on e(3), at k = −1: γ = ν, M = −det J (ν×ν′), dt/dτ = (ν, Jν)."""
+    """The Hamiltonian form (9.14) on e(3), at k = −1, with γ = ν."""
     system = from_catalogue("rubber-ball-on-e3", k=-1.0)
     moments = rubber_ball_ratio.J.symbols
     det = sp.Mul(*moments)

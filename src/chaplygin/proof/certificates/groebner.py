@@ -96,7 +96,7 @@ class Basis:
         )
 
     def _difference(self, first: int, second: int) -> tuple[Poly, Multiples]:
-        """What is left when the leading terms of two elements cancel."""
+        """The S-polynomial of two elements, with its multiples of the equations."""
         common = self._common(first, second)
         total: Poly = self._ring.constant(0)
         by: Multiples = {}

@@ -80,7 +80,7 @@ def _gens(setting: ProofSetting, poly: Poly) -> list[Poly]:
 
 
 def meaning_text(setting: ProofSetting, meaning: Meaning) -> Text:
-    """What an auxiliary symbol stands for, in the format of a certificate."""
+    """The meaning of an auxiliary symbol, in the format of a certificate."""
     of = [_fraction(setting, element) for element in meaning.of]
     if meaning.kind in ("root", "formal root"):
         text = {

@@ -1,4 +1,4 @@
-"""What a proof of a certificate is written in: a field, with conditions, residuals and divisors."""
+"""The setting of a proof: a field, with conditions, residuals and divisors."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ class ProofSetting:
 
     @property
     def places(self) -> list[int | None]:
-        """Where the generators of the field stand in the ring."""
+        """The places of the generators of the field in the ring."""
         index = {name: i for i, name in enumerate(self.ring)}
         return [index.get(name) for name in self.field.names]
 
@@ -116,7 +116,7 @@ class ProofSetting:
 
 
 def _formulas(law: Law) -> Law:
-    """What of a law is a matter of formulas: the check sees by itself whether others separate."""
+    """The part of a law that is a matter of formulas; the check separates by itself."""
     if not isinstance(law, Separation):
         return law
     return Reduction(law.name, law.quantities, law.equations, on=law.on)

@@ -1,4 +1,4 @@
-"""What a proof takes to be positive or not zero, and the text that says why."""
+"""Quantities that a proof takes to be positive or not zero, and why."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def _polynomial(ground: LevelSet, field: FunctionField, formula: sp.Expr) -> Pol
 
 
 def _find_nonzero(reasons: Reasons, entries: Sequence[FactoredDivisor]) -> None:
-    """What does not vanish, where what is in denominators is known not to."""
+    """Note the factors that do not vanish if those in denominators do not."""
     changed = True
     while changed:
         changed = False
@@ -124,7 +124,7 @@ def _root_signs(setting: ProofSetting, reasons: Reasons) -> None:
 
 
 def positive_texts(setting: ProofSetting, reasons: Reasons, size: int) -> list[Text]:
-    """What is positive, as a certificate of so many equations says it: facts, then sums."""
+    """The positive quantities in a certificate of so many equations: facts, then sums."""
     facts = [
         {"poly": setting.terms(poly), "strict": strict, "from": source}
         for poly, source, strict in reasons.facts

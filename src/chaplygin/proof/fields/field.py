@@ -1,4 +1,4 @@
-"""What residuals need of a field: function fields, rational numbers and balls offer it."""
+"""The operations of a field: function fields, rational numbers and balls."""
 
 from __future__ import annotations
 

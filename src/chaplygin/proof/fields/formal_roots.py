@@ -33,7 +33,7 @@ class FormalRoots(FunctionField):
         exponents: Iterable[tuple[sp.Expr, sp.Rational]],
         value: Element | None,
     ) -> Element:
-        """As of :class:`Fractions`, without splitting what is raised."""
+        """The product of powers, without splitting the base."""
         exponents = tuple(exponents)
         if self.vanishes(element):
             raise power_of_zero(exponents)

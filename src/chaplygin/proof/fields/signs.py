@@ -1,4 +1,4 @@
-"""What is known of the signs of polynomials on the domain of a system.
+"""Signs of polynomials on the domain of a system.
 
 Known are the signs of parameters and of other quantities that the system declares (admissible
 sets, guards, assumptions of symbols), and what follows from them term by term.
@@ -62,7 +62,7 @@ class Signs:
     conditions: Sequence[Poly] = ()
 
     def with_positive(self, name: str) -> Signs:
-        """The same, with one more positive generator."""
+        """The signs, with one more positive generator."""
         return replace(self, known={**self.known, name: Sign.POSITIVE})
 
     def of(self, poly: Poly) -> Sign:
@@ -156,7 +156,7 @@ class Signs:
         return Sign.UNKNOWN
 
     def _by_conditions(self, poly: Poly) -> Sign:
-        """The same after a multiple of a condition has taken the constant away."""
+        """The sign after a multiple of a condition has taken the constant away."""
         constant = _constant(poly)
         for condition in self.conditions:
             own = _constant(condition)

@@ -1,4 +1,4 @@
-"""Fields in which residuals are written for a certificate: nothing is reduced by the level.
+"""Fields for the residuals of a certificate, in which the level reduces nothing.
 
 A certificate compares its residuals with the law at points off the level.  So numerators stay as
 they come; only what holds everywhere is used, the relations of roots and circles.
@@ -23,7 +23,7 @@ T = TypeVar("T")
 
 @dataclass(frozen=True)
 class Meaning:
-    """What an auxiliary symbol stands for.
+    """The meaning of an auxiliary symbol.
 
     Attributes
     ----------
@@ -133,7 +133,7 @@ class UnreducedField(FunctionField):
 
 
 class UnreducedFormal(UnreducedField, FormalRoots):
-    """The same with roots that are not split."""
+    """An unreduced field with roots that are not split."""
 
     def _new_root(self, element: Element, degree: int) -> Element:
         content, parts = self.factorised(self.reduce(element.poly))

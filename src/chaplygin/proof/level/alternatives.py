@@ -81,7 +81,7 @@ def _first(choices: Iterator[tuple[sp.Expr, ...]]) -> Iterator[tuple[sp.Expr, ..
 
 
 def _factors(condition: sp.Expr) -> tuple[sp.Expr, ...]:
-    """The factors of a condition that holds functions; the condition itself if it is polynomial."""
+    """The factors of a condition with functions; a polynomial condition itself."""
     functions = condition.atoms(sp.Function, sp.Derivative, sp.Subs)
     roots = any(not power.exp.is_Integer for power in condition.atoms(sp.Pow))
     if not functions and not roots:

@@ -64,7 +64,7 @@ def up_to_time(law: Reduction, ground: LevelSet) -> bool:
 def closing(
     law: Reduction, ground: LevelSet, field: Field
 ) -> tuple[list[list[FieldElement]], list[list[FieldElement]], int]:
-    """What determines the rates: rows of the equations, rows of what holds anyway, and unknowns.
+    """Rows of the equations, rows of identities, and the number of unknown rates.
 
     Raises
     ------
@@ -108,7 +108,7 @@ def _rates(law: Reduction, ground: LevelSet) -> _Rates:
         )
 
     def written(formula: sp.Expr) -> sp.Expr:
-        """With symbols for the rates, the innermost first."""
+        """A formula with symbols for the rates, the innermost first."""
         while rates := [r for r in formula.atoms(Rate) if not r.args[0].has(Rate)]:
             formula = formula.xreplace({r: rate_of(r.args[0]) for r in rates})
         return formula
@@ -132,7 +132,7 @@ def _rates(law: Reduction, ground: LevelSet) -> _Rates:
 
 
 def _below(rates: Iterable[sp.Expr]) -> Iterator[sp.Expr]:
-    """What the rates are rates of."""
+    """The variables of rates."""
     for rate in rates:
         inner = rate
         while isinstance(inner, Rate):
@@ -151,7 +151,7 @@ def _equation_rows(rates: _Rates) -> Iterator[list[sp.Expr]]:
 def _identity_rows(
     rates: _Rates, quantities: dict[sp.Symbol, sp.Expr], ground: LevelSet
 ) -> Iterator[list[sp.Expr]]:
-    """From the formulas of the quantities and from the conditions."""
+    """Rows from the formulas of the quantities and from the conditions."""
     own = {s for rate in rates.meaning.values() for s in rate.free_symbols}
     own |= {s for e in rates.equations for s in e.free_symbols} - set(rates.meaning)
     for symbol, formula in quantities.items():

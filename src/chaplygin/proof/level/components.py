@@ -67,7 +67,7 @@ class _Part:
 
 @dataclass
 class Decomposition:
-    """How conditions fall into components.
+    """The decomposition of conditions into components.
 
     Parameters
     ----------
@@ -209,7 +209,7 @@ class Decomposition:
         return [(part,) for part in real]
 
     def _real(self, poly: Poly) -> list[Polys]:
-        """The same, with what vanishes at the real zeros of a sum of squares."""
+        """Equations with those that hold at the real zeros of a sum of squares."""
         real: list[Polys] = []
         for polys in self._complex(poly):
             squares = self.signs.squares(polys[0]) if polys else None

@@ -1,4 +1,4 @@
-"""The formulas of a level: definitions, conditions, generators, and how they are evaluated."""
+"""The formulas of a level: definitions, conditions, generators, evaluators."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class EmptyLevelSetError(InputError):
 
 @dataclass(frozen=True)
 class LevelFormulas:
-    """What vanishes where a law is claimed, and in which symbols it is written.
+    """The conditions of a level, and the symbols in which they are written.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ class LevelFormulas:
 
     @cached_property
     def _settlement(self) -> tuple[dict[sp.Symbol, sp.Expr], tuple[sp.Expr, ...]]:
-        """What is settled, and the conditions that remain."""
+        """The settled parameters, and the conditions that remain."""
         parameters = {p.symbol for p in self.system.parameters}
         settled: dict[sp.Symbol, sp.Expr] = {}
         remaining = []
@@ -157,7 +157,7 @@ class LevelFormulas:
 
     @cached_property
     def conditions(self) -> tuple[sp.Expr, ...]:
-        """What vanishes: relations of the system and the level, or equations of a component."""
+        """The relations of the system and the level, or the equations of a component."""
         if self.equations is not None:
             return self.equations
         return tuple(to_components(c) for c in (*self.system.relations, *self.on))

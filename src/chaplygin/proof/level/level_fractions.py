@@ -38,7 +38,7 @@ class LevelFractions(LevelFormulas):
 
     @cached_property
     def requirements(self) -> tuple[sp.Expr, ...]:
-        """What is known to be positive, negative, zero or not on the domain, as relations."""
+        """The relations that are known to hold on the domain."""
         relations = [
             to_components(guard.value) > 0 for guard in self.system.guards if not guard.lift_off
         ]
@@ -93,11 +93,11 @@ class LevelFractions(LevelFormulas):
         return frozenset(names)
 
     def signs(self, field: FunctionField) -> Signs:
-        """What is known of signs, in the ring of a field of fractions."""
+        """The known signs, in the ring of a field of fractions."""
         return self.signs_with(field, [poly for _, poly, _ in field.relations])
 
     def signs_with(self, field: FunctionField, conditions: Sequence[Poly]) -> Signs:
-        """The same, where some polynomials vanish."""
+        """The known signs where some polynomials vanish."""
         return self._signs_in(field, self.evaluator(field), conditions)
 
     def _signs_in(
@@ -180,7 +180,7 @@ def polynomial_of(draft: FunctionField, element: Element, condition: sp.Expr) ->
 
 
 def _as_polynomial(field: FunctionField, evaluate: Evaluator, relation: sp.Basic) -> Poly | None:
-    """A polynomial with the sign of the greater side less the smaller one; None if there is none.
+    """A polynomial with the sign of the greater side less the smaller one, if any.
 
     What a relation is divided by is multiplied with where its power is odd.
     """

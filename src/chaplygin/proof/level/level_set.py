@@ -1,4 +1,4 @@
-"""What a law stands on: the phase space of a system, cut down to a level, made triangular."""
+"""Level sets: the phase space of a system, cut down to a level, made triangular."""
 
 from __future__ import annotations
 
@@ -241,7 +241,7 @@ def _as_formula(poly: Poly, by_name: Mapping[str, sp.Symbol]) -> sp.Expr:
 
 
 def _certain(relation: sp.Basic, difference: fmpq | arb) -> bool:
-    """Whether a relation certainly holds, the difference of its sides being a number or a ball."""
+    """Whether a relation certainly holds, by the difference of its sides."""
     exact = isinstance(difference, fmpq)
     if isinstance(relation, sp.Ne):
         return bool(difference != 0) if isinstance(difference, fmpq) else 0 not in difference

@@ -1,4 +1,4 @@
-"""What has to be proved of a law, on phase spaces whose conditions are polynomials."""
+"""The claims that make up a law, on phase spaces with polynomial conditions."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class Claim:
 
 
 def polynomial_problems(system: System, law: Law) -> tuple[Claim, ...]:
-    """What has to be proved of a law, on phase spaces whose conditions are polynomial.
+    """The claims that make up a law, on phase spaces with polynomial conditions.
 
     Raises
     ------

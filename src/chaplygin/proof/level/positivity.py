@@ -1,4 +1,4 @@
-"""What must be positive for a law to make sense.
+"""Quantities that must be positive for a law to make sense.
 
 A formula is positive on a whole level, or the law makes sense only where it is.  What is positive
 by its form wherever it is real is left out: roots, exponentials, positive numbers, and squares in
@@ -25,7 +25,7 @@ Named = tuple[str, sp.Expr]
 
 
 def positives(law: Law, ground: LevelSet) -> tuple[Named, ...]:
-    """What a law needs to be positive: each in words, and as a formula.
+    """Quantities that a law needs to be positive, each in words and as a formula.
 
     Of an isomorphism it is dτ/dt; of a measure every base of its density that stands under a root,
     so that the density is real.
@@ -52,7 +52,7 @@ def positives(law: Law, ground: LevelSet) -> tuple[Named, ...]:
 
 
 def orienting(law: Law, ground: LevelSet) -> tuple[Named, ...]:
-    """What decides whether a density is positive: its bases with odd exponents.
+    """The bases of a density with odd exponents, which decide its sign.
 
     Where the product of all of them has one sign, the density or its negative is positive; where it
     has either sign, the measure is a signed one.
@@ -68,7 +68,7 @@ def orienting(law: Law, ground: LevelSet) -> tuple[Named, ...]:
 
 
 def unmet(law: Law, ground: LevelSet, field: Field) -> tuple[tuple[str, FieldElement], ...]:
-    """What is not positive at a point though a law needs it, with the value there.
+    """Quantities that are not positive at a point though a law needs them.
 
     Raises
     ------

@@ -17,7 +17,7 @@ __all__ = ["broad", "far", "near", "number_text", "on_sphere", "real_root"]
 
 
 def near(default: float | None, generator: random.Random, signed: bool = False) -> fmpq:
-    """A random rational number, near the default of a parameter; not 1, whose powers are alike."""
+    """A random rational number, near the default of a parameter; not 1."""
     if default is None or default == 0:
         reach = generator.choice([17, 17, 60])
         sign, above = generator.choice([-1, 1]), generator.randint(3, reach)

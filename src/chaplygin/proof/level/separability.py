@@ -122,7 +122,7 @@ def _square(equation: sp.Expr, rate: sp.Expr) -> sp.Expr | None:
 def _mixed_part(
     ratio: sp.Expr, first: sp.Symbol, second: sp.Symbol, still: set[sp.Symbol]
 ) -> sp.Expr | None:
-    """What is left of a ratio without its factors that hold one of two quantities alone."""
+    """A ratio without its factors that hold one of two quantities alone."""
     left = []
     for factor in sp.Mul.make_args(sp.factor(ratio)):
         moving = factor.free_symbols - still

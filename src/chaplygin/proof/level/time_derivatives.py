@@ -1,4 +1,4 @@
-"""Time derivatives in formulas, written out where an evaluation needs more than their values."""
+"""Time derivatives in formulas, written out where their values do not suffice."""
 
 from __future__ import annotations
 

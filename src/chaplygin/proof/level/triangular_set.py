@@ -128,7 +128,7 @@ def _variables(draft: FunctionField, poly: Poly) -> set[str]:
 
 
 def _merit(draft: FunctionField, poly: Poly, name: str, moving: set[str]) -> tuple[int, int, int]:
-    """How well a variable serves as the main one of a relation; smaller is better."""
+    """The merit of a variable as the main one of a relation; smaller is better."""
     position = draft.names.index(name)
     degree = int(poly.degrees()[position])
     lead = draft.coefficient(poly, position, degree)
@@ -143,7 +143,7 @@ def _merit(draft: FunctionField, poly: Poly, name: str, moving: set[str]) -> tup
 def _merit_by_degree(
     draft: FunctionField, poly: Poly, name: str, moving: set[str]
 ) -> tuple[int, int, int]:
-    """The same, with linear relations first."""
+    """The merit with linear relations first."""
     degree = int(poly.degrees()[draft.names.index(name)])
     return (degree, *_merit(draft, poly, name, moving)[:2])
 

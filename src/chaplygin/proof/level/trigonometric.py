@@ -130,7 +130,7 @@ class Circles:
 def circles(
     system: System, on: Iterable[sp.Expr] = (), also: Iterable[sp.Expr] = ()
 ) -> Circles | None:
-    """The system with points of circles for the angles of its conditions, or None if it has none.
+    """The system with points of circles for the angles of its conditions, if any.
 
     Parameters
     ----------
