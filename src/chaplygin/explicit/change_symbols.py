@@ -22,7 +22,6 @@ def in_symbols_of(
 
     Parameters
     ----------
-    separable : Separable
     system : System
         With states that follow each other in the same order; its lift to space may be another.
     parameters : mapping of Symbol to formula
@@ -30,7 +29,7 @@ def in_symbols_of(
 
     Returns
     -------
-    Separable
+    SeparatedSystem
         With all formulas in state and parameters of `system`, definitions written out; its laws
         are left out, since they are claimed of the other system.
     """

@@ -36,10 +36,8 @@ class GenusTwo(Solution):
     ----------
     system : System
         Lifted to space where it has a motion.
-    parameters : mapping of Symbol to number
     start : tuple of numbers
         The lifted state at t = 0, as given.
-    prepared : Prepared
     """
 
     system: System
@@ -196,7 +194,6 @@ def solved(
 
     Parameters
     ----------
-    separable : Separable
     values : mapping of Symbol to number
         The parameters of its system, taken as exact numbers.
     start : sequence of numbers

@@ -126,15 +126,14 @@ def pull_back(
     ----------
     system : System
         Of which `law` is claimed.
-    law : Isomorphism
-    separable : Separable
+    separable : SeparatedSystem
         Of the target.
     fixed : tuple of vectors
         Vectors of `system` with a constant direction in space.
 
     Returns
     -------
-    Separable
+    SeparatedSystem
         Of `system`, on the level of `law`.  What the isomorphism makes of the target's parameters
         are constants; a name that `system` has already gets a tilde.
 
@@ -179,13 +178,12 @@ def push_forward(system: System, law: Isomorphism, separable: SeparatedSystem) -
     ----------
     system : System
         Of which `law` is claimed.
-    law : Isomorphism
-    separable : Separable
+    separable : SeparatedSystem
         Of `system`.
 
     Returns
     -------
-    Separable
+    SeparatedSystem
         Of the target, for motions that are images: the parameters that the isomorphism gives as
         integrals must have the values of these on the motion.  Parameters of `system` that the
         target does not share become its parameters too; a name that it has gets a tilde.

@@ -1,6 +1,6 @@
 """Motions carried over an isomorphism: states by its map, times by quadrature.
 
-For closed forms on a torus see :mod:`.transport`; here the motion is whatever gives states at
+For closed forms on a torus see :mod:`.isomorphism`; here the motion is whatever gives states at
 times: a closed form of another kind, or an integrated trajectory.
 """
 

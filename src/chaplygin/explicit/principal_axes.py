@@ -36,7 +36,6 @@ class PrincipalAxesSolution(Solution):
     ----------
     system : System
         Lifted to space.
-    parameters : mapping of Symbol to number
     inner : Solution
         The motion in the other axes.
     matrix : arb_mat (size, size)

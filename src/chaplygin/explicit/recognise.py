@@ -81,7 +81,6 @@ class SeparationEntry:
 
     Attributes
     ----------
-    module, function : str
     state : str
         The vectors of its state.
     letters : str
@@ -141,9 +140,9 @@ class Match:
 
     Attributes
     ----------
-    known : Separable
+    known : SeparatedSystem
         As it is told of.
-    own : Separable
+    own : SeparatedSystem
         The same in the symbols of the problem.
     level : tuple of Condition
         What must vanish for it to hold and does not; empty where the start and the parameters

@@ -31,7 +31,6 @@ def rolling_of(system: System, values: Mapping[sp.Symbol, Written]) -> Rolling |
 
     Parameters
     ----------
-    system : System
     values : mapping of Symbol to number
         Its parameters.
     """

@@ -106,8 +106,6 @@ def closed_form(rolling: Rolling, form: OneForm, numbers: Sequence[sp.Expr]) -> 
 
     Parameters
     ----------
-    rolling : Rolling
-    form : OneForm
     numbers : sequence of sympy.Expr
         The level on which every parameter has its number.
     """

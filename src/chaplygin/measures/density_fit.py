@@ -34,7 +34,6 @@ def density_from_powers(
 
     Parameters
     ----------
-    given : Lifted
     jacobian : Powers
         From momenta to quasi-velocities.
     level : Level
@@ -78,10 +77,8 @@ def integrated(given: LiftedFields, powers: Powers, level: Level) -> tuple[Syste
 
     Parameters
     ----------
-    given : Lifted
     powers : Powers
         e^σ.
-    level : Level
 
     Returns
     -------

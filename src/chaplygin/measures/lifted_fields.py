@@ -42,7 +42,6 @@ class LiftedFields:
         z.
     base, lifted : Distribution
         Spanned by η_β and by η̂_β.
-    parameters : tuple of Parameter
     """
 
     theta: tuple[sp.Expr, ...]

@@ -40,7 +40,6 @@ def decide_mechanism(mechanism: Mechanism, name: str, effort: int) -> Existence:
 
     Parameters
     ----------
-    mechanism : Mechanism
     name : str
         For the reader.
     effort : int

@@ -43,7 +43,6 @@ class Branches:
 
     Attributes
     ----------
-    levels : tuple of Level
     complete : bool
         Whether they hold nowhere else.
     """
@@ -59,7 +58,6 @@ def branches(
 
     Parameters
     ----------
-    given : Lifted
     steps : int
         How often commutators are taken.
     positive : frozenset of Symbol

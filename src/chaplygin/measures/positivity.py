@@ -46,7 +46,6 @@ def positive(powers: Powers, signs: Signs) -> tuple[Powers, tuple[sp.Basic, ...]
     ----------
     powers : Powers
         Bases with rational exponents.
-    signs : Signs
 
     Returns
     -------

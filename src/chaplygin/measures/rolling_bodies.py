@@ -36,7 +36,6 @@ def decide_body(rolling: Rolling, name: str, effort: int) -> Existence:
 
     Parameters
     ----------
-    rolling : Rolling
     name : str
         Of the system, for the reader.
     effort : int

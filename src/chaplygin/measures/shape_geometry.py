@@ -38,8 +38,6 @@ class Geometry:
         γ, or r for a shape given by an equation.
     relations : tuple of sympy.Expr
         Vanish for every position.
-    parameters : tuple of Parameter
-    definitions : pairs
     r : MatrixExpr
         From the centre of mass to the contact point, body axes.
     spread, contract : callable

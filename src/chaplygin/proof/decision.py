@@ -62,7 +62,6 @@ class _Part:
     ----------
     chosen : tuple of sympy.Expr
         What sets the part apart from the others.
-    proof : Proof
     trial : Trial, optional
         A point where the law fails.
     point : mapping of str to str, optional

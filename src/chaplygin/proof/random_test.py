@@ -62,8 +62,7 @@ def trials(
 
     Parameters
     ----------
-    law : Law
-    ground : Ground
+    ground : LevelSet
         A component of its level.
     draws : sequence of callable
         How the free numbers of each point are drawn.

@@ -3,8 +3,8 @@
 A map onto another system must be a local diffeomorphism, a bracket must have its rank, equations
 must determine the rates they speak of.  Evaluated at a point (exact rationals or balls) a rank that
 is attained is attained at almost every point; one that is not attained may be the fault of the
-point.  Evaluated symbolically (`Fractions`), where only what vanishes modulo the relations counts
-as zero, a rank is the one at a generic point, and what falls short of it falls short everywhere.
+point.  Evaluated symbolically (`FunctionField`), where only what vanishes modulo the relations
+counts as zero, a rank is the one at a generic point, and a shortfall is one everywhere.
 """
 
 from __future__ import annotations
@@ -64,8 +64,6 @@ def rank_defect(law: Law, ground: LevelSet, field: Field) -> tuple[str, str] | N
 
     Parameters
     ----------
-    law : Law
-    ground : Ground
     field
         Numbers at a point: None settles the matter at almost every point of the level, a shortfall
         is a hint.  Fractions: a shortfall settles it too.

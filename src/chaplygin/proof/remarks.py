@@ -22,8 +22,6 @@ def remark(law: Law, ground: LevelSet, field: Field) -> str:
 
     Parameters
     ----------
-    law : Law
-    ground : Ground
     field
         Numbers at a point: nothing found there settles that there is nothing to say.  Fractions
         settle the rest.

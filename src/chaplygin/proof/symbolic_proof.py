@@ -73,11 +73,8 @@ def proof(
 
     Parameters
     ----------
-    law : Law
-    ground : Ground
     sample : mapping of str to float, optional
         A point of the component, whose signs are tried first.
-    budget : Budget
     attained : bool
         Whether the law is known to have the rank it claims.
     """

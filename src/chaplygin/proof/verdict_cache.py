@@ -80,7 +80,6 @@ def load_verdict(name: str, effort: int | None = None) -> Verdict | None:
 
     Parameters
     ----------
-    name : str
     effort : int, optional
         Term operations allowed.  The verdict is what they lead to by themselves: one that took
         fewer, or one for which just as many were spent; whatever else is kept does not count.
@@ -96,8 +95,6 @@ def store_verdict(name: str, verdict: Verdict, effort: int | None = None) -> Non
 
     Parameters
     ----------
-    name : str
-    verdict : Verdict
     effort : int, optional
         Term operations that were allowed.  Where all of them were spent, the verdict is kept for
         this effort alone, since more may lead further and fewer not so far.

@@ -29,7 +29,7 @@ def witness_point(
     ----------
     claim : Claim
         In the variables of the proof.
-    ground : Ground
+    ground : LevelSet
         One of its components.
     values : mapping of str to number
         The generators at the point, rational where they are.

@@ -117,7 +117,6 @@ def formula(text: str, system: System, where: str = "") -> sp.Expr:
     ----------
     text : str
         Such as ``"M·γ"``, ``"(γ, J γ)"``, ``"M²"`` or ``"gamma_3 = 1/2"``.
-    system : System
     where : str
         Put before the message of an error.
 
@@ -154,7 +153,6 @@ def quantities(names: str, system: System, where: str = "") -> tuple[sp.Expr, ..
     ----------
     names : str
         Such as ``"M, gamma_3"`` or ``"x, log(x)"``.
-    system : System
     where : str
         Put before the message of an error.
 

@@ -139,7 +139,6 @@ class Evaluator:
 
     Parameters
     ----------
-    known : mapping of Symbol to Jet
     points, directions : int
         The shape of all jets.
     definitions : mapping of Symbol to sympy.Expr

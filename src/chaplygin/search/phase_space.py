@@ -66,11 +66,10 @@ class Sample:
 
 @dataclass(frozen=True)
 class SearchSpace:
-    """A system with conditions on its parameters, restricted to a level; see :func:`stage`.
+    """A system with conditions on its parameters, restricted to a level; see :func:`search_space`.
 
     Attributes
     ----------
-    system : System
     conditions : tuple of sympy.Expr
         Vanish; in parameters and definitions that depend on parameters alone.
     level : tuple of sympy.Expr
@@ -139,7 +138,6 @@ class SearchSpace:
         ----------
         points : int
             How many.
-        seed : int
         common : bool
             Whether all points share the values of the parameters.
         """
@@ -293,7 +291,6 @@ def search_space(
 
     Parameters
     ----------
-    system : System
     conditions : sequence of sympy.Expr
         Vanish; in parameters and definitions that depend on parameters alone, such as ``k + 1``.
     level : sequence of sympy.Expr

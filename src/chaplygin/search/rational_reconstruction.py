@@ -50,7 +50,6 @@ class Part:
     ----------
     formula : sympy expression or tuple of them
         What stands behind the coefficient.
-    weight : Weight
     effort : int
         How complicated it looks; simple parts are preferred.
     """
@@ -147,8 +146,6 @@ def reconstructed_laws(
     ----------
     parts : sequence of Part
         At least one.
-    scalars : Scalars
-    degree : int
     draw : callable
         Number of points ↦ Draw, modulo the prime that is then in force.
 

@@ -28,7 +28,6 @@ def has_real_points(
 
     Parameters
     ----------
-    system : System
     relations : sequence of sympy.Expr
         What vanishes on the level.
     free : sequence of Symbol

@@ -42,7 +42,6 @@ def search_request(
 
     Parameters
     ----------
-    system : System
     degree, gamma_degree : int
         Largest degrees in the momenta and in the coordinates.
     momenta, coordinates : str

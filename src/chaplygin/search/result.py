@@ -31,7 +31,7 @@ class Question:
 
     Attributes
     ----------
-    stage : Stage
+    stage : SearchSpace
         The system, conditions on its parameters, a level.
     ansatz : Ansatz
         Polynomials in momenta and coordinates.

@@ -65,7 +65,6 @@ class VectorInvariants:
 
     Parameters
     ----------
-    stage : Stage
     ansatz : Ansatz
         Says which vectors are momenta and which are coordinates.
     table : dict

@@ -29,10 +29,7 @@ class ClaimedSystem:
 
     Attributes
     ----------
-    state : tuple of str
-    rates : tuple of formulas
     definitions : mapping of name to formula, in order
-    parameters : tuple of str
     relations : tuple of formulas
         Vanish on the phase space.
     guards : tuple of formulas
@@ -85,10 +82,6 @@ class Law:
 
     Attributes
     ----------
-    kind : str
-    on : tuple of formulas
-    single : mapping of field name to formula
-    several : mapping of field name to tuple of formulas
     pairs : mapping of field name to tuple of (name or formula, formula)
     matrix : tuple of tuple of formulas
         Of a bracket.

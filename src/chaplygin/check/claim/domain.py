@@ -77,7 +77,6 @@ def domain(claim: Claim, settled: Mapping[str, Formula]) -> Domain:
 
     Parameters
     ----------
-    claim : Claim
     settled : mapping of name to formula
         Parameters with a value on the level, which may make an exponent a whole number.
     """

@@ -27,11 +27,8 @@ def quotient(
 
     Parameters
     ----------
-    formula : Formula
-    ring : Ring
     known : callable
         The value of a symbol, or None if it is not known in the ring.
-    definitions : mapping of name to formula
 
     Raises
     ------

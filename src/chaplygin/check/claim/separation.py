@@ -30,7 +30,6 @@ class Parts:
     ----------
     quantities : mapping of name to equation
         What separates.
-    constants : tuple of str
     """
 
     quantities: Mapping[str, tuple[Formula, Formula]]

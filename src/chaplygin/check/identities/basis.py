@@ -28,8 +28,6 @@ class Basis:
 
     Attributes
     ----------
-    ground : Ground
-    samples : list of Sample
     equations : tuple of Poly
         Vanish on the level.
     nonzero : frozenset of str

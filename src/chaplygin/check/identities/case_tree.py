@@ -67,12 +67,10 @@ class Node:
 
     Attributes
     ----------
-    ring : Ring
     equations : tuple of Poly
         Vanish.
     nonzero : frozenset of str
         Keys of polynomials that do not vanish.
-    signs : Signs
     numerators : sequence of Poly, or None
         Of the residuals; None where the tree shows nothing of them.
     leaf : callable

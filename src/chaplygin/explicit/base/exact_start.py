@@ -33,7 +33,6 @@ def on_phase_space(
 
     Parameters
     ----------
-    system : System
     level : sequence of sympy.Expr
         Further expressions that vanish.
     start : sequence of numbers

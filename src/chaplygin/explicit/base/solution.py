@@ -33,7 +33,6 @@ class NamedConstant:
         As it is written, such as ``"Omega_1"``.
     value : flint.arb
         With its error bound.
-    meaning, unit : str
     """
 
     symbol: str
@@ -60,7 +59,7 @@ class ClosedForm:
         permanent rotation", …
     equations : tuple of (left, right)
         SymPy formulas: the curve, the differential equations, the clock.
-    figures : tuple of Figure
+    figures : tuple of NamedConstant
         Constants, roots, frequencies, periods, rotation number.
     ovals : tuple of (low, high)
         Where the separated variables live (floats).

@@ -1,9 +1,9 @@
 """Bifurcation diagrams: which motions lie over each point of the plane of two integrals.
 
-The roots of the curve y² = P(z) over a point decide the motions there (:mod:`.bifurcation.ovals`);
-they change only where roots meet: on the discriminant of P.  Its factors are computed exactly, the
-plane is cut along them (:mod:`.bifurcation.plane`), every cell is examined at a rational point and
-every arc at an algebraic one (:mod:`.bifurcation.critical`).
+The roots of the curve y² = P(z) over a point decide the motions there (:mod:`.tori`); they
+change only where roots meet: on the discriminant of P.  Its factors are computed exactly, the plane
+is cut along them (:mod:`.arrangement`), every cell is examined at a rational point and every arc at
+an algebraic one (:mod:`.critical_motions`).
 """
 
 from __future__ import annotations
@@ -36,20 +36,16 @@ class Diagram:
 
     Attributes
     ----------
-    plane : Plane
+    plane : IntegralPlane
         The system, the integrals and their curves, in formulas.
-    parameters : dict of Symbol to Fraction
     poles : three fmpq
         Increasing.
     order : three int
         The body axes that they belong to.
     rest : fmpq_mpoly
         The curve is y² = ∏(z − e_i) · rest, in x, y (the integrals) and z.
-    arrangement : Arrangement
     regions : tuple of Region
         Those with motions first, in the order of their numbers; then those without.
-    boundaries : tuple of Boundary
-    equilibria : tuple of Equilibrium
     """
 
     plane: IntegralPlane
@@ -90,7 +86,6 @@ def locate(diagram: Diagram, state: Mapping[sp.Symbol | str, Written]) -> tuple[
 
     Parameters
     ----------
-    diagram : Diagram
     state : mapping of Symbol or name to number
         A state of ``diagram.plane.system``, all of its variables.
 
@@ -128,8 +123,8 @@ def bifurcation_diagram(
 
     Parameters
     ----------
-    subject : str, Separable or Plane
-        A name of :data:`.bifurcation_families.PLANES`, or formulas.
+    subject : str, SeparatedSystem or Plane
+        A name of :data:`.families.PLANES`, or formulas.
     parameters : mapping of Symbol or name to number, optional
         Values that replace the system's defaults, and of constants that the plane holds fixed;
         a float means the shortest decimal that gives it.

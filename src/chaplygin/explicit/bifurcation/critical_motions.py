@@ -60,7 +60,6 @@ class Arc:
     ----------
     curves : tuple of fmpq_mpoly
         All curves of the arrangement.
-    x : fmpq
     rank : int
         Number of arcs below this one over x.
     """

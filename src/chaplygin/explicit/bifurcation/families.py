@@ -1,7 +1,7 @@
 """Planes of two integrals, and over each point the curve of genus two of that level.
 
-Most come from a :class:`.separable.Separable`; the Chaplygin ball with any area constant has three
-integrals, of which the plane shows two.
+Most come from a :class:`.separation.SeparatedSystem`; the Chaplygin ball with any area constant has
+three integrals, of which the plane shows two.
 """
 
 from __future__ import annotations
@@ -105,8 +105,6 @@ class IntegralPlane:
 
     Attributes
     ----------
-    name, title : str
-    system : System
     level : tuple of sympy.Expr
         What must vanish for the curve to hold.
     axes : (Axis, Axis)
@@ -114,7 +112,6 @@ class IntegralPlane:
         e_i, in parameters; the i-th belongs to the body axis i.
     rest : formula
         In parameters, the symbols of the axes and :data:`Z`.
-    bounds : tuple of Bound
     held : pairs of Symbol to float
         Constants of the motion that the plane holds fixed, with the values they have by default.
     resting : str

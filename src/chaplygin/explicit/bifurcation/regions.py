@@ -81,7 +81,6 @@ class Equilibrium:
     Attributes
     ----------
     place : two Fractions
-    axis : int
     centres : int
         2: a minimum or maximum, stable; 1: a saddle and a centre; 0: a saddle twice.
     """
@@ -102,7 +101,6 @@ class Kinds:
 
     Attributes
     ----------
-    plane : Plane
     poles : three fmpq
         Increasing.
     order : three int

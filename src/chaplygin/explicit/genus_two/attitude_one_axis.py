@@ -136,7 +136,7 @@ def references(of: SeparatedSystem) -> tuple[Reference, ...]:
 
     Parameters
     ----------
-    of : Separable
+    of : SeparatedSystem
         Of a system whose state or definitions name ω.
     """
     moving = Reference(nu, nuprime / of.clock + cross(omega, nu))

@@ -28,7 +28,6 @@ class Curve:
 
     Attributes
     ----------
-    leading : arb
     roots : tuple of arb
         Five or six, increasing.
     """
@@ -66,7 +65,6 @@ class Curve:
 
         Parameters
         ----------
-        left : int
         s : arb or acb
             In radians; 0 at l and π at r.
         """

@@ -26,7 +26,6 @@ def abelian(curve: Curve, left: int, end: arb | None = None) -> Pair:
 
     Parameters
     ----------
-    curve : Curve
     left : int
         Number of the left end of a bounded interval.
     end : arb, optional
@@ -58,7 +57,6 @@ class Lattice:
 
     Attributes
     ----------
-    curve : Curve
     ovals : (int, int)
         The left ends of the ovals of z₁ and z₂.
     inverse : arb_mat (2, 2)
@@ -114,7 +112,6 @@ def lattice(curve: Curve, ovals: tuple[int, int]) -> Lattice:
 
     Parameters
     ----------
-    curve : Curve
     ovals : (int, int)
         Their left ends; see :attr:`Curve.ovals`.
 

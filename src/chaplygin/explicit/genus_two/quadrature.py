@@ -126,7 +126,6 @@ class Quadrature:
 
     Attributes
     ----------
-    mean : float
     rate : Series
         f without its mean and its slow terms.
     whole : Series
@@ -169,7 +168,6 @@ def quadrature(
 
     Parameters
     ----------
-    function : Series
     V : two arb
         Velocity of the phases.
     v_0 : array (2,)

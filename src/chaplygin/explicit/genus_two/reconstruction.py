@@ -61,8 +61,6 @@ class Lift(ABC):
 
     Attributes
     ----------
-    prepared : Prepared
-    clock : Clock
     start : array (4 + places,)
         Attitude (w, x, y, z) and places at t = 0.
     """

@@ -25,13 +25,10 @@ class SeparatedMotion:
 
     Attributes
     ----------
-    separable : Separable
     state : tuple of arb
         The reduced start, on the phase space, in flat order.
     values : mapping of Symbol to arb
         Parameters and constants.
-    curve : Curve
-    torus : Torus
     """
 
     separable: SeparatedSystem
@@ -48,7 +45,6 @@ def separate(
 
     Parameters
     ----------
-    separable : Separable
     parameters : mapping of Symbol to number
         Taken as exact numbers.
     start : sequence of numbers
@@ -94,7 +90,6 @@ def chain(
 
     Parameters
     ----------
-    separable : Separable
     formulas : sequence of sympy.Expr
         In the state, the definitions, parameters and constants.
 

@@ -41,7 +41,7 @@ def separation_laws(separable: SeparatedSystem) -> tuple[Law, ...]:
 
     Parameters
     ----------
-    separable : Separable
+    separable : SeparatedSystem
         Its own `laws` are not looked at.
 
     Returns

@@ -29,7 +29,6 @@ class Turning:
         π(k, V) + ω.
     start : array of the same shape, complex
         exp(iπ(k, v₀)).
-    omega : float
     """
 
     first: FloatArray | IntArray
@@ -64,7 +63,6 @@ def turning(
 
     Parameters
     ----------
-    real, imaginary : Series
     V : two arb
         Velocity of the phases.
     v_0 : array (2,)

@@ -89,7 +89,6 @@ def clock_of(motion: SeparatedMotion, bits: int) -> TimeMap:
 
     Parameters
     ----------
-    motion : Prepared
     bits : int
         Working precision of the frequencies.
     """

@@ -80,7 +80,6 @@ class InvariantTorus:
 
     Attributes
     ----------
-    lattice : Lattice
     thetas : tuple of Theta
         One for each component of ν.
     factors : tuple of arb
@@ -153,7 +152,6 @@ def torus(
 
     Parameters
     ----------
-    curve : Curve
     poles, weights : three arb each
         See :class:`chaplygin.explicit.genus_two.separation.SeparatedSystem`.
     speeds : two arb

@@ -23,7 +23,6 @@ def mean(torus: InvariantTorus, function: Callable[..., arb], rough: Series) -> 
 
     Parameters
     ----------
-    torus : Torus
     function : callable
         Six balls, ν and ν′ ↦ a ball.
     rough : Series

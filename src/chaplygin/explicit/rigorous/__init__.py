@@ -38,11 +38,10 @@ class RigorousMotion:
     ----------
     solution : TorusMotion
         The same motion in double precision.
-    prepared : Prepared
+    prepared : SeparatedMotion
         Constants, curve and torus at the precision that is needed.
     clock : RigorousQuadrature
         ∫ (dt/dτ) dτ.
-    digits : int
     reach : float
         The largest |τ|.
     """
@@ -148,7 +147,6 @@ def rigorous_motion(solution: TorusMotion, digits: int, until: Written) -> Rigor
 
     Parameters
     ----------
-    solution : TorusMotion
     digits : int
         Decimal places after the point that are wanted.
     until : number
@@ -188,7 +186,6 @@ def rigorous_state(solution: TorusMotion, time: Written, digits: int) -> tuple[a
 
     Parameters
     ----------
-    solution : TorusMotion
     time : float, int, str, Fraction or arb
     digits : int
         Decimal places aimed at; the radii of the balls say what was reached.

@@ -52,8 +52,6 @@ class RigorousQuadrature:
 
     Attributes
     ----------
-    torus : Torus
-    branch : Branch
     place : int
         Which of the formulas of `branch` is f.
     periods : two of 1, 2
@@ -208,9 +206,8 @@ def quadratures(
 
     Parameters
     ----------
-    torus : Torus
+    torus : InvariantTorus
         Known to `bits_for` so many digits and turns, and some more.
-    branch : Branch
     digits : int
         Digits that are wanted of what a formula gains in a turn of the phases.
     reach : float

@@ -97,7 +97,6 @@ def strip_bound(torus: InvariantTorus, branch: Branch, periods: Sequence[int]) -
 
     Parameters
     ----------
-    torus : Torus
     branch : Branch
         Its signs learned.
     periods : two of 1, 2

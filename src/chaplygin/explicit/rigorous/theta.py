@@ -47,7 +47,6 @@ class _Sum:
 
     Attributes
     ----------
-    indices : list of fmpq
     outside, everything : arb
         Bounds of Σ (1 + 2π|m|)³ exp(−πμm² + 2π|y m|) over the other indices, and over all.
     """
@@ -87,7 +86,6 @@ class Numerators:
 
     Parameters
     ----------
-    torus : Torus
     heights : two numbers
         y.
     """

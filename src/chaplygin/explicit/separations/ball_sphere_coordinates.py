@@ -30,7 +30,7 @@ def in_coordinates(of: SeparatedSystem) -> System:
 
     Parameters
     ----------
-    of : Separable
+    of : SeparatedSystem
         Of the ball by its tensor A and d; h and f stand for any numbers here.
 
     Returns

@@ -42,7 +42,6 @@ def veselova_separation(
         What stands for the inertia tensor I, as the system names it.
     moments : three formulas
         Its diagonal, in the parameters.
-    source : str
     """
     clock = sp.sqrt(dot(nu, A * nu))
     return with_laws(

@@ -35,7 +35,6 @@ class Cases:
     ----------
     chains : Chains
         Of the ring, with what is known of signs.
-    numerators : sequence of polynomials
     write : callable
         A polynomial as text.
     left : callable

@@ -62,12 +62,10 @@ class Chains:
 
     Parameters
     ----------
-    ring : fmpq_mpoly_ctx
     reasons : Reasons
         What is known of signs, and what does not vanish.
     moving : set of int
         Generators that are state variables.
-    budget : Budget
     """
 
     ring: fmpq_mpoly_ctx

@@ -9,7 +9,7 @@ from ..claim_text import Text
 from ..fields.quotient_ring import Element, Poly
 from .case_tree import Cases
 from .chains import Chains
-from .proof_equations import equations, meaning_text
+from .proof_equations import equation_sources, meaning_text
 from .proof_setting import ProofSetting
 from .proof_signs import positive_texts, sign_reasons
 
@@ -24,8 +24,6 @@ def proof_text(setting: ProofSetting, excluded: Excluded, decided: bool) -> Text
 
     Parameters
     ----------
-    setting : ProofSetting
-    excluded : callable
     decided : bool
         Whether the proof takes the signs that were decided, for one of several proofs.
 
@@ -35,7 +33,7 @@ def proof_text(setting: ProofSetting, excluded: Excluded, decided: bool) -> Text
         If it cannot be completed.
     """
     field, ground = setting.field, setting.ground
-    sources = equations(setting)
+    sources = equation_sources(setting)
     polys = [poly for poly, _ in sources]
     assumed = list(field.decisions.values()) if decided else []
     reasons, entries = sign_reasons(setting, polys, assumed)

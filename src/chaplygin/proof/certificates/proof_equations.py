@@ -12,10 +12,10 @@ from .chains import Chains
 from .proof_setting import ProofSetting
 from .sign_reasons import Reasons
 
-__all__ = ["equations", "meaning_text"]
+__all__ = ["equation_sources", "meaning_text"]
 
 
-def equations(setting: ProofSetting) -> list[tuple[Poly, Text]]:
+def equation_sources(setting: ProofSetting) -> list[tuple[Poly, Text]]:
     """The polynomials that vanish, each with the text that says why."""
     sources: list[tuple[Poly, Text]] = []
     for formula, value in setting.conditions:

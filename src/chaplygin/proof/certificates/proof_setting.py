@@ -29,15 +29,12 @@ class ProofSetting:
 
     Parameters
     ----------
-    kind : type of Unreduced
     claim : chaplygin.check.claim.claim.Claim
         As the check reads it.
-    law : Law
-    ground : Ground
+    ground : LevelSet
         The whole level.
     sample : mapping of str to float
         A point of the level, by the names of the generators.
-    budget : Budget
     signs : mapping of str to int
         Signs of factors under roots that are to be taken.
     """

@@ -50,7 +50,6 @@ class Reasons:
 
     Parameters
     ----------
-    ring : fmpq_mpoly_ctx
     facts : list of (polynomial, str, bool)
         Positive (strictly or not), and what says so.
     equations : sequence of polynomials

@@ -57,7 +57,6 @@ class FunctionField(QuotientRing):
         Room for auxiliary symbols, which come before all others.
     sample : mapping of str to float
         A point of the phase space, where signs under roots are taken that nothing else tells.
-    budget : Budget
     choices : mapping of str to int
         Signs of factors under roots to be taken in place of those at the sample point.
     """

@@ -60,7 +60,6 @@ class QuotientRing:
     ----------
     names : sequence of str
         Generators, highest first; a relation's main variable must be its highest.
-    budget : Budget
     """
 
     exact = True

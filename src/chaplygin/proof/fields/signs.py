@@ -44,7 +44,6 @@ class Signs:
 
     Parameters
     ----------
-    ring : fmpq_mpoly_ctx
     known : mapping of str to Sign
         Signs of generators.
     facts : sequence of (polynomial, Sign)

@@ -29,7 +29,6 @@ class Alternative:
 
     Attributes
     ----------
-    system : System
     law : Law
         With factors in place of the conditions they are factors of.
     chosen : tuple of sympy.Expr

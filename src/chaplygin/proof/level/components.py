@@ -71,7 +71,7 @@ class Decomposition:
 
     Parameters
     ----------
-    draft : Fractions
+    draft : FunctionField
         The field to which the conditions belong.
     names : sequence of str
         Variables that may be main ones.

@@ -38,8 +38,6 @@ class Graph:
 
     Attributes
     ----------
-    system : System
-    law : Law
     consistency : Identity
         That the variables that are gone move as their expressions do.
     excluded : tuple of sympy.Expr
@@ -58,8 +56,6 @@ def graph(system: System, law: Law, tame: tuple[type, ...] = ()) -> Graph | None
 
     Parameters
     ----------
-    system : System
-    law : Law
     tame : tuple of type
         Functions that are no obstacle in a condition.
     """

@@ -31,7 +31,6 @@ class LevelFormulas:
 
     Parameters
     ----------
-    system : System
     on : tuple of sympy.Expr
         The level: further expressions that vanish.
     equations : tuple of sympy.Expr, optional

@@ -91,7 +91,6 @@ class LevelSet(LevelFractions):
 
         Parameters
         ----------
-        generator : random.Random
         draw : callable
             How free numbers are drawn, from a default and the generator.
 

@@ -22,8 +22,6 @@ class Claim:
 
     Attributes
     ----------
-    system : System
-    law : Law
     excluded : tuple of sympy.Expr
         Formulas whose zeros the claim leaves aside.
     circles : tuple of (angle, sine, cosine, unit)

@@ -21,8 +21,6 @@ def without_rates(
 
     Parameters
     ----------
-    formula : sympy.Expr
-    ground : Ground
     quantities : mapping of Symbol to formula, optional
         Further names that may stand under a rate.
     """

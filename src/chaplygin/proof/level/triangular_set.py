@@ -40,11 +40,10 @@ def triangle(
 
     Parameters
     ----------
-    draft : Fractions
+    draft : FunctionField
         The field to which the conditions belong.
     names : sequence of str
         Variables that may be main ones.
-    conditions : sequence of polynomials
     moving : set of str
         Names of the state variables.
 
@@ -66,7 +65,7 @@ def chain(
 ) -> list[tuple[str, Poly]]:
     """Main variables and polynomials of a triangular set, from the lowest to the highest.
 
-    Parameters, errors: as for :func:`triangle`.
+    Parameters and errors are those of `triangle`.
     """
     relations = _chain(draft, names, conditions, moving, _merit)
     if relations is None:

@@ -134,7 +134,6 @@ def circles(
 
     Parameters
     ----------
-    system : System
     on : iterable of formulas
         The level, beside the relations.
     also : iterable of formulas
