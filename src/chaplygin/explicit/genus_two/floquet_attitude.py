@@ -25,7 +25,7 @@ import numpy as np
 from scipy.linalg import solve_triangular
 from scipy.spatial.transform import Rotation
 
-from ...core.arrays import ComplexArray, FloatArray, IntArray
+from ...core.arrays import ComplexArray, FloatArray
 from ..base.no_closed_form import NoClosedFormError
 from .attitude import continuous_signs
 from .quadrature import Series, series
@@ -121,7 +121,8 @@ def reduction(
     """
     first = int(abs(V[1]) > abs(V[0]))
     speeds = (float(V[first]), float(V[1 - first]))
-    waves = [_Waves.of(part, first) for part in series(turning)]
+    # the phase that makes the turn comes first
+    waves = [f if first == 0 else f.transposed() for f in series(turning)]
     places = _PLACES[0]
     while True:
         planes = _turn_attitudes(waves, speeds, places)
@@ -147,33 +148,18 @@ def reduction(
 # --- one turn ------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class _Waves:
-    """A function on the torus, the phase that makes the turn first."""
-
-    first: FloatArray | IntArray
-    second: FloatArray | IntArray
-    coefficients: ComplexArray
-
-    @classmethod
-    def of(cls, part: Series, first: int) -> _Waves:
-        """A series with its phases in this order."""
-        if first == 0:
-            return cls(part.first, part.second, part.coefficients)
-        return cls(part.second, part.first, part.coefficients.T)
-
-    def along(self, tau: FloatArray, speeds: tuple[float, float], theta: FloatArray) -> FloatArray:
-        """Values (n, places) at the phases (V₁τ, θ + V₂τ)."""
-        here: ComplexArray = (
-            np.exp(1j * np.pi * speeds[0] * np.outer(tau, self.first)) @ self.coefficients
-        )
-        here = here * np.exp(1j * np.pi * speeds[1] * np.outer(tau, self.second))
-        values: ComplexArray = here @ np.exp(1j * np.pi * np.outer(self.second, theta))
-        return values.real
+def _values_along(
+    f: Series, tau: FloatArray, speeds: tuple[float, float], theta: FloatArray
+) -> FloatArray:
+    """Values (n, places) of a function at the phases (V₁τ, θ + V₂τ)."""
+    here: ComplexArray = np.exp(1j * np.pi * speeds[0] * np.outer(tau, f.first)) @ f.coefficients
+    here = here * np.exp(1j * np.pi * speeds[1] * np.outer(tau, f.second))
+    values: ComplexArray = here @ np.exp(1j * np.pi * np.outer(f.second, theta))
+    return values.real
 
 
 def _turn_attitudes(
-    waves: Sequence[_Waves], speeds: tuple[float, float], places: int
+    waves: Sequence[Series], speeds: tuple[float, float], places: int
 ) -> FloatArray:
     """A(θ) after parts of a turn of the first phase: (planes + 1, places, 3, 3)."""
     steps = max(_STEPS[0], 2 * places)
@@ -189,13 +175,13 @@ def _turn_attitudes(
 
 
 def _magnus_attitudes(
-    waves: Sequence[_Waves], speeds: tuple[float, float], places: int, steps: int
+    waves: Sequence[Series], speeds: tuple[float, float], places: int, steps: int
 ) -> FloatArray:
     """A(θ) along a turn, by so many steps of Magnus' method of sixth order."""
     theta = 2.0 * np.arange(places) / places
     h = 2.0 / abs(speeds[0]) / steps
     tau = h * np.add.outer(np.arange(steps), _GAUSS).ravel()
-    turning = np.array([part.along(tau, speeds, theta) for part in waves])
+    turning = np.array([_values_along(f, tau, speeds, theta) for f in waves])
     # of Q′ = Q[Ω], whose commutators are those of Q′ = [Ω]Q turned over
     early, middle, late = (turning[:, place::3] for place in range(3))
     one = h * middle

@@ -52,6 +52,10 @@ class Series:
     coefficients: ComplexArray
     grid: tuple[int, int]
 
+    def transposed(self) -> Series:
+        """The function with its two phases exchanged."""
+        return Series(self.second, self.first, self.coefficients.T, self.grid[::-1])
+
     def waves(self, v: FloatArray) -> tuple[ComplexArray, ComplexArray]:
         """exp(iπk₁v₁) and exp(iπk₂v₂) at phases v (n, 2)."""
         return (

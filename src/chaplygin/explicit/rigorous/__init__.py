@@ -196,24 +196,10 @@ def rigorous_state(solution: TorusMotion, time: Written, digits: int) -> tuple[a
         See :func:`rigorous_motion`.
     """
     steps = ceil(log10(max(_turns(solution, time), 1.0)) / _DECADES)
-    return _prepared_motion(_ByIdentity(solution), digits, _DECADES * max(1, steps)).state(time)
-
-
-class _ByIdentity:
-    """A solution, equal to itself alone."""
-
-    def __init__(self, solution: TorusMotion) -> None:
-        self.solution = solution
-
-    def __hash__(self) -> int:
-        return id(self.solution)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _ByIdentity) and other.solution is self.solution
+    return _prepared_motion(solution, digits, _DECADES * max(1, steps)).state(time)
 
 
 @lru_cache(maxsize=4)
-def _prepared_motion(itself: _ByIdentity, digits: int, decades: int) -> RigorousMotion:
-    """A motion prepared for turns up to a power of ten, kept for the next time asked."""
-    until = 10**decades / itself.solution.pace
-    return rigorous_motion(itself.solution, digits, until)
+def _prepared_motion(solution: TorusMotion, digits: int, decades: int) -> RigorousMotion:
+    """A motion prepared for turns up to a power of ten; the latest are kept."""
+    return rigorous_motion(solution, digits, 10**decades / solution.pace)

@@ -9,7 +9,7 @@ from flint import fmpq_mpoly_ctx
 
 from ...formulas.errors import OutOfReachError
 from ..fields.budget import Budget
-from ..fields.quotient_ring import Poly
+from ..fields.quotient_ring import Poly, coefficient
 from .groebner import Multiples
 from .sign_reasons import Reasons, monic
 
@@ -111,7 +111,7 @@ class Chains:
 
     def _step(self, combination: Combination, main: int) -> Step:
         degree = int(combination.poly.degrees()[main])
-        return Step(main, combination, degree, self._coefficient_of(combination.poly, main, degree))
+        return Step(main, combination, degree, coefficient(combination.poly, main, degree))
 
     def _in_order(self, chain: list[Step]) -> list[Step]:
         order = _order_of_mains([(step.main, step.combination.poly) for step in chain])
@@ -121,7 +121,7 @@ class Chains:
 
     def _merit(self, poly: Poly, main: int, nonzero: Sequence[Poly]) -> tuple[int, int, int]:
         degree = int(poly.degrees()[main])
-        lead = self._coefficient_of(poly, main, degree)
+        lead = coefficient(poly, main, degree)
         if lead.is_constant():
             kind = 0 if degree == 1 else degree - 1
         else:
@@ -129,15 +129,6 @@ class Chains:
             kind = 10 * degree + (len(lead) > 1) + 4 * moves
             kind += 100 * (not self.is_nonzero(lead, nonzero))
         return kind, len(lead), -main
-
-    def _coefficient_of(self, poly: Poly, position: int, degree: int) -> Poly:
-        found = {}
-        for exponents, number in poly.to_dict().items():
-            if exponents[position] == degree:
-                rest = list(exponents)
-                rest[position] = 0
-                found[tuple(rest)] = number
-        return self.ring.from_dict(found)
 
     def _remainder(self, combination: Combination, chain: Sequence[Step]) -> Combination:
         division = self.division(combination.poly, chain)
@@ -155,7 +146,7 @@ class Chains:
         for number, step in enumerate(chain):
             variable = self.ring.gen(step.main)
             while poly and (height := int(poly.degrees()[step.main])) >= step.degree:
-                top = self._coefficient_of(poly, step.main, height)
+                top = coefficient(poly, step.main, height)
                 factor, remainder = divmod(top, step.lead)
                 if remainder:
                     shared = top.gcd(step.lead)

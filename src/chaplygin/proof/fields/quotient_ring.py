@@ -18,7 +18,7 @@ from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from .budget import Budget
 
-__all__ = ["Element", "Poly", "QuotientRing"]
+__all__ = ["Element", "Poly", "QuotientRing", "coefficient"]
 
 Poly: TypeAlias = fmpq_mpoly
 
@@ -237,20 +237,19 @@ class QuotientRing:
         """Remainder in the variable `main`, up to powers of the leading coefficient."""
         position = self.names.index(main)
         degree = int(relation.degrees()[position])
-        lead = self.coefficient(relation, position, degree)
+        lead = coefficient(relation, position, degree)
         variable = self.generators[main]
         while poly and (height := int(poly.degrees()[position])) >= degree:
-            top = self.coefficient(poly, position, height)
+            top = coefficient(poly, position, height)
             poly = lead * poly - top * variable ** (height - degree) * relation
             self.budget.spend(poly)
         return poly
 
-    def coefficient(self, poly: Poly, position: int, degree: int) -> Poly:
-        """Coefficient of a power of one generator."""
-        terms = {}
-        for exponents, number in poly.to_dict().items():
-            if exponents[position] == degree:
-                lower = list(exponents)
-                lower[position] = 0
-                terms[tuple(lower)] = number
-        return self.ring.from_dict(terms)
+
+def coefficient(poly: Poly, position: int, degree: int) -> Poly:
+    """The coefficient of a power of one generator."""
+    terms = {}
+    for exponents, number in poly.to_dict().items():
+        if exponents[position] == degree:
+            terms[(*exponents[:position], 0, *exponents[position + 1 :])] = number
+    return poly.context().from_dict(terms)

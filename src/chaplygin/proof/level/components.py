@@ -20,6 +20,7 @@ from typing import Any
 
 from ...formulas.errors import EmptyLevelError, OutOfReachError
 from ..fields.function_field import FunctionField
+from ..fields.quotient_ring import coefficient
 from ..fields.signs import Signs
 from .triangular_set import chain
 
@@ -233,7 +234,7 @@ class Decomposition:
         initials: dict[str, Poly] = {}
         for main, poly in triangular:
             position = self.draft.names.index(main)
-            lead = self.draft.coefficient(poly, position, int(poly.degrees()[position]))
+            lead = coefficient(poly, position, int(poly.degrees()[position]))
             if not lead.is_constant():
                 for part, _ in lead.factor()[1]:
                     if not self.signs.never_zero(part):

@@ -15,7 +15,7 @@ from ...core.vectors import Symmetric, to_components
 from ...errors import InputError
 from ...formulas.jets import Evaluator, GeneratorSwap, Inversion, Jet
 from ...formulas.number_fields import Balls, Rationals
-from ..fields.field import Field
+from ..fields.field import Field, FieldElement
 from .trigonometric import expanded
 
 __all__ = ["EmptyLevelSetError", "LevelFormulas", "assumed_relations", "conditions_text"]
@@ -215,27 +215,30 @@ class LevelFormulas:
         """Values with their time derivatives along the field of the system."""
         plain = self.evaluator(field)
         rates = dict(zip(self.system.symbols, self.system.rates, strict=True))
-
-        def seed(symbol: sp.Symbol) -> Jet | None:
-            known = plain.seed(symbol)
-            if known is None or symbol not in rates:
-                return known
-            return Jet(known.value, {-1: plain.value(rates[symbol])})
-
-        return Evaluator(field, seed, self.steps, self.exchanged, self.zeros, self.inverted, True)
+        return self._with_slopes(plain, lambda symbol: {-1: plain.value(rates[symbol])}, True)
 
     def partial(self, field: Field) -> Evaluator:
         """Values with their partial derivatives by the state variables, numbered."""
-        plain = self.evaluator(field)
         number = {s: i for i, s in enumerate(self.system.symbols)}
+        return self._with_slopes(self.evaluator(field), lambda s: {number[s]: field.one})
+
+    def _with_slopes(
+        self,
+        plain: Evaluator,
+        slopes: Callable[[sp.Symbol], dict[int, FieldElement]],
+        moving: bool = False,
+    ) -> Evaluator:
+        """Values with the derivatives that follow from those of the state variables."""
+        state = set(self.system.symbols)
 
         def seed(symbol: sp.Symbol) -> Jet | None:
             known = plain.seed(symbol)
-            if known is None or symbol not in number:
+            if known is None or symbol not in state:
                 return known
-            return Jet(known.value, {number[symbol]: field.one})
+            return Jet(known.value, slopes(symbol))
 
-        return Evaluator(field, seed, self.steps, self.exchanged, self.zeros, self.inverted)
+        more = (self.steps, self.exchanged, self.zeros, self.inverted, moving)
+        return Evaluator(plain.field, seed, *more)
 
 
 def _linear_in(formula: sp.Expr) -> tuple[sp.Symbol, sp.Expr] | None:
