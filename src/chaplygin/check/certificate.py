@@ -15,9 +15,9 @@ from .identities.accuracy import with_precision
 from .identities.basis import Basis, read_basis
 from .identities.case_tree import Node, check_tree
 from .identities.proof import Condition, check_left, check_proof, read_region, same
-from .identities.read_generators import FIELDS, read_ground
+from .identities.read_generators import FIELDS, read_generators
 from .identities.signs import covers
-from .identities.substitution import CONSISTENCY, LAW, expressed, substituted
+from .identities.substitution import CONSISTENCY, LAW, expressed_variables, statements
 from .witness import check_sample, check_witness
 
 __all__ = ["FORMAT", "check"]
@@ -125,30 +125,30 @@ class _Proofs:
         stated = read_claim(field(proof, "claim", what), f"the claim of {what}")
         region = read_region(proof, self.claim, what)
         change = proof["substitution"]
-        return stated, substituted(self.claim, stated, change, region, self.conditions, what)
+        return stated, statements(self.claim, stated, change, region, self.conditions, what)
 
     def _require(self, numbers: Sequence[int], what: str) -> None:
         """Some proofs treat everything, whatever signs they assume."""
         groups: dict[str, list[int]] = {}
         for i in numbers:
-            groups.setdefault(self._ground_of(i), []).append(i)
+            groups.setdefault(self._generators_of(i), []).append(i)
         done = [
             chosen
             for chosen in groups.values()
             if covers([self.bases[i] for i in chosen], self.conditions)
         ]
         agreed = {
-            expressed(self.proofs[chosen[0]].get("substitution", []))
+            expressed_variables(self.proofs[chosen[0]].get("substitution", []))
             for chosen in done
             if CONSISTENCY in self.roles[chosen[0]]
         }
         for chosen in done:
-            graph = expressed(self.proofs[chosen[0]].get("substitution", []))
+            graph = expressed_variables(self.proofs[chosen[0]].get("substitution", []))
             if LAW in self.roles[chosen[0]] and (not graph or graph in agreed):
                 return
         raise CheckError(f"{what} leave open what holds for some signs, or some points")
 
-    def _ground_of(self, number: int) -> str:
+    def _generators_of(self, number: int) -> str:
         proof = self.proofs[number]
         claim = proof.get("claim", self.stated) if proof.get("substitution") else self.stated
         return json.dumps([claim, proof.get("substitution", []), proof.get("zeros", [])])
@@ -157,8 +157,8 @@ class _Proofs:
         only(data, "the cover", *FIELDS, "tree")
         if data.get("signs"):
             raise CheckError("the cover assumes signs")
-        ground = read_ground(data, self.claim, "the cover")
-        basis = with_precision(lambda: read_basis(data, ground, (), "the cover", False))
+        generators = read_generators(data, self.claim, "the cover")
+        basis = with_precision(lambda: read_basis(data, generators, (), "the cover", False))
 
         def leaf(node: Node, data: Mapping[str, object], where: str) -> None:
             if data["case"] != "proof":
@@ -174,7 +174,7 @@ class _Proofs:
                 self._check_region(i, basis, node, where)
             self._require(numbers, f"the proofs at {where}")
 
-        node = Node(ground.ring, basis.equations, basis.nonzero, basis.signs, None, leaf)
+        node = Node(generators.ring, basis.equations, basis.nonzero, basis.signs, None, leaf)
         check_tree(node, field(data, "tree", "the cover"), "the tree of the cover")
 
     def _check_region(self, number: int, basis: Basis, node: Node, where: str) -> None:

@@ -224,7 +224,7 @@ class _Point:
     def _vanishes(self, formula: Formula) -> bool:
         ring = self.ring
 
-        def known(word: str) -> tuple[Poly, Poly] | None:
+        def value_of(word: str) -> tuple[Poly, Poly] | None:
             if word in self.rationals:
                 return ring.constant(self.rationals[word]), ring.constant(1)
             if any(word == main for main, _ in self.chain):
@@ -236,7 +236,7 @@ class _Point:
             **{word: number(value) for word, value in self.rationals.items()},
         }
         try:
-            above, below = quotient(formula, ring, known, definitions)
+            above, below = quotient(formula, ring, value_of, definitions)
         except UndefinedError:
             value = self.place(formula)
             return bool(value.contains(0) and value.rad() < arb(10) ** -NARROW)

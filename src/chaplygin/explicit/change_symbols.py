@@ -1,4 +1,4 @@
-"""A separation told in the symbols of another system that is the same."""
+"""A separation in the symbols of another system with the same field."""
 
 from __future__ import annotations
 

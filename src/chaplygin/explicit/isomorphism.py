@@ -242,7 +242,7 @@ def push_forward(system: System, law: Isomorphism, separable: SeparatedSystem) -
 def _with_names(
     separable: SeparatedSystem, text: Callable[[sp.Expr], sp.Expr], names: Formulas
 ) -> SeparatedSystem:
-    """The curve in other names, ν and ν′ told in another state."""
+    """The curve in other names, with ν and ν′ in another state."""
 
     def each(formulas: Iterable[sp.Expr]) -> Any:
         return tuple(_substitution(sp.sympify(formula), names) for formula in formulas)

@@ -1,4 +1,4 @@
-"""Bodies whose axes are not principal: solved in their principal axes, told in their own."""
+"""Bodies in axes that are not principal, solved in their principal axes."""
 
 from __future__ import annotations
 

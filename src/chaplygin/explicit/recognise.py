@@ -141,7 +141,7 @@ class Match:
     Attributes
     ----------
     known : SeparatedSystem
-        As it is told of.
+        In the symbols of its own system.
     own : SeparatedSystem
         The same in the symbols of the problem.
     level : tuple of Condition
@@ -272,7 +272,7 @@ def _separable(problem: Problem) -> Solution | None:
     axial = _axisymmetric(problem, match, values)
     if axial is not None or match.level:
         return axial
-    # a start has fifty digits: roots that coincide differ by as little, and are told first
+    # a start has fifty digits: roots that coincide differ by as little, and are found first
     solution: Solution | None = resting(problem.system, values, problem.start)
     if solution is None:
         solution = solved_degenerate(match.own, values, problem.start)

@@ -158,17 +158,17 @@ class _Checker:
     def read(self) -> CheckedClaim:
         return read_claim(claim_text(self.system, self.law), "the claim")
 
-    def refutation(self, claim: Claim, ground: LevelSet, trial: Trial) -> _Part | None:
+    def refutation(self, claim: Claim, level: LevelSet, trial: Trial) -> _Part | None:
         """The part on which the law fails at a point; None if the check disagrees."""
         try:
-            confirmed = witness(self.read, claim, ground, trial.values)
-            if confirmed is None and not self._beyond(claim, ground, trial):
+            confirmed = witness(self.read, claim, level, trial.values)
+            if confirmed is None and not self._beyond(claim, level, trial):
                 return None
         except (CheckError, UndefinedError):
             return None
-        return _Part((), trial=trial, point=ground.point_shown(trial.field), witness=confirmed)
+        return _Part((), trial=trial, point=level.point_shown(trial.field), witness=confirmed)
 
-    def _beyond(self, claim: Claim, ground: LevelSet, trial: Trial) -> bool:
+    def _beyond(self, claim: Claim, level: LevelSet, trial: Trial) -> bool:
         """Whether the check has the point, but not the residual, which it does not know.
 
         It knows rates of the conditions as they are given, not of the equations of a component;
@@ -177,7 +177,7 @@ class _Checker:
         what = trial.witness[0] if trial.witness else ""
         if not (isinstance(self.law, Separation) or what.startswith(("invariance", "dτ/dt"))):
             return False
-        point = witness_point(claim, ground, trial.values)
+        point = witness_point(claim, level, trial.values)
         if point is not None:
             located(self.read, point)
         return point is not None
@@ -191,25 +191,25 @@ def _of_alternative(alternative: Alternative, budget: Budget, checked: _Checker)
         yield _Part(alternative.chosen, Proof(0, failure=str(reason)))
         return
     for claim in claims:
-        grounds = LevelSet(claim.system, claim.law.on).components
-        for ground in grounds:
-            part = _on(ground, claim, budget, checked)
-            yield replace(part, chosen=(*alternative.chosen, *ground.chosen))
-            if part.trial is not None or (part.proof.failure and not ground.chosen):
+        levels = LevelSet(claim.system, claim.law.on).components
+        for level in levels:
+            part = _on(level, claim, budget, checked)
+            yield replace(part, chosen=(*alternative.chosen, *level.chosen))
+            if part.trial is not None or (part.proof.failure and not level.chosen):
                 return
         for excluded in claim.excluded:
             yield _Part((*alternative.chosen, excluded), Proof(0, failure="not decided"))
 
 
-def _on(ground: LevelSet, claim: Claim, budget: Budget, checked: _Checker) -> _Part:
+def _on(level: LevelSet, claim: Claim, budget: Budget, checked: _Checker) -> _Part:
     """The law on one component."""
     # motions may leave a part on which an initial vanishes for the rest of the component
-    points = replace(ground, inner=True) if ground.parent else ground
+    points = replace(level, inner=True) if level.parent else level
     law = claim.law
     sample: dict[str, float] | None = None
     first: Trial | None = None
     # a rank is that at almost all points, not the one where an initial vanishes
-    attained = ground.parent is not None
+    attained = level.parent is not None
     for trial in trials(law, points):
         if trial.witness is not None:
             refuted = checked.refutation(claim, points, trial)
@@ -228,9 +228,9 @@ def _on(ground: LevelSet, claim: Claim, budget: Budget, checked: _Checker) -> _P
             refuted = checked.refutation(claim, points, last)
             if refuted is not None:
                 return refuted
-        if isinstance(law, Measure) and positives(law, ground):
+        if isinstance(law, Measure) and positives(law, level):
             return _Part((), Proof(0, failure=NOWHERE))
-    outcome = proof(law, ground, sample, budget, attained)
+    outcome = proof(law, level, sample, budget, attained)
     if outcome.lack is not None and first is not None:
         failed = replace(first, witness=outcome.lack)
         return _Part((), trial=failed, point=points.point_shown(first.field))
@@ -239,47 +239,47 @@ def _on(ground: LevelSet, claim: Claim, budget: Budget, checked: _Checker) -> _P
             refuted = trial.witness and checked.refutation(claim, points, trial)
             if refuted:
                 return refuted
-    return _Part((), outcome, needs=_needs(law, ground), remark=_remark(law, ground, first))
+    return _Part((), outcome, needs=_needs(law, level), remark=_remark(law, level, first))
 
 
-def _needs(law: Law, ground: LevelSet) -> tuple[tuple[str, str], ...]:
+def _needs(law: Law, level: LevelSet) -> tuple[tuple[str, str], ...]:
     """Time must run forward: rates of time not known to be positive, in words and as formulas."""
-    if not isinstance(law, Isomorphism) or ground.sign(to_components(law.time)) is Sign.POSITIVE:
+    if not isinstance(law, Isomorphism) or level.sign(to_components(law.time)) is Sign.POSITIVE:
         return ()
     return tuple(
         (f"{what} > 0", f"{formula} > 0")
-        for what, formula in positives(law, ground)
-        if ground.sign(formula) is not Sign.POSITIVE
+        for what, formula in positives(law, level)
+        if level.sign(formula) is not Sign.POSITIVE
     )
 
 
-def _remark(law: Law, ground: LevelSet, first: Trial | None) -> str:
+def _remark(law: Law, level: LevelSet, first: Trial | None) -> str:
     """A remark on a law that holds: where a density is real, or that it is trivial."""
     if isinstance(law, Measure):
-        return _of_density(law, ground)
+        return _of_density(law, level)
     try:
-        said = first is not None and remark(law, ground, first.field)
-        return f"; {said}" if said and said == remark(law, ground, _symbols(ground)) else ""
+        said = first is not None and remark(law, level, first.field)
+        return f"; {said}" if said and said == remark(law, level, _symbols(level)) else ""
     except (NotExactError, OutOfReachError, NeedMoreGeneratorsError, ZeroDivisionError):
         return ""
 
 
-def _symbols(ground: LevelSet) -> FunctionField:
-    return ground.fractions(FunctionField, 32, None, Budget())
+def _symbols(level: LevelSet) -> FunctionField:
+    return level.fractions(FunctionField, 32, None, Budget())
 
 
-def _of_density(law: Measure, ground: LevelSet) -> str:
+def _of_density(law: Measure, level: LevelSet) -> str:
     real = [
         f"{text(formula)} > 0"
-        for _, formula in positives(law, ground)
-        if ground.sign(formula) is not Sign.POSITIVE
+        for _, formula in positives(law, level)
+        if level.sign(formula) is not Sign.POSITIVE
         # an even power is positive where the density is defined at all
         and not (formula.is_Pow and formula.exp.is_even)
     ]
     signed = [
         f"({text(formula)})"
-        for _, formula in orienting(law, ground)
-        if abs(ground.sign(formula)) != Sign.POSITIVE
+        for _, formula in orienting(law, level)
+        if abs(level.sign(formula)) != Sign.POSITIVE
     ]
     return (f"; ρ is real where {', '.join(real)}" if real else "") + (
         f"; a signed measure, with the sign of {' · '.join(signed)}" if signed else ""

@@ -32,15 +32,15 @@ _Value = Callable[[Formula], tuple[str, Element]]
 
 
 def divisors(
-    claim: CheckedClaim, law: Law, ground: LevelSet, field: UnreducedField
+    claim: CheckedClaim, law: Law, level: LevelSet, field: UnreducedField
 ) -> Iterator[Divisor]:
     """All divisors and radicands of a law, apart from those that have no value in the field."""
-    settled = {str(s): parse(str(v), "a settled parameter") for s, v in ground.settled.items()}
+    settled = {str(s): parse(str(v), "a settled parameter") for s, v in level.settled.items()}
     own_domain = domain(claim, settled)
     positive = dict.fromkeys(
         [*((where, f) for where, f, _ in own_domain.positive), *own_domain.logarithms]
     )
-    places = {"own": _own(law, ground, field), "target": _target(law, ground, field)}
+    places = {"own": _own(law, level, field), "target": _target(law, level, field)}
     for where, formula in dict.fromkeys([*own_domain.nonzero, *positive]):
         seen = set()
         for place in places[where]:
@@ -55,34 +55,32 @@ def divisors(
             if (where, formula) in positive:
                 break
     if own_domain.gram:
-        for value in _volumes(ground, field):
+        for value in _volumes(level, field):
             yield GRAM, "own", value, False
 
 
-def _own(law: Law, ground: LevelSet, field: UnreducedField) -> list[_Value]:
+def _own(law: Law, level: LevelSet, field: UnreducedField) -> list[_Value]:
     """Values with derivatives along the motion, and without, which may be written otherwise."""
-    quantities = quantities_in_order(law, ground) if isinstance(law, Reduction | Identity) else {}
-    evaluators = (ground.along(field), ground.evaluator(field), ground.partial(field))
-    return [_value(ground, quantities, e.with_steps(quantities)) for e in evaluators]
+    quantities = quantities_in_order(law, level) if isinstance(law, Reduction | Identity) else {}
+    evaluators = (level.along(field), level.evaluator(field), level.partial(field))
+    return [_value(level, quantities, e.with_steps(quantities)) for e in evaluators]
 
 
-def _value(
-    ground: LevelSet, quantities: Mapping[sp.Symbol, sp.Expr], evaluate: Evaluator
-) -> _Value:
-    table = {**ground.named, **{str(s): s for s in quantities}}
+def _value(level: LevelSet, quantities: Mapping[sp.Symbol, sp.Expr], evaluate: Evaluator) -> _Value:
+    table = {**level.named, **{str(s): s for s in quantities}}
 
     def value(formula: Formula) -> tuple[str, Element]:
         made_of = sympy_formula(formula, table)
-        return str(made_of), evaluate.value(without_second_rates(made_of, ground, quantities))
+        return str(made_of), evaluate.value(without_second_rates(made_of, level, quantities))
 
     return value
 
 
-def _target(law: Law, ground: LevelSet, field: UnreducedField) -> list[_Value]:
+def _target(law: Law, level: LevelSet, field: UnreducedField) -> list[_Value]:
     if not isinstance(law, Isomorphism):
         return []
-    along = ground.along(field)
-    seeds = {s: Jet(jet.value, {}) for s, jet in target_state(law, ground, along).items()}
+    along = level.along(field)
+    seeds = {s: Jet(jet.value, {}) for s, jet in target_state(law, level, along).items()}
     there = Evaluator(field, seeds.get, dict(law.target.steps))
     table = {str(s): s for s in (*seeds, *(s for s, _ in law.target.steps))}
 
@@ -93,11 +91,11 @@ def _target(law: Law, ground: LevelSet, field: UnreducedField) -> list[_Value]:
     return [value]
 
 
-def _volumes(ground: LevelSet, field: UnreducedField) -> Iterator[Element]:
+def _volumes(level: LevelSet, field: UnreducedField) -> Iterator[Element]:
     """The leading minors of the Gram matrix of the conditions."""
-    partial = ground.partial(field)
-    symbols = ground.system.symbols
-    normals = [[partial.value(sp.diff(c, s)) for s in symbols] for c in ground.moving]
+    partial = level.partial(field)
+    symbols = level.system.symbols
+    normals = [[partial.value(sp.diff(c, s)) for s in symbols] for c in level.moving]
     rows = [[_dot(field, a, b) for b in normals] for a in normals]
     for size in range(1, len(rows) + 1):
         yield _determinant(field, [row[:size] for row in rows[:size]])

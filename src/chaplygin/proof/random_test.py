@@ -49,63 +49,61 @@ class Trial:
     lack: tuple[str, str] | None = None
 
 
-def everything(law: Law, ground: LevelSet, field: Field) -> Residuals:
+def everything(law: Law, level: LevelSet, field: Field) -> Residuals:
     """All residuals: of the level being invariant, and of the law."""
-    yield from condition_rates(ground, field)
-    yield from residuals(law, ground, field)
+    yield from condition_rates(level, field)
+    yield from residuals(law, level, field)
 
 
 def trials(
-    law: Law, ground: LevelSet, draws: Sequence[Draw] = (near, near, far, far, far, far)
+    law: Law, level: LevelSet, draws: Sequence[Draw] = (near, near, far, far, far, far)
 ) -> Iterator[Trial]:
     """A law at random points of the domain; fewer than asked for where there are not enough.
 
     Parameters
     ----------
-    ground : LevelSet
+    level : LevelSet
         A component of its level.
     draws : sequence of callable
         How the free numbers of each point are drawn.
     """
     generator = random.Random(SEED)
-    compute = partial(_trial_at, law, ground)
+    compute = partial(_trial_at, law, level)
     for draw in draws:
-        trial = _first(compute, ground, generator, draw) or _first(
-            compute, ground, generator, broad
-        )
+        trial = _first(compute, level, generator, draw) or _first(compute, level, generator, broad)
         if trial is None:
             return
         yield trial
 
 
-def backwards(law: Law, ground: LevelSet) -> Trial | None:
+def backwards(law: Law, level: LevelSet) -> Trial | None:
     """A point of the domain at which the time of an isomorphism does not run forward."""
     if not isinstance(law, Isomorphism):
         return None
 
-    def at(field: Rationals | Balls, values: Mapping[str, fmpq | arb]) -> Trial:
-        (witness, *_) = unmet(law, ground, field) or (None,)
+    def trial_at(field: Rationals | Balls, values: Mapping[str, fmpq | arb]) -> Trial:
+        (witness, *_) = unmet(law, level, field) or (None,)
         return Trial(field, values, witness)
 
-    return _first(at, ground, random.Random(SEED), near)
+    return _first(trial_at, level, random.Random(SEED), near)
 
 
 def _first(
     compute: Callable[[Rationals | Balls, Mapping[str, fmpq | arb]], Trial],
-    ground: LevelSet,
+    level: LevelSet,
     generator: random.Random,
     draw: Draw,
 ) -> Trial | None:
     for _ in range(ATTEMPTS):
         try:
-            values, exact = ground.point(generator, draw)
+            values, exact = level.point(generator, draw)
         except OutOfReachError:
             return None
-        if not ground.inside(values, exact):
+        if not level.inside(values, exact):
             continue
         for rational in (True, False) if exact else (False,):
             try:
-                return compute(ground.numbers(values, rational), values)
+                return compute(level.numbers(values, rational), values)
             except NotExactError:
                 continue
             except ZeroDivisionError:
@@ -114,15 +112,15 @@ def _first(
 
 
 def _trial_at(
-    law: Law, ground: LevelSet, field: Rationals | Balls, values: Mapping[str, fmpq | arb]
+    law: Law, level: LevelSet, field: Rationals | Balls, values: Mapping[str, fmpq | arb]
 ) -> Trial:
-    if unmet(law, ground, field):
+    if unmet(law, level, field):
         # the law makes no sense here
         raise ZeroDivisionError
-    for what, residual in everything(law, ground, field):
+    for what, residual in everything(law, level, field):
         if not field.vanishes(residual):
             return Trial(field, values, (what, residual))
     try:
-        return Trial(field, values, lack=rank_defect(law, ground, field))
+        return Trial(field, values, lack=rank_defect(law, level, field))
     except OutOfReachError as reason:
         return Trial(field, values, lack=(str(reason), "not certain"))

@@ -59,7 +59,7 @@ def rank(field: Field, matrix: Sequence[Row]) -> int:
 
 
 @singledispatch
-def rank_defect(law: Law, ground: LevelSet, field: Field) -> tuple[str, str] | None:
+def rank_defect(law: Law, level: LevelSet, field: Field) -> tuple[str, str] | None:
     """The rank that a law lacks, or None.
 
     Parameters
@@ -84,67 +84,67 @@ def rank_defect(law: Law, ground: LevelSet, field: Field) -> tuple[str, str] | N
 # --- brackets ------------------------------------------------------------------------------
 
 
-def _entries(law: PoissonStructure, ground: LevelSet, field: Field) -> list[list[FieldElement]]:
-    plain = ground.evaluator(field)
-    size = len(ground.system.symbols)
+def _entries(law: PoissonStructure, level: LevelSet, field: Field) -> list[list[FieldElement]]:
+    plain = level.evaluator(field)
+    size = len(level.system.symbols)
     return [
-        [plain.value(without_rates(law.matrix[i, j], ground)) for j in range(size)]
+        [plain.value(without_rates(law.matrix[i, j], level)) for j in range(size)]
         for i in range(size)
     ]
 
 
 @rank_defect.register
-def _(law: PoissonStructure, ground: LevelSet, field: Field) -> tuple[str, str] | None:
+def _(law: PoissonStructure, level: LevelSet, field: Field) -> tuple[str, str] | None:
     if not law.rank:
         return None
-    found = rank(field, _entries(law, ground, field))
+    found = rank(field, _entries(law, level, field))
     return _lacking("the rank of the bracket", found, law.rank, field)
 
 
 @rank_defect.register
-def _(law: ConformallyHamiltonian, ground: LevelSet, field: Field) -> tuple[str, str] | None:
-    multiplier = ground.evaluator(field).value(to_components(law.multiplier))
+def _(law: ConformallyHamiltonian, level: LevelSet, field: Field) -> tuple[str, str] | None:
+    multiplier = level.evaluator(field).value(to_components(law.multiplier))
     if field.vanishes(multiplier):
         if not field.exact:
             raise OutOfReachError("with balls it is not certain that the multiplier is not zero")
         return "the multiplier", "0"
-    return rank_defect(law.structure, ground, field)
+    return rank_defect(law.structure, level, field)
 
 
 # --- isomorphisms --------------------------------------------------------------------------
 
 
 @rank_defect.register
-def _(law: Isomorphism, ground: LevelSet, field: Field) -> tuple[str, str] | None:
+def _(law: Isomorphism, level: LevelSet, field: Field) -> tuple[str, str] | None:
     """The map must be a local diffeomorphism from the level onto the target's phase space.
 
     The level is where the conditions hold and the constants have fixed values; the phase space is
     cut out by the relations of the target and by `onto`, the constants being put in.
     """
-    partial = ground.partial(field)
-    size = len(ground.system.symbols)
+    partial = level.partial(field)
+    size = len(level.system.symbols)
 
     def rows(formulas: Sequence[sp.Expr]) -> list[Row]:
         slopes_of = [partial(formula).slopes for formula in formulas]
         return [[slopes.get(i, field.zero) for i in range(size)] for slopes in slopes_of if slopes]
 
-    constants = rows(list(components(law.constants, ground).values()))
-    bounds = [*rows(ground.moving), *constants]
-    images = rows(list(components(law.map, ground).values()))
+    constants = rows(list(components(law.constants, level).values()))
+    bounds = [*rows(level.moving), *constants]
+    images = rows(list(components(law.map, level).values()))
     total = rank(field, [*bounds, *images])
     lacking = _lacking("the rank of the map with the conditions", total, size, field)
     if lacking is not None:
         return lacking
-    return _too_large(law, ground, field, size, bounds)
+    return _too_large(law, level, field, size, bounds)
 
 
 def _too_large(
-    law: Isomorphism, ground: LevelSet, field: Field, size: int, bounds: list[Row]
+    law: Isomorphism, level: LevelSet, field: Field, size: int, bounds: list[Row]
 ) -> tuple[str, str] | None:
     """Whether the target has directions that no motion of the source takes."""
     target = law.target
     number = {s: i for i, s in enumerate(target.symbols)}
-    values = {s: jet.value for s, jet in target_state(law, ground, ground.evaluator(field)).items()}
+    values = {s: jet.value for s, jet in target_state(law, level, level.evaluator(field)).items()}
 
     def seed(symbol: sp.Symbol) -> Jet | None:
         if symbol not in values:
@@ -198,11 +198,11 @@ def _component_equations(law: Isomorphism, field: Field, there: Evaluator) -> tu
 
 
 @rank_defect.register
-def _(law: Reduction, ground: LevelSet, field: Field) -> tuple[str, str] | None:
+def _(law: Reduction, level: LevelSet, field: Field) -> tuple[str, str] | None:
     """The equations must determine all rates, or the ratios of two independent ones at least."""
-    stated, known, unknowns = closing(law, ground, field)
+    stated, known, unknowns = closing(law, level, field)
     wanted = unknowns
-    if up_to_time(law, ground):
+    if up_to_time(law, level):
         tied = rank(field, known)
         if not field.exact and tied < len(known):
             raise OutOfReachError("with balls it is not certain how many variables are independent")
@@ -212,9 +212,9 @@ def _(law: Reduction, ground: LevelSet, field: Field) -> tuple[str, str] | None:
 
 
 @rank_defect.register
-def _(law: Separation, ground: LevelSet, field: Field) -> tuple[str, str] | None:
+def _(law: Separation, level: LevelSet, field: Field) -> tuple[str, str] | None:
     """The quantities that separate must be independent on a level of the constants."""
-    bounds, quantities = of_separation(law, ground, field)
+    bounds, quantities = of_separation(law, level, field)
     found = rank(field, [*bounds, *quantities]) - rank(field, bounds)
     return _lacking("the number of independent quantities", found, len(quantities), field)
 

@@ -42,15 +42,15 @@ Residuals: TypeAlias = Iterator[tuple[str, FieldElement]]
 
 
 @singledispatch
-def residuals(law: Law, ground: LevelSet, field: Field) -> Residuals:
-    """The residuals of `law` on `ground`, evaluated in `field`."""
+def residuals(law: Law, level: LevelSet, field: Field) -> Residuals:
+    """The residuals of `law` on `level`, evaluated in `field`."""
     raise InputError(f"a law of kind {type(law).__name__} cannot be proved")
 
 
-def condition_rates(ground: LevelSet, field: Field) -> Residuals:
+def condition_rates(level: LevelSet, field: Field) -> Residuals:
     """Rates of the conditions: they vanish when the phase space and the level are invariant."""
-    along = ground.along(field)
-    for condition in ground.moving:
+    along = level.along(field)
+    for condition in level.moving:
         yield f"invariance of {text(condition)} = 0", along.slope(condition)
 
 
@@ -58,36 +58,36 @@ def condition_rates(ground: LevelSet, field: Field) -> Residuals:
 
 
 @residuals.register
-def _(law: Integral, ground: LevelSet, field: Field) -> Residuals:
-    yield "v(F)", ground.along(field).slope(without_rates(to_components(law.value), ground))
+def _(law: Integral, level: LevelSet, field: Field) -> Residuals:
+    yield "v(F)", level.along(field).slope(without_rates(to_components(law.value), level))
 
 
 @residuals.register
-def _(law: Identity, ground: LevelSet, field: Field) -> Residuals:
-    quantities = quantities_in_order(law, ground)
-    formulas = [without_second_rates(f, ground, quantities) for f in scalars(law.value)]
+def _(law: Identity, level: LevelSet, field: Field) -> Residuals:
+    quantities = quantities_in_order(law, level)
+    formulas = [without_second_rates(f, level, quantities) for f in scalars(law.value)]
     if not formulas:
         raise InputError(f"the law {law.name!r} states nothing: it has no formula")
     rated = any(f.has(Rate) for f in formulas)
-    evaluate = (ground.along(field) if rated else ground.evaluator(field)).with_steps(quantities)
+    evaluate = (level.along(field) if rated else level.evaluator(field)).with_steps(quantities)
     for i, formula in enumerate(formulas, 1):
         yield f"component {i}", evaluate.value(formula)
 
 
 @residuals.register
-def _(law: Reduction, ground: LevelSet, field: Field) -> Residuals:
-    quantities = quantities_in_order(law, ground)
-    evaluate = ground.along(field).with_steps(quantities)
+def _(law: Reduction, level: LevelSet, field: Field) -> Residuals:
+    quantities = quantities_in_order(law, level)
+    evaluate = level.along(field).with_steps(quantities)
     for i, equation in enumerate(law.equations, 1):
-        formula = without_second_rates(to_components(equation), ground, quantities)
+        formula = without_second_rates(to_components(equation), level, quantities)
         yield f"equation {i}", evaluate.value(formula)
 
 
 @residuals.register
-def _(law: Separation, ground: LevelSet, field: Field) -> Residuals:
-    yield from residuals.dispatch(Reduction)(law, ground, field)
-    evaluate = ground.evaluator(field).with_steps(quantities_in_order(law, ground))
-    for what, formula in separated(law, ground):
+def _(law: Separation, level: LevelSet, field: Field) -> Residuals:
+    yield from residuals.dispatch(Reduction)(law, level, field)
+    evaluate = level.evaluator(field).with_steps(quantities_in_order(law, level))
+    for what, formula in separated(law, level):
         yield what, evaluate.value(formula)
 
 
@@ -95,15 +95,15 @@ def _(law: Separation, ground: LevelSet, field: Field) -> Residuals:
 
 
 @residuals.register
-def _(law: Measure, ground: LevelSet, field: Field) -> Residuals:
-    partial = ground.partial(field)
-    rates = [partial(rate) for rate in ground.system.rates]
+def _(law: Measure, level: LevelSet, field: Field) -> Residuals:
+    partial = level.partial(field)
+    rates = [partial(rate) for rate in level.system.rates]
     total = field.zero
     for i, rate in enumerate(rates):
         total = total + _slope(field, rate, i)
     for base, exponent in law.density:
         inner, power = (
-            partial(without_rates(to_components(base), ground)),
+            partial(without_rates(to_components(base), level)),
             partial(sp.sympify(exponent)),
         )
         if power.slopes:
@@ -114,7 +114,7 @@ def _(law: Measure, ground: LevelSet, field: Field) -> Residuals:
         if field.vanishes(inner.value):
             raise ZeroDivisionError
         total = total + power.value * _lie_derivative(field, inner, rates) / inner.value
-    yield "div(ρv)/ρ", total - _transverse(ground, field, partial, rates)
+    yield "div(ρv)/ρ", total - _transverse(level, field, partial, rates)
 
 
 def _slope(field: Field, jet: Jet, direction: int) -> FieldElement:
@@ -131,15 +131,15 @@ def _lie_derivative(field: Field, jet: Jet, rates: Sequence[Jet]) -> FieldElemen
 
 
 def _transverse(
-    ground: LevelSet, field: Field, partial: Evaluator, rates: Sequence[Jet]
+    level: LevelSet, field: Field, partial: Evaluator, rates: Sequence[Jet]
 ) -> FieldElement:
     """The part of the divergence that points out of the phase space.
 
     With v(F_i) = Σ C_ij F_j for the conditions F it is the trace of C.
     """
-    symbols = ground.system.symbols
+    symbols = level.system.symbols
     normals, drifts = [], []
-    for condition in ground.moving:
+    for condition in level.moving:
         slopes = [partial(sp.diff(condition, s)) for s in symbols]
         drift = Jet(field.zero, {})
         for slope, rate in zip(slopes, rates, strict=True):
@@ -188,18 +188,18 @@ def _solution(field: Field, matrix: Sequence[Row], right: Row) -> list[FieldElem
 
 
 @residuals.register
-def _(law: Symmetry, ground: LevelSet, field: Field) -> Residuals:
-    partial = ground.partial(field)
-    given = components(law.field, ground)
-    symbols = ground.system.symbols
-    rates = [partial(rate) for rate in ground.system.rates]
+def _(law: Symmetry, level: LevelSet, field: Field) -> Residuals:
+    partial = level.partial(field)
+    given = components(law.field, level)
+    symbols = level.system.symbols
+    rates = [partial(rate) for rate in level.system.rates]
     if strange := set(given) - set(symbols):
         raise InputError(
             f"the law {law.name!r} gives a component along {', '.join(sorted(map(str, strange)))}, "
-            f"which is no state variable of {ground.system.name}"
+            f"which is no state variable of {level.system.name}"
         )
     push = [partial(given.get(s, sp.S.Zero)) for s in symbols]
-    for condition in ground.moving:
+    for condition in level.moving:
         yield f"u({condition})", _lie_derivative(field, partial(condition), push)
     for symbol, rate, shift in zip(symbols, rates, push, strict=True):
         yield (
@@ -212,22 +212,22 @@ def _(law: Symmetry, ground: LevelSet, field: Field) -> Residuals:
 
 
 @residuals.register
-def _(law: PoissonStructure, ground: LevelSet, field: Field) -> Residuals:
-    partial = ground.partial(field)
-    size = len(ground.system.symbols)
+def _(law: PoissonStructure, level: LevelSet, field: Field) -> Residuals:
+    partial = level.partial(field)
+    size = len(level.system.symbols)
     if law.matrix.shape != (size, size):
         raise InputError(
             f"the law {law.name!r}: its matrix is {law.matrix.shape[0]}×{law.matrix.shape[1]}, "
             f"but the state has {size} variables"
         )
     entries = [
-        [partial(without_rates(law.matrix[i, j], ground)) for j in range(size)] for i in range(size)
+        [partial(without_rates(law.matrix[i, j], level)) for j in range(size)] for i in range(size)
     ]
     values = [[entry.value for entry in row] for row in entries]
     for i in range(size):
         for j in range(i, size):
             yield f"J[{i + 1},{j + 1}] + J[{j + 1},{i + 1}]", values[i][j] + values[j][i]
-    for condition in ground.moving:
+    for condition in level.moving:
         yield from _casimir(field, f"{{·, {condition}}}", partial(condition), values)
     for i, j, k in combinations(range(size), 3):
         total = field.zero
@@ -239,7 +239,7 @@ def _(law: PoissonStructure, ground: LevelSet, field: Field) -> Residuals:
         yield from _casimir(
             field,
             f"{{·, {casimir}}}",
-            partial(without_rates(to_components(casimir), ground)),
+            partial(without_rates(to_components(casimir), level)),
             values,
         )
     if law.rank is not None:
@@ -269,18 +269,18 @@ def pfaffian(field: Field, matrix: Sequence[Row], rows: tuple[int, ...]) -> Fiel
 
 
 @residuals.register
-def _(law: ConformallyHamiltonian, ground: LevelSet, field: Field) -> Residuals:
-    yield from residuals(law.structure, ground, field)
-    partial = ground.partial(field)
-    size = len(ground.system.symbols)
-    gradient = partial(without_rates(to_components(law.hamiltonian), ground)).slopes
+def _(law: ConformallyHamiltonian, level: LevelSet, field: Field) -> Residuals:
+    yield from residuals(law.structure, level, field)
+    partial = level.partial(field)
+    size = len(level.system.symbols)
+    gradient = partial(without_rates(to_components(law.hamiltonian), level)).slopes
     multiplier = partial.value(to_components(law.multiplier))
-    for i, rate in enumerate(ground.system.rates):
+    for i, rate in enumerate(level.system.rates):
         total = field.zero
         for j in range(size):
             if j in gradient:
                 total = total + partial.value(law.structure.matrix[i, j]) * gradient[j]
-        name = ground.system.symbols[i]
+        name = level.system.symbols[i]
         yield f"v − N J dH in {name}", partial.value(rate) - multiplier * total
 
 
@@ -288,13 +288,13 @@ def _(law: ConformallyHamiltonian, ground: LevelSet, field: Field) -> Residuals:
 
 
 @residuals.register
-def _(law: Isomorphism, ground: LevelSet, field: Field) -> Residuals:
-    along = ground.along(field)
+def _(law: Isomorphism, level: LevelSet, field: Field) -> Residuals:
+    along = level.along(field)
     target = law.target
-    images = components(law.map, ground)
-    for symbol, formula in components(law.constants, ground).items():
+    images = components(law.map, level)
+    for symbol, formula in components(law.constants, level).items():
         yield f"rate of {symbol}", along.slope(formula)
-    given = {s: Jet(jet.value, {}) for s, jet in target_state(law, ground, along).items()}
+    given = {s: Jet(jet.value, {}) for s, jet in target_state(law, level, along).items()}
     there = Evaluator(field, given.get, dict(target.steps))
     for relation in target.relations:
         yield f"{relation} in {target.name}", there.value(to_components(relation))
@@ -305,7 +305,7 @@ def _(law: Isomorphism, ground: LevelSet, field: Field) -> Residuals:
         yield f"rate of {symbol}", along.slope(images[symbol]) - speed * there.value(rate)
 
 
-def target_state(law: Isomorphism, ground: LevelSet, evaluate: Evaluator) -> dict[sp.Symbol, Jet]:
+def target_state(law: Isomorphism, level: LevelSet, evaluate: Evaluator) -> dict[sp.Symbol, Jet]:
     """State and parameters of the target, as this system gives them, and what `onto` needs.
 
     Raises
@@ -314,34 +314,34 @@ def target_state(law: Isomorphism, ground: LevelSet, evaluate: Evaluator) -> dic
         If the law leaves one of them open.
     """
     target = law.target
-    images, constants = components(law.map, ground), components(law.constants, ground)
+    images, constants = components(law.map, level), components(law.constants, level)
     missing = set(target.symbols) - set(images)
     if missing:
         raise InputError(
             f"the law {law.name!r} does not say what {', '.join(sorted(map(str, missing)))} of "
             f"{target.name} is"
         )
-    own = {p.symbol for p in ground.system.parameters}
+    own = {p.symbol for p in level.system.parameters}
     for parameter in target.parameters:
         symbol = parameter.symbol
         if symbol in constants:
             continue
         if symbol not in own:
-            moving = symbol in ground.system.symbols
-            but = f", but {ground.system.name} has a state variable of this name" if moving else ""
+            moving = symbol in level.system.symbols
+            but = f", but {level.system.name} has a state variable of this name" if moving else ""
             raise InputError(
                 f"the law {law.name!r} does not say what the parameter {symbol} of {target.name} "
                 f"is{but}"
             )
         constants[symbol] = symbol
     theirs = {*images, *constants, *(s for s, _ in target.steps)}
-    state = set(ground.system.symbols)
+    state = set(level.system.symbols)
     beside = {s for condition in law.onto for s in to_components(condition).free_symbols} - theirs
-    if turning := {s for s in beside if ground.expanded(s).free_symbols & state}:
+    if turning := {s for s in beside if level.expanded(s).free_symbols & state}:
         raise InputError(
             f"the law {law.name!r}: its level of {target.name} uses "
             f"{', '.join(sorted(map(str, turning)))}, which depends on the state of "
-            f"{ground.system.name}; it may use what {target.name} has, and constants"
+            f"{level.system.name}; it may use what {target.name} has, and constants"
         )
     formulas = {**{s: s for s in beside}, **constants, **images}
     return {s: evaluate(formula) for s, formula in formulas.items()}

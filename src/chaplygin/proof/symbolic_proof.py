@@ -67,7 +67,7 @@ class _Run:
 
 
 def proof(
-    law: Law, ground: LevelSet, sample: Mapping[str, float] | None, budget: Budget, attained: bool
+    law: Law, level: LevelSet, sample: Mapping[str, float] | None, budget: Budget, attained: bool
 ) -> Proof:
     """The residuals of a law on a component of its level, over fractions.
 
@@ -78,18 +78,18 @@ def proof(
     attained : bool
         Whether the law is known to have the rank it claims.
     """
-    first = _run(FunctionField, law, ground, sample, budget, {})
+    first = _run(FunctionField, law, level, sample, budget, {})
     if first.failure:
         return Proof(first.residuals, failure=first.failure)
     if not (attained or first.void):
         try:
-            lack = rank_defect(law, ground, first.field)
+            lack = rank_defect(law, level, first.field)
         except (OutOfReachError, NeedMoreGeneratorsError) as reason:
             return Proof(first.residuals, failure=f"{reason}")
         if lack is not None:
             return Proof(first.residuals, lack=lack)
     if first.field.decisions:
-        formal = _run(FormalRoots, law, ground, sample, budget, {})
+        formal = _run(FormalRoots, law, level, sample, budget, {})
         if formal.residuals and not formal.failure and not formal.field.decisions:
             return Proof(formal.residuals)
     proven = [] if first.void else [first]
@@ -102,7 +102,7 @@ def proof(
         if origin in failed:
             continue
         runs += 1
-        run = _run(FunctionField, law, ground, sample, budget, signs) if runs <= MOST_RUNS else None
+        run = _run(FunctionField, law, level, sample, budget, signs) if runs <= MOST_RUNS else None
         if run is None or run.failure:
             failed.add(origin)
             continue
@@ -131,17 +131,17 @@ def flipped_decisions(field: FunctionField, size: int) -> list[tuple[dict[str, i
 def _run(
     kind: type[FunctionField],
     law: Law,
-    ground: LevelSet,
+    level: LevelSet,
     sample: Mapping[str, float] | None,
     budget: Budget,
     signs: Mapping[str, int],
 ) -> _Run:
     spare = 8
     while True:
-        field = ground.fractions(kind, spare, sample, budget, signs)
+        field = level.fractions(kind, spare, sample, budget, signs)
         run = _Run(field)
         try:
-            run.residuals, run.failure = _zero_residuals(law, ground, field)
+            run.residuals, run.failure = _zero_residuals(law, level, field)
         except NeedMoreGeneratorsError:
             spare *= 2
             continue
@@ -156,9 +156,9 @@ def _run(
         return run
 
 
-def _zero_residuals(law: Law, ground: LevelSet, field: FunctionField) -> tuple[int, str]:
+def _zero_residuals(law: Law, level: LevelSet, field: FunctionField) -> tuple[int, str]:
     count = 0
-    for what, residual in everything(law, ground, field):
+    for what, residual in everything(law, level, field):
         if not field.vanishes(cast(Element, residual)):
             return count, (
                 f"{what} vanishes at the points tried, but does not reduce to zero: a "

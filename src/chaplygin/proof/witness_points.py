@@ -21,7 +21,7 @@ __all__ = ["Witness", "witness", "witness_point"]
 
 
 def witness_point(
-    claim: Claim, ground: LevelSet, values: Mapping[str, fmpq | arb]
+    claim: Claim, level: LevelSet, values: Mapping[str, fmpq | arb]
 ) -> dict[str, object] | None:
     """State and parameters of a system at a point, or None if one has no formula.
 
@@ -29,30 +29,30 @@ def witness_point(
     ----------
     claim : Claim
         In the variables of the proof.
-    ground : LevelSet
+    level : LevelSet
         One of its components.
     values : mapping of str to number
         The generators at the point, rational where they are.
     """
     rational = Rationals({n: v for n, v in values.items() if isinstance(v, fmpq)})
-    evaluate = ground.evaluator(rational)
+    evaluate = level.evaluator(rational)
     coordinates: dict[sp.Symbol, object] = {}
-    for symbol in ground.symbols:
+    for symbol in level.symbols:
         if isinstance(values.get(str(symbol)), fmpq):
             coordinates[symbol] = str(values[str(symbol)])
             continue
         # what hangs on numbers that are not rational has no value here
         with contextlib.suppress(KeyError, NotExactError, ZeroDivisionError):
             coordinates[symbol] = str(evaluate.value(symbol))
-    by_name = {str(s): s for s in ground.symbols}
-    roots = ground.roots(values)
+    by_name = {str(s): s for s in level.symbols}
+    roots = level.roots(values)
     for name, root in roots.items():
         if name in by_name and by_name[name] not in coordinates:
             coordinates[by_name[name]] = {"root": root}
-    for symbol in ground.symbols:
-        if symbol not in coordinates and symbol in ground.settled:
-            coordinates[symbol] = {"formula": str(ground.settled[symbol])}
-    if set(ground.symbols) - set(coordinates):
+    for symbol in level.symbols:
+        if symbol not in coordinates and symbol in level.settled:
+            coordinates[symbol] = {"formula": str(level.settled[symbol])}
+    if set(level.symbols) - set(coordinates):
         return None
     return _original(claim, coordinates)
 
@@ -92,10 +92,10 @@ class Witness:
 
 
 def witness(
-    read: CheckedClaim, claim: Claim, ground: LevelSet, values: Mapping[str, fmpq | arb]
+    read: CheckedClaim, claim: Claim, level: LevelSet, values: Mapping[str, fmpq | arb]
 ) -> Witness | None:
     """A point at which a law fails by the check of certificates, or None where it does not."""
-    point = witness_point(claim, ground, values)
+    point = witness_point(claim, level, values)
     if point is None:
         return None
     try:

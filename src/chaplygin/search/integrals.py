@@ -114,16 +114,16 @@ class _Search:
 
     def __init__(self, question: Question) -> None:
         self.question = question
-        self.stage = question.stage
+        self.space = question.stage
         self.points = max(a.size for a in (question.ansatz, *question.also)) + _RESERVE
         self.full = False
-        self.sample = self.stage.sample(self.points, _SEED, common=True)
+        self.sample = self.space.sample(self.points, _SEED, common=True)
         self.tables: dict[Ansatz, Table] = {}
         self.independent_monomials: dict[tuple[Ansatz, int], list[int]] = {}
         self.known = _KnownIntegrals()
         self.formulas: list[sp.Expr] = []
-        self.weights: dict[sp.Symbol, Weight] = weights(self.stage)
-        self.vocabulary = VectorInvariants(self.stage, question.ansatz, self.weights)
+        self.weights: dict[sp.Symbol, Weight] = weights(self.space)
+        self.vocabulary = VectorInvariants(self.space, question.ansatz, self.weights)
 
     # --- one shell -------------------------------------------------------------------------
 
@@ -220,7 +220,7 @@ class _Search:
     ) -> Iterator[sp.Expr]:
         """Formulas in components, on the monomials that occur."""
         symbols = (*shell.ansatz.momenta, *shell.ansatz.coordinates)
-        scalars = component_scalars(self.stage, self.weights)
+        scalars = component_scalars(self.space, self.weights)
         for vector in kernel:
             parts = []
             for entry, powers in zip(vector, exponents, strict=True):
@@ -245,7 +245,7 @@ class _Search:
             return []
 
         def draw(points: int) -> Draw:
-            sample = self.stage.sample(points, _SEED + 1, common=False)
+            sample = self.space.sample(points, _SEED + 1, common=False)
             jets = [sample(part.formula) for part in parts]
             value = np.array([jet.value for jet in jets])[:, None]
             rate = np.array([sample.along(jet) for jet in jets])[:, None]
@@ -270,7 +270,7 @@ class _Search:
 
     def _independent(self, law: sp.Expr) -> bool:
         """Whether the gradient of a law does not depend on those of earlier ones."""
-        formulas = [*self.stage.relations, *self.formulas, law]
+        formulas = [*self.space.relations, *self.formulas, law]
         gradients = np.array([self.sample(f).slope[:, 0] for f in formulas])
         return rank(gradients) > rank(gradients[:-1])
 
@@ -278,8 +278,8 @@ class _Search:
 
     def _finding(self, formula: sp.Expr, degree: int) -> SearchResult:
         name = f"F_{len(self.formulas)}"
-        law = Integral(name, formula, on=self.stage.on)
-        verdict = prove(self.stage.system, law, effort=self.question.effort)
+        law = Integral(name, formula, on=self.space.on)
+        verdict = prove(self.space.system, law, effort=self.question.effort)
         return SearchResult("integral", law, verdict, known=self._catalogue_name(formula, degree))
 
     def _catalogue_name(self, formula: sp.Expr, degree: int) -> str:
@@ -287,7 +287,7 @@ class _Search:
         products = self._products(max(degree, 2))
         value = self.sample(formula).value
         others = [row for row in products if (row != value).any()]
-        for law in self.stage.system.integrals:
+        for law in self.space.system.integrals:
             try:
                 text = self.sample(law.value)
             except InputError:

@@ -207,12 +207,12 @@ class Evaluator:
                     product = product * self(factor)
                 return product
             case sp.Pow() if formula.exp.is_Integer:
-                return self._raised(self(formula.base), int(formula.exp))
+                return self._power(self(formula.base), int(formula.exp))
             case sp.Pow() if formula.exp.is_Rational and formula.exp.q.bit_count() == 1:
                 root = self(formula.base)
                 for _ in range(formula.exp.q.bit_length() - 1):
                     root = self._root(root)
-                return self._raised(root, int(formula.exp.p))
+                return self._power(root, int(formula.exp.p))
             case sp.Pow() if not formula.exp.is_Rational:
                 return self._symbolic_power(formula.base, formula.exp)
             case sp.exp():
@@ -277,12 +277,12 @@ class Evaluator:
             inner, theta = self(base), self(letters / number.q)
             wild = power((inner.value + theta.value) % prime(), _WILD)
             slope = theta.value * wild % prime() * inverse(inner.value) % prime()
-            product = product * self._raised(inner.chained(wild, slope), int(number.p))
+            product = product * self._power(inner.chained(wild, slope), int(number.p))
         return product
 
-    def _raised(self, base: Jet, exponent: int) -> Jet:
+    def _power(self, base: Jet, exponent: int) -> Jet:
         if exponent < 0:
-            return self._raised(self._reciprocal(base), -exponent)
+            return self._power(self._reciprocal(base), -exponent)
         below = power(base.value, max(exponent - 1, 0))
         return base.chained(below * base.value % prime(), below * exponent % prime())
 

@@ -51,10 +51,10 @@ class _Search:
 
     def __init__(self, question: Question, formulas: Sequence[sp.Expr]) -> None:
         self.question = question
-        self.stage = question.stage
+        self.space = question.stage
         self.symbols = question.stage.system.symbols
-        self.weights: dict[sp.Symbol, Weight] = weights(self.stage)
-        self.sample = self.stage.sample(question.ansatz.size + _SPARE, _SEED, common=True)
+        self.weights: dict[sp.Symbol, Weight] = weights(self.space)
+        self.sample = self.space.sample(question.ansatz.size + _SPARE, _SEED, common=True)
         factors = [np.ones_like(self.sample.field[0])]
         factors += [self.sample(f).value for f in formulas]
         factors += [a * b % prime() for i, a in enumerate(factors[1:]) for b in factors[i + 1 :]]
@@ -73,7 +73,7 @@ class _Search:
         independent = independent_columns(monomials.value.T)
         exponents = [monomials.exponents[i] for i in independent]
         value, condition = _fields(
-            self.stage.relations,
+            self.space.relations,
             self.sample,
             monomials.value[independent],
             monomials.rate[independent],
@@ -105,7 +105,7 @@ class _Search:
             own = self.symbols[component]
             weight = weight_of((*variables, own), (*powers, -1), self.weights)
             parts.append(Part(((str(self.symbols[component]), formula),), weight, sum(powers)))
-        scalars = component_scalars(self.stage, self.weights)
+        scalars = component_scalars(self.space, self.weights)
         for size in range(self.question.parameter_degree + 1):
             solution = self._simplest(parts, scalars, size)
             if solution is not None:
@@ -129,11 +129,11 @@ class _Search:
             formulas.append(formula)
 
         def draw(points: int) -> Draw:
-            sample = self.stage.sample(points, _SEED + 1, common=False)
+            sample = self.space.sample(points, _SEED + 1, common=False)
             jets = [sample(formula) for formula in formulas]
             value = np.array([jet.value for jet in jets])
             rate = np.array([sample.along(jet) for jet in jets])
-            values, conditions = _fields(self.stage.relations, sample, value, rate)
+            values, conditions = _fields(self.space.relations, sample, value, rate)
             chosen = [place * len(parts) + i for i, place in enumerate(places)]
             return Draw(values[chosen], conditions[chosen], sample.table(scalars.formulas))
 
@@ -152,15 +152,15 @@ class _Search:
                 sp.Rational(number.numerator, number.denominator) * factor * formula
             )
         field = []
-        for name in self.stage.system.state:
+        for name in self.space.system.state:
             if isinstance(name, sp.Symbol):
                 field.append((name, components[name]))
             else:
                 field.append((name, constant([components[s] for s in name.symbols])))
         self.count += 1
-        law = Symmetry(f"u_{self.count}", tuple(field), on=self.stage.on)
+        law = Symmetry(f"u_{self.count}", tuple(field), on=self.space.on)
         return SearchResult(
-            "symmetry", law, prove(self.stage.system, law, effort=self.question.effort)
+            "symmetry", law, prove(self.space.system, law, effort=self.question.effort)
         )
 
 

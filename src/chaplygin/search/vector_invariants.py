@@ -71,14 +71,14 @@ class VectorInvariants:
         Weights of all symbols.
     """
 
-    stage: SearchSpace
+    space: SearchSpace
     ansatz: Ansatz
     table: dict[sp.Symbol, Weight]
 
     @cached_property
     def _names(self) -> tuple[Vector | Tensor, ...]:
         """All vectors and tensors that the equations mention."""
-        system = self.stage.system
+        system = self.space.system
         names: dict[Vector | Tensor, None] = {}
         for name, formula in (*system.field, *system.definitions):
             if not isinstance(name, sp.Symbol):
@@ -89,7 +89,7 @@ class VectorInvariants:
 
     @cached_property
     def _constant_symbols(self) -> set[sp.Symbol]:
-        return {p.symbol for p in self.stage.system.parameters} | set(self.stage.constants)
+        return {p.symbol for p in self.space.system.parameters} | set(self.space.constants)
 
     def _vectors(self) -> list[Vector]:
         return [n for n in self._names if isinstance(n, Vector) and n.shape[0] == 3]
@@ -109,8 +109,8 @@ class VectorInvariants:
     def coordinates(self) -> tuple[Vector, ...]:
         """The vectors in the coordinates of the ansatz, and those that are linear in them."""
         chosen = set(self.ansatz.coordinates)
-        steps = dict(self.stage.system.steps)
-        written = dict(self.stage.system.definitions)
+        steps = dict(self.space.system.steps)
+        written = dict(self.space.system.definitions)
         vectors = []
         for vector in self._vectors():
             symbols = set(vector.symbols)
@@ -128,7 +128,7 @@ class VectorInvariants:
     @cached_property
     def constants(self) -> tuple[Vector, ...]:
         """Vectors of parameters."""
-        parameters = {p.symbol for p in self.stage.system.parameters}
+        parameters = {p.symbol for p in self.space.system.parameters}
         return tuple(v for v in self._vectors() if set(v.symbols) <= parameters)
 
     @cached_property
@@ -142,7 +142,7 @@ class VectorInvariants:
             for n in self._names
             if isinstance(n, (Diagonal, Symmetric)) and set(n.symbols) <= self._constant_symbols
         ]
-        definitions = dict(self.stage.system.definitions)
+        definitions = dict(self.space.system.definitions)
         pairs = [(t, n) for t in constant for n in constant if definitions.get(n) == t**-1]
         return tuple(pairs[:1]) or tuple((t, None) for t in constant[:1])
 
@@ -193,7 +193,7 @@ class VectorInvariants:
 
     def _useful(self, atoms: Iterable[_Atom]) -> Iterator[_Atom]:
         """The atoms that are not constant on the phase space."""
-        sample = self.stage.sample(8, 5, common=True)
+        sample = self.space.sample(8, 5, common=True)
         for atom in atoms:
             values = sample(atom.formula).value
             if (values != values[0]).any():
@@ -205,7 +205,7 @@ class VectorInvariants:
         parts = {s for n in self._names for s in n.symbols}
         scalars: list[tuple[sp.Expr, Weight]] = [
             (s, self.table[s])
-            for s in (*_parameters(self.stage, self.table), *_numbers(self.stage))
+            for s in (*_parameters(self.space, self.table), *_numbers(self.space))
             if s not in parts and s in self.table and s in self._symbols_outside_tensors
         ]
         for group in self._groups({s for s, _ in scalars}):
@@ -224,8 +224,8 @@ class VectorInvariants:
     @cached_property
     def _symbols_outside_tensors(self) -> set[sp.Symbol]:
         """Scalars that enter the equations outside the constant tensors."""
-        system = self.stage.system
-        solved = dict(self.stage.substitutions)
+        system = self.space.system
+        solved = dict(self.space.substitutions)
         symbols: set[sp.Symbol] = set()
         for name, formula in (*system.field, *system.definitions):
             if (
@@ -239,7 +239,7 @@ class VectorInvariants:
 
     def _groups(self, scalars: set[sp.Expr]) -> list[dict[sp.Symbol, int]]:
         """Products of parameters in which they enter the equations together, such as m R²."""
-        system = self.stage.system
+        system = self.space.system
         groups: list[dict[sp.Symbol, int]] = []
         for _, formula in (*system.field, *system.definitions):
             for node in sp.preorder_traversal(formula):

@@ -89,7 +89,7 @@ def domain(claim: Claim, settled: Mapping[str, Formula]) -> Domain:
     collector.collect("own", formulas, {**known, **settled})
     if law.kind == "Measure":
         for density, _ in law.pairs["density"]:
-            collector.divided("own", density)
+            collector.nonzero_factors("own", density)
     if law.target is not None:
         target = law.target
         base = [*target.rates, *target.relations, *law.several["onto"]]
@@ -139,11 +139,11 @@ class _Collector:
                 if value is None or value.denominator != 1:
                     self.positive[where, base, value] = None
                 elif value < 0:
-                    self.divided(where, base)
+                    self.nonzero_factors(where, base)
             elif node.kind == "call":
                 self._add_call(where, node.word, node.parts)
 
-    def divided(self, where: str, base: Formula) -> None:
+    def nonzero_factors(self, where: str, base: Formula) -> None:
         """Factors that do not vanish when `base` does not."""
         for part in _factors(base):
             self.nonzero[where, part] = None

@@ -106,7 +106,7 @@ class Place:
         value = self._seen.get(formula)
         if value is None:
             self._prepare(formula)
-            value = self._seen[formula] = self._evaluated(formula)
+            value = self._seen[formula] = self._fresh_value(formula)
         return value
 
     def _prepare(self, formula: Formula) -> None:
@@ -122,14 +122,14 @@ class Place:
                 waiting.extend(names_in([self.definitions[word]]))
         for word, definition in self.definitions.items():
             if word in needed and word != formula.word:
-                self._seen[definition] = self._evaluated(definition)
+                self._seen[definition] = self._fresh_value(definition)
 
     def _waits(self, word: str) -> bool:
         """Whether a symbol has a definition that has not been evaluated."""
         definition = None if word in self.values else self.definitions.get(word)
         return definition is not None and definition not in self._seen
 
-    def _evaluated(self, formula: Formula) -> Number:
+    def _fresh_value(self, formula: Formula) -> Number:
         kind, parts = formula.kind, formula.parts
         if kind == "number":
             return ball(formula.word)
@@ -150,7 +150,7 @@ class Place:
         if kind == "function":
             word, orders = formula.word
             return self.functions.value(word, orders, [self(part) for part in parts])
-        return self._called(formula.word, parts)
+        return self._known_function(formula.word, parts)
 
     def _named(self, word: str) -> Number:
         if word in self.values:
@@ -177,7 +177,7 @@ class Place:
             return raised(self(base), int(value))
         return rational_power(self(base), value)
 
-    def _called(self, word: str, parts: tuple[Formula, ...]) -> Number:
+    def _known_function(self, word: str, parts: tuple[Formula, ...]) -> Number:
         if word == "Rate":
             there = self.moving()
             return slopes_of(there(parts[0]), there.level).get(0, arb(0))

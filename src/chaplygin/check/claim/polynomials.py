@@ -94,7 +94,7 @@ class Ring:
         below = self.powers(field(data, "denominator", what), f"the denominator of {what}")
         return above, below
 
-    def multiplied(self, powers: Powers) -> Poly:
+    def expanded_product(self, powers: Powers) -> Poly:
         """The product of powers, multiplied out."""
         result = self.constant(1)
         for poly, power in powers:

@@ -72,14 +72,14 @@ def check_separation(claim: Claim) -> None:
     speed = "Rate"
     ring = Ring([*words, speed])
 
-    def known(word: str) -> Quotient | None:
+    def value_of(word: str) -> Quotient | None:
         return (ring.generator(word), ring.constant(1)) if word in ring.index else None
 
     squares: dict[str, Quotient] = {}
     for word, (equation, rate) in stated.quantities.items():
         try:
             above, _ = quotient(
-                _with(name(speed), rate, equation), ring, known, claim.system.definitions
+                _with(name(speed), rate, equation), ring, value_of, claim.system.definitions
             )
         except UndefinedError:
             raise CheckError(f"the equation of {word} is not rational") from None

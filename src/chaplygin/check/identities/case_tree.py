@@ -20,7 +20,7 @@ __all__ = ["Node", "Signs", "check_tree"]
 
 DEPTH = 200
 
-#: What is said of a case that is left, or of a part that a proof treats: at which node, and what.
+#: The treatment of a case that is left, or of a part with a proof: its node, data and label.
 Leaf: TypeAlias = Callable[["Node", Mapping[str, object], str], None]
 
 
@@ -142,7 +142,7 @@ def _multiplier(node: Node, data: object, where: str) -> Poly:
     for poly, _ in powers:
         if not node.is_nonzero(poly):
             raise CheckError(f"{where} multiplies by {_short_text(poly)}, which may vanish")
-    return node.ring.multiplied(powers)
+    return node.ring.expanded_product(powers)
 
 
 def _combination(node: Node, data: object, where: str) -> Poly:
@@ -197,7 +197,7 @@ def _split(node: Node, data: Mapping[str, object], where: str, depth: int) -> No
     poly = _membership(node, data, where)
     factors = node.ring.powers(field(data, "factors", where), f"the factors of {where}")
     constant = _constant(field(data, "constant", where), f"the constant of {where}")
-    if poly != constant * node.ring.multiplied(factors):
+    if poly != constant * node.ring.expanded_product(factors):
         raise CheckError(f"{where}: the factors do not make the polynomial")
     vanishing = [factor for factor, _ in factors if not node.is_nonzero(factor)]
     children = items(field(data, "children", where), len(vanishing), f"the children of {where}")
@@ -235,7 +235,7 @@ def _squares(node: Node, data: Mapping[str, object], where: str, depth: int) -> 
                 raise CheckError(
                     f"{where} has a weight {_short_text(part)} that may not be positive"
                 )
-        total = total + number * node.ring.multiplied(powers) * inner_base**2
+        total = total + number * node.ring.expanded_product(powers) * inner_base**2
         bases.append(inner_base)
     if total != poly:
         raise CheckError(f"{where}: the squares do not make the polynomial")

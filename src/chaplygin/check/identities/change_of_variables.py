@@ -130,11 +130,11 @@ def _pair(
     if len(known) < len(image) or len(image) < len(stated.system.symbols):
         raise CheckError("the variables of a claim in other variables are not those substituted")
     pair = PointPair(old, stated.system.place(known, functions))
-    _defined(claim, stated, pair)
+    _require_defined(claim, stated, pair)
     return pair
 
 
-def _defined(claim: Claim, stated: Claim, pair: PointPair) -> None:
+def _require_defined(claim: Claim, stated: Claim, pair: PointPair) -> None:
     """Formulas are evaluated once, so that undefined points are left out."""
     old = pair.old.with_definitions(claim.law.quantities)
     new = pair.new.with_definitions(stated.law.quantities)

@@ -23,7 +23,7 @@ from ..claim.jets import Number, add, apply, arctangent, inverse, multiply
 from ..claim.polynomials import Poly, Powers, Ring
 from ..claim.unspecified_functions import Functions
 
-__all__ = ["Auxiliary", "Exchange", "Ground", "Sample"]
+__all__ = ["Auxiliary", "Exchange", "Generators", "Sample"]
 
 #: Random points at which formulas and polynomials are compared.
 POINTS = 4
@@ -79,7 +79,7 @@ class Sample:
 
 
 @dataclass(frozen=True)
-class Ground:
+class Generators:
     """The generators of a proof and what they stand for."""
 
     claim: Claim
@@ -191,14 +191,18 @@ class Ground:
 
 
 class _Solver(Place):
-    """A point given by the generators: what state and parameters are there."""
+    """A point given by its generators: state and parameters there."""
 
-    def __init__(self, ground: Ground, generators: Mapping[str, arb], functions: Functions) -> None:
-        super().__init__(generators, ground.claim.system.definitions, {}, functions, ground.settled)
-        self._ground = ground
-        self._parameters = ground.exchanged
+    def __init__(
+        self, generators: Generators, drawn: Mapping[str, arb], functions: Functions
+    ) -> None:
+        super().__init__(
+            drawn, generators.claim.system.definitions, {}, functions, generators.settled
+        )
+        self._generators = generators
+        self._parameters = generators.exchanged
         self._open: set[str] = set()
-        self._places = {word: (a, i) for a, j in ground.inverted for i, word in enumerate(j)}
+        self._places = {word: (a, i) for a, j in generators.inverted for i, word in enumerate(j)}
 
     def _prepare(self, formula: Formula) -> None:
         """Definitions are followed as they come."""
@@ -221,8 +225,8 @@ class _Solver(Place):
             change = self._parameters[word]
             difference = add(self._named(change.name), multiply(arb(-1), self(change.rest)))
             return difference / arb(fmpq(change.factor.numerator, change.factor.denominator))
-        if word in self._ground.settled:
-            return self(self._ground.settled[word])
+        if word in self._generators.settled:
+            return self(self._generators.settled[word])
         if word in self.definitions:
             return self(self.definitions[word])
         if word in ("pi", "E"):

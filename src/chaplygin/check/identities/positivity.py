@@ -14,28 +14,28 @@ from ..claim.polynomials import Poly, monic
 from .accuracy import agree
 from .case_tree import Signs
 from .divisors import Entry
-from .generators import Ground, Sample
+from .generators import Generators, Sample
 
 __all__ = ["PositiveSum", "check_radicand_positive", "common_ratio", "learn_positive", "settle"]
 
 
 def learn_positive(
-    item: object, ground: Ground, samples: list[Sample], signs: Signs, what: str
+    item: object, generators: Generators, samples: list[Sample], signs: Signs, what: str
 ) -> None:
     """Something positive that a guard or a condition on parameters says."""
     label = f"what is positive in {what}"
     item = mapping(item, label)
     more = ("terms", "quotients") if item.get("from") == "sum" else ()
     only(item, label, "poly", "strict", "from", *more)
-    poly = ground.ring.read(field(item, "poly", label), label)
+    poly = generators.ring.read(field(item, "poly", label), label)
     strict = field(item, "strict", label)
     source = text(field(item, "from", label), label)
     if not isinstance(strict, bool):
         raise CheckError(f"{label} has a field 'strict' that is neither true nor false")
     if source == "sum" or source.startswith("radicand "):
         return
-    values = [ground.ring.value(poly, sample.values) for sample in samples]
-    for formula, sign in _positive_formulas(source, ground.claim, label):
+    values = [generators.ring.value(poly, sample.values) for sample in samples]
+    for formula, sign in _positive_formulas(source, generators.claim, label):
         if strict and sign != ">":
             continue
         try:
@@ -69,14 +69,14 @@ def common_ratio(first: Sequence[arb], second: Sequence[arb]) -> arb | None:
 
 
 def check_radicand_positive(
-    item: Mapping[str, object], ground: Ground, signs: Signs, what: str
+    item: Mapping[str, object], generators: Generators, signs: Signs, what: str
 ) -> None:
     """Check a quantity that is said to be positive as a radicand."""
     source = text(item["from"], what)
     if not source.startswith("radicand "):
         return
-    poly = ground.ring.read(item["poly"], what)
-    for auxiliary in ground.auxiliary:
+    poly = generators.ring.read(item["poly"], what)
+    for auxiliary in generators.auxiliary:
         if auxiliary.name == source.removeprefix("radicand ") and auxiliary.kind in (
             "root",
             "power",
@@ -111,9 +111,9 @@ class PositiveSum:
     are positive, or do not vanish where their power is even.
     """
 
-    def __init__(self, data: Mapping[str, object], ground: Ground, what: str) -> None:
+    def __init__(self, data: Mapping[str, object], generators: Generators, what: str) -> None:
         label = f"what is positive in {what}"
-        ring = self.ring = ground.ring
+        ring = self.ring = generators.ring
         self.label = label
         self.poly = ring.read(field(data, "poly", label), label)
         if field(data, "strict", label) is not True:
@@ -148,7 +148,7 @@ class PositiveSum:
                 certain = certain and (known or bool(sign) if power % 2 == 0 else sign > 0)
             strict = strict or (base.is_constant() and not base.is_zero())
             fraction = fmpq(number.numerator, number.denominator)
-            total = total + fraction * self.ring.multiplied(weights) * base**2
+            total = total + fraction * self.ring.expanded_product(weights) * base**2
         if total != self.poly:
             raise CheckError(f"{self.label}: a sum is another polynomial")
         return certain and strict

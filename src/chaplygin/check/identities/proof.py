@@ -22,7 +22,7 @@ from .accuracy import InaccurateError, agree, with_precision
 from .basis import Basis, read_basis
 from .case_tree import Node, check_tree
 from .positivity import common_ratio
-from .read_generators import FIELDS, read_ground
+from .read_generators import FIELDS, read_generators
 
 __all__ = ["Condition", "check_left", "check_proof", "read_region", "same"]
 
@@ -43,7 +43,7 @@ def check_proof(
     only(data, what, "claim", "substitution", "region", *FIELDS, "residuals", "tree")
     region = read_region(data, claim, what)
     basis: Basis = with_precision(lambda: _checked_residuals(data, claim, region, what))
-    ring = basis.ground.ring
+    ring = basis.generators.ring
     numerators = [
         ring.fraction(item, f"a residual of {what}")[0]
         for item in listed(field(data, "residuals", what), what)
@@ -71,10 +71,10 @@ def read_region(data: Mapping[str, object], claim: Claim, what: str) -> tuple[Fo
 def _checked_residuals(
     data: Mapping[str, object], claim: Claim, region: Sequence[Formula], what: str
 ) -> Basis:
-    ground = read_ground(data, claim, what)
-    basis = read_basis(data, ground, region, what)
+    generators = read_generators(data, claim, what)
+    basis = read_basis(data, generators, region, what)
     stated = listed(field(data, "residuals", what), f"the residuals of {what}")
-    fractions = [ground.ring.fraction(item, f"a residual of {what}") for item in stated]
+    fractions = [generators.ring.fraction(item, f"a residual of {what}") for item in stated]
     for sample in basis.samples:
         try:
             values = residuals(claim, sample.place)
@@ -85,8 +85,8 @@ def _checked_residuals(
                 f"{what} states {len(fractions)} residuals, but the law has {len(values)}"
             )
         for number, ((above, below), value) in enumerate(zip(fractions, values, strict=True)):
-            upper = ground.ring.value(above, sample.values)
-            lower = ground.ring.value_of_powers(below, sample.values)
+            upper = generators.ring.value(above, sample.values)
+            lower = generators.ring.value_of_powers(below, sample.values)
             if lower.contains(0):
                 raise InaccurateError
             if not agree([value], [upper / lower]):
@@ -121,7 +121,7 @@ def check_left(
 def same(basis: Basis, poly: Poly, formula: Formula) -> int | None:
     """The sign of the number by which a polynomial and a formula differ; None if by none."""
     try:
-        values = [basis.ground.ring.value(poly, sample.values) for sample in basis.samples]
+        values = [basis.generators.ring.value(poly, sample.values) for sample in basis.samples]
         ratio = common_ratio(values, [sample.place(formula) for sample in basis.samples])
     except UndefinedError:
         return None

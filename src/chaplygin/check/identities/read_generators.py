@@ -13,9 +13,9 @@ from ..claim.formulas import Formula, parse
 from ..claim.json_data import choice, field, integer, items, listed, mapping, only, rational, text
 from ..claim.polynomials import Poly, Ring
 from ..claim.quotients import quotient
-from .generators import Auxiliary, Exchange, Ground
+from .generators import Auxiliary, Exchange, Generators
 
-__all__ = ["FIELDS", "read_ground"]
+__all__ = ["FIELDS", "read_generators"]
 
 FIELDS = (
     "ring",
@@ -35,7 +35,7 @@ FIELDS = (
 ONE = {"exp", "log", "asin", "acos", "atan"}
 
 
-def read_ground(data: Mapping[str, object], claim: Claim, what: str) -> Ground:
+def read_generators(data: Mapping[str, object], claim: Claim, what: str) -> Generators:
     """Read ring, auxiliary symbols and generators of a proof."""
     names = [text(n, f"the ring of {what}") for n in listed(field(data, "ring", what), what)]
     if len(set(names)) < len(names):
@@ -45,7 +45,7 @@ def read_ground(data: Mapping[str, object], claim: Claim, what: str) -> Ground:
     exchanged = _read_exchanged(data.get("exchanged", []), claim, what)
     if set(exchanged) & set(settled):
         raise CheckError(f"{what} settles and exchanges the same parameter")
-    ground = Ground(
+    generators = Generators(
         claim=claim,
         domain=domain(claim, settled),
         ring=ring,
@@ -59,10 +59,10 @@ def read_ground(data: Mapping[str, object], claim: Claim, what: str) -> Ground:
     )
     system = claim.system
     gone = {*settled, *exchanged}
-    for word in ground.plain:
+    for word in generators.plain:
         if word in gone or word not in {*system.symbols, *system.definitions}:
             raise CheckError(f"the ring of {what} has a generator {word} without a meaning")
-    return ground
+    return generators
 
 
 def _auxiliaries(data: object, ring: Ring, what: str) -> tuple[Auxiliary, ...]:
@@ -149,14 +149,14 @@ def _check_settled(claim: Claim, settled: Mapping[str, Formula], what: str) -> N
     ring = Ring(system.parameters)
     solution: dict[str, Poly] = {}
 
-    def known(word: str) -> tuple[Poly, Poly] | None:
+    def value_of(word: str) -> tuple[Poly, Poly] | None:
         if word not in ring.index:
             return None
         return solution.get(word, ring.generator(word)), ring.constant(1)
 
     for condition in claim.conditions:
         try:
-            poly, _ = quotient(condition, ring, known, system.definitions)
+            poly, _ = quotient(condition, ring, value_of, system.definitions)
         except UndefinedError:
             continue
         for word in sorted(set(settled) - set(solution)):
@@ -170,7 +170,7 @@ def _check_settled(claim: Claim, settled: Mapping[str, Formula], what: str) -> N
         if word not in solution:
             raise CheckError(f"{what} settles {word}, which no condition gives")
         try:
-            above, below = quotient(formula, ring, known, system.definitions)
+            above, below = quotient(formula, ring, value_of, system.definitions)
         except UndefinedError:
             raise CheckError(f"{what} settles {word} by a formula that is not rational") from None
         if above != below * solution[word]:

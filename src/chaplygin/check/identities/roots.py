@@ -9,18 +9,18 @@ from ..claim.polynomials import Poly, Powers, monic
 from .accuracy import agree
 from .case_tree import Signs
 from .divisors import Entry
-from .generators import Auxiliary, Ground, Sample
+from .generators import Auxiliary, Generators, Sample
 
 __all__ = ["check_functions", "check_radicands", "check_roots", "has_formal_roots"]
 
 
-def has_formal_roots(ground: Ground) -> bool:
+def has_formal_roots(generators: Generators) -> bool:
     """Whether a root is used of which nothing but its power is known."""
-    return any(auxiliary.kind == "formal root" for auxiliary in ground.auxiliary)
+    return any(auxiliary.kind == "formal root" for auxiliary in generators.auxiliary)
 
 
 def check_roots(
-    ground: Ground,
+    generators: Generators,
     signs: Signs,
     nonzero: frozenset[str],
     entries: Sequence[Entry],
@@ -28,7 +28,7 @@ def check_roots(
     what: str,
 ) -> None:
     """Check that what stands under the roots of a proof is positive, or that of a law's root."""
-    for auxiliary in ground.auxiliary:
+    for auxiliary in generators.auxiliary:
         if auxiliary.kind == "formal root":
             if not _is_radicand(auxiliary, [entries[i] for i in matched if i is not None]):
                 raise CheckError(f"{what}: {auxiliary.name} is no root of the law")
@@ -41,10 +41,10 @@ def check_roots(
 
 
 def check_functions(
-    ground: Ground, samples: list[Sample], nonzero: frozenset[str], signs: Signs, what: str
+    generators: Generators, samples: list[Sample], nonzero: frozenset[str], signs: Signs, what: str
 ) -> None:
     """Auxiliary function values are defined wherever the law is."""
-    for auxiliary in ground.auxiliary:
+    for auxiliary in generators.auxiliary:
         label = f"{what}: the argument of {auxiliary.name}"
         for _, below in auxiliary.of:
             for poly, _ in below:
@@ -52,7 +52,7 @@ def check_functions(
                     raise CheckError(f"{label} has a denominator that may vanish")
         if auxiliary.kind != "known" or auxiliary.word in ("exp", "atan"):
             continue
-        ring = ground.ring
+        ring = generators.ring
         places = [
             [ring.value(above, s.values) / ring.value_of_powers(below, s.values) for s in samples]
             for above, below in auxiliary.of
@@ -97,11 +97,15 @@ def _odd(powers: Powers, content: int = 1) -> tuple[int, frozenset[str]]:
 
 
 def check_radicands(
-    ground: Ground, signs: Signs, entries: Sequence[Entry], matched: Sequence[int | None], what: str
+    generators: Generators,
+    signs: Signs,
+    entries: Sequence[Entry],
+    matched: Sequence[int | None],
+    what: str,
 ) -> None:
     """Every root of the law is a product of roots of factors with known signs."""
-    formal = [a for a in ground.auxiliary if a.kind == "formal root"]
-    for (_, _, exponent), number in zip(ground.domain.positive, matched, strict=False):
+    formal = [a for a in generators.auxiliary if a.kind == "formal root"]
+    for (_, _, exponent), number in zip(generators.domain.positive, matched, strict=False):
         if number is None:
             raise CheckError(f"{what} does not say of what factors a root of the law is taken")
         if exponent is not None and any(

@@ -13,7 +13,7 @@ from ..claim.errors import CheckError
 from ..claim.polynomials import Poly
 from .accuracy import with_precision
 from .basis import Basis
-from .generators import Ground
+from .generators import Generators
 from .proof import Condition, same
 
 __all__ = ["covers"]
@@ -53,8 +53,8 @@ def _sign(content: int, factors: Sequence[Key], signs: Mapping[Key, int]) -> int
 
 
 def _assumed_signs(basis: Basis) -> Iterator[tuple[Key, int]]:
-    for poly, sign in basis.ground.signs:
-        key, lead = _key(basis.ground, poly)
+    for poly, sign in basis.generators.signs:
+        key, lead = _key(basis.generators, poly)
         yield key, sign * lead
 
 
@@ -65,9 +65,9 @@ def _certain_signs(
     known: list[tuple[Key, int]] = []
     products: list[tuple[int, list[Key]]] = []
     for basis in proofs:
-        ground = basis.ground
-        for poly, _ in ground.signs:
-            key, lead = _key(ground, poly)
+        generators = basis.generators
+        for poly, _ in generators.signs:
+            key, lead = _key(generators, poly)
             certain = basis.certain.of(poly)
             if certain:
                 known.append((key, certain * lead))
@@ -81,7 +81,7 @@ def _certain_signs(
             for poly, power in entry.powers:
                 if power % 2 == 0:
                     continue
-                key, lead = _key(ground, poly)
+                key, lead = _key(generators, poly)
                 certain = basis.certain.of(poly)
                 if certain:
                     content *= certain
@@ -93,10 +93,10 @@ def _certain_signs(
     return known, products
 
 
-def _key(ground: Ground, poly: Poly) -> tuple[Key, int]:
+def _key(generators: Generators, poly: Poly) -> tuple[Key, int]:
     """A key that does not depend on the ring, and the sign by which the polynomial is divided."""
-    names: dict[str, Key] = {name: (name,) for name in ground.plain}
-    for auxiliary in ground.auxiliary:
+    names: dict[str, Key] = {name: (name,) for name in generators.plain}
+    for auxiliary in generators.auxiliary:
         names[auxiliary.name] = (
             auxiliary.kind,
             auxiliary.word,
@@ -105,21 +105,23 @@ def _key(ground: Ground, poly: Poly) -> tuple[Key, int]:
             repr(auxiliary.exponent),
             tuple(
                 (
-                    _terms(ground, above, names),
-                    tuple((_terms(ground, p, names), n) for p, n in below),
+                    _terms(generators, above, names),
+                    tuple((_terms(generators, p, names), n) for p, n in below),
                 )
                 for above, below in auxiliary.of
             ),
         )
-    terms = _terms(ground, poly, names)
+    terms = _terms(generators, poly, names)
     lead = terms[0][1]
     return tuple((powers, str(number / lead)) for powers, number in terms), 1 if lead > 0 else -1
 
 
-def _terms(ground: Ground, poly: Poly, names: Mapping[str, Key]) -> tuple[tuple[object, fmpq], ...]:
+def _terms(
+    generators: Generators, poly: Poly, names: Mapping[str, Key]
+) -> tuple[tuple[object, fmpq], ...]:
     """Terms in an order that does not depend on the ring."""
     terms = []
     for exponents, number in poly.to_dict().items():
-        powers = [(names[ground.ring.names[i]], int(n)) for i, n in enumerate(exponents) if n]
+        powers = [(names[generators.ring.names[i]], int(n)) for i, n in enumerate(exponents) if n]
         terms.append((tuple(sorted(powers, key=repr)), number))
     return tuple(sorted(terms, key=lambda term: repr(term[0])))

@@ -23,13 +23,13 @@ from .change_of_variables import Change, PointPair, point_pairs, read_change, sl
 from .proof import Condition
 from .substituted_law import says_consistency, says_law
 
-__all__ = ["CONSISTENCY", "LAW", "expressed", "substituted"]
+__all__ = ["CONSISTENCY", "LAW", "expressed_variables", "statements"]
 
-#: What a claim in other variables says: the law, or that expressed variables move as they should.
+#: Statements of a claim in other variables: the law, or that expressed variables move as they must.
 LAW, CONSISTENCY = "law", "consistency"
 
 
-def expressed(data: object) -> tuple[tuple[str, str], ...]:
+def expressed_variables(data: object) -> tuple[tuple[str, str], ...]:
     """The variables that are expressed by others, with the texts of their formulas."""
     parts = [listed(part, "a substitution") for part in listed(data or [], "a substitution")]
     return tuple(
@@ -41,7 +41,7 @@ def expressed(data: object) -> tuple[tuple[str, str], ...]:
     )
 
 
-def substituted(
+def statements(
     claim: Claim,
     stated: Claim,
     data: object,
@@ -126,10 +126,10 @@ def _check_conditions(
         values = [pair.old(condition) for pair in pairs]
         if not (change.graph and agree(values, [arb(0)] * len(values))):
             left.append(values)
-    expressed = len(claim.conditions) - len(left)
-    if expressed != len(change.graph):
+    expressed_variables = len(claim.conditions) - len(left)
+    if expressed_variables != len(change.graph):
         raise CheckError(
-            f"{what} expresses {len(change.graph)} variables by {expressed} conditions"
+            f"{what} expresses {len(change.graph)} variables by {expressed_variables} conditions"
         )
     others = []
     for condition in stated.conditions:

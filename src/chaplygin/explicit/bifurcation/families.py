@@ -46,7 +46,7 @@ __all__ = [
 Z = real_symbol("z")
 M, gamma, omega = vectors("M gamma omega")
 
-#: What a motion with ν_i = 0 is, {} being the number i.
+#: Words for a motion with ν_i = 0, {} being the number i.
 UNSAID = "motion in the plane ν_{} = 0"
 ROTATION = "permanent rotation about axis {}"
 PENDULUM = "turning or swinging about axis {} alone"

@@ -19,7 +19,7 @@ __all__ = ["Curve", "DegenerateError"]
 
 
 class DegenerateError(ValueError):
-    """Two branch points cannot be told apart: the curve has a smaller genus."""
+    """Two branch points coincide as far as is known: the curve has a smaller genus."""
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ After one turn of one phase the attitude is Q A(θ), θ the place in the other p
 by α.  A vector K of the body with A(θ)ᵀK(θ) = K(θ + α) stays in space; its Fourier coefficients
 are the null vector of a matrix.  In a frame whose first vector is K, what is left is an
 angle φ(θ) = λT + χ(θ + α) − χ(θ), T the time of the turn.  All this is done in double precision:
-the accuracy is observed, not proven, and it is told by :attr:`Reduction.residual`.
+the accuracy is observed, not proven; :attr:`FloquetReduction.residual` measures it.
 """
 
 from __future__ import annotations
@@ -38,9 +38,9 @@ _PLACES = (64, 512)
 _STEPS = (128, 2048)
 #: Steps from one kept plane to the next.
 _STRIDE = 4
-#: What an attitude may change by when the steps are halved.
+#: Change of an attitude, at most, when the steps are halved.
 _SETTLED = 4e-14
-#: What Fourier coefficients of the highest waves may be.
+#: Size of the Fourier coefficients of the highest waves, at most.
 _LEVEL = 1e-14
 #: A null vector is one whose residual is below this.
 _NULL = 3e-13

@@ -22,7 +22,7 @@ from .theta import Theta
 
 __all__ = ["Divisor", "InvariantTorus", "divisor_of", "torus"]
 
-#: What a motion may miss of its start, relative to ν and ν′: near separatrices digits are lost.
+#: Distance of a motion from its start, relative to ν and ν′: near separatrices digits are lost.
 _PASSED = fmpq(1, 2**30)
 
 Triple = tuple[arb, arb, arb]
@@ -164,7 +164,7 @@ def torus(
     Raises
     ------
     DegenerateError
-        If the curve cannot be told from one with a double root.
+        If the curve may have a double root, as far as its balls say.
     ArithmeticError
         If ν does not fit the curve.
     """

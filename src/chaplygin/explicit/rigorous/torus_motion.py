@@ -39,3 +39,5 @@ class TorusMotion(Protocol):
 
     def states(self, times: Numbers) -> FloatArray:
         """Lifted states (n, size) at `times` (n,), in double precision."""
+
+    def __hash__(self) -> int: ...

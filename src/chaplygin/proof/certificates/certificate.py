@@ -111,8 +111,8 @@ def _sample(system: System, law: Law, read: CheckedClaim) -> Text:
     """A point of the level at which the law is defined, as a certificate gives it."""
     for alternative in alternatives(system, law):
         claim = polynomial_problems(alternative.system, alternative.law)[-1]
-        for ground in LevelSet(claim.system, claim.law.on).components:
-            points = replace(ground, inner=True) if ground.parent else ground
+        for level in LevelSet(claim.system, claim.law.on).components:
+            points = replace(level, inner=True) if level.parent else level
             for trial in trials(claim.law, points):
                 point = None if trial.witness else witness_point(claim, points, trial.values)
                 if point is not None and _is_located(read, point):
@@ -139,37 +139,37 @@ def _proofs(
     verdict: Verdict,
     budget: Budget,
 ) -> list[Text]:
-    ground = LevelSet(system, law.on)
+    level = LevelSet(system, law.on)
     numbers = located(read, sample)
-    point = {str(s): float(numbers(name(str(s))).mid()) for s in ground.generators}
+    point = {str(s): float(numbers(name(str(s))).mid()) for s in level.generators}
     conditions = [
         (words, parse_condition(words, "a condition")[0][0]) for words in verdict.formulas
     ]
 
-    def excluded(setting: ProofSetting, poly: Poly) -> str | None:
+    def excluding_condition(setting: ProofSetting, poly: Poly) -> str | None:
         """The condition of the verdict that excludes the zeros of a polynomial."""
         return next((words for words, formula in conditions if setting.states(formula, poly)), None)
 
     def setting_for(kind: type[UnreducedField], signs: Mapping[str, int]) -> ProofSetting:
-        return ProofSetting(kind, read, law, ground, point, budget, signs)
+        return ProofSetting(kind, read, law, level, point, budget, signs)
 
     first = setting_for(UnreducedField, {})
     if not first.field.decisions:
-        return [proof_text(first, excluded, decided=False)]
+        return [proof_text(first, excluding_condition, decided=False)]
     with contextlib.suppress(OutOfReachError):
         formal = setting_for(UnreducedFormal, {})
         if not formal.field.decisions:
-            return [proof_text(formal, excluded, decided=False)]
-    return _by_signs(first, setting_for, excluded)
+            return [proof_text(formal, excluding_condition, decided=False)]
+    return _by_signs(first, setting_for, excluding_condition)
 
 
 def _by_signs(
     first: ProofSetting,
     setting_for: Callable[[type[UnreducedField], Mapping[str, int]], ProofSetting],
-    excluded: Excluded,
+    excluding_condition: Excluded,
 ) -> list[Text]:
     """A proof for every choice of signs for which the law is defined and holds."""
-    proofs = [proof_text(first, excluded, decided=True)]
+    proofs = [proof_text(first, excluding_condition, decided=True)]
     waiting = flipped_decisions(first.field, 0)
     runs = 1
     while waiting:
@@ -183,6 +183,6 @@ def _by_signs(
             continue
         # where the law needs a sign, the check finds that a condition asks for it
         with contextlib.suppress(OutOfReachError):
-            proofs.append(proof_text(setting, excluded, decided=True))
+            proofs.append(proof_text(setting, excluding_condition, decided=True))
         waiting += flipped_decisions(setting.field, size)
     return proofs

@@ -32,7 +32,7 @@ def proof_text(setting: ProofSetting, excluded: Excluded, decided: bool) -> Text
     OutOfReachError
         If it cannot be completed.
     """
-    field, ground = setting.field, setting.ground
+    field, level = setting.field, setting.level
     sources = equation_sources(setting)
     polys = [poly for poly, _ in sources]
     assumed = list(field.decisions.values()) if decided else []
@@ -42,7 +42,7 @@ def proof_text(setting: ProofSetting, excluded: Excluded, decided: bool) -> Text
         for number, power in value.powers.items():
             if power < 0:
                 reasons.is_nonzero(field.factors[number])
-    state = {str(s) for s in ground.system.symbols}
+    state = {str(s) for s in level.system.symbols}
     moving = frozenset(i for i, name in enumerate(field.names) if name in state)
     cases = Cases(
         Chains(field.ring, reasons, moving, field.budget),
@@ -54,14 +54,14 @@ def proof_text(setting: ProofSetting, excluded: Excluded, decided: bool) -> Text
     return {
         "ring": list(setting.ring),
         "auxiliary": [[name, meaning_text(setting, m)] for name, m in field.record.items()],
-        "settled": [[str(s), str(value)] for s, value in ground.settled.items()],
+        "settled": [[str(s), str(value)] for s, value in level.settled.items()],
         "exchanged": [
-            [str(e.name), str(e.factor), str(e.parameter), str(e.rest)] for e in ground.exchanged
+            [str(e.name), str(e.factor), str(e.parameter), str(e.rest)] for e in level.exchanged
         ],
-        "inverted": [[[str(s) for s in i.name], [str(s) for s in i.of]] for i in ground.inverted],
-        "zeros": [str(zero) for zero in ground.zeros],
+        "inverted": [[[str(s) for s in i.name], [str(s) for s in i.of]] for i in level.inverted],
+        "zeros": [str(zero) for zero in level.zeros],
         "signs": [[setting.terms(poly), sign] for poly, sign in assumed],
-        "near": _near(setting),
+        "near": _point_text(setting),
         "equations": [text for _, text in sources],
         "divisors": [
             {
@@ -101,7 +101,7 @@ def _residual(setting: ProofSetting, what: str, value: Element) -> Text:
     }
 
 
-def _near(setting: ProofSetting) -> dict[str, str]:
+def _point_text(setting: ProofSetting) -> dict[str, str]:
     plain = setting.ring[len(setting.field.record) :]
     return {
         name: str(Fraction(repr(float(setting.sample[name]))).limit_denominator(10**6))

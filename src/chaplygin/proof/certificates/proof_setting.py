@@ -31,7 +31,7 @@ class ProofSetting:
     ----------
     claim : chaplygin.check.claim.claim.Claim
         As the check reads it.
-    ground : LevelSet
+    level : LevelSet
         The whole level.
     sample : mapping of str to float
         A point of the level, by the names of the generators.
@@ -44,38 +44,37 @@ class ProofSetting:
         kind: type[UnreducedField],
         claim: CheckedClaim,
         law: Law,
-        ground: LevelSet,
+        level: LevelSet,
         sample: Mapping[str, float],
         budget: Budget,
         signs: Mapping[str, int],
     ) -> None:
         spare = 8
         while True:
-            self.field = kind([str(s) for s in ground.generators], spare, sample, budget, signs)
+            self.field = kind([str(s) for s in level.generators], spare, sample, budget, signs)
             try:
-                self._fill(claim, law, ground)
+                self._fill(claim, law, level)
             except NeedMoreGeneratorsError:
                 spare *= 2
                 continue
             break
-        self.ground, self.sample = ground, sample
+        self.level, self.sample = level, sample
 
-    def _fill(self, claim: CheckedClaim, law: Law, ground: LevelSet) -> None:
+    def _fill(self, claim: CheckedClaim, law: Law, level: LevelSet) -> None:
         field = self.field
-        evaluate = ground.evaluator(field)
-        field.signs = ground.signs_with(field, [])
+        evaluate = level.evaluator(field)
+        field.signs = level.signs_with(field, [])
         self.conditions = []
-        for condition in ground.conditions:
-            value = field.zero if condition in ground.zeros else evaluate.value(condition)
+        for condition in level.conditions:
+            value = field.zero if condition in level.zeros else evaluate.value(condition)
             if value.poly:
                 self.conditions.append((str(condition), value))
         polys = [numerator(field, value) for _, value in self.conditions]
-        field.signs = ground.signs_with(field, polys)
+        field.signs = level.signs_with(field, polys)
         self.residuals = [
-            (what, cast(Element, value))
-            for what, value in everything(_formulas(law), ground, field)
+            (what, cast(Element, value)) for what, value in everything(_formulas(law), level, field)
         ]
-        self.divisors = list(divisors(claim, law, ground, field))
+        self.divisors = list(divisors(claim, law, level, field))
 
     @property
     def ring(self) -> tuple[str, ...]:
@@ -99,7 +98,7 @@ class ProofSetting:
 
     def states(self, formula: Formula, poly: Poly) -> bool:
         """Whether a formula of the check vanishes or is positive where a polynomial is."""
-        value = self.ground.evaluator(self.field).value(sympy_formula(formula, self.ground.named))
+        value = self.level.evaluator(self.field).value(sympy_formula(formula, self.level.named))
         own = numerator(self.field, value)
         return bool(own) and monic(own)[0] == monic(poly)[0]
 

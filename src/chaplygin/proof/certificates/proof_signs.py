@@ -50,15 +50,15 @@ def sign_reasons(
 
 def _reasons(setting: ProofSetting, equations: Sequence[Poly]) -> Reasons:
     facts = []
-    ground, field = setting.ground, setting.field
-    for relation in admissible(ground.system):
+    level, field = setting.level, setting.field
+    for relation in admissible(level.system):
         if isinstance(relation, sp.Gt | sp.Ge | sp.Lt | sp.Le):
             strict = isinstance(relation, sp.Gt | sp.Lt)
-            poly = _polynomial(ground, field, relation.gts - relation.lts)
+            poly = _polynomial(level, field, relation.gts - relation.lts)
             if poly is not None:
                 facts.append((poly, str(relation), strict))
-    for formula in guards(ground.system):
-        poly = _polynomial(ground, field, formula)
+    for formula in guards(level.system):
+        poly = _polynomial(level, field, formula)
         if poly is not None:
             facts.append((poly, str(formula), True))
     reasons = Reasons(field.ring, facts, equations)
@@ -67,17 +67,17 @@ def _reasons(setting: ProofSetting, equations: Sequence[Poly]) -> Reasons:
         if positive:
             reasons.learn(field.generators[name], 1)
             reasons.nonzero.add(monic(field.generators[name])[0])
-    for inversion in ground.inverted:
+    for inversion in level.inverted:
         a, b, c, d, e, f = (field.generators[str(s)] for s in inversion.name)
         determinant = a * (d * f - e * e) + b * (c * e - b * f) + c * (b * e - c * d)
         reasons.nonzero.add(monic(determinant)[0])
     return reasons
 
 
-def _polynomial(ground: LevelSet, field: FunctionField, formula: sp.Expr) -> Poly | None:
+def _polynomial(level: LevelSet, field: FunctionField, formula: sp.Expr) -> Poly | None:
     """The polynomial that a formula is, if it is one and no number."""
     try:
-        value = ground.evaluator(field).value(formula)
+        value = level.evaluator(field).value(formula)
     except (OutOfReachError, NeedMoreGeneratorsError, ZeroDivisionError):
         return None
     below = any(power < 0 for power in value.powers.values())

@@ -17,7 +17,7 @@ __all__ = ["EFFORT", "STEP", "Budget", "checked_effort", "spent"]
 Poly = Any
 
 EFFORT = 2_000_000_000
-"""Term operations that one proof may take, unless told otherwise: some minutes of one core."""
+"""Term operations that one proof may take, by default: some minutes of one core."""
 STEP = 200
 """What a step costs besides its terms, in term operations."""
 

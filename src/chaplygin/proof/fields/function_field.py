@@ -22,7 +22,7 @@ from .signs import Sign, Signs
 
 __all__ = ["FunctionField", "power_of_zero"]
 
-#: What an auxiliary generator stands for: a word, and what sets it apart.
+#: The meaning of an auxiliary generator: a word, and what sets it apart.
 Key: TypeAlias = tuple[Any, ...]
 
 #: Denominator of the exponents that symbolic powers may have: base^(θ/4) is the generator.
@@ -77,13 +77,13 @@ class FunctionField(QuotientRing):
         self.spare = spare
         self.sample: dict[str, float] | None = None if sample is None else dict(sample)
         self.meanings: dict[str, str] = {}
-        #: What is known of signs; set by the level on which the field is used.
+        #: Known signs; set by the level on which the field is used.
         self.signs = Signs(self.ring, {})
         #: Signs of factors under roots that nothing known tells, as they were taken.
         self.decisions: dict[str, tuple[Poly, int]] = {}
         self._choices = dict(choices or {})
         self._implied: dict[str, int] = {}
-        #: What a root raised to its degree is: content, factors with powers; and the degree.
+        #: A root raised to its degree: content, factors with powers; and the degree.
         self._root_of: dict[int, tuple[fmpq, tuple[tuple[int, int], ...], int]] = {}
         self._roots: dict[str, tuple[Poly, int]] = {}
         self._auxiliary: dict[Key, Poly] = {}

@@ -56,13 +56,13 @@ class _Rates:
         )
 
 
-def up_to_time(law: Reduction, ground: LevelSet) -> bool:
+def up_to_time(law: Reduction, level: LevelSet) -> bool:
     """Whether the equations speak of paths alone: they are homogeneous in the rates."""
-    return _rates(law, ground).homogeneous
+    return _rates(law, level).homogeneous
 
 
 def closing(
-    law: Reduction, ground: LevelSet, field: Field
+    law: Reduction, level: LevelSet, field: Field
 ) -> tuple[list[list[FieldElement]], list[list[FieldElement]], int]:
     """Rows of the equations, rows of identities, and the number of unknown rates.
 
@@ -71,23 +71,23 @@ def closing(
     InputError
         If the equations hold nothing that moves.
     """
-    rates = _rates(law, ground)
-    quantities = quantities_in_order(law, ground)
-    evaluate = ground.along(field).with_steps(quantities)
+    rates = _rates(law, level)
+    quantities = quantities_in_order(law, level)
+    evaluate = level.along(field).with_steps(quantities)
 
     def value(formula: sp.Expr) -> FieldElement:
         restored = sp.sympify(formula).xreplace(rates.meaning)
-        number: FieldElement = evaluate.value(without_second_rates(restored, ground, quantities))
+        number: FieldElement = evaluate.value(without_second_rates(restored, level, quantities))
         return number
 
     stated = [[value(slope) for slope in row] for row in _equation_rows(rates)]
-    known = [[value(slope) for slope in row] for row in _identity_rows(rates, quantities, ground)]
+    known = [[value(slope) for slope in row] for row in _identity_rows(rates, quantities, level)]
     return stated, known, len(rates.unknowns)
 
 
-def _rates(law: Reduction, ground: LevelSet) -> _Rates:
-    quantities = quantities_in_order(law, ground)
-    variables = {*ground.system.symbols, *quantities}
+def _rates(law: Reduction, level: LevelSet) -> _Rates:
+    quantities = quantities_in_order(law, level)
+    variables = {*level.system.symbols, *quantities}
     meaning: dict[sp.Symbol, sp.Expr] = {}
     symbols: dict[sp.Expr, sp.Symbol] = {}
 
@@ -107,13 +107,13 @@ def _rates(law: Reduction, ground: LevelSet) -> _Rates:
             )
         )
 
-    def written(formula: sp.Expr) -> sp.Expr:
+    def with_symbols(formula: sp.Expr) -> sp.Expr:
         """A formula with symbols for the rates, the innermost first."""
         while rates := [r for r in formula.atoms(Rate) if not r.args[0].has(Rate)]:
             formula = formula.xreplace({r: rate_of(r.args[0]) for r in rates})
         return formula
 
-    equations = tuple(written(ground.expanded(to_components(e))) for e in law.equations)
+    equations = tuple(with_symbols(level.expanded(to_components(e))) for e in law.equations)
     seen = {s for e in equations for s in e.free_symbols}
     moving = {s for s in seen if s in variables}
     # a rate that occurs alone stands for its variable
@@ -149,7 +149,7 @@ def _equation_rows(rates: _Rates) -> Iterator[list[sp.Expr]]:
 
 
 def _identity_rows(
-    rates: _Rates, quantities: dict[sp.Symbol, sp.Expr], ground: LevelSet
+    rates: _Rates, quantities: dict[sp.Symbol, sp.Expr], level: LevelSet
 ) -> Iterator[list[sp.Expr]]:
     """Rows from the formulas of the quantities and from the conditions."""
     own = {s for rate in rates.meaning.values() for s in rate.free_symbols}
@@ -157,11 +157,11 @@ def _identity_rows(
     for symbol, formula in quantities.items():
         if symbol in own:
             others = {s: f for s, f in quantities.items() if s not in own}
-            written = ground.expanded(expanded(formula, others))
-            if _within(written, own, quantities, ground):
-                yield _derivatives(symbol - written, rates)
-    for condition in ground.moving:
-        if _within(condition, own, quantities, ground):
+            with_symbols = level.expanded(expanded(formula, others))
+            if _within(with_symbols, own, quantities, level):
+                yield _derivatives(symbol - with_symbols, rates)
+    for condition in level.moving:
+        if _within(condition, own, quantities, level):
             yield _derivatives(condition, rates)
 
 
@@ -171,10 +171,10 @@ def _derivatives(formula: sp.Expr, rates: _Rates) -> list[sp.Expr]:
 
 
 def _within(
-    formula: sp.Expr, own: set[sp.Symbol], quantities: dict[sp.Symbol, sp.Expr], ground: LevelSet
+    formula: sp.Expr, own: set[sp.Symbol], quantities: dict[sp.Symbol, sp.Expr], level: LevelSet
 ) -> bool:
     """Whether a formula moves with the variables of the equations alone."""
-    moving: set[sp.Symbol] = formula.free_symbols & {*ground.system.symbols, *quantities}
+    moving: set[sp.Symbol] = formula.free_symbols & {*level.system.symbols, *quantities}
     return moving <= own
 
 

@@ -37,7 +37,7 @@ class LevelSet(LevelFractions):
 
     @cached_property
     def components(self) -> tuple[LevelSet, ...]:
-        """The components of the level; this ground alone where it is a single one.
+        """The components of the level; this level alone where it is a single one.
 
         Raises
         ------
@@ -71,14 +71,14 @@ class LevelSet(LevelFractions):
     def _component(self, part: Component) -> LevelSet:
         by_name = {str(s): s for s in self.symbols}
 
-        def written(polys: Sequence[Poly]) -> tuple[sp.Expr, ...]:
+        def formulas(polys: Sequence[Poly]) -> tuple[sp.Expr, ...]:
             return tuple(_as_formula(poly, by_name) for poly in polys)
 
-        equations = (*written(part.equations), *self.zeros)
+        equations = (*formulas(part.equations), *self.zeros)
         parent = None
         if part.parent is not None:
-            parent = (*written(part.parent.equations), *self.zeros)
-        return LevelSet(self.system, self.on, equations, parent, written(part.chosen), part.inner)
+            parent = (*formulas(part.parent.equations), *self.zeros)
+        return LevelSet(self.system, self.on, equations, parent, formulas(part.chosen), part.inner)
 
     # --- points ----------------------------------------------------------------------------
 
@@ -109,7 +109,7 @@ class LevelSet(LevelFractions):
 
     @cached_property
     def _first_component(self) -> LevelSet:
-        """The first component; the ground itself where it cannot be decomposed."""
+        """The first component; the level itself where it cannot be decomposed."""
         try:
             return self.components[0]
         except OutOfReachError:
@@ -214,13 +214,13 @@ class LevelSet(LevelFractions):
                         left.append((name, power))
                 polynomial[tuple(left)] = polynomial.get(tuple(left), fmpq(0)) + number
             names = list(dict.fromkeys(name for left in polynomial for name, _ in left))
-            written = [
+            texts = [
                 [str(number), [x for name, power in left for x in (names.index(name), power)]]
                 for left, number in polynomial.items()
                 if number
             ]
             roots[main] = {
-                "poly": {"ring": names, "terms": written},
+                "poly": {"ring": names, "terms": texts},
                 "near": value.mid().str(60, radius=False),
                 "radius": "1e-50",
             }

@@ -24,18 +24,18 @@ def scalars(value: object) -> list[sp.Expr]:
 
 
 def components(
-    pairs: Sequence[tuple[sp.Symbol | Vector, sp.Expr]], ground: LevelSet
+    pairs: Sequence[tuple[sp.Symbol | Vector, sp.Expr]], level: LevelSet
 ) -> dict[sp.Symbol, sp.Expr]:
     """Pairs (name, formula) as scalar symbols with scalar formulas, rates written out."""
     formulas_by_symbol: dict[sp.Symbol, sp.Expr] = {}
     for name, formula in pairs:
         symbols = (name,) if isinstance(name, sp.Symbol) else name.symbols
-        formulas = (without_rates(scalar, ground) for scalar in scalars(formula))
+        formulas = (without_rates(scalar, level) for scalar in scalars(formula))
         formulas_by_symbol.update(zip(symbols, formulas, strict=True))
     return formulas_by_symbol
 
 
-def quantities_in_order(law: Reduction | Identity, ground: LevelSet) -> dict[sp.Symbol, sp.Expr]:
+def quantities_in_order(law: Reduction | Identity, level: LevelSet) -> dict[sp.Symbol, sp.Expr]:
     """The quantities of a law, each in terms of the system and of earlier ones.
 
     Raises
@@ -43,8 +43,8 @@ def quantities_in_order(law: Reduction | Identity, ground: LevelSet) -> dict[sp.
     InputError
         If a quantity has the name of something else, or uses itself or a later one.
     """
-    quantities = components(law.quantities, ground)
-    system = ground.system
+    quantities = components(law.quantities, level)
+    system = level.system
     kinds = {
         "a state variable": set(system.symbols),
         "a definition": {s for s, _ in system.steps},

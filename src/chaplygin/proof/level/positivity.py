@@ -24,7 +24,7 @@ __all__ = ["orienting", "positives", "unmet"]
 Named = tuple[str, sp.Expr]
 
 
-def positives(law: Law, ground: LevelSet) -> tuple[Named, ...]:
+def positives(law: Law, level: LevelSet) -> tuple[Named, ...]:
     """Quantities that a law needs to be positive, each in words and as a formula.
 
     Of an isomorphism it is dτ/dt; of a measure every base of its density that stands under a root,
@@ -40,18 +40,18 @@ def positives(law: Law, ground: LevelSet) -> tuple[Named, ...]:
     bases: list[Named] = []
     match law:
         case Isomorphism():
-            bases = [("dτ/dt", _plain(law.time, ground))]
+            bases = [("dτ/dt", _plain(law.time, level))]
         case Measure():
             bases = [
                 (f"the base {text(base)} of the density", formula)
-                for base, formula, power in _bases(law, ground)
+                for base, formula, power in _bases(law, level)
                 if not power.is_Integer
             ]
-    settled = ((what, _factors_of_open_sign(formula, ground)) for what, formula in bases)
+    settled = ((what, _factors_of_open_sign(formula, level)) for what, formula in bases)
     return tuple((what, formula) for what, formula in settled if formula != 1)
 
 
-def orienting(law: Law, ground: LevelSet) -> tuple[Named, ...]:
+def orienting(law: Law, level: LevelSet) -> tuple[Named, ...]:
     """The bases of a density with odd exponents, which decide its sign.
 
     Where the product of all of them has one sign, the density or its negative is positive; where it
@@ -60,14 +60,14 @@ def orienting(law: Law, ground: LevelSet) -> tuple[Named, ...]:
     if not isinstance(law, Measure):
         return ()
     bases = (
-        (f"the base {text(base)} of the density", _factors_of_open_sign(formula, ground))
-        for base, formula, power in _bases(law, ground)
+        (f"the base {text(base)} of the density", _factors_of_open_sign(formula, level))
+        for base, formula, power in _bases(law, level)
         if power.is_Integer and power % 2
     )
     return tuple((what, formula) for what, formula in bases if not formula.is_number)
 
 
-def unmet(law: Law, ground: LevelSet, field: Field) -> tuple[tuple[str, FieldElement], ...]:
+def unmet(law: Law, level: LevelSet, field: Field) -> tuple[tuple[str, FieldElement], ...]:
     """Quantities that are not positive at a point though a law needs them.
 
     Raises
@@ -77,9 +77,9 @@ def unmet(law: Law, ground: LevelSet, field: Field) -> tuple[tuple[str, FieldEle
     ZeroDivisionError
         If a formula has no value at the point, or if a ball leaves the sign open.
     """
-    evaluate = ground.evaluator(field)
+    evaluate = level.evaluator(field)
     failures = []
-    for what, formula in positives(law, ground):
+    for what, formula in positives(law, level):
         value = evaluate.value(formula)
         if value > 0:
             continue
@@ -89,21 +89,21 @@ def unmet(law: Law, ground: LevelSet, field: Field) -> tuple[tuple[str, FieldEle
     return tuple(failures)
 
 
-def _bases(law: Measure, ground: LevelSet) -> Iterator[tuple[sp.Expr, sp.Expr, sp.Expr]]:
+def _bases(law: Measure, level: LevelSet) -> Iterator[tuple[sp.Expr, sp.Expr, sp.Expr]]:
     """Base as given, base without rates, and exponent on the level; none of exponent zero."""
     for base, exponent in law.density:
-        power = ground.expanded(sp.sympify(exponent))
+        power = level.expanded(sp.sympify(exponent))
         if power != 0:
-            yield base, _plain(base, ground), power
+            yield base, _plain(base, level), power
 
 
-def _plain(formula: sp.Expr, ground: LevelSet) -> sp.Expr:
-    return without_rates(to_components(sp.sympify(formula)), ground)
+def _plain(formula: sp.Expr, level: LevelSet) -> sp.Expr:
+    return without_rates(to_components(sp.sympify(formula)), level)
 
 
-def _factors_of_open_sign(formula: sp.Expr, ground: LevelSet) -> sp.Expr:
+def _factors_of_open_sign(formula: sp.Expr, level: LevelSet) -> sp.Expr:
     """The factors whose signs count: a formula that is positive where the given one is."""
-    steps = ground.steps
+    steps = level.steps
     left = []
     for factor in sp.Mul.make_args(sp.sympify(formula)):
         if factor.is_positive:
@@ -116,6 +116,6 @@ def _factors_of_open_sign(formula: sp.Expr, ground: LevelSet) -> sp.Expr:
             or (exponent < 0 and exponent.p % 2 == 0)
         ):
             continue
-        elif base not in steps or _factors_of_open_sign(steps[base], ground) != 1:
+        elif base not in steps or _factors_of_open_sign(steps[base], level) != 1:
             left.append(base if exponent == -1 else factor)
     return sp.Mul(*left)

@@ -31,7 +31,7 @@ class _Parts:
     constants: frozenset[sp.Symbol]
 
 
-def separated(law: Separation, ground: LevelSet) -> Iterator[tuple[str, sp.Expr]]:
+def separated(law: Separation, level: LevelSet) -> Iterator[tuple[str, sp.Expr]]:
     """Formulas in the quantities and the state that vanish if the equations separate.
 
     Raises
@@ -39,8 +39,8 @@ def separated(law: Separation, ground: LevelSet) -> Iterator[tuple[str, sp.Expr]
     InputError
         If the equations are not one for each quantity.
     """
-    parts = _parts(law, ground)
-    still = {*parts.constants, *(p.symbol for p in ground.system.parameters)}
+    parts = _parts(law, level)
+    still = {*parts.constants, *(p.symbol for p in level.system.parameters)}
     for (first, own), (second, other) in combinations(parts.squares.items(), 2):
         ratio = own / other
         label = f"the ratio of the rates of {first} and {second}"
@@ -56,27 +56,27 @@ def separated(law: Separation, ground: LevelSet) -> Iterator[tuple[str, sp.Expr]
 
 
 def of_separation(
-    law: Separation, ground: LevelSet, field: Field
+    law: Separation, level: LevelSet, field: Field
 ) -> tuple[list[list[FieldElement]], list[list[FieldElement]]]:
     """Gradients of the conditions and the constants, and of the quantities that separate."""
-    parts = _parts(law, ground)
-    partial = ground.partial(field).with_steps(quantities_in_order(law, ground))
-    size = len(ground.system.symbols)
+    parts = _parts(law, level)
+    partial = level.partial(field).with_steps(quantities_in_order(law, level))
+    size = len(level.system.symbols)
 
     def row(formula: sp.Expr) -> list[FieldElement]:
         slopes = partial(formula).slopes
         return [slopes.get(i, field.zero) for i in range(size)]
 
     constants = sorted(parts.constants, key=str)
-    return [row(f) for f in (*ground.moving, *constants)], [row(u) for u in parts.squares]
+    return [row(f) for f in (*level.moving, *constants)], [row(u) for u in parts.squares]
 
 
-def _parts(law: Separation, ground: LevelSet) -> _Parts:
-    variables = {*ground.system.symbols, *quantities_in_order(law, ground)}
+def _parts(law: Separation, level: LevelSet) -> _Parts:
+    variables = {*level.system.symbols, *quantities_in_order(law, level)}
     squares: dict[sp.Symbol, sp.Expr] = {}
     constants = set()
     for number, raw in enumerate(law.equations, 1):
-        equation = ground.expanded(to_components(raw))
+        equation = level.expanded(to_components(raw))
         rates = equation.atoms(Rate)
         symbols = {rate.args[0] for rate in rates}
         if len(rates) != 1 or not symbols <= variables:
