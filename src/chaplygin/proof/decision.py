@@ -299,12 +299,12 @@ def _refutation(law: Law, failed: _Part, parts: list[_Part]) -> Verdict:
         and not part.proof.conditions
     ]
     besides = f"; it holds where {', and where '.join(dict.fromkeys(holds))}" if holds else ""
-    where = {"point": failed.point, "what": what, "residual": str(residual)}
+    witness = {"point": failed.point, "what": what, "residual": str(residual)}
     return Verdict(
         law.name,
         "refuted",
         shown=f"{what} fails at {place}{besides}",
-        witness=where | (vars(failed.witness) if failed.witness is not None else {}),
+        witness=witness | (vars(failed.witness) if failed.witness is not None else {}),
     )
 
 

@@ -100,14 +100,14 @@ class Reasons:
             return 0
         self._open.add(key)
         try:
-            sign = self._sum_of(poly)
+            total = self._sum_of(poly)
         finally:
             self._open.discard(key)
-        if sign is None:
+        if total is None:
             self._unknown.add(key)
             return 0
-        self.sums.append(sign)
-        self.known[key] = monic(sign.poly)[1]
+        self.sums.append(total)
+        self.known[key] = monic(total.poly)[1]
         return self.known[key] * lead
 
     def _sum_of(self, poly: Poly) -> Sum | None:
