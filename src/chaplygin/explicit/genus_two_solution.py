@@ -68,11 +68,11 @@ class GenusTwo(Solution):
     @arguments_checked
     def states(self, times: Numbers) -> FloatArray:
         """Lifted states (n, size) at `times` (n,), in double precision."""
-        moment = self.clock.at(np.asarray(times, dtype=float))
+        moment = self.clock.torus_point(np.asarray(times, dtype=float))
         reduced = self._state(*self.prepared.torus.values(moment.v))
         if self.lift is None:
             return reduced.T
-        return np.concatenate([reduced, self.lift.at(moment)]).T
+        return np.concatenate([reduced, self.lift.in_space(moment)]).T
 
     @property
     def pace(self) -> float:

@@ -120,7 +120,7 @@ def _condition_text(problem: Problem, condition: Condition) -> str:
     if len(written) <= SHORT:
         return f"{written} = 0"
     laws = [law for law in problem.system.integrals if problem.vanish(law.on, ROUNDED)]
-    value, *others = problem.measured([condition.formula, *(law.value for law in laws)])
+    value, *others = problem.sized_values([condition.formula, *(law.value for law in laws)])
     same = [law for law, other in zip(laws, others, strict=True) if (value - other).vanishes()]
     return f"the {same[0].meaning} vanishes" if same else f"{written} = 0"
 

@@ -97,9 +97,9 @@ class Problem:
 
     def values(self, formulas: Sequence[sp.Expr]) -> list[Any]:
         """Scalar formulas of the system at the start, as fractions or to 60 digits."""
-        return [value.value for value in self.measured(formulas)]
+        return [value.value for value in self.sized_values(formulas)]
 
-    def measured(self, formulas: Sequence[sp.Expr]) -> list[Sized]:
+    def sized_values(self, formulas: Sequence[sp.Expr]) -> list[Sized]:
         """Values of scalar formulas at the start, with the sizes of their terms."""
         lifted = self.system.lifted() if self.system.motion else self.system
         known = {s: exact(value) for s, value in self.parameters.items()}
@@ -113,7 +113,7 @@ class Problem:
 
     def vanish(self, formulas: Sequence[sp.Expr], part: fmpq = RESOLUTION) -> bool:
         """Whether scalar formulas vanish at the start, or leave but a part of their terms."""
-        return all(value.vanishes(part) for value in self.measured(formulas))
+        return all(value.vanishes(part) for value in self.sized_values(formulas))
 
 
 def same_field(

@@ -70,7 +70,7 @@ class Cover:
     table: FloatArray
     turns: tuple[float, float]
 
-    def signed(self, v: FloatArray, attitude: FloatArray) -> FloatArray:
+    def with_signs(self, v: FloatArray, attitude: FloatArray) -> FloatArray:
         """The given quaternions (n, 4) at the phases v (n, 2), modulo 4, with the right signs."""
         sizes = np.array(self.table.shape[:2])
         places = np.floor(v * (sizes / 2) + 0.5).astype(int)

@@ -57,10 +57,10 @@ class Curve:
             value = value * (z - root)
         return value
 
-    def rest(self, left: int, s: Any) -> Any:
+    def cofactor(self, left: int, s: Any) -> Any:
         """|R| / ((z − l)(r − z)) at the place s of the interval from root number `left` = l to r.
 
-        There z = ½(l + r) − ½(r − l) cos s.  The rest is positive on the closed interval and
+        There z = ½(l + r) − ½(r − l) cos s.  It is positive on the closed interval and
         analytic around it, a product of positive sums: nothing cancels near other roots.
 
         Parameters

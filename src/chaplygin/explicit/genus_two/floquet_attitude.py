@@ -83,7 +83,7 @@ class FloquetReduction:
         turn = np.stack([np.cos(half), np.sin(half), zero, zero], axis=-1)
         return _product(_product(self.start, turn), self._triad(v))
 
-    def fixed(self, v: FloatArray) -> FloatArray:
+    def fixed_vector(self, v: FloatArray) -> FloatArray:
         """The unit vector that stays in space, body axes, (3, n), at phases v (n, 2)."""
         triads: FloatArray = Rotation.from_quat(np.roll(self._triad(v), -1, axis=-1)).as_matrix()
         return triads[:, 0].T

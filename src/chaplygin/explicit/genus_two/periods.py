@@ -38,7 +38,7 @@ def abelian(curve: Curve, left: int, end: arb | None = None) -> Pair:
     def integral(power: int) -> arb:
         def form(s: acb, analytic: bool) -> acb:
             z = middle - half * s.cos()
-            integrand: acb = z**power / curve.rest(left, s).sqrt(analytic=analytic)
+            integrand: acb = z**power / curve.cofactor(left, s).sqrt(analytic=analytic)
             return integrand
 
         # the relative accuracy aimed at is that of the working precision

@@ -70,7 +70,7 @@ class Lift(ABC):
     start: FloatArray
 
     @abstractmethod
-    def at(self, moment: TorusPoint) -> FloatArray:
+    def in_space(self, moment: TorusPoint) -> FloatArray:
         """Attitude and places, (4 + places, n)."""
 
     @cached_property
@@ -138,7 +138,7 @@ class _AttitudeFromVectors(Lift):
     def _sign(self) -> float:
         """The sign that makes the covered quaternion that of the start."""
         turns = self._attitude(*self._torus(self._origin))
-        at_start = self._cover.signed(self._origin, turns)
+        at_start = self._cover.with_signs(self._origin, turns)
         return 1.0 if float(at_start[0] @ self.start[:4]) > 0 else -1.0
 
 
@@ -162,10 +162,10 @@ class TwoFixedVectors(_AttitudeFromVectors):
 
         return self._quadrature(rates)
 
-    def at(self, moment: TorusPoint) -> FloatArray:
+    def in_space(self, moment: TorusPoint) -> FloatArray:
         """Attitude and places, (4 + places, n)."""
         there = self._torus(moment.v)
-        turns = self._sign * self._cover.signed(moment.v, self._attitude(*there))
+        turns = self._sign * self._cover.with_signs(moment.v, self._attitude(*there))
         places = [
             start + flow.mean * moment.tau + flow.quasi(moment.v, moment.tau)[0]
             for start, flow in zip(self.start[4:], self._flows, strict=True)
@@ -241,16 +241,16 @@ class OneFixedVector(_AttitudeFromVectors):
             for i in range(count)
         )
 
-    def at(self, moment: TorusPoint) -> FloatArray:
+    def in_space(self, moment: TorusPoint) -> FloatArray:
         """Attitude and places, (4 + places, n)."""
         there = self._torus(moment.v)
         psi = self._angle.mean * moment.tau + self._angle.quasi(moment.v, moment.tau)[0]
-        turns = self._sign * self._cover.signed(moment.v, self._attitude(*there))
+        turns = self._sign * self._cover.with_signs(moment.v, self._attitude(*there))
         places = [
             start
             + still.mean * moment.tau
             + still.quasi(moment.v, moment.tau)[0]
-            + moving.at(moment.v, moment.tau)
+            + moving.values(moment.v, moment.tau)
             for start, (still, moving) in zip(self.start[4:], self._flows, strict=True)
         ]
         whole = _after_turn(self._triad.axes[0], psi, turns.T)
@@ -272,7 +272,7 @@ class NoFixedVector(Lift):
         V = [number(x) for x in self.prepared.torus.V]
         return reduction(turning, V, self.clock.v_0, self.start[:4])
 
-    def at(self, moment: TorusPoint) -> FloatArray:
+    def in_space(self, moment: TorusPoint) -> FloatArray:
         """The attitude, (4, n)."""
         return self._reduction.attitude(moment.v, moment.tau).T
 

@@ -38,7 +38,7 @@ class Turning:
     start: ComplexArray
     omega: float
 
-    def at(self, v: FloatArray, tau: FloatArray) -> FloatArray:
+    def values(self, v: FloatArray, tau: FloatArray) -> FloatArray:
         """Values at phases v (n, 2), modulo 2, and τ (n,)."""
         # a term with a small divisor is left as it is: τ sin(x)/x
         slow = np.abs(self.speeds) < 1e-3 * np.max(np.abs(self.speeds), initial=0.0)

@@ -57,7 +57,7 @@ class TimeMap:
     V: FloatArray
     v_0: FloatArray
 
-    def at(self, times: FloatArray) -> TorusPoint:
+    def torus_point(self, times: FloatArray) -> TorusPoint:
         """Phases and τ at the times (n,)."""
         mean_clock = self.flow.mean
         ideal = np.stack([turned(rate, times, 4.0) for rate in self.Omega], axis=1) + self.v_0

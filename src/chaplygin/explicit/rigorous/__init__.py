@@ -59,7 +59,7 @@ class RigorousMotion:
 
     @cached_property
     def _pair(self) -> Pair | None:
-        return Pair.of(self.prepared)
+        return Pair.of_motion(self.prepared)
 
     def _turn(self, pair: Pair) -> Turn:
         """The triad at the start."""
@@ -101,13 +101,13 @@ class RigorousMotion:
         turn = self._turn(self._pair)
         if self._paths is not None:
             rates, integrals = self._paths
-            values = [path.at(tau) for path in integrals]
+            values = [path.integral(tau) for path in integrals]
             moved = [
                 sum((turn.axes[k] * values[i] for i, k in own), arb(0)) for own in rates.shares
             ]
             places = [ball(x) + y for x, y in zip(start[4:], moved, strict=True)]
         if self._angle is not None:
-            turn = turn.after_rotation(self._angle.at(tau))
+            turn = turn.after_rotation(self._angle.integral(tau))
         return turn.quaternion(there, rough) + places
 
     def reduced_state(self, tau: arb) -> tuple[list[arb], tuple[list[arb], list[arb]]]:

@@ -136,7 +136,7 @@ class RigorousQuadrature:
     def _origin(self) -> arb:
         return self._wave_sum(arb(0))
 
-    def at(self, tau: arb | float) -> arb:
+    def integral(self, tau: arb | float) -> arb:
         """The integral from 0 to τ, as a ball that contains it."""
         with ctx.workprec(self.bits):
             tau = arb(tau)
@@ -153,14 +153,14 @@ class RigorousQuadrature:
     def inverse(self, value: arb | float) -> arb:
         """The τ at which the integral of a positive f has a given value, as a ball.
 
-        The middle is found by Newton's method; the radius is |at(middle) − value|/min f, which
+        The middle is found by Newton's method; the radius is |integral(middle) − value|/min f, which
         bounds the distance to the root by the mean value theorem.
         """
         with ctx.workprec(self.bits):
             value, small = arb(value), self._least
             tau = (value / self.mean).mid()
             goal = (arb(2) ** (30 - self.bits)) * (1 / arb(speed_of(self.torus)) + abs(tau))
-            miss = self.at(tau) - value
+            miss = self.integral(tau) - value
             for _ in range(100):
                 step = (miss.mid() / self.rate(tau)).mid()
                 if abs(step) < goal:
@@ -168,7 +168,7 @@ class RigorousQuadrature:
                 # too long a step is halved: the integral grows with τ, so that it gets better
                 while True:
                     following = (tau - step).mid()
-                    left = self.at(following) - value
+                    left = self.integral(following) - value
                     if abs(left.mid()) < abs(miss.mid()) or abs(step) < goal:
                         break
                     step = (step / 2).mid()

@@ -44,7 +44,7 @@ class Pair:
     rate: sp.Expr | None
 
     @classmethod
-    def of(cls, prepared: SeparatedMotion) -> Pair | None:
+    def of_motion(cls, prepared: SeparatedMotion) -> Pair | None:
         """Two fixed vectors, or one and another that stays away from it; None if none is fixed."""
         fixed = prepared.separable.fixed
         if not fixed:
