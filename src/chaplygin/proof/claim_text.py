@@ -70,9 +70,6 @@ def admissible(system: System) -> tuple[sp.Basic, ...]:
     return tuple(r for r in dict.fromkeys(relations) if r not in (sp.true, True))
 
 
-# --- laws ----------------------------------------------------------------------------------------
-
-
 def _law(system: System, law: Law) -> Text:
     return {"name": law.name, "on": _formulas(law.on), **_content(system, law)}
 
@@ -137,9 +134,6 @@ def _pairs(pairs: Iterable[tuple[sp.Symbol | Vector, sp.Expr]]) -> list[list[str
         names = (name,) if isinstance(name, sp.Symbol) else name.symbols
         texts += [[str(n), str(f)] for n, f in zip(names, scalars(formula), strict=True)]
     return texts
-
-
-# --- polynomials ---------------------------------------------------------------------------------
 
 
 def terms_text(poly: Poly, places: Sequence[int | None]) -> Terms:

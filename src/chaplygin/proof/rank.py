@@ -81,9 +81,6 @@ def rank_defect(law: Law, level: LevelSet, field: Field) -> tuple[str, str] | No
     return None
 
 
-# --- brackets ------------------------------------------------------------------------------
-
-
 def _entries(law: PoissonStructure, level: LevelSet, field: Field) -> list[list[FieldElement]]:
     plain = level.evaluator(field)
     size = len(level.system.symbols)
@@ -109,9 +106,6 @@ def _(law: ConformallyHamiltonian, level: LevelSet, field: Field) -> tuple[str, 
             raise OutOfReachError("with balls it is not certain that the multiplier is not zero")
         return "the multiplier", "0"
     return rank_defect(law.structure, level, field)
-
-
-# --- isomorphisms --------------------------------------------------------------------------
 
 
 @rank_defect.register
@@ -192,9 +186,6 @@ def _component_equations(law: Isomorphism, field: Field, there: Evaluator) -> tu
             if not part.parent and all(field.vanishes(there.value(c)) for c in part.conditions):
                 return part.conditions
     raise OutOfReachError("the component of the target to which the map leads is not known")
-
-
-# --- reductions ----------------------------------------------------------------------------
 
 
 @rank_defect.register

@@ -154,9 +154,6 @@ def _rate(space: SearchSpace, relation: sp.Expr) -> sp.Expr:
     )
 
 
-# --- exponents -----------------------------------------------------------------------------
-
-
 def _exponent(
     space: SearchSpace, samples: Sequence[Sample], residues: Sequence[int]
 ) -> sp.Expr | None:

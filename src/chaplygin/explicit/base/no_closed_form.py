@@ -153,8 +153,6 @@ def _title_in_sentence(title: str) -> str:
     return title if capitalised else f"{first.lower()}{space}{remainder}"
 
 
-# --- what stands in the way ----------------------------------------------------------------
-
 Rule = Callable[[Problem, Rolling], _Obstacle | None]
 
 

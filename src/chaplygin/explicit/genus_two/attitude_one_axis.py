@@ -38,9 +38,6 @@ __all__ = [
 omega, kappa, level, a = vectors("omega spin_kappa spin_level spin_a")
 
 
-# --- numbers -------------------------------------------------------------------------------
-
-
 def _dot(u: Sequence[sp.Expr], v: Sequence[sp.Expr]) -> sp.Expr:
     return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
 
@@ -110,9 +107,6 @@ def farthest(fixed: FloatArray, candidates: Sequence[FloatArray]) -> int:
         square = np.sum(fixed * fixed, axis=0) * np.sum(e * e, axis=0)
         margins.append(float(np.min(1 - cosine * cosine / square)))
     return int(np.argmax(margins))
-
-
-# --- formulas ------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)

@@ -153,8 +153,8 @@ class RigorousQuadrature:
     def inverse(self, value: arb | float) -> arb:
         """The τ at which the integral of a positive f has a given value, as a ball.
 
-        The middle is found by Newton's method; the radius is |integral(middle) − value|/min f, which
-        bounds the distance to the root by the mean value theorem.
+        The middle is found by Newton's method; the radius |integral(middle) − value|/min f
+        bounds the distance to the root, by the mean value theorem.
         """
         with ctx.workprec(self.bits):
             value, small = arb(value), self._least

@@ -104,8 +104,6 @@ class Cases:
             exact_divisions.append(Division((), quotients, self.chains.ring.constant(0)))
         return exact_divisions
 
-    # --- what does not vanish --------------------------------------------------------------------
-
     def _doubtful(self, divisions: Iterable[Division], nonzero: Sequence[Poly]) -> Iterator[Poly]:
         """Factors of multipliers that may vanish, each once."""
         seen = set()
@@ -130,8 +128,6 @@ class Cases:
                     total = total * multiplier
                 return Combination(total, division.by)
         return None
-
-    # --- cases -----------------------------------------------------------------------------------
 
     def _quotient_texts(self, by: Mapping[int, Poly], equations: Sequence[Poly]) -> list[Terms]:
         return [self.write(by[i]) if i in by else [] for i in range(len(equations))]

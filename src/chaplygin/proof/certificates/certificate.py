@@ -128,9 +128,6 @@ def _is_located(read: CheckedClaim, point: Text) -> bool:
     return True
 
 
-# --- proofs --------------------------------------------------------------------------------------
-
-
 def _proofs(
     system: System,
     law: Law,

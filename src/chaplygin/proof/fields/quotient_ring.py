@@ -75,8 +75,6 @@ class QuotientRing:
         self.one = Element(self, self.ring.constant(1), {})
         self.zero = Element(self, self.ring.constant(0), {})
 
-    # --- making elements -------------------------------------------------------------------
-
     def rational(self, value: int | sp.Rational) -> Element:
         """A rational number."""
         number = sp.Rational(value)
@@ -85,8 +83,6 @@ class QuotientRing:
     def generator(self, name: str) -> Element:
         """A generator by its name, reduced where a relation gives its value."""
         return Element(self, self.reduce(self.generators[name]), {})
-
-    # --- arithmetic ------------------------------------------------------------------------
 
     def multiply(self, first: Element, second: Element) -> Element:
         """Product, reduced."""
@@ -194,8 +190,6 @@ class QuotientRing:
             self._factor_numbers[key] = len(self.factors)
             self.factors.append(poly)
         return self._factor_numbers[key]
-
-    # --- relations -------------------------------------------------------------------------
 
     def impose(self, main: str, poly: Poly) -> None:
         """Add a relation with its main variable, above all relations imposed before."""

@@ -102,8 +102,6 @@ class Signs:
             return [base for _, base in terms]
         return self._linear_squares(poly)
 
-    # --- one polynomial --------------------------------------------------------------------
-
     def _of_one(self, poly: Poly) -> Sign:
         sign = self._by_terms(poly)
         if sign is Sign.UNKNOWN and len(poly) <= MANY:

@@ -34,8 +34,6 @@ Kind = TypeVar("Kind", bound=FunctionField)
 class LevelFractions(LevelFormulas):
     """A level with its triangular set and the field of fractions modulo it."""
 
-    # --- what is known of signs --------------------------------------------------------------
-
     @cached_property
     def requirements(self) -> tuple[sp.Expr, ...]:
         """The relations that are known to hold on the domain."""
@@ -130,8 +128,6 @@ class LevelFractions(LevelFormulas):
             field.signs = Signs(field.ring, {**field.signs.known, **known}, facts, nonzero)
         known = {**field.signs.known, **known}
         return Signs(field.ring, known, facts, nonzero, conditions)
-
-    # --- the triangular set ----------------------------------------------------------------
 
     @cached_property
     def _triangle(self) -> TriangularSet:

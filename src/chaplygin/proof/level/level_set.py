@@ -80,8 +80,6 @@ class LevelSet(LevelFractions):
             parent = (*formulas(part.parent.equations), *self.zeros)
         return LevelSet(self.system, self.on, equations, parent, formulas(part.chosen), part.inner)
 
-    # --- points ----------------------------------------------------------------------------
-
     def point(
         self, generator: random.Random, draw: Draw = near
     ) -> tuple[dict[str, fmpq | arb], bool]:
