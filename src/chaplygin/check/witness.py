@@ -18,7 +18,7 @@ from flint import arb, ctx, fmpq
 from .claim.claim import Claim
 from .claim.domain import domain
 from .claim.errors import CheckError, UndefinedError
-from .claim.evaluate import Place
+from .claim.evaluate import Point
 from .claim.formulas import Formula, names_in, number, parse
 from .claim.jets import ball
 from .claim.json_data import field, integer, listed, mapping, only, rational, text
@@ -46,7 +46,7 @@ def check_witness(claim: Claim, data: object) -> None:
     with ctx.workprec(PRECISION):
         point = _Point(claim, field(data, "point", what))
         point.check()
-        values = residuals(claim, point.place)
+        values = residuals(claim, point.evaluate)
         index = integer(field(data, "index", what), f"the index of {what}", 0, len(values) - 1)
         if values[index].contains(0):
             raise CheckError("the residual at the witness is not certainly different from zero")
@@ -55,12 +55,12 @@ def check_witness(claim: Claim, data: object) -> None:
             raise CheckError(f"the residual at the witness is not {stated}")
 
 
-def located(claim: Claim, data: object) -> Place:
+def located(claim: Claim, data: object) -> Point:
     """A point of the level in the domain of the law; CheckError where it is none."""
     with ctx.workprec(PRECISION):
         point = _Point(claim, data)
         point.check()
-        return point.place
+        return point.evaluate
 
 
 def failing(claim: Claim, data: object) -> tuple[int, str]:
@@ -74,7 +74,7 @@ def failing(claim: Claim, data: object) -> tuple[int, str]:
     with ctx.workprec(PRECISION):
         point = _Point(claim, data)
         point.check()
-        for index, value in enumerate(each_residual(claim, point.place)):
+        for index, value in enumerate(each_residual(claim, point.evaluate)):
             if not value.contains(0):
                 return index, str(value.str(30))
     raise CheckError("every residual may be zero at the point")
@@ -86,11 +86,11 @@ def check_sample(claim: Claim, data: object, conditions: Sequence[Condition]) ->
         point = _Point(claim, data)
         point.check()
         for condition in conditions:
-            value = point.place(condition.formula)
+            value = point.evaluate(condition.formula)
             if not (value > 0 if condition.positive else value != 0):
                 raise CheckError(f"the sample does not satisfy {condition.text}")
-        residuals(claim, point.place)
-        if ranked(claim) and not rank_at_least(claim, point.place):
+        residuals(claim, point.evaluate)
+        if ranked(claim) and not rank_at_least(claim, point.evaluate):
             raise CheckError("at the sample the rank is not as the law says")
 
 
@@ -137,19 +137,19 @@ class _Point:
                 raise CheckError(f"the point does not give {word}")
         self._settle_zeros(zeros)
         settled = {word: number(value) for word, value in self.rationals.items()}
-        self.place = self.system.place(self.balls, self.functions, settled)
+        self.evaluate = self.system.point(self.balls, self.functions, settled)
 
-    def _partial_place(self) -> Place:
+    def _partial_point(self) -> Point:
         settled = {word: number(value) for word, value in self.rationals.items()}
-        return Place(self.balls, self.system.definitions, {}, self.functions, settled)
+        return Point(self.balls, self.system.definitions, {}, self.functions, settled)
 
     def _settle_zeros(self, zeros: list[Formula]) -> None:
         """Values of unspecified functions that a condition says are zero."""
         for zero in list(zeros):
             if self.system.reach(zero.parts) <= {*self.balls, *self.system.definitions}:
-                place = self._partial_place()
+                partial = self._partial_point()
                 word, orders = zero.word
-                self.functions.settle(word, orders, [place(p) for p in zero.parts], arb(0))
+                self.functions.settle(word, orders, [partial(p) for p in zero.parts], arb(0))
                 zeros.remove(zero)
 
     def _read(self, word: str, data: object) -> None:
@@ -163,7 +163,7 @@ class _Point:
             formula = parse(data["formula"], what)
             if not names_in([formula]) <= {*self.balls, *self.system.definitions, "pi", "E"}:
                 raise CheckError(f"{what} uses what is not known before it")
-            self.balls[word] = self._partial_place()(formula)
+            self.balls[word] = self._partial_point()(formula)
         elif set(data) == {"root"}:
             self._read_root(word, mapping(data["root"], what), what)
         else:
@@ -205,16 +205,16 @@ class _Point:
             if not self._admissible(formula, sign):
                 raise CheckError("the parameters of the point are not admissible")
         for guard in self.system.guards:
-            if not self.place(guard) > 0:
+            if not self.evaluate(guard) > 0:
                 raise CheckError("a guard is not positive at the point")
         settled = {word: number(value) for word, value in self.rationals.items()}
         try:
-            domain(self.claim, settled).values(self.place)
+            domain(self.claim, settled).values(self.evaluate)
         except UndefinedError:
             raise CheckError("the law is not certainly defined at the point") from None
 
     def _admissible(self, formula: Formula, sign: str) -> bool:
-        value = self.place(formula)
+        value = self.evaluate(formula)
         if sign == ">":
             return bool(value > 0)
         if sign == "!=":
@@ -238,7 +238,7 @@ class _Point:
         try:
             above, below = quotient(formula, ring, value_of, definitions)
         except UndefinedError:
-            value = self.place(formula)
+            value = self.evaluate(formula)
             return bool(value.contains(0) and value.rad() < arb(10) ** -NARROW)
         if not self._value(below) != 0:
             raise CheckError("a condition of the level is not defined at the point")

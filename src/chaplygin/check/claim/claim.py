@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Any
 
 from .errors import CheckError
-from .evaluate import Place
+from .evaluate import Point
 from .formulas import Formula, names_in, parse, parse_condition
 from .jets import Number
 from .json_data import field, integer, items, listed, mapping, only, text
@@ -65,15 +65,15 @@ class ClaimedSystem:
                 waiting |= names_in([definitions[word]]) - reached
         return reached
 
-    def place(
+    def point(
         self,
         values: Mapping[str, Number],
         functions: Functions,
         settled: Mapping[str, Formula] | None = None,
-    ) -> Place:
+    ) -> Point:
         """The system at a point."""
         rates = dict(zip(self.state, self.rates, strict=True))
-        return Place(values, self.definitions, rates, functions, settled)
+        return Point(values, self.definitions, rates, functions, settled)
 
 
 @dataclass(frozen=True)

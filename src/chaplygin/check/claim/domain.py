@@ -14,10 +14,10 @@ from flint import arb
 
 from .claim import Claim
 from .errors import UndefinedError
-from .evaluate import Place, exact_value
+from .evaluate import Point, exact_value
 from .formulas import Formula, call, number, power, product, total, walk
 from .jets import Number
-from .residuals import gram_determinants, target_place
+from .residuals import gram_determinants, target_point
 
 __all__ = ["GRAM", "Domain", "domain"]
 
@@ -33,11 +33,11 @@ class Domain:
 
     Attributes
     ----------
-    nonzero : tuple of (place, formula)
-        Do not vanish; the place is ``"own"`` or ``"target"``.
-    positive : tuple of (place, formula, exponent)
+    nonzero : tuple of (side, formula)
+        Do not vanish; the side is ``"own"`` or ``"target"``.
+    positive : tuple of (side, formula, exponent)
         Are positive; the exponent of the power that asks for it, or None if it is no number.
-    logarithms : tuple of (place, formula)
+    logarithms : tuple of (side, formula)
         Are positive, too.
     gram : bool
         Whether the conditions must be independent.
@@ -49,22 +49,22 @@ class Domain:
     logarithms: tuple[tuple[str, Formula], ...]
     gram: bool
 
-    def values(self, place: Place) -> tuple[list[arb], list[arb], list[arb]]:
+    def values(self, point: Point) -> tuple[list[arb], list[arb], list[arb]]:
         """Values of what does not vanish, what stands under roots and in logarithms.
 
         Raises
         ------
         UndefinedError
-            If the law is not certainly defined at the place.
+            If the law is not certainly defined at the point.
         """
-        places = {"own": place.with_definitions(self.claim.law.quantities)}
+        points = {"own": point.with_definitions(self.claim.law.quantities)}
         if self.claim.law.target is not None:
-            places["target"] = target_place(self.claim, place)
-        nonzero: list[Number] = [places[where](f) for where, f in self.nonzero]
+            points["target"] = target_point(self.claim, point)
+        nonzero: list[Number] = [points[where](f) for where, f in self.nonzero]
         if self.gram:
-            nonzero += gram_determinants(self.claim, place)
-        positive = [places[where](f) for where, f, _ in self.positive]
-        logarithms = [places[where](f) for where, f in self.logarithms]
+            nonzero += gram_determinants(self.claim, point)
+        positive = [points[where](f) for where, f, _ in self.positive]
+        logarithms = [points[where](f) for where, f in self.logarithms]
         if any(value.contains(0) for value in nonzero):
             raise UndefinedError("a divisor may vanish")
         if not all(value > 0 for value in [*positive, *logarithms]):

@@ -25,10 +25,10 @@ from .jets import (
 )
 from .unspecified_functions import Functions
 
-__all__ = ["Place", "exact_value"]
+__all__ = ["Point", "exact_value"]
 
 
-class Place:
+class Point:
     """A point at which formulas are evaluated, perhaps moving.
 
     Parameters
@@ -63,11 +63,11 @@ class Place:
         self.settled = dict(settled or {})
         self.level = level
         self._seen: dict[Formula, Number] = {}
-        self._moving: Place | None = None
+        self._moving: Point | None = None
 
-    def with_definitions(self, more: Mapping[str, Formula]) -> Place:
+    def with_definitions(self, more: Mapping[str, Formula]) -> Point:
         """The point with further definitions."""
-        return Place(
+        return Point(
             self.values,
             {**self.definitions, **more},
             self.rates,
@@ -76,7 +76,7 @@ class Place:
             self.level,
         )
 
-    def moving(self) -> Place:
+    def moving(self) -> Point:
         """The point as it moves: every value with its derivative in direction 0."""
         if self._moving is None:
             values = dict(self.values)
@@ -85,15 +85,15 @@ class Place:
             self._moving = self._above(values)
         return self._moving
 
-    def partial(self, words: Iterable[str]) -> Place:
+    def partial(self, words: Iterable[str]) -> Point:
         """The point with partial derivatives by symbols, numbered."""
         values = dict(self.values)
         for i, word in enumerate(words):
             values[word] = Jet(self.level + 1, values[word], {i: arb(1)})
         return self._above(values)
 
-    def _above(self, values: Mapping[str, Number]) -> Place:
-        return Place(
+    def _above(self, values: Mapping[str, Number]) -> Point:
+        return Point(
             values, self.definitions, self.rates, self.functions, self.settled, self.level + 1
         )
 

@@ -110,9 +110,9 @@ def call(word: str, parts: Iterable[Formula]) -> Formula:
     return _node("call", word, parts)
 
 
-def function(word: str, orders: Iterable[int], places: Iterable[Formula]) -> Formula:
-    """A value of a derivative of an unspecified function: how often by each place."""
-    return _node("function", (word, tuple(orders)), places)
+def function(word: str, orders: Iterable[int], arguments: Iterable[Formula]) -> Formula:
+    """A value of a derivative of an unspecified function: how often by each argument."""
+    return _node("function", (word, tuple(orders)), arguments)
 
 
 def walk(formulas: Iterable[Formula]) -> Iterator[Formula]:
@@ -315,15 +315,15 @@ class _Reader:
             return self._derivative()
         if word == "Subs":
             return self._substitution()
-        places = [self.sum()]
+        arguments = [self.sum()]
         while self._take(","):
-            places.append(self.sum())
+            arguments.append(self.sum())
         self._expect(")")
         if word not in KNOWN:
-            return function(word, [0] * len(places), places)
-        if len(places) != KNOWN[word]:
-            raise self._wrong(f"gives {word} {len(places)} arguments")
-        return call(word, places)
+            return function(word, [0] * len(arguments), arguments)
+        if len(arguments) != KNOWN[word]:
+            raise self._wrong(f"gives {word} {len(arguments)} arguments")
+        return call(word, arguments)
 
     def _derivative(self) -> Formula:
         inner = self.sum()

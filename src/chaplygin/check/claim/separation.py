@@ -96,7 +96,7 @@ def check_separation(claim: Claim) -> None:
 
 
 def _with(symbol: Formula, rate: Formula, formula: Formula) -> Formula:
-    """A formula with a symbol in place of the rate; UndefinedError if it is not rational."""
+    """A formula with a symbol in point of the rate; UndefinedError if it is not rational."""
     if formula is rate:
         return symbol
     inner = [_with(symbol, rate, part) for part in formula.parts]

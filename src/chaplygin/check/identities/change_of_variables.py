@@ -10,7 +10,7 @@ from flint import arb, arb_mat
 
 from ..claim.claim import Claim
 from ..claim.errors import CheckError, UndefinedError
-from ..claim.evaluate import Place
+from ..claim.evaluate import Point
 from ..claim.formulas import Formula, call, name, parse, product
 from ..claim.jets import Number
 from ..claim.json_data import items, listed, text
@@ -51,8 +51,8 @@ class Change:
 class PointPair:
     """A point in the old and in the new variables."""
 
-    old: Place
-    new: Place
+    old: Point
+    new: Point
 
 
 def read_change(claim: Claim, data: object, what: str) -> Change:
@@ -120,7 +120,7 @@ def _pair(
     graph = dict(change.graph)
     # expressed variables are definitions, so that they move as their expressions do
     own = {word: rate for word, rate in rates.items() if word not in graph}
-    old = Place(values, {**system.definitions, **graph}, own, functions)
+    old = Point(values, {**system.definitions, **graph}, own, functions)
     image = dict(values)
     for circle in change.circles:
         del image[circle.angle]
@@ -129,7 +129,7 @@ def _pair(
     known = {w: v for w, v in image.items() if w in stated.system.symbols}
     if len(known) < len(image) or len(image) < len(stated.system.symbols):
         raise CheckError("the variables of a claim in other variables are not those substituted")
-    pair = PointPair(old, stated.system.place(known, functions))
+    pair = PointPair(old, stated.system.point(known, functions))
     _require_defined(claim, stated, pair)
     return pair
 
@@ -148,8 +148,8 @@ def slopes_determinant(claim: Claim, change: Change, pair: PointPair) -> arb:
     """The determinant of the conditions that express variables, derived by these."""
     words = list(change.graph)
     values = {w: pair.old(name(w)) for w in claim.system.symbols}
-    place = Place(values, claim.system.definitions, {}, pair.old.functions)
-    partial = place.partial(words)
+    point = Point(values, claim.system.definitions, {}, pair.old.functions)
+    partial = point.partial(words)
     rows = []
     for condition in claim.conditions:
         if agree([pair.old(condition)], [arb(0)]):

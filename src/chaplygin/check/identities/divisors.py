@@ -13,7 +13,7 @@ from ..claim.formulas import Formula, parse
 from ..claim.jets import Number
 from ..claim.json_data import choice, field, listed, mapping, only, rational, text
 from ..claim.polynomials import Powers, monic
-from ..claim.residuals import target_place
+from ..claim.residuals import target_point
 from .accuracy import InaccurateError, agree
 from .generators import Generators, Sample
 
@@ -30,8 +30,8 @@ class Entry:
 
 def _value_at(generators: Generators, sample: Sample, where: str, formula: Formula) -> Number:
     if where == "target":
-        return target_place(generators.claim, sample.place)(formula)
-    return sample.place.with_definitions(generators.claim.law.quantities)(formula)
+        return target_point(generators.claim, sample.point)(formula)
+    return sample.point.with_definitions(generators.claim.law.quantities)(formula)
 
 
 def read_divisors(

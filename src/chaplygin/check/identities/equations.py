@@ -65,7 +65,7 @@ def _check_condition(
     if formula not in (*generators.claim.conditions, *region):
         raise CheckError(f"{label} comes from no condition")
     try:
-        stated = [sample.place(formula) for sample in samples]
+        stated = [sample.point(formula) for sample in samples]
         values = [
             generators.ring.value(poly, sample.values)
             / generators.ring.value_of_powers(powers, sample.values)

@@ -17,7 +17,7 @@ from flint import arb, fmpq
 from ..claim.claim import Claim
 from ..claim.domain import Domain
 from ..claim.errors import CheckError, UndefinedError
-from ..claim.evaluate import Place
+from ..claim.evaluate import Point
 from ..claim.formulas import Formula, name
 from ..claim.jets import Number, add, apply, arctangent, inverse, multiply
 from ..claim.polynomials import Poly, Powers, Ring
@@ -72,7 +72,7 @@ class Sample:
     """A random point."""
 
     values: list[arb]
-    place: Place
+    point: Point
     nonzero: list[arb]
     positive: list[arb]
     logarithms: list[arb]
@@ -138,12 +138,12 @@ class Generators:
             if not self.ring.value(poly, values) * sign > 0:
                 raise UndefinedError("a sign is not as assumed")
         known = {word: solver(name(word)) for word in self.claim.system.symbols}
-        place = self.claim.system.place(known, functions, self.settled)
+        point = self.claim.system.point(known, functions, self.settled)
         for word in self.plain:
             defined = word in self.claim.system.definitions
-            if defined and not place(name(word)).overlaps(drawn[word]):
+            if defined and not point(name(word)).overlaps(drawn[word]):
                 raise CheckError(f"the generator {word} does not agree with its definition")
-        return Sample(values, place, *self.domain.values(place))
+        return Sample(values, point, *self.domain.values(point))
 
     def _drawn(self, word: str, generator: random.Random, attempt: int) -> arb:
         mode = attempt % 3
@@ -157,7 +157,7 @@ class Generators:
         return arb(fine) / 2 ** (21 if mode == 0 else 19)
 
     def _auxiliary(
-        self, auxiliary: Auxiliary, values: list[arb], solver: Place, functions: Functions
+        self, auxiliary: Auxiliary, values: list[arb], solver: Point, functions: Functions
     ) -> Number:
         ring = self.ring
         inner = [
@@ -190,7 +190,7 @@ class Generators:
         return (inner[0].log() * solver(auxiliary.exponent) / auxiliary.number).exp()
 
 
-class _Solver(Place):
+class _Solver(Point):
     """A point given by its generators: state and parameters there."""
 
     def __init__(

@@ -39,7 +39,7 @@ def learn_positive(
         if strict and sign != ">":
             continue
         try:
-            ratio = common_ratio(values, [sample.place(formula) for sample in samples])
+            ratio = common_ratio(values, [sample.point(formula) for sample in samples])
         except UndefinedError:
             continue
         if ratio is not None and ratio > 0:

@@ -77,7 +77,7 @@ def _checked_residuals(
     fractions = [generators.ring.fraction(item, f"a residual of {what}") for item in stated]
     for sample in basis.samples:
         try:
-            values = residuals(claim, sample.place)
+            values = residuals(claim, sample.point)
         except UndefinedError as error:
             raise CheckError(f"{what}: a residual is not defined: {error}") from None
         if len(values) != len(fractions):
@@ -122,7 +122,7 @@ def same(basis: Basis, poly: Poly, formula: Formula) -> int | None:
     """The sign of the number by which a polynomial and a formula differ; None if by none."""
     try:
         values = [basis.generators.ring.value(poly, sample.values) for sample in basis.samples]
-        ratio = common_ratio(values, [sample.place(formula) for sample in basis.samples])
+        ratio = common_ratio(values, [sample.point(formula) for sample in basis.samples])
     except UndefinedError:
         return None
     return None if ratio is None else 1 if ratio > 0 else -1

@@ -53,17 +53,17 @@ def check_functions(
         if auxiliary.kind != "known" or auxiliary.word in ("exp", "atan"):
             continue
         ring = generators.ring
-        places = [
+        arguments = [
             [ring.value(above, s.values) / ring.value_of_powers(below, s.values) for s in samples]
             for above, below in auxiliary.of
         ]
         if auxiliary.word == "log":
-            known, stated = "logarithms", places[0]
+            known, stated = "logarithms", arguments[0]
         elif auxiliary.word == "atan2":
             known = "nonzero"
-            stated = [y * y + x * x for y, x in zip(*places, strict=True)]
+            stated = [y * y + x * x for y, x in zip(*arguments, strict=True)]
         else:
-            known, stated = "positive", [1 - x * x for x in places[0]]
+            known, stated = "positive", [1 - x * x for x in arguments[0]]
         lists = zip(*(getattr(s, known) for s in samples), strict=True)
         if not any(agree(stated, values) for values in lists):
             raise CheckError(f"{label} is none of the law")

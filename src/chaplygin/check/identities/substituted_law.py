@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from flint import arb
 
 from ..claim.claim import Claim, Law
-from ..claim.evaluate import Place
+from ..claim.evaluate import Point
 from ..claim.formulas import Formula, call, name
 from ..claim.jets import add, multiply
 from .accuracy import agree
@@ -41,13 +41,13 @@ def says_law(claim: Claim, stated: Claim, change: Change, pairs: Sequence[PointP
         return False
     if old.kind == "Measure":
         return _same_density(claim, stated, change, pairs)
-    places = [
+    points = [
         (p.old.with_definitions(old.quantities), p.new.with_definitions(new.quantities))
         for p in pairs
     ]
 
     def equal(first: Formula, second: Formula) -> bool:
-        return agree([a(first) for a, _ in places], [b(second) for _, b in places])
+        return agree([a(first) for a, _ in points], [b(second) for _, b in points])
 
     for key, formula in old.single.items():
         if not equal(formula, new.single[key]):
@@ -92,9 +92,9 @@ def _same_tensors(claim: Claim, stated: Claim, change: Change, pairs: Sequence[P
     return True
 
 
-def _components(law: Law, state: Sequence[str], place: Place) -> list[arb]:
+def _components(law: Law, state: Sequence[str], point: Point) -> list[arb]:
     components = dict(law.pairs["field"])
-    return [place(components[word]) if word in components else arb(0) for word in state]
+    return [point(components[word]) if word in components else arb(0) for word in state]
 
 
 def _rows(claim: Claim, stated: Claim, change: Change, pair: PointPair) -> dict[str, list[arb]]:

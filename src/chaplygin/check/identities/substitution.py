@@ -15,7 +15,7 @@ from flint import arb
 from ..claim.claim import Claim
 from ..claim.domain import Domain, domain
 from ..claim.errors import CheckError
-from ..claim.evaluate import Place
+from ..claim.evaluate import Point
 from ..claim.formulas import Formula, call, parse, total
 from ..claim.json_data import listed, text
 from .accuracy import agree, with_precision
@@ -172,8 +172,8 @@ def _check_domain(
             raise CheckError(f"the claim of {what} takes a root that the system does not")
 
 
-def _of_domain(own: Domain, place: Place) -> tuple[list[arb], list[arb]]:
-    nonzero, positive, logarithms = own.values(place)
+def _of_domain(own: Domain, point: Point) -> tuple[list[arb], list[arb]]:
+    nonzero, positive, logarithms = own.values(point)
     return nonzero, [*positive, *logarithms]
 
 
